@@ -1,0 +1,165 @@
+//! The command line: one file a subcommand, each a thin walk through the rooms.
+//!
+//! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage. A closed pipe ends the
+//! program quietly. Nothing here needs a display.
+
+mod check;
+mod circle;
+mod import;
+mod limits;
+mod report;
+
+use std::io::{BufRead, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+use crate::control::shipped_tables;
+use crate::files::{self, FileError};
+use crate::tolerance::Tables;
+use crate::verdict::Status;
+
+/// Good, rework or scrap: limits and fits, measured.
+///
+/// Without a subcommand the window opens.
+#[derive(Debug, Parser)]
+#[command(name = "fitcheck", version, max_term_width = 100, after_help = EXIT_CODES)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Limits(limits::Args),
+    Check(check::Args),
+    Import(import::Args),
+    Circle(circle::Args),
+    Report(report::Args),
+}
+
+/// How a result is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people.
+    Text,
+    /// For spreadsheets and scripts: the same in every language.
+    Csv,
+    /// For programs: the same in every language.
+    Json,
+}
+
+/// Where the tables come from.
+#[derive(Debug, Clone, clap::Args)]
+pub struct TableArgs {
+    /// Folder with your own control tables (*.tab); they are asked before the built-in ones
+    #[arg(long, value_name = "FOLDER", global = false)]
+    tables: Option<PathBuf>,
+}
+
+impl TableArgs {
+    /// The built-in tables, after the user's own where a folder is named; warnings go to standard error.
+    fn load(&self, io: &mut Io<'_>) -> Result<Tables, CliError> {
+        let Some(folder) = &self.tables else { return Ok(shipped_tables()) };
+        let own = crate::control::deviations::read_folder(folder).map_err(|error| CliError::Data(error.to_string()))?;
+        for warning in &own.warnings {
+            writeln!(io.err, "warning: {warning}")?;
+        }
+        Ok(shipped_tables().with_own(own.tables))
+    }
+}
+
+/// Why a subcommand could not do its work.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// Standard input or output failed.
+    #[error("{0}")]
+    Stream(#[from] std::io::Error),
+    /// A file could not be read or written.
+    #[error("{0}")]
+    File(#[from] FileError),
+    /// What was given cannot be used.
+    #[error("{0}")]
+    Data(String),
+}
+
+/// The standard streams, as arguments so that tests bring their own.
+pub struct Io<'a> {
+    /// Standard input.
+    pub input: &'a mut dyn BufRead,
+    /// Standard output, buffered.
+    pub out: &'a mut dyn Write,
+    /// Standard error.
+    pub err: &'a mut dyn Write,
+}
+
+/// How a subcommand ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Done; nothing was judged or everything is good.
+    Done,
+    /// Judged: the worst status of all.
+    Judged(Status),
+    /// Some of the data could not be used; the rest was answered.
+    BadData,
+}
+
+impl Outcome {
+    /// The exit code of the contract.
+    pub const fn code(self) -> u8 {
+        match self {
+            Self::Done | Self::Judged(Status::Good) => 0,
+            Self::Judged(Status::Rework) => 10,
+            Self::Judged(Status::Scrap) => 11,
+            Self::Judged(Status::ReMeasure) => 12,
+            Self::BadData => 1,
+        }
+    }
+}
+
+impl Cli {
+    /// Whether a subcommand was named; without one the window opens.
+    pub const fn has_subcommand(&self) -> bool {
+        self.command.is_some()
+    }
+
+    /// Runs the subcommand on the given streams and answers with the exit code.
+    pub fn run(&self, io: &mut Io<'_>) -> u8 {
+        let result = match &self.command {
+            Some(Command::Limits(args)) => args.run(io),
+            Some(Command::Check(args)) => args.run(io),
+            Some(Command::Import(args)) => args.run(io),
+            Some(Command::Circle(args)) => args.run(io),
+            Some(Command::Report(args)) => args.run(io),
+            None => Ok(Outcome::Done),
+        };
+        let result = result.and_then(|outcome| io.out.flush().map(|()| outcome).map_err(CliError::Stream));
+        match result {
+            Ok(outcome) => outcome.code(),
+            Err(CliError::Stream(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => 0,
+            Err(error) => {
+                // Standard error may be closed as well; there is nobody left to tell.
+                let _unheard = writeln!(io.err, "fitcheck: {error}");
+                Outcome::BadData.code()
+            }
+        }
+    }
+
+    /// Runs the subcommand on the process's own streams.
+    pub fn run_here(&self) -> ExitCode {
+        let mut out = std::io::BufWriter::new(std::io::stdout().lock());
+        let mut err = std::io::stderr().lock();
+        let mut input = std::io::stdin().lock();
+        ExitCode::from(self.run(&mut Io { input: &mut input, out: &mut out, err: &mut err }))
+    }
+}
+
+/// Writes an output file and says its name on standard error.
+fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), CliError> {
+    files::write(path, bytes)?;
+    writeln!(io.err, "wrote {}", path.display())?;
+    Ok(())
+}

@@ -1,0 +1,19 @@
+//! The control's own formats.
+//!
+//! | file | what |
+//! |---|---|
+//! | `text` | bytes to lines: encodings and line ends |
+//! | `variables` | Q, QL, QR and QS parameters |
+//! | `table` | freely definable tables `.TAB`, three header generations, read and written |
+//! | `deviations` | such a table as a table of deviations; the two shipped ones |
+//! | `mask` | FN 16 masks, read and rendered |
+//! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT` |
+
+pub mod deviations;
+pub mod log;
+pub mod mask;
+pub mod table;
+pub mod text;
+pub mod variables;
+
+pub use deviations::shipped_tables;

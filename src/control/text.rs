@@ -1,0 +1,53 @@
+//! Bytes of a control's text file to text.
+//!
+//! Controls write UTF-8 or Windows-1252, with LF, CRLF, CR or byte 0 between lines (`facts`: text transfer over LSV2
+//! separates lines with byte 0).
+
+use std::borrow::Cow;
+
+/// Text of a file: UTF-8 if it is valid (a byte order mark is dropped), else Windows-1252. Never fails.
+pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_not_utf8) => encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0,
+    }
+}
+
+/// The lines of a text, numbered from 1, without their ends: LF, CRLF, CR or byte 0.
+pub fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let mut rest = Some(text);
+    let mut number = 0;
+    std::iter::from_fn(move || {
+        let text = rest.filter(|text| !text.is_empty())?;
+        number += 1;
+        let (line, after) = match text.find(['\n', '\r', '\0']) {
+            Some(end) => {
+                let (line, after) = text.split_at_checked(end)?;
+                (line, after.strip_prefix("\r\n").or_else(|| after.get(1..)).unwrap_or_default())
+            }
+            None => (text, ""),
+        };
+        rest = Some(after);
+        Some((number, line))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decodes_utf8_and_windows_1252() {
+        assert_eq!(decode(b"\xef\xbb\xbfMa\xc3\x9f"), "Maß");
+        assert_eq!(decode(b"Gr\xf6\xdfe \xd8 \x80"), "Größe Ø €");
+    }
+
+    #[test]
+    fn splits_at_every_kind_of_line_end() {
+        let all: Vec<_> = lines("a\nb\r\nc\rd\0e\n\nf").collect();
+        assert_eq!(all, [(1, "a"), (2, "b"), (3, "c"), (4, "d"), (5, "e"), (6, ""), (7, "f")]);
+        assert_eq!(lines("").count(), 0);
+        assert_eq!(lines("a\n").count(), 1);
+    }
+}

@@ -1,0 +1,89 @@
+//! The control's parameters: Q, QL and QR hold numbers, QS holds text.
+//!
+//! A parameter that was never set is undefined; asking for it answers `None`, never zero.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// Which family a parameter belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Family {
+    /// Global numbers.
+    Q,
+    /// Numbers local to a program.
+    Ql,
+    /// Numbers that outlive power-off.
+    Qr,
+    /// Texts.
+    Qs,
+}
+
+/// The name of a parameter: `Q153`, `QS3`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Parameter {
+    /// The family.
+    pub family: Family,
+    /// The number within the family.
+    pub number: u16,
+}
+
+impl Parameter {
+    /// `Qn`.
+    pub const fn q(number: u16) -> Self {
+        Self { family: Family::Q, number }
+    }
+
+    /// `QSn`.
+    pub const fn qs(number: u16) -> Self {
+        Self { family: Family::Qs, number }
+    }
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let family = match self.family {
+            Family::Q => "Q",
+            Family::Ql => "QL",
+            Family::Qr => "QR",
+            Family::Qs => "QS",
+        };
+        f.pad(&format!("{family}{}", self.number))
+    }
+}
+
+/// The value of a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number that is a length in millimetres, exact.
+    Length(crate::length::Length),
+    /// Any other number.
+    Number(f64),
+    /// A text.
+    Text(String),
+}
+
+/// All parameters that have a value.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Variables(BTreeMap<Parameter, Value>);
+
+impl Variables {
+    /// Nothing defined.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Gives a parameter a value.
+    pub fn set(&mut self, parameter: Parameter, value: Value) {
+        self.0.insert(parameter, value);
+    }
+
+    /// The value, or `None` where it is undefined.
+    pub fn get(&self, parameter: Parameter) -> Option<&Value> {
+        self.0.get(&parameter)
+    }
+
+    /// All defined parameters in order.
+    pub fn iter(&self) -> impl Iterator<Item = (Parameter, &Value)> {
+        self.0.iter().map(|(&parameter, value)| (parameter, value))
+    }
+}

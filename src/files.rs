@@ -1,0 +1,171 @@
+//! Reading and writing files: bounded, whole or not at all.
+//!
+//! Used at the edges (command line, window). Errors name what happened and, last, the path.
+
+use std::io::{Read as _, Write as _};
+use std::path::{Path, PathBuf};
+
+use crate::words::{Message, Say};
+
+/// The largest file that is read whole, 64 MiB: a table, a mask or a log is a thousandth of that.
+pub const LARGEST: u64 = 64 << 20;
+
+/// Why a file could not be read or written.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum FileError {
+    /// The path is a folder.
+    #[error("this is a folder, not a file: {}", path.display())]
+    IsFolder {
+        /// The path.
+        path: PathBuf,
+    },
+    /// There is nothing at the path.
+    #[error("no such file or folder: {}", path.display())]
+    Missing {
+        /// The path.
+        path: PathBuf,
+    },
+    /// The file is larger than [`LARGEST`].
+    #[error("the file is larger than {} MiB: {}", LARGEST >> 20, path.display())]
+    TooLarge {
+        /// The path.
+        path: PathBuf,
+    },
+    /// The system said no.
+    #[error("{reason}: {}", path.display())]
+    System {
+        /// What the system says.
+        reason: String,
+        /// The path.
+        path: PathBuf,
+    },
+}
+
+impl Say for FileError {
+    fn message(&self) -> Message {
+        match self {
+            Self::IsFolder { path } => Message::new("file-is-folder").text("path", path.display()),
+            Self::Missing { path } => Message::new("file-missing").text("path", path.display()),
+            Self::TooLarge { path } => {
+                Message::new("file-too-large").text("limit", LARGEST >> 20).text("path", path.display())
+            }
+            Self::System { reason, path } => {
+                Message::new("file-system").text("reason", reason).text("path", path.display())
+            }
+        }
+    }
+}
+
+fn system(path: &Path, error: &std::io::Error) -> FileError {
+    let path = path.to_owned();
+    match error.kind() {
+        std::io::ErrorKind::NotFound => FileError::Missing { path },
+        std::io::ErrorKind::IsADirectory => FileError::IsFolder { path },
+        _ => FileError::System { reason: error.to_string(), path },
+    }
+}
+
+/// The bytes of a file of at most [`LARGEST`]: a larger one is refused before it fills the memory.
+pub fn read(path: &Path) -> Result<Vec<u8>, FileError> {
+    let metadata = std::fs::metadata(path).map_err(|error| system(path, &error))?;
+    if metadata.is_dir() {
+        return Err(FileError::IsFolder { path: path.to_owned() });
+    }
+    if LARGEST < metadata.len() {
+        return Err(FileError::TooLarge { path: path.to_owned() });
+    }
+    let file = std::fs::File::open(path).map_err(|error| system(path, &error))?;
+    let mut bytes = Vec::new();
+    // A pipe or a growing file has no length beforehand: read one byte more than allowed and see.
+    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| system(path, &error))?;
+    if LARGEST < bytes.len().try_into().unwrap_or(u64::MAX) {
+        return Err(FileError::TooLarge { path: path.to_owned() });
+    }
+    Ok(bytes)
+}
+
+/// Writes a file whole or not at all: beside it, synced, then renamed over it.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+    if path.is_dir() {
+        return Err(FileError::IsFolder { path: path.to_owned() });
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
+    let whole = || -> std::io::Result<()> {
+        let mut beside = tempfile::Builder::new().prefix(".fitcheck-").tempfile_in(folder)?;
+        beside.write_all(bytes)?;
+        beside.as_file().sync_all()?;
+        make_readable(beside.as_file())?;
+        beside.persist(path).map_err(|error| error.error)?;
+        Ok(())
+    };
+    whole().map_err(|error| system(path, &error))
+}
+
+/// Temporary files are private; what a user saves is read by others, too.
+#[cfg(unix)]
+fn make_readable(file: &std::fs::File) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt as _;
+    file.set_permissions(std::fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn make_readable(_file: &std::fs::File) -> std::io::Result<()> {
+    Ok(())
+}
+
+/// Sets a broken file aside under another name and says which.
+pub fn set_aside(path: &Path) -> Result<PathBuf, FileError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    for number in 1..1000 {
+        let aside = path.with_file_name(format!("{name}.broken-{number}"));
+        if !aside.exists() {
+            std::fs::rename(path, &aside).map_err(|error| system(path, &error))?;
+            return Ok(aside);
+        }
+    }
+    Err(FileError::System { reason: "too many broken files were set aside".to_owned(), path: path.to_owned() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_written_file_is_whole_and_leaves_nothing_beside_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("report.html");
+        write(&path, b"one").unwrap();
+        write(&path, b"two").unwrap();
+        assert_eq!(read(&path).unwrap(), b"two");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn folders_and_missing_files_are_named() {
+        let folder = tempfile::tempdir().unwrap();
+        assert_eq!(read(folder.path()), Err(FileError::IsFolder { path: folder.path().to_owned() }));
+        assert_eq!(write(folder.path(), b""), Err(FileError::IsFolder { path: folder.path().to_owned() }));
+        let missing = folder.path().join("none.csv");
+        assert_eq!(read(&missing), Err(FileError::Missing { path: missing }));
+        let beneath = folder.path().join("none").join("x.csv");
+        assert_eq!(write(&beneath, b""), Err(FileError::Missing { path: beneath }));
+    }
+
+    #[test]
+    fn a_file_beyond_the_bound_is_refused_unread() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("huge.csv");
+        std::fs::File::create(&path).unwrap().set_len(LARGEST + 1).unwrap();
+        assert_eq!(read(&path), Err(FileError::TooLarge { path }));
+    }
+
+    #[test]
+    fn a_broken_file_is_set_aside_not_lost() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("state.json");
+        write(&path, b"{").unwrap();
+        let aside = set_aside(&path).unwrap();
+        assert_eq!(std::fs::read(aside).unwrap(), b"{");
+        assert!(!path.exists());
+    }
+}

@@ -1,0 +1,396 @@
+//! Lengths: a signed whole number of nanometres.
+//!
+//! Sizes, deviations and limits are compared exactly, so none of them is ever a float. This file is the only
+//! place where text becomes a length, a length becomes text, and a length meets `f64` (once per direction, for
+//! circle fits and plots). It knows nothing of tolerances, tables or languages.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// Nanometres in a millimetre.
+const NM_PER_MM: i64 = 1_000_000;
+
+/// A signed length in whole nanometres, at most [`Length::MAX`] either way.
+///
+/// The bound (a thousand kilometres) is far beyond any machine and keeps every length exact in an `f64`, too.
+///
+/// ```
+/// use fitcheck::length::Length;
+///
+/// let measured: Length = "25,0120 mm".parse()?;
+/// assert_eq!(measured.nanometres(), 25_012_000);
+/// assert_eq!(measured.to_string(), "25.012");
+/// # Ok::<(), fitcheck::length::LengthError>(())
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Length(i64);
+
+/// The unit that a number without a unit of its own is read in, or that a length is printed in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// Millimetres.
+    Millimetre,
+    /// Micrometres.
+    Micrometre,
+    /// Inches of exactly 25.4 mm.
+    Inch,
+}
+
+impl Unit {
+    /// Nanometres in one of this unit.
+    const fn nanometres(self) -> i64 {
+        match self {
+            Self::Millimetre => NM_PER_MM,
+            Self::Micrometre => 1_000,
+            Self::Inch => 25_400_000,
+        }
+    }
+}
+
+/// Why a text or a number is no length.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum LengthError {
+    /// There is no text.
+    #[error("a length is missing")]
+    Empty,
+    /// The text is not a decimal number with an optional unit.
+    #[error("{text} is not a number")]
+    NotANumber {
+        /// What was given.
+        text: String,
+    },
+    /// Point and comma both occur, so either could be the decimal sign.
+    #[error("{text} is ambiguous: write one decimal sign and no thousands separator")]
+    Ambiguous {
+        /// What was given.
+        text: String,
+    },
+    /// There are figures beyond the nanometre.
+    #[error("{text} is finer than a nanometre")]
+    TooFine {
+        /// What was given.
+        text: String,
+    },
+    /// The length is beyond [`Length::MAX`].
+    #[error("{text} is too large: at most {} mm either way", Length::MAX)]
+    TooLarge {
+        /// What was given.
+        text: String,
+    },
+}
+
+impl Length {
+    /// No length at all.
+    pub const ZERO: Self = Self(0);
+    /// The largest length, 1 000 000 000 mm; the smallest is its opposite.
+    pub const MAX: Self = Self(1_000_000_000 * NM_PER_MM);
+
+    /// A length of so many nanometres.
+    ///
+    /// # Errors
+    /// [`LengthError::TooLarge`] beyond [`Length::MAX`].
+    pub fn from_nanometres(nm: i64) -> Result<Self, LengthError> {
+        if Self::MAX.0.unsigned_abs() < nm.unsigned_abs() {
+            return Err(LengthError::TooLarge { text: format!("{nm} nm") });
+        }
+        Ok(Self(nm))
+    }
+
+    /// A length of so many micrometres, for constants in the code: any `i32` is in range.
+    pub const fn from_micrometres(um: i32) -> Self {
+        // `as` widens here; `From` is not const.
+        #[expect(clippy::as_conversions, clippy::cast_lossless, reason = "widening in a const function")]
+        Self(um as i64 * 1_000)
+    }
+
+    /// The whole number of nanometres.
+    pub const fn nanometres(self) -> i64 {
+        self.0
+    }
+
+    /// Reads a number in `unit` unless the text names its own (`mm`, `µm`, `um`): decimal point or comma, optional
+    /// sign (`+`, `-` or U+2212), exact to the nanometre.
+    ///
+    /// ```
+    /// use fitcheck::length::{Length, Unit};
+    ///
+    /// assert_eq!(Length::parse_in("+7,5", Unit::Micrometre)?.nanometres(), 7_500);
+    /// assert_eq!(Length::parse_in("1.0005", Unit::Inch)?.to_string(), "25.4127");
+    /// assert!(Length::parse_in("1.234,5", Unit::Millimetre).is_err());
+    /// # Ok::<(), fitcheck::length::LengthError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`LengthError`] says what is wrong with the text; nothing is rounded or guessed.
+    pub fn parse_in(text: &str, unit: Unit) -> Result<Self, LengthError> {
+        let given = text.trim();
+        if given.is_empty() {
+            return Err(LengthError::Empty);
+        }
+        let (number, unit) = split_unit(given, unit);
+        let (negative, digits) = match number.chars().next() {
+            Some('+') => (false, number.strip_prefix('+').unwrap_or(number)),
+            Some('-') => (true, number.strip_prefix('-').unwrap_or(number)),
+            Some('\u{2212}') => (true, number.strip_prefix('\u{2212}').unwrap_or(number)),
+            _ => (false, number),
+        };
+        let nm = decimal_nanometres(digits, unit, given)?;
+        Self::from_nanometres(if negative { -nm } else { nm })
+            .map_err(|_range| LengthError::TooLarge { text: given.to_owned() })
+    }
+
+    /// The sum, or `None` beyond [`Length::MAX`].
+    pub fn checked_add(self, other: Self) -> Option<Self> {
+        Self::from_nanometres(self.0.checked_add(other.0)?).ok()
+    }
+
+    /// The difference, or `None` beyond [`Length::MAX`].
+    pub fn checked_sub(self, other: Self) -> Option<Self> {
+        Self::from_nanometres(self.0.checked_sub(other.0)?).ok()
+    }
+
+    /// The difference, at most [`Length::MAX`] either way: for distances that are shown, never for limits.
+    pub fn saturating_sub(self, other: Self) -> Self {
+        // Two lengths are at most 2e15 nm apart, far inside i64.
+        Self((self.0 - other.0).clamp(-Self::MAX.0, Self::MAX.0))
+    }
+
+    /// The middle between two lengths, a half nanometre rounded towards the larger.
+    pub fn midpoint(self, other: Self) -> Self {
+        let sum = self.0 + other.0;
+        Self(sum.div_euclid(2) + sum.rem_euclid(2))
+    }
+
+    /// The length without its sign.
+    #[must_use]
+    pub const fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+
+    /// The length with the other sign.
+    #[must_use]
+    pub const fn negated(self) -> Self {
+        Self(-self.0)
+    }
+
+    /// Millimetres as a float, for geometry and plots. Exact to the last bit that an `f64` has.
+    #[expect(clippy::as_conversions, clippy::cast_precision_loss, reason = "below 2^53 nm, so the cast is exact")]
+    pub fn to_mm_f64(self) -> f64 {
+        self.0 as f64 / 1e6
+    }
+
+    /// The nearest whole nanometre to a geometric result in millimetres.
+    ///
+    /// # Errors
+    /// [`LengthError::NotANumber`] for NaN and infinities, [`LengthError::TooLarge`] beyond [`Length::MAX`].
+    pub fn from_mm_f64(mm: f64) -> Result<Self, LengthError> {
+        if !mm.is_finite() {
+            return Err(LengthError::NotANumber { text: mm.to_string() });
+        }
+        let nm = (mm * 1e6).round();
+        if Self::MAX.to_mm_f64() * 1e6 < nm.abs() {
+            return Err(LengthError::TooLarge { text: format!("{mm} mm") });
+        }
+        #[expect(
+            clippy::as_conversions,
+            clippy::cast_possible_truncation,
+            reason = "finite and in range, just checked"
+        )]
+        Ok(Self(nm as i64))
+    }
+
+    /// The exact number in `unit`, with a point and only the decimals it has, but at least `decimals`.
+    ///
+    /// Inches are not printed exactly (1 nm has no finite number of decimals); they come rounded to 7 decimals.
+    pub fn exact(self, unit: Unit, decimals: usize) -> String {
+        let places = match unit {
+            Unit::Millimetre => 6,
+            Unit::Micrometre => 3,
+            Unit::Inch => 7,
+        };
+        let mut text = self.rounded(unit, places.max(decimals));
+        while text.ends_with('0') && text.split_once('.').is_some_and(|(_, d)| decimals < d.len()) {
+            text.pop();
+        }
+        if text.ends_with('.') {
+            text.pop();
+        }
+        text
+    }
+
+    /// The number in `unit` with exactly so many decimals, rounded half away from zero, with a point.
+    pub fn rounded(self, unit: Unit, decimals: usize) -> String {
+        let magnitude = i128::from(self.0).unsigned_abs();
+        let one = i128::from(unit.nanometres()).unsigned_abs();
+        // 12 decimals are more than any unit needs; a wider request is filled up with zeros.
+        let kept = decimals.min(12);
+        let scale = (0..kept).fold(1_u128, |scale, _| scale * 10);
+        let scaled = (magnitude * scale * 2 + one) / (one * 2);
+        let sign = if self.0 < 0 && 0 < scaled { "-" } else { "" };
+        if decimals == 0 {
+            return format!("{sign}{scaled}");
+        }
+        let padding = decimals - kept;
+        format!("{sign}{}.{:0kept$}{:0<padding$}", scaled / scale, scaled % scale, "")
+    }
+}
+
+/// Takes a unit off the end of a number.
+fn split_unit(text: &str, unit: Unit) -> (&str, Unit) {
+    for (suffix, named) in [
+        ("mm", Unit::Millimetre),
+        ("\u{b5}m", Unit::Micrometre),
+        ("\u{3bc}m", Unit::Micrometre),
+        ("um", Unit::Micrometre),
+    ] {
+        if let Some(number) = text.strip_suffix(suffix) {
+            return (number.trim_end(), named);
+        }
+    }
+    (text, unit)
+}
+
+/// The nanometres of an unsigned decimal number; `given` is the whole text, for errors.
+fn decimal_nanometres(digits: &str, unit: Unit, given: &str) -> Result<i64, LengthError> {
+    let text = || given.to_owned();
+    let sound = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    if digits.contains('.') && digits.contains(',') && digits.bytes().all(|b| b.is_ascii_digit() || b".,".contains(&b))
+    {
+        return Err(LengthError::Ambiguous { text: text() });
+    }
+    let (whole, decimals) = digits.split_once(['.', ',']).unwrap_or((digits, ""));
+    if !sound(whole) || !sound(decimals) || (whole.is_empty() && decimals.is_empty()) {
+        return Err(LengthError::NotANumber { text: text() });
+    }
+    let decimals = decimals.trim_end_matches('0');
+    // Micrometres and millimetres end at the nanometre after 3 and 6 decimals, inches (25 400 000 nm) after at most
+    // 8: beyond that the number is finer, whatever its figures.
+    if 8 < decimals.len() {
+        return Err(LengthError::TooFine { text: text() });
+    }
+    let number = |part: &str| -> Result<i128, LengthError> {
+        let part = part.trim_start_matches('0');
+        if part.is_empty() {
+            return Ok(0);
+        }
+        if 18 < part.len() {
+            return Err(LengthError::TooLarge { text: text() });
+        }
+        part.parse().map_err(|_figures| LengthError::TooLarge { text: text() })
+    };
+    let scale = decimals.bytes().fold(1_i128, |scale, _| scale * 10);
+    let scaled = (number(whole)? * scale + number(decimals)?) * i128::from(unit.nanometres());
+    if scaled % scale != 0 {
+        return Err(LengthError::TooFine { text: text() });
+    }
+    i64::try_from(scaled / scale).map_err(|_range| LengthError::TooLarge { text: text() })
+}
+
+impl FromStr for Length {
+    type Err = LengthError;
+
+    /// Reads millimetres, or the unit that the text names.
+    fn from_str(text: &str) -> Result<Self, LengthError> {
+        Self::parse_in(text, Unit::Millimetre)
+    }
+}
+
+/// Millimetres with a point and only the decimals it has: `25`, `25.5`, `-0.000001`.
+impl fmt::Display for Length {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&self.exact(Unit::Millimetre, 0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, expected: &str) {
+        let said = match Length::from_str(text) {
+            Ok(length) => format!("{} nm", length.nanometres()),
+            Err(error) => error.to_string(),
+        };
+        assert_eq!(said, expected, "for {text:?}");
+    }
+
+    #[test]
+    fn reads_numbers_as_people_type_them() {
+        check("25", "25000000 nm");
+        check(" 25.021 ", "25021000 nm");
+        check("25,021", "25021000 nm");
+        check("+25.0", "25000000 nm");
+        check("-0.000001", "-1 nm");
+        check("\u{2212}12 µm", "-12000 nm");
+        check("12.5um", "12500 nm");
+        check("12.5 μm", "12500 nm");
+        check("25 mm", "25000000 nm");
+        check(".5", "500000 nm");
+        check("25.", "25000000 nm");
+        check("25.00000000000", "25000000 nm");
+        check("1000000000", "1000000000000000 nm");
+    }
+
+    #[test]
+    fn refuses_what_is_no_length() {
+        check("", "a length is missing");
+        check("   ", "a length is missing");
+        check("NaN", "NaN is not a number");
+        check("inf", "inf is not a number");
+        check("7.5.2", "7.5.2 is not a number");
+        check("1e3", "1e3 is not a number");
+        check("+-1", "+-1 is not a number");
+        check(".", ". is not a number");
+        check("mm", "mm is not a number");
+        check("1.234,5", "1.234,5 is ambiguous: write one decimal sign and no thousands separator");
+        check("25.0000001", "25.0000001 is finer than a nanometre");
+        check("0.0005 µm", "0.0005 µm is finer than a nanometre");
+        check("1000000000.000001", "1000000000.000001 is too large: at most 1000000000 mm either way");
+        check("99999999999999999999", "99999999999999999999 is too large: at most 1000000000 mm either way");
+        check("-99999999999999999999.5", "-99999999999999999999.5 is too large: at most 1000000000 mm either way");
+        check("２５", "２５ is not a number");
+    }
+
+    #[test]
+    fn prints_exactly_and_rounds_half_away_from_zero() {
+        let length = |nm| Length::from_nanometres(nm).unwrap();
+        assert_eq!(length(25_000_000).exact(Unit::Millimetre, 3), "25.000");
+        assert_eq!(length(25_007_500).exact(Unit::Millimetre, 3), "25.0075");
+        assert_eq!(length(-7_500).exact(Unit::Micrometre, 0), "-7.5");
+        assert_eq!(length(0).exact(Unit::Micrometre, 0), "0");
+        assert_eq!(length(25_000_050).rounded(Unit::Millimetre, 4), "25.0001");
+        assert_eq!(length(-25_000_050).rounded(Unit::Millimetre, 4), "-25.0001");
+        assert_eq!(length(-49).rounded(Unit::Millimetre, 4), "0.0000");
+        assert_eq!(length(1_500_000).rounded(Unit::Millimetre, 0), "2");
+        assert_eq!(length(1).rounded(Unit::Millimetre, 14), "0.00000100000000");
+        assert_eq!(format!("{:>8}", length(25_000_000)), "      25");
+    }
+
+    #[test]
+    fn an_inch_is_exactly_25_4_mm() {
+        assert_eq!(Length::parse_in("1.0008", Unit::Inch).unwrap().to_string(), "25.42032");
+        assert_eq!(
+            Length::parse_in("0.0000001", Unit::Inch).unwrap_err(),
+            LengthError::TooFine { text: "0.0000001".to_owned() }
+        );
+    }
+
+    #[test]
+    fn floats_meet_lengths_at_the_nearest_nanometre() {
+        assert_eq!(Length::from_mm_f64(25.0120004).unwrap().nanometres(), 25_012_000);
+        assert_eq!(Length::from_mm_f64(-0.0000006).unwrap().nanometres(), -1);
+        assert!(Length::from_mm_f64(f64::NAN).is_err());
+        assert!(Length::from_mm_f64(f64::INFINITY).is_err());
+        assert!(Length::from_mm_f64(1.000_000_1e9).is_err());
+    }
+
+    #[test]
+    fn arithmetic_is_checked() {
+        assert_eq!(Length::MAX.checked_add(Length(1)), None);
+        assert_eq!(Length::MAX.negated().checked_sub(Length(1)), None);
+        assert_eq!(Length::MAX.saturating_sub(Length::MAX.negated()), Length::MAX);
+        assert_eq!(Length(25_000_000).midpoint(Length(25_021_000)), Length(25_010_500));
+        assert_eq!(Length(-3).midpoint(Length(0)), Length(-1));
+    }
+}

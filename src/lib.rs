@@ -1,0 +1,27 @@
+//! Fitcheck tells whether a probed bore or shaft is good, rework or scrap, and why.
+//!
+//! The rooms of the house, in the order in which data walks through them:
+//!
+//! | module | what |
+//! |---|---|
+//! | [`length`] | whole nanometres |
+//! | [`tolerance`] | callouts, classes, limits |
+//! | [`probing`] | contacts, circles, measuring cycles, the simulated workpiece |
+//! | [`verdict`] | good, rework, scrap |
+//! | [`control`] | the control's tables, masks and logs |
+//! | [`exchange`] | files of other tools |
+//! | [`report`] | inspection reports |
+//! | `gui` | the window, with the feature `gui` |
+//! | [`cli`] | the command line |
+//! | [`words`], [`files`] | texts in the user's language; reading and writing files safely |
+
+pub mod cli;
+pub mod control;
+pub mod exchange;
+pub mod files;
+pub mod length;
+pub mod probing;
+pub mod report;
+pub mod tolerance;
+pub mod verdict;
+pub mod words;

@@ -1,0 +1,19 @@
+//! From contacts to a measurement.
+//!
+//! | file | what |
+//! |---|---|
+//! | `contact` | one touch of the probe |
+//! | `circle` | least-squares and other reference circles |
+//! | `cycle` | what a measuring cycle declares: parameters, ranges, results |
+//! | `cycles` | the cycles, one file each |
+//! | `simulated` | a workpiece and a probe that exist only here |
+//!
+//! A cycle gets limits, never tolerance classes, and asks a [`Prober`] for its contacts.
+
+pub mod circle;
+pub mod contact;
+pub mod cycle;
+pub mod cycles;
+pub mod simulated;
+
+pub use contact::{Contact, NoContact, Prober, Touch};

@@ -1,0 +1,1 @@
+//! The inspection report: one model, one file a rendering.

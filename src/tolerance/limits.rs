@@ -1,0 +1,138 @@
+//! Deviations, limits of size, and where they come from.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::class::Feature;
+use crate::length::Length;
+
+/// Upper and lower limit deviation from the nominal size; upper is never below lower.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Deviations {
+    upper: Length,
+    lower: Length,
+}
+
+/// The upper deviation lies below the lower one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("upper deviation {upper} mm is below lower deviation {lower} mm")]
+pub struct DeviationsError {
+    /// The upper deviation that was given.
+    pub upper: Length,
+    /// The lower deviation that was given.
+    pub lower: Length,
+}
+
+impl Deviations {
+    /// A pair of deviations.
+    ///
+    /// # Errors
+    /// [`DeviationsError`] when `upper` is below `lower`; they are not swapped.
+    pub fn new(upper: Length, lower: Length) -> Result<Self, DeviationsError> {
+        if upper < lower {
+            return Err(DeviationsError { upper, lower });
+        }
+        Ok(Self { upper, lower })
+    }
+
+    /// Upper limit deviation (ES or es).
+    pub const fn upper(&self) -> Length {
+        self.upper
+    }
+
+    /// Lower limit deviation (EI or ei).
+    pub const fn lower(&self) -> Length {
+        self.lower
+    }
+
+    /// Width of the tolerance zone, zero or more.
+    pub fn width(&self) -> Length {
+        self.upper.saturating_sub(self.lower)
+    }
+}
+
+/// Where deviations come from. Every number that is shown says this.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Source {
+    /// A control's table.
+    Table {
+        /// The table's name, `82553_hole.tab`.
+        name: Arc<str>,
+        /// Whether the table is one of the two shipped ones, which agree with ISO 286-2 cell by cell.
+        shipped: bool,
+        /// The size range: above this,
+        over: Length,
+        /// up to and including this.
+        to: Length,
+        /// What the shipped table says here, where a user's table says something else.
+        instead_of: Option<Deviations>,
+    },
+    /// The limits came with the measurement, from the named file.
+    File(Arc<str>),
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Table { name, shipped: true, over, to, .. } => {
+                write!(f, "ISO 286 table {name}, over {over} up to {to} mm")
+            }
+            Self::Table { name, over, to, .. } => write!(f, "table {name}, over {over} up to {to} mm"),
+            Self::File(name) => write!(f, "file {name}"),
+        }
+    }
+}
+
+/// Limits of size: what a measured part is judged by. The maximum is never below the minimum.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Limits {
+    /// Hole or shaft.
+    pub feature: Feature,
+    /// Nominal size.
+    pub nominal: Length,
+    /// Deviations from the nominal size.
+    pub deviations: Deviations,
+    /// Where the deviations come from.
+    pub source: Source,
+    maximum: Length,
+    minimum: Length,
+}
+
+impl Limits {
+    /// Limits from a nominal size and deviations: as Q23 and Q33 of program 82551 (LBL 99), but exact.
+    ///
+    /// `None` where a limit would lie beyond [`Length::MAX`].
+    pub fn new(feature: Feature, nominal: Length, deviations: Deviations, source: Source) -> Option<Self> {
+        let maximum = nominal.checked_add(deviations.upper)?;
+        let minimum = nominal.checked_add(deviations.lower)?;
+        Some(Self { feature, nominal, deviations, source, maximum, minimum })
+    }
+
+    /// Upper limit of size; it belongs to the zone.
+    pub const fn maximum(&self) -> Length {
+        self.maximum
+    }
+
+    /// Lower limit of size; it belongs to the zone.
+    pub const fn minimum(&self) -> Length {
+        self.minimum
+    }
+
+    /// The middle of the zone, a half nanometre rounded up.
+    pub fn middle(&self) -> Length {
+        self.minimum.midpoint(self.maximum)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn deviations_in_the_wrong_order_are_refused() {
+        let um = Length::from_micrometres;
+        assert!(Deviations::new(um(0), um(0)).is_ok());
+        let error = Deviations::new(um(-1), um(0)).unwrap_err();
+        assert_eq!(error.to_string(), "upper deviation -0.001 mm is below lower deviation 0 mm");
+    }
+}
