@@ -10,6 +10,7 @@
 //! | [`verdict`] | good, rework, scrap |
 //! | [`control`] | the control's tables, masks and logs |
 //! | [`exchange`] | files of other tools |
+//! | [`journal`] | what was checked, when, by which rule |
 //! | [`report`] | inspection reports |
 //! | `gui` | the window, with the feature `gui` |
 //! | [`cli`] | the command line |
@@ -19,6 +20,7 @@ pub mod cli;
 pub mod control;
 pub mod exchange;
 pub mod files;
+pub mod journal;
 pub mod length;
 pub mod probing;
 pub mod report;

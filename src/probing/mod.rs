@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `contact` | one touch of the probe |
 //! | `circle` | least-squares and other reference circles |
+//! | `measurement` | what came out: diameter, centre, contacts, and what they cannot tell |
 //! | `cycle` | what a measuring cycle declares: parameters, ranges, results |
 //! | `cycles` | the cycles, one file each |
 //! | `simulated` | a workpiece and a probe that exist only here |
@@ -14,6 +15,9 @@ pub mod circle;
 pub mod contact;
 pub mod cycle;
 pub mod cycles;
+pub mod measurement;
 pub mod simulated;
 
+pub use circle::Circle;
 pub use contact::{Contact, NoContact, Prober, Touch};
+pub use measurement::{Caveat, Measurement, Origin};

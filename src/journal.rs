@@ -1,0 +1,29 @@
+//! What was checked, when, with which limits and by which rule.
+//!
+//! A record holds the whole way from callout to verdict, so that a report made next year says the same as the screen
+//! today. Nothing is decided here.
+
+use jiff::civil::DateTime;
+
+use crate::probing::Measurement;
+use crate::tolerance::{Callout, Limits};
+use crate::verdict::{Doubt, Verdict};
+
+/// One check.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// Local date and time of the check, or of the measurement where a file told it.
+    pub time: DateTime,
+    /// Name of the feature or part, where there is one.
+    pub id: String,
+    /// What was asked for; `None` where limits came from a log, which holds no class.
+    pub callout: Option<Callout>,
+    /// What it was judged by.
+    pub limits: Limits,
+    /// What was measured.
+    pub measurement: Measurement,
+    /// The answer.
+    pub verdict: Verdict,
+    /// A measured value that may be another quantity.
+    pub doubt: Option<Doubt>,
+}
