@@ -1,1 +1,162 @@
-# window
+# The window: labels, buttons, headings. Sentence case, no colon after a label, an ellipsis on what opens a dialog.
+
+page-check = Check
+import = Import…
+export = Export
+export-html = Inspection report (HTML)…
+export-csv = History as CSV…
+export-json = History as JSON…
+export-status = Status window as text…
+menu = Menu
+language = Language
+theme = Appearance
+theme-system = As the system
+theme-light = Light
+theme-dark = Dark
+load-tables = Own tables…
+shipped-tables = Built-in tables only
+load-mask = Own mask…
+undo = Undo
+clear-history = Clear history
+
+callout = Fit
+callout-hint = Type a nominal size and a class, such as 25 H7
+feature-hole = Hole
+feature-shaft = Shaft
+nominal-is = nominal size { $nominal } mm
+maximum = Maximum
+minimum = Minimum
+from-source = from { $source }
+source-overrides = Own table: the built-in table has { $upper } / { $lower } µm
+measured-value = Measured value
+by-typing = Type
+by-simulating = Simulate
+measure = Measure
+clear = Clear
+nominal-size = Nominal size
+tolerance-class = Class
+class-none = Choose
+classes-hole = Hole classes
+classes-shaft = Shaft classes
+part-name = Part or feature
+
+probe-position = Probe position
+centre-x = Centre X
+centre-y = Centre Y
+height-z = Height Z
+first-contact = First contact
+clearance = Set-up clearance
+centre-tolerance = Centre tolerance ±
+simulated-workpiece = Simulated workpiece
+simulated-hint = An empty diameter is the middle of the zone. The seed counts up with every measurement; the same seed gives the same contacts.
+true-diameter = True diameter
+seed = Seed
+offset-x = Offset X
+offset-y = Offset Y
+ovality = Ovality
+lobes = Lobes
+lobe-height = Lobe height
+surface-scatter = Surface scatter 1σ
+probe-scatter = Probe scatter 1σ
+
+field-range = { $given } is outside −{ $limit } to { $limit }
+field-not-negative = { $given } is below 0: 0 to { $limit } is allowed
+field-above-zero = { $given } is not above 0: up to { $limit } is allowed
+field-angle-range = { $given }° is outside −360° to 360°
+field-not-whole = { $given } is not a whole number
+
+limit-band = Limit band
+band-empty = The limit band appears with the limits
+band-describe = Deviation from nominal size in micrometres: zone from { $lower } to { $upper }, { $left } below it, { $right } above it.
+band-describe-measured = Measured { $deviation }, { $above } above the minimum, { $below } below the maximum.
+side-rework = rework
+side-scrap = scrap
+zone = zone
+
+contacts = Contacts
+contacts-factor = deviations × { $factor }
+contacts-empty = The contacts appear with the measurement
+contacts-describe = { $count } contacts seen from above, deviations magnified { $factor } times. { $circle }
+centre-is = centre { $x } / { $y }
+
+word-good = GOOD
+word-rework = REWORK
+word-scrap = SCRAP
+word-re-measure = RE-MEASURE
+word-none = No result
+above-minimum = { $um } µm above minimum
+below-minimum = { $um } µm below minimum
+below-maximum = { $um } µm below maximum
+above-maximum = { $um } µm above maximum
+remove-to-limit = Remove { $um } µm to the nearest limit
+remove-to-middle = { $um } µm to the middle of the zone
+remove-per-side = on the diameter; { $um } µm per side to the limit
+position-in = Centre in position
+position-out = Centre out of position
+diameter-alone = Diameter alone: { $status }
+why = Why?
+why-limits = Limits from { $what }
+why-measured = Measured value: { $what }
+why-rule = Rule: { $what }
+why-caveat = Cannot tell: { $what }
+
+popup-title = Status window
+popup-empty = No measurement yet
+copy = Copy
+mask-choice = Mask
+mask-choice-of-language = As the window
+mask-choice-own = Own mask…
+
+history = History
+history-count = { $count ->
+    [0] no checks
+    [one] 1 check
+   *[other] { $count } checks
+}
+history-chosen = { $count } chosen for export
+history-empty = Checks appear here, the newest first
+head-chosen = ✓
+head-time = Time
+head-part = Part
+head-callout = Callout
+head-measured = Measured
+head-deviation = Deviation
+head-status = Status
+head-from = From
+choose-check = Choose { $callout } of { $time } for export
+show-check = Show { $time } { $callout } { $status }
+
+dialog-import = Import measurements
+dialog-mask = Own mask
+dialog-tables = Folder with own tables
+dialog-export = Export
+dialog-export-status = Export the status window
+file-path = File
+folder-path = Folder
+dialog-open = Open
+dialog-save = Save
+dialog-browse = Browse…
+dialog-cancel = Cancel
+dialog-busy = Working…
+dialog-no-path = A path is missing
+dialog-no-status = There is no status window to save
+notice = Note
+notice-problem = Problem
+close = Close
+file-written = Written: { $path }
+tables-loaded = { $count ->
+    [one] 1 table is used from { $folder }
+   *[other] { $count } tables are used from { $folder }
+}
+mask-loaded-with-warnings = { $name } was read with warnings
+state-set-aside = The last state could not be read. It was kept as { $path }; the window starts afresh.
+import-notice = { $name }: { $good ->
+    [0] no check
+    [one] 1 check
+   *[other] { $good } checks
+}, { $bad ->
+    [0] no row refused
+    [one] 1 row refused
+   *[other] { $bad } rows refused
+}
+measured-needs-limits = There are no limits to judge by: type a callout first

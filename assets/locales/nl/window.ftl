@@ -1,1 +1,162 @@
-# window
+# Het venster: opschriften, knoppen, koppen.
+
+page-check = Controle
+import = Importeren…
+export = Exporteren
+export-html = Meetrapport (HTML)…
+export-csv = Geschiedenis als CSV…
+export-json = Geschiedenis als JSON…
+export-status = Statusvenster als tekst…
+menu = Menu
+language = Taal
+theme = Weergave
+theme-system = Als het systeem
+theme-light = Licht
+theme-dark = Donker
+load-tables = Eigen tabellen…
+shipped-tables = Alleen ingebouwde tabellen
+load-mask = Eigen masker…
+undo = Ongedaan maken
+clear-history = Geschiedenis wissen
+
+callout = Passing
+callout-hint = Typ een nominale maat en een klasse, bijvoorbeeld 25 H7
+feature-hole = Boring
+feature-shaft = As
+nominal-is = nominale maat { $nominal } mm
+maximum = Maximaal
+minimum = Minimaal
+from-source = uit { $source }
+source-overrides = Eigen tabel: de ingebouwde tabel heeft { $upper } / { $lower } µm
+measured-value = Gemeten waarde
+by-typing = Typen
+by-simulating = Simuleren
+measure = Meten
+clear = Wissen
+nominal-size = Nominale maat
+tolerance-class = Klasse
+class-none = Kiezen
+classes-hole = Klassen voor boringen
+classes-shaft = Klassen voor assen
+part-name = Deel of kenmerk
+
+probe-position = Meetpositie
+centre-x = Midden X
+centre-y = Midden Y
+height-z = Hoogte Z
+first-contact = Eerste meetpunt
+clearance = Veiligheidsafstand
+centre-tolerance = Tolerantie midden ±
+simulated-workpiece = Gesimuleerd werkstuk
+simulated-hint = Een lege diameter is het midden van het tolerantieveld. Het startgetal telt bij elke meting door; hetzelfde startgetal geeft dezelfde meetpunten.
+true-diameter = Ware diameter
+seed = Startgetal
+offset-x = Verschuiving X
+offset-y = Verschuiving Y
+ovality = Ovaliteit
+lobes = Lobben
+lobe-height = Lobhoogte
+surface-scatter = Spreiding oppervlak 1σ
+probe-scatter = Spreiding taster 1σ
+
+field-range = { $given } ligt buiten −{ $limit } tot { $limit }
+field-not-negative = { $given } is kleiner dan 0: toegestaan is 0 tot { $limit }
+field-above-zero = { $given } is niet groter dan 0: toegestaan is tot { $limit }
+field-angle-range = { $given }° ligt buiten −360° tot 360°
+field-not-whole = { $given } is geen geheel getal
+
+limit-band = Grensband
+band-empty = De grensband verschijnt met de grensmaten
+band-describe = Afwijking van de nominale maat in micrometer: tolerantieveld van { $lower } tot { $upper }, { $left } daaronder, { $right } daarboven.
+band-describe-measured = Gemeten { $deviation }, { $above } boven de minimale maat, { $below } onder de maximale maat.
+side-rework = nabewerking
+side-scrap = afkeur
+zone = tolerantie
+
+contacts = Meetpunten
+contacts-factor = afwijkingen × { $factor }
+contacts-empty = De meetpunten verschijnen met de meting
+contacts-describe = { $count } meetpunten van boven gezien, afwijkingen { $factor } keer vergroot. { $circle }
+centre-is = midden { $x } / { $y }
+
+word-good = GOED
+word-rework = NABEWERKING
+word-scrap = AFGEKEURD
+word-re-measure = OPNIEUW METEN
+word-none = Geen resultaat
+above-minimum = { $um } µm boven minimaal
+below-minimum = { $um } µm onder minimaal
+below-maximum = { $um } µm onder maximaal
+above-maximum = { $um } µm boven maximaal
+remove-to-limit = Verspaan { $um } µm tot de dichtstbijzijnde grens
+remove-to-middle = { $um } µm tot het midden van het tolerantieveld
+remove-per-side = op de diameter; { $um } µm per zijde tot de grens
+position-in = Midden in positie
+position-out = Midden uit positie
+diameter-alone = Alleen de diameter: { $status }
+why = Waarom?
+why-limits = Grensmaten uit { $what }
+why-measured = Gemeten waarde: { $what }
+why-rule = Regel: { $what }
+why-caveat = Niet te zien: { $what }
+
+popup-title = Statusvenster
+popup-empty = Nog geen meting
+copy = Kopiëren
+mask-choice = Masker
+mask-choice-of-language = Als het venster
+mask-choice-own = Eigen masker…
+
+history = Geschiedenis
+history-count = { $count ->
+    [0] geen controles
+    [one] 1 controle
+   *[other] { $count } controles
+}
+history-chosen = { $count } gekozen voor export
+history-empty = Hier verschijnen de controles, de nieuwste bovenaan
+head-chosen = ✓
+head-time = Tijd
+head-part = Deel
+head-callout = Passing
+head-measured = Gemeten
+head-deviation = Afwijking
+head-status = Status
+head-from = Herkomst
+choose-check = { $callout } van { $time } kiezen voor export
+show-check = { $time } { $callout } { $status } tonen
+
+dialog-import = Metingen importeren
+dialog-mask = Eigen masker
+dialog-tables = Map met eigen tabellen
+dialog-export = Exporteren
+dialog-export-status = Statusvenster exporteren
+file-path = Bestand
+folder-path = Map
+dialog-open = Openen
+dialog-save = Opslaan
+dialog-browse = Bladeren…
+dialog-cancel = Annuleren
+dialog-busy = Bezig…
+dialog-no-path = Een pad ontbreekt
+dialog-no-status = Er is geen statusvenster om op te slaan
+notice = Melding
+notice-problem = Probleem
+close = Sluiten
+file-written = Geschreven: { $path }
+tables-loaded = { $count ->
+    [one] 1 tabel wordt gebruikt uit { $folder }
+   *[other] { $count } tabellen worden gebruikt uit { $folder }
+}
+mask-loaded-with-warnings = { $name } is gelezen met waarschuwingen
+state-set-aside = De laatste toestand kon niet worden gelezen. Zij is bewaard als { $path }; het venster begint opnieuw.
+import-notice = { $name }: { $good ->
+    [0] geen controle
+    [one] 1 controle
+   *[other] { $good } controles
+}, { $bad ->
+    [0] geen regel geweigerd
+    [one] 1 regel geweigerd
+   *[other] { $bad } regels geweigerd
+}
+measured-needs-limits = Er zijn geen grensmaten om aan te toetsen: typ eerst een passing
