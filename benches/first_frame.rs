@@ -1,0 +1,42 @@
+//! The first frame and a settled frame of the window, without a graphics card: layout, shaping, tessellation.
+//!
+//! The same is measured for an empty window, so that the figures can be read as ratios of one run.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use eframe::egui::{CentralPanel, Ui};
+use egui_kittest::Harness;
+use fitcheck::gui::{App, Errands, Setup, Store};
+use fitcheck::words::Language;
+
+fn setup() -> Setup {
+    Setup {
+        store: Store::nowhere(),
+        language: Language::En,
+        errands: Errands::AtOnce,
+        clock: || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
+    }
+}
+
+struct Empty;
+
+impl eframe::App for Empty {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        CentralPanel::default().show(ui, |ui| ui.label("empty"));
+    }
+}
+
+fn frames(criterion: &mut Criterion) {
+    let size = eframe::egui::vec2(1280.0, 800.0);
+    criterion.bench_function("first frame, empty window", |bencher| {
+        bencher.iter(|| Harness::builder().with_size(size).build_eframe(|_| Empty));
+    });
+    criterion.bench_function("first frame, Fitcheck", |bencher| {
+        bencher.iter(|| Harness::builder().with_size(size).build_eframe(|cc| App::new(cc, setup())));
+    });
+    let mut harness = Harness::builder().with_size(size).build_eframe(|cc| App::new(cc, setup()));
+    harness.run();
+    criterion.bench_function("settled frame, Fitcheck", |bencher| bencher.iter(|| harness.step()));
+}
+
+criterion_group!(benches, frames);
+criterion_main!(benches);
