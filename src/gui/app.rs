@@ -1,0 +1,181 @@
+//! One frame: draw the panels, apply their commands, run the effects.
+
+use eframe::egui::{CentralPanel, Context, Panel, ScrollArea, ThemePreference, Ui};
+use jiff::civil::DateTime;
+
+use super::effects::{Errands, Runner};
+use super::store::Store;
+use super::theme::{self, space};
+use super::view::View;
+use super::{answer_panel, band_plot, contacts_plot, dialogs, field, fit_panel, history_panel, status_panel, top_bar};
+use crate::session::{Command, Effect, Field, Saved, Session, Theme};
+use crate::words::{Language, Words};
+
+/// What the window is started with.
+#[derive(Debug, Clone)]
+pub struct Setup {
+    /// Where the state is kept.
+    pub store: Store,
+    /// The language of the first start.
+    pub language: Language,
+    /// How files are read and written.
+    pub errands: Errands,
+    /// The local date and time.
+    pub clock: fn() -> DateTime,
+}
+
+impl Setup {
+    /// As the user starts it.
+    pub fn for_user() -> Self {
+        let language = sys_locale::get_locale().and_then(|locale| Language::from_code(&locale));
+        let language = language.filter(|language| Language::COMPLETE.contains(language)).unwrap_or_default();
+        Self {
+            store: Store::of_user(),
+            language,
+            errands: Errands::OnThread,
+            clock: || jiff::Zoned::now().datetime(),
+        }
+    }
+}
+
+/// The window.
+#[derive(Debug)]
+pub struct App {
+    session: Session,
+    words: Words,
+    runner: Runner,
+    store: Store,
+    clock: fn() -> DateTime,
+    saved: Saved,
+    first_frame: bool,
+}
+
+impl App {
+    /// The window with what the last one left.
+    pub fn new(cc: &eframe::CreationContext<'_>, setup: Setup) -> Self {
+        theme::install(&cc.egui_ctx);
+        let (saved, told) = setup.store.load();
+        let (mut session, effects) = match saved {
+            Some(saved) => Session::restore(saved),
+            None => (Session::new(setup.language), Vec::new()),
+        };
+        if let Some(told) = told {
+            session.tell(told);
+        }
+        let app = Self {
+            words: Words::new(session.language()),
+            runner: Runner::new(setup.errands),
+            saved: session.saved(),
+            session,
+            store: setup.store,
+            clock: setup.clock,
+            first_frame: true,
+        };
+        app.prefer_theme(&cc.egui_ctx);
+        for effect in effects {
+            app.run(&cc.egui_ctx, effect);
+        }
+        app
+    }
+
+    /// The state, for tests that look behind the window.
+    pub const fn session(&self) -> &Session {
+        &self.session
+    }
+
+    fn prefer_theme(&self, ctx: &Context) {
+        ctx.set_theme(match self.session.theme() {
+            Theme::System => ThemePreference::System,
+            Theme::Light => ThemePreference::Light,
+            Theme::Dark => ThemePreference::Dark,
+        });
+    }
+
+    fn run(&self, ctx: &Context, effect: Effect) {
+        self.runner.run(ctx, effect, self.session.tables(), (self.clock)());
+    }
+
+    fn apply(&mut self, ctx: &Context, commands: Vec<Command>) {
+        if commands.is_empty() {
+            return;
+        }
+        for command in commands {
+            for effect in self.session.apply(command, (self.clock)()) {
+                self.run(ctx, effect);
+            }
+        }
+        if self.words.language() != self.session.language() {
+            self.words = Words::new(self.session.language());
+        }
+        self.prefer_theme(ctx);
+        // What was just changed is drawn at once; after that nothing moves.
+        ctx.request_repaint();
+    }
+
+    fn keep(&mut self) {
+        let saved = self.session.saved();
+        if saved != self.saved {
+            self.store.save(&saved);
+            self.saved = saved;
+        }
+    }
+}
+
+impl eframe::App for App {
+    fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
+        let answers = self.runner.answers();
+        self.apply(ctx, answers);
+    }
+
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        let mut view = View { session: &self.session, words: &self.words, commands: Vec::new() };
+        page_ui(ui, &mut view);
+        let commands = view.commands;
+        if self.first_frame {
+            self.first_frame = false;
+            ui.memory_mut(|memory| memory.request_focus(field::id(Field::Callout)));
+        }
+        let ctx = ui.ctx().clone();
+        self.apply(&ctx, commands);
+    }
+
+    fn save(&mut self, _storage: &mut dyn eframe::Storage) {
+        self.keep();
+    }
+
+    fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        self.keep();
+    }
+}
+
+/// The check page: left what is asked, middle what was seen, right the answer, bottom what came before.
+fn page_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let size = ui.available_size();
+    let (narrow, low) = (size.x < 1200.0, size.y < 700.0);
+    top_bar::top_bar_ui(ui, view);
+    if narrow || low {
+        Panel::bottom("history").exact_size(space(11.0)).show(ui, |ui| history_panel::strip_ui(ui, view));
+    } else {
+        let height = (size.y * 0.21).max(space(40.0));
+        Panel::bottom("history").exact_size(height).show(ui, |ui| history_panel::history_ui(ui, view));
+    }
+    let side = if narrow { space(66.0) } else { space(74.0) };
+    Panel::left("fit").exact_size(side).show(ui, |ui| {
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| fit_panel::fit_panel_ui(ui, view));
+    });
+    let side = if narrow { space(76.0) } else { space(88.0).max(size.x * 0.26) };
+    Panel::right("answer").exact_size(side).show(ui, |ui| {
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            answer_panel::answer_ui(ui, view);
+            ui.add_space(space(2.0));
+            status_panel::status_ui(ui, view);
+        });
+    });
+    CentralPanel::default().show(ui, |ui| {
+        let height = ui.available_height();
+        band_plot::band_ui(ui, view, (height * 0.36).clamp(space(34.0), space(70.0)));
+        ui.separator();
+        contacts_plot::contacts_ui(ui, view);
+    });
+    dialogs::dialogs_ui(ui, view);
+}

@@ -1,0 +1,229 @@
+//! The limit band: deviation from the nominal size, the zone, both sides named and hatched, the measured value.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui_plot::{AxisHints, Plot, PlotBounds, PlotTransform, VLine, VPlacement};
+
+use super::shapes::{self, Hatch};
+use super::theme::{self, Palette, palette, sizes, space};
+use super::view::{View, heading, quiet};
+use crate::journal::Record;
+use crate::length::{Length, Unit};
+use crate::report::band::{Band, Marker, Side};
+use crate::tolerance::{Feature, Limits};
+use crate::words::{Message, Words};
+
+/// Heading and plot over the given height.
+pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
+    let record = view.session.shown().map(|shown| shown.record.as_ref());
+    ui.horizontal(|ui| {
+        heading(ui, view.text("limit-band"));
+        if let Some(limits) = view.session.asked().limits() {
+            quiet(ui, title(view, limits));
+        }
+    });
+    let Some(limits) = view.session.asked().limits() else {
+        quiet(ui, view.text("band-empty"));
+        return;
+    };
+    let measured = record.map(|record| record.measurement.diameter);
+    let band = Band::new(limits, measured);
+    plot_ui(ui, view.words, &band, limits, record, height);
+}
+
+fn title(view: &View<'_>, limits: &Limits) -> String {
+    let feature = view.text(match limits.feature {
+        Feature::Hole => "feature-hole",
+        Feature::Shaft => "feature-shaft",
+    });
+    match view.session.callout() {
+        Some(callout) => format!("{callout}, {feature}"),
+        None => feature,
+    }
+}
+
+fn plot_ui(ui: &mut Ui, words: &Words, band: &Band, limits: &Limits, record: Option<&Record>, height: f32) {
+    let palette = palette(ui.ctx());
+    let axis = AxisHints::new_x()
+        .formatter(|mark, _| words.number(&format!("{}", (mark.value * 1000.0).round() / 1000.0)))
+        .tick_label_font(theme::font(sizes().small))
+        .tick_label_color(palette.text.0)
+        .label("µm")
+        .placement(VPlacement::Bottom);
+    let response = Plot::new("limit-band")
+        .height(height)
+        .custom_x_axes(vec![axis])
+        .show_axes([true, false])
+        .show_grid(false)
+        .show_background(false)
+        .allow_zoom(false)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .show_crosshair(false)
+        .label_formatter(|_| None)
+        .set_margin_fraction(vec2(0.0, 0.0))
+        .show(ui, |plot| {
+            plot.set_plot_bounds(PlotBounds::from_min_max([band.axis_min_um, 0.0], [band.axis_max_um, 1.0]));
+            plot.vline(VLine::new("nominal", 0.0).color(palette.quiet.0).width(1.0).allow_hover(false));
+        });
+    let painter = ui.painter().with_clip_rect(response.response.rect);
+    Drawing { painter, transform: response.transform, palette, words, band }.draw(record);
+    let said = describe(words, limits, record);
+    response.response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, words.get("limit-band")));
+    ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_description(said.clone()));
+}
+
+/// What the picture shows, for whoever cannot see it.
+fn describe(words: &Words, limits: &Limits, record: Option<&Record>) -> String {
+    let zone = Message::new("band-describe")
+        .text("lower", words.signed_um(limits.deviations.lower()))
+        .text("upper", words.signed_um(limits.deviations.upper()))
+        .text("left", words.get(side_id(limits.feature, true)))
+        .text("right", words.get(side_id(limits.feature, false)));
+    let mut text = words.say(&zone);
+    if let Some(record) = record {
+        let measured = Message::new("band-describe-measured")
+            .text("deviation", words.signed_um(record.verdict.size.deviation))
+            .text("above", words.signed_um(record.verdict.size.above_minimum))
+            .text("below", words.signed_um(record.verdict.size.below_maximum));
+        text = format!("{text} {}", words.say(&measured));
+    }
+    text
+}
+
+const fn side_id(feature: Feature, left: bool) -> &'static str {
+    match (feature, left) {
+        (Feature::Hole, true) | (Feature::Shaft, false) => "side-rework",
+        (Feature::Hole, false) | (Feature::Shaft, true) => "side-scrap",
+    }
+}
+
+struct Drawing<'a> {
+    painter: Painter,
+    transform: PlotTransform,
+    palette: &'a Palette,
+    words: &'a Words,
+    band: &'a Band,
+}
+
+impl Drawing<'_> {
+    fn draw(&self, record: Option<&Record>) {
+        let frame = *self.transform.frame();
+        let body = Rect::from_min_max(pos2(frame.left(), frame.top() + space(7.0)), pos2(frame.right(), frame.bottom() - space(7.0)));
+        let (lower, upper) = (self.x(self.band.lower_um), self.x(self.band.upper_um));
+        let left = Rect::from_min_max(body.min, pos2(lower, body.bottom()));
+        let right = Rect::from_min_max(pos2(upper, body.top()), body.max);
+        self.side(left, self.band.left, Align2::LEFT_TOP);
+        self.side(right, self.band.right, Align2::RIGHT_TOP);
+        // A zone of no width is still seen as a line.
+        let zone = Rect::from_min_max(pos2(lower, body.top()), pos2(upper.max(lower + 1.0), body.bottom()));
+        self.painter.rect_filled(zone, 0.0, self.palette.zone.0);
+        for (x, um) in [(lower, self.band.lower_um), (upper, self.band.upper_um)] {
+            self.painter.vline(x, body.y_range(), Stroke::new(2.0, self.palette.zone_edge.0));
+            let text = format!("{}{}", if 0.0 < um { "+" } else { "" }, self.words.number(&format!("{um}")));
+            self.text(pos2(x, body.top() - 2.0), Align2::CENTER_BOTTOM, &text, self.palette.text.0);
+        }
+        let nominal = self.x(0.0);
+        self.painter.extend(eframe::egui::Shape::dashed_line(
+            &[pos2(nominal, body.top()), pos2(nominal, frame.bottom())],
+            Stroke::new(1.5, self.palette.quiet.0),
+            5.0,
+            4.0,
+        ));
+        if zone.width() > space(20.0) {
+            self.text(zone.center_top() + vec2(0.0, 4.0), Align2::CENTER_TOP, &self.words.get("zone"), self.palette.zone_edge.0);
+        }
+        if let (Some(marker), Some(record)) = (self.band.marker, record) {
+            self.marker(marker, record, body);
+        }
+    }
+
+    fn x(&self, um: f64) -> f32 {
+        self.transform.position_from_point_x(um)
+    }
+
+    fn text(&self, at: Pos2, anchor: Align2, text: &str, colour: Color32) -> Rect {
+        let galley = self.painter.layout_no_wrap(text.to_owned(), theme::font(sizes().body), colour);
+        let rect = anchor.anchor_size(at, galley.size());
+        // Kept inside the plot, so that no number is cut off.
+        let frame = self.transform.frame();
+        let shift = (frame.left() - rect.left()).max(0.0) - (rect.right() - frame.right()).max(0.0);
+        let rect = rect.translate(vec2(shift, 0.0));
+        self.painter.galley(rect.min, galley, colour);
+        rect
+    }
+
+    fn side(&self, rect: Rect, side: Side, anchor: Align2) {
+        let (id, hatch, colour) = match side {
+            Side::Rework => ("side-rework", Hatch::Single, self.palette.hatch_rework.0),
+            Side::Scrap => ("side-scrap", Hatch::Cross, self.palette.hatch_scrap.0),
+        };
+        shapes::hatch(&self.painter, rect, hatch, Stroke::new(1.0, colour.gamma_multiply(0.55)));
+        let text = self.words.get(id);
+        let galley = self.painter.layout_no_wrap(text.clone(), theme::bold(sizes().body), self.palette.text.0);
+        if galley.size().x + space(4.0) < rect.width() {
+            let at = anchor.pos_in_rect(&rect.shrink(4.0));
+            let ground = anchor.anchor_size(at, galley.size()).expand(3.0);
+            self.painter.rect_filled(ground, 3.0, self.palette.panel.0);
+            self.painter.galley(anchor.anchor_size(at, galley.size()).min, galley, self.palette.text.0);
+        }
+    }
+
+    fn marker(&self, marker: Marker, record: &Record, body: Rect) {
+        let deviation = record.verdict.size.deviation;
+        let said = format!("{} µm", self.words.signed_um(deviation));
+        let colour = self.palette.text.0;
+        let size = space(4.0);
+        let tip = |x: f32| pos2(x, body.center().y);
+        let triangle = |tip: Pos2, along: eframe::egui::Vec2| {
+            let across = vec2(-along.y, along.x) * 0.6;
+            let points = vec![tip, tip - along + across, tip - along - across];
+            self.painter.add(eframe::egui::epaint::PathShape::convex_polygon(
+                points,
+                colour,
+                Stroke::new(1.0, self.palette.panel.0),
+            ));
+        };
+        match marker {
+            Marker::InSight(um) => {
+                let x = self.x(um);
+                self.painter.vline(x, body.y_range(), Stroke::new(2.0, colour));
+                triangle(tip(x), vec2(0.0, -size * 1.4));
+                self.distances(x, record, body);
+                let frame = self.transform.frame();
+                self.text(pos2(x, frame.bottom()), Align2::CENTER_BOTTOM, &said, colour);
+            }
+            Marker::BeyondLeft(_) => {
+                triangle(tip(body.left() + 2.0), vec2(-size * 1.6, 0.0));
+                self.text(tip(body.left() + size * 2.4), Align2::LEFT_CENTER, &said, colour);
+            }
+            Marker::BeyondRight(_) => {
+                triangle(tip(body.right() - 2.0), vec2(size * 1.6, 0.0));
+                self.text(tip(body.right() - size * 2.4), Align2::RIGHT_CENTER, &said, colour);
+            }
+        }
+    }
+
+    /// The distances to both limits as lines with their numbers.
+    fn distances(&self, x: f32, record: &Record, body: Rect) {
+        let stroke = Stroke::new(1.5, self.palette.text.0);
+        for (limit, distance, share) in [
+            (self.x(self.band.lower_um), record.verdict.size.above_minimum, 0.68),
+            (self.x(self.band.upper_um), record.verdict.size.below_maximum, 0.86),
+        ] {
+            let y = body.top() + body.height() * share;
+            self.painter.hline(x.min(limit)..=x.max(limit), y, stroke);
+            self.painter.circle_filled(pos2(limit, y), 3.0, stroke.color);
+            let text = distance.abs().exact(Unit::Micrometre, 0);
+            let text = format!("{} µm", self.words.number(&text));
+            let galley = self.painter.layout_no_wrap(text, theme::font(sizes().small), stroke.color);
+            if distance != Length::ZERO && galley.size().x + 8.0 < (x - limit).abs() {
+                let at = Align2::CENTER_CENTER.anchor_size(pos2(f32::midpoint(x, limit), y), galley.size());
+                self.painter.rect_filled(at.expand2(vec2(3.0, 0.0)), 2.0, self.palette.panel.0);
+                self.painter.galley(at.min, galley, stroke.color);
+            }
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Choosing a tolerance class from the tables: holes and shafts apart, each with its picture.
+
+use eframe::egui::{ComboBox, Id, Sense, Ui, vec2};
+
+use super::shapes;
+use super::theme::{self, palette, space};
+use super::view::{View, heading};
+use crate::session::Command;
+use crate::tolerance::Feature;
+
+/// The chooser; `name` is what a screen reader says.
+pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
+    let chosen = view.session.callout().map(|callout| callout.class());
+    let shown = chosen.map_or_else(|| view.text("class-none"), |class| class.to_string());
+    let response = ComboBox::from_id_salt("class-chooser")
+        .selected_text(shown)
+        .width(space(20.0))
+        .height(f32::INFINITY)
+        .show_ui(ui, |ui| {
+            ui.set_min_width(space(90.0));
+            for feature in [Feature::Hole, Feature::Shaft] {
+                ui.horizontal(|ui| {
+                    feature_picture(ui, feature, space(6.0));
+                    heading(ui, view.text(feature_classes_id(feature)));
+                });
+                ui.horizontal_wrapped(|ui| {
+                    for class in view.session.tables().classes(feature) {
+                        let size = vec2(space(14.0), theme::sizes().field);
+                        let button = eframe::egui::Button::selectable(chosen == Some(class), class.as_str());
+                        if ui.add_sized(size, button).clicked() {
+                            view.send(Command::ChooseClass(class));
+                            ui.close();
+                        }
+                    }
+                });
+            }
+        })
+        .response;
+    response.labelled_by(name);
+}
+
+const fn feature_classes_id(feature: Feature) -> &'static str {
+    match feature {
+        Feature::Hole => "classes-hole",
+        Feature::Shaft => "classes-shaft",
+    }
+}
+
+/// The small picture of hole or shaft.
+pub(super) fn feature_picture(ui: &mut Ui, feature: Feature, size: f32) {
+    let (rect, _) = ui.allocate_exact_size(vec2(size, size), Sense::hover());
+    let palette = palette(ui.ctx());
+    shapes::feature(ui.painter(), rect.shrink(1.0), feature, palette.line.0, palette.panel.0, palette.text.0);
+}

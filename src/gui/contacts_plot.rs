@@ -1,0 +1,212 @@
+//! The contacts seen from above: nominal circle, contacts with their deviation magnified, fitted circle and centre.
+
+use std::f64::consts::TAU;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Align2, Stroke, Ui, WidgetInfo, vec2};
+use egui_plot::{Line, LineStyle, MarkerShape, Plot, PlotPoint, PlotPoints, Points};
+
+use super::theme::{self, palette, sizes};
+use super::view::{View, heading, quiet};
+use crate::journal::Record;
+use crate::words::{Message, Say as _, Words};
+
+/// How far the largest deviation reaches, as a share of the nominal radius.
+const REACH: f64 = 0.3;
+
+/// Points on a drawn circle.
+const STEPS: u16 = 144;
+
+/// Heading, plot and remarks.
+pub(super) fn contacts_ui(ui: &mut Ui, view: &View<'_>) {
+    let record = view.session.shown().map(|shown| shown.record.as_ref());
+    let picture = record.and_then(Picture::of);
+    ui.horizontal(|ui| {
+        heading(ui, view.text("contacts"));
+        if let Some(picture) = &picture {
+            let factor = Message::new("contacts-factor").text("factor", view.words.number(&format!("{}", picture.factor)));
+            quiet(ui, view.words.say(&factor));
+        }
+    });
+    let Some(record) = record else {
+        quiet(ui, view.text("contacts-empty"));
+        return;
+    };
+    // The remarks stand below the plot, so their height is taken first.
+    let remarks = remarks(view.words, record);
+    let text_height = ui.text_style_height(&eframe::egui::TextStyle::Body) + 6.0;
+    let lines = if picture.is_some() { 1.0 } else { 0.0 } + 1.0;
+    let height = (ui.available_height() - text_height * lines * 1.3).max(80.0);
+    if let Some(picture) = &picture {
+        picture.plot_ui(ui, view.words, record, height);
+        ui.label(circle_text(view.words, record));
+    }
+    quiet(ui, remarks);
+}
+
+fn circle_text(words: &Words, record: &Record) -> String {
+    let mut text = format!("Ø {}", words.mm(record.measurement.diameter, 4));
+    if let Some(position) = record.verdict.position {
+        let [x, y] = position.axes.map(|axis| {
+            let sign = if crate::length::Length::ZERO < axis.deviation { "+" } else { "" };
+            format!("{sign}{}", words.number(&axis.deviation.rounded(crate::length::Unit::Millimetre, 4)))
+        });
+        text = format!("{text}   {}", words.say(&Message::new("centre-is").text("x", x).text("y", y)));
+    }
+    text
+}
+
+fn remarks(words: &Words, record: &Record) -> String {
+    let said: Vec<String> = record.measurement.caveats().iter().map(|caveat| words.say(&caveat.message())).collect();
+    said.join("; ")
+}
+
+/// The picture in units of the nominal radius, deviations magnified by `factor`.
+#[derive(Debug, Clone, PartialEq)]
+struct Picture {
+    factor: f64,
+    /// Contacts in probing order.
+    contacts: Vec<[f64; 2]>,
+    /// The fitted circle as the magnification bends it.
+    fitted: Vec<[f64; 2]>,
+    /// The fitted centre.
+    centre: [f64; 2],
+}
+
+impl Picture {
+    fn of(record: &Record) -> Option<Self> {
+        let circle = record.measurement.circle?;
+        let radius = record.limits.nominal.to_mm_f64() / 2.0;
+        if radius <= 0.0 || record.measurement.contacts.is_empty() {
+            return None;
+        }
+        // The nominal centre is where the position's deviation says; without one, the fitted centre.
+        let off = record.verdict.position.map_or([0.0; 2], |position| position.axes.map(|axis| axis.deviation.to_mm_f64()));
+        let nominal = [circle.x - off[0], circle.y - off[1]];
+        let polar: Vec<(f64, f64)> = record
+            .measurement
+            .contacts
+            .iter()
+            .map(|contact| {
+                let (x, y) = (contact.x - nominal[0], contact.y - nominal[1]);
+                (y.atan2(x), x.hypot(y) - radius)
+            })
+            .collect();
+        let largest = polar.iter().map(|(_, deviation)| deviation.abs()).fold(0.0, f64::max);
+        let factor = factor(radius, largest.max(off[0].hypot(off[1])));
+        let at = |(angle, deviation): (f64, f64)| {
+            let length = 1.0 + deviation * factor / radius;
+            [length * angle.cos(), length * angle.sin()]
+        };
+        let fitted = (0..=STEPS).map(|step| {
+            let angle = TAU * f64::from(step) / f64::from(STEPS);
+            // Where a ray from the nominal centre meets the fitted circle.
+            let (along, across) = (off[0] * angle.cos() + off[1] * angle.sin(), off[1] * angle.cos() - off[0] * angle.sin());
+            let half = (circle.diameter * circle.diameter / 4.0 - across * across).max(0.0).sqrt();
+            at((angle, along + half - radius))
+        });
+        Some(Self {
+            factor,
+            fitted: fitted.collect(),
+            contacts: polar.into_iter().map(at).collect(),
+            centre: off.map(|off| off * factor / radius),
+        })
+    }
+
+    fn plot_ui(&self, ui: &mut Ui, words: &Words, record: &Record, height: f32) {
+        let palette = palette(ui.ctx());
+        let nominal: Vec<[f64; 2]> = (0..=STEPS)
+            .map(|step| (TAU * f64::from(step) / f64::from(STEPS)).sin_cos())
+            .map(|(sin, cos)| [cos, sin])
+            .collect();
+        let response = Plot::new("contacts")
+            .height(height)
+            .data_aspect(1.0)
+            .show_axes(false)
+            .show_grid(false)
+            .show_background(false)
+            .allow_zoom(false)
+            .allow_drag(false)
+            .allow_scroll(false)
+            .allow_boxed_zoom(false)
+            .allow_double_click_reset(false)
+            .show_crosshair(false)
+            .label_formatter(|_| None)
+            .include_x(-1.0 - REACH)
+            .include_x(1.0 + REACH)
+            .include_y(-1.0 - REACH)
+            .include_y(1.0 + REACH)
+            .show(ui, |plot| {
+                let line = |name: &str, points: &[[f64; 2]]| Line::new(name, PlotPoints::from(points.to_vec())).allow_hover(false);
+                plot.line(line("nominal", &nominal).color(palette.quiet.0).width(1.5).style(LineStyle::dashed_loose()));
+                plot.line(line("fitted", &self.fitted).color(palette.accent.0).width(2.0));
+                for axis in [[[-0.06, 0.0], [0.06, 0.0]], [[0.0, -0.06], [0.0, 0.06]]] {
+                    plot.line(line("nominal centre", &axis).color(palette.quiet.0).width(1.0));
+                }
+                plot.points(
+                    Points::new("centre", vec![self.centre]).shape(MarkerShape::Cross).radius(6.0).color(palette.accent.0),
+                );
+                plot.points(Points::new("contacts", self.contacts.clone()).radius(5.0).color(palette.text.0));
+            });
+        let painter = ui.painter().with_clip_rect(response.response.rect);
+        let deviations = deviations(record);
+        for (number, ([x, y], deviation)) in self.contacts.iter().zip(deviations).enumerate() {
+            let at = response.transform.position_from_point(&PlotPoint::new(*x, *y));
+            // The number stands outside the circle, away from the lines.
+            let away = vec2(f32_of(*x), -f32_of(*y)).normalized() * 16.0;
+            let text = format!("{}  {}", number + 1, words.number(&deviation));
+            let anchor = if away.x < -4.0 { Align2::RIGHT_CENTER } else if 4.0 < away.x { Align2::LEFT_CENTER } else { Align2::CENTER_CENTER };
+            let galley = painter.layout_no_wrap(text, theme::font(sizes().small), palette.text.0);
+            let rect = anchor.anchor_size(at + away, galley.size());
+            painter.rect_filled(rect.expand(2.0), 2.0, palette.panel.0);
+            painter.rect_stroke(rect.expand(2.0), 2.0, Stroke::new(1.0, palette.line.0), eframe::egui::StrokeKind::Outside);
+            painter.galley(rect.min, galley, palette.text.0);
+        }
+        let described = Message::new("contacts-describe")
+            .count("count", record.measurement.contacts.len())
+            .text("factor", words.number(&format!("{}", self.factor)))
+            .text("circle", circle_text(words, record));
+        let described = words.say(&described);
+        response.response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, words.get("contacts")));
+        ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_description(described.clone()));
+    }
+}
+
+/// The radial deviation of every contact from the fitted circle in µm, one decimal, with its sign.
+fn deviations(record: &Record) -> Vec<String> {
+    let Some(circle) = record.measurement.circle else { return Vec::new() };
+    let deviation = |contact: &crate::probing::Contact| {
+        let radius = (contact.x - circle.x).hypot(contact.y - circle.y);
+        let um = (radius - circle.diameter / 2.0) * 1000.0;
+        let text = format!("{um:+.1}");
+        if text == "+0.0" || text == "-0.0" { "0.0".to_owned() } else { text }
+    };
+    record.measurement.contacts.iter().map(deviation).collect()
+}
+
+/// The largest factor of 1, 2 or 5 times a power of ten that keeps the largest deviation within reach; at least 1.
+fn factor(radius: f64, largest: f64) -> f64 {
+    // An exact part has nothing to magnify; a million is already more than any scatter needs.
+    let wanted = (REACH * radius / largest.max(radius * 1e-7)).max(1.0);
+    let decade = 10_f64.powf(wanted.log10().floor());
+    [5.0, 2.0, 1.0].into_iter().map(|step| step * decade).find(|factor| *factor <= wanted * (1.0 + 1e-9)).unwrap_or(1.0)
+}
+
+#[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "screen coordinates need no more digits")]
+const fn f32_of(value: f64) -> f32 {
+    value as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_factor_is_round_and_keeps_deviations_in_sight() {
+        for (radius, largest, expected) in
+            [(12.5, 0.01, 200.0), (12.5, 0.0075, 500.0), (12.5, 3.0, 1.0), (12.5, 0.0, 2e6), (12.5, 20.0, 1.0)]
+        {
+            assert!((factor(radius, largest) - expected).abs() < expected * 1e-9, "{radius} {largest}");
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! The file dialog with its typed path, and notices.
+
+use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
+
+use super::theme::{sizes, space};
+use super::view::{View, heading, problem, quiet};
+use crate::session::{Command, Dialog, Notice, Purpose};
+
+/// Draws the open dialog, or the oldest notice.
+pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
+    if let Some(dialog) = view.session.dialog().cloned() {
+        Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, &dialog));
+    } else if let Some(notice) = view.session.notices().first().cloned() {
+        let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
+        Window::new(title)
+            .id(Id::unique("notice"))
+            .anchor(Align2::CENTER_TOP, vec2(0.0, space(14.0)))
+            .collapsible(false)
+            .resizable(false)
+            .show(ui, |ui| notice_ui(ui, view, &notice));
+    }
+    if ui.input(|input| input.key_pressed(Key::Escape)) && !ui.ctx().text_edit_focused() {
+        view.send(Command::Close);
+    }
+}
+
+const fn title_id(purpose: Purpose) -> &'static str {
+    match purpose {
+        Purpose::Import => "dialog-import",
+        Purpose::LoadMask => "dialog-mask",
+        Purpose::LoadTables => "dialog-tables",
+        Purpose::Export(_) => "dialog-export",
+        Purpose::ExportStatus => "dialog-export-status",
+    }
+}
+
+const fn confirm_id(purpose: Purpose) -> &'static str {
+    match purpose {
+        Purpose::Import | Purpose::LoadMask | Purpose::LoadTables => "dialog-open",
+        Purpose::Export(_) | Purpose::ExportStatus => "dialog-save",
+    }
+}
+
+fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
+    ui.set_width(space(140.0));
+    heading(ui, view.text(title_id(dialog.purpose)));
+    let name = quiet(ui, view.text(if dialog.purpose == Purpose::LoadTables { "folder-path" } else { "file-path" }));
+    let mut path = dialog.path.clone();
+    let id = Id::unique("dialog-path");
+    let field = ui
+        .add(TextEdit::singleline(&mut path).id(id).desired_width(f32::INFINITY).min_size(vec2(0.0, sizes().field)))
+        .labelled_by(name.id);
+    // The path is asked for, so it has the focus when the dialog opens.
+    if ui.memory(|memory| memory.focused().is_none()) {
+        field.request_focus();
+    }
+    if field.changed() {
+        view.send(Command::TypePath(path));
+    }
+    let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    if ui.input(|input| input.key_pressed(Key::Escape)) {
+        view.send(Command::Close);
+    }
+    if let Some(text) = &dialog.problem {
+        problem(ui, view.words.say(text));
+    }
+    if dialog.busy {
+        quiet(ui, view.text("dialog-busy"));
+    }
+    ui.horizontal(|ui| {
+        let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(24.0), sizes().touch));
+        let (confirm, browse, cancel) =
+            (button(confirm_id(dialog.purpose)), button("dialog-browse"), button("dialog-cancel"));
+        if ui.add_enabled(!dialog.busy, confirm).clicked() || entered {
+            view.send(Command::Confirm);
+        }
+        if ui.add_enabled(!dialog.busy, browse).clicked() {
+            view.send(Command::Browse);
+        }
+        if ui.add(cancel).clicked() {
+            view.send(Command::Close);
+        }
+    });
+}
+
+fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
+    ui.set_max_width(space(150.0));
+    let text = view.words.say(&notice.message);
+    if notice.is_problem { problem(ui, text) } else { ui.label(text) };
+    if !notice.details.is_empty() {
+        ScrollArea::vertical().max_height(space(60.0)).show_rows(ui, sizes().body + 4.0, notice.details.len(), |ui, rows| {
+            for detail in notice.details.get(rows).unwrap_or_default() {
+                quiet(ui, view.words.say(detail));
+            }
+        });
+    }
+    let close = Button::new(view.text("close")).min_size(vec2(space(24.0), sizes().touch));
+    if ui.add(close).clicked() {
+        view.send(Command::Close);
+    }
+}

@@ -1,0 +1,134 @@
+//! The world outside: files and dialogs on a named thread of their own, one at a time.
+//!
+//! The answer comes back as a [`Command`] and asks for one frame. Tests run errands at once, on the frame's thread.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use eframe::egui::Context;
+use jiff::civil::DateTime;
+
+use crate::control::deviations;
+use crate::control::mask::Mask;
+use crate::control::shipped_tables;
+use crate::exchange;
+use crate::files;
+use crate::report::RENDERINGS;
+use crate::session::{Command, Effect, Purpose};
+use crate::tolerance::Tables;
+use crate::words::{Message, Say as _};
+
+/// How errands are run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Errands {
+    /// On a thread: the window stays alive.
+    OnThread,
+    /// At once: for tests. File dialogs answer that nothing was picked.
+    AtOnce,
+}
+
+/// Runs effects and collects their answers.
+#[derive(Debug)]
+pub(super) struct Runner {
+    errands: Errands,
+    sender: Sender<Command>,
+    receiver: Receiver<Command>,
+}
+
+impl Runner {
+    pub fn new(errands: Errands) -> Self {
+        let (sender, receiver) = channel();
+        Self { errands, sender, receiver }
+    }
+
+    /// The commands that came back since the last frame.
+    pub fn answers(&self) -> Vec<Command> {
+        self.receiver.try_iter().collect()
+    }
+
+    /// Runs an effect; the clipboard is the frame's own business.
+    pub fn run(&self, ctx: &Context, effect: Effect, tables: &Arc<Tables>, now: DateTime) {
+        let effect = match effect {
+            Effect::Copy(text) => return ctx.copy_text(text),
+            effect => effect,
+        };
+        let (sender, ctx, tables) = (self.sender.clone(), ctx.clone(), Arc::clone(tables));
+        let errands = self.errands;
+        let errand = move || {
+            let command = answer(effect, errands, &tables, now);
+            // A closed window hears no answer; that is no fault.
+            let _closed = sender.send(command);
+            ctx.request_repaint();
+        };
+        match errands {
+            Errands::AtOnce => errand(),
+            Errands::OnThread => {
+                if let Err(error) = std::thread::Builder::new().name("errand".to_owned()).spawn(errand) {
+                    log::error!("no thread for files: {error}");
+                }
+            }
+        }
+    }
+}
+
+fn answer(effect: Effect, errands: Errands, tables: &Tables, now: DateTime) -> Command {
+    match effect {
+        Effect::Browse(purpose) => Command::Picked((errands == Errands::OnThread).then(|| pick(purpose)).flatten()),
+        Effect::Import(path) => Command::Imported { name: name(&path), result: import(&path, tables, now) },
+        Effect::ReadMask(path) => Command::MaskRead { name: name(&path), result: read_mask(&path) },
+        Effect::ReadTables(folder) => {
+            let result = read_tables(&folder);
+            Command::TablesRead { folder, result }
+        }
+        Effect::Save(path, bytes) => {
+            let result = files::write(&path, &bytes);
+            Command::Saved { path, result }
+        }
+        Effect::Copy(_) => Command::Picked(None),
+    }
+}
+
+fn name(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+fn import(path: &Path, tables: &Tables, now: DateTime) -> Result<Box<exchange::Imported>, Message> {
+    let bytes = files::read(path).map_err(|error| error.message())?;
+    Ok(Box::new(exchange::import(&name(path), &bytes, tables, now)))
+}
+
+fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
+    let bytes = files::read(path).map_err(|error| error.message())?;
+    let (mask, warnings) = Mask::read(&bytes).map_err(|error| error.message())?;
+    Ok((Box::new(mask), warnings.iter().map(crate::words::Say::message).collect()))
+}
+
+fn read_tables(folder: &Path) -> Result<(Box<Tables>, Vec<Message>), Message> {
+    let own = deviations::read_folder(folder).map_err(|error| error.message())?;
+    let warnings = own.warnings.iter().map(crate::words::Say::message).collect();
+    Ok((Box::new(shipped_tables().with_own(own.tables)), warnings))
+}
+
+/// The system's own dialog. `None` when it was left, or when there is none: the typed path remains.
+fn pick(purpose: Purpose) -> Option<PathBuf> {
+    let dialog = rfd::FileDialog::new();
+    // Patterns are literal: both cases are named.
+    let both = |endings: &[&str]| -> Vec<String> {
+        endings.iter().flat_map(|ending| [ending.to_lowercase(), ending.to_uppercase()]).collect()
+    };
+    match purpose {
+        Purpose::Import => {
+            dialog.add_filter("Measurements", &both(&exchange::endings())).add_filter("*", &["*"]).pick_file()
+        }
+        Purpose::LoadMask => dialog.add_filter("Mask", &both(&["a"])).add_filter("*", &["*"]).pick_file(),
+        Purpose::LoadTables => dialog.pick_folder(),
+        Purpose::ExportStatus => dialog.set_file_name("fitcheck-status.txt").save_file(),
+        Purpose::Export(number) => {
+            let rendering = RENDERINGS.get(number)?;
+            let ending = rendering.endings.first()?;
+            let name = format!("fitcheck.{ending}");
+            dialog.add_filter(rendering.name, &both(rendering.endings)).set_file_name(name).save_file()
+        }
+    }
+}

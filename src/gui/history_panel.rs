@@ -1,0 +1,147 @@
+//! Bottom: what came before, newest first. Only the rows in sight are drawn.
+
+use eframe::egui::{Align, Checkbox, Id, Layout, RichText, Sense, Ui, UiBuilder, vec2};
+use egui_extras::{Column, TableBuilder};
+
+use super::answer_panel::status_id;
+use super::shapes;
+use super::theme::{self, palette, sizes, space};
+use super::view::{View, heading, quiet};
+use crate::journal::Record;
+use crate::session::Command;
+use crate::words::{Message, Say as _, Words};
+
+/// Title row and table.
+pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal(|ui| {
+        heading(ui, view.text("history"));
+        let count = view.session.history().len();
+        quiet(ui, view.words.say(&Message::new("history-count").count("count", count)));
+        if 0 < view.session.chosen_count() {
+            let chosen = Message::new("history-chosen").count("count", view.session.chosen_count());
+            quiet(ui, view.words.say(&chosen));
+        }
+    });
+    if view.session.history().is_empty() {
+        quiet(ui, view.text("history-empty"));
+        return;
+    }
+    table_ui(ui, view);
+}
+
+/// One line instead of the table, where there is no room for it.
+pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
+    ui.horizontal(|ui| {
+        heading(ui, view.text("history"));
+        for record in view.session.history().iter().rev().take(4) {
+            let (rect, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
+            let status = record.verdict.status();
+            shapes::status(ui.painter(), rect, Some(status), palette(ui.ctx()).text.0);
+            let said = format!("{}  {}", callout(record), view.words.mm(record.measurement.diameter, 3));
+            ui.label(said).on_hover_text(view.text(status_id(Some(status))));
+        }
+        let count = view.session.history().len();
+        quiet(ui, view.words.say(&Message::new("history-count").count("count", count)));
+    });
+}
+
+fn callout(record: &Record) -> String {
+    record.callout.map_or_else(|| format!("Ø {}", record.limits.nominal), |callout| callout.to_string())
+}
+
+fn table_ui(ui: &mut Ui, view: &mut View<'_>) {
+    const HEADS: [&str; 8] =
+        ["head-chosen", "head-time", "head-part", "head-callout", "head-measured", "head-deviation", "head-status", "head-from"];
+    let row_height = sizes().field;
+    let count = view.session.history().len();
+    TableBuilder::new(ui)
+        .id_salt("history")
+        .striped(true)
+        .min_scrolled_height(0.0)
+        .auto_shrink(false)
+        .cell_layout(Layout::left_to_right(Align::Center))
+        .column(Column::exact(space(10.0)))
+        .columns(Column::initial(space(26.0)).at_least(space(20.0)).clip(true), 6)
+        .column(Column::remainder().clip(true))
+        .header(sizes().body + 6.0, |mut header| {
+            for head in HEADS {
+                header.col(|ui| _ = quiet(ui, view.text(head)));
+            }
+        })
+        .body(|body| {
+            body.rows(row_height, count, |mut row| {
+                let number = count - 1 - row.index();
+                let Some(record) = view.session.history().get(number).cloned() else { return };
+                let cells = Cells::of(view.words, &record);
+                row.col(|ui| choose_ui(ui, view, number, &cells));
+                row.col(|ui| show_ui(ui, view, number, &cells));
+                for text in [&cells.part, &cells.callout, &cells.measured, &cells.deviation] {
+                    row.col(|ui| _ = ui.label(text));
+                }
+                row.col(|ui| status_ui(ui, &record, &cells.status));
+                row.col(|ui| _ = ui.label(&cells.from));
+            });
+        });
+}
+
+fn choose_ui(ui: &mut Ui, view: &mut View<'_>, number: usize, cells: &Cells) {
+    let mut chosen = view.session.is_chosen(number);
+    let name = Message::new("choose-check").text("callout", &cells.callout).text("time", &cells.time);
+    let response = ui.add(Checkbox::without_text(&mut chosen)).accessible_name(view.words.say(&name));
+    if response.changed() {
+        view.send(Command::Choose(number, chosen));
+    }
+}
+
+fn show_ui(ui: &mut Ui, view: &mut View<'_>, number: usize, cells: &Cells) {
+    let shown = view.session.shown().is_some_and(|shown| {
+        view.session.history().get(number).is_some_and(|record| std::sync::Arc::ptr_eq(&shown.record, record))
+    });
+    let name = Message::new("show-check")
+        .text("time", &cells.time)
+        .text("callout", &cells.callout)
+        .text("status", &cells.status);
+    let response = ui.selectable_label(shown, &cells.time).accessible_name(view.words.say(&name));
+    if response.clicked() {
+        view.send(Command::Show(number));
+    }
+}
+
+fn status_ui(ui: &mut Ui, record: &Record, word: &str) {
+    let status = record.verdict.status();
+    let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
+    let (rect, _) = ui.allocate_exact_size(vec2(space(28.0).min(ui.available_width()), space(6.0)), Sense::hover());
+    ui.painter().rect_filled(rect, 3.0, fill);
+    let (shape, text) = rect.split_left_right_at_x(rect.left() + rect.height());
+    shapes::status(ui.painter(), shape.shrink(3.0), Some(status), colour);
+    let text = text.shrink2(vec2(2.0, 0.0));
+    let id = Id::unique(("history-status", std::ptr::from_ref(record).addr()));
+    ui.scope_builder(UiBuilder::new().id_salt(id).max_rect(text).layout(Layout::left_to_right(Align::Center)), |ui| {
+        ui.add(eframe::egui::Label::new(RichText::new(word).font(theme::bold(sizes().small)).color(colour)).truncate());
+    });
+}
+
+/// The texts of a row.
+struct Cells {
+    time: String,
+    part: String,
+    callout: String,
+    measured: String,
+    deviation: String,
+    status: String,
+    from: String,
+}
+
+impl Cells {
+    fn of(words: &Words, record: &Record) -> Self {
+        Self {
+            time: record.time.strftime("%H:%M:%S").to_string(),
+            part: record.id.clone(),
+            callout: callout(record),
+            measured: words.mm(record.measurement.diameter, 4),
+            deviation: format!("{} µm", words.signed_um(record.verdict.size.deviation)),
+            status: words.get(status_id(Some(record.verdict.status()))),
+            from: words.say(&record.measurement.origin.message()),
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Shapes that are painted, so that no font is needed: verdicts, hole and shaft, hatching.
+
+use eframe::egui::epaint::PathShape;
+use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, Vec2, pos2, vec2};
+
+use crate::tolerance::Feature;
+use crate::verdict::Status;
+
+/// The shape of a verdict: check, turning arrow, cross, loop; a dash for no result.
+pub(super) fn status(painter: &Painter, rect: Rect, status: Option<Status>, colour: Color32) {
+    let size = rect.size().min_elem();
+    let at = |x: f32, y: f32| rect.center() + vec2(x, y) * size;
+    let stroke = Stroke::new(size * 0.14, colour);
+    let line = |points: Vec<Pos2>| painter.add(PathShape::line(points, stroke));
+    match status {
+        Some(Status::Good) => _ = line(vec![at(-0.38, 0.02), at(-0.12, 0.3), at(0.4, -0.3)]),
+        Some(Status::Scrap) => {
+            line(vec![at(-0.32, -0.32), at(0.32, 0.32)]);
+            line(vec![at(0.32, -0.32), at(-0.32, 0.32)]);
+        }
+        Some(Status::Rework) => {
+            line(arc(rect.center(), size * 0.34, -50.0, 230.0));
+            arrow_head(painter, at(0.22, -0.26), vec2(-0.8, -0.6), size * 0.26, colour);
+        }
+        Some(Status::ReMeasure) => {
+            line(arc(rect.center(), size * 0.34, 20.0, 160.0));
+            line(arc(rect.center(), size * 0.34, 200.0, 340.0));
+            arrow_head(painter, at(0.32, 0.12), vec2(0.35, -0.94), size * 0.22, colour);
+            arrow_head(painter, at(-0.32, -0.12), vec2(-0.35, 0.94), size * 0.22, colour);
+        }
+        None => _ = line(vec![at(-0.3, 0.0), at(0.3, 0.0)]),
+    }
+}
+
+/// Points of an arc about a centre, degrees clockwise from +x as the screen has it.
+fn arc(centre: Pos2, radius: f32, from: f32, to: f32) -> Vec<Pos2> {
+    const STEPS: u8 = 40;
+    (0..=STEPS)
+        .map(|step| {
+            let angle = (from + (to - from) * f32::from(step) / f32::from(STEPS)).to_radians();
+            centre + vec2(angle.cos(), angle.sin()) * radius
+        })
+        .collect()
+}
+
+fn arrow_head(painter: &Painter, tip: Pos2, direction: Vec2, size: f32, colour: Color32) {
+    let along = direction.normalized() * size;
+    let across = vec2(-along.y, along.x) * 0.62;
+    let points = vec![tip + along * 0.6, tip - along * 0.5 + across, tip - along * 0.5 - across];
+    painter.add(PathShape::convex_polygon(points, colour, Stroke::NONE));
+}
+
+/// A small picture of what is measured: material around a hole, or a shaft with nothing around it.
+pub(super) fn feature(painter: &Painter, rect: Rect, feature: Feature, material: Color32, ground: Color32, line: Color32) {
+    let edge = Stroke::new(1.5, line);
+    let radius = rect.size().min_elem() * 0.3;
+    match feature {
+        Feature::Hole => {
+            painter.rect(rect, 2.0, material, edge, eframe::egui::StrokeKind::Inside);
+            painter.circle(rect.center(), radius, ground, edge);
+        }
+        Feature::Shaft => _ = painter.circle(rect.center(), radius * 1.35, material, edge),
+    }
+}
+
+/// How an area is hatched: the sides of the limit band differ without colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Hatch {
+    /// Lines one way: rework.
+    Single,
+    /// Lines both ways: scrap.
+    Cross,
+}
+
+/// Hatches an area with lines at 45 degrees.
+pub(super) fn hatch(painter: &Painter, rect: Rect, hatch: Hatch, stroke: Stroke) {
+    const STEP: f32 = 9.0;
+    if !rect.is_positive() {
+        return;
+    }
+    let painter = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
+    let height = rect.height();
+    let mut x = rect.left() - height;
+    while x < rect.right() {
+        painter.line_segment([pos2(x, rect.bottom()), pos2(x + height, rect.top())], stroke);
+        if hatch == Hatch::Cross {
+            painter.line_segment([pos2(x, rect.top()), pos2(x + height, rect.bottom())], stroke);
+        }
+        x += STEP;
+    }
+}

@@ -1,0 +1,67 @@
+//! The state file: what survives a restart. Written whole; a broken one is set aside, and the program starts.
+
+use std::path::{Path, PathBuf};
+
+use etcetera::BaseStrategy as _;
+
+use crate::files::{self, FileError};
+use crate::session::Saved;
+use crate::words::{Message, Say as _};
+
+/// Where the state is kept; `None` keeps nothing.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Store {
+    path: Option<PathBuf>,
+}
+
+impl Store {
+    /// In the user's own settings folder, where there is one.
+    pub fn of_user() -> Self {
+        let folder = etcetera::choose_base_strategy().ok().map(|folders| folders.config_dir().join("fitcheck"));
+        Self { path: folder.map(|folder| folder.join("state.toml")) }
+    }
+
+    /// At a path.
+    pub fn at(path: &Path) -> Self {
+        Self { path: Some(path.to_owned()) }
+    }
+
+    /// Nowhere.
+    pub const fn nowhere() -> Self {
+        Self { path: None }
+    }
+
+    /// The saved state, if there is one, and what to tell when it was broken.
+    pub fn load(&self) -> (Option<Saved>, Option<Message>) {
+        let Some(path) = &self.path else { return (None, None) };
+        let bytes = match files::read(path) {
+            Ok(bytes) => bytes,
+            Err(FileError::Missing { .. }) => return (None, None),
+            Err(error) => return (None, Some(error.message())),
+        };
+        match Saved::read(&bytes) {
+            Ok(saved) => (Some(saved), None),
+            Err(error) => {
+                let told = match files::set_aside(path) {
+                    Ok(aside) => Message::new("state-set-aside").text("path", aside.display()),
+                    Err(error) => error.message(),
+                };
+                log::error!("{error}");
+                (None, Some(told))
+            }
+        }
+    }
+
+    /// Keeps a state; a failure is logged, because losing the last inputs must not stop the work.
+    pub fn save(&self, saved: &Saved) {
+        let Some(path) = &self.path else { return };
+        if let Some(folder) = path.parent()
+            && let Err(error) = std::fs::create_dir_all(folder)
+        {
+            return log::error!("{error}: {}", folder.display());
+        }
+        if let Err(error) = files::write(path, &saved.write()) {
+            log::error!("{error}");
+        }
+    }
+}

@@ -1,0 +1,340 @@
+//! Colours, sizes and fonts: the only place where the window gets them from.
+//!
+//! They stand in `assets/theme.toml` and `assets/fonts`; nothing else in `gui` names a colour, a size or a font.
+
+use std::sync::{Arc, LazyLock};
+
+use eframe::egui::{
+    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke, Style,
+    TextStyle, Theme, Vec2, Visuals,
+};
+use serde::Deserialize;
+
+use crate::verdict::Status;
+
+/// A colour of the theme file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
+pub struct Hex(pub Color32);
+
+impl TryFrom<String> for Hex {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        Color32::from_hex(&text).map(Self).map_err(|_parse| format!("{text} is not a colour such as #14181D"))
+    }
+}
+
+macro_rules! palette {
+    ($($(#[$doc:meta])* $name:ident)*) => {
+        /// The colours of light or dark.
+        #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+        #[serde(deny_unknown_fields)]
+        pub struct Palette { $($(#[$doc])* pub $name: Hex),* }
+    };
+}
+
+palette! {
+    /// Behind everything.
+    background
+    /// Panels.
+    panel
+    /// Text fields.
+    field
+    /// Thin lines between things.
+    line
+    /// Text.
+    text
+    /// Text that may be overlooked.
+    quiet
+    /// The focus ring and the main action.
+    accent
+    /// Text on the main action.
+    on_accent
+    /// Errors beside fields.
+    error
+    /// Selected rows and text.
+    selection
+    /// GOOD.
+    good
+    /// Text on it.
+    on_good
+    /// REWORK.
+    rework
+    /// Text on it.
+    on_rework
+    /// SCRAP.
+    scrap
+    /// Text on it.
+    on_scrap
+    /// RE-MEASURE.
+    re_measure
+    /// Text on it.
+    on_re_measure
+    /// No result.
+    none
+    /// Text on it.
+    on_none
+    /// The tolerance zone in the limit band.
+    zone
+    /// Its edges and the text in it.
+    zone_edge
+    /// Hatching of the rework side.
+    hatch_rework
+    /// Hatching of the scrap side.
+    hatch_scrap
+    /// The status window.
+    popup
+    /// Its title bar.
+    popup_title
+    /// Text on that.
+    on_popup_title
+}
+
+impl Palette {
+    /// The fill of a verdict and the colour on it; `None` is no result.
+    pub const fn of_status(&self, status: Option<Status>) -> (Color32, Color32) {
+        match status {
+            Some(Status::Good) => (self.good.0, self.on_good.0),
+            Some(Status::Rework) => (self.rework.0, self.on_rework.0),
+            Some(Status::Scrap) => (self.scrap.0, self.on_scrap.0),
+            Some(Status::ReMeasure) => (self.re_measure.0, self.on_re_measure.0),
+            None => (self.none.0, self.on_none.0),
+        }
+    }
+}
+
+/// Sizes in points.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sizes {
+    /// Table heads, remarks.
+    pub small: f32,
+    /// Body text.
+    pub body: f32,
+    /// Limits of size.
+    pub limits: f32,
+    /// Values that are typed or measured.
+    pub value: f32,
+    /// Headings.
+    pub heading: f32,
+    /// The status window.
+    pub mono: f32,
+    /// The status word.
+    pub status: f32,
+    /// The step of all spaces.
+    pub step: f32,
+    /// The height of a field.
+    pub field: f32,
+    /// The height of what is pressed with a glove.
+    pub touch: f32,
+}
+
+/// The theme file.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tokens {
+    /// Light.
+    pub light: Palette,
+    /// Dark.
+    pub dark: Palette,
+    /// Sizes.
+    pub sizes: Sizes,
+}
+
+/// The embedded theme. A test proves that it can be read, so the message is for whoever edits the file.
+static TOKENS: LazyLock<Tokens> = LazyLock::new(|| {
+    #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
+    toml::from_str(include_str!("../../assets/theme.toml")).expect("assets/theme.toml can be read")
+});
+
+/// The sizes.
+pub fn sizes() -> &'static Sizes {
+    &TOKENS.sizes
+}
+
+/// So many steps of space.
+pub fn space(steps: f32) -> f32 {
+    TOKENS.sizes.step * steps
+}
+
+/// The colours of light or dark.
+pub fn palette_of(theme: Theme) -> &'static Palette {
+    match theme {
+        Theme::Light => &TOKENS.light,
+        Theme::Dark => &TOKENS.dark,
+    }
+}
+
+/// The colours of what is on screen now.
+pub fn palette(ctx: &Context) -> &'static Palette {
+    palette_of(ctx.theme())
+}
+
+/// The family of headings and the status word.
+pub fn semibold() -> FontFamily {
+    FontFamily::Name("semibold".into())
+}
+
+/// A font of the sans at a size.
+pub const fn font(size: f32) -> FontId {
+    FontId::new(size, FontFamily::Proportional)
+}
+
+/// A font of the heavier sans at a size.
+pub fn bold(size: f32) -> FontId {
+    FontId::new(size, semibold())
+}
+
+/// A font of the monospaced face at a size.
+pub const fn mono(size: f32) -> FontId {
+    FontId::new(size, FontFamily::Monospace)
+}
+
+/// Fonts and style, light and dark.
+pub fn install(ctx: &Context) {
+    ctx.set_fonts(fonts());
+    for theme in [Theme::Light, Theme::Dark] {
+        ctx.set_style_of(theme, style(theme));
+    }
+}
+
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::empty();
+    for (name, bytes) in [
+        ("sans", &include_bytes!("../../assets/fonts/sans-regular.ttf")[..]),
+        ("semibold", &include_bytes!("../../assets/fonts/sans-semibold.ttf")[..]),
+        ("mono", &include_bytes!("../../assets/fonts/mono-regular.ttf")[..]),
+        ("symbols", &include_bytes!("../../assets/fonts/symbols.ttf")[..]),
+    ] {
+        fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
+    }
+    for (family, first) in
+        [(FontFamily::Proportional, "sans"), (semibold(), "semibold"), (FontFamily::Monospace, "mono")]
+    {
+        let mut order = vec![first.to_owned(), "sans".to_owned(), "symbols".to_owned()];
+        order.dedup();
+        fonts.families.insert(family, order);
+    }
+    fonts
+}
+
+fn style(theme: Theme) -> Style {
+    let sizes = sizes();
+    let mut style = Style { visuals: visuals(theme), ..Style::default() };
+    style.text_styles = [
+        (TextStyle::Small, font(sizes.small)),
+        (TextStyle::Body, font(sizes.body)),
+        (TextStyle::Button, font(sizes.body)),
+        (TextStyle::Heading, bold(sizes.heading)),
+        (TextStyle::Monospace, mono(sizes.mono)),
+    ]
+    .into();
+    style.spacing.item_spacing = Vec2::splat(space(2.0));
+    style.spacing.button_padding = Vec2::new(space(3.0), space(1.5));
+    style.spacing.interact_size.y = sizes.field;
+    style.spacing.window_margin = Margin::same(12);
+    style.spacing.icon_width = space(5.0);
+    style.spacing.icon_width_inner = space(3.0);
+    // Nothing moves except what shows progress.
+    style.animation_time = 0.0;
+    style
+}
+
+fn visuals(theme: Theme) -> Visuals {
+    let palette = palette_of(theme);
+    let mut visuals = match theme {
+        Theme::Light => Visuals::light(),
+        Theme::Dark => Visuals::dark(),
+    };
+    let radius = CornerRadius::same(4);
+    visuals.panel_fill = palette.panel.0;
+    visuals.window_fill = palette.panel.0;
+    visuals.window_stroke = Stroke::new(1.0, palette.line.0);
+    visuals.window_corner_radius = CornerRadius::same(6);
+    visuals.window_shadow = Shadow::NONE;
+    visuals.popup_shadow = Shadow::NONE;
+    visuals.extreme_bg_color = palette.field.0;
+    visuals.text_edit_bg_color = Some(palette.field.0);
+    visuals.faint_bg_color = palette.background.0;
+    visuals.code_bg_color = palette.background.0;
+    visuals.weak_text_color = Some(palette.quiet.0);
+    visuals.error_fg_color = palette.error.0;
+    visuals.warn_fg_color = palette.text.0;
+    visuals.hyperlink_color = palette.accent.0;
+    visuals.selection.bg_fill = palette.selection.0;
+    visuals.selection.stroke = Stroke::new(2.0, palette.accent.0);
+    // A blinking caret would ask for a frame twice a second: idle is idle.
+    visuals.text_cursor.blink = false;
+    let edge = Stroke::new(1.0, palette.line.0);
+    let ring = Stroke::new(2.0, palette.accent.0);
+    for (widget, stroke) in [
+        (&mut visuals.widgets.noninteractive, edge),
+        (&mut visuals.widgets.inactive, edge),
+        (&mut visuals.widgets.hovered, Stroke::new(1.0, palette.accent.0)),
+        (&mut visuals.widgets.active, ring),
+        (&mut visuals.widgets.open, ring),
+    ] {
+        widget.bg_fill = palette.field.0;
+        widget.weak_bg_fill = palette.field.0;
+        widget.bg_stroke = stroke;
+        widget.fg_stroke = Stroke::new(1.0, palette.text.0);
+        widget.corner_radius = radius;
+        widget.expansion = 0.0;
+    }
+    visuals
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Contrast after WCAG 2.1, success criterion 1.4.3: relative luminance of sRGB.
+    fn contrast(one: Hex, other: Hex) -> f64 {
+        let luminance = |Hex(colour): Hex| {
+            let channel = |value: u8| {
+                let value = f64::from(value) / 255.0;
+                if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+            };
+            0.2126 * channel(colour.r()) + 0.7152 * channel(colour.g()) + 0.0722 * channel(colour.b())
+        };
+        let (one, other) = (luminance(one), luminance(other));
+        (one.max(other) + 0.05) / (one.min(other) + 0.05)
+    }
+
+    #[test]
+    fn every_text_has_contrast_enough() {
+        for palette in [&TOKENS.light, &TOKENS.dark] {
+            for (name, text, ground, least) in [
+                ("text on panel", palette.text, palette.panel, 7.0),
+                ("text on field", palette.text, palette.field, 7.0),
+                ("text on background", palette.text, palette.background, 7.0),
+                ("text on selection", palette.text, palette.selection, 7.0),
+                ("quiet on panel", palette.quiet, palette.panel, 7.0),
+                ("quiet on background", palette.quiet, palette.background, 7.0),
+                ("error on panel", palette.error, palette.panel, 7.0),
+                ("accent on panel", palette.accent, palette.panel, 4.5),
+                ("on accent", palette.on_accent, palette.accent, 4.5),
+                ("on good", palette.on_good, palette.good, 7.0),
+                ("on rework", palette.on_rework, palette.rework, 7.0),
+                ("on scrap", palette.on_scrap, palette.scrap, 4.5),
+                ("on re-measure", palette.on_re_measure, palette.re_measure, 4.5),
+                ("on none", palette.on_none, palette.none, 4.5),
+                ("zone edge", palette.zone_edge, palette.zone, 7.0),
+                ("text on popup", palette.text, palette.popup, 7.0),
+                ("popup title", palette.on_popup_title, palette.popup_title, 7.0),
+            ] {
+                assert!(least <= contrast(text, ground), "{name}: {:.2}", contrast(text, ground));
+            }
+        }
+    }
+
+    #[test]
+    fn verdicts_are_told_apart_in_greyscale() {
+        for palette in [&TOKENS.light, &TOKENS.dark] {
+            for (one, other) in [(palette.good, palette.rework), (palette.rework, palette.scrap), (palette.good, palette.scrap)] {
+                assert!(1.3 <= contrast(one, other), "{one:?} {other:?}: {:.2}", contrast(one, other));
+            }
+        }
+    }
+}

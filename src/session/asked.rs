@@ -1,0 +1,184 @@
+//! What the fields mean: callout and limits, and an error beside each field that caused one.
+
+use std::collections::BTreeMap;
+
+use super::inputs::{Field, Inputs};
+use crate::length::Length;
+use crate::tolerance::{Callout, Limits, Tables};
+use crate::words::{Message, Say as _};
+
+/// The meaning of the fields. Made anew at every change.
+#[derive(Debug, Clone)]
+pub struct Asked {
+    callout: Option<Callout>,
+    limits: Option<Limits>,
+    lengths: BTreeMap<Field, Length>,
+    /// The seed of the simulation.
+    pub(super) seed: Option<u64>,
+    /// The number of lobes of the simulated workpiece.
+    pub(super) lobes: Option<u32>,
+    errors: BTreeMap<Field, Message>,
+}
+
+/// The fields that hold a length, with what they may be.
+const LENGTHS: [(Field, Range); 14] = [
+    (Field::Measured, Range::AboveZero),
+    (Field::CentreX, Range::Any),
+    (Field::CentreY, Range::Any),
+    (Field::Height, Range::Any),
+    (Field::FirstAngle, Range::Turn),
+    (Field::Clearance, Range::ZeroOrMore),
+    (Field::CentreTolerance, Range::ZeroOrMore),
+    (Field::TrueDiameter, Range::AboveZero),
+    (Field::OffsetX, Range::Any),
+    (Field::OffsetY, Range::Any),
+    (Field::Ovality, Range::ZeroOrMore),
+    (Field::LobeHeight, Range::ZeroOrMore),
+    (Field::SurfaceScatter, Range::ZeroOrMore),
+    (Field::ProbeScatter, Range::ZeroOrMore),
+];
+
+/// What a field's number may be. The control's own ranges: ±99999.9999 mm, ±360 degrees.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Range {
+    Any,
+    ZeroOrMore,
+    AboveZero,
+    Turn,
+}
+
+impl Range {
+    fn check(self, value: Length) -> Result<(), Message> {
+        let largest = Length::from_nanometres(99_999_999_900).unwrap_or_default();
+        let turn = Length::from_micrometres(360_000);
+        let outside = |id| Err(Message::new(id).mm("given", value).mm("limit", largest));
+        match self {
+            Self::Turn if turn < value.abs() => Err(Message::new("field-angle-range").mm("given", value)),
+            Self::ZeroOrMore if value < Length::ZERO => outside("field-not-negative"),
+            Self::AboveZero if value <= Length::ZERO => outside("field-above-zero"),
+            _ if largest < value.abs() => outside("field-range"),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The size part of a callout as it is typed.
+pub(super) fn nominal_text(callout: &str) -> &str {
+    let bare = callout.trim().trim_start_matches(['Ø', 'ø', '⌀', ' ']);
+    let end = bare.find(|c: char| c.is_alphabetic()).unwrap_or(bare.len());
+    bare.get(..end).unwrap_or_default().trim()
+}
+
+/// The class part of a callout as it is typed.
+pub(super) fn class_text(callout: &str) -> &str {
+    let bare = callout.trim().trim_start_matches(['Ø', 'ø', '⌀', ' ']);
+    let start = bare.find(|c: char| c.is_alphabetic()).unwrap_or(bare.len());
+    bare.get(start..).unwrap_or_default().trim()
+}
+
+impl Asked {
+    /// Reads the fields. Empty optional fields are no error; a number that cannot be used is.
+    pub(super) fn read(inputs: &Inputs, tables: &Tables) -> Self {
+        let mut asked = Self {
+            callout: None,
+            limits: None,
+            lengths: BTreeMap::new(),
+            seed: None,
+            lobes: None,
+            errors: BTreeMap::new(),
+        };
+        asked.read_callout(inputs.text(Field::Callout), tables);
+        for (field, range) in LENGTHS {
+            asked.read_length(field, range, inputs.text(field));
+        }
+        asked.seed = asked.read_whole(Field::Seed, inputs.text(Field::Seed));
+        asked.lobes = asked.read_whole(Field::Lobes, inputs.text(Field::Lobes));
+        asked
+    }
+
+    fn read_callout(&mut self, text: &str, tables: &Tables) {
+        if text.trim().is_empty() {
+            return;
+        }
+        let problem = match text.parse::<Callout>() {
+            Ok(callout) => {
+                self.callout = Some(callout);
+                match tables.limits(&callout) {
+                    Ok(limits) => return self.limits = Some(limits),
+                    Err(error) => error.message(),
+                }
+            }
+            Err(error) => error.message(),
+        };
+        self.errors.insert(Field::Callout, problem);
+    }
+
+    fn read_length(&mut self, field: Field, range: Range, text: &str) {
+        let optional = matches!(field, Field::Measured | Field::TrueDiameter);
+        if optional && text.trim().is_empty() {
+            return;
+        }
+        let read = text.parse::<Length>().map_err(|error| error.message());
+        match read.and_then(|value| range.check(value).map(|()| value)) {
+            Ok(value) => _ = self.lengths.insert(field, value),
+            Err(problem) => _ = self.errors.insert(field, problem),
+        }
+    }
+
+    fn read_whole<T: std::str::FromStr>(&mut self, field: Field, text: &str) -> Option<T> {
+        let value = text.trim().parse().ok();
+        if value.is_none() {
+            self.errors.insert(field, Message::new("field-not-whole").text("given", text.trim()));
+        }
+        value
+    }
+
+    /// The callout, when it can be read (its limits may still be refused).
+    pub const fn callout(&self) -> Option<Callout> {
+        self.callout
+    }
+
+    /// The limits on screen.
+    pub const fn limits(&self) -> Option<&Limits> {
+        self.limits.as_ref()
+    }
+
+    /// The length in a field, mm (degrees for the angle), when it can be read.
+    pub fn length(&self, field: Field) -> Option<Length> {
+        self.lengths.get(&field).copied()
+    }
+
+    /// What is wrong with a field.
+    pub fn error(&self, field: Field) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    /// Puts an error beside a field that measuring refused.
+    pub(super) fn refuse(&mut self, field: Field, problem: Message) {
+        self.errors.insert(field, problem);
+    }
+
+    /// Shows the limits of a record, which may have come without a callout.
+    pub(super) fn show_limits(&mut self, limits: Limits, callout: Option<Callout>) {
+        self.limits = Some(limits);
+        self.callout = callout;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_callout_is_taken_apart_while_it_is_typed() {
+        for (text, nominal, class) in [
+            ("25 H7", "25", "H7"),
+            ("Ø25,5js6", "25,5", "js6"),
+            ("25", "25", ""),
+            ("H7", "", "H7"),
+            ("", "", ""),
+        ] {
+            assert_eq!((nominal_text(text), class_text(text)), (nominal, class), "for {text:?}");
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! Everything that can be done, and what it asks of the world outside.
+//!
+//! The list of commands is the window's manual: menu, key, button, test and script all send one of these.
+
+use std::path::PathBuf;
+
+use super::inputs::{Field, MeasureBy};
+use crate::control::mask::Mask;
+use crate::exchange::Imported;
+use crate::files::FileError;
+use crate::tolerance::{Tables, ToleranceClass};
+use crate::words::{Language, Message};
+
+/// A change of the state.
+#[derive(Debug, Clone)]
+pub enum Command {
+    /// Replaces the text of a field. A changed callout clears the result.
+    Type(Field, String),
+    /// Takes a class from the chooser; the nominal size stays.
+    ChooseClass(ToleranceClass),
+    /// Chooses where the next measurement comes from.
+    MeasureBy(MeasureBy),
+    /// Measures and judges.
+    Measure,
+    /// Clears the result and the typed value; the history stays.
+    ClearResult,
+    /// Shows a record of the history again, by its number.
+    Show(usize),
+    /// Marks a record for the report, or takes the mark off.
+    Choose(usize, bool),
+    /// Empties the history.
+    ClearHistory,
+    /// Takes back the last change of the history.
+    Undo,
+    /// Speaks another language.
+    SetLanguage(Language),
+    /// Light, dark, or as the system.
+    SetTheme(Theme),
+    /// Draws the status window with a shipped mask, or with the language's own when `None`.
+    SetMask(Option<Language>),
+    /// Asks for a file or a folder.
+    OpenDialog(Purpose),
+    /// Replaces the path in the dialog.
+    TypePath(String),
+    /// Shows the system's file dialog.
+    Browse,
+    /// The system's file dialog answered; `None` when it was left without a choice or cannot be shown.
+    Picked(Option<PathBuf>),
+    /// Does what the dialog is for.
+    Confirm,
+    /// Closes the dialog or the oldest notice.
+    Close,
+    /// A file was read and understood, or not.
+    Imported {
+        /// Its name without the folder.
+        name: String,
+        /// What it holds.
+        result: Result<Box<Imported>, Message>,
+    },
+    /// A mask was read, or not.
+    MaskRead {
+        /// Its name without the folder.
+        name: String,
+        /// The mask and its warnings.
+        result: Result<(Box<Mask>, Vec<Message>), Message>,
+    },
+    /// A folder of tables was read, or not.
+    TablesRead {
+        /// The folder.
+        folder: PathBuf,
+        /// The tables to look up in, and warnings.
+        result: Result<(Box<Tables>, Vec<Message>), Message>,
+    },
+    /// Goes back to the shipped tables alone.
+    ShippedTables,
+    /// A file was written, or not.
+    Saved {
+        /// Where.
+        path: PathBuf,
+        /// Whether.
+        result: Result<(), FileError>,
+    },
+    /// Puts the status window's text on the clipboard.
+    CopyStatus,
+}
+
+/// What a file dialog is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Purpose {
+    /// Reading measurements.
+    Import,
+    /// Reading a mask.
+    LoadMask,
+    /// Reading a folder of tables.
+    LoadTables,
+    /// Writing the history or the chosen checks in a format of the report's list, by its number there.
+    Export(usize),
+    /// Writing the status window's text.
+    ExportStatus,
+}
+
+/// Light or dark.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Theme {
+    /// As the system has it.
+    #[default]
+    System,
+    /// Light.
+    Light,
+    /// Dark.
+    Dark,
+}
+
+/// What the state asks of the world: done at the edge, off the frame's thread.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Effect {
+    /// Show the system's file dialog and send [`Command::Picked`].
+    Browse(Purpose),
+    /// Read measurements and send [`Command::Imported`].
+    Import(PathBuf),
+    /// Read a mask and send [`Command::MaskRead`].
+    ReadMask(PathBuf),
+    /// Read a folder of tables and send [`Command::TablesRead`].
+    ReadTables(PathBuf),
+    /// Write a file and send [`Command::Saved`].
+    Save(PathBuf, Vec<u8>),
+    /// Put a text on the clipboard.
+    Copy(String),
+}

@@ -1,0 +1,547 @@
+//! The state of the application, and the only place that changes it.
+//!
+//! Menu, key, button, file and test send a [`Command`]; [`Session::apply`] changes the state and answers with
+//! [`Effect`]s for the world outside. No file, thread, clock or window is touched here: the time comes in.
+//!
+//! | file | what |
+//! |---|---|
+//! | `command` | everything that can be done |
+//! | `inputs` | the text fields |
+//! | `asked` | what the texts mean: callout, limits, errors beside their fields |
+//! | `measuring` | from the fields to a measurement |
+//! | `saved` | what survives a restart |
+
+mod asked;
+mod command;
+mod inputs;
+mod measuring;
+mod saved;
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use jiff::civil::DateTime;
+
+pub use asked::Asked;
+pub use command::{Command, Effect, Purpose, Theme};
+pub use inputs::{Field, Inputs, MeasureBy};
+pub use saved::{Saved, SavedError};
+
+use crate::control::mask::Mask;
+use crate::control::{shipped_tables, status};
+use crate::exchange::Imported;
+use crate::files::FileError;
+use crate::journal::Record;
+use crate::report;
+use crate::tolerance::{Callout, Tables};
+use crate::words::{Language, Message, Say as _};
+
+/// The mask that the status window is drawn with.
+#[derive(Debug, Clone, Default)]
+pub enum MaskChoice {
+    /// The shipped mask of the window's language.
+    #[default]
+    OfLanguage,
+    /// A shipped mask.
+    Shipped(Language),
+    /// The user's own.
+    Own {
+        /// Its file's name.
+        name: String,
+        /// The mask.
+        mask: Arc<Mask>,
+    },
+}
+
+/// A record that is shown, and what the mask makes of it.
+#[derive(Debug, Clone)]
+pub struct Shown {
+    /// The record.
+    pub record: Arc<Record>,
+    /// The status window's text, or why the mask cannot be drawn.
+    pub window: Result<String, Message>,
+}
+
+/// An open file dialog: a typed path is always the other way.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Dialog {
+    /// What for.
+    pub purpose: Purpose,
+    /// The typed path.
+    pub path: String,
+    /// What went wrong the last time.
+    pub problem: Option<Message>,
+    /// Whether a file is being read or written.
+    pub busy: bool,
+}
+
+/// Something to be told, until it is closed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Notice {
+    /// The headline.
+    pub message: Message,
+    /// Details, one a line, as texts: rows of a file that could not be used, warnings.
+    pub details: Vec<Message>,
+    /// Whether something failed.
+    pub is_problem: bool,
+}
+
+/// What undo goes back to.
+#[derive(Debug, Clone)]
+struct Snapshot {
+    history: Vec<Arc<Record>>,
+    chosen: BTreeSet<usize>,
+}
+
+/// How many steps back undo remembers.
+const UNDO_STEPS: usize = 50;
+
+/// The state of the application.
+#[derive(Debug)]
+pub struct Session {
+    inputs: Inputs,
+    asked: Asked,
+    tables: Arc<Tables>,
+    tables_folder: Option<PathBuf>,
+    mask: MaskChoice,
+    language: Language,
+    theme: Theme,
+    shown: Option<Shown>,
+    measured_is_used: bool,
+    history: Vec<Arc<Record>>,
+    chosen: BTreeSet<usize>,
+    undo: Vec<Snapshot>,
+    dialog: Option<Dialog>,
+    notices: Vec<Notice>,
+}
+
+impl Session {
+    /// A session with the shipped tables and empty fields.
+    pub fn new(language: Language) -> Self {
+        Self::with(language, Theme::default(), Inputs::default())
+    }
+
+    fn with(language: Language, theme: Theme, inputs: Inputs) -> Self {
+        let tables = Arc::new(shipped_tables());
+        let asked = Asked::read(&inputs, &tables);
+        Self {
+            inputs,
+            asked,
+            tables,
+            tables_folder: None,
+            mask: MaskChoice::default(),
+            language,
+            theme,
+            shown: None,
+            measured_is_used: false,
+            history: Vec::new(),
+            chosen: BTreeSet::new(),
+            undo: Vec::new(),
+            dialog: None,
+            notices: Vec::new(),
+        }
+    }
+
+    /// The text fields.
+    pub const fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// What the fields mean.
+    pub const fn asked(&self) -> &Asked {
+        &self.asked
+    }
+
+    /// The tables that limits are looked up in.
+    pub const fn tables(&self) -> &Arc<Tables> {
+        &self.tables
+    }
+
+    /// The folder of the user's own tables, where one was chosen.
+    pub const fn tables_folder(&self) -> Option<&PathBuf> {
+        self.tables_folder.as_ref()
+    }
+
+    /// The mask that the status window is drawn with.
+    pub const fn mask(&self) -> &MaskChoice {
+        &self.mask
+    }
+
+    /// The language of the window.
+    pub const fn language(&self) -> Language {
+        self.language
+    }
+
+    /// Light or dark.
+    pub const fn theme(&self) -> Theme {
+        self.theme
+    }
+
+    /// The record that is shown, if any. It always belongs to the limits on screen.
+    pub const fn shown(&self) -> Option<&Shown> {
+        self.shown.as_ref()
+    }
+
+    /// All checks, oldest first.
+    pub fn history(&self) -> &[Arc<Record>] {
+        &self.history
+    }
+
+    /// Whether a record is chosen for the report.
+    pub fn is_chosen(&self, number: usize) -> bool {
+        self.chosen.contains(&number)
+    }
+
+    /// How many records are chosen.
+    pub fn chosen_count(&self) -> usize {
+        self.chosen.len()
+    }
+
+    /// Whether there is something to take back.
+    pub const fn can_undo(&self) -> bool {
+        !self.undo.is_empty()
+    }
+
+    /// The open file dialog.
+    pub const fn dialog(&self) -> Option<&Dialog> {
+        self.dialog.as_ref()
+    }
+
+    /// What is to be told, oldest first.
+    pub fn notices(&self) -> &[Notice] {
+        &self.notices
+    }
+
+    /// Tells something that happened outside, such as a state file that was set aside.
+    pub fn tell(&mut self, message: Message) {
+        self.notices.push(Notice { message, details: Vec::new(), is_problem: true });
+    }
+
+    /// Does a command at a local date and time, and says what the world outside has to do.
+    pub fn apply(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
+        match command {
+            Command::Type(field, text) => self.type_text(field, text),
+            Command::ChooseClass(class) => self.choose_class(class.as_str()),
+            Command::MeasureBy(by) => self.inputs.by = by,
+            Command::Measure => self.measure(now),
+            Command::ClearResult => self.clear_result(),
+            Command::Show(number) => self.show(number),
+            Command::Choose(number, true) if number < self.history.len() => _ = self.chosen.insert(number),
+            Command::Choose(number, _) => _ = self.chosen.remove(&number),
+            Command::ClearHistory => self.clear_history(),
+            Command::Undo => self.take_back(),
+            Command::SetLanguage(language) => self.set_language(language),
+            Command::SetTheme(theme) => self.theme = theme,
+            Command::SetMask(language) => {
+                self.set_mask(language.map_or(MaskChoice::OfLanguage, MaskChoice::Shipped));
+            }
+            Command::OpenDialog(purpose) => self.open_dialog(purpose),
+            Command::TypePath(path) => {
+                if let Some(dialog) = &mut self.dialog {
+                    (dialog.path, dialog.problem) = (path, None);
+                }
+            }
+            Command::Browse => return self.dialog.iter().map(|dialog| Effect::Browse(dialog.purpose)).collect(),
+            Command::Picked(path) => return self.picked(path, now),
+            Command::Confirm => return self.confirm(now),
+            Command::Close => self.close(),
+            Command::Imported { name, result } => self.imported(&name, result, now),
+            Command::MaskRead { name, result } => self.mask_read(name, result),
+            Command::TablesRead { folder, result } => self.tables_read(folder, result),
+            Command::ShippedTables => self.use_tables(shipped_tables(), None),
+            Command::Saved { path, result } => self.saved_file(&path, result),
+            Command::CopyStatus => return self.status_text().map(Effect::Copy).into_iter().collect(),
+        }
+        Vec::new()
+    }
+
+    fn type_text(&mut self, field: Field, text: String) {
+        let nominal = (field == Field::Nominal).then(|| text.clone());
+        self.inputs.set(field, text);
+        match field {
+            Field::Callout => self.callout_changed(true),
+            Field::Nominal => {
+                let class = asked::class_text(self.inputs.text(Field::Callout)).to_owned();
+                let callout = format!("{} {class}", nominal.unwrap_or_default().trim());
+                self.inputs.set(Field::Callout, callout.trim().to_owned());
+                self.callout_changed(false);
+            }
+            Field::Measured => {
+                self.inputs.by = MeasureBy::Typing;
+                self.measured_is_used = false;
+                self.asked = Asked::read(&self.inputs, &self.tables);
+            }
+            _ => self.asked = Asked::read(&self.inputs, &self.tables),
+        }
+    }
+
+    fn choose_class(&mut self, class: &str) {
+        let nominal = asked::nominal_text(self.inputs.text(Field::Callout)).to_owned();
+        self.inputs.set(Field::Callout, format!("{nominal} {class}").trim().to_owned());
+        self.callout_changed(true);
+    }
+
+    /// No verdict stays beside limits that it was not made with.
+    fn callout_changed(&mut self, nominal_follows: bool) {
+        if nominal_follows {
+            let nominal = asked::nominal_text(self.inputs.text(Field::Callout)).to_owned();
+            self.inputs.set(Field::Nominal, nominal);
+        }
+        self.asked = Asked::read(&self.inputs, &self.tables);
+        self.shown = None;
+        if self.measured_is_used {
+            self.inputs.set(Field::Measured, String::new());
+            self.measured_is_used = false;
+        }
+    }
+
+    fn measure(&mut self, now: DateTime) {
+        match measuring::measure(&self.inputs, &self.asked, now) {
+            Ok(record) => {
+                if self.inputs.by == MeasureBy::Simulating {
+                    let next = self.asked.seed.unwrap_or_default().wrapping_add(1);
+                    self.inputs.set(Field::Seed, next.to_string());
+                    self.asked = Asked::read(&self.inputs, &self.tables);
+                } else {
+                    self.measured_is_used = true;
+                }
+                self.add(vec![Arc::new(record)]);
+            }
+            Err((field, problem)) => self.asked.refuse(field, problem),
+        }
+    }
+
+    /// Adds records to the history and shows the last of them.
+    fn add(&mut self, records: Vec<Arc<Record>>) {
+        if records.is_empty() {
+            return;
+        }
+        self.remember();
+        self.history.extend(records);
+        self.show(self.history.len() - 1);
+    }
+
+    fn show(&mut self, number: usize) {
+        let Some(record) = self.history.get(number).cloned() else { return };
+        // The limits on screen follow the record, never the other way round.
+        match record.callout {
+            Some(callout) if Some(callout) != self.asked.callout() => {
+                self.inputs.set(Field::Callout, callout.to_string());
+                self.callout_changed(true);
+            }
+            _ => {}
+        }
+        self.asked.show_limits(record.limits.clone(), record.callout);
+        self.draw(record);
+    }
+
+    fn draw(&mut self, record: Arc<Record>) {
+        let window = self.status_window(&record);
+        self.shown = Some(Shown { record, window });
+    }
+
+    fn status_window(&self, record: &Record) -> Result<String, Message> {
+        let (language, mask) = match &self.mask {
+            MaskChoice::OfLanguage => (self.language, None),
+            MaskChoice::Shipped(language) => (*language, None),
+            MaskChoice::Own { mask, .. } => (self.language, Some(mask.as_ref())),
+        };
+        status::status_window(record, language, mask).map_err(|error| error.message())
+    }
+
+    fn clear_result(&mut self) {
+        self.shown = None;
+        self.inputs.set(Field::Measured, String::new());
+        self.measured_is_used = false;
+        self.asked = Asked::read(&self.inputs, &self.tables);
+    }
+
+    fn remember(&mut self) {
+        if UNDO_STEPS <= self.undo.len() {
+            self.undo.remove(0);
+        }
+        self.undo.push(Snapshot { history: self.history.clone(), chosen: self.chosen.clone() });
+    }
+
+    fn clear_history(&mut self) {
+        if self.history.is_empty() {
+            return;
+        }
+        self.remember();
+        self.history.clear();
+        self.chosen.clear();
+        self.shown = None;
+    }
+
+    fn take_back(&mut self) {
+        if let Some(snapshot) = self.undo.pop() {
+            (self.history, self.chosen, self.shown) = (snapshot.history, snapshot.chosen, None);
+        }
+    }
+
+    fn set_language(&mut self, language: Language) {
+        self.language = language;
+        self.redraw();
+    }
+
+    fn set_mask(&mut self, mask: MaskChoice) {
+        self.mask = mask;
+        self.redraw();
+    }
+
+    fn redraw(&mut self) {
+        if let Some(shown) = self.shown.take() {
+            self.draw(shown.record);
+        }
+    }
+
+    fn open_dialog(&mut self, purpose: Purpose) {
+        let path = match purpose {
+            Purpose::Export(format) => {
+                let ending = report::RENDERINGS.get(format).and_then(|rendering| rendering.endings.first());
+                ending.map(|ending| format!("fitcheck.{ending}")).unwrap_or_default()
+            }
+            Purpose::ExportStatus => "fitcheck-status.txt".to_owned(),
+            Purpose::Import | Purpose::LoadMask | Purpose::LoadTables => String::new(),
+        };
+        self.dialog = Some(Dialog { purpose, path, problem: None, busy: false });
+    }
+
+    fn picked(&mut self, path: Option<PathBuf>, now: DateTime) -> Vec<Effect> {
+        let (Some(dialog), Some(path)) = (&mut self.dialog, path) else { return Vec::new() };
+        dialog.path = path.display().to_string();
+        self.confirm(now)
+    }
+
+    fn confirm(&mut self, now: DateTime) -> Vec<Effect> {
+        let Some(dialog) = &self.dialog else { return Vec::new() };
+        let text = dialog.path.trim();
+        if text.is_empty() {
+            self.refuse_dialog(Message::new("dialog-no-path"));
+            return Vec::new();
+        }
+        let path = PathBuf::from(text);
+        let effect = match dialog.purpose {
+            Purpose::Import => Effect::Import(path),
+            Purpose::LoadMask => Effect::ReadMask(path),
+            Purpose::LoadTables => Effect::ReadTables(path),
+            Purpose::Export(format) => Effect::Save(path, self.export(format, now)),
+            Purpose::ExportStatus => match self.status_text() {
+                Some(text) => Effect::Save(path, text.into_bytes()),
+                None => {
+                    self.refuse_dialog(Message::new("dialog-no-status"));
+                    return Vec::new();
+                }
+            },
+        };
+        if let Some(dialog) = &mut self.dialog {
+            (dialog.busy, dialog.problem) = (true, None);
+        }
+        vec![effect]
+    }
+
+    fn refuse_dialog(&mut self, problem: Message) {
+        if let Some(dialog) = &mut self.dialog {
+            (dialog.busy, dialog.problem) = (false, Some(problem));
+        }
+    }
+
+    /// The chosen records, or all of them when none is chosen, as a file's bytes.
+    fn export(&self, format: usize, now: DateTime) -> Vec<u8> {
+        let all = self.history.iter().enumerate();
+        let wanted = all.filter(|(number, _)| self.chosen.is_empty() || self.chosen.contains(number));
+        measuring::export(format, wanted.map(|(_, record)| record.as_ref().clone()).collect(), self.language, now)
+    }
+
+    fn status_text(&self) -> Option<String> {
+        self.shown.as_ref().and_then(|shown| shown.window.clone().ok())
+    }
+
+    fn close(&mut self) {
+        if self.dialog.take().is_none() && !self.notices.is_empty() {
+            self.notices.remove(0);
+        }
+    }
+
+    fn imported(&mut self, name: &str, result: Result<Box<Imported>, Message>, now: DateTime) {
+        let imported = match result {
+            Ok(imported) => *imported,
+            Err(problem) => {
+                self.refuse_dialog(problem);
+                return;
+            }
+        };
+        self.dialog = None;
+        self.notices.push(measuring::import_notice(name, &imported));
+        let mut records: Vec<_> = imported.records.into_iter().map(Arc::new).collect();
+        if let Some(contacts) = imported.contacts {
+            match measuring::judge_contacts(name, contacts, &self.asked, now) {
+                Ok(record) => records.push(Arc::new(record)),
+                Err(problem) => self.tell(problem),
+            }
+        }
+        self.add(records);
+    }
+
+    fn mask_read(&mut self, name: String, result: Result<(Box<Mask>, Vec<Message>), Message>) {
+        match result {
+            Ok((mask, details)) => {
+                self.dialog = None;
+                if !details.is_empty() {
+                    let message = Message::new("mask-loaded-with-warnings").text("name", &name);
+                    self.notices.push(Notice { message, details, is_problem: false });
+                }
+                self.set_mask(MaskChoice::Own { name, mask: Arc::new(*mask) });
+            }
+            Err(problem) => self.refuse_dialog(problem),
+        }
+    }
+
+    fn tables_read(&mut self, folder: PathBuf, result: Result<(Box<Tables>, Vec<Message>), Message>) {
+        match result {
+            Ok((tables, details)) => {
+                self.dialog = None;
+                let count = tables.iter().filter(|table| !table.shipped()).count();
+                let message = Message::new("tables-loaded").count("count", count).text("folder", folder.display());
+                self.notices.push(Notice { message, details, is_problem: false });
+                self.use_tables(*tables, Some(folder));
+            }
+            Err(problem) if self.dialog.is_some() => self.refuse_dialog(problem),
+            Err(problem) => self.tell(problem),
+        }
+    }
+
+    fn use_tables(&mut self, tables: Tables, folder: Option<PathBuf>) {
+        self.tables = Arc::new(tables);
+        self.tables_folder = folder;
+        self.callout_changed(true);
+    }
+
+    fn saved_file(&mut self, path: &std::path::Path, result: Result<(), FileError>) {
+        match result {
+            Ok(()) => {
+                self.dialog = None;
+                let message = Message::new("file-written").text("path", path.display());
+                self.notices.push(Notice { message, details: Vec::new(), is_problem: false });
+            }
+            Err(error) => self.refuse_dialog(error.message()),
+        }
+    }
+
+    /// What survives a restart.
+    pub fn saved(&self) -> Saved {
+        Saved::new(self.language, self.theme, self.inputs.clone(), self.tables_folder.clone())
+    }
+
+    /// A session from what was saved. The tables' folder is read by the effect that comes with it.
+    pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
+        let effects = saved.tables_folder.clone().map(Effect::ReadTables).into_iter().collect();
+        (Self::with(saved.language, saved.theme, saved.inputs), effects)
+    }
+
+    /// The callout that limits are shown for.
+    pub fn callout(&self) -> Option<Callout> {
+        self.asked.callout()
+    }
+}

@@ -1,0 +1,103 @@
+//! What survives a restart: last inputs, language, theme, the folder of tables.
+//!
+//! A TOML text with a version number. Reading and writing files is done elsewhere.
+
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+use super::command::Theme;
+use super::inputs::Inputs;
+use crate::words::Language;
+
+/// The version that is written.
+const VERSION: u32 = 1;
+
+/// The state that is kept.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Saved {
+    version: u32,
+    /// The language of the window.
+    pub language: Language,
+    /// Light or dark.
+    pub theme: Theme,
+    /// The folder of the user's own tables.
+    pub tables_folder: Option<PathBuf>,
+    /// The text fields.
+    pub inputs: Inputs,
+}
+
+/// Why a saved state cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SavedError {
+    /// Not a state that this program wrote.
+    #[error("the saved state cannot be read: {reason}")]
+    Broken {
+        /// What the reader says.
+        reason: String,
+    },
+    /// Written by a later version.
+    #[error("the saved state has version {version}, this program knows versions up to {VERSION}")]
+    Newer {
+        /// Its version.
+        version: u32,
+    },
+}
+
+impl Saved {
+    pub(super) const fn new(
+        language: Language,
+        theme: Theme,
+        inputs: Inputs,
+        tables_folder: Option<PathBuf>,
+    ) -> Self {
+        Self { version: VERSION, language, theme, tables_folder, inputs }
+    }
+
+    /// Reads a state; what is missing takes its default.
+    pub fn read(bytes: &[u8]) -> Result<Self, SavedError> {
+        let broken = |reason: String| SavedError::Broken { reason };
+        let text = std::str::from_utf8(bytes).map_err(|error| broken(error.to_string()))?;
+        let saved: Self = toml::from_str(text).map_err(|error| broken(error.message().to_owned()))?;
+        if VERSION < saved.version {
+            return Err(SavedError::Newer { version: saved.version });
+        }
+        Ok(saved)
+    }
+
+    /// The bytes to write.
+    pub fn write(&self) -> Vec<u8> {
+        // Nothing in the state can fail to serialise: texts, enums and a path.
+        toml::to_string(self).unwrap_or_default().into_bytes()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Command, Field, MeasureBy, Session};
+    use super::*;
+
+    #[test]
+    fn inputs_survive_a_restart() {
+        let mut session = Session::new(Language::Nl);
+        let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
+        session.apply(Command::Type(Field::Callout, "25 H7".into()), now);
+        session.apply(Command::Type(Field::Measured, "25,012".into()), now);
+        session.apply(Command::SetTheme(Theme::Dark), now);
+        let saved = Saved::read(&session.saved().write()).unwrap();
+        let (again, effects) = Session::restore(saved);
+        assert_eq!(again.inputs().text(Field::Callout), "25 H7");
+        assert_eq!(again.inputs().text(Field::Measured), "25,012");
+        assert_eq!((again.language(), again.theme(), again.inputs().by), (Language::Nl, Theme::Dark, MeasureBy::Typing));
+        assert_eq!(effects, []);
+    }
+
+    #[test]
+    fn a_broken_or_newer_state_is_refused() {
+        assert!(matches!(Saved::read(b"language = 7"), Err(SavedError::Broken { .. })));
+        assert!(matches!(Saved::read(b"\xff\xff"), Err(SavedError::Broken { .. })));
+        assert_eq!(Saved::read(b"version = 2"), Err(SavedError::Newer { version: 2 }));
+        assert_eq!(Saved::read(b"").unwrap(), Saved::default());
+    }
+}
