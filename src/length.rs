@@ -103,6 +103,11 @@ impl Length {
         Self(um as i64 * 1_000)
     }
 
+    /// A length of so many nanometres, for declarations in the code: the caller stays within [`Length::MAX`].
+    pub(crate) const fn constant(nm: i64) -> Self {
+        Self(nm)
+    }
+
     /// The whole number of nanometres.
     pub const fn nanometres(self) -> i64 {
         self.0

@@ -13,6 +13,7 @@
 //! | [`journal`] | what was checked, when, by which rule |
 //! | [`report`] | inspection reports |
 //! | `gui` | the window, with the feature `gui` |
+//! | [`session`] | the state of the application |
 //! | [`cli`] | the command line |
 //! | [`words`], [`files`] | texts in the user's language; reading and writing files safely |
 
@@ -20,10 +21,13 @@ pub mod cli;
 pub mod control;
 pub mod exchange;
 pub mod files;
+#[cfg(feature = "gui")]
+pub mod gui;
 pub mod journal;
 pub mod length;
 pub mod probing;
 pub mod report;
+pub mod session;
 pub mod tolerance;
 pub mod verdict;
 pub mod words;

@@ -137,6 +137,16 @@ impl Verdict {
     }
 }
 
+/// Good on or between the limits; a hole too small or a shaft too large is rework, the other side scrap.
+pub fn classify(feature: Feature, minimum: Length, maximum: Length, measured: Length) -> Status {
+    let (too_small, too_large) = (measured < minimum, maximum < measured);
+    match (feature, too_small, too_large) {
+        (_, false, false) => Status::Good,
+        (Feature::Hole, true, _) | (Feature::Shaft, _, true) => Status::Rework,
+        (Feature::Hole, _, true) | (Feature::Shaft, true, _) => Status::Scrap,
+    }
+}
+
 /// Judges a diameter: a hole too small or a shaft too large can be reworked, the other side is scrap.
 ///
 /// ```
@@ -150,13 +160,7 @@ impl Verdict {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn judge_size(limits: &Limits, measured: Length) -> SizeVerdict {
-    let too_small = measured < limits.minimum();
-    let too_large = limits.maximum() < measured;
-    let status = match (limits.feature, too_small, too_large) {
-        (_, false, false) => Status::Good,
-        (Feature::Hole, true, _) | (Feature::Shaft, _, true) => Status::Rework,
-        (Feature::Hole, _, true) | (Feature::Shaft, true, _) => Status::Scrap,
-    };
+    let status = classify(limits.feature, limits.minimum(), limits.maximum(), measured);
     let above_minimum = measured.saturating_sub(limits.minimum());
     let below_maximum = limits.maximum().saturating_sub(measured);
     let removal = (status == Status::Rework).then(|| match limits.feature {

@@ -12,6 +12,7 @@
 pub mod deviations;
 pub mod log;
 pub mod mask;
+pub mod status;
 pub mod table;
 pub mod text;
 pub mod variables;

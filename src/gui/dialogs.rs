@@ -2,6 +2,7 @@
 
 use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
 
+use super::field::select_all;
 use super::theme::{sizes, space};
 use super::view::{View, heading, problem, quiet};
 use crate::session::{Command, Dialog, Notice, Purpose};
@@ -50,12 +51,13 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let field = ui
         .add(TextEdit::singleline(&mut path).id(id).desired_width(f32::INFINITY).min_size(vec2(0.0, sizes().field)))
         .labelled_by(name.id);
-    // The path is asked for, so it has the focus when the dialog opens.
-    if ui.memory(|memory| memory.focused().is_none()) {
+    // The path is asked for: when the dialog opens it has the focus, and typing replaces a proposed name.
+    if just_opened(ui, id) {
         field.request_focus();
+        select_all(ui, id, &path);
     }
     if field.changed() {
-        view.send(Command::TypePath(path));
+        view.send(Command::TypePath(path.clone()));
     }
     let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if ui.input(|input| input.key_pressed(Key::Escape)) {
@@ -81,6 +83,13 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
             view.send(Command::Close);
         }
     });
+}
+
+/// Whether something is drawn that was not drawn in the frame before.
+fn just_opened(ui: &Ui, id: Id) -> bool {
+    let frame = ui.ctx().cumulative_frame_nr();
+    let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default::<u64>(id), frame));
+    last + 1 < frame
 }
 
 fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {

@@ -75,7 +75,8 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id,
     response
 }
 
-fn select_all(ui: &Ui, id: Id, text: &str) {
+/// Selects the whole text of a field, so that typing replaces it.
+pub(super) fn select_all(ui: &Ui, id: Id, text: &str) {
     let mut state = TextEditState::load(ui.ctx(), id).unwrap_or_default();
     let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
     state.cursor.set_char_range(Some(all));

@@ -1,1 +1,372 @@
-//! cycle
+//! What a measuring cycle declares: its parameters, once, with name, unit, range and default.
+//!
+//! Range errors, and later forms and NC blocks, are made from the declaration. Where contacts come from is not a
+//! cycle's business.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::str::FromStr;
+
+use super::circle::{Circle, CircleError};
+use super::contact::{Contact, NoContact, Prober};
+use crate::length::{Length, LengthError};
+use crate::verdict::{PositionVerdict, Status};
+use crate::words::{Language, Message, Say};
+
+/// A measuring cycle of the control.
+#[derive(Debug)]
+pub struct Cycle {
+    /// Its number, 421.
+    pub number: u16,
+    /// Its name in NC programs, by dialogue language.
+    pub names: &'static [(Language, &'static str)],
+    /// Its parameters in the order of NC programs.
+    pub parameters: &'static [Parameter],
+    /// Runs it.
+    pub run: fn(&Inputs, &mut dyn Prober) -> Result<CycleResult, CycleError>,
+}
+
+/// One parameter of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Parameter {
+    /// Its Q number.
+    pub q: u16,
+    /// Its name in English NC programs.
+    pub name: &'static str,
+    /// What it may be.
+    pub range: Range,
+    /// What it is when nothing is given; `None` where it must be given.
+    pub default: Option<i64>,
+}
+
+/// What a parameter may be; the bounds are allowed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Range {
+    /// A length, mm.
+    Length {
+        /// From.
+        least: Length,
+        /// To.
+        most: Length,
+    },
+    /// An angle, degrees, at most so many either way, and at least so many in size.
+    Angle {
+        /// The most either way.
+        most: Angle,
+        /// The least in size; zero where every size is allowed.
+        smallest: Angle,
+    },
+    /// One of a few numbers.
+    OneOf(&'static [i64]),
+    /// The number of a tool, 0 to 99999, or 0 for none.
+    Tool,
+}
+
+/// An angle in ten-thousandths of a degree, as the control writes it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Angle(i64);
+
+impl Angle {
+    /// An angle of so many whole degrees.
+    pub const fn from_degrees(degrees: i32) -> Self {
+        #[expect(clippy::as_conversions, clippy::cast_lossless, reason = "widening in a const function")]
+        Self(degrees as i64 * 10_000)
+    }
+
+    /// Ten-thousandths of a degree.
+    pub const fn ten_thousandths(self) -> i64 {
+        self.0
+    }
+
+    /// Radians times a count of steps, for geometry.
+    #[expect(clippy::as_conversions, clippy::cast_precision_loss, reason = "a few million at most")]
+    pub fn to_radians(self) -> f64 {
+        (self.0 as f64 / 10_000.0).to_radians()
+    }
+}
+
+impl FromStr for Angle {
+    type Err = LengthError;
+
+    /// Reads degrees with at most four decimals, point or comma: the same figures as a length.
+    fn from_str(text: &str) -> Result<Self, LengthError> {
+        let millionths = text.trim().trim_end_matches('°').parse::<Length>()?.nanometres();
+        if millionths % 100 != 0 {
+            return Err(LengthError::TooFine { text: text.trim().to_owned() });
+        }
+        Ok(Self(millionths / 100))
+    }
+}
+
+/// Degrees with only the decimals they have.
+impl fmt::Display for Angle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let degrees = Length::from_nanometres(self.0.saturating_mul(100)).unwrap_or(Length::MAX);
+        write!(f, "{degrees}°")
+    }
+}
+
+/// The value of a parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Value {
+    /// Millimetres.
+    Length(Length),
+    /// Degrees.
+    Angle(Angle),
+    /// A choice or a tool's number.
+    Whole(i64),
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length(length) => length.fmt(f),
+            Self::Angle(angle) => angle.fmt(f),
+            Self::Whole(whole) => whole.fmt(f),
+        }
+    }
+}
+
+/// The values that a cycle is run with, by Q number.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Inputs(BTreeMap<u16, Value>);
+
+impl Inputs {
+    /// Nothing given.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Gives a parameter a value; it is checked when the cycle runs.
+    #[must_use]
+    pub fn with(mut self, q: u16, value: Value) -> Self {
+        self.0.insert(q, value);
+        self
+    }
+
+    /// A length that [`Cycle::checked`] has put in.
+    pub(super) fn length(&self, q: u16) -> Length {
+        if let Some(Value::Length(length)) = self.0.get(&q) { *length } else { Length::ZERO }
+    }
+
+    pub(super) fn angle(&self, q: u16) -> Angle {
+        if let Some(Value::Angle(angle)) = self.0.get(&q) { *angle } else { Angle::default() }
+    }
+
+    pub(super) fn whole(&self, q: u16) -> i64 {
+        if let Some(Value::Whole(whole)) = self.0.get(&q) { *whole } else { 0 }
+    }
+}
+
+/// What a cycle found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CycleResult {
+    /// The contacts in probing order.
+    pub contacts: Vec<Contact>,
+    /// The least-squares circle, unrounded, mm.
+    pub circle: Circle,
+    /// The centre, at the nearest nanometre.
+    pub centre: [Length; 2],
+    /// The diameter, at the nearest nanometre.
+    pub diameter: Length,
+    /// The centre against its nominal position.
+    pub position: PositionVerdict,
+    /// The status that the markers tell; `Good` also where no limits were given, as on the control.
+    pub status: Status,
+    /// The result parameters by Q number: lengths in mm, markers 0 or 1.
+    pub results: Vec<(u16, Value)>,
+}
+
+/// Why a cycle did not run, or not to its end.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum CycleError {
+    /// A parameter is outside its range.
+    #[error("Q{q} {name} = {given}: {allowed}")]
+    OutOfRange {
+        /// The parameter.
+        q: u16,
+        /// Its name.
+        name: &'static str,
+        /// What was given.
+        given: String,
+        /// What is allowed.
+        allowed: String,
+    },
+    /// A parameter without a default was not given.
+    #[error("Q{q} {name} is missing")]
+    Missing {
+        /// The parameter.
+        q: u16,
+        /// Its name.
+        name: &'static str,
+    },
+    /// A parameter that the cycle does not have.
+    #[error("cycle {cycle} has no parameter Q{q}")]
+    NoSuchParameter {
+        /// The cycle.
+        cycle: u16,
+        /// The parameter.
+        q: u16,
+    },
+    /// The minimum is above the maximum.
+    #[error("minimum dimension {minimum} mm is above maximum dimension {maximum} mm")]
+    LimitsSwapped {
+        /// The minimum.
+        minimum: Length,
+        /// The maximum.
+        maximum: Length,
+    },
+    /// The probe met nothing.
+    #[error(transparent)]
+    NoContact(#[from] NoContact),
+    /// The contacts make no circle.
+    #[error(transparent)]
+    Circle(#[from] CircleError),
+    /// The result is beyond what a length can hold.
+    #[error("the measured circle is too large: {0}")]
+    TooLarge(LengthError),
+}
+
+impl Say for CycleError {
+    fn message(&self) -> Message {
+        match self {
+            Self::OutOfRange { q, name, given, allowed } => Message::new("cycle-out-of-range")
+                .text("q", q)
+                .text("name", name)
+                .text("given", given)
+                .text("allowed", allowed),
+            Self::Missing { q, name } => Message::new("cycle-missing").text("q", q).text("name", name),
+            Self::NoSuchParameter { cycle, q } => {
+                Message::new("cycle-no-such-parameter").text("cycle", cycle).text("q", q)
+            }
+            Self::LimitsSwapped { minimum, maximum } => {
+                Message::new("cycle-limits-swapped").mm("minimum", *minimum).mm("maximum", *maximum)
+            }
+            Self::NoContact(error) => error.message(),
+            Self::Circle(error) => error.message(),
+            Self::TooLarge(error) => Message::new("cycle-too-large").message("error", error.message()),
+        }
+    }
+}
+
+impl Parameter {
+    /// A length within the control's ±99999.9999 mm.
+    pub const fn coordinate(q: u16, name: &'static str) -> Self {
+        let most = Length::constant(99_999_999_900);
+        Self { q, name, range: Range::Length { least: most.negated(), most }, default: None }
+    }
+
+    /// A length from 0 to 99999.9999 mm.
+    pub const fn size(q: u16, name: &'static str) -> Self {
+        let most = Length::constant(99_999_999_900);
+        Self { q, name, range: Range::Length { least: Length::ZERO, most }, default: None }
+    }
+
+    /// One of a few numbers.
+    pub const fn choice(q: u16, name: &'static str, of: &'static [i64]) -> Self {
+        Self { q, name, range: Range::OneOf(of), default: None }
+    }
+
+    /// An angle.
+    pub const fn angle(q: u16, name: &'static str, most: i32, smallest: i32) -> Self {
+        let range = Range::Angle { most: Angle::from_degrees(most), smallest: Angle::from_degrees(smallest) };
+        Self { q, name, range, default: None }
+    }
+
+    /// The same with a default: nanometres, ten-thousandths of a degree, or the number itself.
+    #[must_use]
+    pub const fn or(mut self, default: i64) -> Self {
+        self.default = Some(default);
+        self
+    }
+
+    fn default_value(&self) -> Option<Value> {
+        let default = self.default?;
+        Some(match self.range {
+            Range::Length { .. } => Value::Length(Length::from_nanometres(default).ok()?),
+            Range::Angle { .. } => Value::Angle(Angle(default)),
+            Range::OneOf(_) | Range::Tool => Value::Whole(default),
+        })
+    }
+
+    /// Whether a value is one that this parameter may have.
+    pub fn allows(&self, value: Value) -> bool {
+        match (self.range, value) {
+            (Range::Length { least, most }, Value::Length(length)) => least <= length && length <= most,
+            (Range::Angle { most, smallest }, Value::Angle(angle)) => {
+                smallest.0 <= angle.0.saturating_abs() && angle.0.saturating_abs() <= most.0
+            }
+            (Range::OneOf(allowed), Value::Whole(whole)) => allowed.contains(&whole),
+            (Range::Tool, Value::Whole(whole)) => (0..=99_999).contains(&whole),
+            _ => false,
+        }
+    }
+
+    /// The range in words, for errors.
+    pub fn allowed(&self) -> String {
+        match self.range {
+            Range::Length { least, most } => format!("{least} to {most} mm is allowed"),
+            Range::Angle { most, smallest } if smallest == Angle::default() => {
+                format!("-{most} to {most} is allowed")
+            }
+            Range::Angle { most, smallest } => format!("at least {smallest} in size, at most {most}"),
+            Range::OneOf(allowed) => {
+                let allowed: Vec<String> = allowed.iter().map(ToString::to_string).collect();
+                format!("{} is allowed", allowed.join(", "))
+            }
+            Range::Tool => "a tool number from 0 to 99999 is allowed".to_owned(),
+        }
+    }
+
+    /// Reads a value as people type it; the range is checked when the cycle runs.
+    pub fn read(&self, text: &str) -> Result<Value, LengthError> {
+        match self.range {
+            Range::Length { .. } => text.parse().map(Value::Length),
+            Range::Angle { .. } => text.parse().map(Value::Angle),
+            Range::OneOf(_) | Range::Tool => text
+                .trim()
+                .parse()
+                .map(Value::Whole)
+                .map_err(|_whole| LengthError::NotANumber { text: text.trim().to_owned() }),
+        }
+    }
+}
+
+impl Cycle {
+    /// The name in a language; English where the language has none.
+    pub fn name(&self, language: Language) -> &'static str {
+        let of = |wanted| self.names.iter().find(|(language, _)| *language == wanted).map(|(_, name)| *name);
+        of(language).or_else(|| of(Language::En)).unwrap_or_default()
+    }
+
+    /// A parameter by its Q number.
+    pub fn parameter(&self, q: u16) -> Option<&'static Parameter> {
+        self.parameters.iter().find(|parameter| parameter.q == q)
+    }
+
+    /// Checks the values against the declaration, fills in defaults and runs the cycle.
+    ///
+    /// # Errors
+    /// [`CycleError`] names the parameter, the value and what is allowed, or what went wrong on the way.
+    pub fn measure(&self, inputs: &Inputs, prober: &mut dyn Prober) -> Result<CycleResult, CycleError> {
+        (self.run)(&self.checked(inputs)?, prober)
+    }
+
+    fn checked(&self, inputs: &Inputs) -> Result<Inputs, CycleError> {
+        if let Some(&q) = inputs.0.keys().find(|q| self.parameter(**q).is_none()) {
+            return Err(CycleError::NoSuchParameter { cycle: self.number, q });
+        }
+        let mut checked = Inputs::new();
+        for parameter in self.parameters {
+            let (q, name) = (parameter.q, parameter.name);
+            let value = inputs.0.get(&q).copied().or_else(|| parameter.default_value());
+            let value = value.ok_or(CycleError::Missing { q, name })?;
+            if !parameter.allows(value) {
+                let (given, allowed) = (value.to_string(), parameter.allowed());
+                return Err(CycleError::OutOfRange { q, name, given, allowed });
+            }
+            checked.0.insert(q, value);
+        }
+        Ok(checked)
+    }
+}

@@ -7,6 +7,7 @@
 //! | `measurement` | what came out: diameter, centre, contacts, and what they cannot tell |
 //! | `cycle` | what a measuring cycle declares: parameters, ranges, results |
 //! | `cycles` | the cycles, one file each |
+//! | `measure` | from a fit and a position to a measurement |
 //! | `simulated` | a workpiece and a probe that exist only here |
 //!
 //! A cycle gets limits, never tolerance classes, and asks a [`Prober`] for its contacts.
@@ -15,6 +16,7 @@ pub mod circle;
 pub mod contact;
 pub mod cycle;
 pub mod cycles;
+pub mod measure;
 pub mod measurement;
 pub mod simulated;
 

@@ -7,10 +7,11 @@ use super::inputs::{Field, Inputs, MeasureBy};
 use super::Notice;
 use crate::exchange::Imported;
 use crate::journal::Record;
+use crate::length::LengthError;
 use crate::probing::{Contact, Measurement, Origin};
 use crate::report::{RENDERINGS, Report};
 use crate::verdict;
-use crate::words::{Language, Message, Words};
+use crate::words::{Language, Message, Say as _, Words};
 
 /// Measures as the fields say. What is refused names the field.
 pub(super) fn measure(inputs: &Inputs, asked: &Asked, now: DateTime) -> Result<Record, (Field, Message)> {
@@ -39,7 +40,7 @@ fn typed(asked: &Asked) -> Result<Measurement, (Field, Message)> {
         return Ok(Measurement::of_diameter(diameter, Origin::Typed));
     }
     let problem = asked.error(Field::Measured).cloned();
-    Err((Field::Measured, problem.unwrap_or_else(|| Message::new("measured-missing"))))
+    Err((Field::Measured, problem.unwrap_or_else(|| LengthError::Empty.message())))
 }
 
 pub(super) fn export(_format: usize, _records: Vec<Record>, _language: Language, _now: DateTime) -> Vec<u8> { Vec::new() }

@@ -1,2 +1,3 @@
-#[test]
-fn t() {}
+//! The core and the command line.
+
+mod masks;

@@ -1,2 +1,7 @@
-#[test]
-fn t() {}
+//! The window, driven by label and key, never by pixel. Pictures are few and small.
+
+mod check_page;
+mod dialogs;
+mod harness;
+mod keyboard;
+mod pictures;

@@ -1,0 +1,104 @@
+//! FN 16 masks: how a control prints its parameters to the screen or to a file.
+//!
+//! | file | what |
+//! |---|---|
+//! | `read` | text to mask, with warnings |
+//! | `render` | mask and parameters to text |
+//! | `error` | what can be wrong |
+//!
+//! A mask is a list of lines: records (a quoted format and its parameters), keywords and language sections. The
+//! grammar is that of the control's manuals and of the seed's mask (`000_2e707c2d138629e0.txt`); where they are silent
+//! it is ours: a missing `;` is a warning, anything else that cannot be read is an error with line and column.
+
+mod error;
+mod read;
+mod render;
+
+pub use error::{MaskError, MaskWarning, RenderError};
+pub use render::{Context, FileUse, Output};
+
+use super::variables::Parameter;
+
+/// A mask that can be rendered.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mask {
+    lines: Vec<Line>,
+}
+
+/// One line that does something.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Line {
+    /// `"text %S", QS1;`
+    Record(Record),
+    /// `M_CLOSE;` and its kin.
+    Keyword(Keyword),
+    /// `L_GERMAN;`: what follows is printed in this dialogue language only. `None` is `L_ALL`.
+    Language(Option<String>),
+}
+
+/// A quoted format with its parameters put into place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Record {
+    /// From 1.
+    line: usize,
+    parts: Vec<Part>,
+}
+
+/// A piece of a record.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Part {
+    /// Printed as it is.
+    Text(String),
+    /// A parameter under a format.
+    Field { format: Format, name: Name, column: usize },
+}
+
+/// What stands behind a `%`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Format {
+    left: bool,
+    plus: bool,
+    blank: bool,
+    zeros: bool,
+    width: usize,
+    digits: Option<usize>,
+    kind: Kind,
+}
+
+/// The letter of a format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// `%S`: text.
+    Text,
+    /// `%RS`: text, taken over as it is.
+    Raw,
+    /// `%F`, `%LF`: number.
+    Decimal,
+    /// `%D`, `%I`: whole number.
+    Whole,
+}
+
+/// What is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Name {
+    Parameter(Parameter),
+    Day,
+    Month,
+    Year2,
+    Year4,
+    Hour,
+    Minute,
+    Second,
+    CallPath,
+}
+
+/// What is said about the output file or about empty texts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Keyword {
+    Close,
+    Append,
+    AppendMax(u32),
+    Truncate,
+    EmptyHide,
+    EmptyShow,
+}

@@ -1,0 +1,316 @@
+//! Text to mask.
+
+use super::{Format, Keyword, Kind, Line, Mask, MaskError, MaskWarning, Name, Part, Record};
+use crate::control::text::{decode, lines};
+use crate::control::variables::{Family, Parameter};
+
+/// The widest field; a control's line is 200 characters at most.
+const WIDEST: usize = 255;
+/// The most digits behind the point.
+const MOST_DIGITS: usize = 30;
+
+impl Mask {
+    /// Reads a mask: UTF-8 or Windows-1252, any line ends.
+    ///
+    /// ```
+    /// use fitcheck::control::mask::Mask;
+    ///
+    /// let (_, warnings) = Mask::read(b"\"STATUS: %S\", QS3\n")?;
+    /// assert_eq!(warnings[0].to_string(), "line 1: the ; at the end is missing");
+    /// # Ok::<(), fitcheck::control::mask::MaskError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MaskError`] with line and column.
+    pub fn read(bytes: &[u8]) -> Result<(Self, Vec<MaskWarning>), MaskError> {
+        let text = decode(bytes);
+        let mut reader = Reader { line: 0, warnings: Vec::new() };
+        let mut read = Vec::new();
+        for (number, line) in lines(&text) {
+            reader.line = number;
+            read.extend(reader.line(line)?);
+        }
+        if read.is_empty() {
+            return Err(MaskError::Empty);
+        }
+        Ok((Self { lines: read }, reader.warnings))
+    }
+}
+
+struct Reader {
+    line: usize,
+    warnings: Vec<MaskWarning>,
+}
+
+/// A place in a line: what is left, and its column.
+#[derive(Clone)]
+struct Cursor<'a> {
+    rest: std::str::Chars<'a>,
+    column: usize,
+}
+
+impl<'a> Cursor<'a> {
+    fn new(line: &'a str) -> Self {
+        Self { rest: line.chars(), column: 1 }
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest.clone().next()
+    }
+
+    fn next(&mut self) -> Option<char> {
+        let c = self.rest.next()?;
+        self.column += 1;
+        Some(c)
+    }
+
+    fn take_if(&mut self, wanted: impl Fn(char) -> bool) -> Option<char> {
+        if self.peek().is_some_and(wanted) { self.next() } else { None }
+    }
+
+    fn take_while(&mut self, wanted: impl Fn(char) -> bool) -> String {
+        std::iter::from_fn(|| self.take_if(&wanted)).collect()
+    }
+
+    fn skip_blanks(&mut self) {
+        self.take_while(char::is_whitespace);
+    }
+
+    fn rest(&self) -> &'a str {
+        self.rest.as_str()
+    }
+}
+
+/// A format and where it stands.
+struct Slot {
+    format: Format,
+    column: usize,
+}
+
+/// A record before its parameters are known.
+enum Piece {
+    Text(String),
+    Slot(Slot),
+}
+
+impl Reader {
+    fn line(&mut self, line: &str) -> Result<Option<Line>, MaskError> {
+        let mut cursor = Cursor::new(line);
+        cursor.skip_blanks();
+        match cursor.peek() {
+            None | Some('*') => Ok(None),
+            Some('"') => self.record(&mut cursor).map(Some),
+            Some(c) if c.is_ascii_alphabetic() => self.word(&mut cursor),
+            Some(_) => {
+                let (line, column) = (self.line, cursor.column);
+                Err(MaskError::Unknown { line, column, found: shortened(cursor.rest()) })
+            }
+        }
+    }
+
+    fn record(&mut self, cursor: &mut Cursor<'_>) -> Result<Line, MaskError> {
+        let pieces = self.quoted(cursor)?;
+        let names = self.parameters(cursor)?;
+        self.end(cursor);
+        let formats = pieces.iter().filter(|piece| matches!(piece, Piece::Slot(_))).count();
+        if formats != names.len() {
+            return Err(MaskError::Count { line: self.line, formats, parameters: names.len() });
+        }
+        let mut names = names.into_iter();
+        let parts = pieces.into_iter().filter_map(|piece| match piece {
+            Piece::Text(text) => Some(Part::Text(text)),
+            // As many names as slots, just counted.
+            Piece::Slot(slot) => names.next().map(|name| Part::Field { format: slot.format, name, column: slot.column }),
+        });
+        Ok(Line::Record(Record { line: self.line, parts: parts.collect() }))
+    }
+
+    fn quoted(&self, cursor: &mut Cursor<'_>) -> Result<Vec<Piece>, MaskError> {
+        let begin = cursor.column;
+        cursor.next();
+        let mut pieces = Vec::new();
+        let mut text = String::new();
+        loop {
+            let column = cursor.column;
+            let unclosed = MaskError::UnclosedQuote { line: self.line, column: begin };
+            match cursor.next().ok_or(unclosed)? {
+                '"' => break,
+                '%' if cursor.take_if(|c| c == '%').is_some() => text.push('%'),
+                // A quotation mark, but not in `"100 %"`, where it closes the record.
+                '%' if cursor.peek() == Some('"') && has_another_quote(cursor) => {
+                    cursor.next();
+                    text.push('"');
+                }
+                '%' if cursor.rest().starts_with("\\\"") => {
+                    cursor.next();
+                    cursor.next();
+                    text.push('"');
+                }
+                '%' => {
+                    if !text.is_empty() {
+                        pieces.push(Piece::Text(std::mem::take(&mut text)));
+                    }
+                    pieces.push(Piece::Slot(Slot { format: self.format(cursor, column)?, column }));
+                }
+                '\\' if cursor.take_if(|c| c == '\\').is_some() => text.push('\\'),
+                '\\' if cursor.take_if(|c| c == 'n').is_some() => text.push('\n'),
+                c => text.push(c),
+            }
+        }
+        if !text.is_empty() {
+            pieces.push(Piece::Text(text));
+        }
+        Ok(pieces)
+    }
+
+    fn format(&self, cursor: &mut Cursor<'_>, column: usize) -> Result<Format, MaskError> {
+        let flags = cursor.take_while(|c| "-+ 0".contains(c));
+        let width = cursor.take_while(|c| c.is_ascii_digit());
+        let digits = cursor.take_if(|c| c == '.').map(|_| cursor.take_while(|c| c.is_ascii_digit()));
+        let bounded = |text: &str, most: usize| match text {
+            "" => Ok(0),
+            text => text.parse().ok().filter(|number| *number <= most).ok_or_else(|| MaskError::TooWide {
+                line: self.line,
+                column,
+                found: shortened(text),
+                most,
+            }),
+        };
+        let letters: String = cursor.rest().chars().take(2).collect::<String>().to_ascii_uppercase();
+        let (kind, length) = match letters.as_str() {
+            "RS" => (Kind::Raw, 2),
+            "LF" => (Kind::Decimal, 2),
+            other => match other.chars().next() {
+                Some('S') => (Kind::Text, 1),
+                Some('F') => (Kind::Decimal, 1),
+                Some('D' | 'I') => (Kind::Whole, 1),
+                letter => {
+                    let found = letter.map_or_else(|| "%".to_owned(), |letter| format!("%{letter}"));
+                    return Err(MaskError::UnknownFormat { line: self.line, column, found });
+                }
+            },
+        };
+        for _ in 0..length {
+            cursor.next();
+        }
+        Ok(Format {
+            left: flags.contains('-'),
+            plus: flags.contains('+'),
+            blank: flags.contains(' '),
+            zeros: flags.contains('0'),
+            width: bounded(&width, WIDEST)?,
+            digits: digits.map(|digits| bounded(&digits, MOST_DIGITS)).transpose()?,
+            kind,
+        })
+    }
+
+    fn parameters(&self, cursor: &mut Cursor<'_>) -> Result<Vec<Name>, MaskError> {
+        let mut names = Vec::new();
+        loop {
+            cursor.skip_blanks();
+            if cursor.take_if(|c| c == ',').is_none() {
+                return Ok(names);
+            }
+            cursor.skip_blanks();
+            let column = cursor.column;
+            let word = cursor.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
+            let unknown = || MaskError::UnknownParameter {
+                line: self.line,
+                column,
+                found: if word.is_empty() { shortened(cursor.rest()) } else { shortened(&word) },
+            };
+            names.push(name(&word).ok_or_else(unknown)?);
+        }
+    }
+
+    fn word(&mut self, cursor: &mut Cursor<'_>) -> Result<Option<Line>, MaskError> {
+        let column = cursor.column;
+        let word = cursor.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
+        let line = match word.to_ascii_uppercase().as_str() {
+            "M_CLOSE" => Line::Keyword(Keyword::Close),
+            "M_APPEND" => Line::Keyword(Keyword::Append),
+            "M_TRUNCATE" => Line::Keyword(Keyword::Truncate),
+            "M_EMPTY_HIDE" => Line::Keyword(Keyword::EmptyHide),
+            "M_EMPTY_SHOW" => Line::Keyword(Keyword::EmptyShow),
+            "L_ALL" => Line::Language(None),
+            other => {
+                let kilobytes = other.strip_prefix("M_APPEND_MAX").and_then(|number| number.parse().ok());
+                let language = other.strip_prefix("L_").filter(|language| LANGUAGES.contains(language));
+                match (kilobytes, language) {
+                    (Some(kilobytes), _) => Line::Keyword(Keyword::AppendMax(kilobytes)),
+                    (None, Some(language)) => Line::Language(Some(language.to_owned())),
+                    (None, None) if other.starts_with("M_") || other.starts_with("L_") => {
+                        self.warnings.push(MaskWarning::UnknownWord { line: self.line, word: shortened(&word) });
+                        self.end(cursor);
+                        return Ok(None);
+                    }
+                    (None, None) => {
+                        return Err(MaskError::Unknown { line: self.line, column, found: shortened(&word) });
+                    }
+                }
+            }
+        };
+        self.end(cursor);
+        Ok(Some(line))
+    }
+
+    /// The `;` and what may follow it.
+    fn end(&mut self, cursor: &mut Cursor<'_>) {
+        cursor.skip_blanks();
+        let line = self.line;
+        if cursor.take_if(|c| c == ';').is_none() {
+            self.warnings.push(MaskWarning::NoSemicolon { line });
+        }
+        cursor.skip_blanks();
+        if cursor.peek().is_some_and(|c| c != '*') {
+            self.warnings.push(MaskWarning::BehindSemicolon { line, found: shortened(cursor.rest()) });
+        }
+    }
+}
+
+/// The language words of a control, cut to eight letters as in its tables.
+const LANGUAGES: [&str; 22] = [
+    "ENGLISH", "GERMAN", "CZECH", "FRENCH", "ITALIAN", "SPANISH", "PORTUGUE", "SWEDISH", "DANISH", "FINNISH", "DUTCH",
+    "POLISH", "HUNGARIA", "RUSSIAN", "CHINESE", "CHINESE_TRAD", "SLOVENIAN", "KOREAN", "NORWEGIAN", "ROMANIAN", "SLOVAK",
+    "TURKISH",
+];
+
+fn has_another_quote(cursor: &Cursor<'_>) -> bool {
+    // Only within the quoted part: what follows the closing quote holds parameters and comments.
+    let mut rest = cursor.clone();
+    rest.next();
+    let record = rest.rest().split(';').next().unwrap_or_default();
+    record.contains('"')
+}
+
+fn name(word: &str) -> Option<Name> {
+    let word = word.to_ascii_uppercase();
+    Some(match word.as_str() {
+        "DAY" => Name::Day,
+        "MONTH" => Name::Month,
+        "YEAR2" => Name::Year2,
+        "YEAR4" => Name::Year4,
+        "HOUR" => Name::Hour,
+        "MIN" => Name::Minute,
+        "SEC" => Name::Second,
+        "CALL_PATH" => Name::CallPath,
+        word => {
+            let number = word.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+            let family = match word.strip_suffix(number)? {
+                "Q" => Family::Q,
+                "QL" => Family::Ql,
+                "QR" => Family::Qr,
+                "QS" => Family::Qs,
+                _ => return None,
+            };
+            Name::Parameter(Parameter { family, number: number.parse().ok()? })
+        }
+    })
+}
+
+/// The beginning of a text, for messages.
+fn shortened(text: &str) -> String {
+    const MOST: usize = 40;
+    let text = text.trim();
+    if text.chars().count() <= MOST { text.to_owned() } else { text.chars().take(MOST).chain(['…']).collect() }
+}

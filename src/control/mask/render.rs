@@ -1,0 +1,266 @@
+//! Mask and parameters to text.
+
+use jiff::civil::DateTime;
+
+use super::{Format, Keyword, Kind, Line, Mask, Name, Record, RenderError};
+use crate::control::mask::Part;
+use crate::control::variables::{Family, Value, Variables};
+use crate::words::Language;
+
+/// What a mask prints besides parameters.
+#[derive(Debug, Clone, Copy)]
+pub struct Context<'a> {
+    /// The dialogue language, for `L_` sections.
+    pub language: Language,
+    /// Local date and time.
+    pub time: DateTime,
+    /// Path of the NC program, for `CALL_PATH`.
+    pub call_path: &'a str,
+}
+
+/// What is to become of the output file.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum FileUse {
+    /// The control's default.
+    #[default]
+    Replace,
+    /// `M_APPEND`.
+    Append,
+    /// `M_APPEND_MAX`: up to so many kilobytes.
+    AppendMax(u32),
+}
+
+/// What a mask printed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Output {
+    /// The text, every line ended by LF.
+    pub text: String,
+    /// What is to become of the output file.
+    pub file: FileUse,
+    /// Whether the file is closed afterwards (`M_CLOSE`).
+    pub close: bool,
+}
+
+impl Mask {
+    /// Prints parameters, by C's rules: a width is a minimum, numbers are rounded half away from zero on their exact
+    /// decimal value, the decimal sign is a point.
+    ///
+    /// # Errors
+    /// [`RenderError`] for an undefined parameter or one of the other kind.
+    pub fn render(&self, variables: &Variables, context: &Context<'_>) -> Result<Output, RenderError> {
+        let mut output = Output { text: String::new(), file: FileUse::Replace, close: false };
+        let (mut speaks, mut hides) = (true, false);
+        for line in &self.lines {
+            match line {
+                Line::Language(language) => {
+                    speaks = language.as_deref().is_none_or(|word| word == language_word(context.language));
+                }
+                Line::Keyword(Keyword::Close) => output.close = true,
+                Line::Keyword(Keyword::Append) => output.file = FileUse::Append,
+                Line::Keyword(Keyword::AppendMax(kilobytes)) => output.file = FileUse::AppendMax(*kilobytes),
+                Line::Keyword(Keyword::Truncate) => output.file = FileUse::Replace,
+                Line::Keyword(Keyword::EmptyHide) => hides = true,
+                Line::Keyword(Keyword::EmptyShow) => hides = false,
+                Line::Record(_) if !speaks => {}
+                Line::Record(record) if hides && record.has_empty_text(variables) => {}
+                Line::Record(record) => {
+                    record.render(variables, context, &mut output.text)?;
+                    output.text.push('\n');
+                }
+            }
+        }
+        Ok(output)
+    }
+}
+
+/// The control's word for a language, as in its tables.
+const fn language_word(language: Language) -> &'static str {
+    match language {
+        Language::En => "ENGLISH",
+        Language::Nl => "DUTCH",
+        Language::De => "GERMAN",
+        Language::It => "ITALIAN",
+    }
+}
+
+impl Record {
+    /// Whether a text parameter is empty or undefined, for `M_EMPTY_HIDE`.
+    fn has_empty_text(&self, variables: &Variables) -> bool {
+        self.parts.iter().any(|part| match part {
+            Part::Field { name: Name::Parameter(parameter), .. } if parameter.family == Family::Qs => {
+                match variables.get(*parameter) {
+                    None => true,
+                    Some(value) => matches!(value, Value::Text(text) if text.is_empty()),
+                }
+            }
+            _ => false,
+        })
+    }
+
+    fn render(&self, variables: &Variables, context: &Context<'_>, out: &mut String) -> Result<(), RenderError> {
+        for part in &self.parts {
+            match part {
+                Part::Text(text) => out.push_str(text),
+                Part::Field { format, name, column } => {
+                    let at = At { line: self.line, column: *column, name: *name };
+                    out.push_str(&at.field(format, variables, context)?);
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A field that is rendered, and where it stands.
+struct At {
+    line: usize,
+    column: usize,
+    name: Name,
+}
+
+/// What a field prints before it is formatted.
+enum Printed<'a> {
+    Text(&'a str),
+    /// A plain decimal number.
+    Number(String),
+}
+
+impl At {
+    fn field(&self, format: &Format, variables: &Variables, context: &Context<'_>) -> Result<String, RenderError> {
+        let printed = self.printed(variables, context)?;
+        let (line, column, name) = (self.line, self.column, self.name.to_string());
+        match (format.kind, printed) {
+            (Kind::Raw, Printed::Text(text)) => Ok(text.to_owned()),
+            (Kind::Text, Printed::Text(text)) => {
+                let text: String = text.chars().take(format.digits.unwrap_or(usize::MAX)).collect();
+                Ok(padded(text, format.width, format.left))
+            }
+            (Kind::Decimal, Printed::Number(number)) => {
+                let digits = format.digits.unwrap_or(6);
+                Ok(signed(&rounded(&number, digits), format))
+            }
+            (Kind::Whole, Printed::Number(number)) => {
+                let whole = rounded(&number, 0);
+                let (sign, figures) = whole.strip_prefix('-').map_or(("", whole.as_str()), |figures| ("-", figures));
+                let least = format.digits.unwrap_or(0);
+                Ok(signed(&format!("{sign}{figures:0>least$}"), format))
+            }
+            (Kind::Text | Kind::Raw, Printed::Number(_)) => Err(RenderError::NumberAsText { line, column, name }),
+            (Kind::Decimal | Kind::Whole, Printed::Text(_)) => Err(RenderError::TextAsNumber { line, column, name }),
+        }
+    }
+
+    fn printed<'a>(&self, variables: &'a Variables, context: &Context<'a>) -> Result<Printed<'a>, RenderError> {
+        let time = context.time;
+        let number = |number: i16| Ok(Printed::Number(number.to_string()));
+        match self.name {
+            Name::Day => number(time.day().into()),
+            Name::Month => number(time.month().into()),
+            Name::Year2 => number(time.year().rem_euclid(100)),
+            Name::Year4 => number(time.year()),
+            Name::Hour => number(time.hour().into()),
+            Name::Minute => number(time.minute().into()),
+            Name::Second => number(time.second().into()),
+            Name::CallPath => Ok(Printed::Text(context.call_path)),
+            Name::Parameter(parameter) => {
+                let (line, column, name) = (self.line, self.column, self.name.to_string());
+                match variables.get(parameter) {
+                    None => Err(RenderError::Undefined { line, column, name }),
+                    Some(Value::Text(text)) => Ok(Printed::Text(text)),
+                    Some(Value::Length(length)) => Ok(Printed::Number(length.to_string())),
+                    // The shortest decimal that is this number: what a user typed, not its binary neighbour.
+                    Some(Value::Number(value)) if value.is_finite() => Ok(Printed::Number(value.to_string())),
+                    Some(Value::Number(_)) => Err(RenderError::NotFinite { line, column, name }),
+                }
+            }
+        }
+    }
+}
+
+/// A sign where the format wants one, and the width, filled with blanks or zeros.
+fn signed(number: &str, format: &Format) -> String {
+    let (minus, figures) = number.strip_prefix('-').map_or((false, number), |figures| (true, figures));
+    let sign = match (minus, format.plus, format.blank) {
+        (true, ..) => "-",
+        (false, true, _) => "+",
+        (false, false, true) => " ",
+        (false, false, false) => "",
+    };
+    if format.zeros && !format.left {
+        let width = format.width.saturating_sub(sign.len());
+        return format!("{sign}{figures:0>width$}");
+    }
+    padded(format!("{sign}{figures}"), format.width, format.left)
+}
+
+fn padded(text: String, width: usize, left: bool) -> String {
+    if left { format!("{text:<width$}") } else { format!("{text:>width$}") }
+}
+
+/// A plain decimal number with so many digits behind the point, rounded half away from zero.
+fn rounded(number: &str, digits: usize) -> String {
+    let (minus, unsigned) = number.strip_prefix('-').map_or((false, number), |unsigned| (true, unsigned));
+    let (whole, decimals) = unsigned.split_once('.').unwrap_or((unsigned, ""));
+    let mut figures: Vec<u8> = whole.bytes().chain(decimals.bytes().chain(std::iter::repeat(b'0')).take(digits)).collect();
+    if decimals.as_bytes().get(digits).is_some_and(|next| b'5' <= *next) {
+        let mut carry = true;
+        for figure in figures.iter_mut().rev().take_while(|_| true) {
+            if !carry {
+                break;
+            }
+            carry = *figure == b'9';
+            *figure = if carry { b'0' } else { *figure + 1 };
+        }
+        if carry {
+            figures.insert(0, b'1');
+        }
+    }
+    let point = figures.len() - digits;
+    let is_zero = figures.iter().all(|figure| *figure == b'0');
+    let mut text = String::from(if minus && !is_zero { "-" } else { "" });
+    for (place, figure) in figures.into_iter().enumerate() {
+        if place == point {
+            text.push('.');
+        }
+        text.push(char::from(figure));
+    }
+    text
+}
+
+impl std::fmt::Display for Name {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Parameter(parameter) => parameter.fmt(f),
+            Self::Day => f.write_str("DAY"),
+            Self::Month => f.write_str("MONTH"),
+            Self::Year2 => f.write_str("YEAR2"),
+            Self::Year4 => f.write_str("YEAR4"),
+            Self::Hour => f.write_str("HOUR"),
+            Self::Minute => f.write_str("MIN"),
+            Self::Second => f.write_str("SEC"),
+            Self::CallPath => f.write_str("CALL_PATH"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounded;
+
+    #[test]
+    fn rounds_half_away_from_zero_on_the_decimal_value() {
+        for (number, digits, expected) in [
+            ("25", 4, "25.0000"),
+            ("25.00005", 4, "25.0001"),
+            ("25.00004999", 4, "25.0000"),
+            ("-25.00005", 4, "-25.0001"),
+            ("-0.00004", 4, "0.0000"),
+            ("9.99995", 4, "10.0000"),
+            ("0.5", 0, "1"),
+            ("1.005", 2, "1.01"),
+            ("-1.5", 0, "-2"),
+        ] {
+            assert_eq!(rounded(number, digits), expected, "{number}");
+        }
+    }
+}

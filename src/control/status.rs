@@ -1,0 +1,106 @@
+//! The status window: what program 82551 hands to its mask, and the shipped masks.
+//!
+//! The parameters are those of the seed (`000_2e707c2d138629e0.txt`): QS2 is the nominal size with only the decimals it
+//! has, a blank and the class; QS3 the status word; Q33 and Q23 the limits; Q153 the measured diameter.
+
+use std::sync::LazyLock;
+
+use super::mask::{Context, Mask, RenderError};
+use super::variables::{Parameter, Value, Variables};
+use crate::journal::Record;
+use crate::tolerance::Feature;
+use crate::verdict::Status;
+use crate::words::Language;
+
+/// The status word that program 82551 puts into QS3; the Dutch ones are the seed's, letter by letter.
+pub const fn status_word(status: Status, language: Language) -> &'static str {
+    match (language, status) {
+        (Language::Nl, Status::Good) => "GOED",
+        (Language::Nl, Status::Rework) => "Nabewerking",
+        (Language::Nl, Status::Scrap) => "Afgekeurd",
+        (Language::Nl, Status::ReMeasure) => "Opnieuw meten",
+        (Language::De, Status::Good) => "GUT",
+        (Language::De, Status::Rework) => "Nacharbeit",
+        (Language::De, Status::Scrap) => "Ausschuss",
+        (Language::De, Status::ReMeasure) => "Erneut messen",
+        (Language::It, Status::Good) => "BUONO",
+        (Language::It, Status::Rework) => "Ripresa",
+        (Language::It, Status::Scrap) => "Scarto",
+        (Language::It, Status::ReMeasure) => "Misurare di nuovo",
+        (Language::En, Status::Good) => "GOOD",
+        (Language::En, Status::Rework) => "REWORK",
+        (Language::En, Status::Scrap) => "SCRAP",
+        (Language::En, Status::ReMeasure) => "RE-MEASURE",
+    }
+}
+
+/// The parameters after program 82551 has run on a record.
+pub fn status_variables(record: &Record, language: Language) -> Variables {
+    let mut variables = Variables::new();
+    let limits = &record.limits;
+    let (number, length) = (Value::Number, Value::Length);
+    let um = |length: crate::length::Length| Value::Number(length.to_mm_f64() * 1000.0);
+    let mut set = |parameter, value| variables.set(parameter, value);
+    let class = record.callout.map(|callout| callout.class().to_string()).unwrap_or_default();
+    let fit = record.callout.map_or_else(|| limits.nominal.to_string(), |callout| callout.to_string());
+    set(Parameter::q(1), length(limits.nominal));
+    set(Parameter::qs(1), Value::Text(class));
+    set(Parameter::q(2), number(if limits.feature == Feature::Hole { -1.0 } else { 1.0 }));
+    set(Parameter::qs(2), Value::Text(fit));
+    set(Parameter::q(4), um(limits.deviations.upper()));
+    set(Parameter::q(5), um(limits.deviations.lower()));
+    set(Parameter::q(23), length(limits.maximum()));
+    set(Parameter::q(33), length(limits.minimum()));
+    let status = record.verdict.status();
+    set(Parameter::qs(3), Value::Text(status_word(status, language).to_owned()));
+    if let Some([x, y]) = record.measurement.centre {
+        set(Parameter::q(151), length(x));
+        set(Parameter::q(152), length(y));
+    }
+    set(Parameter::q(153), length(record.measurement.diameter));
+    if let Some(position) = record.verdict.position {
+        let [x, y] = position.axes;
+        set(Parameter::q(161), length(x.deviation));
+        set(Parameter::q(162), length(y.deviation));
+    }
+    set(Parameter::q(163), length(record.verdict.size.deviation));
+    for (marker, marked) in [(180, Status::Good), (181, Status::Rework), (182, Status::Scrap)] {
+        set(Parameter::q(marker), number(if status == marked { 1.0 } else { 0.0 }));
+    }
+    variables
+}
+
+/// The shipped mask of a language: `82552_nl.a` is the seed's, byte for byte.
+pub fn shipped_mask(language: Language) -> &'static Mask {
+    static MASKS: LazyLock<[Mask; 4]> = LazyLock::new(|| {
+        [
+            shipped(include_bytes!("../../assets/masks/82552_en.a")),
+            shipped(include_bytes!("../../assets/masks/82552_nl.a")),
+            shipped(include_bytes!("../../assets/masks/82552_de.a")),
+            shipped(include_bytes!("../../assets/masks/82552_it.a")),
+        ]
+    });
+    let [en, nl, de, it] = &*MASKS;
+    match language {
+        Language::En => en,
+        Language::Nl => nl,
+        Language::De => de,
+        Language::It => it,
+    }
+}
+
+/// A mask that is part of the program; tests read and render all of them.
+fn shipped(bytes: &[u8]) -> Mask {
+    #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
+    Mask::read(bytes).expect("a shipped mask can be read").0
+}
+
+/// The text of the status window for a record, drawn with a mask or with the language's own.
+///
+/// # Errors
+/// [`RenderError`] where a user's mask asks for a parameter that the check does not set.
+pub fn status_window(record: &Record, language: Language, mask: Option<&Mask>) -> Result<String, RenderError> {
+    let variables = status_variables(record, language);
+    let context = Context { language, time: record.time, call_path: r"TNC:\82551.h" };
+    mask.unwrap_or_else(|| shipped_mask(language)).render(&variables, &context).map(|output| output.text)
+}

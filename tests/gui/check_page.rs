@@ -1,0 +1,177 @@
+//! Typing a callout and a value, and reading the answer.
+
+use eframe::egui::accesskit::{Live, Role};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+use fitcheck::session::Field;
+
+use crate::harness::{check, type_into, verdict, window};
+
+#[test]
+fn a_value_inside_the_limits_is_good() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    assert_eq!(verdict(&window), "GOOD. 25.012 mm. 12 µm above minimum. 9 µm below maximum");
+}
+
+#[test]
+fn a_hole_too_small_is_rework_with_the_amount_to_remove() {
+    let mut window = window();
+    check(&mut window, "25 H7", "24.998");
+    let said = verdict(&window);
+    assert!(said.starts_with("REWORK. 24.998 mm. Remove 2 µm to the nearest limit. 12.5 µm to the middle"), "{said}");
+}
+
+#[test]
+fn a_hole_too_large_is_scrap() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.030");
+    assert_eq!(verdict(&window), "SCRAP. 25.030 mm. 30 µm above minimum. 9 µm above maximum");
+}
+
+#[test]
+fn limits_belong_to_the_zone_and_a_nanometre_more_does_not() {
+    let mut window = window();
+    for (measured, word) in
+        [("25.000", "GOOD"), ("25,021", "GOOD"), ("24.999999", "REWORK"), ("25.021001", "SCRAP")]
+    {
+        check(&mut window, "25 H7", measured);
+        assert!(verdict(&window).starts_with(word), "{measured}: {}", verdict(&window));
+    }
+}
+
+#[test]
+fn the_sides_swap_for_a_shaft() {
+    let mut window = window();
+    check(&mut window, "25 h7", "25.001");
+    assert!(verdict(&window).starts_with("REWORK"), "{}", verdict(&window));
+    check(&mut window, "25 h7", "24.978");
+    assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
+    window.get_by_label("Shaft");
+}
+
+#[test]
+fn the_verdict_is_a_live_region_and_the_pictures_describe_themselves() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    let status = window.get_by_role(Role::Status);
+    assert_eq!(status.accesskit_node().data().live(), Some(Live::Assertive));
+    let band = window.get_by_role_and_label(Role::Figure, "Limit band");
+    let said = band.accesskit_node().data().description().unwrap_or_default().to_owned();
+    assert_eq!(
+        said,
+        "Deviation from nominal size in micrometres: zone from 0 to +21, rework below it, scrap above it. \
+         Measured +12, +12 above the minimum, +9 below the maximum."
+    );
+}
+
+#[test]
+fn limits_follow_while_typing_and_a_refusal_stands_beside_the_field() {
+    let mut window = window();
+    type_into(&mut window, "Fit", "25 H7");
+    window.get_by_label("25.021");
+    window.get_by_label("25.000");
+    window.get_by_label("+21 µm");
+    type_into(&mut window, "Fit", "25 G6");
+    window.get_by_label_contains("the shaft class is g6");
+    assert!(window.query_by_label("25.021").is_none(), "no limits beside a refused callout");
+    type_into(&mut window, "Fit", "401 H7");
+    window.get_by_label_contains("beyond table 82553_hole.tab");
+    type_into(&mut window, "Fit", "7.5.2 H7");
+    window.get_by_label_contains("7.5.2 is not a number");
+}
+
+#[test]
+fn a_changed_callout_clears_the_verdict_at_once() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    type_into(&mut window, "Fit", "25 H6");
+    assert_eq!(verdict(&window), "No result");
+}
+
+#[test]
+fn a_value_that_is_no_length_is_refused_beside_its_field() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.0.1");
+    window.get_by_label("25.0.1 is not a number");
+    assert_eq!(verdict(&window), "No result");
+    check(&mut window, "25 H7", "");
+    window.get_by_label("a length is missing");
+}
+
+#[test]
+fn half_the_nominal_size_is_doubted() {
+    let mut window = window();
+    check(&mut window, "25 H7", "12.506");
+    assert!(verdict(&window).contains("is it a radius"), "{}", verdict(&window));
+}
+
+#[test]
+fn nominal_size_and_class_make_the_callout() {
+    let mut window = window();
+    type_into(&mut window, "Nominal size", "40");
+    window.get_by_role_and_label(Role::ComboBox, "Class").click();
+    window.run();
+    window.get_by_role_and_label(Role::Button, "JS9").click();
+    window.run();
+    assert_eq!(window.state().session().inputs().text(Field::Callout), "40 JS9");
+    window.get_by_label("40.031");
+}
+
+#[test]
+fn simulating_measures_with_contacts_and_fills_the_history() {
+    let mut window = window();
+    type_into(&mut window, "Fit", "25 H7");
+    window.get_by_role_and_label(Role::RadioButton, "Simulate").click();
+    window.run();
+    window.get_by_role_and_label(Role::Button, "Measure").click();
+    window.run();
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    let picture = window.get_by_role_and_label(Role::Figure, "Contacts");
+    let said = picture.accesskit_node().data().description().unwrap_or_default().to_owned();
+    assert!(said.starts_with("4 contacts seen from above"), "{said}");
+    window.get_by_label_contains("no form seen beyond ovality");
+    window.get_by_label("1 check");
+    let first = window.state().session().history()[0].clone();
+    window.get_by_role_and_label(Role::Button, "Measure").click();
+    window.run();
+    window.get_by_label("2 checks");
+    assert_ne!(first.measurement.contacts, window.state().session().history()[1].measurement.contacts);
+}
+
+#[test]
+fn the_status_window_shows_what_the_mask_prints() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    window.get_by_label_contains("MINIMUM SIZE:  25.0000");
+    window.get_by_role_and_label(Role::ComboBox, "Mask").click();
+    window.run();
+    window.get_by_label("Nederlands").click();
+    window.run();
+    window.get_by_label_contains("GEMETEN DIAMETER:  25.0120");
+}
+
+#[test]
+fn clear_empties_the_result_and_keeps_the_history() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    window.get_by_role_and_label(Role::Button, "Clear").click();
+    window.run();
+    assert_eq!(verdict(&window), "No result");
+    window.get_by_label("1 check");
+}
+
+#[test]
+fn the_language_can_be_switched_while_running() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    window.get_by_role_and_label(Role::Button, "Menu").click();
+    window.run();
+    window.get_by_label("Language").click();
+    window.run();
+    window.get_by_label("Nederlands").click();
+    window.run();
+    assert_eq!(verdict(&window), "GOED. 25,012 mm. 12 µm boven minimaal. 9 µm onder maximaal");
+    window.get_by_role_and_label(Role::TextInput, "Gemeten waarde");
+    window.get_by_label_contains("STATUS VAN DE PASSING: GOED");
+}

@@ -1,0 +1,75 @@
+//! The one place where a window for tests is built, and where image thresholds are decided.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Theme, Vec2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use fitcheck::gui::{App, Errands, Setup, Store};
+use fitcheck::words::Language;
+
+/// The size that most tests look at.
+pub const DESK: Vec2 = vec2(1280.0, 800.0);
+
+/// A window at a fixed time, in English, that keeps nothing.
+pub fn window() -> Harness<'static, App> {
+    Window::default().open()
+}
+
+/// How a window for a test is opened.
+pub struct Window {
+    pub size: Vec2,
+    pub theme: Theme,
+    pub language: Language,
+    pub store: Store,
+}
+
+impl Default for Window {
+    fn default() -> Self {
+        Self { size: DESK, theme: Theme::Light, language: Language::En, store: Store::nowhere() }
+    }
+}
+
+impl Window {
+    pub fn open(self) -> Harness<'static, App> {
+        let setup = Setup {
+            store: self.store,
+            language: self.language,
+            errands: Errands::AtOnce,
+            clock: || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
+        };
+        let mut harness = Harness::builder()
+            .with_size(self.size)
+            .with_theme(self.theme)
+            .with_max_steps(16)
+            .build_eframe(|cc| App::new(cc, setup));
+        harness.run();
+        harness
+    }
+}
+
+/// Types into a field, by its name, as a user does: go there, replace, and stay.
+pub fn type_into(harness: &mut Harness<'_, App>, name: &str, text: &str) {
+    harness.get_by_role_and_label(Role::TextInput, name).focus();
+    harness.run();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    if text.is_empty() {
+        harness.key_press(Key::Delete);
+    } else {
+        harness.get_by_role_and_label(Role::TextInput, name).type_text(text);
+    }
+    harness.run();
+}
+
+/// Types a callout and a measured value and presses Enter.
+pub fn check(harness: &mut Harness<'_, App>, callout: &str, measured: &str) {
+    type_into(harness, "Fit", callout);
+    type_into(harness, "Measured value", measured);
+    harness.key_press(Key::Enter);
+    harness.run();
+}
+
+/// What the live verdict says.
+pub fn verdict(harness: &Harness<'_, App>) -> String {
+    use egui_kittest::kittest::NodeT as _;
+    harness.get_by_role(Role::Status).accesskit_node().label().unwrap_or_default()
+}

@@ -1,0 +1,108 @@
+//! Keyboard alone; idle is idle.
+
+use std::time::Duration;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, ViewportId};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::gui::{App, Store};
+
+use crate::harness::{Window, check, type_into, verdict, window};
+
+/// The name of what has the focus.
+fn focused(window: &Harness<'_, App>) -> String {
+    window.get_by(|node| node.is_focused()).accesskit_node().label().unwrap_or_default()
+}
+
+#[test]
+fn typing_tab_typing_enter_is_a_check() {
+    let mut window = window();
+    assert_eq!(focused(&window), "Fit", "the callout has the focus at the start");
+    window.get_by_role_and_label(Role::TextInput, "Fit").type_text("25 H7");
+    window.run();
+    window.key_press(Key::Tab);
+    window.run();
+    assert_eq!(focused(&window), "Measured value");
+    window.get_by_role_and_label(Role::TextInput, "Measured value").type_text("25.012");
+    window.run();
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(verdict(&window).starts_with("GOOD"));
+    // The next value can come at once: the focus stays and typing replaces.
+    assert_eq!(focused(&window), "Measured value");
+    window.get_by_role_and_label(Role::TextInput, "Measured value").type_text("25.030");
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
+    window.get_by_label("2 checks");
+}
+
+#[test]
+fn one_enter_is_one_check() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    window.get_by_label("1 check");
+}
+
+#[test]
+fn tab_walks_in_reading_order() {
+    let mut window = window();
+    type_into(&mut window, "Fit", "25 H7");
+    let mut walked = Vec::new();
+    for _ in 0..13 {
+        window.key_press(Key::Tab);
+        window.run();
+        walked.push(focused(&window));
+    }
+    assert_eq!(
+        walked,
+        [
+            "Measured value",
+            "Type",
+            "Simulate",
+            "Measure",
+            "Clear",
+            "Nominal size",
+            "Class",
+            "Part or feature",
+            "Centre X",
+            "Centre Y",
+            "Height Z",
+            "First contact",
+            "Set-up clearance",
+        ]
+    );
+}
+
+#[test]
+fn the_settled_window_asks_for_no_repaint() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    window.run();
+    let delay = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
+    assert_eq!(delay, Duration::MAX);
+}
+
+#[test]
+fn last_inputs_survive_a_restart() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::at(&folder.path().join("fitcheck").join("state.toml"));
+    let mut first = Window { store: store.clone(), ..Window::default() }.open();
+    check(&mut first, "40 js6", "40.001");
+    eframe::App::on_exit(first.state_mut(), None);
+    let again = Window { store, ..Window::default() }.open();
+    let field = again.get_by_role_and_label(Role::TextInput, "Fit");
+    assert_eq!(field.accesskit_node().value().as_deref(), Some("40 js6"));
+    assert_eq!(verdict(&again), "No result", "a verdict is never shown without a measurement");
+}
+
+#[test]
+fn a_broken_state_file_is_set_aside_and_the_window_opens() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("state.toml");
+    std::fs::File::create(&path).and_then(|mut file| std::io::Write::write_all(&mut file, b"language = [")).unwrap();
+    let window = Window { store: Store::at(&path), ..Window::default() }.open();
+    window.get_by_label_contains("state.toml.broken-1");
+    assert!(folder.path().join("state.toml.broken-1").exists());
+}
