@@ -89,13 +89,12 @@ impl Sample {
         if self.rows.is_empty() {
             return Err(Reason::NoRows);
         }
-        let mut columns = match self.header.and_then(|at| self.rows.get(at)) {
-            Some((line, cells)) => self.by_header(*line, cells)?,
-            None => {
-                let mut columns = self.by_content()?;
-                columns.header = self.above().checked_sub(1).and_then(|at| self.rows.get(at)).map(|(line, _)| *line);
-                columns
-            }
+        let mut columns = if let Some((line, cells)) = self.header.and_then(|at| self.rows.get(at)) {
+            self.by_header(*line, cells)?
+        } else {
+            let mut columns = self.by_content()?;
+            columns.header = self.above().checked_sub(1).and_then(|at| self.rows.get(at)).map(|(line, _)| *line);
+            columns
         };
         columns.decimal_sign = self.decimal_sign(columns.measured.at);
         columns.whole_numbers_behind = self.whole_numbers_behind(columns.measured.at);

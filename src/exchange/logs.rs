@@ -2,6 +2,7 @@
 //!
 //! The limits come from the log, the callout is not in it. The verdict is computed: a log holds no status.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use super::imported::{Coordinate, Imported, Problem, Reason, Unjudged, Warning, WarningReason, WhyUnjudged};
@@ -25,7 +26,8 @@ pub(super) const FORMAT: Format = Format {
 /// The control's fixed names, `TCHPR421.TXT`, or a text that has the shape of a log.
 fn recognises(source: &Source<'_>) -> bool {
     let name = source.file.to_ascii_uppercase();
-    name.strip_prefix("TCHPR4").is_some_and(|rest| rest.ends_with(".TXT")) || log::is_log(&source.head())
+    name.starts_with("TCHPR4") && Path::new(&name).extension().is_some_and(|ending| ending == "TXT")
+        || log::is_log(&source.head())
 }
 
 fn read(source: &Source<'_>) -> Imported {

@@ -165,7 +165,7 @@ impl Reader<'_> {
         let needed = self.columns.tolerance.into_iter().chain([self.columns.measured.at]).max().unwrap_or_default();
         if found <= needed {
             return Err((
-                Cell { at: None, text: cells.iter().last().unwrap_or_default() },
+                Cell { at: None, text: cells.iter().next_back().unwrap_or_default() },
                 Reason::RowShort { found, expected },
             ));
         }

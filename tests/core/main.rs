@@ -1,2 +1,2 @@
-#[test]
-fn t() {}
+mod import;
+mod logs;

@@ -32,7 +32,7 @@ pub(super) const COLUMNS: [&str; 15] = [
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Row {
     pub(super) file: String,
-    /// `None` where the file could not be read.
+    /// Where it stands; `None` where the file could not be read.
     pub(super) line: Option<usize>,
     /// Where a problem is in its line.
     pub(super) column: Option<usize>,
@@ -78,7 +78,12 @@ pub(super) fn rows(path: &Path, imported: &Imported) -> Vec<Row> {
         .chain(imported.problems.iter().map(Row::of_problem))
         .collect();
     rows.sort_by_key(|row| row.line);
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
     for row in &mut rows {
+        // A coordinate's limits come from its log.
+        if row.minimum.is_some() && row.source.is_none() {
+            row.source = Some(Source::File(name.as_ref().into()).to_string());
+        }
         row.file.clone_from(&file);
         let more = row.line.and_then(|line| warnings.remove(&line));
         row.warnings.extend(more.into_iter().flatten());
