@@ -5,7 +5,7 @@
 use csv::StringRecord;
 
 use super::delimited::{Item, Rows, SEPARATORS};
-use super::imported::{Reason, Role};
+use super::problem::{Reason, Role};
 use super::words::{self, Rank};
 use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, ToleranceClass};
@@ -336,5 +336,5 @@ fn several(role: Role, header: &StringRecord, columns: &[usize]) -> Reason {
 /// The number of a column, and its name where it has one.
 fn name_of(at: usize, name: &str) -> String {
     let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
-    if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, super::imported::shorten(&name)) }
+    if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, super::problem::shorten(&name)) }
 }

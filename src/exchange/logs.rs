@@ -5,7 +5,8 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::imported::{Coordinate, Imported, Problem, Reason, Unjudged, Warning, WarningReason, WhyUnjudged};
+use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
+use super::problem::{Problem, Reason, Warning, WarningReason};
 use super::{Format, Source};
 use crate::control::log::{self, Circle, LimitPair, Log, Values};
 use crate::journal::Record;

@@ -10,7 +10,8 @@ use jiff::civil::{DateTime, Time};
 
 use super::columns::{self, Columns, LengthColumn, Sample};
 use super::delimited::{Item, Rows};
-use super::imported::{Imported, MOST_ROWS, Problem, Reason, Unjudged, Warning, WarningReason, WhyUnjudged, shorten};
+use super::imported::{Imported, MOST_ROWS, Unjudged, WhyUnjudged};
+use super::problem::{Problem, Reason, Warning, WarningReason, shorten};
 use super::{Format, Source};
 use crate::journal::Record;
 use crate::length::Length;

@@ -1,2 +1,4 @@
+//! Tests of the core and the command line, in one binary.
+
 mod import;
 mod logs;
