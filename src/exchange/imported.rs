@@ -1,0 +1,134 @@
+//! What came out of a file: records, and everything that made none.
+
+use std::fmt;
+
+use jiff::civil::DateTime;
+
+use super::problem::{Problem, Reason, Warning};
+use crate::journal::Record;
+use crate::length::Length;
+use crate::probing::Contact;
+use crate::verdict::{PositionVerdict, Removal, Status};
+use crate::words::{Message, Say};
+
+/// The most rows that one file is read for: a record takes some hundred bytes, so this bounds the memory.
+pub const MOST_ROWS: usize = 500_000;
+
+/// What came out of a file.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Imported {
+    /// What could be judged, in the file's order.
+    pub records: Vec<Record>,
+    /// The line of each record, in the same order: a row's own line, a log's title.
+    pub lines: Vec<usize>,
+    /// Measurements that make no record, because nothing tells what they should be.
+    pub unjudged: Vec<Unjudged>,
+    /// Rows that could not be used, or the reason why the whole file could not be.
+    pub problems: Vec<Problem>,
+    /// What was odd but readable.
+    pub warnings: Vec<Warning>,
+    /// The contacts of a file of contacts.
+    pub contacts: Option<Vec<Contact>>,
+    /// How many rows or logs were read: records, unjudged measurements and problems together.
+    pub rows: usize,
+}
+
+/// A measurement that makes no record.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unjudged {
+    /// Where it stands, from 1.
+    pub line: usize,
+    /// Name of the feature or part, where there is one.
+    pub id: String,
+    /// When it was measured, or imported.
+    pub time: DateTime,
+    /// The measured diameter or coordinate; `None` for contacts.
+    pub measured: Option<Length>,
+    /// The centre's position, where the control monitored it.
+    pub position: Option<PositionVerdict>,
+    /// Why it makes no record.
+    pub why: WhyUnjudged,
+}
+
+/// Why a measurement makes no record.
+#[derive(Debug, Clone, PartialEq)]
+pub enum WhyUnjudged {
+    /// The row has no callout.
+    NoCallout,
+    /// The log's limits of size are both 0: the control did not monitor the diameter.
+    NoLimits {
+        /// The log's nominal diameter.
+        nominal: Length,
+    },
+    /// A coordinate of cycle 427 is no feature of size, but its log has limits.
+    Coordinate(Coordinate),
+    /// Contacts, and nothing else.
+    Contacts {
+        /// How many.
+        count: usize,
+    },
+}
+
+/// A coordinate that cycle 427 measured. As on the control, above the maximum is rework and below the minimum scrap.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Coordinate {
+    /// The nominal value, where the log has one.
+    pub nominal: Option<Length>,
+    /// The largest permitted value.
+    pub maximum: Length,
+    /// The smallest permitted value.
+    pub minimum: Length,
+    /// What the limits say.
+    pub status: Status,
+    /// On rework, how much to take off.
+    pub removal: Option<Removal>,
+}
+
+impl Say for WhyUnjudged {
+    fn message(&self) -> Message {
+        match self {
+            Self::NoCallout => Message::new("exchange-no-callout"),
+            Self::NoLimits { .. } => Message::new("exchange-no-limits"),
+            Self::Coordinate(_) => Message::new("exchange-coordinate"),
+            Self::Contacts { count } => Message::new("exchange-only-contacts").text("count", count),
+        }
+    }
+}
+
+impl fmt::Display for WhyUnjudged {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoCallout => f.pad("not judged: there is no callout"),
+            Self::NoLimits { .. } => {
+                f.pad("not judged: the log's limits of size are 0, so the diameter was not monitored")
+            }
+            Self::Coordinate(_) => f.pad("a coordinate of cycle 427, not a hole or shaft"),
+            Self::Contacts { count } => write!(f, "not judged: {count} contacts without a callout"),
+        }
+    }
+}
+
+impl Imported {
+    /// A file that could not be used at all.
+    pub(super) fn failed(reason: Reason) -> Self {
+        let mut imported = Self::default();
+        imported.refuse(Problem { line: 1, column: None, reason, given: String::new() });
+        imported
+    }
+
+    pub(super) fn keep(&mut self, line: usize, record: Record) {
+        self.rows += 1;
+        self.records.push(record);
+        self.lines.push(line);
+    }
+
+    pub(super) fn set_aside(&mut self, unjudged: Unjudged) {
+        self.rows += 1;
+        self.unjudged.push(unjudged);
+    }
+
+    pub(super) fn refuse(&mut self, problem: Problem) {
+        self.rows += 1;
+        self.problems.push(problem);
+    }
+}
