@@ -55,7 +55,6 @@ struct Summary {
 }
 
 struct Count {
-    class: &'static str,
     word: String,
     count: usize,
 }
@@ -66,7 +65,6 @@ struct Check {
     feature: String,
     id: String,
     time: String,
-    class: &'static str,
     word: String,
     sign: String,
     reason: String,
@@ -155,11 +153,7 @@ fn summary(records: &[Record], words: &Words) -> Summary {
     let counts = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].into_iter().filter_map(|status| {
         let count = records.iter().filter(|record| record.verdict.status() == status).count();
         // Nothing is ever re-measured without a guard band; a zero would only raise questions.
-        (status != Status::ReMeasure || 0 < count).then(|| Count {
-            class: picture::status_class(status),
-            word: words.say(&text::status(status)),
-            count,
-        })
+        (status != Status::ReMeasure || 0 < count).then(|| Count { word: words.say(&text::status(status)), count })
     });
     Summary { counts: counts.collect(), total: records.len() }
 }
@@ -186,7 +180,6 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
         feature: words.say(&text::feature(limits.feature)),
         id: record.id.clone(),
         time: record.time.strftime(DATE).to_string(),
-        class: picture::status_class(status),
         word: words.say(&text::status(status)),
         sign: picture::verdict(status, words)?,
         reason: words.say(&text::size(&verdict.size, words)),
@@ -273,42 +266,4 @@ fn contacts(contacts: &[Contact], circle: Option<Circle>, words: &Words) -> Vec<
 /// How many decimals a size has in millimetres.
 fn decimals_of(length: Length) -> usize {
     length.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::sample;
-    use super::*;
-    use crate::words::Language;
-
-    #[test]
-    #[ignore = "look"]
-    fn dump() {
-        let mut many = sample::out_of_position();
-        many.measurement.contacts = (0..20)
-            .map(|n| {
-                let a = f64::from(n) * 0.314159;
-                Contact { x: 12.4925 * a.cos(), y: 12.4925 * a.sin(), z: -5.0 }
-            })
-            .collect();
-        let report = Report {
-            part: Some("4711-A".into()),
-            inspector: Some("J. de Vries".into()),
-            notes: vec!["m.csv, line 7: abc is not a number".into()],
-            ..sample::report(vec![
-                sample::good(),
-                sample::rework(),
-                sample::scrap(),
-                sample::out_of_position(),
-                sample::typed("12.5"),
-                sample::typed("635"),
-                many,
-            ])
-        };
-        std::fs::create_dir_all("/tmp/look").unwrap();
-        for language in Language::COMPLETE {
-            let bytes = render(&report, &Words::new(language)).unwrap();
-            std::fs::write(format!("/tmp/look/{language}.html"), bytes).unwrap();
-        }
-    }
 }

@@ -81,7 +81,7 @@ pub struct Rendering {
 }
 
 /// Every rendering: a new one is a line here.
-pub const RENDERINGS: [Rendering; 3] = [html::RENDERING, csv::RENDERING, json::RENDERING];
+pub const RENDERINGS: &[Rendering] = &[html::RENDERING, csv::RENDERING, json::RENDERING];
 
 /// Why a report could not be put into bytes. None of the renderings has a reason to fail on any record; the writers
 /// that they use may in principle, and a report that is not whole must not be saved.
@@ -151,12 +151,11 @@ pub fn endings() -> String {
 /// # Errors
 /// [`EndingError`] names the endings there are.
 pub fn rendering_for(path: &Path) -> Result<&'static Rendering, EndingError> {
-    const ALL: &[Rendering] = &RENDERINGS;
     let Some(ending) = path.extension().map(|ending| ending.to_string_lossy()) else {
         return Err(EndingError::Missing { file: path.display().to_string() });
     };
     let known = |rendering: &&Rendering| rendering.endings.iter().any(|known| known.eq_ignore_ascii_case(&ending));
-    ALL.iter().find(known).ok_or_else(|| EndingError::Unknown { ending: ending.into_owned() })
+    RENDERINGS.iter().find(known).ok_or_else(|| EndingError::Unknown { ending: ending.into_owned() })
 }
 
 #[cfg(test)]

@@ -22,7 +22,7 @@ const HEIGHT: f64 = 66.0;
 const LABEL: f64 = 100.0;
 
 /// The CSS class of a status.
-pub(super) const fn status_class(status: Status) -> &'static str {
+const fn status_class(status: Status) -> &'static str {
     match status {
         Status::Good => "good",
         Status::Rework => "rework",
@@ -173,9 +173,9 @@ fn hatch(side: Side, width: f64) -> String {
     let mut x = 0.0;
     while x < width + HEIGHT {
         let start = units(x);
-        path.push_str(&format!("M{start} 0 l-66 66"));
+        path.extend(["M", &start, " 0 l-66 66"]);
         if side == Side::Scrap {
-            path.push_str(&format!("M{start} 66 l-66 -66"));
+            path.extend(["M", &start, " 66 l-66 -66"]);
         }
         x += step;
     }

@@ -97,7 +97,8 @@ impl Micrometres {
 impl Row {
     pub fn of(record: &Record) -> Self {
         let Record { limits, measurement, verdict, .. } = record;
-        let [centre_x_mm, centre_y_mm] = measurement.centre.map_or([None; 2], |axes| axes.map(|a| Some(Millimetres(a))));
+        let [centre_x_mm, centre_y_mm] =
+            measurement.centre.map_or([None; 2], |axes| axes.map(|a| Some(Millimetres(a))));
         let removal = verdict.size.removal;
         Self {
             time: record.time.to_string(),

@@ -175,10 +175,7 @@ mod tests {
             "table a.tab, over 18.5 up to 30 mm; the ISO 286 table says +21 and \u{2212}5 µm here"
         );
         let words = Words::new(Language::Nl);
-        assert_eq!(
-            words.say(&source(&table(true, None), &words)),
-            "ISO 286-tabel a.tab, boven 18,5 tot en met 30 mm"
-        );
+        assert_eq!(words.say(&source(&table(true, None), &words)), "ISO 286-tabel a.tab, boven 18,5 tot en met 30 mm");
     }
 
     #[test]
