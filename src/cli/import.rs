@@ -1,13 +1,122 @@
-//! `fitcheck import`
+//! `fitcheck import`: measurements from files, a verdict each.
 
-use super::{CliError, Io, Outcome};
+mod print;
+mod row;
 
-/// import
+use std::path::{Path, PathBuf};
+
+use jiff::civil::DateTime;
+
+use super::{CliError, Format, Io, Outcome, TableArgs};
+use crate::exchange::{FORMATS, import};
+use crate::files::{self, FileError};
+use crate::tolerance::Tables;
+use crate::verdict::Status;
+use print::Printer;
+use row::Row;
+
+/// Read measurements from files of any known format and judge each
 #[derive(Debug, clap::Args)]
-pub(super) struct Args {}
+#[command(after_help = help())]
+pub(super) struct Args {
+    /// Files to read; what cannot be used is named, and the others go on
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+
+    /// How the verdicts are printed
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+
+    /// Date and time of measurements whose file tells none; now when not given
+    #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
+    time: Option<DateTime>,
+
+    #[command(flatten)]
+    tables: TableArgs,
+}
+
+fn help() -> String {
+    let formats = FORMATS.iter().map(|format| {
+        let endings: Vec<String> = format.endings.iter().map(|ending| format!(".{ending}")).collect();
+        format!("  {:<14}{} ({})\n", format.name, format.description, endings.join(" "))
+    });
+    let largest = files::LARGEST >> 20;
+    format!(
+        "\
+Formats, told by content:
+{}
+A CSV needs a column of callouts (or of nominal sizes and classes) and one of measured values. A header in English,
+Dutch, German or Italian tells them apart; without one their content does. Comma, semicolon, tab and pipe separate;
+point or comma is the decimal sign. A unit may stand in the header: measured [mm], measured_um, Istmaß (inch).
+
+Columns of --format csv, and names in JSON:
+  {}
+status is the diameter's; position tells the centre's, IN or OUT, where the control monitored it.
+
+Examples:
+  fitcheck import bores.csv
+  fitcheck import TCHPR421.TXT TCHPR422.TXT --format csv > verdicts.csv
+  fitcheck import --tables my_tables --format json measurements.csv
+
+The exit code is that of the worst verdict, a centre out of position counting as scrap; it is 1 where any row or file
+could not be used or not be judged. Files are read up to {largest} MiB.",
+        formats.collect::<String>(),
+        row::COLUMNS.join(","),
+    )
+}
+
+/// What all files together came to.
+#[derive(Debug, Default)]
+struct Tally {
+    worst: Option<Status>,
+    bad: bool,
+}
 
 impl Args {
-    pub(super) fn run(&self, _io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        Ok(Outcome::Done)
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let tables = self.tables.load(io)?;
+        let now = self.time.unwrap_or_else(|| jiff::Zoned::now().datetime());
+        let mut printer = Printer::new(self.format, io)?;
+        let mut tally = Tally::default();
+        for path in &self.files {
+            let rows = match read(path, &tables, now, io)? {
+                Ok(rows) => rows,
+                Err(error) => {
+                    writeln!(io.err, "fitcheck: {error}")?;
+                    vec![Row::of_file(path, error.to_string())]
+                }
+            };
+            tally.count(&rows);
+            printer.file(path, &rows, io)?;
+        }
+        printer.end(io)?;
+        Ok(match tally.worst {
+            _ if tally.bad => Outcome::BadData,
+            Some(worst) => Outcome::Judged(worst),
+            None => Outcome::Done,
+        })
+    }
+}
+
+/// The rows of a file in its order; warnings about the whole file go to standard error.
+fn read(path: &Path, tables: &Tables, now: DateTime, io: &mut Io<'_>) -> std::io::Result<Result<Vec<Row>, FileError>> {
+    let bytes = match files::read(path) {
+        Ok(bytes) => bytes,
+        Err(error) => return Ok(Err(error)),
+    };
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let imported = import(&name, &bytes, tables, now);
+    for warning in imported.warnings.iter().filter(|warning| warning.row.is_none()) {
+        writeln!(io.err, "{}:{}: warning: {}", path.display(), warning.line, warning.reason)?;
+    }
+    Ok(Ok(row::rows(path, &imported)))
+}
+
+impl Tally {
+    fn count(&mut self, rows: &[Row]) {
+        for row in rows {
+            self.bad |= row.error.is_some();
+            self.worst = self.worst.max(row.part_status());
+        }
     }
 }

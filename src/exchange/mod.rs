@@ -1,1 +1,151 @@
 //! Files of other tools: one file a format, bytes in and bytes out.
+//!
+//! | file | what |
+//! |---|---|
+//! | `imported` | what came out of a file: records, and everything that made none |
+//! | `logs` | HEIDENHAIN measuring logs as records |
+//! | `measurements` | CSV of id, callout and measured value |
+//! | `columns`, `words` | which column of a CSV is which, by header or content |
+//! | `delimited` | rows and cells, with their lines |
+//!
+//! A new format is one file here and one line in [`FORMATS`]; command line, dialogs and README follow from the list.
+//! Nothing here opens a file: a name, bytes, tables and the time come in as arguments.
+
+mod columns;
+mod delimited;
+pub mod imported;
+mod logs;
+mod measurements;
+mod words;
+
+use std::borrow::Cow;
+use std::fmt;
+use std::sync::Arc;
+
+use jiff::civil::DateTime;
+
+pub use imported::{Coordinate, Imported, Problem, Reason, Unjudged, Warning, WarningReason, WhyUnjudged};
+
+use crate::control::text;
+use crate::tolerance::Tables;
+use crate::words::{Message, Say};
+
+/// A format that measurements are read from.
+#[derive(Debug, Clone, Copy)]
+pub struct Format {
+    /// The name on the command line.
+    pub name: &'static str,
+    /// File endings in lower case, without the point.
+    pub endings: &'static [&'static str],
+    /// One line for people, in English; [`Say`] tells it in other languages.
+    pub description: &'static str,
+    /// The name of that line in the locale files.
+    description_id: &'static str,
+    recognises: fn(&Source<'_>) -> bool,
+    read: fn(&Source<'_>) -> Imported,
+}
+
+/// Every format, in the order in which they are asked whether they know a file.
+pub const FORMATS: &[Format] = &[logs::FORMAT, CONTACTS, measurements::FORMAT];
+
+/// Contacts of a probe: recognised here, read by their own file.
+const CONTACTS: Format = Format {
+    name: "contacts",
+    endings: &["csv", "txt"],
+    description: "contacts of one circle: x, y and perhaps z",
+    description_id: "exchange-format-contacts",
+    recognises: |source| columns::are_contacts(&source.head()),
+    read: read_contacts,
+};
+
+impl Format {
+    /// Whether the file seems to be of this format, by its first 64 KiB and its name.
+    pub fn recognises(&self, bytes: &[u8], file_name: &str) -> bool {
+        let tables = Tables::default();
+        (self.recognises)(&Source {
+            file: file_name.into(),
+            bytes,
+            tables: &tables,
+            now: DateTime::constant(1, 1, 1, 0, 0, 0, 0),
+        })
+    }
+}
+
+impl Say for Format {
+    fn message(&self) -> Message {
+        Message::new(self.description_id)
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.description)
+    }
+}
+
+/// A file and what is needed to judge what it holds.
+struct Source<'a> {
+    /// The file's name without its folder.
+    file: Arc<str>,
+    bytes: &'a [u8],
+    tables: &'a Tables,
+    now: DateTime,
+}
+
+/// As much of a file as is looked at to recognise it.
+const HEAD: usize = 64 << 10;
+
+impl Source<'_> {
+    /// The text of the whole file: UTF-16 with a byte order mark, UTF-8, else Windows-1252.
+    fn text(&self) -> Cow<'_, str> {
+        decode(self.bytes)
+    }
+
+    /// The text of the file's beginning, in whole lines.
+    fn head(&self) -> Cow<'_, str> {
+        let Some(head) = self.bytes.get(..HEAD) else { return decode(self.bytes) };
+        let end = head.iter().rposition(|&byte| byte == b'\n').map_or(HEAD, |end| end + 1);
+        decode(head.get(..end).unwrap_or(head))
+    }
+}
+
+fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    match encoding_rs::Encoding::for_bom(bytes) {
+        // Spreadsheets save "Unicode text" so.
+        Some((encoding, _)) if encoding != encoding_rs::UTF_8 => encoding.decode(bytes).0,
+        _ => text::decode(bytes),
+    }
+}
+
+/// Reads measurements from a file of any known format and judges them.
+///
+/// Good rows become records; what cannot be used becomes a problem with its line, and what cannot be judged is kept
+/// aside: `rows` is the sum of the three, so nothing is dropped. `now` is the time of records whose file tells none.
+///
+/// ```
+/// use fitcheck::control::shipped_tables;
+///
+/// let csv = b"id;callout;measured\nbore 1;25 H7;25,0l2\n";
+/// let now = jiff::civil::date(2024, 3, 14).at(8, 5, 9, 0);
+/// let imported = fitcheck::exchange::import("bores.csv", csv, &shipped_tables(), now);
+/// let problem = imported.problems.first().map(ToString::to_string);
+/// assert_eq!(problem.as_deref(), Some("line 2, column 3: measured: 25,0l2 is not a number"));
+/// ```
+pub fn import(file_name: &str, bytes: &[u8], tables: &Tables, now: DateTime) -> Imported {
+    let source = Source { file: file_name.into(), bytes, tables, now };
+    if source.head().trim().is_empty() && bytes.len() <= HEAD {
+        return Imported::failed(Reason::Empty);
+    }
+    match FORMATS.iter().find(|format| (format.recognises)(&source)) {
+        Some(format) => (format.read)(&source),
+        None => Imported::failed(Reason::NotRecognised),
+    }
+}
+
+// The one place where contacts are read, once `exchange::contacts` is here.
+fn read_contacts(_source: &Source<'_>) -> Imported {
+    Imported::failed(Reason::NotRecognised)
+}
+
+#[cfg(test)]
+mod tests;

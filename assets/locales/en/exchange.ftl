@@ -1,1 +1,39 @@
 # exchange
+
+# Measurements from files
+exchange-format-logs = HEIDENHAIN measuring logs of cycles 421, 422 and 427
+exchange-format-contacts = contacts of one circle: x, y and perhaps z
+exchange-format-measurements = measurements as CSV: id, callout, measured
+exchange-at-line = line { $line }: { $reason }
+exchange-at-column = line { $line }, column { $column }: { $reason }
+exchange-empty = the file is empty
+exchange-not-recognised = not a file of a known format
+exchange-no-rows = there is no row with a measurement
+exchange-no-measured-column = no column of measured values: name it in the first line, such as id;callout;measured
+exchange-several-columns = columns { $columns } may each be { $role }: name them in the first line, such as id;callout;measured
+exchange-role-id = the name
+exchange-role-tolerance = the callout
+exchange-role-nominal = the nominal size
+exchange-role-measured = the measured value
+exchange-role-time = the time
+exchange-unit = unit { $unit } is not known: use mm, µm or inch
+exchange-row-short = the row has { $found } cells where { $expected } are due
+exchange-row-long = the row has { $found } cells where { $expected } are due: is a separator used as decimal sign or in a text, too?
+exchange-open-quote = a quotation mark is not closed on this line
+exchange-callout = callout: { $reason }
+exchange-nominal = nominal size: { $reason }
+exchange-nominal-differs = callout { $callout } does not have the nominal size { $nominal } of its own column
+exchange-limits = { $reason }
+exchange-measured = measured: { $reason }
+exchange-decimal-sign = measured: { $given } has another decimal sign than the other values, { $sign }
+exchange-not-positive = measured: a diameter of { $given } is not above 0
+exchange-decimal-comma = { $joined } may be one number with a decimal comma: use a decimal point or another separator
+exchange-too-many-rows = only the first { $most } rows were read: split the file
+exchange-no-callout = not judged: there is no callout
+exchange-no-limits = not judged: the log's limits of size are 0, so the diameter was not monitored
+exchange-coordinate = a coordinate of cycle 427, not a hole or shaft
+exchange-only-contacts = not judged: { $count } contacts without a callout
+exchange-ignored-columns = columns not used: { $columns }
+exchange-not-used = not a measurement and not used: { $text }
+exchange-comment = a line that begins with # is a comment, but this one holds a measurement
+exchange-time = { $given } is not a date and time: time of import used

@@ -1,1 +1,39 @@
 # exchange
+
+# Metingen uit bestanden
+exchange-format-logs = HEIDENHAIN-meetprotocollen van cyclus 421, 422 en 427
+exchange-format-contacts = tastpunten van één cirkel: x, y en eventueel z
+exchange-format-measurements = metingen als CSV: naam, passing, gemeten
+exchange-at-line = regel { $line }: { $reason }
+exchange-at-column = regel { $line }, kolom { $column }: { $reason }
+exchange-empty = het bestand is leeg
+exchange-not-recognised = geen bestand van een bekend formaat
+exchange-no-rows = er staat geen regel met een meting in
+exchange-no-measured-column = geen kolom met gemeten waarden: noem die in de eerste regel, bijvoorbeeld id;passing;gemeten
+exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: benoem ze in de eerste regel, bijvoorbeeld id;passing;gemeten
+exchange-role-id = de naam
+exchange-role-tolerance = de passing
+exchange-role-nominal = de nominale maat
+exchange-role-measured = de gemeten waarde
+exchange-role-time = de tijd
+exchange-unit = eenheid { $unit } is onbekend: gebruik mm, µm of inch
+exchange-row-short = de regel heeft { $found } cellen, het moeten er { $expected } zijn
+exchange-row-long = de regel heeft { $found } cellen, het moeten er { $expected } zijn: staat een scheidingsteken ook als decimaalteken of in een tekst?
+exchange-open-quote = een aanhalingsteken wordt op deze regel niet gesloten
+exchange-callout = passing: { $reason }
+exchange-nominal = nominale maat: { $reason }
+exchange-nominal-differs = passing { $callout } heeft niet de nominale maat { $nominal } uit de eigen kolom
+exchange-limits = { $reason }
+exchange-measured = gemeten: { $reason }
+exchange-decimal-sign = gemeten: { $given } heeft een ander decimaalteken dan de andere waarden, { $sign }
+exchange-not-positive = gemeten: een diameter van { $given } is niet groter dan 0
+exchange-decimal-comma = { $joined } is misschien één getal met een decimale komma: gebruik een decimale punt of een ander scheidingsteken
+exchange-too-many-rows = alleen de eerste { $most } regels zijn gelezen: splits het bestand
+exchange-no-callout = niet beoordeeld: er is geen passing
+exchange-no-limits = niet beoordeeld: de grensmaten in het protocol zijn 0, de diameter is dus niet bewaakt
+exchange-coordinate = een coördinaat van cyclus 427, geen gat of as
+exchange-only-contacts = niet beoordeeld: { $count } tastpunten zonder passing
+exchange-ignored-columns = niet gebruikte kolommen: { $columns }
+exchange-not-used = geen meting en niet gebruikt: { $text }
+exchange-comment = een regel die met # begint is commentaar, maar hier staat een meting in
+exchange-time = { $given } is geen datum en tijd: tijd van import gebruikt

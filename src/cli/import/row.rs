@@ -1,0 +1,204 @@
+//! A row of what `fitcheck import` prints: a record, a measurement that makes none, or a problem.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use crate::exchange::{Imported, Problem, Unjudged, WhyUnjudged};
+use crate::journal::Record;
+use crate::length::{Length, Unit};
+use crate::tolerance::{Deviations, Source};
+use crate::verdict::{PositionVerdict, Status};
+
+/// The columns of the CSV and the names in JSON, in order. A stable contract.
+pub(super) const COLUMNS: [&str; 15] = [
+    "file",
+    "line",
+    "id",
+    "callout",
+    "nominal_mm",
+    "min_mm",
+    "max_mm",
+    "measured_mm",
+    "deviation_um",
+    "status",
+    "remove_um",
+    "position",
+    "source",
+    "warnings",
+    "error",
+];
+
+/// What is known of one row of a file.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Row {
+    pub(super) file: String,
+    /// `None` where the file could not be read.
+    pub(super) line: Option<usize>,
+    /// Where a problem is in its line.
+    pub(super) column: Option<usize>,
+    pub(super) id: String,
+    pub(super) callout: Option<String>,
+    pub(super) nominal: Option<Length>,
+    pub(super) minimum: Option<Length>,
+    pub(super) maximum: Option<Length>,
+    pub(super) measured: Option<Length>,
+    pub(super) deviation: Option<Length>,
+    /// The diameter's status.
+    pub(super) status: Option<Status>,
+    /// To the nearest limit.
+    pub(super) remove: Option<Length>,
+    pub(super) position: Option<PositionVerdict>,
+    pub(super) source: Option<String>,
+    pub(super) warnings: Vec<String>,
+    pub(super) error: Option<String>,
+}
+
+/// A cell of the CSV or a value in JSON.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Value<'a> {
+    Nothing,
+    Text(&'a str),
+    /// An exact decimal number.
+    Number(String),
+    Texts(&'a [String]),
+}
+
+/// Everything that came out of a file, in the order of its lines.
+pub(super) fn rows(path: &Path, imported: &Imported) -> Vec<Row> {
+    let file = path.display().to_string();
+    let mut warnings: BTreeMap<usize, Vec<String>> = BTreeMap::new();
+    for warning in &imported.warnings {
+        if let Some(row) = warning.row {
+            warnings.entry(row).or_default().push(warning.reason.to_string());
+        }
+    }
+    let records = imported.lines.iter().zip(&imported.records).map(|(&line, record)| Row::of(line, record));
+    let mut rows: Vec<Row> = records
+        .chain(imported.unjudged.iter().map(Row::of_unjudged))
+        .chain(imported.problems.iter().map(Row::of_problem))
+        .collect();
+    rows.sort_by_key(|row| row.line);
+    for row in &mut rows {
+        row.file.clone_from(&file);
+        let more = row.line.and_then(|line| warnings.remove(&line));
+        row.warnings.extend(more.into_iter().flatten());
+    }
+    rows
+}
+
+impl Row {
+    fn of(line: usize, record: &Record) -> Self {
+        let limits = &record.limits;
+        let size = record.verdict.size;
+        let mut warnings: Vec<String> = record.doubt.iter().map(ToString::to_string).collect();
+        if let Source::Table { instead_of: Some(shipped), .. } = &limits.source {
+            warnings.push(differs(*shipped));
+        }
+        Self {
+            line: Some(line),
+            id: record.id.clone(),
+            callout: record.callout.map(|callout| callout.to_string()),
+            nominal: Some(limits.nominal),
+            minimum: Some(limits.minimum()),
+            maximum: Some(limits.maximum()),
+            measured: Some(record.measurement.diameter),
+            deviation: Some(size.deviation),
+            status: Some(size.status),
+            remove: size.removal.map(|removal| removal.to_limit),
+            position: record.verdict.position,
+            source: Some(limits.source.to_string()),
+            warnings,
+            ..Self::default()
+        }
+    }
+
+    fn of_unjudged(unjudged: &Unjudged) -> Self {
+        let row = Self {
+            line: Some(unjudged.line),
+            id: unjudged.id.clone(),
+            measured: unjudged.measured,
+            position: unjudged.position,
+            ..Self::default()
+        };
+        match &unjudged.why {
+            WhyUnjudged::Coordinate(coordinate) => Self {
+                nominal: coordinate.nominal,
+                minimum: Some(coordinate.minimum),
+                maximum: Some(coordinate.maximum),
+                deviation: coordinate.nominal.and_then(|nominal| Some(unjudged.measured?.saturating_sub(nominal))),
+                status: Some(coordinate.status),
+                remove: coordinate.removal.map(|removal| removal.to_limit),
+                warnings: vec![unjudged.why.to_string()],
+                ..row
+            },
+            WhyUnjudged::NoLimits { nominal } => Self {
+                nominal: Some(*nominal),
+                deviation: unjudged.measured.map(|measured| measured.saturating_sub(*nominal)),
+                error: Some(unjudged.why.to_string()),
+                ..row
+            },
+            WhyUnjudged::NoCallout | WhyUnjudged::Contacts { .. } => {
+                Self { error: Some(unjudged.why.to_string()), ..row }
+            }
+        }
+    }
+
+    fn of_problem(problem: &Problem) -> Self {
+        Self {
+            line: Some(problem.line),
+            column: problem.column,
+            error: Some(problem.reason.to_string()),
+            ..Self::default()
+        }
+    }
+
+    /// A file that could not be read at all.
+    pub(super) fn of_file(path: &Path, error: String) -> Self {
+        Self { file: path.display().to_string(), error: Some(error), ..Self::default() }
+    }
+
+    /// The part's status: scrap, too, where its centre is out of position.
+    pub(super) fn part_status(&self) -> Option<Status> {
+        if self.position.is_some_and(|position| position.is_out()) { Some(Status::Scrap) } else { self.status }
+    }
+
+    /// `IN`, `OUT`, or nothing where the centre was not monitored.
+    pub(super) fn position_word(&self) -> Option<&'static str> {
+        let position = self.position.filter(PositionVerdict::is_monitored)?;
+        Some(if position.is_out() { "OUT" } else { "IN" })
+    }
+
+    /// The values in the order of [`COLUMNS`].
+    pub(super) fn values(&self) -> [Value<'_>; 15] {
+        let word = |word: Option<&'static str>| word.map_or(Value::Nothing, Value::Text);
+        let mm = |length: Option<Length>, decimals| {
+            length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Millimetre, decimals)))
+        };
+        let um = |length: Option<Length>| {
+            length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Micrometre, 0)))
+        };
+        [
+            Value::Text(&self.file),
+            self.line.map_or(Value::Nothing, |line| Value::Number(line.to_string())),
+            Value::Text(&self.id),
+            self.callout.as_deref().map_or(Value::Nothing, Value::Text),
+            mm(self.nominal, 0),
+            mm(self.minimum, 3),
+            mm(self.maximum, 3),
+            mm(self.measured, 3),
+            um(self.deviation),
+            word(self.status.map(Status::word)),
+            um(self.remove),
+            word(self.position_word()),
+            self.source.as_deref().map_or(Value::Nothing, Value::Text),
+            Value::Texts(&self.warnings),
+            self.error.as_deref().map_or(Value::Nothing, Value::Text),
+        ]
+    }
+}
+
+/// Limits of a user's own table that are not those of the standard.
+fn differs(shipped: Deviations) -> String {
+    let um = |length: Length| length.exact(Unit::Micrometre, 0);
+    format!("the built-in table has {} / {} µm here", um(shipped.upper()), um(shipped.lower()))
+}

@@ -1,0 +1,345 @@
+//! A log's lines as header, sections and pairs of label and number.
+//!
+//! Labels are never understood, only told apart from numbers: they follow the control's dialogue language.
+
+use jiff::civil::{Date, Time};
+
+use super::error::{LogError, LogReason, LogWarning};
+use crate::control::text;
+use crate::length::Unit;
+
+/// The measuring cycles whose number marks a title line.
+const CYCLES: std::ops::RangeInclusive<u16> = 420..=431;
+
+/// The first line of a log.
+#[derive(Debug)]
+pub(super) struct Title<'a> {
+    pub(super) line: usize,
+    pub(super) cycle: u16,
+    pub(super) text: &'a str,
+}
+
+/// The lines of one log.
+#[derive(Debug)]
+pub(super) struct Chunk<'a> {
+    pub(super) title: Option<Title<'a>>,
+    /// Lines that are not blank, behind the title.
+    lines: Vec<(usize, &'a str)>,
+    /// How many of them hold a figure behind a label.
+    figures: usize,
+    /// The line that the file ends in, where it ends without a line end.
+    unfinished: Option<usize>,
+}
+
+/// A figure, or another text, and its label.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pair<'a> {
+    pub(super) line: usize,
+    /// Column of the value in characters, from 1.
+    pub(super) column: usize,
+    pub(super) label: &'a str,
+    pub(super) given: &'a str,
+}
+
+/// Pairs under a heading; the first one is headed by the title.
+#[derive(Debug)]
+pub(super) struct Section<'a> {
+    pub(super) line: usize,
+    pub(super) pairs: Vec<Pair<'a>>,
+}
+
+/// What the header tells.
+#[derive(Debug, Default)]
+pub(super) struct Header {
+    pub(super) date: Option<Date>,
+    pub(super) time: Option<Time>,
+    pub(super) program: Option<String>,
+    pub(super) unit: Option<Unit>,
+}
+
+/// One line.
+enum Line<'a> {
+    Title(u16),
+    Label { label: &'a str, value: &'a str },
+    Value,
+    Text,
+}
+
+/// The logs of a text: each begins at a title, or where a second date tells that a title is lost.
+pub(super) fn chunks(text: &str) -> Vec<Chunk<'_>> {
+    let unfinished = !text.ends_with(['\n', '\r', '\0']);
+    let mut chunks = vec![Chunk { title: None, lines: Vec::new(), figures: 0, unfinished: None }];
+    let mut last = 0;
+    // Whether the line before is a label that waits for its value.
+    let mut waits = false;
+    for (number, line) in text::lines(text) {
+        last = number;
+        let line = line.trim_end();
+        if line.trim_start().is_empty() {
+            continue;
+        }
+        let kind = classify(line.trim_start());
+        let value = match kind {
+            Line::Label { value, .. } => value,
+            Line::Value if waits => line.trim_start(),
+            Line::Value | Line::Title(_) | Line::Text => "",
+        };
+        waits = matches!(kind, Line::Label { value: "", .. });
+        let title = match kind {
+            Line::Title(cycle) => Some(Title { line: number, cycle, text: line.trim_start() }),
+            _ => None,
+        };
+        // A date behind the nominal values: the title between two logs is damaged.
+        let lost = date(value).is_some() && chunks.last().is_some_and(|chunk| 3 <= chunk.figures);
+        let is_title = title.is_some();
+        if is_title || lost {
+            chunks.push(Chunk { title, lines: Vec::new(), figures: 0, unfinished: None });
+        }
+        if let Some(chunk) = chunks.last_mut()
+            && !is_title
+        {
+            chunk.figures += usize::from(is_number(value));
+            chunk.lines.push((number, line));
+        }
+    }
+    if unfinished && let Some(chunk) = chunks.last_mut() {
+        chunk.unfinished = Some(last);
+    }
+    chunks.retain(|chunk| chunk.title.is_some() || !chunk.lines.is_empty());
+    chunks
+}
+
+impl<'a> Chunk<'a> {
+    /// Whether there are labels with figures: more than a line or two by chance.
+    pub(super) const fn has_figures(&self) -> bool {
+        3 <= self.figures
+    }
+
+    pub(super) fn first_line(&self) -> Option<usize> {
+        self.lines.first().map(|&(line, _)| line)
+    }
+
+    /// The last line that is not blank, or that of the title.
+    pub(super) fn last_line(&self) -> usize {
+        let title = self.title.as_ref().map_or(1, |title| title.line);
+        self.lines.last().map_or(title, |&(line, _)| line)
+    }
+
+    /// Whether the file ends within this line.
+    pub(super) fn ends_within(&self, line: usize) -> bool {
+        self.unfinished == Some(line)
+    }
+
+    /// Labels with their values, on the same or a following line. A label without one is a heading.
+    pub(super) fn sections(&self, warnings: &mut Vec<LogWarning>) -> Result<Vec<Section<'a>>, LogError> {
+        let title = self.title.as_ref().map_or(1, |title| title.line);
+        let mut sections = vec![Section { line: title, pairs: Vec::new() }];
+        let mut open: Option<(usize, &str)> = None;
+        for &(line, text) in &self.lines {
+            let bare = text.trim_start();
+            let column = |value: &str| text.chars().count().saturating_sub(value.chars().count()) + 1;
+            let pair = match classify(bare) {
+                Line::Label { label, value } => {
+                    if let Some((line, _heading)) = open.take() {
+                        sections.push(Section { line, pairs: Vec::new() });
+                    }
+                    if value.is_empty() {
+                        open = Some((line, label));
+                        continue;
+                    }
+                    Pair { line, column: column(value), label, given: value }
+                }
+                Line::Value => {
+                    let Some((_, label)) = open.take() else {
+                        return Err(LogReason::NoLabel { given: bare.to_owned() }.at(line));
+                    };
+                    Pair { line, column: column(bare), label, given: bare }
+                }
+                Line::Title(_) | Line::Text => {
+                    if bare.contains(|c: char| c.is_ascii_digit()) {
+                        warnings.push(LogWarning::Ignored { line, text: bare.to_owned() });
+                    }
+                    open = None;
+                    sections.push(Section { line, pairs: Vec::new() });
+                    continue;
+                }
+            };
+            if let Some(section) = sections.last_mut() {
+                section.pairs.push(pair);
+            }
+        }
+        Ok(sections)
+    }
+}
+
+/// Takes date, time, program and unit out of the sections; nothing else of the first section is needed where
+/// another one has pairs.
+pub(super) fn take_header(sections: &mut [Section<'_>], warnings: &mut Vec<LogWarning>) -> Result<Header, LogError> {
+    let mut header = Header::default();
+    let mut wrong = None;
+    for section in sections.iter_mut() {
+        section.pairs.retain(|pair| match header.take(pair, warnings) {
+            Ok(taken) => !taken,
+            Err(error) => {
+                wrong.get_or_insert(error);
+                true
+            }
+        });
+    }
+    if let Some(error) = wrong {
+        return Err(error);
+    }
+    if let Some((first, others)) = sections.split_first_mut()
+        && others.iter().any(|section| !section.pairs.is_empty())
+    {
+        for pair in first.pairs.drain(..) {
+            warnings.push(LogWarning::Ignored { line: pair.line, text: format!("{}: {}", pair.label, pair.given) });
+        }
+    }
+    Ok(header)
+}
+
+impl Header {
+    /// Whether the pair belongs to the header. What comes twice or cannot be a day or time is a warning.
+    fn take(&mut self, pair: &Pair<'_>, warnings: &mut Vec<LogWarning>) -> Result<bool, LogError> {
+        let mut odd = || {
+            warnings.push(LogWarning::Ignored { line: pair.line, text: format!("{}: {}", pair.label, pair.given) });
+        };
+        if is_unit_label(pair.label) {
+            let unit = match pair.given {
+                "0" => Unit::Millimetre,
+                "1" => Unit::Inch,
+                given => {
+                    let reason = LogReason::Unit { given: given.to_owned() };
+                    return Err(LogError { line: pair.line, column: Some(pair.column), reason });
+                }
+            };
+            if self.unit.replace(unit).is_some_and(|before| before != unit) {
+                let reason = LogReason::Unit { given: pair.given.to_owned() };
+                return Err(LogError { line: pair.line, column: Some(pair.column), reason });
+            }
+        } else if let Some(date) = date(pair.given) {
+            match date {
+                Some(date) if self.date.is_none() => self.date = Some(date),
+                _ => odd(),
+            }
+        } else if let Some(time) = time(pair.given) {
+            match time {
+                Some(time) if self.time.is_none() => self.time = Some(time),
+                _ => odd(),
+            }
+        } else if is_program(pair.given) {
+            if self.program.is_none() {
+                self.program = Some(pair.given.to_owned());
+            } else {
+                odd();
+            }
+        } else {
+            return Ok(false);
+        }
+        Ok(true)
+    }
+}
+
+fn classify(line: &str) -> Line<'_> {
+    let begins_with_digit = line.trim_start_matches(['+', '-', '\u{2212}']).starts_with(|c: char| c.is_ascii_digit());
+    if begins_with_digit && (time(line).is_some() || !line.contains(':')) || is_path(line) {
+        return Line::Value;
+    }
+    if let Some((label, value)) = line.split_once(':') {
+        return Line::Label { label: label.trim_end(), value: value.trim() };
+    }
+    title_cycle(line).map_or(Line::Text, Line::Title)
+}
+
+/// The number of a measuring cycle in a line of words without `:`.
+fn title_cycle(line: &str) -> Option<u16> {
+    // A row of a table is no title.
+    if line.contains([':', ';', '|', '\t']) || !line.contains(char::is_alphabetic) {
+        return None;
+    }
+    // A point or an underscore would make it a number such as 425.0000 or a file's name; other letters than ASCII's may
+    // stand beside it, as some languages have no blanks.
+    line.split(|c: char| !(c.is_ascii_alphanumeric() || ".,_\\".contains(c)))
+        .filter(|word| word.len() == 3)
+        .filter_map(|word| word.parse().ok())
+        .find(|cycle| CYCLES.contains(cycle))
+}
+
+/// `Type of dimension (0 = MM / 1 = INCH)` in any language.
+fn is_unit_label(label: &str) -> bool {
+    label.contains("(0 =") || label.contains("(0=")
+}
+
+/// A path that stands alone: `TNC:\PART.H`.
+fn is_path(line: &str) -> bool {
+    line.split_once(":\\")
+        .is_some_and(|(drive, _)| !drive.is_empty() && drive.bytes().all(|b| b.is_ascii_alphanumeric()))
+}
+
+fn is_program(value: &str) -> bool {
+    let lower = value.to_ascii_lowercase();
+    value.contains(":\\") || lower.ends_with(".h") || lower.ends_with(".i")
+}
+
+fn is_number(value: &str) -> bool {
+    crate::length::Length::parse_in(value, Unit::Millimetre).is_ok()
+}
+
+/// Three numbers with the same sign between them; the inner value is `None` where they are no day.
+fn date(value: &str) -> Option<Option<Date>> {
+    ['-', '.', '/'].into_iter().find_map(|sign| {
+        let [day, month, year] = three(value, sign)?;
+        let day = day.parse().ok().zip(month.parse().ok()).zip(year.parse().ok().filter(|year| 1000 <= *year));
+        Some(day.and_then(|((day, month), year)| Date::new(year, month, day).ok()))
+    })
+}
+
+/// Hours, minutes and seconds; the inner value is `None` where they are no time.
+fn time(value: &str) -> Option<Option<Time>> {
+    let [hour, minute, second] = three(value, ':')?;
+    let time = hour.parse().ok().zip(minute.parse().ok()).zip(second.parse().ok());
+    Some(time.and_then(|((hour, minute), second)| Time::new(hour, minute, second, 0).ok()))
+}
+
+fn three(value: &str, sign: char) -> Option<[&str; 3]> {
+    let mut parts = value.split(sign);
+    let three = [parts.next()?, parts.next()?, parts.next()?];
+    let sound = |part: &&str| !part.is_empty() && part.len() <= 4 && part.bytes().all(|byte| byte.is_ascii_digit());
+    (parts.next().is_none() && three.iter().all(sound)).then_some(three)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn titles_are_told_by_the_number_of_a_cycle() {
+        for (line, cycle) in [
+            ("Measuring log for touch probe cycle 421 Hole measuring", Some(421)),
+            ("Messzyklus-427", Some(427)),
+            ("测头循环422测量", Some(422)),
+            ("Measuring log for cycle 419", None),
+            ("Measuring log end", None),
+            ("421.0000", None),
+            ("TCHPR421.TXT", None),
+            ("bore 421;25 H7;25.012", None),
+            ("Diameter of 421: 25", None),
+        ] {
+            assert_eq!(title_cycle(line), cycle, "{line}");
+        }
+    }
+
+    #[test]
+    fn days_and_times_are_told_from_numbers() {
+        assert_eq!(date("30-06-2005"), Some(Date::new(2005, 6, 30).ok()));
+        assert_eq!(date("1.2.2024"), Some(Date::new(2024, 2, 1).ok()));
+        assert_eq!(date("14/03/2024"), Some(Date::new(2024, 3, 14).ok()));
+        assert_eq!(date("31-02-2024"), Some(None));
+        assert_eq!(date("25.0134"), None);
+        assert_eq!(date("-22.5000"), None);
+        assert_eq!(time("6:55:04"), Some(Time::new(6, 55, 4, 0).ok()));
+        assert_eq!(time("25:00:00"), Some(None));
+        assert_eq!(time("6:55"), None);
+    }
+}

@@ -1,0 +1,135 @@
+//! Measuring logs `TCHPR421.TXT`, `TCHPR422.TXT` and `TCHPR427.TXT`.
+//!
+//! | file | what |
+//! |---|---|
+//! | `lines` | a log's lines as header, sections and pairs of label and number |
+//! | `values` | the pairs as nominal values, limits, actual values and deviations, and whether they agree |
+//! | `error` | what is wrong or odd with a log |
+//!
+//! The words of a log follow the control's dialogue language, so a log is read by order and numbers alone. A log holds no
+//! status and no tolerance class: the verdict is computed elsewhere from its limits and actual values.
+
+mod error;
+mod lines;
+mod values;
+
+use jiff::civil::{Date, DateTime, Time};
+
+pub use error::{LogError, LogReason, LogWarning, Section};
+pub use values::{Circle, Coordinate, LimitPair, Place, Values};
+
+use super::text;
+use crate::length::Unit;
+use lines::Chunk;
+
+/// One measuring log.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Log {
+    /// The line of the title, from 1.
+    pub line: usize,
+    /// The measuring cycle: 421, 422 or 427.
+    pub cycle: u16,
+    /// The title as the control wrote it.
+    pub title: String,
+    /// Day of the measurement.
+    pub date: Option<Date>,
+    /// Time of the measurement.
+    pub time: Option<Time>,
+    /// Path of the NC program on the control.
+    pub program: Option<String>,
+    /// What the figures were written in; all lengths here are converted exactly.
+    pub unit: Unit,
+    /// The figures.
+    pub values: Values,
+    /// Further results, such as the measuring height, as they were written.
+    pub further: Vec<Further>,
+    /// What was odd but readable.
+    pub warnings: Vec<LogWarning>,
+}
+
+/// A further result.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Further {
+    /// Its name in the control's dialogue language.
+    pub label: String,
+    /// What was written behind it.
+    pub value: String,
+}
+
+impl Log {
+    /// When it was measured, where the log tells both day and time.
+    pub fn date_time(&self) -> Option<DateTime> {
+        Some(self.date?.to_datetime(self.time?))
+    }
+}
+
+/// Reads every log of a file: one answer a log, so that a broken one does not take the others with it.
+///
+/// A file without any log answers one error.
+///
+/// ```
+/// let bytes = std::fs::read("tests/data/samples/logs/en/TCHPR421.TXT")?;
+/// let logs = fitcheck::control::log::read(&bytes);
+/// let log = logs.first().and_then(|log| log.as_ref().ok());
+/// assert_eq!(log.map(|log| log.cycle), Some(421));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn read(bytes: &[u8]) -> Vec<Result<Log, LogError>> {
+    let text = text::decode(bytes);
+    let mut logs = Vec::new();
+    let mut before = Vec::new();
+    for chunk in lines::chunks(&text) {
+        if chunk.title.is_none() && !chunk.has_figures() {
+            // Whatever was written above the first title.
+            before.extend(chunk.first_line().map(|line| LogWarning::TextBefore { line }));
+            continue;
+        }
+        logs.push(read_one(&chunk).map(|mut log| {
+            log.warnings.splice(0..0, before.drain(..));
+            log
+        }));
+    }
+    if logs.is_empty() {
+        let reason = if text.trim().is_empty() { LogReason::Empty } else { LogReason::NoLog };
+        logs.push(Err(reason.at(1)));
+    }
+    logs
+}
+
+/// Whether a text looks like a measuring log: a title, and labels with figures behind them.
+pub fn is_log(text: &str) -> bool {
+    lines::chunks(text).iter().any(|chunk| chunk.title.is_some() && chunk.has_figures())
+}
+
+fn read_one(chunk: &Chunk<'_>) -> Result<Log, LogError> {
+    let Some(title) = &chunk.title else {
+        return Err(LogReason::NoTitle.at(chunk.first_line().unwrap_or(1)));
+    };
+    let mut warnings = Vec::new();
+    let mut sections = chunk.sections(&mut warnings)?;
+    let header = lines::take_header(&mut sections, &mut warnings)?;
+    let unit = header.unit.unwrap_or_else(|| {
+        warnings.push(LogWarning::NoUnit { line: title.line });
+        Unit::Millimetre
+    });
+    if header.date.is_none() || header.time.is_none() {
+        warnings.push(LogWarning::NoTime { line: title.line });
+    }
+    let body = values::Body::new(chunk, sections, unit);
+    let (values, further) = body.read(title, &mut warnings)?;
+    Ok(Log {
+        line: title.line,
+        cycle: title.cycle,
+        title: title.text.to_owned(),
+        date: header.date,
+        time: header.time,
+        program: header.program,
+        unit,
+        values,
+        further,
+        warnings,
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,341 @@
+//! Which column of a CSV is which: by the words of its header in English, Dutch, German or Italian, else by content.
+//!
+//! What could be read in two ways is refused. `words` holds the words.
+
+use csv::StringRecord;
+
+use super::delimited::{Item, Rows, SEPARATORS};
+use super::imported::{Reason, Role};
+use super::words::{self, Rank};
+use crate::length::{Length, Unit};
+use crate::tolerance::{Callout, ToleranceClass};
+
+/// How many rows are looked at to find out what a file is.
+const SAMPLE: usize = 200;
+
+/// How many lines may stand above a header.
+const ABOVE_HEADER: usize = 20;
+
+/// A column with lengths.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct LengthColumn {
+    pub(super) at: usize,
+    pub(super) unit: Unit,
+}
+
+/// What the columns of a file are.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Columns {
+    pub(super) id: Option<usize>,
+    pub(super) tolerance: Option<usize>,
+    pub(super) nominal: Option<LengthColumn>,
+    pub(super) measured: LengthColumn,
+    /// A column with date and time, or one for each.
+    pub(super) time: Vec<usize>,
+    /// How many cells a row has.
+    pub(super) count: usize,
+    /// The line of the header; `None` where there is none.
+    pub(super) header: Option<usize>,
+    /// Whether the columns were found by their names.
+    pub(super) names_known: bool,
+    /// Names of the columns that are not used.
+    pub(super) ignored: Vec<String>,
+    /// The decimal sign of the measured values, where any has one.
+    pub(super) decimal_sign: Option<char>,
+    /// Whether the cells behind measured values with a decimal sign are whole numbers of their own.
+    pub(super) whole_numbers_behind: bool,
+}
+
+/// The first rows of a text, split at one separator.
+pub(super) struct Sample {
+    pub(super) separator: u8,
+    rows: Vec<(usize, StringRecord)>,
+    header: Option<usize>,
+}
+
+impl Sample {
+    /// The separator under which the first rows make the most sense.
+    pub(super) fn of(text: &str, first_line: usize, separator: Option<u8>) -> Self {
+        let tried: &[u8] = separator.as_ref().map_or(&SEPARATORS, std::slice::from_ref);
+        let samples = tried.iter().map(|&separator| Self::split(text, first_line, separator));
+        // The first of equals: the separators are in the order of their trust.
+        let best = samples.reduce(|best, other| if best.sense() < other.sense() { other } else { best });
+        best.unwrap_or(Self { separator: b';', rows: Vec::new(), header: None })
+    }
+
+    fn split(text: &str, first_line: usize, separator: u8) -> Self {
+        let rows = Rows::new(text, first_line, separator).filter_map(|item| match item {
+            Item::Row { line, cells } if !is_blank(&cells) && !is_comment(&cells) => Some((line, cells)),
+            Item::Row { .. } | Item::OpenQuote { .. } => None,
+        });
+        let rows: Vec<_> = rows.take(SAMPLE).collect();
+        let header = header(&rows);
+        Self { separator, rows, header }
+    }
+
+    /// How many columns the header names, how many rows hold a callout and a number, and how many rows have cells.
+    fn sense(&self) -> (usize, usize, usize) {
+        let named = self.header.and_then(|at| self.rows.get(at)).map_or(0, |(_, cells)| named(cells));
+        let data = self.rows.iter().filter(|(_, cells)| is_data(cells)).count();
+        let split = self.rows.iter().filter(|(_, cells)| 1 < cells.len()).count();
+        (named, data, split)
+    }
+
+    /// What the columns are.
+    ///
+    /// # Errors
+    /// A reason that is about the whole file.
+    pub(super) fn columns(&self) -> Result<Columns, Reason> {
+        if self.rows.is_empty() {
+            return Err(Reason::NoRows);
+        }
+        let mut columns = match self.header.and_then(|at| self.rows.get(at)) {
+            Some((line, cells)) => self.by_header(*line, cells)?,
+            None => {
+                let mut columns = self.by_content()?;
+                columns.header = self.above().checked_sub(1).and_then(|at| self.rows.get(at)).map(|(line, _)| *line);
+                columns
+            }
+        };
+        columns.decimal_sign = self.decimal_sign(columns.measured.at);
+        columns.whole_numbers_behind = self.whole_numbers_behind(columns.measured.at);
+        Ok(columns)
+    }
+
+    /// How many rows stand above the measurements.
+    fn above(&self) -> usize {
+        // Names that are not known are no measurement, either.
+        let unknown = self.rows.first().is_some_and(|(_, cells)| may_be_names(cells));
+        self.header.map_or(usize::from(unknown), |header| header + 1)
+    }
+
+    /// The cells of a column below the header.
+    fn cells(&self, at: usize) -> impl Iterator<Item = &str> {
+        let data = self.rows.iter().skip(self.above());
+        data.filter_map(move |(_, cells)| cells.get(at)).map(str::trim).filter(|cell| !cell.is_empty())
+    }
+
+    /// Whether more than half of a column's cells are of a kind.
+    fn mostly(&self, at: usize, kind: fn(&str) -> bool) -> bool {
+        let (are, all) = self.cells(at).fold((0, 0), |(are, all), cell| (are + usize::from(kind(cell)), all + 1));
+        all < are * 2
+    }
+
+    fn by_header(&self, line: usize, header: &StringRecord) -> Result<Columns, Reason> {
+        let roles: Vec<_> = header.iter().map(words::role).collect();
+        let best = |role: Role, ranks: &[Rank]| -> Result<Option<usize>, Reason> {
+            for rank in ranks {
+                let found: Vec<usize> =
+                    (0..).zip(&roles).filter(|(_, r)| **r == Some((role, *rank))).map(|(at, _)| at).collect();
+                match found.as_slice() {
+                    [] => {}
+                    // Any of several names will do.
+                    [at, ..] if found.len() == 1 || role == Role::Id => return Ok(Some(*at)),
+                    _ => return Err(several(role, header, &found)),
+                }
+            }
+            Ok(None)
+        };
+        let sure = [Rank::Exact, Rank::Contained];
+        let measured = best(Role::Measured, &sure)?;
+        // "diameter" is the measured value where no other column is, else it may be the nominal size.
+        let measured_at = match measured {
+            Some(at) => at,
+            None => best(Role::Measured, &[Rank::Weak])?.ok_or(Reason::NoMeasuredColumn)?,
+        };
+        let tolerance = best(Role::Tolerance, &[Rank::Exact, Rank::Contained, Rank::Weak])?;
+        let has_class = tolerance.is_some_and(|at| self.mostly(at, is_class));
+        let mut nominal = best(Role::Nominal, &sure)?;
+        if nominal.is_none() && has_class && measured.is_some() {
+            nominal = best(Role::Measured, &[Rank::Weak])?;
+        }
+        let time: Vec<usize> =
+            (0..).zip(&roles).filter(|(_, r)| matches!(r, Some((Role::Time, _)))).map(|(at, _)| at).take(2).collect();
+        let id = best(Role::Id, &sure)?;
+        let column = |at: usize| -> Result<LengthColumn, Reason> {
+            let unit = words::unit(header.get(at).unwrap_or_default()).map_err(|unit| Reason::Unit { unit })?;
+            Ok(LengthColumn { at, unit: unit.unwrap_or(Unit::Millimetre) })
+        };
+        let used: Vec<usize> =
+            [id, tolerance, nominal, Some(measured_at)].into_iter().flatten().chain(time.iter().copied()).collect();
+        let ignored = (0..).zip(header).filter(|(at, name)| !used.contains(at) && !name.trim().is_empty());
+        Ok(Columns {
+            id,
+            tolerance,
+            nominal: nominal.map(column).transpose()?,
+            measured: column(measured_at)?,
+            time,
+            count: header.len(),
+            header: Some(line),
+            names_known: true,
+            ignored: ignored.map(|(at, name)| name_of(at, name)).collect(),
+            decimal_sign: None,
+            whole_numbers_behind: false,
+        })
+    }
+
+    /// Without a header: the column of callouts, or of classes with the nominal sizes before them, and the only
+    /// column of numbers behind it, or the only one at all.
+    fn by_content(&self) -> Result<Columns, Reason> {
+        let width = self.rows.iter().map(|(_, cells)| cells.len()).max().unwrap_or_default();
+        // What most rows have; a longer row is told as one.
+        let count = (1..=width)
+            .max_by_key(|&n| self.rows.iter().filter(|(_, cells)| cells.len() == n).count())
+            .unwrap_or(width);
+        let all = |kind: fn(&str) -> bool| -> Vec<usize> { (0..count).filter(|&at| self.mostly(at, kind)).collect() };
+        let no_header = StringRecord::new();
+        let callout = match all(is_callout).as_slice() {
+            [] => None,
+            [at] => Some(*at),
+            several_are => return Err(several(Role::Tolerance, &no_header, several_are)),
+        };
+        let numbers = all(is_number);
+        let class =
+            all(is_class).into_iter().find(|&at| at.checked_sub(1).is_some_and(|before| numbers.contains(&before)));
+        let (tolerance, nominal) = match (callout, class) {
+            (Some(at), _) => (Some(at), None),
+            (None, Some(at)) => (Some(at), at.checked_sub(1)),
+            (None, None) => (None, None),
+        };
+        let free: Vec<usize> = numbers.into_iter().filter(|at| Some(*at) != nominal).collect();
+        let behind: Vec<usize> =
+            free.iter().copied().filter(|at| tolerance.is_some_and(|before| before < *at)).collect();
+        let measured = match (behind.as_slice(), free.as_slice()) {
+            ([at], _) | ([], [at]) => *at,
+            ([], []) => return Err(Reason::NoMeasuredColumn),
+            ([], several_are) | (several_are, _) => return Err(several(Role::Measured, &no_header, several_are)),
+        };
+        let first = [tolerance, nominal, Some(measured)].into_iter().flatten().min().unwrap_or_default();
+        let id = (0..first).next();
+        let used = [id, tolerance, nominal, Some(measured)];
+        Ok(Columns {
+            id,
+            tolerance,
+            nominal: nominal.map(|at| LengthColumn { at, unit: Unit::Millimetre }),
+            measured: LengthColumn { at: measured, unit: Unit::Millimetre },
+            time: Vec::new(),
+            count,
+            header: None,
+            names_known: false,
+            ignored: (0..count).filter(|at| !used.contains(&Some(*at))).map(|at| name_of(at, "")).collect(),
+            decimal_sign: None,
+            whole_numbers_behind: false,
+        })
+    }
+
+    fn whole_numbers_behind(&self, at: usize) -> bool {
+        let data = self.rows.iter().skip(self.above());
+        let with_sign = data.filter(|(_, cells)| cells.get(at).is_some_and(|cell| cell.contains('.')));
+        let (whole, all) = with_sign.fold((0, 0), |(whole, all), (_, cells)| {
+            (whole + usize::from(cells.get(at + 1).is_some_and(is_whole)), all + 1)
+        });
+        all < whole * 2
+    }
+
+    /// The decimal sign that most values of a column have; of equals, that of the first.
+    fn decimal_sign(&self, at: usize) -> Option<char> {
+        let signs = || {
+            self.cells(at).filter_map(|cell| match (cell.contains('.'), cell.contains(',')) {
+                (true, false) => Some('.'),
+                (false, true) => Some(','),
+                _ => None,
+            })
+        };
+        let first = signs().next()?;
+        let (same, all) = signs().fold((0, 0), |(same, all), sign| (same + usize::from(sign == first), all + 1));
+        let other = if first == '.' { ',' } else { '.' };
+        Some(if same * 2 < all { other } else { first })
+    }
+}
+
+/// Whether a cell is nothing but digits: one half of a number whose decimal comma was taken for a separator.
+pub(super) fn is_whole(cell: &str) -> bool {
+    let cell = cell.trim();
+    !cell.is_empty() && cell.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// Whether a text is a list of contacts: a header x, y or rows of two or three numbers, and no callout.
+pub(super) fn are_contacts(text: &str) -> bool {
+    SEPARATORS.iter().any(|&separator| {
+        let sample = Sample::split(text, 1, separator);
+        let Some((_, first)) = sample.rows.first() else { return false };
+        let names: Vec<String> = first.iter().map(words::bare).collect();
+        let has = |name: &str| names.iter().any(|given| given == name);
+        if has("x") && has("y") {
+            return true;
+        }
+        let is_contact = |cells: &StringRecord| {
+            matches!(cells.len(), 2..=3)
+                && cells.iter().all(|cell| cell.trim().replace(',', ".").parse::<f64>().is_ok())
+        };
+        // Most rows: one with letters is told by the reader of contacts.
+        let contacts = sample.rows.iter().filter(|(_, cells)| is_contact(cells)).count();
+        sample.header.is_none() && sample.rows.len() < contacts * 2
+    })
+}
+
+/// Which row is the header: the first that names columns and holds no measurement.
+fn header(rows: &[(usize, StringRecord)]) -> Option<usize> {
+    let first = rows
+        .iter()
+        .take(ABOVE_HEADER)
+        .position(|(_, cells)| is_data(cells) || 2 <= named(cells) && may_be_names(cells));
+    let is_header = |at: usize| rows.get(at).is_some_and(|(_, cells)| !is_data(cells));
+    match first {
+        Some(at) if is_header(at) => Some(at),
+        // A single column that is named, or a name for the measured value alone.
+        _ => rows.first().filter(|(_, cells)| 1 <= named(cells) && may_be_names(cells)).map(|_| 0),
+    }
+}
+
+/// How many columns a row would name as a header.
+fn named(cells: &StringRecord) -> usize {
+    cells.iter().filter(|cell| words::role(cell).is_some()).count()
+}
+
+/// Whether a row holds no figures: neither numbers nor callouts, nor what was meant to be one.
+fn may_be_names(cells: &StringRecord) -> bool {
+    let begins_with_digit =
+        |cell: &str| cell.trim().trim_start_matches(['Ø', '⌀']).starts_with(|c: char| c.is_ascii_digit());
+    !has_number(cells) && !cells.iter().any(begins_with_digit)
+}
+
+fn has_number(cells: &StringRecord) -> bool {
+    cells.iter().any(is_number)
+}
+
+/// Whether a row holds a callout or class, and a number.
+pub(super) fn is_data(cells: &StringRecord) -> bool {
+    has_number(cells) && cells.iter().any(|cell| is_callout(cell) || is_class(cell))
+}
+
+pub(super) fn is_blank(cells: &StringRecord) -> bool {
+    cells.iter().all(|cell| cell.trim().is_empty())
+}
+
+pub(super) fn is_comment(cells: &StringRecord) -> bool {
+    cells.get(0).is_some_and(|cell| cell.trim_start().starts_with('#'))
+}
+
+fn is_number(cell: &str) -> bool {
+    Length::parse_in(cell, Unit::Millimetre).is_ok()
+}
+
+fn is_callout(cell: &str) -> bool {
+    cell.parse::<Callout>().is_ok()
+}
+
+pub(super) fn is_class(cell: &str) -> bool {
+    cell.parse::<ToleranceClass>().is_ok()
+}
+
+fn several(role: Role, header: &StringRecord, columns: &[usize]) -> Reason {
+    let names: Vec<String> = columns.iter().map(|&at| name_of(at, header.get(at).unwrap_or_default())).collect();
+    Reason::SeveralColumns { role, columns: names.join(", ") }
+}
+
+/// The number of a column, and its name where it has one.
+fn name_of(at: usize, name: &str) -> String {
+    let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
+    if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, super::imported::shorten(&name)) }
+}
