@@ -6,20 +6,26 @@ use clap::builder::PossibleValuesParser;
 use jiff::civil::DateTime;
 
 use super::{CliError, Io, Outcome, TableArgs};
+use crate::exchange::import;
+use crate::files;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::probing::{Measurement, Origin};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Tables};
 use crate::verdict::{doubt, judge};
-use crate::words::{Language, Words};
+use crate::words::{Language, Message, Say, Words};
 
 /// Write an inspection report of one or more checks
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
+    /// Files of measurements to report, in any format that `fitcheck import` reads
+    #[arg(value_name = "FILE", required_unless_present = "checks")]
+    files: Vec<PathBuf>,
+
     /// A callout and its measured value in millimetres, with a name in front if you like; may be given again
-    #[arg(long = "check", required = true, value_name = "[NAME:] CALLOUT=MM")]
+    #[arg(long = "check", value_name = "[NAME:] CALLOUT=MM")]
     checks: Vec<String>,
 
     /// File to write, in the format of its ending: .html, .htm, .csv or .json; "-" is standard output
@@ -63,10 +69,11 @@ Examples:
   fitcheck report --check \"25 H7=25.012\" -o bore.html
   fitcheck report --check \"Bore A: 25 H7=25.012\" --check \"Stud: 10 g6=9,991\" \\
       --part 4711 --order 2026-118 --inspector \"J. Jansen\" --language nl -o report.html
+  fitcheck report bores.csv TCHPR421.TXT -o report.html
   fitcheck report --check \"25 H7=25.012\" -o - --format json
 
-The exit code is that of the worst check. A row that cannot be used is named on standard error and on the
-report, the others are reported, and the exit code is 1.";
+The exit code is that of the worst check. What cannot be used or not be judged is named on standard error
+and on the report, the others are reported, and the exit code is 1.";
 
 /// Why a `--check` is no check.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -88,6 +95,18 @@ enum CheckError {
     NotPositive { measured: Length },
 }
 
+impl Say for CheckError {
+    fn message(&self) -> Message {
+        match self {
+            Self::NoMeasured { text } => Message::new("report-check-no-measured").text("text", text),
+            Self::Callout(error) => Message::new("report-check-callout").text("reason", error),
+            Self::Limits(error) => Message::new("report-check-limits").text("reason", error),
+            Self::Measured(error) => Message::new("report-check-measured").text("reason", error),
+            Self::NotPositive { measured } => Message::new("report-check-not-positive").text("measured", measured),
+        }
+    }
+}
+
 /// Why there is nothing to write.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 enum ReportError {
@@ -97,6 +116,17 @@ enum ReportError {
     /// No check could be used.
     #[error("no check could be used, so no report was written")]
     Empty,
+}
+
+impl Say for ReportError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Format { format, file } => {
+                Message::new("report-format").text("format", format).text("file", file.display())
+            }
+            Self::Empty => Message::new("report-empty"),
+        }
+    }
 }
 
 /// Where the report goes.
@@ -121,27 +151,36 @@ fn names() -> Vec<&'static str> {
     RENDERINGS.iter().map(|rendering| rendering.name).collect()
 }
 
+/// The checks so far, and what made none.
+#[derive(Debug)]
+struct Collected {
+    english: Words,
+    checks: Vec<Record>,
+    notes: Vec<Message>,
+    bad: bool,
+}
+
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let rendering = self.rendering()?;
         let tables = self.tables.load(io)?;
         let words = Words::new(Language::from_code(&self.language).unwrap_or_default());
         let now = self.time.unwrap_or_else(now);
-        let mut checks = Vec::new();
-        let mut notes = Vec::new();
+        let mut collected =
+            Collected { english: Words::new(Language::En), checks: Vec::new(), notes: Vec::new(), bad: false };
+        for path in &self.files {
+            collected.file(path, &tables, now, io)?;
+        }
         for text in &self.checks {
             match record(text, &tables, now) {
-                Ok(record) => checks.push(record),
-                Err(error) => {
-                    writeln!(io.err, "fitcheck: --check \"{text}\": {error}")?;
-                    notes.push(format!("{text}: {error}"));
-                }
+                Ok(record) => collected.checks.push(record),
+                Err(error) => collected.refuse(Message::new("report-note").text("place", text), error.message(), io)?,
             }
         }
+        let Collected { checks, notes, bad, .. } = collected;
         let Some(worst) = checks.iter().map(|record| record.verdict.status()).max() else {
             return Err(CliError::Data(ReportError::Empty.to_string()));
         };
-        let outcome = if notes.is_empty() { Outcome::Judged(worst) } else { Outcome::BadData };
         let report = Report {
             title: self.title.clone().unwrap_or_default(),
             part: self.part.clone(),
@@ -155,7 +194,7 @@ impl Args {
             Output::Standard => io.out.write_all(&bytes)?,
             Output::File(path, _) => super::save(path, &bytes, io)?,
         }
-        Ok(outcome)
+        Ok(if bad { Outcome::BadData } else { Outcome::Judged(worst) })
     }
 
     /// The rendering of the file's ending, or of `--format` for standard output.
@@ -170,6 +209,44 @@ impl Args {
             // Without a format, clap has refused standard output before.
             (Output::Standard, named) => Ok(named.unwrap_or(&report::html::RENDERING)),
         }
+    }
+}
+
+impl Collected {
+    /// Takes in a file of measurements.
+    fn file(&mut self, path: &Path, tables: &Tables, now: DateTime, io: &mut Io<'_>) -> std::io::Result<()> {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let bytes = match files::read(path) {
+            Ok(bytes) => bytes,
+            Err(error) => return self.refuse(Message::new("report-note").text("place", &name), error.message(), io),
+        };
+        let imported = import(&name, &bytes, tables, now);
+        let line = |line: usize| Message::new("report-note-line").text("place", &name).text("line", line);
+        for problem in &imported.problems {
+            self.refuse(Message::new("report-note").text("place", &name), problem.message(), io)?;
+        }
+        for unjudged in &imported.unjudged {
+            self.refuse(line(unjudged.line), unjudged.why.message(), io)?;
+        }
+        for warning in &imported.warnings {
+            self.note(line(warning.line), warning.reason.message(), io)?;
+        }
+        self.checks.extend(imported.records);
+        Ok(())
+    }
+
+    /// Notes what is no check, so that the report is not taken for the whole.
+    fn refuse(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> std::io::Result<()> {
+        self.bad = true;
+        self.note(place, what, io)
+    }
+
+    /// Puts a sentence on the report, and in English on standard error.
+    fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> std::io::Result<()> {
+        let note = place.message("what", what);
+        writeln!(io.err, "fitcheck: {}", self.english.say(&note))?;
+        self.notes.push(note);
+        Ok(())
     }
 }
 
@@ -198,4 +275,30 @@ fn record(text: &str, tables: &Tables, time: DateTime) -> Result<Record, CheckEr
         doubt: doubt(limits.nominal, measured),
         limits,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::tests::check_said;
+
+    #[test]
+    fn a_check_without_sense_is_refused_in_words() {
+        let refused = |text: &str| record(text, &Tables::default(), DateTime::constant(2026, 11, 21, 10, 42, 0, 0));
+        let said = |text: &str| refused(text).unwrap_err().to_string();
+        assert_eq!(
+            said("25 H7"),
+            "25 H7 has no measured value: write a callout, = and millimetres, such as 25 H7=25.012"
+        );
+        assert_eq!(said("Bore: 25=25"), "a tolerance class is missing, such as H7 for a hole or h7 for a shaft");
+    }
+
+    #[test]
+    fn errors_are_said_in_both_languages() {
+        check_said(&CheckError::NoMeasured { text: "25 H7".to_owned() });
+        check_said(&CheckError::Measured(LengthError::Empty));
+        check_said(&CheckError::NotPositive { measured: Length::from_micrometres(-5) });
+        check_said(&ReportError::Format { format: "csv".to_owned(), file: "a.html".into() });
+        check_said(&ReportError::Empty);
+    }
 }

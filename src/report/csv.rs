@@ -1,8 +1,9 @@
 //! Checks as CSV: one line a check, the same in every language.
 //!
 //! UTF-8, comma, LF, always a decimal point; a header names the columns and their units. `contacts` holds an array
-//! as in the JSON, `[[x,y,z],…]` in millimetres; several `warnings` are separated by `; `. Title, part and signature
-//! have no place here.
+//! as in the JSON, `[[x,y,z],…]` in millimetres; several `warnings` are separated by ` | `. Title, part and signature
+//! have no place here. `status` is the part's, as on the report: SCRAP where the centre is out of position, and then
+//! `warnings` tells what the size alone is.
 //!
 //! A spreadsheet takes a field that begins with `=`, `+`, `-` or `@` for a formula, and an id or a file name can hold
 //! one. Such a text gets an apostrophe in front, as in a spreadsheet itself: it is shown as text and never computed.
@@ -61,7 +62,7 @@ fn fields(row: &Row) -> Result<[String; COLUMNS.len()], RenderError> {
         harmless(&row.source),
         harmless(&row.origin),
         row.rule.clone(),
-        row.warnings.join("; "),
+        row.warnings.join(" | "),
     ])
 }
 
@@ -111,7 +112,8 @@ mod tests {
                 "2026-11-21T10:44:00,Stud,25 g6,shaft,25,24.980,24.993,24.985,-15,SCRAP,,,OUT,0.003,-0.012,\
                  \"[[12.4955,-0.012,-5.0],[0.003,12.4805,-5.0],[-12.4895,-0.012,-5.0],[0.003,-12.5045,-5.0]]\",\
                  \"ISO 286 table 82553_shaft.tab, over 18 up to 30 mm\",\"simulated, cycle 422, seed 1\",\
-                 \"no guard band, limits belong to the zone\",4 contacts: no form seen beyond ovality",
+                 \"no guard band, limits belong to the zone\",\
+                 the centre is out of position; the size alone is GOOD | 4 contacts: no form seen beyond ovality",
             ],
         );
     }

@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::row::Row;
 use super::{RenderError, Rendering, Report};
 use crate::journal::Record;
-use crate::words::Words;
+use crate::words::{Language, Words};
 
 /// This rendering.
 pub const RENDERING: Rendering = Rendering { name: "json", endings: &["json"], render: render_report };
@@ -33,10 +33,11 @@ struct Head<'a> {
     part: Option<&'a str>,
     order: Option<&'a str>,
     inspector: Option<&'a str>,
-    notes: &'a [String],
+    notes: Vec<String>,
 }
 
 fn render_report(report: &Report, _words: &Words) -> Result<Vec<u8>, RenderError> {
+    let english = Words::new(Language::En);
     let head = Head {
         title: &report.title,
         created: report.created.to_string(),
@@ -44,7 +45,7 @@ fn render_report(report: &Report, _words: &Words) -> Result<Vec<u8>, RenderError
         part: report.part.as_deref(),
         order: report.order.as_deref(),
         inspector: report.inspector.as_deref(),
-        notes: &report.notes,
+        notes: report.notes.iter().map(|note| english.say(note)).collect(),
     };
     written(Some(head), &report.checks)
 }
@@ -67,7 +68,6 @@ mod tests {
     use super::*;
     use crate::length::Length;
     use crate::report::row::COLUMNS;
-    use crate::words::Language;
 
     #[test]
     fn a_check_has_the_columns_of_the_csv() {

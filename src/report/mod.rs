@@ -49,8 +49,8 @@ pub struct Report {
     pub inspector: Option<String>,
     /// The checks, in the order of the report.
     pub checks: Vec<Record>,
-    /// What could not be used or was odd, in sentences: nothing is left out in silence.
-    pub notes: Vec<String>,
+    /// What could not be used or was odd: nothing is left out in silence.
+    pub notes: Vec<Message>,
 }
 
 impl Report {

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::band::micrometres;
 use crate::journal::Record;
 use crate::length::{Length, Unit};
+use crate::tolerance::Source;
 use crate::verdict::PositionVerdict;
 
 /// One record. The fields' order is the order of the columns.
@@ -137,8 +138,18 @@ fn position(position: PositionVerdict) -> &'static str {
     }
 }
 
-/// The doubt, then what the measurement cannot tell, in English.
+/// What is odd about the check, then what the measurement cannot tell, in English.
 fn warnings(record: &Record) -> Vec<String> {
-    let doubt = record.doubt.map(|doubt| doubt.to_string());
-    doubt.into_iter().chain(record.measurement.caveats().iter().map(ToString::to_string)).collect()
+    let Record { limits, measurement, verdict, doubt, .. } = record;
+    let mut warnings: Vec<String> = doubt.iter().map(ToString::to_string).collect();
+    if verdict.status() != verdict.size.status {
+        warnings.push(format!("the centre is out of position; the size alone is {}", verdict.size.status));
+    }
+    if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
+        let um = |length| Micrometres(length).text();
+        let (upper, lower) = (um(standard.upper()), um(standard.lower()));
+        warnings.push(format!("own table: the ISO 286 table says {upper} and {lower} µm here"));
+    }
+    warnings.extend(measurement.caveats().iter().map(ToString::to_string));
+    warnings
 }

@@ -6,7 +6,7 @@ use fitcheck::probing::{Circle, Contact, Measurement, Origin};
 use fitcheck::report::{RENDERINGS, Report};
 use fitcheck::tolerance::{Callout, Deviations, Limits, Source};
 use fitcheck::verdict::{AxisPosition, PositionVerdict, doubt, judge};
-use fitcheck::words::{Language, Words};
+use fitcheck::words::{Language, Message, Words};
 use jiff::civil::date;
 
 fn um(um: i32) -> Length {
@@ -142,7 +142,7 @@ fn a_report_says_everything_about_each_check() {
         part: Some("4711-A".to_owned()),
         order: Some("2026-118".to_owned()),
         inspector: Some("J. de Vries".to_owned()),
-        notes: vec!["m.csv, line 7: abc is not a number".to_owned()],
+        notes: vec![Message::new("report-empty")],
         ..report(vec![bore("Bore A", "25.012"), bore("Bore B", "24.998"), bore("Bore C", "25.030"), stud(4)])
     };
     let page = html(&report, Language::En);
@@ -155,7 +155,7 @@ fn a_report_says_everything_about_each_check() {
             "2026-118",
             "J. de Vries",
             "2026-11-21 11:00:00",
-            "m.csv, line 7: abc is not a number",
+            "no check could be used, so no report was written",
             // counts
             "<th scope=\"col\">GOOD</th><th scope=\"col\">REWORK</th><th scope=\"col\">SCRAP</th>",
             "<td>1</td><td>1</td><td>2</td><td>4</td>",
@@ -241,7 +241,7 @@ fn nothing_in_a_text_becomes_a_tag_or_turns_the_figures_round() {
         part: some(),
         order: some(),
         inspector: some(),
-        notes: vec![evil.to_owned()],
+        notes: vec![Message::new("report-note").text("place", evil)],
         ..report(checks)
     };
     let page = html(&report, Language::En);
