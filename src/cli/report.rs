@@ -1,13 +1,304 @@
 //! `fitcheck report`
 
-use super::{CliError, Io, Outcome};
+use std::path::{Path, PathBuf};
 
-/// report
+use clap::builder::PossibleValuesParser;
+use jiff::civil::DateTime;
+
+use super::{CliError, Io, Outcome, TableArgs};
+use crate::exchange::import;
+use crate::files;
+use crate::journal::Record;
+use crate::length::{Length, LengthError};
+use crate::probing::{Measurement, Origin};
+use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
+use crate::tolerance::{Callout, CalloutError, LimitsError, Tables};
+use crate::verdict::{doubt, judge};
+use crate::words::{Language, Message, Say, Words};
+
+/// Write an inspection report of one or more checks
 #[derive(Debug, clap::Args)]
-pub(super) struct Args {}
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    /// Files of measurements to report, in any format that `fitcheck import` reads
+    #[arg(value_name = "FILE", required_unless_present = "checks")]
+    files: Vec<PathBuf>,
+
+    /// A callout and its measured value in millimetres, with a name in front if you like; may be given again
+    #[arg(long = "check", value_name = "[NAME:] CALLOUT=MM")]
+    checks: Vec<String>,
+
+    /// File to write, in the format of its ending: .html, .htm, .csv or .json; "-" is standard output
+    #[arg(short, long, value_name = "FILE", value_parser = output)]
+    output: Output,
+
+    /// Format of what goes to standard output; a file's ending tells its own
+    #[arg(long, required_if_eq("output", "-"), value_parser = PossibleValuesParser::new(names()))]
+    format: Option<String>,
+
+    /// Title of the report
+    #[arg(long)]
+    title: Option<String>,
+
+    /// Part or drawing number
+    #[arg(long)]
+    part: Option<String>,
+
+    /// Order number
+    #[arg(long)]
+    order: Option<String>,
+
+    /// Who inspected
+    #[arg(long, value_name = "NAME")]
+    inspector: Option<String>,
+
+    /// Language of the HTML report; CSV and JSON are the same in every language
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::COMPLETE.map(Language::code)))]
+    language: String,
+
+    /// Date and time of the report and of checks that have none; now when not given
+    #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
+    time: Option<DateTime>,
+
+    #[command(flatten)]
+    tables: TableArgs,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  fitcheck report --check \"25 H7=25.012\" -o bore.html
+  fitcheck report --check \"Bore A: 25 H7=25.012\" --check \"Stud: 10 g6=9,991\" \\
+      --part 4711 --order 2026-118 --inspector \"J. Jansen\" --language nl -o report.html
+  fitcheck report bores.csv TCHPR421.TXT -o report.html
+  fitcheck report --check \"25 H7=25.012\" -o - --format json
+
+The exit code is that of the worst check. What cannot be used or not be judged is named on standard error
+and on the report, the others are reported, and the exit code is 1.";
+
+/// Why a `--check` is no check.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+enum CheckError {
+    /// There is no equals sign.
+    #[error("{text} has no measured value: write a callout, = and millimetres, such as 25 H7=25.012")]
+    NoMeasured { text: String },
+    /// The callout cannot be read.
+    #[error("{0}")]
+    Callout(#[from] CalloutError),
+    /// There are no limits for the callout.
+    #[error("{0}")]
+    Limits(#[from] LimitsError),
+    /// The measured value cannot be read.
+    #[error("measured value: {0}")]
+    Measured(LengthError),
+    /// A diameter is above zero.
+    #[error("measured value {measured} mm is not above 0")]
+    NotPositive { measured: Length },
+}
+
+impl Say for CheckError {
+    fn message(&self) -> Message {
+        match self {
+            Self::NoMeasured { text } => Message::new("report-check-no-measured").text("text", text),
+            Self::Callout(error) => Message::new("report-check-callout").text("reason", error),
+            Self::Limits(error) => Message::new("report-check-limits").text("reason", error),
+            Self::Measured(error) => Message::new("report-check-measured").text("reason", error),
+            Self::NotPositive { measured } => Message::new("report-check-not-positive").text("measured", measured),
+        }
+    }
+}
+
+/// Why there is nothing to write.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+enum ReportError {
+    /// `--format` asks for another format than the file's ending.
+    #[error("--format {format} does not fit the ending of {}: leave one of them out", file.display())]
+    Format { format: String, file: PathBuf },
+    /// No check could be used.
+    #[error("no check could be used, so no report was written")]
+    Empty,
+}
+
+impl Say for ReportError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Format { format, file } => {
+                Message::new("report-format").text("format", format).text("file", file.display())
+            }
+            Self::Empty => Message::new("report-empty"),
+        }
+    }
+}
+
+/// Where the report goes.
+#[derive(Debug, Clone)]
+enum Output {
+    /// Standard output, in the format of `--format`.
+    Standard,
+    /// A file, in the format of its ending.
+    File(PathBuf, &'static Rendering),
+}
+
+/// Reads `--output`: a wrong ending is wrong usage.
+fn output(text: &str) -> Result<Output, EndingError> {
+    if text == "-" {
+        return Ok(Output::Standard);
+    }
+    Ok(Output::File(PathBuf::from(text), report::rendering_for(Path::new(text))?))
+}
+
+/// The names of `--format`.
+fn names() -> Vec<&'static str> {
+    RENDERINGS.iter().map(|rendering| rendering.name).collect()
+}
+
+/// The checks so far, and what made none.
+#[derive(Debug)]
+struct Collected {
+    english: Words,
+    checks: Vec<Record>,
+    notes: Vec<Message>,
+    bad: bool,
+}
 
 impl Args {
-    pub(super) fn run(&self, _io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        Ok(Outcome::Done)
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let rendering = self.rendering()?;
+        let tables = self.tables.load(io)?;
+        let words = Words::new(Language::from_code(&self.language).unwrap_or_default());
+        let now = self.time.unwrap_or_else(now);
+        let mut collected =
+            Collected { english: Words::new(Language::En), checks: Vec::new(), notes: Vec::new(), bad: false };
+        for path in &self.files {
+            collected.file(path, &tables, now, io)?;
+        }
+        for text in &self.checks {
+            match record(text, &tables, now) {
+                Ok(record) => collected.checks.push(record),
+                Err(error) => collected.refuse(Message::new("report-note").text("place", text), error.message(), io)?,
+            }
+        }
+        let Collected { checks, notes, bad, .. } = collected;
+        let Some(worst) = checks.iter().map(|record| record.verdict.status()).max() else {
+            return Err(CliError::Data(ReportError::Empty.to_string()));
+        };
+        let report = Report {
+            title: self.title.clone().unwrap_or_default(),
+            part: self.part.clone(),
+            order: self.order.clone(),
+            inspector: self.inspector.clone(),
+            notes,
+            ..Report::new(now, checks)
+        };
+        let bytes = (rendering.render)(&report, &words).map_err(|error| CliError::Data(error.to_string()))?;
+        match &self.output {
+            Output::Standard => io.out.write_all(&bytes)?,
+            Output::File(path, _) => super::save(path, &bytes, io)?,
+        }
+        Ok(if bad { Outcome::BadData } else { Outcome::Judged(worst) })
+    }
+
+    /// The rendering of the file's ending, or of `--format` for standard output.
+    fn rendering(&self) -> Result<&'static Rendering, CliError> {
+        let named = RENDERINGS.iter().find(|rendering| self.format.as_deref() == Some(rendering.name));
+        match (&self.output, named) {
+            (Output::File(file, by_ending), Some(named)) if by_ending.name != named.name => {
+                let (format, file) = (named.name.to_owned(), file.clone());
+                Err(CliError::Data(ReportError::Format { format, file }.to_string()))
+            }
+            (Output::File(_, rendering), _) => Ok(rendering),
+            // Without a format, clap has refused standard output before.
+            (Output::Standard, named) => Ok(named.unwrap_or(&report::html::RENDERING)),
+        }
+    }
+}
+
+impl Collected {
+    /// Takes in a file of measurements.
+    fn file(&mut self, path: &Path, tables: &Tables, now: DateTime, io: &mut Io<'_>) -> std::io::Result<()> {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let bytes = match files::read(path) {
+            Ok(bytes) => bytes,
+            Err(error) => return self.refuse(Message::new("report-note").text("place", &name), error.message(), io),
+        };
+        let imported = import(&name, &bytes, tables, now);
+        let line = |line: usize| Message::new("report-note-line").text("place", &name).text("line", line);
+        for problem in &imported.problems {
+            self.refuse(Message::new("report-note").text("place", &name), problem.message(), io)?;
+        }
+        for unjudged in &imported.unjudged {
+            self.refuse(line(unjudged.line), unjudged.why.message(), io)?;
+        }
+        for warning in &imported.warnings {
+            self.note(line(warning.line), warning.reason.message(), io)?;
+        }
+        self.checks.extend(imported.records);
+        Ok(())
+    }
+
+    /// Notes what is no check, so that the report is not taken for the whole.
+    fn refuse(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> std::io::Result<()> {
+        self.bad = true;
+        self.note(place, what, io)
+    }
+
+    /// Puts a sentence on the report, and in English on standard error.
+    fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> std::io::Result<()> {
+        let note = place.message("what", what);
+        writeln!(io.err, "fitcheck: {}", self.english.say(&note))?;
+        self.notes.push(note);
+        Ok(())
+    }
+}
+
+/// The local date and time to the second.
+fn now() -> DateTime {
+    let now = jiff::Zoned::now().datetime();
+    now.with().subsec_nanosecond(0).build().unwrap_or(now)
+}
+
+/// Judges a `--check`: a name and a colon perhaps, a callout, an equals sign, a diameter.
+fn record(text: &str, tables: &Tables, time: DateTime) -> Result<Record, CheckError> {
+    let (asked, measured) = text.rsplit_once('=').ok_or_else(|| CheckError::NoMeasured { text: text.to_owned() })?;
+    let (id, callout) = asked.rsplit_once(':').unwrap_or(("", asked));
+    let callout: Callout = callout.parse()?;
+    let limits = tables.limits(&callout)?;
+    let measured: Length = measured.parse().map_err(CheckError::Measured)?;
+    if measured <= Length::ZERO {
+        return Err(CheckError::NotPositive { measured });
+    }
+    Ok(Record {
+        time,
+        id: id.trim().to_owned(),
+        callout: Some(callout),
+        measurement: Measurement::of_diameter(measured, Origin::Typed),
+        verdict: judge(&limits, measured, None),
+        doubt: doubt(limits.nominal, measured),
+        limits,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::tests::check_said;
+
+    #[test]
+    fn a_check_without_sense_is_refused_in_words() {
+        let refused = |text: &str| record(text, &Tables::default(), DateTime::constant(2026, 11, 21, 10, 42, 0, 0));
+        let said = |text: &str| refused(text).unwrap_err().to_string();
+        assert_eq!(
+            said("25 H7"),
+            "25 H7 has no measured value: write a callout, = and millimetres, such as 25 H7=25.012"
+        );
+        assert_eq!(said("Bore: 25=25"), "a tolerance class is missing, such as H7 for a hole or h7 for a shaft");
+    }
+
+    #[test]
+    fn errors_are_said_in_both_languages() {
+        check_said(&CheckError::NoMeasured { text: "25 H7".to_owned() });
+        check_said(&CheckError::Measured(LengthError::Empty));
+        check_said(&CheckError::NotPositive { measured: Length::from_micrometres(-5) });
+        check_said(&ReportError::Format { format: "csv".to_owned(), file: "a.html".into() });
+        check_said(&ReportError::Empty);
     }
 }

@@ -1,1 +1,192 @@
 //! The inspection report: one model, one file a rendering.
+//!
+//! | file | what |
+//! |---|---|
+//! | `html` | one self-contained page that prints well on A4 |
+//! | `csv`, `json` | the checks in figures, for spreadsheets and programs, in every language the same |
+//! | `row` | the names and figures that CSV and JSON share |
+//! | `band` | the limit band's geometry, for the report and the window |
+//! | `picture` | the limit band and the verdict's sign as SVG |
+//! | `text` | sentences about status, limits, rule, position and doubt |
+//!
+//! A report is made of records and nothing else: no clock, no window, no table. The same report renders to the same
+//! bytes. A new rendering is a file here and a line in [`RENDERINGS`]; the command line's formats and the window's
+//! file filters follow from that list. Templates are in `assets/report`.
+
+pub mod band;
+pub mod csv;
+pub mod html;
+pub mod json;
+mod picture;
+mod row;
+#[cfg(test)]
+mod sample;
+pub mod text;
+
+use std::path::Path;
+
+use jiff::civil::DateTime;
+
+use crate::journal::Record;
+use crate::words::{Message, Say, Words};
+
+/// What an inspection report says.
+///
+/// The language is not part of it: it comes in with the [`Words`] of a rendering.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    /// Title; when empty, the language's own word for an inspection report.
+    pub title: String,
+    /// Local date and time of the report.
+    pub created: DateTime,
+    /// Name and version of the program that made it.
+    pub program: String,
+    /// Part or drawing number.
+    pub part: Option<String>,
+    /// Order number.
+    pub order: Option<String>,
+    /// Who inspected.
+    pub inspector: Option<String>,
+    /// The checks, in the order of the report.
+    pub checks: Vec<Record>,
+    /// What could not be used or was odd: nothing is left out in silence.
+    pub notes: Vec<Message>,
+}
+
+impl Report {
+    /// A report of some checks, made by this version of Fitcheck, all else empty.
+    pub fn new(created: DateTime, checks: Vec<Record>) -> Self {
+        Self {
+            title: String::new(),
+            created,
+            program: concat!("Fitcheck ", env!("CARGO_PKG_VERSION")).to_owned(),
+            part: None,
+            order: None,
+            inspector: None,
+            checks,
+            notes: Vec::new(),
+        }
+    }
+}
+
+/// One way to put a report into bytes.
+#[derive(Debug, Clone, Copy)]
+pub struct Rendering {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Endings of its files, the usual one first, without the point.
+    pub endings: &'static [&'static str],
+    /// Makes the file. Machine-readable renderings do not look at the words.
+    pub render: fn(&Report, &Words) -> Result<Vec<u8>, RenderError>,
+}
+
+/// Every rendering: a new one is a line here.
+pub const RENDERINGS: &[Rendering] = &[html::RENDERING, csv::RENDERING, json::RENDERING];
+
+/// Why a report could not be put into bytes. None of the renderings has a reason to fail on any record; the writers
+/// that they use may in principle, and a report that is not whole must not be saved.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum RenderError {
+    /// The writer of the format refused.
+    #[error("the {format} report could not be made: {reason}")]
+    Writer {
+        /// The rendering's name.
+        format: &'static str,
+        /// What the writer says.
+        reason: String,
+    },
+}
+
+impl RenderError {
+    fn writer(format: &'static str, reason: &impl std::fmt::Display) -> Self {
+        Self::Writer { format, reason: reason.to_string() }
+    }
+}
+
+impl Say for RenderError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Writer { format, reason } => {
+                Message::new("report-error-writer").text("format", format).text("reason", reason)
+            }
+        }
+    }
+}
+
+/// Why there is no rendering for a file name.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum EndingError {
+    /// The name has no ending.
+    #[error("{file} has no ending that tells the report's format: use one of {}", endings())]
+    Missing {
+        /// The file name.
+        file: String,
+    },
+    /// The ending is none of ours.
+    #[error(".{ending} is not a format of the report: use one of {}", endings())]
+    Unknown {
+        /// The ending without its point.
+        ending: String,
+    },
+}
+
+impl Say for EndingError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Missing { file } => Message::new("report-ending-missing").text("file", file),
+            Self::Unknown { ending } => Message::new("report-ending-unknown").text("ending", ending),
+        }
+        .text("endings", endings())
+    }
+}
+
+/// Every ending with its point: `.html .htm .csv .json`.
+pub fn endings() -> String {
+    let all: Vec<String> = RENDERINGS.iter().flat_map(|r| r.endings).map(|ending| format!(".{ending}")).collect();
+    all.join(" ")
+}
+
+/// The rendering that a file's ending asks for, in capitals or small letters.
+///
+/// # Errors
+/// [`EndingError`] names the endings there are.
+pub fn rendering_for(path: &Path) -> Result<&'static Rendering, EndingError> {
+    let Some(ending) = path.extension().map(|ending| ending.to_string_lossy()) else {
+        return Err(EndingError::Missing { file: path.display().to_string() });
+    };
+    let known = |rendering: &&Rendering| rendering.endings.iter().any(|known| known.eq_ignore_ascii_case(&ending));
+    RENDERINGS.iter().find(known).ok_or_else(|| EndingError::Unknown { ending: ending.into_owned() })
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::words::Language;
+
+    #[test]
+    fn the_ending_chooses_the_rendering() {
+        let name = |path: &str| rendering_for(Path::new(path)).map(|rendering| rendering.name);
+        assert_eq!(name("a/b.html"), Ok("html"));
+        assert_eq!(name("B.HTM"), Ok("html"));
+        assert_eq!(name("b.v2.csv"), Ok("csv"));
+        assert_eq!(name("b.json"), Ok("json"));
+        let said = |path| name(path).unwrap_err().to_string();
+        assert_eq!(said("b.pdf"), ".pdf is not a format of the report: use one of .html .htm .csv .json");
+        assert_eq!(said("b"), "b has no ending that tells the report's format: use one of .html .htm .csv .json");
+    }
+
+    /// The English text reads as `Display` does and there is a Dutch one.
+    #[track_caller]
+    pub(crate) fn check_said(what: &(impl Say + std::fmt::Display)) {
+        assert_eq!(Words::new(Language::En).told(what), what.to_string());
+        let dutch = Words::new(Language::Nl).told(what);
+        assert!(dutch != what.message().id && dutch != what.to_string(), "{dutch}");
+    }
+
+    #[test]
+    fn errors_are_said_in_both_languages() {
+        check_said(&EndingError::Missing { file: "b".to_owned() });
+        check_said(&EndingError::Unknown { ending: "pdf".to_owned() });
+        check_said(&RenderError::writer("csv", &"full"));
+    }
+}

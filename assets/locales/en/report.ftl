@@ -1,1 +1,97 @@
 # report
+
+## Errors
+report-error-writer = the { $format } report could not be made: { $reason }
+report-ending-missing = { $file } has no ending that tells the report's format: use one of { $endings }
+report-ending-unknown = .{ $ending } is not a format of the report: use one of { $endings }
+
+## Sentences about one check
+report-status-good = GOOD
+report-status-rework = REWORK
+report-status-remeasure = RE-MEASURE
+report-status-scrap = SCRAP
+report-feature-hole = hole
+report-feature-shaft = shaft
+report-side-good = good
+report-side-rework = rework
+report-side-scrap = scrap
+report-side-too-small = too small
+report-side-too-large = too large
+report-rule-simple = no guard band, limits belong to the zone
+report-doubt-times-inch = measured value is 25.4 times the nominal size: converted from inch once too often?
+report-doubt-inches = measured value is the nominal size over 25.4: is it in inch?
+report-doubt-double = measured value is twice the nominal size: was a diameter taken for a radius?
+report-doubt-half = measured value is half the nominal size: is it a radius?
+report-source-iso = ISO 286 table { $table }, over { $over } up to { $to } mm
+report-source-own = table { $table }, over { $over } up to { $to } mm
+report-source-instead = table { $table }, over { $over } up to { $to } mm; the ISO 286 table says { $upper } and { $lower } µm here
+report-source-file = file { $file }
+report-too-small = { $um } µm too small
+report-too-large = { $um } µm too large
+report-inside = inside the limits
+report-above-minimum = { $um } µm above minimum
+report-below-minimum = { $um } µm below minimum
+report-below-maximum = { $um } µm below maximum
+report-above-maximum = { $um } µm above maximum
+report-position-unknown = not measured
+report-position-unmonitored = not monitored
+report-position-in = IN
+report-position-out = OUT
+report-axis-unmonitored = { $axis } { $deviation } mm: not monitored
+report-axis-in = { $axis } { $deviation } mm, permitted ± { $tolerance } mm: IN
+report-axis-out = { $axis } { $deviation } mm, permitted ± { $tolerance } mm: OUT
+report-cause-position = the centre is out of position; the size alone is { $status }
+report-origin-circle = { $origin }; least-squares circle through { $contacts } contacts
+report-centre = measured centre X { $x } mm, Y { $y } mm
+report-band-nominal = nominal size { $size } mm
+report-band-title = Limit band, measured { $value }: { $distances }
+
+## The page
+report-title = Inspection report
+report-part = Part
+report-order = Order
+report-inspector = Inspector
+report-created = Made
+report-program = Program
+report-notes = Not used or odd
+report-no-checks = There are no checks in this report.
+report-total = Total
+report-check = Check
+report-id = Name
+report-callout = Callout
+report-heading-without-callout = { $nominal } mm, limits without a class
+report-verdict = Verdict
+report-nominal = Nominal size
+report-maximum = Maximum
+report-minimum = Minimum
+report-measured = Measured
+report-deviation = Deviation
+report-remove = To remove
+report-on-diameter = on diameter
+report-per-side = per side
+report-remove-to-limit = to the nearest limit
+report-remove-to-middle = to the middle of the zone
+report-position = Position
+report-limits-from = Limits from
+report-measured-from = Measured value
+report-verdict-from = Decision rule
+report-cannot-tell = What this cannot tell
+report-contacts = Contacts
+report-contacts-at-end = at the end of the report
+report-contact = No.
+report-radial = radial deviation
+report-sign-name = Name
+report-sign-date = Date
+report-sign-signature = Signature
+report-footer = Every verdict was made with the limits and the decision rule named beside it, on unrounded values.
+
+## Notes
+report-note = { $place }: { $what }
+report-note-line = { $place }, line { $line }: { $what }
+report-check-no-measured = { $text } has no measured value: write a callout, = and millimetres, such as 25 H7=25.012
+report-check-callout = { $reason }
+report-check-limits = { $reason }
+report-check-measured = measured value: { $reason }
+report-check-not-positive = measured value { $measured } mm is not above 0
+report-format = --format { $format } does not fit the ending of { $file }: leave one of them out
+report-empty = no check could be used, so no report was written

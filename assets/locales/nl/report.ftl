@@ -1,1 +1,97 @@
 # report
+
+## Errors
+report-error-writer = het rapport als { $format } kon niet worden gemaakt: { $reason }
+report-ending-missing = { $file } heeft geen extensie waaruit de soort rapport blijkt: gebruik een van { $endings }
+report-ending-unknown = .{ $ending } is geen soort rapport: gebruik een van { $endings }
+
+## Sentences about one check
+report-status-good = GOED
+report-status-rework = NABEWERKING
+report-status-remeasure = OPNIEUW METEN
+report-status-scrap = AFGEKEURD
+report-feature-hole = boring
+report-feature-shaft = as
+report-side-good = goed
+report-side-rework = nabewerking
+report-side-scrap = afkeur
+report-side-too-small = te klein
+report-side-too-large = te groot
+report-rule-simple = geen veiligheidsmarge, de grensmaten horen bij het tolerantieveld
+report-doubt-times-inch = gemeten waarde is 25,4 keer de nominale maat: een keer te veel van inch omgerekend?
+report-doubt-inches = gemeten waarde is de nominale maat gedeeld door 25,4: is dit in inch?
+report-doubt-double = gemeten waarde is twee keer de nominale maat: is een diameter voor een straal aangezien?
+report-doubt-half = gemeten waarde is de helft van de nominale maat: is dit een straal?
+report-source-iso = ISO 286-tabel { $table }, boven { $over } tot en met { $to } mm
+report-source-own = tabel { $table }, boven { $over } tot en met { $to } mm
+report-source-instead = tabel { $table }, boven { $over } tot en met { $to } mm; de ISO 286-tabel geeft hier { $upper } en { $lower } µm
+report-source-file = bestand { $file }
+report-too-small = { $um } µm te klein
+report-too-large = { $um } µm te groot
+report-inside = binnen de grensmaten
+report-above-minimum = { $um } µm boven minimaal
+report-below-minimum = { $um } µm onder minimaal
+report-below-maximum = { $um } µm onder maximaal
+report-above-maximum = { $um } µm boven maximaal
+report-position-unknown = niet gemeten
+report-position-unmonitored = niet bewaakt
+report-position-in = BINNEN
+report-position-out = BUITEN
+report-axis-unmonitored = { $axis } { $deviation } mm: niet bewaakt
+report-axis-in = { $axis } { $deviation } mm, toegestaan ± { $tolerance } mm: BINNEN
+report-axis-out = { $axis } { $deviation } mm, toegestaan ± { $tolerance } mm: BUITEN
+report-cause-position = het midden ligt buiten de toegestane positie; de maat alleen is { $status }
+report-origin-circle = { $origin }; kleinste-kwadratencirkel door { $contacts } meetpunten
+report-centre = gemeten midden X { $x } mm, Y { $y } mm
+report-band-nominal = nominale maat { $size } mm
+report-band-title = Grensband, gemeten { $value }: { $distances }
+
+## The page
+report-title = Meetrapport
+report-part = Werkstuk
+report-order = Order
+report-inspector = Gemeten door
+report-created = Opgesteld
+report-program = Programma
+report-notes = Niet gebruikt of opvallend
+report-no-checks = Dit rapport bevat geen controles.
+report-total = Totaal
+report-check = Controle
+report-id = Naam
+report-callout = Passing
+report-heading-without-callout = { $nominal } mm, grensmaten zonder passing
+report-verdict = Oordeel
+report-nominal = Nominale maat
+report-maximum = Maximaal
+report-minimum = Minimaal
+report-measured = Gemeten
+report-deviation = Afwijking
+report-remove = Verspanen
+report-on-diameter = op diameter
+report-per-side = per zijde
+report-remove-to-limit = tot de dichtstbijzijnde grensmaat
+report-remove-to-middle = tot het midden van het tolerantieveld
+report-position = Positie
+report-limits-from = Grensmaten uit
+report-measured-from = Gemeten waarde
+report-verdict-from = Beslisregel
+report-cannot-tell = Wat dit niet laat zien
+report-contacts = Meetpunten
+report-contacts-at-end = achter in het rapport
+report-contact = Nr.
+report-radial = radiale afwijking
+report-sign-name = Naam
+report-sign-date = Datum
+report-sign-signature = Handtekening
+report-footer = Elk oordeel is geveld met de grensmaten en de beslisregel die erbij staan, op onafgeronde waarden.
+
+## Notes
+report-note = { $place }: { $what }
+report-note-line = { $place }, regel { $line }: { $what }
+report-check-no-measured = { $text } heeft geen gemeten waarde: schrijf een passing, = en millimeters, bijvoorbeeld 25 H7=25.012
+report-check-callout = { $reason }
+report-check-limits = { $reason }
+report-check-measured = gemeten waarde: { $reason }
+report-check-not-positive = gemeten waarde { $measured } mm is niet groter dan 0
+report-format = --format { $format } past niet bij de extensie van { $file }: laat een van beide weg
+report-empty = geen enkele controle kon worden gebruikt, dus er is geen rapport geschreven

@@ -1,0 +1,224 @@
+//! The limit band's geometry: zone, rework side, scrap side and the measured value on one axis of deviations.
+//!
+//! Plain values in micrometres from the nominal size, for drawing only: nothing is judged by them. The report's
+//! picture and the window's plot are both drawn from a [`Band`], so they show the same.
+
+use crate::length::Length;
+use crate::tolerance::{Feature, Limits};
+
+/// What a part on one side of the zone is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Material can still be taken off.
+    Rework,
+    /// Nothing can be put back.
+    Scrap,
+}
+
+/// Where the measured value is shown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Marker {
+    /// On the axis, at this deviation in micrometres.
+    InSight(f64),
+    /// Smaller than the axis shows: an arrow at the left edge, with the deviation in micrometres.
+    BeyondLeft(f64),
+    /// Larger than the axis shows: an arrow at the right edge, with the deviation in micrometres.
+    BeyondRight(f64),
+}
+
+/// The band's values, all in micrometres from the nominal size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    /// Left end of the axis.
+    pub axis_min_um: f64,
+    /// Right end of the axis, always right of the left one.
+    pub axis_max_um: f64,
+    /// Lower limit deviation, always inside the axis.
+    pub lower_um: f64,
+    /// Upper limit deviation, always inside the axis; equal to the lower one for a zone of no width.
+    pub upper_um: f64,
+    /// What lies left of the zone: rework for a hole, scrap for a shaft.
+    pub left: Side,
+    /// What lies right of the zone: scrap for a hole, rework for a shaft.
+    pub right: Side,
+    /// The measured value, where there is one.
+    pub marker: Option<Marker>,
+    /// Round deviations along the axis, ascending; zero is among them where the axis shows it.
+    pub ticks: Vec<f64>,
+}
+
+/// Shown beside the zone at least, in zone widths: room for the side's name.
+const MARGIN: f64 = 0.5;
+/// How far outside the zone, in zone widths, the measured value and the nominal size are still brought into sight.
+/// Beyond it the zone would become a line.
+const REACH: f64 = 1.0;
+/// Kept free between a value brought into sight and the axis's end, in zone widths.
+const AIR: f64 = 0.15;
+/// Stands for the width of a zone that has none, micrometres.
+const WIDTH_OF_NONE: f64 = 10.0;
+/// No fewer steps than this between ticks; twice to thrice as many at most.
+const STEPS: f64 = 4.0;
+
+impl Band {
+    /// The band of some limits, with the measured value if there is one.
+    ///
+    /// The axis shows the whole zone with half its width on either side. It stretches to the measured value and to
+    /// the nominal size where they are less than a zone width away; a value farther out becomes an arrow.
+    ///
+    /// ```
+    /// use fitcheck::report::band::{Band, Marker, Side};
+    /// use fitcheck::tolerance::{Deviations, Feature, Limits, Source};
+    ///
+    /// let deviations = Deviations::new("0.021".parse()?, "0".parse()?)?;
+    /// let limits = Limits::new(Feature::Hole, "25".parse()?, deviations, Source::File("x".into())).unwrap();
+    /// let band = Band::new(&limits, Some("25.012".parse()?));
+    /// assert_eq!((band.lower_um, band.upper_um), (0.0, 21.0));
+    /// assert_eq!((band.axis_min_um, band.axis_max_um), (-10.5, 31.5));
+    /// assert_eq!((band.left, band.right), (Side::Rework, Side::Scrap));
+    /// assert_eq!(band.marker, Some(Marker::InSight(12.0)));
+    /// assert_eq!(band.ticks, [-10.0, 0.0, 10.0, 20.0, 30.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(limits: &Limits, measured: Option<Length>) -> Self {
+        let lower_um = micrometres(limits.deviations.lower());
+        let upper_um = micrometres(limits.deviations.upper());
+        let width = if lower_um < upper_um { upper_um - lower_um } else { WIDTH_OF_NONE };
+        let mut axis_min_um = lower_um - MARGIN * width;
+        let mut axis_max_um = upper_um + MARGIN * width;
+        let measured = measured.map(|measured| micrometres(measured.saturating_sub(limits.nominal)));
+        for value in [Some(0.0), measured].into_iter().flatten() {
+            if lower_um - REACH * width <= value && value <= upper_um + REACH * width {
+                axis_min_um = axis_min_um.min(value - AIR * width);
+                axis_max_um = axis_max_um.max(value + AIR * width);
+            }
+        }
+        let marker = measured.map(|value| {
+            if value < axis_min_um {
+                Marker::BeyondLeft(value)
+            } else if axis_max_um < value {
+                Marker::BeyondRight(value)
+            } else {
+                Marker::InSight(value)
+            }
+        });
+        let (left, right) = match limits.feature {
+            Feature::Hole => (Side::Rework, Side::Scrap),
+            Feature::Shaft => (Side::Scrap, Side::Rework),
+        };
+        let ticks = ticks(axis_min_um, axis_max_um);
+        Self { axis_min_um, axis_max_um, lower_um, upper_um, left, right, marker, ticks }
+    }
+
+    /// Where a deviation lies along the axis: 0 at the left end, 1 at the right end, kept between them.
+    pub fn fraction(&self, um: f64) -> f64 {
+        ((um - self.axis_min_um) / (self.axis_max_um - self.axis_min_um)).clamp(0.0, 1.0)
+    }
+
+    /// Whether the axis shows a deviation.
+    pub fn shows(&self, um: f64) -> bool {
+        self.axis_min_um <= um && um <= self.axis_max_um
+    }
+}
+
+/// A length in micrometres, the nearest float to its exact value.
+pub(super) fn micrometres(length: Length) -> f64 {
+    (length.to_mm_f64() * 1e6).round() / 1e3
+}
+
+/// Multiples of 1, 2 or 5 times a power of ten: at least [`STEPS`] steps would fit.
+fn ticks(min: f64, max: f64) -> Vec<f64> {
+    let rough = (max - min) / STEPS;
+    let power = 10_f64.powf(rough.log10().floor());
+    let step = [5.0, 2.0].into_iter().find(|step| step * power <= rough).unwrap_or(1.0) * power;
+    let first = (min / step).ceil();
+    // `+ 0.0` turns a negative zero into zero.
+    (0_u8..u8::MAX).map(|n| (first + f64::from(n)) * step + 0.0).take_while(|tick| *tick <= max).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tolerance::{Deviations, Source};
+
+    fn limits(feature: Feature, nominal: &str, upper_nm: i64, lower_nm: i64) -> Limits {
+        let nm = |nm| Length::from_nanometres(nm).unwrap();
+        let deviations = Deviations::new(nm(upper_nm), nm(lower_nm)).unwrap();
+        Limits::new(feature, nominal.parse().unwrap(), deviations, Source::File("x".into())).unwrap()
+    }
+
+    #[track_caller]
+    fn check(limits: &Limits, measured: &str, axis: [f64; 2], marker: Marker) {
+        let band = Band::new(limits, Some(measured.parse().unwrap()));
+        assert_eq!(([band.axis_min_um, band.axis_max_um], band.marker), (axis, Some(marker)), "for {measured}");
+    }
+
+    #[test]
+    fn a_value_near_the_zone_stretches_the_axis_and_a_far_one_becomes_an_arrow() {
+        let hole = limits(Feature::Hole, "25", 20_000, 0);
+        check(&hole, "25.012", [-10.0, 30.0], Marker::InSight(12.0));
+        check(&hole, "25.020", [-10.0, 30.0], Marker::InSight(20.0));
+        check(&hole, "25.030", [-10.0, 33.0], Marker::InSight(30.0));
+        check(&hole, "25.040", [-10.0, 43.0], Marker::InSight(40.0));
+        check(&hole, "25.040001", [-10.0, 30.0], Marker::BeyondRight(40.001));
+        check(&hole, "24.980", [-23.0, 30.0], Marker::InSight(-20.0));
+        check(&hole, "24.979999", [-10.0, 30.0], Marker::BeyondLeft(-20.001));
+        check(&hole, "635", [-10.0, 30.0], Marker::BeyondRight(610_000.0));
+    }
+
+    #[test]
+    fn the_nominal_size_is_shown_when_it_is_near() {
+        let near = Band::new(&limits(Feature::Shaft, "25", -7_000, -20_000), None);
+        assert!(near.shows(0.0) && near.ticks.contains(&0.0), "{near:?}");
+        assert_eq!(near.marker, None);
+        let far = Band::new(&limits(Feature::Shaft, "25", -65_000, -117_000), None);
+        assert!(!far.shows(0.0), "{far:?}");
+    }
+
+    #[test]
+    fn rework_and_scrap_swap_for_a_shaft() {
+        let sides = |feature| {
+            let band = Band::new(&limits(feature, "25", 5_000, -5_000), None);
+            (band.left, band.right)
+        };
+        assert_eq!(sides(Feature::Hole), (Side::Rework, Side::Scrap));
+        assert_eq!(sides(Feature::Shaft), (Side::Scrap, Side::Rework));
+    }
+
+    #[test]
+    fn a_zone_of_no_width_has_an_axis() {
+        let none = limits(Feature::Hole, "25", 3_000, 3_000);
+        check(&none, "25.003", [-2.0, 8.0], Marker::InSight(3.0));
+        check(&none, "25.013", [-2.0, 14.5], Marker::InSight(13.0));
+        check(&none, "25.013001", [-2.0, 8.0], Marker::BeyondRight(13.001));
+    }
+
+    #[test]
+    fn ticks_are_round() {
+        assert_eq!(ticks(-10.5, 31.5), [-10.0, 0.0, 10.0, 20.0, 30.0]);
+        assert_eq!(ticks(-23.0, 33.0), [-20.0, -10.0, 0.0, 10.0, 20.0, 30.0]);
+        assert_eq!(ticks(-0.001, 0.003), [-0.001, 0.0, 0.001, 0.002, 0.003]);
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn every_band_is_in_order(lower in -5_000_000_i64..5_000_000, width in 0_i64..5_000_000,
+                                  measured in -10_000_000_i64..10_000_000) {
+            let limits = limits(Feature::Hole, "25", lower + width, lower);
+            let measured = Length::from_nanometres(25_000_000 + measured).unwrap();
+            let band = Band::new(&limits, Some(measured));
+            assert!(band.axis_min_um < band.lower_um && band.upper_um < band.axis_max_um);
+            assert!(band.lower_um <= band.upper_um);
+            if 0 < width {
+                assert!(0.3 < (band.upper_um - band.lower_um) / (band.axis_max_um - band.axis_min_um), "{band:?}");
+            }
+            assert!((3..=13).contains(&band.ticks.len()), "{band:?}");
+            assert!(band.ticks.iter().all(|tick| band.shows(*tick)) && band.ticks.is_sorted());
+            match band.marker {
+                Some(Marker::InSight(um)) => assert!(band.shows(um)),
+                Some(Marker::BeyondLeft(um)) => assert!(um < band.axis_min_um),
+                Some(Marker::BeyondRight(um)) => assert!(band.axis_max_um < um),
+                None => panic!("there is a value"),
+            }
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! Checks as CSV: one line a check, the same in every language.
+//!
+//! UTF-8, comma, LF, always a decimal point; a header names the columns and their units. `contacts` holds an array
+//! as in the JSON, `[[x,y,z],…]` in millimetres; several `warnings` are separated by ` | `. Title, part and signature
+//! have no place here. `status` is the part's, as on the report: SCRAP where the centre is out of position, and then
+//! `warnings` tells what the size alone is.
+//!
+//! A spreadsheet takes a field that begins with `=`, `+`, `-` or `@` for a formula, and an id or a file name can hold
+//! one. Such a text gets an apostrophe in front, as in a spreadsheet itself: it is shown as text and never computed.
+//! Columns of numbers are never touched, so a negative deviation stays a number.
+
+use super::row::{COLUMNS, Micrometres, Millimetres, Row};
+use super::{RenderError, Rendering, Report};
+use crate::journal::Record;
+use crate::words::Words;
+
+/// This rendering.
+pub const RENDERING: Rendering = Rendering { name: "csv", endings: &["csv"], render: render_report };
+
+fn render_report(report: &Report, _words: &Words) -> Result<Vec<u8>, RenderError> {
+    render(&report.checks)
+}
+
+/// The records as CSV, with a header, in their order.
+pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(COLUMNS).map_err(|error| RenderError::writer("csv", &error))?;
+    for record in records {
+        let fields = fields(&Row::of(record))?;
+        writer.write_record(fields).map_err(|error| RenderError::writer("csv", &error))?;
+    }
+    writer.into_inner().map_err(|error| RenderError::writer("csv", &error))
+}
+
+/// In the order of [`COLUMNS`].
+fn fields(row: &Row) -> Result<[String; COLUMNS.len()], RenderError> {
+    let mm = |length: Millimetres| length.text(3);
+    let centre = |axis: Option<Millimetres>| axis.map(mm).unwrap_or_default();
+    let um = |length: Option<Micrometres>| length.map(Micrometres::text).unwrap_or_default();
+    let contacts = if row.contacts.is_empty() {
+        String::new()
+    } else {
+        serde_json::to_string(&row.contacts).map_err(|error| RenderError::writer("csv", &error))?
+    };
+    Ok([
+        row.time.clone(),
+        harmless(&row.id),
+        row.callout.clone().unwrap_or_default(),
+        row.feature.to_owned(),
+        row.nominal_mm.text(0),
+        mm(row.min_mm),
+        mm(row.max_mm),
+        mm(row.measured_mm),
+        row.deviation_um.text(),
+        row.status.to_owned(),
+        um(row.remove_um),
+        um(row.remove_to_middle_um),
+        row.position.unwrap_or_default().to_owned(),
+        centre(row.centre_x_mm),
+        centre(row.centre_y_mm),
+        contacts,
+        harmless(&row.source),
+        harmless(&row.origin),
+        row.rule.clone(),
+        row.warnings.join(" | "),
+    ])
+}
+
+/// A text that no spreadsheet computes. Blanks and control characters in front do not hide a formula, and the wide
+/// signs of East Asian keyboards are formulas to some spreadsheets, too.
+fn harmless(text: &str) -> String {
+    let first = text.trim_start_matches(|c: char| c.is_whitespace() || c.is_control()).chars().next();
+    let formula = first.is_some_and(|c| "=+-@\u{ff1d}\u{ff0b}\u{ff0d}\u{ff20}".contains(c));
+    if formula { format!("'{text}") } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample;
+    use super::*;
+
+    #[track_caller]
+    fn check(records: &[Record], lines: &[&str]) {
+        let text = String::from_utf8(render(records).unwrap()).unwrap();
+        let mut expected = vec![
+            "time,id,callout,feature,nominal_mm,min_mm,max_mm,measured_mm,deviation_um,status,remove_um,\
+             remove_to_middle_um,position,centre_x_mm,centre_y_mm,contacts,source,origin,rule,warnings",
+        ];
+        expected.extend(lines);
+        assert_eq!(text.lines().collect::<Vec<_>>(), expected);
+        assert!(text.ends_with('\n') && !text.contains('\r'));
+    }
+
+    #[test]
+    fn no_check_is_a_header() {
+        check(&[], &[]);
+    }
+
+    #[test]
+    fn every_column_has_its_figure() {
+        check(
+            &[sample::good(), sample::rework(), sample::out_of_position()],
+            &[
+                "2026-11-21T10:42:07,Bore A,25 H7,hole,25,25.000,25.021,25.012,12,GOOD,,,,,,,\
+                 \"ISO 286 table 82553_hole.tab, over 18 up to 30 mm\",typed,\
+                 \"no guard band, limits belong to the zone\",\
+                 one diameter only: nothing is known of form and position",
+                "2026-11-21T10:43:00,,25 H7,hole,25,25.000,25.021,24.998,-2,REWORK,2,12.5,,,,,\
+                 \"ISO 286 table 82553_hole.tab, over 18 up to 30 mm\",typed,\
+                 \"no guard band, limits belong to the zone\",\
+                 one diameter only: nothing is known of form and position",
+                "2026-11-21T10:44:00,Stud,25 g6,shaft,25,24.980,24.993,24.985,-15,SCRAP,,,OUT,0.003,-0.012,\
+                 \"[[12.4955,-0.012,-5.0],[0.003,12.4805,-5.0],[-12.4895,-0.012,-5.0],[0.003,-12.5045,-5.0]]\",\
+                 \"ISO 286 table 82553_shaft.tab, over 18 up to 30 mm\",\"simulated, cycle 422, seed 1\",\
+                 \"no guard band, limits belong to the zone\",\
+                 the centre is out of position; the size alone is GOOD | 4 contacts: no form seen beyond ovality",
+            ],
+        );
+    }
+
+    #[test]
+    fn a_text_is_never_a_formula_and_a_number_stays_a_number() {
+        for text in ["=1+1", "+1", "-1", "@SUM(A1)", " =1", "\t=1", "\r\n=1", "＝1"] {
+            assert_eq!(harmless(text), format!("'{text}"));
+        }
+        for text in ["", "Bore A", "A=1", "'=1", "25-1", "\u{2212}1"] {
+            assert_eq!(harmless(text), text);
+        }
+        let record = Record { id: "=HYPERLINK(\"http://x\",\"y\")".to_owned(), ..sample::rework() };
+        let bytes = render(&[record]).unwrap();
+        let mut reader = csv::Reader::from_reader(bytes.as_slice());
+        let row = reader.records().next().unwrap().unwrap();
+        assert_eq!(row.get(1), Some("'=HYPERLINK(\"http://x\",\"y\")"));
+        assert_eq!(row.get(8), Some("-2"));
+    }
+}

@@ -1,0 +1,269 @@
+//! The report as one HTML page: no script, nothing from outside, prints well on A4 and in black and white.
+//!
+//! The template is `assets/report/report.html`, its look `report.css`; every value is escaped by the template. This
+//! file puts figures into words and decides nothing. The page is also well-formed XML, so other tools can read it.
+
+use askama::Template;
+
+use super::picture;
+use super::text;
+use super::{RenderError, Rendering, Report};
+use crate::journal::Record;
+use crate::length::{Length, Unit};
+use crate::probing::{Circle, Contact};
+use crate::verdict::{Removal, Status, Verdict};
+use crate::words::{Message, Words};
+
+/// This rendering.
+pub const RENDERING: Rendering = Rendering { name: "html", endings: &["html", "htm"], render };
+
+/// A longer list of contacts goes to the end of the report, so that a check fits on a page and is never split.
+const CONTACTS_IN_CHECK: usize = 16;
+
+/// How dates are written: the same in every language, and nobody mistakes the day for the month.
+const DATE: &str = "%Y-%m-%d %H:%M:%S";
+
+#[derive(Template)]
+#[template(path = "report.html", config = "assets/report/askama.toml")]
+struct Page<'a> {
+    words: &'a Words,
+    title: String,
+    head: Vec<Entry>,
+    notes: Vec<String>,
+    summary: Option<Summary>,
+    checks: Vec<Check>,
+    inspector: &'a str,
+    program: &'a str,
+}
+
+impl Page<'_> {
+    /// A text of the template.
+    fn t(&self, id: &str) -> String {
+        self.words.get(id)
+    }
+}
+
+/// A label and what it says.
+struct Entry {
+    label: String,
+    value: String,
+}
+
+struct Summary {
+    counts: Vec<Count>,
+    total: usize,
+}
+
+struct Count {
+    word: String,
+    count: usize,
+}
+
+struct Check {
+    number: usize,
+    heading: String,
+    feature: String,
+    id: String,
+    time: String,
+    word: String,
+    sign: String,
+    reason: String,
+    /// Said where the centre's position overrules the size.
+    cause: Option<String>,
+    doubt: Option<String>,
+    band: String,
+    nominal: String,
+    sizes: [Size; 3],
+    removals: Vec<RemovalLine>,
+    position: String,
+    axes: Vec<String>,
+    centre: Option<String>,
+    caveats: Vec<String>,
+    origins: Vec<Entry>,
+    contacts: Vec<ContactLine>,
+    contacts_at_end: bool,
+}
+
+struct Size {
+    label: String,
+    mm: String,
+    um: String,
+    measured: bool,
+}
+
+struct RemovalLine {
+    label: String,
+    diameter: String,
+    side: String,
+}
+
+struct ContactLine {
+    number: usize,
+    axes: [String; 3],
+    radial: String,
+}
+
+fn render(report: &Report, words: &Words) -> Result<Vec<u8>, RenderError> {
+    let failed = |error: askama::Error| RenderError::writer("html", &error);
+    let checks: Vec<Check> = report
+        .checks
+        .iter()
+        .enumerate()
+        .map(|(before, record)| check(before + 1, record, words))
+        .collect::<askama::Result<_>>()
+        .map_err(failed)?;
+    let page = Page {
+        words,
+        title: if report.title.is_empty() { words.get("report-title") } else { report.title.clone() },
+        head: head(report, words),
+        notes: report.notes.iter().map(|note| words.say(note)).collect(),
+        summary: (1 < checks.len()).then(|| summary(&report.checks, words)),
+        checks,
+        inspector: report.inspector.as_deref().unwrap_or_default(),
+        program: &report.program,
+    };
+    Ok(printable(&page.render().map_err(failed)?).into_bytes())
+}
+
+/// The text without what no page may hold: control characters, and marks that turn the direction of writing and so
+/// the order of figures. Each becomes a replacement character, so that it is seen.
+fn printable(page: &str) -> String {
+    let hidden = |c: char| {
+        (c.is_control() && c != '\n' && c != '\t')
+            || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}')
+    };
+    page.chars().map(|c| if hidden(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
+}
+
+fn head(report: &Report, words: &Words) -> Vec<Entry> {
+    let created = report.created.strftime(DATE).to_string();
+    [
+        ("report-part", report.part.as_ref()),
+        ("report-order", report.order.as_ref()),
+        ("report-inspector", report.inspector.as_ref()),
+        ("report-created", Some(&created)),
+        ("report-program", Some(&report.program)),
+    ]
+    .into_iter()
+    .filter_map(|(id, value)| Some(Entry { label: words.get(id), value: value?.clone() }))
+    .collect()
+}
+
+fn summary(records: &[Record], words: &Words) -> Summary {
+    let counts = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].into_iter().filter_map(|status| {
+        let count = records.iter().filter(|record| record.verdict.status() == status).count();
+        // Nothing is ever re-measured without a guard band; a zero would only raise questions.
+        (status != Status::ReMeasure || 0 < count).then(|| Count { word: words.say(&text::status(status)), count })
+    });
+    Summary { counts: counts.collect(), total: records.len() }
+}
+
+fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check> {
+    let Record { limits, measurement, verdict, .. } = record;
+    let status = verdict.status();
+    let sizes = [limits.maximum(), limits.minimum(), measurement.diameter];
+    let decimals = sizes.into_iter().map(decimals_of).fold(3, usize::max);
+    let nominal = words.mm(limits.nominal, 0);
+    let size = |id: &str, size: Length, measured| Size {
+        label: words.get(id),
+        mm: words.mm(size, decimals),
+        um: words.signed_um(size.saturating_sub(limits.nominal)),
+        measured,
+    };
+    let heading = match &record.callout {
+        Some(callout) => words.number(&callout.to_string()),
+        None => words.say(&Message::new("report-heading-without-callout").text("nominal", &nominal)),
+    };
+    Ok(Check {
+        number,
+        heading,
+        feature: words.say(&text::feature(limits.feature)),
+        id: record.id.clone(),
+        time: record.time.strftime(DATE).to_string(),
+        word: words.say(&text::status(status)),
+        sign: picture::verdict(status, words)?,
+        reason: words.say(&text::size(&verdict.size, words)),
+        cause: cause(verdict, words),
+        doubt: record.doubt.map(|doubt| words.say(&text::doubt(doubt))),
+        band: picture::band(record, decimals, words)?,
+        nominal,
+        sizes: [
+            size("report-maximum", limits.maximum(), false),
+            size("report-minimum", limits.minimum(), false),
+            size("report-measured", measurement.diameter, true),
+        ],
+        removals: verdict.size.removal.map(|removal| removals(removal, words)).unwrap_or_default(),
+        position: words.say(&text::position(verdict.position)),
+        axes: verdict
+            .position
+            .map(|position| {
+                ["X", "Y"].iter().zip(&position.axes).map(|(n, a)| words.say(&text::axis(n, a, words))).collect()
+            })
+            .unwrap_or_default(),
+        centre: measurement.centre.map(|[x, y]| {
+            words.say(&Message::new("report-centre").text("x", words.mm(x, 3)).text("y", words.mm(y, 3)))
+        }),
+        caveats: measurement.caveats().iter().map(|caveat| words.told(caveat)).collect(),
+        origins: origins(record, words),
+        contacts: contacts(&measurement.contacts, measurement.circle, words),
+        contacts_at_end: CONTACTS_IN_CHECK < measurement.contacts.len(),
+    })
+}
+
+/// Why the part is worse than its size alone.
+fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
+    (verdict.status() != verdict.size.status).then(|| {
+        let alone = words.say(&text::status(verdict.size.status));
+        words.say(&Message::new("report-cause-position").text("status", alone))
+    })
+}
+
+/// What to remove, on diameter and per side. Half a nanometre per side is rounded up: it is enough, then.
+fn removals(removal: Removal, words: &Words) -> Vec<RemovalLine> {
+    let line = |id: &str, amount: Length| RemovalLine {
+        label: words.get(id),
+        diameter: words.um(amount),
+        side: words.um(Length::ZERO.midpoint(amount)),
+    };
+    vec![line("report-remove-to-limit", removal.to_limit), line("report-remove-to-middle", removal.to_middle)]
+}
+
+/// Where each number comes from: limits, measured value, verdict.
+fn origins(record: &Record, words: &Words) -> Vec<Entry> {
+    let measurement = &record.measurement;
+    let origin = words.told(&measurement.origin);
+    let measured = match measurement.circle {
+        Some(_) => words.say(
+            &Message::new("report-origin-circle").text("origin", origin).count("contacts", measurement.contacts.len()),
+        ),
+        None => origin,
+    };
+    let entry = |id: &str, value: String| Entry { label: words.get(id), value };
+    vec![
+        entry("report-limits-from", words.say(&text::source(&record.limits.source, words))),
+        entry("report-measured-from", measured),
+        entry("report-verdict-from", words.say(&text::rule(record.verdict.rule))),
+    ]
+}
+
+fn contacts(contacts: &[Contact], circle: Option<Circle>, words: &Words) -> Vec<ContactLine> {
+    let mm = |value: f64| match Length::from_mm_f64(value) {
+        Ok(length) => words.number(&length.rounded(Unit::Millimetre, 4)),
+        Err(error) => words.number(&error.to_string()),
+    };
+    let radial = |contact: &Contact, circle: Circle| {
+        let distance = (contact.x - circle.x).hypot(contact.y - circle.y);
+        picture::radial_um(distance, circle.diameter / 2.0, words)
+    };
+    let line = |(before, contact): (usize, &Contact)| ContactLine {
+        number: before + 1,
+        axes: [contact.x, contact.y, contact.z].map(mm),
+        radial: circle.map(|circle| radial(contact, circle)).unwrap_or_default(),
+    };
+    contacts.iter().enumerate().map(line).collect()
+}
+
+/// How many decimals a size has in millimetres.
+fn decimals_of(length: Length) -> usize {
+    length.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len())
+}

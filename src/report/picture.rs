@@ -1,0 +1,272 @@
+//! The report's pictures as SVG: the limit band and the verdict's sign.
+//!
+//! Shapes are painted, never backgrounds: browsers leave backgrounds out when they print. The two sides differ by
+//! their hatching, not by colour alone. Colours are in `assets/report/report.css`, shapes in the templates.
+
+use askama::Template;
+
+use super::band::{Band, Marker, Side, micrometres};
+use super::text;
+use crate::journal::Record;
+use crate::length::Length;
+use crate::verdict::Status;
+use crate::words::{Message, Words};
+
+/// Left end of the axis in the picture's units; four units print as about a millimetre.
+const LEFT: f64 = 20.0;
+/// Length of the axis.
+const WIDTH: f64 = 680.0;
+/// Height of the band.
+const HEIGHT: f64 = 66.0;
+/// Labels closer than this would overlap.
+const LABEL: f64 = 100.0;
+
+/// The CSS class of a status.
+const fn status_class(status: Status) -> &'static str {
+    match status {
+        Status::Good => "good",
+        Status::Rework => "rework",
+        Status::ReMeasure => "remeasure",
+        Status::Scrap => "scrap",
+    }
+}
+
+#[derive(Template)]
+#[template(path = "verdict.svg", config = "assets/report/askama.toml")]
+struct VerdictPicture {
+    class: &'static str,
+    word: String,
+    size: usize,
+    baseline: usize,
+}
+
+/// The verdict's word beside its shape: check mark, turning arrow, loop or cross.
+pub(super) fn verdict(status: Status, words: &Words) -> askama::Result<String> {
+    let word = words.say(&text::status(status));
+    // 250 units are free for the word; a bold capital is about 0.72 of its size wide.
+    let size = (347 / word.chars().count().max(1)).clamp(12, 40);
+    VerdictPicture { class: status_class(status), word, size, baseline: 36 + size * 36 / 100 }.render()
+}
+
+struct SidePicture {
+    class: &'static str,
+    x: String,
+    width: String,
+    middle: String,
+    hatch: String,
+    cause: String,
+    name: String,
+}
+
+struct Tick {
+    x: String,
+    text: String,
+    labelled: bool,
+}
+
+struct LimitPicture {
+    x: String,
+    deviation: String,
+    size: String,
+}
+
+struct MarkerPicture {
+    x: String,
+    anchor: &'static str,
+    value: String,
+    distances: String,
+    pointer: String,
+}
+
+#[derive(Template)]
+#[template(path = "band.svg", config = "assets/report/askama.toml")]
+struct BandPicture {
+    title: String,
+    sides: [SidePicture; 2],
+    lower: LimitPicture,
+    zone_width: String,
+    zone_middle: String,
+    zone_name: String,
+    zone_named: bool,
+    ticks: Vec<Tick>,
+    nominal: Option<Tick>,
+    nominal_name: String,
+    limits: Vec<LimitPicture>,
+    marker: Option<MarkerPicture>,
+}
+
+/// The limit band of a record with its measured value; sizes get at least so many decimals.
+pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::Result<String> {
+    let limits = &record.limits;
+    let band = Band::new(limits, Some(record.measurement.diameter));
+    let at = |um: f64| LEFT + WIDTH * band.fraction(um);
+    let (lower, upper) = (at(band.lower_um), at(band.upper_um));
+    let limit = |um: f64, deviation: Length, size: Length| LimitPicture {
+        x: units(at(um)),
+        deviation: format!("{} µm", words.signed_um(deviation)),
+        size: format!("{} mm", words.mm(size, decimals)),
+    };
+    let lower_limit = || limit(band.lower_um, limits.deviations.lower(), limits.minimum());
+    let mut both = vec![lower_limit()];
+    if limits.deviations.lower() < limits.deviations.upper() {
+        both.push(limit(band.upper_um, limits.deviations.upper(), limits.maximum()));
+    }
+    let clear = |x: f64, room: f64| room <= (x - lower).abs() && room <= (x - upper).abs();
+    let ticks = band.ticks.iter().map(|&um| {
+        let x = at(um);
+        Tick { x: units(x), text: tick_text(um, words), labelled: clear(x, 24.0) }
+    });
+    let nominal = band.shows(0.0).then(|| {
+        let x = at(0.0);
+        Tick { x: units(x), text: String::new(), labelled: clear(x, LABEL) }
+    });
+    let distances = text::distances(&record.verdict.size, words).map(|message| words.say(&message)).join(", ");
+    let value = format!(
+        "{} mm ({} µm)",
+        words.mm(record.measurement.diameter, decimals),
+        words.signed_um(record.verdict.size.deviation)
+    );
+    let title = Message::new("report-band-title").text("value", &value).text("distances", &distances);
+    BandPicture {
+        title: words.say(&title),
+        sides: [
+            side(band.left, LEFT, lower, words.get("report-side-too-small"), words),
+            side(band.right, upper, LEFT + WIDTH, words.get("report-side-too-large"), words),
+        ],
+        lower: lower_limit(),
+        zone_width: units(upper - lower),
+        zone_middle: units(f64::midpoint(lower, upper)),
+        zone_name: words.get("report-side-good"),
+        zone_named: LABEL / 2.0 < upper - lower,
+        ticks: ticks.collect(),
+        nominal,
+        nominal_name: words.say(&Message::new("report-band-nominal").mm("size", limits.nominal)),
+        limits: both,
+        marker: band.marker.map(|place| marker(&band, place, value, distances)),
+    }
+    .render()
+}
+
+fn side(side: Side, from: f64, to: f64, cause: String, words: &Words) -> SidePicture {
+    let width = to - from;
+    SidePicture {
+        class: match side {
+            Side::Rework => "rework",
+            Side::Scrap => "scrap",
+        },
+        x: units(from),
+        width: units(width),
+        middle: units(f64::midpoint(from, to)),
+        hatch: hatch(side, width),
+        cause,
+        name: words.say(&text::side(side)),
+    }
+}
+
+/// Wide slanting lines for rework, a narrow lattice for scrap: told apart in black and white.
+fn hatch(side: Side, width: f64) -> String {
+    let step = match side {
+        Side::Rework => 14.0,
+        Side::Scrap => 10.0,
+    };
+    let mut path = String::new();
+    let mut x = 0.0;
+    while x < width + HEIGHT {
+        let start = units(x);
+        path.extend(["M", &start, " 0 l-66 66"]);
+        if side == Side::Scrap {
+            path.extend(["M", &start, " 66 l-66 -66"]);
+        }
+        x += step;
+    }
+    path
+}
+
+fn marker(band: &Band, place: Marker, value: String, distances: String) -> MarkerPicture {
+    let (x, pointer) = match place {
+        Marker::InSight(um) => {
+            let x = LEFT + WIDTH * band.fraction(um);
+            (x, format!("M{0} 58 l-9 -14 h18 z M{0} 58 V83", units(x)))
+        }
+        Marker::BeyondLeft(_) => (LEFT, "M2 71 l20 -14 v28 z M22 71 H62".to_owned()),
+        Marker::BeyondRight(_) => (LEFT + WIDTH, "M718 71 l-20 -14 v28 z M698 71 H658".to_owned()),
+    };
+    let anchor = if x < LEFT + WIDTH * 0.3 {
+        "start"
+    } else if LEFT + WIDTH * 0.7 < x {
+        "end"
+    } else {
+        "middle"
+    };
+    MarkerPicture { x: units(x), anchor, value, distances, pointer }
+}
+
+/// A tick's number. It is a round float, so it is shown at the nearest nanometre.
+fn tick_text(um: f64, words: &Words) -> String {
+    Length::from_mm_f64(um / 1e3).map(|length| words.signed_um(length)).unwrap_or_default()
+}
+
+/// A coordinate with one decimal; never `-0.0`.
+fn units(value: f64) -> String {
+    format!("{:.1}", (value * 10.0).round() / 10.0 + 0.0)
+}
+
+/// How far a contact lies outside (+) or inside (−) a circle, in micrometres with one decimal and a sign.
+pub(super) fn radial_um(distance: f64, radius: f64, words: &Words) -> String {
+    let Ok(deviation) = Length::from_mm_f64(distance - radius) else { return String::new() };
+    let text = deviation.rounded(crate::length::Unit::Micrometre, 1);
+    let plus = if 0.05 <= micrometres(deviation) { "+" } else { "" };
+    format!("{plus}{}", words.number(&text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample;
+    use super::*;
+    use crate::words::Language;
+
+    fn drawn(record: &Record) -> String {
+        band(record, 3, &Words::new(Language::En)).unwrap()
+    }
+
+    #[test]
+    fn the_band_names_zone_sides_and_value() {
+        let svg = drawn(&sample::good());
+        for text in
+            ["too small", ">rework<", ">good<", "too large", ">scrap<", "25.012 mm (+12 µm)", "25.021 mm", ">+21 µm<"]
+        {
+            assert!(svg.contains(text), "{text} is missing in {svg}");
+        }
+        assert!(svg.contains("12 µm above minimum, 9 µm below maximum"));
+        let order = |svg: &str| svg.find("class=\"hatch rework\"") < svg.find("class=\"hatch scrap\"");
+        assert!(order(&svg), "a hole's rework side is on the left");
+        assert!(!order(&drawn(&sample::out_of_position())), "a shaft's is on the right");
+    }
+
+    #[test]
+    fn a_value_far_outside_is_an_arrow_with_its_number() {
+        let svg = drawn(&sample::typed("635"));
+        assert!(svg.contains("M718 71") && svg.contains("635.000 mm (+610000 µm)"), "{svg}");
+        assert!(drawn(&sample::typed("12.5")).contains("M2 71"));
+    }
+
+    #[test]
+    fn coordinates_are_plain_numbers() {
+        assert_eq!(units(-0.04), "0.0");
+        assert_eq!(units(359.96), "360.0");
+        for record in [sample::good(), sample::typed("0.001"), sample::out_of_position()] {
+            let svg = drawn(&record);
+            assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        }
+    }
+
+    #[test]
+    fn radial_deviations_have_a_sign_unless_zero() {
+        let words = Words::new(Language::En);
+        assert_eq!(radial_um(12.5011, 12.5, &words), "+1.1");
+        assert_eq!(radial_um(12.49996, 12.5, &words), "0.0");
+        assert_eq!(radial_um(12.50004, 12.5, &words), "0.0");
+        assert_eq!(radial_um(12.4989, 12.5, &words), "\u{2212}1.1");
+        assert_eq!(radial_um(f64::NAN, 12.5, &words), "");
+    }
+}

@@ -1,0 +1,155 @@
+//! A record in figures: the names that CSV and JSON share, in every language the same.
+//!
+//! Millimetres and micrometres as the name says, always with a point. Sizes are exact.
+
+use serde::Serialize;
+
+use super::band::micrometres;
+use crate::journal::Record;
+use crate::length::{Length, Unit};
+use crate::tolerance::Source;
+use crate::verdict::PositionVerdict;
+
+/// One record. The fields' order is the order of the columns.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Row {
+    pub time: String,
+    pub id: String,
+    pub callout: Option<String>,
+    pub feature: &'static str,
+    pub nominal_mm: Millimetres,
+    pub min_mm: Millimetres,
+    pub max_mm: Millimetres,
+    pub measured_mm: Millimetres,
+    pub deviation_um: Micrometres,
+    pub status: &'static str,
+    pub remove_um: Option<Micrometres>,
+    pub remove_to_middle_um: Option<Micrometres>,
+    pub position: Option<&'static str>,
+    pub centre_x_mm: Option<Millimetres>,
+    pub centre_y_mm: Option<Millimetres>,
+    pub contacts: Vec<[f64; 3]>,
+    pub source: String,
+    pub origin: String,
+    pub rule: String,
+    pub warnings: Vec<String>,
+}
+
+/// The columns, in order.
+pub(super) const COLUMNS: [&str; 20] = [
+    "time",
+    "id",
+    "callout",
+    "feature",
+    "nominal_mm",
+    "min_mm",
+    "max_mm",
+    "measured_mm",
+    "deviation_um",
+    "status",
+    "remove_um",
+    "remove_to_middle_um",
+    "position",
+    "centre_x_mm",
+    "centre_y_mm",
+    "contacts",
+    "source",
+    "origin",
+    "rule",
+    "warnings",
+];
+
+/// A length as a number of millimetres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Millimetres(pub Length);
+
+/// A length as a number of micrometres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Micrometres(pub Length);
+
+// A length has at most 16 significant figures and a float's shortest text gives back 15 of any and 16 of nearly
+// every number; beyond that lie sizes above 1 000 km. So the JSON number reads as the exact decimal.
+impl Serialize for Millimetres {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_f64(self.0.to_mm_f64())
+    }
+}
+
+impl Serialize for Micrometres {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_f64(micrometres(self.0))
+    }
+}
+
+impl Millimetres {
+    /// Exact, with at least so many decimals.
+    pub fn text(self, decimals: usize) -> String {
+        self.0.exact(Unit::Millimetre, decimals)
+    }
+}
+
+impl Micrometres {
+    /// Exact, with only the decimals it has.
+    pub fn text(self) -> String {
+        self.0.exact(Unit::Micrometre, 0)
+    }
+}
+
+impl Row {
+    pub fn of(record: &Record) -> Self {
+        let Record { limits, measurement, verdict, .. } = record;
+        let [centre_x_mm, centre_y_mm] =
+            measurement.centre.map_or([None; 2], |axes| axes.map(|a| Some(Millimetres(a))));
+        let removal = verdict.size.removal;
+        Self {
+            time: record.time.to_string(),
+            id: record.id.clone(),
+            callout: record.callout.map(|callout| callout.to_string()),
+            feature: limits.feature.word(),
+            nominal_mm: Millimetres(limits.nominal),
+            min_mm: Millimetres(limits.minimum()),
+            max_mm: Millimetres(limits.maximum()),
+            measured_mm: Millimetres(measurement.diameter),
+            deviation_um: Micrometres(verdict.size.deviation),
+            status: verdict.status().word(),
+            remove_um: removal.map(|removal| Micrometres(removal.to_limit)),
+            remove_to_middle_um: removal.map(|removal| Micrometres(removal.to_middle)),
+            position: verdict.position.map(position),
+            centre_x_mm,
+            centre_y_mm,
+            // `+ 0.0` turns a negative zero into zero.
+            contacts: measurement.contacts.iter().map(|c| [c.x + 0.0, c.y + 0.0, c.z + 0.0]).collect(),
+            source: limits.source.to_string(),
+            origin: measurement.origin.to_string(),
+            rule: verdict.rule.to_string(),
+            warnings: warnings(record),
+        }
+    }
+}
+
+/// The position for machines; the size has its own column and neither hides the other.
+fn position(position: PositionVerdict) -> &'static str {
+    if position.is_out() {
+        "OUT"
+    } else if position.is_monitored() {
+        "IN"
+    } else {
+        "NOT MONITORED"
+    }
+}
+
+/// What is odd about the check, then what the measurement cannot tell, in English.
+fn warnings(record: &Record) -> Vec<String> {
+    let Record { limits, measurement, verdict, doubt, .. } = record;
+    let mut warnings: Vec<String> = doubt.iter().map(ToString::to_string).collect();
+    if verdict.status() != verdict.size.status {
+        warnings.push(format!("the centre is out of position; the size alone is {}", verdict.size.status));
+    }
+    if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
+        let um = |length| Micrometres(length).text();
+        let (upper, lower) = (um(standard.upper()), um(standard.lower()));
+        warnings.push(format!("own table: the ISO 286 table says {upper} and {lower} µm here"));
+    }
+    warnings.extend(measurement.caveats().iter().map(ToString::to_string));
+    warnings
+}

@@ -1,0 +1,312 @@
+//! The report as a reader sees it: complete, well-formed, escaped, the same every time.
+
+use fitcheck::journal::Record;
+use fitcheck::length::Length;
+use fitcheck::probing::{Circle, Contact, Measurement, Origin};
+use fitcheck::report::{RENDERINGS, Report};
+use fitcheck::tolerance::{Callout, Deviations, Limits, Source};
+use fitcheck::verdict::{AxisPosition, PositionVerdict, doubt, judge};
+use fitcheck::words::{Language, Message, Words};
+use jiff::civil::date;
+
+fn um(um: i32) -> Length {
+    Length::from_micrometres(um)
+}
+
+fn limits(callout: &str, upper: i32, lower: i32, source: Source) -> Limits {
+    let callout: Callout = callout.parse().unwrap();
+    let deviations = Deviations::new(um(upper), um(lower)).unwrap();
+    Limits::new(callout.feature(), callout.nominal(), deviations, source).unwrap()
+}
+
+fn iso(name: &str) -> Source {
+    Source::Table { name: name.into(), shipped: true, over: um(18_000), to: um(30_000), instead_of: None }
+}
+
+fn record(
+    id: &str,
+    callout: &str,
+    limits: Limits,
+    measurement: Measurement,
+    axes: Option<[AxisPosition; 2]>,
+) -> Record {
+    Record {
+        time: date(2026, 11, 21).at(10, 42, 7, 0),
+        id: id.to_owned(),
+        callout: callout.parse().ok(),
+        verdict: judge(&limits, measurement.diameter, axes.map(|axes| PositionVerdict { axes })),
+        doubt: doubt(limits.nominal, measurement.diameter),
+        limits,
+        measurement,
+    }
+}
+
+fn bore(id: &str, measured: &str) -> Record {
+    let measurement = Measurement::of_diameter(measured.parse().unwrap(), Origin::Typed);
+    record(id, "25 H7", limits("25 H7", 21, 0, iso("82553_hole.tab")), measurement, None)
+}
+
+/// A good diameter on contacts at equal angles, the centre out in Y.
+fn stud(contacts: u32) -> Record {
+    let radius = 12.4925;
+    let contact = |number: u32| {
+        let angle = std::f64::consts::TAU * f64::from(number) / f64::from(contacts);
+        Contact { x: radius * angle.cos(), y: radius * angle.sin() - 0.012, z: -5.0 }
+    };
+    let measurement = Measurement {
+        diameter: um(24_985),
+        centre: Some([um(0), um(-12)]),
+        contacts: (0..contacts).map(contact).collect(),
+        circle: Some(Circle { x: 0.0, y: -0.012, diameter: 2.0 * radius }),
+        origin: Origin::Simulated { cycle: 422, seed: 1 },
+    };
+    let axes = [
+        AxisPosition { deviation: um(0), tolerance: None },
+        AxisPosition { deviation: um(-12), tolerance: Some(um(10)) },
+    ];
+    record("Stud", "25 g6", limits("25 g6", -7, -20, iso("82553_shaft.tab")), measurement, Some(axes))
+}
+
+fn report(checks: Vec<Record>) -> Report {
+    Report { program: "Fitcheck 0.0.0".to_owned(), ..Report::new(date(2026, 11, 21).at(11, 0, 0, 0), checks) }
+}
+
+fn html(report: &Report, language: Language) -> String {
+    let rendering = RENDERINGS.iter().find(|rendering| rendering.name == "html").unwrap();
+    let page = String::from_utf8((rendering.render)(report, &Words::new(language)).unwrap()).unwrap();
+    check_well_formed(&page);
+    // Lines end between tags, where they mean nothing.
+    page.replace('\n', "")
+}
+
+/// Every element is closed where it was opened, every attribute is quoted, every `&` begins an entity.
+#[track_caller]
+pub fn check_well_formed(page: &str) {
+    let mut open: Vec<&str> = Vec::new();
+    let mut rest = page.strip_prefix("<!DOCTYPE html>").expect("a document type");
+    while let Some(start) = rest.find('<') {
+        let (text, tag) = rest.split_at(start);
+        check_text(text);
+        let end = tag.find('>').unwrap_or_else(|| panic!("a tag without an end: {tag:.80}"));
+        let (inside, after) = tag.split_at(end);
+        let inside = inside.trim_start_matches('<');
+        rest = after.trim_start_matches('>');
+        if let Some(name) = inside.strip_prefix('/') {
+            assert_eq!(open.pop(), Some(name), "closed before {rest:.80}");
+            continue;
+        }
+        let (inside, alone) = inside.strip_suffix('/').map_or((inside, false), |inside| (inside.trim_end(), true));
+        let (name, attributes) = inside.split_once(' ').unwrap_or((inside, ""));
+        assert!(!name.is_empty() && name.bytes().all(|b| b.is_ascii_alphanumeric()), "a tag named {name:?}");
+        check_attributes(attributes);
+        if !alone {
+            open.push(name);
+        }
+    }
+    assert!(open.is_empty(), "never closed: {open:?}");
+    assert_eq!(rest.trim(), "");
+}
+
+#[track_caller]
+fn check_text(text: &str) {
+    assert!(!text.contains('>'), "a stray > in {text:.80}");
+    for (at, _) in text.match_indices('&') {
+        let entity = text.split_at(at + 1).1.split(';').next().unwrap_or_default();
+        let sound = entity.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'#') && (2..=8).contains(&entity.len());
+        assert!(sound, "a stray & in {text:.80}");
+    }
+}
+
+#[track_caller]
+fn check_attributes(mut attributes: &str) {
+    while !attributes.trim().is_empty() {
+        let (name, value) = attributes.split_once("=\"").unwrap_or_else(|| panic!("attributes {attributes}"));
+        let name = name.trim();
+        assert!(name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'-'), "an attribute named {name}");
+        let (value, after) = value.split_once('"').unwrap_or_else(|| panic!("value of {name}"));
+        check_text(value);
+        attributes = after;
+    }
+}
+
+#[track_caller]
+fn check_contains(page: &str, texts: &[&str]) {
+    for text in texts {
+        assert!(page.contains(text), "{text:?} is missing in\n{page}");
+    }
+}
+
+#[test]
+fn a_report_says_everything_about_each_check() {
+    let report = Report {
+        part: Some("4711-A".to_owned()),
+        order: Some("2026-118".to_owned()),
+        inspector: Some("J. de Vries".to_owned()),
+        notes: vec![Message::new("report-empty")],
+        ..report(vec![bore("Bore A", "25.012"), bore("Bore B", "24.998"), bore("Bore C", "25.030"), stud(4)])
+    };
+    let page = html(&report, Language::En);
+    check_contains(
+        &page,
+        &[
+            "<html lang=\"en\">",
+            "<title>Inspection report</title>",
+            "4711-A",
+            "2026-118",
+            "J. de Vries",
+            "2026-11-21 11:00:00",
+            "no check could be used, so no report was written",
+            // counts
+            "<th scope=\"col\">GOOD</th><th scope=\"col\">REWORK</th><th scope=\"col\">SCRAP</th>",
+            "<td>1</td><td>1</td><td>2</td><td>4</td>",
+            // verdicts, limits, values
+            "<title>GOOD</title>",
+            "<title>REWORK</title>",
+            "<title>SCRAP</title>",
+            "25 H7 <span class=\"quiet\">hole</span>",
+            "25 g6 <span class=\"quiet\">shaft</span>",
+            ">25.021 mm</td>",
+            ">25.000 mm</td>",
+            ">25.012 mm</td><td class=\"number\">+12 µm</td>",
+            ">24.998 mm</td><td class=\"number\">\u{2212}2 µm</td>",
+            "12 µm above minimum, 9 µm below maximum",
+            "2 µm too small",
+            "9 µm too large",
+            // amounts to remove: on diameter and per side
+            "<td class=\"number diameter\">2 µm</td><td class=\"number quiet\">1 µm</td>",
+            "<td class=\"number diameter\">12.5 µm</td><td class=\"number quiet\">6.25 µm</td>",
+            // position
+            "X 0.000 mm: not monitored",
+            "Y \u{2212}0.012 mm, permitted ± 0.010 mm: OUT",
+            "the centre is out of position; the size alone is GOOD",
+            // where each number comes from
+            "ISO 286 table 82553_hole.tab, over 18 up to 30 mm",
+            "least-squares circle through 4 contacts",
+            "no guard band, limits belong to the zone",
+            "What this cannot tell",
+            // signature
+            ">Name</th>",
+            ">Date</th>",
+            ">Signature</th>",
+        ],
+    );
+}
+
+#[test]
+fn the_dutch_report_is_dutch_with_a_decimal_comma() {
+    let page = html(&report(vec![bore("", "25.012"), bore("", "24.998"), stud(4)]), Language::Nl);
+    check_contains(
+        &page,
+        &[
+            "<html lang=\"nl\">",
+            "<title>Meetrapport</title>",
+            "GOED",
+            "NABEWERKING",
+            "AFGEKEURD",
+            "25,012 mm",
+            "\u{2212}2 µm",
+            "6,25 µm",
+            "ISO 286-tabel 82553_hole.tab, boven 18 tot en met 30 mm",
+            "Y \u{2212}0,012 mm, toegestaan ± 0,010 mm: BUITEN",
+            "Handtekening",
+        ],
+    );
+    for english in ["GOOD", "SCRAP", "25.012", "Signature", "not measured", "above minimum"] {
+        assert!(!page.contains(english), "{english} in the Dutch report");
+    }
+}
+
+#[test]
+fn no_text_is_missing_in_a_language() {
+    for language in Language::COMPLETE {
+        let words = Words::new(language);
+        let text = include_str!("../../assets/locales/en/report.ftl");
+        for id in text.lines().filter_map(|line| line.split_once(" = ")).map(|(id, _)| id) {
+            assert_ne!(words.get(id), id, "{language}");
+        }
+        let page = html(&report(vec![bore("", "12.5"), stud(40)]), language);
+        assert!(!page.contains(">report-") && !page.contains("{ $"), "{page}");
+    }
+}
+
+#[test]
+fn nothing_in_a_text_becomes_a_tag_or_turns_the_figures_round() {
+    let evil = "</title><script>alert('x')</script>\" onload=\"x&y\u{202e}\u{0}";
+    let mut checks = vec![bore(evil, "25.012"), stud(3)];
+    checks[0].limits.source = Source::File(evil.into());
+    checks[1].measurement.origin = Origin::Contacts { file: evil.into() };
+    let some = || Some(evil.to_owned());
+    let report = Report {
+        title: evil.to_owned(),
+        part: some(),
+        order: some(),
+        inspector: some(),
+        notes: vec![Message::new("report-note").text("place", evil)],
+        ..report(checks)
+    };
+    let page = html(&report, Language::En);
+    assert!(!page.contains("<script") && !page.contains("\" onload"));
+    assert!(!page.contains('\u{202e}') && !page.contains('\0'));
+    check_contains(&page, &["&#60;script&#62;alert(&#39;x&#39;)", "x&#38;y\u{fffd}\u{fffd}"]);
+}
+
+#[test]
+fn the_page_needs_nothing_from_outside() {
+    let page = html(&report(vec![bore("Bore A", "25.012"), stud(4)]), Language::En);
+    for outside in ["http:", "https:", "src=", "url(", "@import", "<link", "<script", "<img", "<iframe"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    check_contains(&page, &["default-src 'none'", "@page", "size: A4", "break-inside: avoid"]);
+}
+
+#[test]
+fn a_doubtful_value_is_doubted() {
+    let page = html(&report(vec![bore("", "12.5")]), Language::En);
+    check_contains(&page, &["measured value is half the nominal size: is it a radius?"]);
+    assert!(!page.contains("class=\"overview\""), "one check needs no summary");
+}
+
+#[test]
+fn long_lists_of_contacts_go_to_the_end() {
+    let rows = |page: &str| page.matches("</td><td>\u{2212}5.0000</td>").count();
+    let short = html(&report(vec![stud(16)]), Language::En);
+    assert_eq!(rows(&short), 16);
+    assert!(!short.contains("id=\"contacts-1\""));
+    let long = html(&report(vec![stud(17)]), Language::En);
+    assert_eq!(rows(&long), 17);
+    check_contains(&long, &["href=\"#contacts-1\"", "id=\"contacts-1\""]);
+}
+
+#[test]
+fn limits_without_a_class_have_a_heading_of_their_own() {
+    let mut record = bore("", "25.0121");
+    record.callout = None;
+    record.limits.source = Source::File("TCHPR421.TXT".into());
+    let page = html(&report(vec![record]), Language::En);
+    // All sizes of a check have the decimals of the finest one.
+    check_contains(&page, &["25 mm, limits without a class", "file TCHPR421.TXT", "25.0210 mm", "25.0121 mm"]);
+}
+
+#[test]
+fn no_checks_at_all_is_said() {
+    check_contains(&html(&report(Vec::new()), Language::En), &["There are no checks in this report."]);
+}
+
+#[test]
+fn every_rendering_is_the_same_every_time() {
+    let report = report(vec![bore("Bore A", "25.012"), stud(20)]);
+    for rendering in RENDERINGS {
+        let once = || (rendering.render)(&report, &Words::new(Language::Nl)).unwrap();
+        assert_eq!(once(), once(), "{}", rendering.name);
+    }
+}
+
+proptest::proptest! {
+    #[test]
+    fn every_text_gives_a_well_formed_page(id in "\\PC{0,40}", measured in 1_i64..2_000_000_000) {
+        let mut record = bore(&id, "25");
+        record.measurement.diameter = Length::from_nanometres(measured).unwrap();
+        record.verdict = judge(&record.limits, record.measurement.diameter, None);
+        html(&report(vec![record]), Language::En);
+    }
+}
