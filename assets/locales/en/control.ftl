@@ -1,6 +1,5 @@
 # control
 
-<<<<<<< HEAD
 # Masks
 mask-empty = the mask is empty
 mask-unknown = line { $line }, column { $column }: { $found } is no record, keyword or comment
@@ -16,7 +15,6 @@ mask-undefined = line { $line }, column { $column }: { $name } is not defined
 mask-text-as-number = line { $line }, column { $column }: { $name } is a text, the format wants a number
 mask-number-as-text = line { $line }, column { $column }: { $name } is a number, the format wants a text
 mask-not-finite = line { $line }, column { $column }: { $name } is not a finite number
-=======
 # Measuring logs
 log-at-line = line { $line }: { $reason }
 log-empty = the file is empty
@@ -42,4 +40,3 @@ log-no-time = date and time of the measurement are not known
 log-no-deviations = the deviations are missing: the log may be cut off
 log-ignored = not used: { $text }
 log-text-before = text before the first log was not used
->>>>>>> exchange

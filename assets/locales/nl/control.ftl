@@ -1,6 +1,5 @@
 # control
 
-<<<<<<< HEAD
 # Maskers
 mask-empty = het masker is leeg
 mask-unknown = regel { $line }, kolom { $column }: { $found } is geen uitvoerregel, sleutelwoord of commentaar
@@ -16,7 +15,6 @@ mask-undefined = regel { $line }, kolom { $column }: { $name } heeft geen waarde
 mask-text-as-number = regel { $line }, kolom { $column }: { $name } is een tekst, het formaat vraagt een getal
 mask-number-as-text = regel { $line }, kolom { $column }: { $name } is een getal, het formaat vraagt een tekst
 mask-not-finite = regel { $line }, kolom { $column }: { $name } is geen eindig getal
-=======
 # Meetprotocollen
 log-at-line = regel { $line }: { $reason }
 log-empty = het bestand is leeg
@@ -42,4 +40,3 @@ log-no-time = datum en tijd van de meting zijn niet bekend
 log-no-deviations = de afwijkingen ontbreken: het protocol is misschien afgebroken
 log-ignored = niet gebruikt: { $text }
 log-text-before = de tekst voor het eerste protocol is niet gebruikt
->>>>>>> exchange
