@@ -1,2 +1,4 @@
-#[test]
-fn t() {}
+//! Tests of the core and the command line, in one binary.
+
+mod limits_cli;
+mod tables;

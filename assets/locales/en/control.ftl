@@ -1,1 +1,48 @@
 # control
+
+## Tables
+table-at = { $what }: { $file }, line { $line }, column { $column }
+table-empty = the file is empty
+table-not-text = character { $code } is no text: this is not a table or it is damaged
+table-line-too-long = the line is longer than { $limit } bytes
+table-too-large = the table has more than { $limit } cells
+table-too-many-columns = the table has more than { $limit } columns
+table-no-begin = a table begins with BEGIN and its name, not with { $found }
+table-no-name = the name of the table is missing behind BEGIN
+table-unclosed-quote = a quotation mark is not closed
+table-unclosed-block = the block { $block } of line { $line } is not closed
+table-second-block = the columns are described a second time
+table-unexpected = { $expected } is due here, not { $found }
+table-not-a-size = { $key } is a whole number up to { $limit }, not { $text }
+table-no-columns = the line with the names of the columns is missing
+table-tab = a tab stands here: only blanks keep columns apart
+table-column-twice = column { $name } occurs twice
+table-short-row = the row ends before column { $name }: fill it up with blanks, or write - for no value
+table-truncated = the file ends within this row and without [END]: it may be cut off
+table-text-after-end = text behind [END]: { $found }
+table-no-end = [END] is missing
+table-begin-word = { $word } has no known meaning in the BEGIN line
+table-width = column { $name } is { $found } characters wide here but { $described } in the description; the names decide
+table-not-in-table = column { $name } is described but not in the table
+table-not-described = column { $name } is not described
+table-skipped = { $name } is unknown and was skipped
+table-write-too-wide = row { $row }, column { $column }: { $text } does not fit into { $width } characters
+table-write-too-many-columns = the table has { $columns } columns; an iTNC 530 takes at most { $limit }
+table-write-too-long = the lines of the table have { $characters } characters; an iTNC 530 takes at most { $limit }
+table-write-reads-otherwise = the table cannot be written so that it reads back the same: check the names of the table and its columns
+
+## Tables of deviations
+deviations-no-tables = no table of deviations (*.tab with a column BEREICH) in this folder: { $folder }
+deviations-two-range-columns = BEREICH and BEREIK are both there: only one can hold the size ranges
+deviations-inch = the table is in inch: write size ranges in millimetres and deviations in micrometres
+deviations-no-class = no column is a tolerance class such as H7
+deviations-odd-rows = the number of rows is odd, { $rows }: each size range takes two: upper deviation, lower deviation
+deviations-no-range = the end of the size range is missing
+deviations-other-range = the size range up to { $end } mm has { $found-sign }{ $found } in its second row: repeat it or leave it blank
+deviations-column = column { $column }: { $error }
+deviations-half = column { $class } has only one of the two deviations for the size range up to { $end } mm
+deviations-touch = column { $column } and its neighbour run into each other: keep them apart by a blank
+deviations-none = no table of deviations, for it has no column BEREICH; skipped: { $file }
+deviations-range-alias = BEREIK was read as BEREICH
+deviations-no-numbers = column { $name } holds no numbers and was skipped
+deviations-mixed-case = column { $name } mixes upper and lower case, so it is no tolerance class and was skipped

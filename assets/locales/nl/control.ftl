@@ -1,1 +1,48 @@
 # control
+
+## Tabellen
+table-at = { $what }: { $file }, regel { $line }, kolom { $column }
+table-empty = het bestand is leeg
+table-not-text = teken { $code } is geen tekst: dit is geen tabel of hij is beschadigd
+table-line-too-long = de regel is langer dan { $limit } bytes
+table-too-large = de tabel heeft meer dan { $limit } cellen
+table-too-many-columns = de tabel heeft meer dan { $limit } kolommen
+table-no-begin = een tabel begint met BEGIN en zijn naam, niet met { $found }
+table-no-name = achter BEGIN ontbreekt de naam van de tabel
+table-unclosed-quote = een aanhalingsteken is niet gesloten
+table-unclosed-block = het blok { $block } van regel { $line } is niet afgesloten
+table-second-block = de kolommen worden een tweede keer beschreven
+table-unexpected = hier hoort { $expected } te staan, niet { $found }
+table-not-a-size = { $key } is een geheel getal tot en met { $limit }, niet { $text }
+table-no-columns = de regel met de namen van de kolommen ontbreekt
+table-tab = hier staat een tab: alleen spaties houden kolommen uit elkaar
+table-column-twice = kolom { $name } komt twee keer voor
+table-short-row = de rij houdt op vóór kolom { $name }: vul hem aan met spaties, of schrijf - voor geen waarde
+table-truncated = het bestand houdt midden in deze rij op, zonder [END]: misschien is het afgebroken
+table-text-after-end = tekst na [END]: { $found }
+table-no-end = [END] ontbreekt
+table-begin-word = { $word } heeft in de BEGIN-regel geen bekende betekenis
+table-width = kolom { $name } is hier { $found } tekens breed, maar in de beschrijving { $described }; de namen gelden
+table-not-in-table = kolom { $name } is beschreven maar staat niet in de tabel
+table-not-described = kolom { $name } is niet beschreven
+table-skipped = { $name } is onbekend en is overgeslagen
+table-write-too-wide = rij { $row }, kolom { $column }: { $text } past niet in { $width } tekens
+table-write-too-many-columns = de tabel heeft { $columns } kolommen; een iTNC 530 kan er hoogstens { $limit } aan
+table-write-too-long = de regels van de tabel hebben { $characters } tekens; een iTNC 530 kan er hoogstens { $limit } aan
+table-write-reads-otherwise = de tabel is niet zo te schrijven dat hij gelijk teruggelezen wordt: controleer de namen van de tabel en zijn kolommen
+
+## Tabellen met afwijkingen
+deviations-no-tables = geen tabel met afwijkingen (*.tab met een kolom BEREICH) in deze map: { $folder }
+deviations-two-range-columns = BEREICH en BEREIK staan er allebei: maar één ervan kan de maatbereiken bevatten
+deviations-inch = de tabel is in inch: schrijf maatbereiken in millimeters en afwijkingen in micrometers
+deviations-no-class = geen enkele kolom is een tolerantieklasse zoals H7
+deviations-odd-rows = het aantal rijen is oneven, { $rows }: elk maatbereik heeft er twee, eerst de bovenafwijking en dan de onderafwijking
+deviations-no-range = het einde van het maatbereik ontbreekt
+deviations-other-range = bij het maatbereik tot en met { $end } mm staat in de tweede rij { $found-sign }{ $found }: herhaal het of laat het leeg
+deviations-column = kolom { $column }: { $error }
+deviations-half = kolom { $class } heeft maar één van de twee afwijkingen voor het maatbereik tot en met { $end } mm
+deviations-touch = kolom { $column } en zijn buurkolom lopen in elkaar over: zet er een spatie tussen
+deviations-none = geen tabel met afwijkingen, want de kolom BEREICH ontbreekt; overgeslagen: { $file }
+deviations-range-alias = BEREIK is gelezen als BEREICH
+deviations-no-numbers = kolom { $name } bevat geen getallen en is overgeslagen
+deviations-mixed-case = kolom { $name } mengt hoofdletters en kleine letters, is dus geen tolerantieklasse en is overgeslagen
