@@ -4,3 +4,5 @@ mod import;
 mod logs;
 mod masks;
 mod report;
+mod limits_cli;
+mod tables;
