@@ -1,10 +1,7 @@
 //! `fitcheck check`: one verdict, printed through a mask.
 
-use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-
-use jiff::civil::DateTime;
 
 use super::{CliError, Format, Io, Outcome, TableArgs};
 use crate::control::mask::Mask;
@@ -12,10 +9,12 @@ use crate::control::status::status_window;
 use crate::exchange::contacts;
 use crate::files;
 use crate::journal::Record;
-use crate::length::{Length, Unit};
+use crate::length::Length;
+use crate::probing::measure::{ProbePosition, cycle_number, measure, measure_contacts};
+use crate::probing::simulated::{Machine, Probe, Workpiece};
 use crate::probing::{Measurement, Origin};
-use crate::session::simulate;
-use crate::tolerance::{Callout, Limits};
+use crate::report::{csv, json};
+use crate::tolerance::{Callout, Limits, Source};
 use crate::verdict::{self, doubt};
 use crate::words::Language;
 
@@ -98,9 +97,7 @@ impl Args {
             limits,
             measurement,
         };
-        for warning in warnings(&record) {
-            writeln!(io.err, "warning: {warning}")?;
-        }
+        warn(&record, io)?;
         match self.format {
             Format::Text => self.print_window(&record, io)?,
             Format::Json => print_json(&record, io)?,
@@ -118,41 +115,80 @@ impl Args {
             return Ok(Measurement::of_diameter(diameter, Origin::Typed));
         }
         if let Some(path) = &self.source.contacts {
-            return measure_contacts(path, io);
+            return measure_file(path, io);
         }
         let diameter = match &self.true_diameter {
             Some(text) => text.parse().map_err(|error| data("true diameter", &error))?,
             None => limits.middle(),
         };
-        simulate(limits, diameter, self.seed).map_err(|error| CliError::Data(error.to_string()))
+        let workpiece = Workpiece::usual(limits.feature, diameter.to_mm_f64());
+        let mut machine =
+            Machine::new(workpiece, Probe::USUAL, self.seed).map_err(|error| data("simulated workpiece", &error))?;
+        let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: self.seed };
+        let position = ProbePosition::default();
+        let (measurement, _) = measure(limits, &position, &mut machine, origin)
+            .map_err(|error| data("simulated measurement", &error))?;
+        Ok(measurement)
     }
 
     fn print_window(&self, record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
         let text = match &self.mask {
-            MaskArg::Shipped(language) => status_window(record, *language, None),
+            MaskArg::Shipped(language) => {
+                status_window(record, *language, None).map_err(|error| CliError::Data(error.to_string()))?
+            }
             MaskArg::Own(path) => {
-                let in_file = |error: &dyn std::fmt::Display| CliError::Data(format!("{}: {error}", path.display()));
-                let (mask, warnings) = Mask::read(&files::read(path)?).map_err(|error| in_file(&error))?;
+                let name = path.display().to_string();
+                let (mask, warnings) = Mask::read(&files::read(path)?).map_err(|error| data(&name, &error))?;
                 for warning in warnings {
-                    writeln!(io.err, "warning: {}: {warning}", path.display())?;
+                    writeln!(io.err, "warning: {name}: {warning}")?;
                 }
-                status_window(record, Language::En, Some(&mask)).map_err(|error| return in_file(&error))
-                    .map_or_else(|error| Err(error), |text| Ok(Ok(text)))?
+                status_window(record, Language::En, Some(&mask)).map_err(|error| data(&name, &error))?
             }
         };
-        let text = text.map_err(|error| CliError::Data(error.to_string()))?;
         io.out.write_all(text.as_bytes())?;
         if let Some(removal) = record.verdict.size.removal {
-            writeln!(
-                io.err,
-                "remove {} mm to the nearest limit, {} mm to the middle of the zone",
-                removal.to_limit, removal.to_middle
-            )?;
+            let (limit, middle) = (removal.to_limit, removal.to_middle);
+            writeln!(io.err, "remove {limit} mm to the nearest limit, {middle} mm to the middle of the zone")?;
         }
         Ok(())
     }
 }
 
-fn data(what: &str, error: &dyn std::fmt::Display) -> CliError {
+/// What is odd about the measured value; what the measurement cannot tell stands in CSV and JSON.
+fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
+    if let Some(doubt) = record.doubt {
+        writeln!(io.err, "warning: {doubt}")?;
+    }
+    if let Source::Table { instead_of: Some(shipped), name, .. } = &record.limits.source {
+        let (upper, lower) = (shipped.upper(), shipped.lower());
+        writeln!(io.err, "warning: table {name} differs from the built-in one, which has {upper} and {lower} mm")?;
+    }
+    Ok(())
+}
+
+fn measure_file(path: &Path, io: &mut Io<'_>) -> Result<Measurement, CliError> {
+    let (name, bytes) = super::read_input(path, io)?;
+    let read = contacts::read(&bytes).map_err(|error| data(&name, &error))?;
+    for column in read.ignored {
+        writeln!(io.err, "warning: {name}: column {column} is not used")?;
+    }
+    let origin = Origin::Contacts { file: name.as_str().into() };
+    measure_contacts(read.contacts, origin).map_err(|error| data(&name, &error))
+}
+
+fn print_json(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
+    let object = json::object(record).map_err(|error| CliError::Data(error.to_string()))?;
+    let text = serde_json::to_string_pretty(&object).map_err(|error| CliError::Data(error.to_string()))?;
+    writeln!(io.out, "{text}")?;
+    Ok(())
+}
+
+fn print_csv(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
+    let bytes = csv::render(std::slice::from_ref(record)).map_err(|error| CliError::Data(error.to_string()))?;
+    io.out.write_all(&bytes)?;
+    Ok(())
+}
+
+fn data(what: &str, error: &impl std::fmt::Display) -> CliError {
     CliError::Data(format!("{what}: {error}"))
 }

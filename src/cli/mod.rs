@@ -9,7 +9,7 @@ mod import;
 mod limits;
 mod report;
 
-use std::io::{BufRead, Write};
+use std::io::{BufRead, Read as _, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -155,6 +155,20 @@ impl Cli {
         let mut input = std::io::stdin().lock();
         ExitCode::from(self.run(&mut Io { input: &mut input, out: &mut out, err: &mut err }))
     }
+}
+
+/// The bytes of a file, or of standard input for `-`, and the name to call it by.
+fn read_input(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec<u8>), CliError> {
+    if path.as_os_str() == "-" {
+        let mut bytes = Vec::new();
+        std::io::Read::take(&mut *io.input, files::LARGEST + 1).read_to_end(&mut bytes)?;
+        if files::LARGEST < u64::try_from(bytes.len()).unwrap_or(u64::MAX) {
+            return Err(FileError::TooLarge { path: path.to_owned() }.into());
+        }
+        return Ok(("standard input".to_owned(), bytes));
+    }
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    Ok((name, files::read(path)?))
 }
 
 /// Writes an output file and says its name on standard error.

@@ -5,6 +5,7 @@
 //! | `imported` | what came out of a file: records, and everything that made none |
 //! | `problem` | what is wrong or odd, and where |
 //! | `logs` | HEIDENHAIN measuring logs as records |
+//! | `contacts` | CSV of x, y and perhaps z |
 //! | `measurements` | CSV of id, callout and measured value |
 //! | `columns`, `words` | which column of a CSV is which, by header or content |
 //! | `delimited` | rows and cells, with their lines |
@@ -13,6 +14,7 @@
 //! Nothing here opens a file: a name, bytes, tables and the time come in as arguments.
 
 mod columns;
+pub mod contacts;
 mod delimited;
 pub mod imported;
 mod logs;
@@ -145,9 +147,30 @@ pub fn import(file_name: &str, bytes: &[u8], tables: &Tables, now: DateTime) -> 
     }
 }
 
-// The one place where contacts are read, once `exchange::contacts` is here.
-fn read_contacts(_source: &Source<'_>) -> Imported {
-    Imported::failed(Reason::NotRecognised)
+fn read_contacts(source: &Source<'_>) -> Imported {
+    match contacts::read(source.bytes) {
+        Ok(read) => {
+            let count = read.contacts.len();
+            let unjudged = Unjudged {
+                line: 1,
+                id: String::new(),
+                time: source.now,
+                measured: None,
+                position: None,
+                why: WhyUnjudged::Contacts { count },
+            };
+            Imported { unjudged: vec![unjudged], contacts: Some(read.contacts), rows: 1, ..Imported::default() }
+        }
+        Err(error) => Imported::failed(Reason::Contacts(error)),
+    }
+}
+
+/// The endings of all formats, each once, for file dialogs.
+pub fn endings() -> Vec<&'static str> {
+    let mut endings: Vec<&str> = FORMATS.iter().flat_map(|format| format.endings.iter().copied()).collect();
+    endings.sort_unstable();
+    endings.dedup();
+    endings
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::contacts::ContactsError;
 use crate::control::log::{LogReason, LogWarning};
 use crate::length::{Length, LengthError};
 use crate::tolerance::table::LimitsError;
@@ -50,6 +51,9 @@ pub enum Reason {
     /// A log that cannot be used.
     #[error("{0}")]
     Log(LogReason),
+    /// Contacts that cannot be used.
+    #[error("{0}")]
+    Contacts(ContactsError),
     /// No column holds the measured values.
     #[error("no column of measured values: name it in the first line, such as id;callout;measured")]
     NoMeasuredColumn,
@@ -182,6 +186,7 @@ impl Say for Reason {
             Self::NotRecognised => Message::new("exchange-not-recognised"),
             Self::NoRows => Message::new("exchange-no-rows"),
             Self::Log(reason) => reason.message(),
+            Self::Contacts(error) => error.message(),
             Self::NoMeasuredColumn => Message::new("exchange-no-measured-column"),
             Self::SeveralColumns { role, columns } => Message::new("exchange-several-columns")
                 .text("columns", columns)
@@ -318,6 +323,7 @@ mod tests {
             Reason::NotRecognised,
             Reason::NoRows,
             Reason::Log(LogReason::NoTitle),
+            Reason::Contacts(super::super::contacts::ContactsError::Empty),
             Reason::NoMeasuredColumn,
             Reason::SeveralColumns { role: Role::Id, columns: text() },
             Reason::SeveralColumns { role: Role::Tolerance, columns: text() },

@@ -1,5 +1,7 @@
 //! One touch of the probe, and whoever makes it.
 
+use crate::words::{Message, Say};
+
 /// A point on the workpiece's surface in millimetres, in the workpiece's coordinates (ball radius already taken into
 /// account).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -38,6 +40,17 @@ pub enum NoContact {
         /// How many contacts there are.
         available: usize,
     },
+}
+
+impl Say for NoContact {
+    fn message(&self) -> Message {
+        match self {
+            Self::Missed { number } => Message::new("contact-missed").text("number", number),
+            Self::UsedUp { number, available } => {
+                Message::new("contact-used-up").text("number", number).text("available", available)
+            }
+        }
+    }
 }
 
 /// Where a cycle's contacts come from: the simulated workpiece, or contacts recorded in a file.

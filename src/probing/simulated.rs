@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::contact::{Contact, NoContact, Prober, Touch};
 use crate::tolerance::Feature;
+use crate::words::{Message, Say};
 
 /// A circular feature with its form, millimetres and degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -52,6 +53,11 @@ pub struct Probe {
     pub trigger_scatter: f64,
 }
 
+impl Probe {
+    /// Half a micrometre of scatter, as touch probes in machines have.
+    pub const USUAL: Self = Self { trigger_scatter: 0.0005 };
+}
+
 /// Why a workpiece cannot be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{what} = {given}: {allowed}")]
@@ -62,6 +68,12 @@ pub struct WorkpieceError {
     pub given: f64,
     /// What is allowed.
     pub allowed: &'static str,
+}
+
+impl Say for WorkpieceError {
+    fn message(&self) -> Message {
+        Message::new("workpiece-cannot-be").text("what", self.what).text("given", self.given).text("allowed", self.allowed)
+    }
 }
 
 /// The simulated machine: answers touches with contacts.
@@ -78,6 +90,15 @@ impl Workpiece {
     pub const fn round(feature: Feature, centre: [f64; 2], diameter: f64) -> Self {
         let none = Lobes { count: 0, amplitude: 0.0, angle: 0.0 };
         Self { feature, centre, diameter, ovality: none, lobes: none, surface_scatter: 0.0 }
+    }
+
+    /// One as a shop makes it: a micrometre oval, three tenths of a micrometre rough.
+    pub const fn usual(feature: Feature, diameter: f64) -> Self {
+        Self {
+            ovality: Lobes { count: 2, amplitude: 0.001, angle: 0.0 },
+            surface_scatter: 0.0003,
+            ..Self::round(feature, [0.0, 0.0], diameter)
+        }
     }
 
     /// The radius in a direction seen from the centre, radians.

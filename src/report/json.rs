@@ -55,6 +55,14 @@ pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
     written(None, records)
 }
 
+/// One record as an object with the CSV's names; what there is not is left out.
+pub fn object(record: &Record) -> Result<serde_json::Map<String, serde_json::Value>, RenderError> {
+    let value = serde_json::to_value(Row::of(record)).map_err(|error| RenderError::writer("json", &error))?;
+    let serde_json::Value::Object(mut object) = value else { return Ok(serde_json::Map::new()) };
+    object.retain(|_, value| !value.is_null());
+    Ok(object)
+}
+
 fn written(head: Option<Head<'_>>, records: &[Record]) -> Result<Vec<u8>, RenderError> {
     let file = File { version: VERSION, head, checks: records.iter().map(Row::of).collect() };
     let mut bytes = serde_json::to_vec_pretty(&file).map_err(|error| RenderError::writer("json", &error))?;

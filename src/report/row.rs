@@ -139,7 +139,7 @@ fn position(position: PositionVerdict) -> &'static str {
 }
 
 /// What is odd about the check, then what the measurement cannot tell, in English.
-fn warnings(record: &Record) -> Vec<String> {
+pub fn warnings(record: &Record) -> Vec<String> {
     let Record { limits, measurement, verdict, doubt, .. } = record;
     let mut warnings: Vec<String> = doubt.iter().map(ToString::to_string).collect();
     if verdict.status() != verdict.size.status {

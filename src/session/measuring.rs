@@ -1,4 +1,4 @@
-//! From the fields to a measurement and a record.
+//! From the fields to a measurement and a record; from an imported file to what is told about it.
 
 use jiff::civil::DateTime;
 
@@ -7,35 +7,53 @@ use super::inputs::{Field, Inputs, MeasureBy};
 use super::Notice;
 use crate::exchange::Imported;
 use crate::journal::Record;
-use crate::length::LengthError;
+use crate::length::{Length, LengthError};
+use crate::probing::cycle::Angle;
+use crate::probing::measure::{ProbePosition, cycle_number, measure as run_cycle, measure_contacts};
+use crate::probing::simulated::{Lobes, Machine, Probe, Workpiece};
 use crate::probing::{Contact, Measurement, Origin};
 use crate::report::{RENDERINGS, Report};
-use crate::verdict;
-use crate::words::{Language, Message, Say as _, Words};
+use crate::tolerance::Limits;
+use crate::verdict::{self, AxisPosition, PositionVerdict};
+use crate::words::{Message, Say as _, Words};
 
-/// Measures as the fields say. What is refused names the field.
-pub(super) fn measure(inputs: &Inputs, asked: &Asked, now: DateTime) -> Result<Record, (Field, Message)> {
+/// What measuring refused, and beside which field it is said.
+type Refusal = (Field, Message);
+
+/// Measures as the fields say.
+pub(super) fn measure(inputs: &Inputs, asked: &Asked, now: DateTime) -> Result<Record, Refusal> {
     let Some(limits) = asked.limits() else {
         // An error beside the callout says more than "no limits".
         let problem = asked.error(Field::Callout).cloned();
         return Err((Field::Callout, problem.unwrap_or_else(|| Message::new("measured-needs-limits"))));
     };
-    let measurement = match inputs.by {
-        _ => typed(asked)?,
+    let (measurement, position) = match inputs.by {
+        MeasureBy::Typing => (typed(asked)?, None),
+        MeasureBy::Simulating => simulated(asked, limits)?,
     };
-    let measured = measurement.diameter;
-    Ok(Record {
-        time: now,
-        id: inputs.text(Field::Part).trim().to_owned(),
-        callout: asked.callout(),
-        limits: limits.clone(),
-        verdict: verdict::judge(limits, measured, None),
-        doubt: verdict::doubt(limits.nominal, measured),
-        measurement,
-    })
+    Ok(record(inputs.text(Field::Part), asked, limits, (measurement, position), now))
 }
 
-fn typed(asked: &Asked) -> Result<Measurement, (Field, Message)> {
+fn record(
+    part: &str,
+    asked: &Asked,
+    limits: &Limits,
+    (measurement, position): (Measurement, Option<PositionVerdict>),
+    now: DateTime,
+) -> Record {
+    let measured = measurement.diameter;
+    Record {
+        time: now,
+        id: part.trim().to_owned(),
+        callout: asked.callout(),
+        limits: limits.clone(),
+        verdict: verdict::judge(limits, measured, position),
+        doubt: verdict::doubt(limits.nominal, measured),
+        measurement,
+    }
+}
+
+fn typed(asked: &Asked) -> Result<Measurement, Refusal> {
     if let Some(diameter) = asked.length(Field::Measured) {
         return Ok(Measurement::of_diameter(diameter, Origin::Typed));
     }
@@ -43,6 +61,91 @@ fn typed(asked: &Asked) -> Result<Measurement, (Field, Message)> {
     Err((Field::Measured, problem.unwrap_or_else(|| LengthError::Empty.message())))
 }
 
-pub(super) fn export(_format: usize, _records: Vec<Record>, _language: Language, _now: DateTime) -> Vec<u8> { Vec::new() }
-pub(super) fn import_notice(_name: &str, _imported: &Imported) -> Notice { todo!() }
-pub(super) fn judge_contacts(_name: &str, _contacts: Vec<Contact>, _asked: &Asked, _now: DateTime) -> Result<Record, Message> { todo!() }
+/// A field that must hold a length.
+fn length(asked: &Asked, field: Field) -> Result<Length, Refusal> {
+    let problem = || asked.error(field).cloned().unwrap_or_else(|| LengthError::Empty.message());
+    asked.length(field).ok_or_else(|| (field, problem()))
+}
+
+fn simulated(asked: &Asked, limits: &Limits) -> Result<(Measurement, Option<PositionVerdict>), Refusal> {
+    let position = probe_position(asked)?;
+    let whole = |field| (field, asked.error(field).cloned().unwrap_or_else(|| LengthError::Empty.message()));
+    let seed = asked.seed.ok_or_else(|| whole(Field::Seed))?;
+    let (workpiece, probe) = workpiece(asked, limits, &position)?;
+    let refused = |message| (Field::TrueDiameter, message);
+    let mut machine = Machine::new(workpiece, probe, seed).map_err(|error| refused(error.message()))?;
+    let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed };
+    let (measurement, position) =
+        run_cycle(limits, &position, &mut machine, origin).map_err(|error| refused(error.message()))?;
+    Ok((measurement, Some(position)))
+}
+
+fn probe_position(asked: &Asked) -> Result<ProbePosition, Refusal> {
+    let angle = length(asked, Field::FirstAngle)?;
+    let first_angle = angle.to_string().parse::<Angle>().map_err(|error| (Field::FirstAngle, error.message()))?;
+    Ok(ProbePosition {
+        centre: [length(asked, Field::CentreX)?, length(asked, Field::CentreY)?],
+        height: length(asked, Field::Height)?,
+        first_angle,
+        clearance: length(asked, Field::Clearance)?,
+        centre_tolerance: length(asked, Field::CentreTolerance)?,
+    })
+}
+
+fn workpiece(asked: &Asked, limits: &Limits, position: &ProbePosition) -> Result<(Workpiece, Probe), Refusal> {
+    let mm = |field| length(asked, field).map(Length::to_mm_f64);
+    let diameter = match asked.error(Field::TrueDiameter) {
+        Some(problem) => return Err((Field::TrueDiameter, problem.clone())),
+        None => asked.length(Field::TrueDiameter).unwrap_or_else(|| limits.middle()),
+    };
+    let [x, y] = position.centre.map(Length::to_mm_f64);
+    let count = asked.lobes.ok_or_else(|| (Field::Lobes, LengthError::Empty.message()))?;
+    let workpiece = Workpiece {
+        feature: limits.feature,
+        centre: [x + mm(Field::OffsetX)?, y + mm(Field::OffsetY)?],
+        diameter: diameter.to_mm_f64(),
+        ovality: Lobes { count: 2, amplitude: mm(Field::Ovality)?, angle: 0.0 },
+        lobes: Lobes { count, amplitude: mm(Field::LobeHeight)?, angle: 0.0 },
+        surface_scatter: mm(Field::SurfaceScatter)?,
+    };
+    Ok((workpiece, Probe { trigger_scatter: mm(Field::ProbeScatter)? }))
+}
+
+/// Records as a file's bytes, in a format of the report's list.
+pub(super) fn export(format: usize, records: Vec<Record>, words: &Words, now: DateTime) -> Result<Vec<u8>, Message> {
+    let Some(rendering) = RENDERINGS.get(format) else { return Err(Message::new("dialog-no-path")) };
+    (rendering.render)(&Report::new(now, records), words).map_err(|error| error.message())
+}
+
+/// What is told about an imported file: how many checks, and every row that could not be used.
+pub(super) fn import_notice(name: &str, imported: &Imported) -> Notice {
+    let good = imported.records.len() + usize::from(imported.contacts.is_some());
+    let message =
+        Message::new("import-notice").text("name", name).count("good", good).count("bad", imported.problems.len());
+    let problems = imported.problems.iter().map(crate::words::Say::message);
+    let unjudged = imported.unjudged.iter().filter(|_| imported.contacts.is_none()).map(crate::words::Say::message);
+    let warnings = imported.warnings.iter().map(crate::words::Say::message);
+    let details = problems.chain(unjudged).chain(warnings).collect();
+    Notice { message, details, is_problem: good == 0 }
+}
+
+/// Judges contacts from a file by the limits on screen.
+pub(super) fn judge_contacts(
+    name: &str,
+    contacts: Vec<Contact>,
+    asked: &Asked,
+    now: DateTime,
+) -> Result<Record, Message> {
+    let limits = asked.limits().ok_or_else(|| Message::new("measured-needs-limits"))?;
+    let origin = Origin::Contacts { file: name.into() };
+    let measurement = measure_contacts(contacts, origin).map_err(|error| error.message())?;
+    // The centre is compared with the probe position, where that can be read.
+    let position = probe_position(asked).ok().zip(measurement.centre).map(|(position, centre)| {
+        let tolerance = (Length::ZERO < position.centre_tolerance).then_some(position.centre_tolerance);
+        let [x, y] = centre;
+        let [nominal_x, nominal_y] = position.centre;
+        let axis = |is: Length, nominal| AxisPosition { deviation: is.saturating_sub(nominal), tolerance };
+        PositionVerdict { axes: [axis(x, nominal_x), axis(y, nominal_y)] }
+    });
+    Ok(record("", asked, limits, (measurement, position), now))
+}

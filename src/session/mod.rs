@@ -35,7 +35,7 @@ use crate::files::FileError;
 use crate::journal::Record;
 use crate::report;
 use crate::tolerance::{Callout, Tables};
-use crate::words::{Language, Message, Say as _};
+use crate::words::{Language, Message, Say as _, Words};
 
 /// The mask that the status window is drawn with.
 #[derive(Debug, Clone, Default)]
@@ -426,7 +426,13 @@ impl Session {
             Purpose::Import => Effect::Import(path),
             Purpose::LoadMask => Effect::ReadMask(path),
             Purpose::LoadTables => Effect::ReadTables(path),
-            Purpose::Export(format) => Effect::Save(path, self.export(format, now)),
+            Purpose::Export(format) => match self.export(format, now) {
+                Ok(bytes) => Effect::Save(path, bytes),
+                Err(problem) => {
+                    self.refuse_dialog(problem);
+                    return Vec::new();
+                }
+            },
             Purpose::ExportStatus => match self.status_text() {
                 Some(text) => Effect::Save(path, text.into_bytes()),
                 None => {
@@ -448,10 +454,11 @@ impl Session {
     }
 
     /// The chosen records, or all of them when none is chosen, as a file's bytes.
-    fn export(&self, format: usize, now: DateTime) -> Vec<u8> {
+    fn export(&self, format: usize, now: DateTime) -> Result<Vec<u8>, Message> {
         let all = self.history.iter().enumerate();
         let wanted = all.filter(|(number, _)| self.chosen.is_empty() || self.chosen.contains(number));
-        measuring::export(format, wanted.map(|(_, record)| record.as_ref().clone()).collect(), self.language, now)
+        let words = Words::new(self.language);
+        measuring::export(format, wanted.map(|(_, record)| record.as_ref().clone()).collect(), &words, now)
     }
 
     fn status_text(&self) -> Option<String> {

@@ -37,3 +37,10 @@ exchange-ignored-columns = columns not used: { $columns }
 exchange-not-used = not a measurement and not used: { $text }
 exchange-comment = a line that begins with # is a comment, but this one holds a measurement
 exchange-time = { $given } is not a date and time: time of import used
+
+# Contacts
+contacts-file-empty = the file holds no contacts
+contacts-no-columns = line { $line }: the header must name x and y, and may name z; it is { $given }
+contacts-cells = line { $line }: { $cells } cells instead of { $wanted }: { $given }
+contacts-not-a-number = line { $line }, column { $column }: { $name } is { $given }, not a number of millimetres
+contacts-open-quote = line { $line }: a quotation mark is not closed

@@ -37,3 +37,10 @@ exchange-ignored-columns = niet gebruikte kolommen: { $columns }
 exchange-not-used = geen meting en niet gebruikt: { $text }
 exchange-comment = een regel die met # begint is commentaar, maar hier staat een meting in
 exchange-time = { $given } is geen datum en tijd: tijd van import gebruikt
+
+# Meetpunten
+contacts-file-empty = het bestand bevat geen meetpunten
+contacts-no-columns = regel { $line }: de kopregel moet x en y noemen en mag z noemen; er staat { $given }
+contacts-cells = regel { $line }: { $cells } cellen in plaats van { $wanted }: { $given }
+contacts-not-a-number = regel { $line }, kolom { $column }: { $name } is { $given }, geen getal in millimeter
+contacts-open-quote = regel { $line }: een aanhalingsteken wordt niet gesloten

@@ -1,0 +1,245 @@
+//! Contacts of one circle: CSV with x, y and perhaps z, millimetres.
+//!
+//! A row that cannot be used makes the whole file doubtful, so it is an error: a circle through the rest would be a
+//! guess. Figures are read as `f64` with all their digits; they are geometry, not sizes.
+
+use super::delimited::{Item, Rows, SEPARATORS};
+use crate::control::text;
+use crate::probing::Contact;
+use crate::words::{Message, Say};
+
+/// What a file of contacts holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contacts {
+    /// The contacts in the file's order.
+    pub contacts: Vec<Contact>,
+    /// Names of columns that were not used.
+    pub ignored: Vec<String>,
+}
+
+/// Why contacts cannot be read. Lines and columns count from 1.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ContactsError {
+    /// There is no contact in the file.
+    #[error("the file holds no contacts")]
+    Empty,
+    /// The header does not name both x and y.
+    #[error("line {line}: the header must name x and y, and may name z; it is {given}")]
+    NoColumns {
+        /// Where.
+        line: usize,
+        /// The header.
+        given: String,
+    },
+    /// A row with more or fewer cells than it should have.
+    #[error("line {line}: {cells} cells instead of {wanted}: {given}")]
+    Cells {
+        /// Where.
+        line: usize,
+        /// How many there are.
+        cells: usize,
+        /// How many there should be.
+        wanted: usize,
+        /// The row.
+        given: String,
+    },
+    /// A cell that is no number.
+    #[error("line {line}, column {column}: {name} is {given}, not a number of millimetres")]
+    NotANumber {
+        /// Where.
+        line: usize,
+        /// Which cell of the row.
+        column: usize,
+        /// x, y or z.
+        name: char,
+        /// What stands there.
+        given: String,
+    },
+    /// A quotation mark that is not closed.
+    #[error("line {line}: a quotation mark is not closed")]
+    OpenQuote {
+        /// Where.
+        line: usize,
+    },
+}
+
+impl Say for ContactsError {
+    fn message(&self) -> Message {
+        let at = |id, line: &usize| Message::new(id).text("line", line);
+        match self {
+            Self::Empty => Message::new("contacts-file-empty"),
+            Self::NoColumns { line, given } => at("contacts-no-columns", line).text("given", given),
+            Self::Cells { line, cells, wanted, given } => {
+                at("contacts-cells", line).text("cells", cells).text("wanted", wanted).text("given", given)
+            }
+            Self::NotANumber { line, column, name, given } => {
+                at("contacts-not-a-number", line).text("column", column).text("name", name).text("given", given)
+            }
+            Self::OpenQuote { line } => at("contacts-open-quote", line),
+        }
+    }
+}
+
+/// Where x, y and z stand in a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Places {
+    x: usize,
+    y: usize,
+    z: Option<usize>,
+    cells: usize,
+}
+
+/// Reads contacts: separator comma, semicolon, tab or bar; decimal comma where the comma separates nothing; a header
+/// with x, y and z in any order, or none.
+///
+/// ```
+/// let contacts = fitcheck::exchange::contacts::read(b"x;y\n12,5;0\n0;12,5\n-12,5;0\n")?;
+/// assert_eq!(contacts.contacts[0].x, 12.5);
+/// # Ok::<(), fitcheck::exchange::contacts::ContactsError>(())
+/// ```
+///
+/// # Errors
+/// [`ContactsError`] with line and column.
+pub fn read(bytes: &[u8]) -> Result<Contacts, ContactsError> {
+    let text = text::decode(bytes);
+    let separator = separator(&text);
+    let mut read = Contacts { contacts: Vec::new(), ignored: Vec::new() };
+    let mut places: Option<Places> = None;
+    for item in Rows::new(&text, 1, separator) {
+        let (line, cells) = match item {
+            Item::Row { line, cells } => (line, cells),
+            Item::OpenQuote { line, .. } => return Err(ContactsError::OpenQuote { line }),
+        };
+        let row: Vec<&str> = cells.iter().map(str::trim).collect();
+        if row.iter().all(|cell| cell.is_empty()) || row.first().is_some_and(|cell| cell.starts_with('#')) {
+            continue;
+        }
+        match places {
+            Some(places) => read.contacts.push(contact(&row, places, line)?),
+            None if is_header(&row) => {
+                places = Some(header(&row, line, &mut read.ignored)?);
+            }
+            None => {
+                let found = Places { x: 0, y: 1, z: (2 < row.len()).then_some(2), cells: row.len().clamp(2, 3) };
+                places = Some(found);
+                read.contacts.push(contact(&row, found, line)?);
+            }
+        }
+    }
+    if read.contacts.is_empty() { Err(ContactsError::Empty) } else { Ok(read) }
+}
+
+/// The separator of the first line that has one; a blank in between counts as none.
+fn separator(text: &str) -> u8 {
+    let lines = text::lines(text).map(|(_, line)| line.trim()).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let mut lines = lines.take(20);
+    lines
+        .find_map(|line| SEPARATORS.iter().copied().find(|separator| line.bytes().any(|byte| byte == *separator)))
+        .unwrap_or(b',')
+}
+
+/// A first row with a letter in every cell but for units: no figure is a name.
+fn is_header(row: &[&str]) -> bool {
+    row.iter().any(|cell| matches!(name(cell), Some('x' | 'y'))) && row.iter().all(|cell| number(cell).is_none())
+}
+
+/// `X`, `x [mm]` and `x_mm` are x.
+fn name(cell: &str) -> Option<char> {
+    let bare = cell.to_ascii_lowercase();
+    let bare = bare.split(['[', '(', '_', ' ']).next().unwrap_or_default();
+    match bare {
+        "x" => Some('x'),
+        "y" => Some('y'),
+        "z" => Some('z'),
+        _ => None,
+    }
+}
+
+fn header(row: &[&str], line: usize, ignored: &mut Vec<String>) -> Result<Places, ContactsError> {
+    let place = |wanted| row.iter().position(|cell| name(cell) == Some(wanted));
+    let (Some(x), Some(y)) = (place('x'), place('y')) else {
+        return Err(ContactsError::NoColumns { line, given: row.join(", ") });
+    };
+    ignored.extend(row.iter().filter(|cell| name(cell).is_none()).map(|cell| (*cell).to_owned()));
+    Ok(Places { x, y, z: place('z'), cells: row.len() })
+}
+
+fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, ContactsError> {
+    if row.len() != places.cells {
+        let given = super::problem::shorten(&row.join(", ")).into_owned();
+        return Err(ContactsError::Cells { line, cells: row.len(), wanted: places.cells, given });
+    }
+    let coordinate = |name: char, at: usize| {
+        let cell = row.get(at).copied().unwrap_or_default();
+        number(cell).ok_or_else(|| ContactsError::NotANumber {
+            line,
+            column: at + 1,
+            name,
+            given: if cell.is_empty() { "empty".to_owned() } else { super::problem::shorten(cell).into_owned() },
+        })
+    };
+    Ok(Contact {
+        x: coordinate('x', places.x)?,
+        y: coordinate('y', places.y)?,
+        z: places.z.map_or(Ok(0.0), |at| coordinate('z', at))?,
+    })
+}
+
+/// A finite decimal number with point or comma. Words such as `nan` and `inf` are none.
+fn number(cell: &str) -> Option<f64> {
+    let plain = cell.replace(',', ".").replace('\u{2212}', "-");
+    let figures = plain.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
+    let begins = plain.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    if !figures || !begins || 1 < cell.bytes().filter(|byte| b".,".contains(byte)).count() {
+        return None;
+    }
+    plain.parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(csv: &[u8], expected: &str) {
+        let said = match read(csv) {
+            Ok(read) => {
+                let points: Vec<String> =
+                    read.contacts.iter().map(|c| format!("({}, {}, {})", c.x, c.y, c.z)).collect();
+                format!("{} ignored {:?}", points.join(" "), read.ignored)
+            }
+            Err(error) => error.to_string(),
+        };
+        assert_eq!(said, expected);
+    }
+
+    #[test]
+    fn reads_every_sensible_layout() {
+        check(b"x,y\n1.5,2\n3,4\n", "(1.5, 2, 0) (3, 4, 0) ignored []");
+        check(b"\xef\xbb\xbfY;X;Z\r\n2;1,5;-5\r\n", "(1.5, 2, -5) ignored []");
+        check(b"1.5\t2\n3\t4\n", "(1.5, 2, 0) (3, 4, 0) ignored []");
+        check(b"# bore 7\nx [mm],y [mm],remark\n1,2,good\n\n", "(1, 2, 0) ignored [\"remark\"]");
+        check(b"+1e1,-2.5E-3,0\n", "(10, -0.0025, 0) ignored []");
+    }
+
+    #[test]
+    fn refuses_with_line_and_column() {
+        check(b"", "the file holds no contacts");
+        check(b"x,y\n", "the file holds no contacts");
+        check(b"x,q\n1,2\n", "line 1: the header must name x and y, and may name z; it is x, q");
+        check(b"x,y\n1,2\n1\n", "line 3: 1 cells instead of 2: 1");
+        check(b"x,y\n1;2\n", "line 2: 1 cells instead of 2: 1;2");
+        check(b"x,y\n1,2\n1,abc\n", "line 3, column 2: y is abc, not a number of millimetres");
+        check(b"x,y\n1,nan\n", "line 2, column 2: y is nan, not a number of millimetres");
+        check(b"x,y\n1,\n", "line 2, column 2: y is empty, not a number of millimetres");
+        check(b"x;y\n1.234,5;2\n", "line 2, column 1: x is 1.234,5, not a number of millimetres");
+        check(b"x,y\n1,\"2\n3,4\n", "line 2: a quotation mark is not closed");
+    }
+
+    #[test]
+    fn no_bytes_make_the_reader_panic() {
+        proptest::proptest!(|(bytes in proptest::collection::vec(proptest::prelude::any::<u8>(), 0..200))| {
+            let _read = read(&bytes);
+        });
+    }
+}
