@@ -2,15 +2,17 @@
 //!
 //! Answers one by one, so that memory stays the same however many callouts come.
 
+mod lines;
+
 use std::io::{BufRead, Write};
+
+use lines::{Found, LONGEST_LINE, Line};
 
 use super::{CliError, Format, Io, Outcome, TableArgs};
 use crate::control::text::decode;
 use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, Deviations, Limits, Source, Tables};
 
-/// The longest line of standard input in bytes; a longer one is refused.
-const LONGEST_LINE: usize = 1 << 16;
 /// How much of a line that is too long is shown.
 const SHOWN: usize = 40;
 
@@ -293,65 +295,4 @@ fn csv_error(error: csv::Error) -> CliError {
 /// A text without control characters: it goes to a terminal, and one line of input stays one line of output.
 fn printable(text: &str) -> String {
     text.chars().map(|c| if c.is_control() && c != '\t' { char::REPLACEMENT_CHARACTER } else { c }).collect()
-}
-
-/// A line of input, its memory used again.
-#[derive(Default)]
-struct Line {
-    bytes: Vec<u8>,
-    /// Whether the input's buffer is used up: reading on may have to wait.
-    is_drained: bool,
-}
-
-enum Found {
-    End,
-    Whole,
-    /// `bytes` holds its beginning.
-    TooLong,
-}
-
-impl Line {
-    /// Reads a line without its end (LF or CRLF); `before_waiting` is called when the input may take its time.
-    fn read(
-        &mut self,
-        input: &mut dyn BufRead,
-        mut before_waiting: impl FnMut() -> std::io::Result<()>,
-    ) -> std::io::Result<Found> {
-        self.bytes.clear();
-        let (mut is_whole, mut is_end) = (true, true);
-        loop {
-            if self.is_drained {
-                before_waiting()?;
-            }
-            let buffer = match input.fill_buf() {
-                Ok(buffer) => buffer,
-                Err(error) if error.kind() == std::io::ErrorKind::Interrupted => continue,
-                Err(error) => return Err(error),
-            };
-            if buffer.is_empty() {
-                break;
-            }
-            is_end = false;
-            let end = buffer.iter().position(|&byte| byte == b'\n');
-            let used = end.map_or(buffer.len(), |end| end + 1);
-            // One more than allowed, for a carriage return.
-            let room = (LONGEST_LINE + 1).saturating_sub(self.bytes.len());
-            let part = buffer.get(..end.unwrap_or(used)).unwrap_or_default();
-            is_whole &= part.len() <= room;
-            self.bytes.extend(part.iter().take(room));
-            self.is_drained = used == buffer.len();
-            input.consume(used);
-            if end.is_some() {
-                break;
-            }
-        }
-        if self.bytes.last() == Some(&b'\r') && is_whole {
-            self.bytes.pop();
-        }
-        match (is_end, is_whole && self.bytes.len() <= LONGEST_LINE) {
-            (true, _) => Ok(Found::End),
-            (false, true) => Ok(Found::Whole),
-            (false, false) => Ok(Found::TooLong),
-        }
-    }
 }

@@ -153,8 +153,10 @@ impl<'a> Reader<'a> {
     /// `BEGIN name[.suffix][ MM| INCH][ Version: '…'][ U]`
     fn begin_line(&mut self) -> Result<ControlTable, TableError> {
         let line = self.next_line()?.ok_or_else(|| self.fault_at(TableFault::Empty, 1, 0))?;
-        let begin =
-            line.trim_start().strip_prefix("BEGIN").filter(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()));
+        let begin = line
+            .trim_start()
+            .strip_prefix("BEGIN")
+            .filter(|rest| rest.is_empty() || rest.starts_with(char::is_whitespace));
         let Some(rest) = begin else {
             return Err(self.fault(TableFault::NoBegin { found: beginning(line) }, 0));
         };
