@@ -56,7 +56,8 @@ impl Say for FileError {
     }
 }
 
-fn system(path: &Path, error: &std::io::Error) -> FileError {
+/// The error of a path from what the system says.
+pub(crate) fn system(path: &Path, error: &std::io::Error) -> FileError {
     let path = path.to_owned();
     match error.kind() {
         std::io::ErrorKind::NotFound => FileError::Missing { path },
@@ -129,6 +130,21 @@ pub fn set_aside(path: &Path) -> Result<PathBuf, FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::words::{Language, Words};
+
+    #[test]
+    fn every_error_is_said_in_english_and_in_dutch() {
+        let path = || PathBuf::from("folder/own.tab");
+        for error in [
+            FileError::IsFolder { path: path() },
+            FileError::Missing { path: path() },
+            FileError::TooLarge { path: path() },
+            FileError::System { reason: "permission denied".to_owned(), path: path() },
+        ] {
+            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+            assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
+        }
+    }
 
     #[test]
     fn a_written_file_is_whole_and_leaves_nothing_beside_it() {

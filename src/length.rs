@@ -7,6 +7,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::words::{Message, Say};
+
 /// Nanometres in a millimetre.
 const NM_PER_MM: i64 = 1_000_000;
 
@@ -77,6 +79,23 @@ pub enum LengthError {
         /// What was given.
         text: String,
     },
+}
+
+impl Say for LengthError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Empty => Message::new("length-empty"),
+            Self::NotANumber { text } => Message::new("length-not-a-number").text("text", text),
+            Self::Ambiguous { text } => Message::new("length-ambiguous").text("text", text),
+            Self::TooFine { text } => Message::new("length-too-fine").text("text", text),
+            Self::TooLarge { text } => Message::new("length-too-large").text("text", text).mm("max", Length::MAX),
+        }
+    }
+}
+
+/// Puts a length that may be negative into a message: the plain minus of `Display` apart from the figures.
+pub(crate) fn signed_mm(message: Message, sign: &'static str, name: &'static str, length: Length) -> Message {
+    message.text(sign, if length < Length::ZERO { "-" } else { "" }).mm(name, length.abs())
 }
 
 impl Length {
@@ -383,6 +402,17 @@ mod tests {
         assert!(Length::from_mm_f64(f64::NAN).is_err());
         assert!(Length::from_mm_f64(f64::INFINITY).is_err());
         assert!(Length::from_mm_f64(1.000_000_1e9).is_err());
+    }
+
+    #[test]
+    fn every_error_is_said_in_english_and_in_dutch() {
+        use crate::words::{Language, Words};
+        for text in ["", "NaN", "1.234,5", "25.0000001", "99999999999999999999"] {
+            let error = Length::from_str(text).unwrap_err();
+            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+            let dutch = Words::new(Language::Nl).told(&error);
+            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
+        }
     }
 
     #[test]

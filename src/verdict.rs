@@ -7,6 +7,7 @@ use std::fmt;
 
 use crate::length::Length;
 use crate::tolerance::{Feature, Limits};
+use crate::words::{Message, Say};
 
 /// What to do with the part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
@@ -55,6 +56,14 @@ impl fmt::Display for Rule {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Simple => f.pad("no guard band, limits belong to the zone"),
+        }
+    }
+}
+
+impl Say for Rule {
+    fn message(&self) -> Message {
+        match self {
+            Self::Simple => Message::new("rule-simple"),
         }
     }
 }
@@ -200,6 +209,17 @@ impl fmt::Display for Doubt {
     }
 }
 
+impl Say for Doubt {
+    fn message(&self) -> Message {
+        Message::new(match self {
+            Self::TimesInch => "doubt-times-inch",
+            Self::Inches => "doubt-inches",
+            Self::Double => "doubt-double",
+            Self::Half => "doubt-half",
+        })
+    }
+}
+
 /// Whether a measured value looks like another quantity: within 1 % of 25.4 times, 1/25.4, twice or half the nominal.
 ///
 /// The 1 % is ours: wider than every tolerance zone of the tables above 10 mm, and far from every honest reading.
@@ -220,5 +240,26 @@ pub fn doubt(nominal: Length, measured: Length) -> Option<Doubt> {
         Some(Doubt::Half)
     } else {
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{Language, Words};
+
+    #[track_caller]
+    fn said_in_both_languages(what: &(impl Say + fmt::Display)) {
+        assert_eq!(Words::new(Language::En).told(what), what.to_string());
+        let dutch = Words::new(Language::Nl).told(what);
+        assert!(dutch != what.message().id && dutch != what.to_string(), "{dutch}");
+    }
+
+    #[test]
+    fn doubts_and_rules_are_said_in_english_and_in_dutch() {
+        for doubt in [Doubt::TimesInch, Doubt::Inches, Doubt::Double, Doubt::Half] {
+            said_in_both_languages(&doubt);
+        }
+        said_in_both_languages(&Rule::Simple);
     }
 }

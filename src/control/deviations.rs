@@ -1,26 +1,345 @@
 //! A control's table as a table of deviations, and the two shipped ones.
+//!
+//! Layout as program 82551 of NC-Solution 8255 reads it (seed `000_2e707c2d138629e0.txt`): column BEREICH holds the upper,
+//! inclusive end of a size range in millimetres; two rows a range, upper deviation then lower, in micrometres; one
+//! column a tolerance class. Other columns are left alone. Rules S1, S9, F9 to F11 of `facts/heidenhain.md` 12.
 
-use crate::tolerance::Tables;
-
-/// The tables of NC-Solution 8255: `82553_hole.tab` and `82553_shaft.tab`, embedded in the program.
-pub fn shipped_tables() -> Tables {
-    Tables::shipped(Vec::new())
-}
+mod fault;
 
 use std::path::Path;
+use std::sync::LazyLock;
 
-use crate::tolerance::DeviationTable;
+pub use fault::{DeviationDoubt, DeviationError, DeviationFault, DeviationWarning};
+
+use super::table::{
+    Column, ControlTable, Generation, Located, Place, TableFile, TableUnit, beginning, is_blank, is_number,
+};
+use crate::files::{self, FileError};
+use crate::length::{Length, LengthError, Unit};
+use crate::tolerance::table::{Column as ClassColumn, TableShapeError};
+use crate::tolerance::{ClassError, DeviationTable, Deviations, Tables, ToleranceClass};
+
+/// The name of the column with the ends of the size ranges.
+const RANGE: &str = "BEREICH";
+/// The same as the seed once spells it.
+const RANGE_ALIAS: &str = "BEREIK";
+/// The number of the row: never a deviation.
+const ROW_NUMBER: &str = "NR";
+
+/// The shipped tables: name and bytes.
+const SHIPPED: [(&str, &[u8]); 2] = [
+    ("82553_hole.tab", include_bytes!("../../tables/82553_hole.tab")),
+    ("82553_shaft.tab", include_bytes!("../../tables/82553_shaft.tab")),
+];
+
+/// The tables of NC-Solution 8255: `82553_hole.tab` and `82553_shaft.tab`, embedded in the program.
+///
+/// They are read once, at the first call.
+pub fn shipped_tables() -> Tables {
+    static TABLES: LazyLock<Tables> = LazyLock::new(|| {
+        let tables = SHIPPED.iter().filter_map(|(name, bytes)| match read_table(bytes, name, name, true) {
+            Ok((table, _warnings)) => table,
+            // A test proves that they can be read; a program without a table refuses every callout.
+            Err(error) => {
+                log::error!("shipped table: {error}");
+                None
+            }
+        });
+        Tables::shipped(tables.collect())
+    });
+    TABLES.clone()
+}
 
 /// What a folder of tables holds.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct OwnTables {
     /// The tables, by file name.
     pub tables: Vec<DeviationTable>,
     /// What was odd but readable, each with its file and line.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<DeviationWarning>,
 }
 
-/// Reads every `.tab` file of a folder.
-pub fn read_folder(_folder: &Path) -> Result<OwnTables, crate::files::FileError> {
-    Ok(OwnTables::default())
+/// Reads every `.tab` file of a folder, in the order of their names.
+///
+/// # Errors
+/// [`DeviationError`] where the folder has no table of deviations, or one of its tables is broken: then none is used.
+pub fn read_folder(folder: &Path) -> Result<OwnTables, DeviationError> {
+    let mut own = OwnTables::default();
+    for path in files_of(folder)? {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let file = path.display().to_string();
+        let (table, warnings) = read_table(&files::read(&path)?, &name, &file, false)?;
+        own.tables.extend(table);
+        own.warnings.extend(warnings);
+    }
+    if own.tables.is_empty() {
+        return Err(DeviationError::NoTables { folder: folder.to_owned() });
+    }
+    Ok(own)
 }
+
+fn files_of(folder: &Path) -> Result<Vec<std::path::PathBuf>, FileError> {
+    let mut paths = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(|error| files::system(folder, &error))? {
+        let path = entry.map_err(|error| files::system(folder, &error))?.path();
+        let is_table = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("tab"));
+        if is_table && !path.is_dir() {
+            paths.push(path);
+        }
+    }
+    paths.sort();
+    Ok(paths)
+}
+
+/// Reads a table of deviations; a table without a range column is none, and a warning says so.
+///
+/// `name` is what the table is called afterwards, `file` what messages call it.
+///
+/// # Errors
+/// [`DeviationError`] with file, line and column.
+pub fn read_table(
+    bytes: &[u8],
+    name: &str,
+    file: &str,
+    shipped: bool,
+) -> Result<(Option<DeviationTable>, Vec<DeviationWarning>), DeviationError> {
+    let table_file = ControlTable::read(bytes, file)?;
+    let mut reading = Reading { file: &table_file, warnings: Vec::new() };
+    let table = reading.table(name, shipped)?;
+    let mut warnings = reading.warnings;
+    if table.is_none() {
+        warnings.push(DeviationWarning::NoDeviations { file: file.to_owned() });
+    }
+    let odd = table_file.warnings.into_iter().map(DeviationWarning::Table);
+    Ok((table, odd.chain(warnings).collect()))
+}
+
+/// A table on its way to deviations.
+struct Reading<'a> {
+    file: &'a TableFile,
+    warnings: Vec<DeviationWarning>,
+}
+
+type Fault = Located<DeviationFault>;
+
+impl Reading<'_> {
+    fn table(&mut self, name: &str, shipped: bool) -> Result<Option<DeviationTable>, Fault> {
+        let Some(range) = self.range_column()? else { return Ok(None) };
+        let table = &self.file.table;
+        if table.unit == Some(TableUnit::Inch) {
+            return Err(fault(DeviationFault::Inch, self.file.name_place(range)));
+        }
+        let rows = table.rows.len();
+        if !rows.is_multiple_of(2) {
+            return Err(fault(DeviationFault::OddRows { rows }, self.file.cell_place(rows - 1, 0)));
+        }
+        let ends = self.ends(range)?;
+        let mut columns = Vec::new();
+        for (number, column) in table.columns.iter().enumerate() {
+            if number != range && column.name != ROW_NUMBER {
+                columns.extend(self.class_column(number, column, &ends)?);
+            }
+        }
+        if columns.is_empty() {
+            return Err(fault(DeviationFault::NoClass, self.file.name_place(range)));
+        }
+        DeviationTable::new(name, shipped, ends, columns)
+            .map(Some)
+            .map_err(|shape| fault(DeviationFault::Shape(shape), self.file.name_place(range)))
+    }
+
+    fn range_column(&mut self) -> Result<Option<usize>, Fault> {
+        match (self.file.table.column(RANGE), self.file.table.column(RANGE_ALIAS)) {
+            (Some(_), Some(alias)) => Err(fault(DeviationFault::TwoRangeColumns, self.file.name_place(alias))),
+            (None, Some(alias)) => {
+                self.warn(DeviationDoubt::RangeAlias, self.file.name_place(alias));
+                Ok(Some(alias))
+            }
+            (range, None) => Ok(range),
+        }
+    }
+
+    /// The ends of the ranges: in the even rows; an odd row may say the same or nothing.
+    fn ends(&self, range: usize) -> Result<Vec<Length>, Fault> {
+        let mut ends: Vec<Length> = Vec::with_capacity(self.file.table.rows.len() / 2);
+        let mut before = Length::ZERO;
+        for row in (0..self.file.table.rows.len()).step_by(2) {
+            let Some(end) = self.value(row, range, Unit::Millimetre)? else {
+                return Err(fault(DeviationFault::NoRange, self.file.cell_place(row, range)));
+            };
+            if end <= before {
+                let shape = TableShapeError::NotAscending { end, before };
+                return Err(fault(DeviationFault::Shape(shape), self.file.cell_place(row, range)));
+            }
+            let repeated = self.value(row + 1, range, Unit::Millimetre)?;
+            if let Some(found) = repeated.filter(|found| *found != end) {
+                return Err(fault(DeviationFault::OtherRange { end, found }, self.file.cell_place(row + 1, range)));
+            }
+            ends.push(end);
+            before = end;
+        }
+        if ends.is_empty() {
+            return Err(fault(DeviationFault::Shape(TableShapeError::NoRanges), self.file.name_place(range)));
+        }
+        Ok(ends)
+    }
+
+    /// A column of deviations, or `None` for a column that holds something else.
+    fn class_column(&mut self, number: usize, column: &Column, ends: &[Length]) -> Result<Option<ClassColumn>, Fault> {
+        let place = self.file.name_place(number);
+        let class: ToleranceClass = match column.name.parse() {
+            Ok(class) => class,
+            // "Js7": probably meant as a class; "Remark" is not.
+            Err(ClassError::MixedCase { .. }) if self.has_numbers(number) => {
+                self.warn(DeviationDoubt::MixedCase { name: column.name.clone() }, place);
+                return Ok(None);
+            }
+            Err(_no_class) => return Ok(None),
+        };
+        let has_text = (0..self.file.table.rows.len()).any(|row| !is_blank(self.cell(row, number)));
+        if has_text && !self.has_numbers(number) {
+            // Texts under a name that could be a class; where the block calls them texts, all is as it should be.
+            if column.is_text() != Some(true) {
+                self.warn(DeviationDoubt::NoNumbers { name: column.name.clone() }, place);
+            }
+            return Ok(None);
+        }
+        let mut cells = Vec::with_capacity(ends.len());
+        for (pair, &end) in ends.iter().enumerate() {
+            cells.push(self.deviations(pair * 2, number, class, end)?);
+        }
+        Ok(Some(ClassColumn { class, cells }))
+    }
+
+    fn deviations(
+        &self,
+        row: usize,
+        number: usize,
+        class: ToleranceClass,
+        end: Length,
+    ) -> Result<Option<Deviations>, Fault> {
+        let upper = self.value(row, number, Unit::Micrometre)?;
+        let lower = self.value(row + 1, number, Unit::Micrometre)?;
+        match (upper, lower) {
+            (None, None) => Ok(None),
+            (Some(upper), Some(lower)) => Deviations::new(upper, lower)
+                .map(Some)
+                .map_err(|error| fault(DeviationFault::Order { class, error }, self.file.cell_place(row + 1, number))),
+            (upper, _) => {
+                let missing = if upper.is_none() { row } else { row + 1 };
+                Err(fault(DeviationFault::Half { class, end }, self.file.cell_place(missing, number)))
+            }
+        }
+    }
+
+    fn cell(&self, row: usize, column: usize) -> &str {
+        self.file.table.rows.get(row).and_then(|cells| cells.get(column)).map_or("", String::as_str)
+    }
+
+    fn has_numbers(&self, column: usize) -> bool {
+        (0..self.file.table.rows.len()).any(|row| is_number(self.cell(row, column)))
+    }
+
+    /// The number in a cell; blank and `-` are none.
+    fn value(&self, row: usize, column: usize, unit: Unit) -> Result<Option<Length>, Fault> {
+        let cell = self.cell(row, column);
+        let name = || self.file.table.columns.get(column).map(|column| column.name.clone()).unwrap_or_default();
+        if self.file.touches(row, column) {
+            return Err(fault(DeviationFault::Touches { column: name() }, self.file.cell_place(row, column)));
+        }
+        if is_blank(cell) {
+            return Ok(None);
+        }
+        // A cell holds a number alone; a unit of its own is none of the table's business.
+        let value = if is_number(cell) || is_ambiguous(cell) {
+            Length::parse_in(cell, unit)
+        } else {
+            Err(LengthError::NotANumber { text: beginning(cell) })
+        };
+        value
+            .map(Some)
+            .map_err(|error| fault(DeviationFault::Number { column: name(), error }, self.file.cell_place(row, column)))
+    }
+
+    fn warn(&mut self, what: DeviationDoubt, place: Place) {
+        self.warnings.push(DeviationWarning::Content(Located { what, place }));
+    }
+}
+
+/// Two kinds of decimal signs: [`Length`] has its own words for that.
+fn is_ambiguous(cell: &str) -> bool {
+    cell.contains('.') && cell.contains(',') && cell.bytes().all(|byte| b"+-.,0123456789".contains(&byte))
+}
+
+const fn fault(what: DeviationFault, place: Place) -> Fault {
+    Located { what, place }
+}
+
+/// A table of deviations in the control's layout: explicit signs, point, lower row without its range's end.
+///
+/// [`Generation::Structure`] also gets the texts that the control shows when an operator edits a cell.
+pub fn to_control_table(table: &DeviationTable, generation: Generation) -> ControlTable {
+    let (name, suffix) = table.name().rsplit_once('.').unwrap_or((table.name(), "tab"));
+    // Six characters and a blank: 24 classes, NR and BEREICH make 184 of the 200 characters of an iTNC 530.
+    let plain = |name: &str, width: usize| Column::plain(name, width.max(name.len() + 1));
+    let mut columns = vec![plain(ROW_NUMBER, 8), plain(RANGE, 8)];
+    columns.extend(table.columns().iter().map(|column| plain(column.class.as_str(), 7)));
+    let mut rows = Vec::with_capacity(table.ends().len() * 2);
+    for (number, &end) in table.ends().iter().enumerate() {
+        for (half, range) in [(0, end.to_string()), (1, String::new())] {
+            let mut row = vec![(number * 2 + half).to_string(), range];
+            row.extend(table.columns().iter().map(|column| {
+                let cell = column.cells.get(number).copied().flatten();
+                let value = cell.map(|pair| if half == 0 { pair.upper() } else { pair.lower() });
+                value.map(signed_micrometres).unwrap_or_default()
+            }));
+            rows.push(row);
+        }
+    }
+    for (number, column) in columns.iter_mut().enumerate() {
+        let longest = rows.iter().filter_map(|row| row.get(number)).map(String::len).max().unwrap_or_default();
+        column.width = column.width.max(longest + 1);
+    }
+    let plain = ControlTable {
+        name: name.to_owned(),
+        suffix: Some(suffix.to_owned()),
+        unit: None,
+        version: None,
+        mark: None,
+        generation: Generation::Plain,
+        columns,
+        properties: Vec::new(),
+        rows,
+        comments: Vec::new(),
+    };
+    with_dialogues(plain.to_generation(generation))
+}
+
+/// `+12`, `-7.5`, `+0`: as a control writes numbers.
+fn signed_micrometres(value: Length) -> String {
+    let sign = if value < Length::ZERO { "" } else { "+" };
+    format!("{sign}{}", value.exact(Unit::Micrometre, 0))
+}
+
+/// What the control asks when an operator edits a cell, in the languages that its block may hold.
+fn with_dialogues(mut table: ControlTable) -> ControlTable {
+    if table.generation != Generation::Structure {
+        return table;
+    }
+    for column in table.columns.iter_mut().filter(|column| column.kind.is_some()) {
+        let texts = if column.name == RANGE {
+            ["Size range up to, mm?", "Nennmassbereich bis, mm?", "Maatbereik tot en met, mm?"].map(str::to_owned)
+        } else {
+            // Room for half micrometres, also where no cell has one yet.
+            column.decimals = column.decimals.map(|decimals| decimals.max(1));
+            let name = &column.name;
+            [format!("Deviation {name}, um?"), format!("Abmass {name}, um?"), format!("Afwijking {name}, um?")]
+        };
+        let keys = ["DIA-ENGLISH", "DIA-GERMAN", "DIA-DUTCH"].map(str::to_owned);
+        column.settings = keys.into_iter().zip(texts).collect();
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests;

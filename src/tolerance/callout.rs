@@ -4,7 +4,8 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::class::{ClassError, Feature, ToleranceClass};
-use crate::length::{Length, LengthError};
+use crate::length::{Length, LengthError, signed_mm};
+use crate::words::{Message, Say};
 
 /// A nominal size above zero and a tolerance class.
 ///
@@ -47,6 +48,20 @@ pub enum CalloutError {
     /// The class cannot be read.
     #[error("{0}")]
     Class(ClassError),
+}
+
+impl Say for CalloutError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Empty => Message::new("callout-empty"),
+            Self::NoNominal { text } => Message::new("callout-no-nominal").text("text", text),
+            Self::Nominal(error) => Message::new("callout-nominal").message("error", error.message()),
+            Self::NotPositive { nominal } => {
+                signed_mm(Message::new("callout-not-positive"), "nominal-sign", "nominal", *nominal)
+            }
+            Self::Class(error) => error.message(),
+        }
+    }
 }
 
 impl Callout {
@@ -132,6 +147,19 @@ mod tests {
         check("10m6", "10 m6");
         check("25 mm H7", "25 H7");
         check("+3.001 K7", "3.001 K7");
+    }
+
+    #[test]
+    fn every_error_is_said_in_english_and_in_dutch() {
+        use crate::words::{Language, Words};
+        for text in ["", "H7", "0 H7", "-5.5 H7", "7.5.2 H7", "25"] {
+            let error = Callout::from_str(text).unwrap_err();
+            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+            let dutch = Words::new(Language::Nl).told(&error);
+            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
+        }
+        let negative = Callout::from_str("-5.5 H7").unwrap_err();
+        assert_eq!(Words::new(Language::Nl).told(&negative), "nominale maat -5,5 mm is niet groter dan 0");
     }
 
     #[test]

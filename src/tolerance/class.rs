@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::words::{Message, Say};
+
 /// Which side of the material is measured.
 ///
 /// ISO 286-1 calls any inner feature of linear size a hole and any outer one a shaft.
@@ -76,6 +78,18 @@ pub enum ClassError {
         /// What was given.
         text: String,
     },
+}
+
+impl Say for ClassError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Missing => Message::new("class-missing"),
+            Self::MixedCase { text, upper, lower } => {
+                Message::new("class-mixed-case").text("text", text).text("upper", upper).text("lower", lower)
+            }
+            Self::Malformed { text } => Message::new("class-malformed").text("text", text),
+        }
+    }
 }
 
 impl ToleranceClass {
@@ -163,6 +177,17 @@ mod tests {
             assert_eq!(class.other_case().feature(), feature.other());
         }
         assert_eq!("JS7".parse::<ToleranceClass>().unwrap().letters(), "JS");
+    }
+
+    #[test]
+    fn every_error_is_said_in_english_and_in_dutch() {
+        use crate::words::{Language, Words};
+        for text in ["", "Js7", "H777"] {
+            let error = text.parse::<ToleranceClass>().unwrap_err();
+            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+            let dutch = Words::new(Language::Nl).told(&error);
+            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
+        }
     }
 
     #[test]

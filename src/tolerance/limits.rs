@@ -4,7 +4,8 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::class::Feature;
-use crate::length::Length;
+use crate::length::{Length, signed_mm};
+use crate::words::{Message, Say};
 
 /// Upper and lower limit deviation from the nominal size; upper is never below lower.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -21,6 +22,13 @@ pub struct DeviationsError {
     pub upper: Length,
     /// The lower deviation that was given.
     pub lower: Length,
+}
+
+impl Say for DeviationsError {
+    fn message(&self) -> Message {
+        let message = signed_mm(Message::new("deviations-order"), "upper-sign", "upper", self.upper);
+        signed_mm(message, "lower-sign", "lower", self.lower)
+    }
 }
 
 impl Deviations {
@@ -83,6 +91,18 @@ impl fmt::Display for Source {
     }
 }
 
+impl Say for Source {
+    fn message(&self) -> Message {
+        match self {
+            Self::Table { name, shipped, over, to, .. } => {
+                let id = if *shipped { "source-shipped-table" } else { "source-table" };
+                Message::new(id).text("name", name).mm("over", *over).mm("to", *to)
+            }
+            Self::File(name) => Message::new("source-file").text("name", name),
+        }
+    }
+}
+
 /// Limits of size: what a measured part is judged by. The maximum is never below the minimum.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Limits {
@@ -127,6 +147,23 @@ impl Limits {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn errors_and_sources_are_said_in_english_and_in_dutch() {
+        use crate::words::{Language, Words};
+        let um = Length::from_micrometres;
+        let error = DeviationsError { upper: um(-12), lower: um(7) };
+        assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+        let dutch = "bovenafwijking -0,012 mm ligt onder onderafwijking 0,007 mm";
+        assert_eq!(Words::new(Language::Nl).told(&error), dutch);
+        let (over, to) = (um(18_500), um(30_000));
+        let table = |shipped| Source::Table { name: "own.tab".into(), shipped, over, to, instead_of: None };
+        for source in [table(true), table(false), Source::File("TCHPR421.TXT".into())] {
+            assert_eq!(Words::new(Language::En).told(&source), source.to_string());
+            let dutch = Words::new(Language::Nl).told(&source);
+            assert!(dutch != source.message().id && dutch != source.to_string(), "{dutch}");
+        }
+    }
 
     #[test]
     fn deviations_in_the_wrong_order_are_refused() {

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use super::callout::Callout;
 use super::class::{Feature, ToleranceClass};
 use super::limits::{Deviations, Limits, Source};
-use crate::length::Length;
+use crate::length::{Length, signed_mm};
+use crate::words::{Message, Say};
 
 /// One class of a [`DeviationTable`].
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -59,6 +60,22 @@ pub enum TableShapeError {
         /// The class.
         class: ToleranceClass,
     },
+}
+
+impl Say for TableShapeError {
+    fn message(&self) -> Message {
+        match self {
+            Self::NoRanges => Message::new("shape-no-ranges"),
+            Self::NotAscending { end, before } => {
+                let message = signed_mm(Message::new("shape-not-ascending"), "end-sign", "end", *end);
+                signed_mm(message, "before-sign", "before", *before)
+            }
+            Self::Cells { class, cells, ranges } => {
+                Message::new("shape-cells").text("class", class).text("cells", cells).text("ranges", ranges)
+            }
+            Self::Twice { class } => Message::new("shape-twice").text("class", class),
+        }
+    }
 }
 
 impl DeviationTable {
@@ -197,6 +214,54 @@ pub enum LimitsError {
         /// The size that was asked for.
         nominal: Length,
     },
+}
+
+impl Say for LimitsError {
+    fn message(&self) -> Message {
+        match self {
+            Self::UnknownClass { class, table, other_case: Some(other), .. } => {
+                let id = match class.feature() {
+                    Feature::Hole => "limits-hole-class",
+                    Feature::Shaft => "limits-shaft-class",
+                };
+                Message::new(id).text("class", class).text("table", table).text("other", other)
+            }
+            Self::UnknownClass { class, table, known, .. } => {
+                let known: Vec<&str> = known.iter().map(ToleranceClass::as_str).collect();
+                let message = Message::new("limits-unknown-class").text("class", class).text("table", table);
+                message.text("known", known.join(" "))
+            }
+            Self::BeyondLastRange { nominal, table, over, to } => Message::new("limits-beyond-last-range")
+                .mm("nominal", *nominal)
+                .text("table", table)
+                .mm("over", *over)
+                .mm("to", *to),
+            Self::NotDefined { class, table, over, to, defined } => Message::new("limits-not-defined")
+                .text("class", class)
+                .text("table", table)
+                .mm("over", *over)
+                .mm("to", *to)
+                .message("where", where_defined_message(defined)),
+            Self::TooLarge { nominal } => Message::new("limits-too-large").mm("nominal", *nominal),
+        }
+    }
+}
+
+fn where_defined_message(ranges: &[(Length, Length)]) -> Message {
+    match ranges {
+        [] => Message::new("limits-defined-nowhere"),
+        _ => Message::new("limits-defined").message("ranges", ranges_message(ranges)),
+    }
+}
+
+/// The ranges one after the other; halved each time, so that many ranges do not nest deeply.
+fn ranges_message(ranges: &[(Length, Length)]) -> Message {
+    if let Some((first @ [_, ..], rest)) = ranges.split_at_checked(ranges.len() / 2) {
+        let ranges = Message::new("limits-ranges").message("first", ranges_message(first));
+        return ranges.message("rest", ranges_message(rest));
+    }
+    let (over, to) = ranges.first().copied().unwrap_or_default();
+    Message::new("limits-range").mm("over", over).mm("to", to)
 }
 
 fn unknown_class(
@@ -421,6 +486,35 @@ mod tests {
     fn a_users_table_of_the_same_name_takes_the_place() {
         let tables = shipped().with_own(vec![table("HOLE.TAB", false, &[("H7", &[pair(10, 0); 3])])]);
         check(&tables, "5 N9", "N9 is not in table HOLE.TAB; it has H7");
+    }
+
+    #[test]
+    fn every_error_is_said_in_english_and_in_dutch() {
+        use crate::words::{Language, Words};
+        #[track_caller]
+        fn check(error: &(impl Say + fmt::Display)) {
+            assert_eq!(Words::new(Language::En).told(error), error.to_string());
+            let dutch = Words::new(Language::Nl).told(error);
+            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
+        }
+        let tables = shipped();
+        for callout in ["6.5 H7", "5 G6", "5 H6", "5 z7", "1 N9", "5 g6"] {
+            check(&tables.limits(&callout.parse().unwrap()).unwrap_err());
+        }
+        let (class, table): (_, Arc<str>) = ("H7".parse().unwrap(), "own.tab".into());
+        let defined = [("0", "1"), ("3", "6.5"), ("10", "18")].map(|(over, to)| (mm(over), mm(to))).to_vec();
+        let error = LimitsError::NotDefined { class, table, over: mm("1"), to: mm("3"), defined };
+        check(&error);
+        assert_eq!(
+            Words::new(Language::Nl).told(&error),
+            "H7 is niet gedefinieerd boven 1 tot en met 3 mm in tabel own.tab; wel boven 0 tot en met 1 mm, \
+             boven 3 tot en met 6,5 mm, boven 10 tot en met 18 mm"
+        );
+        check(&LimitsError::TooLarge { nominal: Length::MAX });
+        check(&TableShapeError::NoRanges);
+        check(&TableShapeError::NotAscending { end: mm("-1.5"), before: mm("3") });
+        check(&TableShapeError::Cells { class, cells: 2, ranges: 3 });
+        check(&TableShapeError::Twice { class });
     }
 
     #[test]

@@ -1,4 +1,6 @@
 //! Tests of the core and the command line, in one binary.
 
 mod import;
+mod limits_cli;
 mod logs;
+mod tables;

@@ -1,1 +1,50 @@
 # tolerance
+
+## Lengtes
+length-empty = er is geen lengte ingevuld
+length-not-a-number = { $text } is geen getal
+length-ambiguous = { $text } is dubbelzinnig: schrijf één decimaalteken en geen scheidingsteken voor duizendtallen
+length-too-fine = { $text } is fijner dan een nanometer
+length-too-large = { $text } is te groot: hoogstens { $max } mm naar beide kanten
+
+## Maataanduidingen en tolerantieklassen
+callout-empty = er is geen maat met passing ingevuld: schrijf een nominale maat en een tolerantieklasse, zoals 25 H7
+callout-no-nominal = { $text } begint niet met een nominale maat: schrijf die erbij, zoals 25 H7
+callout-nominal = nominale maat: { $error }
+callout-not-positive = nominale maat { $nominal-sign }{ $nominal } mm is niet groter dan 0
+class-missing = de tolerantieklasse ontbreekt, zoals H7 voor een gat of h7 voor een as
+class-mixed-case = { $text } mengt hoofdletters en kleine letters: schrijf { $upper } voor een gat of { $lower } voor een as
+class-malformed = { $text } is geen tolerantieklasse: schrijf letters en een graad, zoals H7 of js13
+
+## Afwijkingen en grensmaten
+deviations-order = bovenafwijking { $upper-sign }{ $upper } mm ligt onder onderafwijking { $lower-sign }{ $lower } mm
+source-shipped-table = ISO 286-tabel { $name }, boven { $over } tot en met { $to } mm
+source-table = tabel { $name }, boven { $over } tot en met { $to } mm
+source-file = bestand { $name }
+limits-hole-class = { $class } is een klasse voor gaten en staat niet in tabel { $table }; de klasse voor assen is { $other }
+limits-shaft-class = { $class } is een klasse voor assen en staat niet in tabel { $table }; de klasse voor gaten is { $other }
+limits-unknown-class = { $class } staat niet in tabel { $table }; daarin staan { $known }
+limits-beyond-last-range = nominale maat { $nominal } mm valt buiten tabel { $table }; het laatste bereik daarvan is boven { $over } tot en met { $to } mm
+limits-not-defined = { $class } is niet gedefinieerd boven { $over } tot en met { $to } mm in tabel { $table }; { $where }
+limits-defined-nowhere = ook in geen ander bereik
+limits-defined = wel { $ranges }
+limits-range = boven { $over } tot en met { $to } mm
+limits-ranges = { $first }, { $rest }
+limits-too-large = de grensmaten van { $nominal } mm zijn te groot
+shape-no-ranges = de tabel heeft geen maatbereik
+shape-not-ascending = maatbereik tot en met { $end-sign }{ $end } mm eindigt niet boven het vorige, { $before-sign }{ $before } mm
+shape-cells = kolom { $class } heeft { $cells } cellen voor { $ranges } maatbereiken
+shape-twice = kolom { $class } komt twee keer voor
+
+## Oordelen
+rule-simple = geen veiligheidsmarge, de grensmaten horen bij het tolerantieveld
+doubt-times-inch = de gemeten waarde is 25,4 keer de nominale maat: een keer te vaak uit inch omgerekend?
+doubt-inches = de gemeten waarde is de nominale maat gedeeld door 25,4: staat die in inch?
+doubt-double = de gemeten waarde is twee keer de nominale maat: is een diameter voor een straal aangezien?
+doubt-half = de gemeten waarde is de helft van de nominale maat: is het een straal?
+
+## Bestanden
+file-is-folder = dit is een map, geen bestand: { $path }
+file-missing = bestand of map bestaat niet: { $path }
+file-too-large = het bestand is groter dan { $limit } MiB: { $path }
+file-system = { $reason }: { $path }

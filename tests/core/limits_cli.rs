@@ -1,0 +1,237 @@
+//! `fitcheck limits`, through the built program.
+#![expect(
+    clippy::unwrap_used,
+    clippy::disallowed_methods,
+    reason = "a test may stop, and it writes small files that nobody else reads"
+)]
+
+use std::io::{BufRead as _, BufReader, Write as _};
+use std::process::{Command, Stdio};
+
+use assert_cmd::assert::Assert;
+use assert_cmd::cargo::cargo_bin_cmd;
+
+const HEADER: &str = "callout,nominal_mm,lower_um,upper_um,min_mm,max_mm,source,error\n";
+const HOLE_18_30: &str = "\"ISO 286 table 82553_hole.tab, over 18 up to 30 mm\"";
+
+fn limits(args: &[&str], input: &[u8]) -> Assert {
+    cargo_bin_cmd!("fitcheck").arg("limits").args(args).write_stdin(input.to_vec()).assert()
+}
+
+/// Exit code, standard output and standard error.
+#[track_caller]
+fn check(args: &[&str], input: &str, code: i32, out: &str, err: &str) {
+    check_bytes(args, input.as_bytes(), code, out, err);
+}
+
+#[track_caller]
+fn check_bytes(args: &[&str], input: &[u8], code: i32, out: &str, err: &str) {
+    let answer = limits(args, input);
+    let output = answer.get_output();
+    let said = (
+        String::from_utf8(output.stdout.clone()).unwrap(),
+        String::from_utf8(output.stderr.clone()).unwrap(),
+        output.status.code(),
+    );
+    assert_eq!(said, (out.to_owned(), err.to_owned(), Some(code)), "for {args:?}");
+}
+
+#[test]
+fn csv_has_the_columns_of_the_contract() {
+    let row = format!("25 H7,25,0,21,25.000,25.021,{HOLE_18_30},\n");
+    check(&["25 H7", "--format", "csv"], "", 0, &format!("{HEADER}{row}"), "");
+}
+
+#[test]
+fn csv_figures_are_exact_and_the_callout_stays_as_given() {
+    let over_6 = "\"ISO 286 table 82553_hole.tab, over 6 up to 10 mm\"";
+    let over_3 = "\"ISO 286 table 82553_shaft.tab, over 3 up to 6 mm\"";
+    let rows = format!(
+        "8 JS7,8,-7.5,7.5,7.9925,8.0075,{over_6},\n\
+         \"Ø25,0H7\",25,0,21,25.000,25.021,{HOLE_18_30},\n\
+         3.000001 h7,3.000001,-12,0,2.988001,3.000001,{over_3},\n"
+    );
+    check(&["8 JS7", "  Ø25,0H7 ", "3.000001 h7", "--format", "csv"], "", 0, &format!("{HEADER}{rows}"), "");
+}
+
+#[test]
+fn a_stream_gets_one_line_for_each_line_refusals_included_and_goes_on() {
+    let input = "25 H7\n\n1 N9\r\n25 G6\n  25 H7  \n400.5 H7\n25 H7";
+    let good = format!("25 H7,25,0,21,25.000,25.021,{HOLE_18_30},\n");
+    let out = format!(
+        "{HEADER}{good}\
+         ,,,,,,,\"a callout is missing: write a nominal size and a tolerance class, such as 25 H7\"\n\
+         1 N9,,,,,,,N9 is not defined over 0 up to 1 mm in table 82553_hole.tab; it is defined over 1 up to 400 mm\n\
+         25 G6,,,,,,,G6 is a hole class and table 82553_hole.tab does not have it; the shaft class is g6\n\
+         {good}\
+         400.5 H7,,,,,,,\"nominal size 400.5 mm is beyond table 82553_hole.tab, whose last range is over 355 up to \
+         and including 400 mm\"\n\
+         {good}"
+    );
+    check(&["-", "--format", "csv"], input, 1, &out, "4 of 7 callouts refused\n");
+}
+
+#[test]
+fn json_is_an_array_of_objects_with_the_same_names() {
+    let answer = limits(&["25 H7", "-", "1 N9", "--format", "json"], b"8 JS7\n");
+    let output = answer.get_output();
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(String::from_utf8(output.stderr.clone()).unwrap(), "1 of 3 callouts refused\n");
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(
+        told,
+        serde_json::json!([
+            {
+                "callout": "25 H7", "nominal_mm": 25, "lower_um": 0, "upper_um": 21, "min_mm": 25.0, "max_mm": 25.021,
+                "source": "ISO 286 table 82553_hole.tab, over 18 up to 30 mm", "error": null
+            },
+            {
+                "callout": "8 JS7", "nominal_mm": 8, "lower_um": -7.5, "upper_um": 7.5, "min_mm": 7.9925,
+                "max_mm": 8.0075, "source": "ISO 286 table 82553_hole.tab, over 6 up to 10 mm", "error": null
+            },
+            {
+                "callout": "1 N9", "nominal_mm": null, "lower_um": null, "upper_um": null, "min_mm": null,
+                "max_mm": null, "source": null,
+                "error": "N9 is not defined over 0 up to 1 mm in table 82553_hole.tab; it is defined over 1 up to 400 mm"
+            }
+        ])
+    );
+    check(&["-", "--format", "json"], "", 0, "[]\n", "");
+    check(&["-", "--format", "csv"], "", 0, HEADER, "");
+    check(&["-"], "", 0, "", "");
+}
+
+#[test]
+fn text_is_aligned_and_refusals_go_to_standard_error() {
+    check(
+        &["25H7", "25 g6", "25 Z9", "100 JS9", "-"],
+        "\n",
+        1,
+        "\
+25 H7       hole     25.000 … 25.021 mm    (0 / +21 µm)        from ISO 286 table 82553_hole.tab, over 18 up to 30 mm
+25 g6       shaft    24.980 … 24.993 mm    (-20 / -7 µm)       from ISO 286 table 82553_shaft.tab, over 18 up to 30 mm
+100 JS9     hole    99.9565 … 100.0435 mm  (-43.5 / +43.5 µm)  from ISO 286 table 82553_hole.tab, over 80 up to 100 mm
+",
+        "\
+25 Z9: Z9 is not in table 82553_hole.tab; it has D10 E9 F7 F8 G7 G9 H6 H7 H8 H9 H11 H12 H13 JS7 JS9 K6 K7 M6 M7 N7 N9 P7 P9 R7
+line 1: a callout is missing: write a nominal size and a tolerance class, such as 25 H7
+",
+    );
+}
+
+#[test]
+fn bytes_that_are_no_utf8_and_control_characters_are_answered_like_any_line() {
+    // Ø in Windows-1252, a byte order mark, an escape sequence, UTF-16.
+    let input = b"\xd825 H7\n\xef\xbb\xbf25 H7\n\x1b[2J25 H7\n2\x005\x00\n";
+    let good = |callout: &str| format!("{callout},25,0,21,25.000,25.021,{HOLE_18_30},\n");
+    let out = format!(
+        "{HEADER}{}{}\
+         \u{fffd}[2J25 H7,,,,,,,\"\u{fffd}[2J25 H7 does not begin with a nominal size: write one, such as 25 H7\"\n\
+         2\u{fffd}5\u{fffd},,,,,,,\"\u{fffd}5\u{fffd} is not a tolerance class: write letters and a grade, such as H7 or js13\"\n",
+        good("Ø25 H7"),
+        good("25 H7"),
+    );
+    check_bytes(&["-", "--format", "csv"], input, 1, &out, "2 of 4 callouts refused\n");
+}
+
+#[test]
+fn a_line_without_end_is_refused_in_bounded_memory_and_the_next_one_is_answered() {
+    let padded = |length: usize| format!("25 H7{}", " ".repeat(length - 5));
+    let good = format!("25 H7,25,0,21,25.000,25.021,{HOLE_18_30},\n");
+    let input = format!("{}\r\n{}\n{}\n25 H7\n", padded(65_536), padded(65_537), "9".repeat(10_000_000));
+    let out = format!(
+        "{HEADER}{good}\
+         25 H7{}…,,,,,,,the line is longer than 65536 bytes\n\
+         {}…,,,,,,,the line is longer than 65536 bytes\n\
+         {good}",
+        " ".repeat(35),
+        "9".repeat(40),
+    );
+    check(&["-", "--format", "csv"], &input, 1, &out, "2 of 4 callouts refused\n");
+}
+
+#[test]
+fn another_program_can_ask_line_by_line() {
+    let program = assert_cmd::cargo::cargo_bin!("fitcheck");
+    let mut child = Command::new(program)
+        .args(["limits", "-", "--format", "csv"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut input = child.stdin.take().unwrap();
+    let mut answers = BufReader::new(child.stdout.take().unwrap()).lines();
+    for (callout, expected) in [("25 H7", "25 H7,25,0,21,"), ("30 H7", "30 H7,30,0,21,")] {
+        writeln!(input, "{callout}").unwrap();
+        let mut answer = answers.next().unwrap().unwrap();
+        if answer == HEADER.trim_end() {
+            answer = answers.next().unwrap().unwrap();
+        }
+        assert!(answer.starts_with(expected), "{answer}");
+    }
+    drop(input);
+    assert!(answers.next().is_none());
+    assert!(child.wait().unwrap().success());
+}
+
+#[test]
+fn own_tables_come_first_and_the_answer_says_what_they_replace() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = "BEGIN own.tab\nNR BEREICH H7   U1\n0  30      +30  +8\n1          +5   +3\n";
+    std::fs::write(folder.path().join("own.tab"), own).unwrap();
+    let path = folder.path().to_str().unwrap();
+    let out = format!(
+        "{HEADER}25 U1,25,3,8,25.003,25.008,\"table own.tab, over 0 up to 30 mm\",\n\
+         25 H7,25,5,30,25.005,25.030,\"table own.tab, over 0 up to 30 mm, instead of 0 / +21 µm in ISO 286\",\n\
+         25 H8,25,0,33,25.000,25.033,{HOLE_18_30},\n\
+         50 H7,50,0,25,50.000,50.025,\"ISO 286 table 82553_hole.tab, over 30 up to 50 mm\",\n"
+    );
+    let warning = format!("warning: [END] is missing: {path}/own.tab, line 4, column 1\n");
+    check(&["25 U1", "25 H7", "25 H8", "50 H7", "--format", "csv", "--tables", path], "", 0, &out, &warning);
+}
+
+#[test]
+fn a_broken_table_ends_the_program_before_anything_is_answered() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let none = format!("fitcheck: no table of deviations (*.tab with a column BEREICH) in this folder: {path}\n");
+    check(&["25 H7", "--tables", path], "", 1, "", &none);
+    std::fs::write(folder.path().join("own.tab"), "BEGIN own.tab\nNR BEREICH H7\n0  3       +1O\n").unwrap();
+    let broken = format!(
+        "fitcheck: the number of rows is odd, 1: each size range takes two: upper deviation, lower deviation: \
+         {path}/own.tab, line 3, column 1\n"
+    );
+    check(&["25 H7", "--tables", path], "", 1, "", &broken);
+}
+
+#[test]
+fn a_closed_pipe_is_not_an_error() {
+    let program = assert_cmd::cargo::cargo_bin!("fitcheck");
+    for format in ["text", "csv", "json"] {
+        let mut child = Command::new(program)
+            .args(["limits", "-", "--format", format])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let mut input = child.stdin.take().unwrap();
+        // The program may have gone before everything is written.
+        let _closed = input.write_all("25 H7\n".repeat(100_000).as_bytes());
+        drop(input);
+        let output = child.wait_with_output().unwrap();
+        assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]), "{format}");
+    }
+}
+
+#[test]
+fn wrong_usage_exits_with_2_and_help_shows_examples() {
+    limits(&[], b"").code(2);
+    limits(&["25 H7", "--fromat", "csv"], b"").code(2);
+    limits(&["-5 H7"], b"").code(2);
+    check(&["--", "-5 H7"], "", 1, "", "-5 H7: nominal size -5 mm is not above 0\n");
+    let help = limits(&["--help"], b"").success();
+    let text = String::from_utf8(help.get_output().stdout.clone()).unwrap();
+    assert!(text.contains("fitcheck limits - --format csv < callouts.txt"), "{text}");
+}
