@@ -45,9 +45,10 @@ fn help() -> String {
         "\
 Formats, told by content:
 {}
-A CSV needs a column of callouts (or of nominal sizes and classes) and one of measured values. A header in English,
-Dutch, German or Italian tells them apart; without one their content does. Comma, semicolon, tab and pipe separate;
-point or comma is the decimal sign. A unit may stand in the header: measured [mm], measured_um, Istmaß (inch).
+A CSV needs a column of callouts (or of nominal sizes and classes) and one of measured values. \
+A header in English, Dutch, German or Italian tells them apart; without one their content does. \
+Comma, semicolon, tab and pipe separate; point or comma is the decimal sign. \
+A unit may stand in the header: measured [mm], measured_um, Istmaß (inch).
 
 Columns of --format csv, and names in JSON:
   {}
@@ -58,8 +59,8 @@ Examples:
   fitcheck import TCHPR421.TXT TCHPR422.TXT --format csv > verdicts.csv
   fitcheck import --tables my_tables --format json measurements.csv
 
-The exit code is that of the worst verdict, a centre out of position counting as scrap; it is 1 where any row or file
-could not be used or not be judged. Files are read up to {largest} MiB.",
+The exit code is that of the worst verdict, a centre out of position counting as scrap; \
+it is 1 where any row or file could not be used or not be judged. Files are read up to {largest} MiB.",
         formats.collect::<String>(),
         row::COLUMNS.join(","),
     )
@@ -87,7 +88,7 @@ impl Args {
                 }
             };
             tally.count(&rows);
-            printer.file(path, &rows, io)?;
+            printer.file(&rows, io)?;
         }
         printer.end(io)?;
         Ok(match tally.worst {

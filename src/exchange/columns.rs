@@ -5,7 +5,7 @@
 use csv::StringRecord;
 
 use super::delimited::{Item, Rows, SEPARATORS};
-use super::imported::{Reason, Role};
+use super::problem::{Reason, Role};
 use super::words::{self, Rank};
 use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, ToleranceClass};
@@ -89,13 +89,12 @@ impl Sample {
         if self.rows.is_empty() {
             return Err(Reason::NoRows);
         }
-        let mut columns = match self.header.and_then(|at| self.rows.get(at)) {
-            Some((line, cells)) => self.by_header(*line, cells)?,
-            None => {
-                let mut columns = self.by_content()?;
-                columns.header = self.above().checked_sub(1).and_then(|at| self.rows.get(at)).map(|(line, _)| *line);
-                columns
-            }
+        let mut columns = if let Some((line, cells)) = self.header.and_then(|at| self.rows.get(at)) {
+            self.by_header(*line, cells)?
+        } else {
+            let mut columns = self.by_content()?;
+            columns.header = self.above().checked_sub(1).and_then(|at| self.rows.get(at)).map(|(line, _)| *line);
+            columns
         };
         columns.decimal_sign = self.decimal_sign(columns.measured.at);
         columns.whole_numbers_behind = self.whole_numbers_behind(columns.measured.at);
@@ -337,5 +336,5 @@ fn several(role: Role, header: &StringRecord, columns: &[usize]) -> Reason {
 /// The number of a column, and its name where it has one.
 fn name_of(at: usize, name: &str) -> String {
     let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
-    if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, super::imported::shorten(&name)) }
+    if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, super::problem::shorten(&name)) }
 }

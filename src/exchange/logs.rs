@@ -2,9 +2,11 @@
 //!
 //! The limits come from the log, the callout is not in it. The verdict is computed: a log holds no status.
 
+use std::path::Path;
 use std::sync::Arc;
 
-use super::imported::{Coordinate, Imported, Problem, Reason, Unjudged, Warning, WarningReason, WhyUnjudged};
+use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
+use super::problem::{Problem, Reason, Warning, WarningReason};
 use super::{Format, Source};
 use crate::control::log::{self, Circle, LimitPair, Log, Values};
 use crate::journal::Record;
@@ -25,7 +27,8 @@ pub(super) const FORMAT: Format = Format {
 /// The control's fixed names, `TCHPR421.TXT`, or a text that has the shape of a log.
 fn recognises(source: &Source<'_>) -> bool {
     let name = source.file.to_ascii_uppercase();
-    name.strip_prefix("TCHPR4").is_some_and(|rest| rest.ends_with(".TXT")) || log::is_log(&source.head())
+    name.starts_with("TCHPR4") && Path::new(&name).extension().is_some_and(|ending| ending == "TXT")
+        || log::is_log(&source.head())
 }
 
 fn read(source: &Source<'_>) -> Imported {

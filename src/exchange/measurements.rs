@@ -10,7 +10,8 @@ use jiff::civil::{DateTime, Time};
 
 use super::columns::{self, Columns, LengthColumn, Sample};
 use super::delimited::{Item, Rows};
-use super::imported::{Imported, MOST_ROWS, Problem, Reason, Unjudged, Warning, WarningReason, WhyUnjudged, shorten};
+use super::imported::{Imported, MOST_ROWS, Unjudged, WhyUnjudged};
+use super::problem::{Problem, Reason, Warning, WarningReason, shorten};
 use super::{Format, Source};
 use crate::journal::Record;
 use crate::length::Length;
@@ -165,7 +166,7 @@ impl Reader<'_> {
         let needed = self.columns.tolerance.into_iter().chain([self.columns.measured.at]).max().unwrap_or_default();
         if found <= needed {
             return Err((
-                Cell { at: None, text: cells.iter().last().unwrap_or_default() },
+                Cell { at: None, text: cells.iter().next_back().unwrap_or_default() },
                 Reason::RowShort { found, expected },
             ));
         }

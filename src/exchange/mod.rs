@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `imported` | what came out of a file: records, and everything that made none |
+//! | `problem` | what is wrong or odd, and where |
 //! | `logs` | HEIDENHAIN measuring logs as records |
 //! | `measurements` | CSV of id, callout and measured value |
 //! | `columns`, `words` | which column of a CSV is which, by header or content |
@@ -16,6 +17,7 @@ mod delimited;
 pub mod imported;
 mod logs;
 mod measurements;
+pub mod problem;
 mod words;
 
 use std::borrow::Cow;
@@ -24,7 +26,8 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-pub use imported::{Coordinate, Imported, Problem, Reason, Unjudged, Warning, WarningReason, WhyUnjudged};
+pub use imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
+pub use problem::{Problem, Reason, Warning, WarningReason};
 
 use crate::control::text;
 use crate::tolerance::Tables;

@@ -1,5 +1,7 @@
 mod report;
 //! Tests of the core and the command line, in one binary.
 
+mod import;
 mod limits_cli;
+mod logs;
 mod tables;

@@ -1,6 +1,7 @@
 //! Text for people, CSV and JSON for machines.
 
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::fmt;
 
 use serde_json::{Number, Value as Json};
 
@@ -13,6 +14,9 @@ use crate::verdict::Status;
 pub(super) struct Printer {
     format: Format,
     is_first: bool,
+    /// The text's table: its columns are as wide as their widest cell, so it is printed at the end.
+    table: Vec<[String; 9]>,
+    summary: Summary,
 }
 
 impl Printer {
@@ -22,21 +26,58 @@ impl Printer {
             Format::Csv => writeln!(io.out, "{}", COLUMNS.join(","))?,
             Format::Json => write!(io.out, "[")?,
         }
-        Ok(Self { format, is_first: true })
+        Ok(Self { format, is_first: true, table: Vec::new(), summary: Summary::default() })
     }
 
-    pub(super) fn file(&mut self, path: &Path, rows: &[Row], io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(super) fn file(&mut self, rows: &[Row], io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
-            Format::Text => text(path, rows, io),
+            Format::Text => self.text(rows, io),
             Format::Csv => csv(rows, io),
             Format::Json => self.json(rows, io),
         }
     }
 
     pub(super) fn end(&self, io: &mut Io<'_>) -> Result<(), CliError> {
-        if self.format == Format::Json {
-            writeln!(io.out, "{}]", if self.is_first { "" } else { "\n" })?;
+        match self.format {
+            Format::Text => self.table(io),
+            Format::Csv => Ok(()),
+            Format::Json => Ok(writeln!(io.out, "{}]", if self.is_first { "" } else { "\n" })?),
         }
+    }
+
+    /// Keeps the verdicts for the table; problems go to standard error with their places.
+    fn text(&mut self, rows: &[Row], io: &mut Io<'_>) -> Result<(), CliError> {
+        for row in rows {
+            self.summary.count(row);
+            let Some(line) = row.line else { continue };
+            for warning in &row.warnings {
+                writeln!(io.err, "{}:{line}: warning: {warning}", row.file)?;
+            }
+            if let Some(error) = &row.error {
+                let column = row.column.map_or(String::new(), |column| format!(":{column}"));
+                writeln!(io.err, "{}:{line}{column}: {error}", row.file)?;
+            }
+            if row.measured.is_some() {
+                self.table.push(cells(row));
+            }
+        }
+        Ok(())
+    }
+
+    fn table(&self, io: &mut Io<'_>) -> Result<(), CliError> {
+        if !self.table.is_empty() {
+            let mut widths = HEADINGS.map(|heading| heading.chars().count());
+            for (width, cell) in self.table.iter().flat_map(|cells| (0..).zip(cells)) {
+                if let Some(width) = widths.get_mut(width) {
+                    *width = (*width).max(cell.chars().count());
+                }
+            }
+            line(&HEADINGS.map(str::to_owned), &widths, io)?;
+            for cells in &self.table {
+                line(cells, &widths, io)?;
+            }
+        }
+        writeln!(io.out, "{}", self.summary)?;
         Ok(())
     }
 
@@ -44,10 +85,10 @@ impl Printer {
         for row in rows {
             // Written by hand, so that the names stand in the order of the columns.
             let members = COLUMNS.iter().zip(row.values());
-            let members: Vec<String> = members.map(|(name, value)| format!("\"{name}\": {}", value.json())).collect();
+            let members: Vec<String> = members.map(|(name, value)| format!("\"{name}\":{}", value.json())).collect();
             let comma = if self.is_first { "" } else { "," };
             self.is_first = false;
-            write!(io.out, "{comma}\n{{{}}}", members.join(", "))?;
+            write!(io.out, "{comma}\n  {{{}}}", members.join(","))?;
         }
         Ok(())
     }
@@ -97,41 +138,10 @@ fn stream(error: csv::Error) -> CliError {
 }
 
 const HEADINGS: [&str; 9] =
-    ["line", "id", "callout", "measured mm", "limits mm", "deviation µm", "verdict", "position", "source"];
+    ["file:line", "id", "callout", "measured mm", "limits mm", "deviation µm", "verdict", "position", "source"];
 
 /// Which columns hold figures and stand to the right.
-const RIGHT: [bool; 9] = [true, false, false, true, false, true, false, false, false];
-
-/// A table of the verdicts, and the problems on standard error with their places.
-fn text(path: &Path, rows: &[Row], io: &mut Io<'_>) -> Result<(), CliError> {
-    for row in rows {
-        let Some(line) = row.line else { continue };
-        for warning in &row.warnings {
-            writeln!(io.err, "{}:{line}: warning: {warning}", path.display())?;
-        }
-        if let Some(error) = &row.error {
-            let column = row.column.map_or(String::new(), |column| format!(":{column}"));
-            writeln!(io.err, "{}:{line}{column}: {error}", path.display())?;
-        }
-    }
-    let table: Vec<[String; 9]> = rows.iter().filter(|row| row.measured.is_some()).map(cells).collect();
-    if table.is_empty() {
-        return Ok(());
-    }
-    writeln!(io.out, "{}", path.display())?;
-    let mut widths = HEADINGS.map(|heading| heading.chars().count());
-    for cells in &table {
-        for (width, cell) in widths.iter_mut().zip(cells) {
-            *width = (*width).max(cell.chars().count());
-        }
-    }
-    line(&HEADINGS.map(str::to_owned), &widths, io)?;
-    for cells in &table {
-        line(cells, &widths, io)?;
-    }
-    writeln!(io.out, "{}\n", summary(rows))?;
-    Ok(())
-}
+const RIGHT: [bool; 9] = [false, false, false, true, false, true, false, false, false];
 
 fn cells(row: &Row) -> [String; 9] {
     let mm = |length: Option<Length>| length.map_or(String::new(), |length| length.exact(Unit::Millimetre, 3));
@@ -146,8 +156,8 @@ fn cells(row: &Row) -> [String; 9] {
     });
     let remove = row.remove.map_or(String::new(), |remove| format!(", remove {} µm", um(remove)));
     [
-        row.line.map_or(String::new(), |line| line.to_string()),
-        row.id.split_whitespace().collect::<Vec<_>>().join(" "),
+        format!("{}:{}", row.file, row.line.unwrap_or_default()),
+        row.id.replace(char::is_control, "\u{fffd}"),
         row.callout.clone().unwrap_or_default(),
         mm(row.measured),
         limits,
@@ -161,27 +171,41 @@ fn cells(row: &Row) -> [String; 9] {
 fn line(cells: &[String; 9], widths: &[usize; 9], io: &mut Io<'_>) -> std::io::Result<()> {
     let padded =
         cells.iter().zip(widths).zip(RIGHT).map(|((cell, &width), right)| {
-            if right { format!("  {cell:>width$}") } else { format!("  {cell:<width$}") }
+            if right { format!("{cell:>width$}  ") } else { format!("{cell:<width$}  ") }
         });
     writeln!(io.out, "{}", padded.collect::<String>().trim_end())
 }
 
+/// How many rows came to what.
+#[derive(Debug, Default)]
+struct Summary {
+    rows: usize,
+    status: BTreeMap<Status, usize>,
+    out_of_position: usize,
+    not_judged: usize,
+    not_usable: usize,
+}
+
+impl Summary {
+    fn count(&mut self, row: &Row) {
+        self.rows += 1;
+        if let Some(status) = row.status {
+            *self.status.entry(status).or_default() += 1;
+        }
+        self.out_of_position += usize::from(row.position_word() == Some("OUT"));
+        self.not_judged += usize::from(row.error.is_some() && row.measured.is_some());
+        self.not_usable += usize::from(row.error.is_some() && row.measured.is_none());
+    }
+}
+
 /// `3 rows: 1 GOOD, 1 REWORK, 1 position OUT, 1 not usable`.
-fn summary(rows: &[Row]) -> String {
-    let count = |name: &str, is: &dyn Fn(&Row) -> bool| {
-        let count = rows.iter().filter(|row| is(row)).count();
-        (0 < count).then(|| format!("{count} {name}"))
-    };
-    let status = |status: Status| count(status.word(), &move |row: &Row| row.status == Some(status));
-    let parts = [
-        status(Status::Good),
-        status(Status::Rework),
-        status(Status::ReMeasure),
-        status(Status::Scrap),
-        count("position OUT", &|row| row.position_word() == Some("OUT")),
-        count("not judged", &|row| row.error.is_some() && row.measured.is_some()),
-        count("not usable", &|row| row.error.is_some() && row.measured.is_none()),
-    ];
-    let parts: Vec<String> = parts.into_iter().flatten().collect();
-    format!("  {} {}: {}", rows.len(), if rows.len() == 1 { "row" } else { "rows" }, parts.join(", "))
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let status = self.status.iter().map(|(status, &count)| (status.word(), count));
+        let others =
+            [("position OUT", self.out_of_position), ("not judged", self.not_judged), ("not usable", self.not_usable)];
+        let parts = status.chain(others).filter(|(_, count)| 0 < *count);
+        let parts: Vec<String> = parts.map(|(name, count)| format!("{count} {name}")).collect();
+        write!(f, "{} {}: {}", self.rows, if self.rows == 1 { "row" } else { "rows" }, parts.join(", "))
+    }
 }

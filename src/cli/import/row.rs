@@ -32,7 +32,7 @@ pub(super) const COLUMNS: [&str; 15] = [
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Row {
     pub(super) file: String,
-    /// `None` where the file could not be read.
+    /// Where it stands; `None` where the file could not be read.
     pub(super) line: Option<usize>,
     /// Where a problem is in its line.
     pub(super) column: Option<usize>,
@@ -78,7 +78,12 @@ pub(super) fn rows(path: &Path, imported: &Imported) -> Vec<Row> {
         .chain(imported.problems.iter().map(Row::of_problem))
         .collect();
     rows.sort_by_key(|row| row.line);
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
     for row in &mut rows {
+        // A coordinate's limits come from its log.
+        if row.minimum.is_some() && row.source.is_none() {
+            row.source = Some(Source::File(name.as_ref().into()).to_string());
+        }
         row.file.clone_from(&file);
         let more = row.line.and_then(|line| warnings.remove(&line));
         row.warnings.extend(more.into_iter().flatten());
@@ -91,8 +96,8 @@ impl Row {
         let limits = &record.limits;
         let size = record.verdict.size;
         let mut warnings: Vec<String> = record.doubt.iter().map(ToString::to_string).collect();
-        if let Source::Table { instead_of: Some(shipped), .. } = &limits.source {
-            warnings.push(differs(*shipped));
+        if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
+            warnings.push(differs(*standard));
         }
         Self {
             line: Some(line),
@@ -197,8 +202,11 @@ impl Row {
     }
 }
 
-/// Limits of a user's own table that are not those of the standard.
-fn differs(shipped: Deviations) -> String {
-    let um = |length: Length| length.exact(Unit::Micrometre, 0);
-    format!("the built-in table has {} / {} µm here", um(shipped.upper()), um(shipped.lower()))
+/// A user's own table that does not say what the standard says.
+fn differs(standard: Deviations) -> String {
+    let um = |length: Length| {
+        let plus = if Length::ZERO < length { "+" } else { "" };
+        format!("{plus}{}", length.exact(Unit::Micrometre, 0))
+    };
+    format!("ISO 286 has {} / {} µm here", um(standard.lower()), um(standard.upper()))
 }

@@ -2,6 +2,8 @@
 //!
 //! Labels are never understood, only told apart from numbers: they follow the control's dialogue language.
 
+use std::path::Path;
+
 use jiff::civil::{Date, Time};
 
 use super::error::{LogError, LogReason, LogWarning};
@@ -220,12 +222,12 @@ impl Header {
             }
         } else if let Some(date) = date(pair.given) {
             match date {
-                Some(date) if self.date.is_none() => self.date = Some(date),
+                Ok(date) if self.date.is_none() => self.date = Some(date),
                 _ => odd(),
             }
         } else if let Some(time) = time(pair.given) {
             match time {
-                Some(time) if self.time.is_none() => self.time = Some(time),
+                Ok(time) if self.time.is_none() => self.time = Some(time),
                 _ => odd(),
             }
         } else if is_program(pair.given) {
@@ -278,28 +280,32 @@ fn is_path(line: &str) -> bool {
 }
 
 fn is_program(value: &str) -> bool {
-    let lower = value.to_ascii_lowercase();
-    value.contains(":\\") || lower.ends_with(".h") || lower.ends_with(".i")
+    let ending = Path::new(value).extension();
+    value.contains(":\\") || ending.is_some_and(|end| end.eq_ignore_ascii_case("h") || end.eq_ignore_ascii_case("i"))
 }
 
 fn is_number(value: &str) -> bool {
     crate::length::Length::parse_in(value, Unit::Millimetre).is_ok()
 }
 
-/// Three numbers with the same sign between them; the inner value is `None` where they are no day.
-fn date(value: &str) -> Option<Option<Date>> {
+/// Has the shape of a day or time, but there is none such.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct NoSuchTime;
+
+/// Three numbers with the same sign between them.
+fn date(value: &str) -> Option<Result<Date, NoSuchTime>> {
     ['-', '.', '/'].into_iter().find_map(|sign| {
         let [day, month, year] = three(value, sign)?;
         let day = day.parse().ok().zip(month.parse().ok()).zip(year.parse().ok().filter(|year| 1000 <= *year));
-        Some(day.and_then(|((day, month), year)| Date::new(year, month, day).ok()))
+        Some(day.and_then(|((day, month), year)| Date::new(year, month, day).ok()).ok_or(NoSuchTime))
     })
 }
 
-/// Hours, minutes and seconds; the inner value is `None` where they are no time.
-fn time(value: &str) -> Option<Option<Time>> {
+/// Hours, minutes and seconds.
+fn time(value: &str) -> Option<Result<Time, NoSuchTime>> {
     let [hour, minute, second] = three(value, ':')?;
     let time = hour.parse().ok().zip(minute.parse().ok()).zip(second.parse().ok());
-    Some(time.and_then(|((hour, minute), second)| Time::new(hour, minute, second, 0).ok()))
+    Some(time.and_then(|((hour, minute), second)| Time::new(hour, minute, second, 0).ok()).ok_or(NoSuchTime))
 }
 
 fn three(value: &str, sign: char) -> Option<[&str; 3]> {
@@ -332,14 +338,14 @@ mod tests {
 
     #[test]
     fn days_and_times_are_told_from_numbers() {
-        assert_eq!(date("30-06-2005"), Some(Date::new(2005, 6, 30).ok()));
-        assert_eq!(date("1.2.2024"), Some(Date::new(2024, 2, 1).ok()));
-        assert_eq!(date("14/03/2024"), Some(Date::new(2024, 3, 14).ok()));
-        assert_eq!(date("31-02-2024"), Some(None));
+        assert_eq!(date("30-06-2005"), Some(Ok(Date::constant(2005, 6, 30))));
+        assert_eq!(date("1.2.2024"), Some(Ok(Date::constant(2024, 2, 1))));
+        assert_eq!(date("14/03/2024"), Some(Ok(Date::constant(2024, 3, 14))));
+        assert_eq!(date("31-02-2024"), Some(Err(NoSuchTime)));
         assert_eq!(date("25.0134"), None);
         assert_eq!(date("-22.5000"), None);
-        assert_eq!(time("6:55:04"), Some(Time::new(6, 55, 4, 0).ok()));
-        assert_eq!(time("25:00:00"), Some(None));
+        assert_eq!(time("6:55:04"), Some(Ok(Time::constant(6, 55, 4, 0))));
+        assert_eq!(time("25:00:00"), Some(Err(NoSuchTime)));
         assert_eq!(time("6:55"), None);
     }
 }
