@@ -199,13 +199,13 @@ impl Say for Reason {
                 Message::new("exchange-row-long").text("found", found).text("expected", expected)
             }
             Self::OpenQuote => Message::new("exchange-open-quote"),
-            Self::Callout(error) => Message::new("exchange-callout").text("reason", error),
-            Self::Nominal(error) => Message::new("exchange-nominal").text("reason", error),
+            Self::Callout(error) => Message::new("exchange-callout").message("reason", error.message()),
+            Self::Nominal(error) => Message::new("exchange-nominal").message("reason", error.message()),
             Self::NominalDiffers { callout, nominal } => {
                 Message::new("exchange-nominal-differs").text("callout", callout).text("nominal", nominal)
             }
-            Self::Limits(error) => Message::new("exchange-limits").text("reason", error),
-            Self::Measured(error) => Message::new("exchange-measured").text("reason", error),
+            Self::Limits(error) => Message::new("exchange-limits").message("reason", error.message()),
+            Self::Measured(error) => Message::new("exchange-measured").message("reason", error.message()),
             Self::DecimalSign { given, sign } => {
                 Message::new("exchange-decimal-sign").text("given", given).text("sign", sign)
             }
@@ -290,8 +290,13 @@ impl fmt::Display for Warning {
 /// The longest text that errors repeat, in characters.
 const LONGEST_GIVEN: usize = 60;
 
-/// A cell as errors repeat it: a long one is cut, and what is cut can no longer be read as a number or callout.
+/// A cell as errors repeat it: a long one is cut, control characters are made visible, and what was changed can no
+/// longer be read as a number or callout.
 pub(super) fn shorten(cell: &str) -> std::borrow::Cow<'_, str> {
+    if cell.contains(char::is_control) {
+        let visible = cell.replace(char::is_control, "\u{fffd}");
+        return shorten(&visible).into_owned().into();
+    }
     match cell.char_indices().nth(LONGEST_GIVEN).and_then(|(end, _)| cell.get(..end)) {
         Some(short) => format!("{short}…").into(),
         None => cell.into(),

@@ -169,9 +169,9 @@ fn problems_have_file_line_and_column_on_standard_error() {
     );
     assert_eq!(
         answer.out,
-        "file:line  id  callout  measured mm  limits mm         deviation µm  verdict                   position  source\n\
-         m.csv:4    b3  25 H7          0.984  25.000 to 25.021        -24016  REWORK, remove 24016 µm             ISO 286 table 82553_hole.tab, over 18 up to 30 mm\n\
-         m.csv:5    b4  25 H7         25.012  25.000 to 25.021           +12  GOOD                                ISO 286 table 82553_hole.tab, over 18 up to 30 mm\n\
+        "file:line  id  callout  measured mm  limits mm         deviation µm  verdict                  position  source\n\
+         m.csv:4    b3  25 H7          0.984  25.000 to 25.021        -24016  REWORK, remove 24016 µm            ISO 286 table 82553_hole.tab, over 18 up to 30 mm\n\
+         m.csv:5    b4  25 H7         25.012  25.000 to 25.021           +12  GOOD                               ISO 286 table 82553_hole.tab, over 18 up to 30 mm\n\
          4 rows: 1 GOOD, 1 REWORK, 2 not usable\n"
     );
 }
@@ -252,6 +252,34 @@ fn wrong_usage_is_told() {
     assert_eq!(run(folder.path(), &[]).code, 2);
     assert_eq!(run(folder.path(), &["--format", "xml", "m.csv"]).code, 2);
     assert_eq!(run(folder.path(), &["--time", "yesterday", "m.csv"]).code, 2);
+}
+
+#[test]
+fn own_tables_come_first_and_say_where_they_differ() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        std::fs::File::create(folder.path().join(name))
+            .and_then(|mut file| std::io::Write::write_all(&mut file, text.as_bytes()))
+            .unwrap();
+    };
+    write(
+        "own.tab",
+        "BEGIN OWN .TAB\nNR   BEREICH H7      U1\n0    30      +40     +5\n1            +10     -5\n[END]\n",
+    );
+    write("m.csv", "callout;measured\n25 H7;25.03\n25 U1;25.006\n25 g6;24.99\n");
+    let answer = run(folder.path(), &["--tables", ".", "--format", "csv", "m.csv"]);
+    let rows: Vec<&str> = answer.out.lines().skip(1).collect();
+    assert_eq!(
+        rows,
+        [
+            "m.csv,2,,25 H7,25,25.010,25.040,25.030,30,GOOD,,,\"table own.tab, over 0 up to 30 mm\",ISO 286 has 0 / +21 µm here,",
+            "m.csv,3,,25 U1,25,24.995,25.005,25.006,6,SCRAP,,,\"table own.tab, over 0 up to 30 mm\",,",
+            "m.csv,4,,25 g6,25,24.980,24.993,24.990,-10,GOOD,,,\"ISO 286 table 82553_shaft.tab, over 18 up to 30 mm\",,",
+        ],
+        "{}",
+        answer.err
+    );
+    assert_eq!(answer.code, 11);
 }
 
 /// What the program writes, it reads.

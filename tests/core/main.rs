@@ -1,3 +1,4 @@
+mod report;
 //! Tests of the core and the command line, in one binary.
 
 mod import;
@@ -5,4 +6,5 @@ mod logs;
 mod masks;
 mod report;
 mod limits_cli;
+mod logs;
 mod tables;

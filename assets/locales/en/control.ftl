@@ -40,6 +40,7 @@ log-no-time = date and time of the measurement are not known
 log-no-deviations = the deviations are missing: the log may be cut off
 log-ignored = not used: { $text }
 log-text-before = text before the first log was not used
+
 ## Tables
 table-at = { $what }: { $file }, line { $line }, column { $column }
 table-empty = the file is empty

@@ -40,6 +40,7 @@ log-no-time = datum en tijd van de meting zijn niet bekend
 log-no-deviations = de afwijkingen ontbreken: het protocol is misschien afgebroken
 log-ignored = niet gebruikt: { $text }
 log-text-before = de tekst voor het eerste protocol is niet gebruikt
+
 ## Tabellen
 table-at = { $what }: { $file }, regel { $line }, kolom { $column }
 table-empty = het bestand is leeg

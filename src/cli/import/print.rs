@@ -85,10 +85,10 @@ impl Printer {
         for row in rows {
             // Written by hand, so that the names stand in the order of the columns.
             let members = COLUMNS.iter().zip(row.values());
-            let members: Vec<String> = members.map(|(name, value)| format!("\"{name}\": {}", value.json())).collect();
+            let members: Vec<String> = members.map(|(name, value)| format!("\"{name}\":{}", value.json())).collect();
             let comma = if self.is_first { "" } else { "," };
             self.is_first = false;
-            write!(io.out, "{comma}\n{{{}}}", members.join(", "))?;
+            write!(io.out, "{comma}\n  {{{}}}", members.join(","))?;
         }
         Ok(())
     }
@@ -157,7 +157,7 @@ fn cells(row: &Row) -> [String; 9] {
     let remove = row.remove.map_or(String::new(), |remove| format!(", remove {} µm", um(remove)));
     [
         format!("{}:{}", row.file, row.line.unwrap_or_default()),
-        row.id.split_whitespace().collect::<Vec<_>>().join(" "),
+        row.id.replace(char::is_control, "\u{fffd}"),
         row.callout.clone().unwrap_or_default(),
         mm(row.measured),
         limits,

@@ -96,8 +96,8 @@ impl Row {
         let limits = &record.limits;
         let size = record.verdict.size;
         let mut warnings: Vec<String> = record.doubt.iter().map(ToString::to_string).collect();
-        if let Source::Table { instead_of: Some(shipped), .. } = &limits.source {
-            warnings.push(differs(*shipped));
+        if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
+            warnings.push(differs(*standard));
         }
         Self {
             line: Some(line),
@@ -202,8 +202,11 @@ impl Row {
     }
 }
 
-/// Limits of a user's own table that are not those of the standard.
-fn differs(shipped: Deviations) -> String {
-    let um = |length: Length| length.exact(Unit::Micrometre, 0);
-    format!("the built-in table has {} / {} µm here", um(shipped.upper()), um(shipped.lower()))
+/// A user's own table that does not say what the standard says.
+fn differs(standard: Deviations) -> String {
+    let um = |length: Length| {
+        let plus = if Length::ZERO < length { "+" } else { "" };
+        format!("{plus}{}", length.exact(Unit::Micrometre, 0))
+    };
+    format!("ISO 286 has {} / {} µm here", um(standard.lower()), um(standard.upper()))
 }
