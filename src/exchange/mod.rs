@@ -145,7 +145,9 @@ pub fn import(file_name: &str, bytes: &[u8], tables: &Tables, now: DateTime) -> 
     }
 }
 
-// The one place where contacts are read, once `exchange::contacts` is here.
+/// CONTACTS GO HERE: the one place that calls `contacts::read(source.bytes)` once that file is beside this one. Its
+/// contacts become [`Imported::contacts`] and one [`Unjudged`] of [`WhyUnjudged::Contacts`] on line 1, its error a
+/// problem with a [`Reason`] of its own, its warnings [`Warning`]s. Until then such a file is refused.
 fn read_contacts(_source: &Source<'_>) -> Imported {
     Imported::failed(Reason::NotRecognised)
 }
