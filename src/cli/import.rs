@@ -8,9 +8,8 @@ use std::path::{Path, PathBuf};
 use jiff::civil::DateTime;
 
 use super::{CliError, Format, Io, Outcome, TableArgs};
-use crate::exchange::{FORMATS, import};
-use crate::files::{self, FileError};
-use crate::tolerance::Tables;
+use crate::exchange::{FORMATS, Imported, import};
+use crate::files;
 use crate::verdict::Status;
 use print::Printer;
 use row::Row;
@@ -80,15 +79,20 @@ impl Args {
         let mut printer = Printer::new(self.format, io)?;
         let mut tally = Tally::default();
         for path in &self.files {
-            let rows = match read(path, &tables, now, io)? {
-                Ok(rows) => rows,
+            match files::read(path) {
+                Ok(bytes) => {
+                    let name = path.file_name().unwrap_or_default().to_string_lossy();
+                    let imported = import(&name, &bytes, &tables, now);
+                    warn(path, &imported, io)?;
+                    printer.file(row::rows(path, &imported).inspect(|row| tally.count(row)), io)?;
+                }
                 Err(error) => {
                     writeln!(io.err, "fitcheck: {error}")?;
-                    vec![Row::of_file(path, error.to_string())]
+                    let row = Row::of_file(path, error.to_string());
+                    tally.count(&row);
+                    printer.file(std::iter::once(row), io)?;
                 }
-            };
-            tally.count(&rows);
-            printer.file(&rows, io)?;
+            }
         }
         printer.end(io)?;
         Ok(match tally.worst {
@@ -99,25 +103,17 @@ impl Args {
     }
 }
 
-/// The rows of a file in its order; warnings about the whole file go to standard error.
-fn read(path: &Path, tables: &Tables, now: DateTime, io: &mut Io<'_>) -> std::io::Result<Result<Vec<Row>, FileError>> {
-    let bytes = match files::read(path) {
-        Ok(bytes) => bytes,
-        Err(error) => return Ok(Err(error)),
-    };
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let imported = import(&name, &bytes, tables, now);
+/// Warnings about the whole file; those of a row stand beside it.
+fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> std::io::Result<()> {
     for warning in imported.warnings.iter().filter(|warning| warning.row.is_none()) {
         writeln!(io.err, "{}:{}: warning: {}", path.display(), warning.line, warning.reason)?;
     }
-    Ok(Ok(row::rows(path, &imported)))
+    Ok(())
 }
 
 impl Tally {
-    fn count(&mut self, rows: &[Row]) {
-        for row in rows {
-            self.bad |= row.error.is_some();
-            self.worst = self.worst.max(row.part_status());
-        }
+    fn count(&mut self, row: &Row) {
+        self.bad |= row.error.is_some();
+        self.worst = self.worst.max(row.part_status());
     }
 }

@@ -1,4 +1,5 @@
 //! `fitcheck import` as a whole: files in, verdicts, problems and exit codes out.
+#![expect(clippy::unwrap_used, reason = "a test may stop")]
 
 use std::path::{Path, PathBuf};
 

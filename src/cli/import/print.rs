@@ -29,7 +29,7 @@ impl Printer {
         Ok(Self { format, is_first: true, table: Vec::new(), summary: Summary::default() })
     }
 
-    pub(super) fn file(&mut self, rows: &[Row], io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(super) fn file(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
             Format::Text => self.text(rows, io),
             Format::Csv => csv(rows, io),
@@ -46,9 +46,9 @@ impl Printer {
     }
 
     /// Keeps the verdicts for the table; problems go to standard error with their places.
-    fn text(&mut self, rows: &[Row], io: &mut Io<'_>) -> Result<(), CliError> {
+    fn text(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
         for row in rows {
-            self.summary.count(row);
+            self.summary.count(&row);
             let Some(line) = row.line else { continue };
             for warning in &row.warnings {
                 writeln!(io.err, "{}:{line}: warning: {warning}", row.file)?;
@@ -58,7 +58,7 @@ impl Printer {
                 writeln!(io.err, "{}:{line}{column}: {error}", row.file)?;
             }
             if row.measured.is_some() {
-                self.table.push(cells(row));
+                self.table.push(cells(&row));
             }
         }
         Ok(())
@@ -81,7 +81,7 @@ impl Printer {
         Ok(())
     }
 
-    fn json(&mut self, rows: &[Row], io: &mut Io<'_>) -> Result<(), CliError> {
+    fn json(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
         for row in rows {
             // Written by hand, so that the names stand in the order of the columns.
             let members = COLUMNS.iter().zip(row.values());
@@ -120,7 +120,7 @@ impl Value<'_> {
     }
 }
 
-fn csv(rows: &[Row], io: &mut Io<'_>) -> Result<(), CliError> {
+fn csv(rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut writer = csv::Writer::from_writer(&mut *io.out);
     for row in rows {
         writer.write_record(row.values().map(|value| value.csv())).map_err(stream)?;

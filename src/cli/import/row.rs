@@ -63,36 +63,47 @@ pub(super) enum Value<'a> {
     Texts(&'a [String]),
 }
 
-/// Everything that came out of a file, in the order of its lines.
-pub(super) fn rows(path: &Path, imported: &Imported) -> Vec<Row> {
-    let file = path.display().to_string();
+/// One of the three things that a row of a file can come to.
+#[derive(Clone, Copy)]
+enum Came<'a> {
+    Record(&'a Record),
+    Unjudged(&'a Unjudged),
+    Problem(&'a Problem),
+}
+
+/// Everything that came out of a file, in the order of its lines. Rows are made one by one: a file may have many.
+pub(super) fn rows<'a>(path: &'a Path, imported: &'a Imported) -> impl Iterator<Item = Row> + 'a {
     let mut warnings: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     for warning in &imported.warnings {
         if let Some(row) = warning.row {
             warnings.entry(row).or_default().push(warning.reason.to_string());
         }
     }
-    let records = imported.lines.iter().zip(&imported.records).map(|(&line, record)| Row::of(line, record));
-    let mut rows: Vec<Row> = records
-        .chain(imported.unjudged.iter().map(Row::of_unjudged))
-        .chain(imported.problems.iter().map(Row::of_problem))
-        .collect();
-    rows.sort_by_key(|row| row.line);
+    let records = imported.lines.iter().zip(&imported.records).map(|(&line, record)| (line, Came::Record(record)));
+    let unjudged = imported.unjudged.iter().map(|unjudged| (unjudged.line, Came::Unjudged(unjudged)));
+    let problems = imported.problems.iter().map(|problem| (problem.line, Came::Problem(problem)));
+    let mut all: Vec<(usize, Came<'a>)> = records.chain(unjudged).chain(problems).collect();
+    all.sort_by_key(|(line, _)| *line);
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    for row in &mut rows {
+    all.into_iter().map(move |(line, came)| {
+        let mut row = match came {
+            Came::Record(record) => Row::of(record),
+            Came::Unjudged(unjudged) => Row::of_unjudged(unjudged),
+            Came::Problem(problem) => Row::of_problem(problem),
+        };
+        row.file = path.display().to_string();
+        row.line = Some(line);
         // A coordinate's limits come from its log.
         if row.minimum.is_some() && row.source.is_none() {
             row.source = Some(Source::File(name.as_ref().into()).to_string());
         }
-        row.file.clone_from(&file);
-        let more = row.line.and_then(|line| warnings.remove(&line));
-        row.warnings.extend(more.into_iter().flatten());
-    }
-    rows
+        row.warnings.extend(warnings.remove(&line).into_iter().flatten());
+        row
+    })
 }
 
 impl Row {
-    fn of(line: usize, record: &Record) -> Self {
+    fn of(record: &Record) -> Self {
         let limits = &record.limits;
         let size = record.verdict.size;
         let mut warnings: Vec<String> = record.doubt.iter().map(ToString::to_string).collect();
@@ -100,7 +111,6 @@ impl Row {
             warnings.push(differs(*standard));
         }
         Self {
-            line: Some(line),
             id: record.id.clone(),
             callout: record.callout.map(|callout| callout.to_string()),
             nominal: Some(limits.nominal),
@@ -119,7 +129,6 @@ impl Row {
 
     fn of_unjudged(unjudged: &Unjudged) -> Self {
         let row = Self {
-            line: Some(unjudged.line),
             id: unjudged.id.clone(),
             measured: unjudged.measured,
             position: unjudged.position,
@@ -149,12 +158,7 @@ impl Row {
     }
 
     fn of_problem(problem: &Problem) -> Self {
-        Self {
-            line: Some(problem.line),
-            column: problem.column,
-            error: Some(problem.reason.to_string()),
-            ..Self::default()
-        }
+        Self { column: problem.column, error: Some(problem.reason.to_string()), ..Self::default() }
     }
 
     /// A file that could not be read at all.
