@@ -126,8 +126,8 @@ impl Args {
             Machine::new(workpiece, Probe::USUAL, self.seed).map_err(|error| data("simulated workpiece", &error))?;
         let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: self.seed };
         let position = ProbePosition::default();
-        let (measurement, _) = measure(limits, &position, &mut machine, origin)
-            .map_err(|error| data("simulated measurement", &error))?;
+        let (measurement, _) =
+            measure(limits, &position, &mut machine, origin).map_err(|error| data("simulated measurement", &error))?;
         Ok(measurement)
     }
 

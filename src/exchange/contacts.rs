@@ -131,7 +131,8 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, ContactsError> {
 
 /// The separator of the first line that has one; a blank in between counts as none.
 fn separator(text: &str) -> u8 {
-    let lines = text::lines(text).map(|(_, line)| line.trim()).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let lines =
+        text::lines(text).map(|(_, line)| line.trim()).filter(|line| !line.is_empty() && !line.starts_with('#'));
     let mut lines = lines.take(20);
     lines
         .find_map(|line| SEPARATORS.iter().copied().find(|separator| line.bytes().any(|byte| byte == *separator)))

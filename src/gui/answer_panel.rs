@@ -91,7 +91,8 @@ fn lines(words: &Words, record: &Record) -> Vec<String> {
 /// Half of a length in µm, exact.
 fn half_um(length: Length) -> String {
     let nm = length.nanometres();
-    let whole = Length::from_nanometres(nm / 2).unwrap_or_default().exact(Unit::Micrometre, if nm % 2 == 0 { 0 } else { 3 });
+    let whole =
+        Length::from_nanometres(nm / 2).unwrap_or_default().exact(Unit::Micrometre, if nm % 2 == 0 { 0 } else { 3 });
     if nm % 2 == 0 { whole } else { format!("{whole}5") }
 }
 

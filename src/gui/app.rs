@@ -29,12 +29,7 @@ impl Setup {
     pub fn for_user() -> Self {
         let language = sys_locale::get_locale().and_then(|locale| Language::from_code(&locale));
         let language = language.filter(|language| Language::COMPLETE.contains(language)).unwrap_or_default();
-        Self {
-            store: Store::of_user(),
-            language,
-            errands: Errands::OnThread,
-            clock: || jiff::Zoned::now().datetime(),
-        }
+        Self { store: Store::of_user(), language, errands: Errands::OnThread, clock: || jiff::Zoned::now().datetime() }
     }
 }
 

@@ -111,7 +111,10 @@ struct Drawing<'a> {
 impl Drawing<'_> {
     fn draw(&self, record: Option<&Record>) {
         let frame = *self.transform.frame();
-        let body = Rect::from_min_max(pos2(frame.left(), frame.top() + space(7.0)), pos2(frame.right(), frame.bottom() - space(7.0)));
+        let body = Rect::from_min_max(
+            pos2(frame.left(), frame.top() + space(7.0)),
+            pos2(frame.right(), frame.bottom() - space(7.0)),
+        );
         let (lower, upper) = (self.x(self.band.lower_um), self.x(self.band.upper_um));
         let left = Rect::from_min_max(body.min, pos2(lower, body.bottom()));
         let right = Rect::from_min_max(pos2(upper, body.top()), body.max);
@@ -133,7 +136,12 @@ impl Drawing<'_> {
             4.0,
         ));
         if zone.width() > space(20.0) {
-            self.text(zone.center_top() + vec2(0.0, 4.0), Align2::CENTER_TOP, &self.words.get("zone"), self.palette.zone_edge.0);
+            self.text(
+                zone.center_top() + vec2(0.0, 4.0),
+                Align2::CENTER_TOP,
+                &self.words.get("zone"),
+                self.palette.zone_edge.0,
+            );
         }
         if let (Some(marker), Some(record)) = (self.band.marker, record) {
             self.marker(marker, record, body);

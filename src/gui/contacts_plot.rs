@@ -24,7 +24,8 @@ pub(super) fn contacts_ui(ui: &mut Ui, view: &View<'_>) {
     ui.horizontal(|ui| {
         heading(ui, view.text("contacts"));
         if let Some(picture) = &picture {
-            let factor = Message::new("contacts-factor").text("factor", view.words.number(&format!("{}", picture.factor)));
+            let factor =
+                Message::new("contacts-factor").text("factor", view.words.number(&format!("{}", picture.factor)));
             quiet(ui, view.words.say(&factor));
         }
     });
@@ -81,7 +82,8 @@ impl Picture {
             return None;
         }
         // The nominal centre is where the position's deviation says; without one, the fitted centre.
-        let off = record.verdict.position.map_or([0.0; 2], |position| position.axes.map(|axis| axis.deviation.to_mm_f64()));
+        let off =
+            record.verdict.position.map_or([0.0; 2], |position| position.axes.map(|axis| axis.deviation.to_mm_f64()));
         let nominal = [circle.x - off[0], circle.y - off[1]];
         let polar: Vec<(f64, f64)> = record
             .measurement
@@ -101,7 +103,8 @@ impl Picture {
         let fitted = (0..=STEPS).map(|step| {
             let angle = TAU * f64::from(step) / f64::from(STEPS);
             // Where a ray from the nominal centre meets the fitted circle.
-            let (along, across) = (off[0] * angle.cos() + off[1] * angle.sin(), off[1] * angle.cos() - off[0] * angle.sin());
+            let (along, across) =
+                (off[0] * angle.cos() + off[1] * angle.sin(), off[1] * angle.cos() - off[0] * angle.sin());
             let half = (circle.diameter * circle.diameter / 4.0 - across * across).max(0.0).sqrt();
             at((angle, along + half - radius))
         });
@@ -137,14 +140,19 @@ impl Picture {
             .include_y(-1.0 - REACH)
             .include_y(1.0 + REACH)
             .show(ui, |plot| {
-                let line = |name: &str, points: &[[f64; 2]]| Line::new(name, PlotPoints::from(points.to_vec())).allow_hover(false);
+                let line = |name: &str, points: &[[f64; 2]]| {
+                    Line::new(name, PlotPoints::from(points.to_vec())).allow_hover(false)
+                };
                 plot.line(line("nominal", &nominal).color(palette.quiet.0).width(1.5).style(LineStyle::dashed_loose()));
                 plot.line(line("fitted", &self.fitted).color(palette.accent.0).width(2.0));
                 for axis in [[[-0.06, 0.0], [0.06, 0.0]], [[0.0, -0.06], [0.0, 0.06]]] {
                     plot.line(line("nominal centre", &axis).color(palette.quiet.0).width(1.0));
                 }
                 plot.points(
-                    Points::new("centre", vec![self.centre]).shape(MarkerShape::Cross).radius(6.0).color(palette.accent.0),
+                    Points::new("centre", vec![self.centre])
+                        .shape(MarkerShape::Cross)
+                        .radius(6.0)
+                        .color(palette.accent.0),
                 );
                 plot.points(Points::new("contacts", self.contacts.clone()).radius(5.0).color(palette.text.0));
             });
@@ -155,11 +163,22 @@ impl Picture {
             // The number stands outside the circle, away from the lines.
             let away = vec2(f32_of(*x), -f32_of(*y)).normalized() * 16.0;
             let text = format!("{}  {}", number + 1, words.number(&deviation));
-            let anchor = if away.x < -4.0 { Align2::RIGHT_CENTER } else if 4.0 < away.x { Align2::LEFT_CENTER } else { Align2::CENTER_CENTER };
+            let anchor = if away.x < -4.0 {
+                Align2::RIGHT_CENTER
+            } else if 4.0 < away.x {
+                Align2::LEFT_CENTER
+            } else {
+                Align2::CENTER_CENTER
+            };
             let galley = painter.layout_no_wrap(text, theme::font(sizes().small), palette.text.0);
             let rect = anchor.anchor_size(at + away, galley.size());
             painter.rect_filled(rect.expand(2.0), 2.0, palette.panel.0);
-            painter.rect_stroke(rect.expand(2.0), 2.0, Stroke::new(1.0, palette.line.0), eframe::egui::StrokeKind::Outside);
+            painter.rect_stroke(
+                rect.expand(2.0),
+                2.0,
+                Stroke::new(1.0, palette.line.0),
+                eframe::egui::StrokeKind::Outside,
+            );
             painter.galley(rect.min, galley, palette.text.0);
         }
         let described = Message::new("contacts-describe")

@@ -95,13 +95,22 @@ fn just_opened(ui: &Ui, id: Id) -> bool {
 fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     ui.set_max_width(space(150.0));
     let text = view.words.say(&notice.message);
-    if notice.is_problem { problem(ui, text) } else { ui.label(text) };
+    if notice.is_problem {
+        problem(ui, text)
+    } else {
+        ui.label(text)
+    };
     if !notice.details.is_empty() {
-        ScrollArea::vertical().max_height(space(60.0)).show_rows(ui, sizes().body + 4.0, notice.details.len(), |ui, rows| {
-            for detail in notice.details.get(rows).unwrap_or_default() {
-                quiet(ui, view.words.say(detail));
-            }
-        });
+        ScrollArea::vertical().max_height(space(60.0)).show_rows(
+            ui,
+            sizes().body + 4.0,
+            notice.details.len(),
+            |ui, rows| {
+                for detail in notice.details.get(rows).unwrap_or_default() {
+                    quiet(ui, view.words.say(detail));
+                }
+            },
+        );
     }
     let close = Button::new(view.text("close")).min_size(vec2(space(24.0), sizes().touch));
     if ui.add(close).clicked() {

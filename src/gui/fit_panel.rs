@@ -106,14 +106,17 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
-    Grid::new("size-and-class").num_columns(2).min_row_height(0.0).spacing(vec2(space(2.0), space(0.5))).show(ui, |ui| {
-        let name = ui.label(view.text("nominal-size"));
-        let class = ui.label(view.text("tolerance-class"));
-        ui.end_row();
-        number_ui(ui, view, Field::Nominal, name.id, "mm");
-        class_chooser_ui(ui, view, class.id);
-        ui.end_row();
-    });
+    Grid::new("size-and-class").num_columns(2).min_row_height(0.0).spacing(vec2(space(2.0), space(0.5))).show(
+        ui,
+        |ui| {
+            let name = ui.label(view.text("nominal-size"));
+            let class = ui.label(view.text("tolerance-class"));
+            ui.end_row();
+            number_ui(ui, view, Field::Nominal, name.id, "mm");
+            class_chooser_ui(ui, view, class.id);
+            ui.end_row();
+        },
+    );
     let name = ui.label(view.text("part-name"));
     let width = ui.available_width();
     let look = Look { font: theme::font(sizes().body), ..Look::large(width) };

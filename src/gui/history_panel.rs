@@ -50,8 +50,16 @@ fn callout(record: &Record) -> String {
 }
 
 fn table_ui(ui: &mut Ui, view: &mut View<'_>) {
-    const HEADS: [&str; 8] =
-        ["head-chosen", "head-time", "head-part", "head-callout", "head-measured", "head-deviation", "head-status", "head-from"];
+    const HEADS: [&str; 8] = [
+        "head-chosen",
+        "head-time",
+        "head-part",
+        "head-callout",
+        "head-measured",
+        "head-deviation",
+        "head-status",
+        "head-from",
+    ];
     let row_height = sizes().field;
     let count = view.session.history().len();
     TableBuilder::new(ui)

@@ -51,7 +51,14 @@ fn arrow_head(painter: &Painter, tip: Pos2, direction: Vec2, size: f32, colour: 
 }
 
 /// A small picture of what is measured: material around a hole, or a shaft with nothing around it.
-pub(super) fn feature(painter: &Painter, rect: Rect, feature: Feature, material: Color32, ground: Color32, line: Color32) {
+pub(super) fn feature(
+    painter: &Painter,
+    rect: Rect,
+    feature: Feature,
+    material: Color32,
+    ground: Color32,
+    line: Color32,
+) {
     let edge = Stroke::new(1.5, line);
     let radius = rect.size().min_elem() * 0.3;
     match feature {

@@ -332,7 +332,9 @@ mod tests {
     #[test]
     fn verdicts_are_told_apart_in_greyscale() {
         for palette in [&TOKENS.light, &TOKENS.dark] {
-            for (one, other) in [(palette.good, palette.rework), (palette.rework, palette.scrap), (palette.good, palette.scrap)] {
+            for (one, other) in
+                [(palette.good, palette.rework), (palette.rework, palette.scrap), (palette.good, palette.scrap)]
+            {
                 assert!(1.3 <= contrast(one, other), "{one:?} {other:?}: {:.2}", contrast(one, other));
             }
         }

@@ -59,8 +59,7 @@ fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     });
     ui.menu_button(view.text("theme"), |ui| {
-        for (theme, id) in
-            [(Theme::System, "theme-system"), (Theme::Light, "theme-light"), (Theme::Dark, "theme-dark")]
+        for (theme, id) in [(Theme::System, "theme-system"), (Theme::Light, "theme-light"), (Theme::Dark, "theme-dark")]
         {
             if ui.radio(view.session.theme() == theme, view.text(id)).clicked() {
                 view.send(Command::SetTheme(theme));

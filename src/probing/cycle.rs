@@ -178,7 +178,7 @@ pub struct CycleResult {
 }
 
 /// Why a cycle did not run, or not to its end.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CycleError {
     /// A parameter is outside its range.
     #[error("Q{q} {name} = {given}: {allowed}")]

@@ -72,7 +72,10 @@ pub struct WorkpieceError {
 
 impl Say for WorkpieceError {
     fn message(&self) -> Message {
-        Message::new("workpiece-cannot-be").text("what", self.what).text("given", self.given).text("allowed", self.allowed)
+        Message::new("workpiece-cannot-be")
+            .text("what", self.what)
+            .text("given", self.given)
+            .text("allowed", self.allowed)
     }
 }
 

@@ -171,13 +171,9 @@ mod tests {
 
     #[test]
     fn a_callout_is_taken_apart_while_it_is_typed() {
-        for (text, nominal, class) in [
-            ("25 H7", "25", "H7"),
-            ("Ø25,5js6", "25,5", "js6"),
-            ("25", "25", ""),
-            ("H7", "", "H7"),
-            ("", "", ""),
-        ] {
+        for (text, nominal, class) in
+            [("25 H7", "25", "H7"), ("Ø25,5js6", "25,5", "js6"), ("25", "25", ""), ("H7", "", "H7"), ("", "", "")]
+        {
             assert_eq!((nominal_text(text), class_text(text)), (nominal, class), "for {text:?}");
         }
     }

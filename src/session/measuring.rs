@@ -2,9 +2,9 @@
 
 use jiff::civil::DateTime;
 
+use super::Notice;
 use super::asked::Asked;
 use super::inputs::{Field, Inputs, MeasureBy};
-use super::Notice;
 use crate::exchange::Imported;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
@@ -123,7 +123,8 @@ pub(super) fn import_notice(name: &str, imported: &Imported) -> Notice {
     let message =
         Message::new("import-notice").text("name", name).count("good", good).count("bad", imported.problems.len());
     let problems = imported.problems.iter().map(crate::words::Say::message);
-    let unjudged = imported.unjudged.iter().filter(|_| imported.contacts.is_none()).map(crate::words::Say::message);
+    let unjudged =
+        imported.unjudged.iter().filter(|_| imported.contacts.is_none()).map(|unjudged| unjudged.why.message());
     let warnings = imported.warnings.iter().map(crate::words::Say::message);
     let details = problems.chain(unjudged).chain(warnings).collect();
     Notice { message, details, is_problem: good == 0 }

@@ -46,12 +46,7 @@ pub enum SavedError {
 }
 
 impl Saved {
-    pub(super) const fn new(
-        language: Language,
-        theme: Theme,
-        inputs: Inputs,
-        tables_folder: Option<PathBuf>,
-    ) -> Self {
+    pub(super) const fn new(language: Language, theme: Theme, inputs: Inputs, tables_folder: Option<PathBuf>) -> Self {
         Self { version: VERSION, language, theme, tables_folder, inputs }
     }
 
@@ -89,7 +84,10 @@ mod tests {
         let (again, effects) = Session::restore(saved);
         assert_eq!(again.inputs().text(Field::Callout), "25 H7");
         assert_eq!(again.inputs().text(Field::Measured), "25,012");
-        assert_eq!((again.language(), again.theme(), again.inputs().by), (Language::Nl, Theme::Dark, MeasureBy::Typing));
+        assert_eq!(
+            (again.language(), again.theme(), again.inputs().by),
+            (Language::Nl, Theme::Dark, MeasureBy::Typing)
+        );
         assert_eq!(effects, []);
     }
 

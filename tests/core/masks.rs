@@ -59,18 +59,66 @@ fn the_shipped_dutch_mask_is_the_seeds_byte_for_byte() {
 #[test]
 fn the_status_window_in_all_languages_and_for_all_statuses() {
     let expected = [
-        (Language::Nl, "25.012", "STATUS VAN DE PASSING: GOED\nGEPRUEFTE PASSUNG: 25 H7\nMINIMALE MAAT:  25.0000\nMAXIMALE MAAT:  25.0210\nGEMETEN DIAMETER:  25.0120\n"),
-        (Language::Nl, "24.998", "STATUS VAN DE PASSING: Nabewerking\nGEPRUEFTE PASSUNG: 25 H7\nMINIMALE MAAT:  25.0000\nMAXIMALE MAAT:  25.0210\nGEMETEN DIAMETER:  24.9980\n"),
-        (Language::Nl, "25.030", "STATUS VAN DE PASSING: Afgekeurd\nGEPRUEFTE PASSUNG: 25 H7\nMINIMALE MAAT:  25.0000\nMAXIMALE MAAT:  25.0210\nGEMETEN DIAMETER:  25.0300\n"),
-        (Language::De, "25.012", "STATUS DER PASSUNG: GUT\nGEPRUEFTE PASSUNG: 25 H7\nMINDESTMASS:  25.0000\nHOECHSTMASS:  25.0210\nGEMESSENER DURCHMESSER:  25.0120\n"),
-        (Language::De, "24.998", "STATUS DER PASSUNG: Nacharbeit\nGEPRUEFTE PASSUNG: 25 H7\nMINDESTMASS:  25.0000\nHOECHSTMASS:  25.0210\nGEMESSENER DURCHMESSER:  24.9980\n"),
-        (Language::De, "25.030", "STATUS DER PASSUNG: Ausschuss\nGEPRUEFTE PASSUNG: 25 H7\nMINDESTMASS:  25.0000\nHOECHSTMASS:  25.0210\nGEMESSENER DURCHMESSER:  25.0300\n"),
-        (Language::En, "25.012", "FIT STATUS: GOOD\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  25.0120\n"),
-        (Language::En, "24.998", "FIT STATUS: REWORK\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  24.9980\n"),
-        (Language::En, "25.030", "FIT STATUS: SCRAP\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  25.0300\n"),
-        (Language::It, "25.012", "STATO ACCOPPIAMENTO: BUONO\nACCOPPIAMENTO CONTROLLATO: 25 H7\nDIMENSIONE MINIMA:  25.0000\nDIMENSIONE MASSIMA:  25.0210\nDIAMETRO MISURATO:  25.0120\n"),
-        (Language::It, "24.998", "STATO ACCOPPIAMENTO: Ripresa\nACCOPPIAMENTO CONTROLLATO: 25 H7\nDIMENSIONE MINIMA:  25.0000\nDIMENSIONE MASSIMA:  25.0210\nDIAMETRO MISURATO:  24.9980\n"),
-        (Language::It, "25.030", "STATO ACCOPPIAMENTO: Scarto\nACCOPPIAMENTO CONTROLLATO: 25 H7\nDIMENSIONE MINIMA:  25.0000\nDIMENSIONE MASSIMA:  25.0210\nDIAMETRO MISURATO:  25.0300\n"),
+        (
+            Language::Nl,
+            "25.012",
+            "STATUS VAN DE PASSING: GOED\nGEPRUEFTE PASSUNG: 25 H7\nMINIMALE MAAT:  25.0000\nMAXIMALE MAAT:  25.0210\nGEMETEN DIAMETER:  25.0120\n",
+        ),
+        (
+            Language::Nl,
+            "24.998",
+            "STATUS VAN DE PASSING: Nabewerking\nGEPRUEFTE PASSUNG: 25 H7\nMINIMALE MAAT:  25.0000\nMAXIMALE MAAT:  25.0210\nGEMETEN DIAMETER:  24.9980\n",
+        ),
+        (
+            Language::Nl,
+            "25.030",
+            "STATUS VAN DE PASSING: Afgekeurd\nGEPRUEFTE PASSUNG: 25 H7\nMINIMALE MAAT:  25.0000\nMAXIMALE MAAT:  25.0210\nGEMETEN DIAMETER:  25.0300\n",
+        ),
+        (
+            Language::De,
+            "25.012",
+            "STATUS DER PASSUNG: GUT\nGEPRUEFTE PASSUNG: 25 H7\nMINDESTMASS:  25.0000\nHOECHSTMASS:  25.0210\nGEMESSENER DURCHMESSER:  25.0120\n",
+        ),
+        (
+            Language::De,
+            "24.998",
+            "STATUS DER PASSUNG: Nacharbeit\nGEPRUEFTE PASSUNG: 25 H7\nMINDESTMASS:  25.0000\nHOECHSTMASS:  25.0210\nGEMESSENER DURCHMESSER:  24.9980\n",
+        ),
+        (
+            Language::De,
+            "25.030",
+            "STATUS DER PASSUNG: Ausschuss\nGEPRUEFTE PASSUNG: 25 H7\nMINDESTMASS:  25.0000\nHOECHSTMASS:  25.0210\nGEMESSENER DURCHMESSER:  25.0300\n",
+        ),
+        (
+            Language::En,
+            "25.012",
+            "FIT STATUS: GOOD\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  25.0120\n",
+        ),
+        (
+            Language::En,
+            "24.998",
+            "FIT STATUS: REWORK\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  24.9980\n",
+        ),
+        (
+            Language::En,
+            "25.030",
+            "FIT STATUS: SCRAP\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  25.0300\n",
+        ),
+        (
+            Language::It,
+            "25.012",
+            "STATO ACCOPPIAMENTO: BUONO\nACCOPPIAMENTO CONTROLLATO: 25 H7\nDIMENSIONE MINIMA:  25.0000\nDIMENSIONE MASSIMA:  25.0210\nDIAMETRO MISURATO:  25.0120\n",
+        ),
+        (
+            Language::It,
+            "24.998",
+            "STATO ACCOPPIAMENTO: Ripresa\nACCOPPIAMENTO CONTROLLATO: 25 H7\nDIMENSIONE MINIMA:  25.0000\nDIMENSIONE MASSIMA:  25.0210\nDIAMETRO MISURATO:  24.9980\n",
+        ),
+        (
+            Language::It,
+            "25.030",
+            "STATO ACCOPPIAMENTO: Scarto\nACCOPPIAMENTO CONTROLLATO: 25 H7\nDIMENSIONE MINIMA:  25.0000\nDIMENSIONE MASSIMA:  25.0210\nDIAMETRO MISURATO:  25.0300\n",
+        ),
     ];
     for (language, measured, text) in expected {
         assert_eq!(status_window(&record("25 H7", 21, measured), language, None).unwrap(), text);
@@ -79,7 +127,9 @@ fn the_status_window_in_all_languages_and_for_all_statuses() {
 
 #[test]
 fn the_fit_is_written_with_only_the_decimals_it_has() {
-    for (typed, printed) in [("25 H7", "25 H7"), ("25.50H7", "25.5 H7"), ("25,0 h6", "25 h6"), ("0.125 JS7", "0.125 JS7")] {
+    for (typed, printed) in
+        [("25 H7", "25 H7"), ("25.50H7", "25.5 H7"), ("25,0 h6", "25 h6"), ("0.125 JS7", "0.125 JS7")]
+    {
         let variables = status_variables(&record(typed, 10, "25"), Language::En);
         assert_eq!(variables.get(Parameter::qs(2)), Some(&Value::Text(printed.to_owned())));
     }
@@ -103,7 +153,11 @@ fn exactly_one_status_marker_is_set() {
 
 #[test]
 fn the_sample_masks_print_their_expected_texts() {
-    let window = status_window(&record("25 H7", 21, "25.0134"), Language::En, Some(&Mask::read(&sample("status_en.a")).unwrap().0));
+    let window = status_window(
+        &record("25 H7", 21, "25.0134"),
+        Language::En,
+        Some(&Mask::read(&sample("status_en.a")).unwrap().0),
+    );
     assert_eq!(window.unwrap().as_bytes(), sample("status_en.expected.txt"));
     let (mask, warnings) = Mask::read(&sample("defects.a")).unwrap();
     let lines: Vec<String> = warnings.iter().map(ToString::to_string).collect();
@@ -200,7 +254,10 @@ fn a_mask_that_cannot_be_read_says_where_and_why() {
     assert_eq!(q("* c\n\"A %S, QS1;"), "line 2, column 1: the quotation mark is not closed");
     assert_eq!(q("\"%S %S\", QS1;"), "line 1: 2 formats and 1 parameters");
     assert_eq!(q("\"text\", QS1;"), "line 1: 0 formats and 1 parameters");
-    assert_eq!(q("\"100 %\";"), "line 1, column 6: % is no format, allowed are %S %RS %F %LF %D %I %%".replace("% is", "%\" is"));
+    assert_eq!(
+        q("\"100 %\";"),
+        "line 1, column 6: % is no format, allowed are %S %RS %F %LF %D %I %%".replace("% is", "%\" is")
+    );
     assert_eq!(q("\"%F\", Z1;").split(", allowed").next(), Some("line 1, column 7: Z1 is no parameter"));
     assert_eq!(q("\"%F\", Q;").split(", allowed").next(), Some("line 1, column 7: Q is no parameter"));
     assert_eq!(q("\"%999999999F\", Q1;"), "line 1, column 2: 999999999 is too wide, at most 255");
@@ -234,10 +291,13 @@ fn no_bytes_make_the_reader_panic() {
 #[test]
 fn every_language_has_its_shipped_mask() {
     for language in Language::ALL {
-        assert!(shipped_mask(language).render(&status_variables(&record("25 H7", 21, "25"), language), &Context {
-            language,
-            time: time(),
-            call_path: "",
-        }).is_ok());
+        assert!(
+            shipped_mask(language)
+                .render(
+                    &status_variables(&record("25 H7", 21, "25"), language),
+                    &Context { language, time: time(), call_path: "" }
+                )
+                .is_ok()
+        );
     }
 }

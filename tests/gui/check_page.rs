@@ -32,9 +32,7 @@ fn a_hole_too_large_is_scrap() {
 #[test]
 fn limits_belong_to_the_zone_and_a_nanometre_more_does_not() {
     let mut window = window();
-    for (measured, word) in
-        [("25.000", "GOOD"), ("25,021", "GOOD"), ("24.999999", "REWORK"), ("25.021001", "SCRAP")]
-    {
+    for (measured, word) in [("25.000", "GOOD"), ("25,021", "GOOD"), ("24.999999", "REWORK"), ("25.021001", "SCRAP")] {
         check(&mut window, "25 H7", measured);
         assert!(verdict(&window).starts_with(word), "{measured}: {}", verdict(&window));
     }

@@ -59,7 +59,9 @@ pub enum MaskError {
         parameters: usize,
     },
     /// A word that is no parameter.
-    #[error("line {line}, column {column}: {found} is no parameter, allowed are Q, QL, QR, QS with a number, DAY MONTH YEAR2 YEAR4 HOUR MIN SEC CALL_PATH")]
+    #[error(
+        "line {line}, column {column}: {found} is no parameter, allowed are Q, QL, QR, QS with a number, DAY MONTH YEAR2 YEAR4 HOUR MIN SEC CALL_PATH"
+    )]
     UnknownParameter {
         /// Where.
         line: usize,
@@ -81,10 +83,9 @@ impl Say for MaskError {
             Self::TooWide { line, column, found, most } => {
                 at("mask-too-wide", line, column).text("found", found).text("most", most)
             }
-            Self::Count { line, formats, parameters } => Message::new("mask-count")
-                .text("line", line)
-                .text("formats", formats)
-                .text("parameters", parameters),
+            Self::Count { line, formats, parameters } => {
+                Message::new("mask-count").text("line", line).text("formats", formats).text("parameters", parameters)
+            }
             Self::UnknownParameter { line, column, found } => {
                 at("mask-unknown-parameter", line, column).text("found", found)
             }

@@ -120,7 +120,9 @@ impl Reader {
         let parts = pieces.into_iter().filter_map(|piece| match piece {
             Piece::Text(text) => Some(Part::Text(text)),
             // As many names as slots, just counted.
-            Piece::Slot(slot) => names.next().map(|name| Part::Field { format: slot.format, name, column: slot.column }),
+            Piece::Slot(slot) => {
+                names.next().map(|name| Part::Field { format: slot.format, name, column: slot.column })
+            }
         });
         Ok(Line::Record(Record { line: self.line, parts: parts.collect() }))
     }
@@ -270,8 +272,27 @@ impl Reader {
 
 /// The language words of a control, cut to eight letters as in its tables.
 const LANGUAGES: [&str; 22] = [
-    "ENGLISH", "GERMAN", "CZECH", "FRENCH", "ITALIAN", "SPANISH", "PORTUGUE", "SWEDISH", "DANISH", "FINNISH", "DUTCH",
-    "POLISH", "HUNGARIA", "RUSSIAN", "CHINESE", "CHINESE_TRAD", "SLOVENIAN", "KOREAN", "NORWEGIAN", "ROMANIAN", "SLOVAK",
+    "ENGLISH",
+    "GERMAN",
+    "CZECH",
+    "FRENCH",
+    "ITALIAN",
+    "SPANISH",
+    "PORTUGUE",
+    "SWEDISH",
+    "DANISH",
+    "FINNISH",
+    "DUTCH",
+    "POLISH",
+    "HUNGARIA",
+    "RUSSIAN",
+    "CHINESE",
+    "CHINESE_TRAD",
+    "SLOVENIAN",
+    "KOREAN",
+    "NORWEGIAN",
+    "ROMANIAN",
+    "SLOVAK",
     "TURKISH",
 ];
 

@@ -201,7 +201,8 @@ fn padded(text: String, width: usize, left: bool) -> String {
 fn rounded(number: &str, digits: usize) -> String {
     let (minus, unsigned) = number.strip_prefix('-').map_or((false, number), |unsigned| (true, unsigned));
     let (whole, decimals) = unsigned.split_once('.').unwrap_or((unsigned, ""));
-    let mut figures: Vec<u8> = whole.bytes().chain(decimals.bytes().chain(std::iter::repeat(b'0')).take(digits)).collect();
+    let mut figures: Vec<u8> =
+        whole.bytes().chain(decimals.bytes().chain(std::iter::repeat(b'0')).take(digits)).collect();
     if decimals.as_bytes().get(digits).is_some_and(|next| b'5' <= *next) {
         let mut carry = true;
         for figure in figures.iter_mut().rev().take_while(|_| true) {

@@ -254,10 +254,7 @@ fn start(points: &[[f64; 2]]) -> Option<[f64; 2]> {
     }
     let centre = |root: f64| {
         let divisor = 2.0 * (root * root - root * mean_square + determinant);
-        let centre = [
-            x + (xz * (yy - root) - yz * xy) / divisor,
-            y + (yz * (xx - root) - xz * xy) / divisor,
-        ];
+        let centre = [x + (xz * (yy - root) - yz * xy) / divisor, y + (yz * (xx - root) - xz * xy) / divisor];
         (norm(centre) <= FARTHEST).then_some(centre)
     };
     centre(root).or_else(|| centre(0.0))
