@@ -184,7 +184,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
         sign: picture::verdict(status, words)?,
         reason: words.say(&text::size(&verdict.size, words)),
         cause: cause(verdict, words),
-        doubt: record.doubt.map(|doubt| words.say(&text::doubt(doubt))),
+        doubt: record.doubt.map(|doubt| words.told(&doubt)),
         band: picture::band(record, decimals, words)?,
         nominal,
         sizes: [
@@ -242,7 +242,7 @@ fn origins(record: &Record, words: &Words) -> Vec<Entry> {
     vec![
         entry("report-limits-from", words.say(&text::source(&record.limits.source, words))),
         entry("report-measured-from", measured),
-        entry("report-verdict-from", words.say(&text::rule(record.verdict.rule))),
+        entry("report-verdict-from", words.told(&record.verdict.rule)),
     ]
 }
 

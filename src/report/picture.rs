@@ -254,7 +254,7 @@ mod tests {
     fn coordinates_are_plain_numbers() {
         assert_eq!(units(-0.04), "0.0");
         assert_eq!(units(359.96), "360.0");
-        for record in [sample::good(), sample::typed("0.001"), sample::out_of_position()] {
+        for record in [sample::good(), sample::scrap(), sample::typed("0.001"), sample::out_of_position()] {
             let svg = drawn(&record);
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
         }

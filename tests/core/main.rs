@@ -1,7 +1,8 @@
-mod report;
 //! Tests of the core and the command line, in one binary.
 
 mod import;
 mod limits_cli;
 mod logs;
+mod report;
+mod report_cli;
 mod tables;
