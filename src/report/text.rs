@@ -1,6 +1,6 @@
 //! Sentences of the report about one check: status, feature, source of the limits, size, position.
 //!
-//! Messages without a language; [`Words`](crate::words::Words) says them. Rules, doubts, caveats and origins bring their own.
+//! Messages without a language; [`Words`] says them. Rules, doubts, caveats and origins bring their own.
 
 use crate::length::Length;
 use crate::report::band::Side;

@@ -1,5 +1,7 @@
 //! `fitcheck report`: formats, files in and out, exit codes, refusals.
 
+#![cfg(test)]
+
 use std::path::Path;
 
 use assert_cmd::Command;
