@@ -99,9 +99,9 @@ impl Say for CheckError {
     fn message(&self) -> Message {
         match self {
             Self::NoMeasured { text } => Message::new("report-check-no-measured").text("text", text),
-            Self::Callout(error) => Message::new("report-check-callout").text("reason", error),
-            Self::Limits(error) => Message::new("report-check-limits").text("reason", error),
-            Self::Measured(error) => Message::new("report-check-measured").text("reason", error),
+            Self::Callout(error) => error.message(),
+            Self::Limits(error) => error.message(),
+            Self::Measured(error) => Message::new("report-check-measured").message("reason", error.message()),
             Self::NotPositive { measured } => Message::new("report-check-not-positive").text("measured", measured),
         }
     }

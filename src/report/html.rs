@@ -62,6 +62,8 @@ struct Count {
 struct Check {
     number: usize,
     heading: String,
+    /// The heading as the summary has it.
+    short: String,
     feature: String,
     id: String,
     time: String,
@@ -170,13 +172,17 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
         um: words.signed_um(size.saturating_sub(limits.nominal)),
         measured,
     };
-    let heading = match &record.callout {
-        Some(callout) => words.number(&callout.to_string()),
-        None => words.say(&Message::new("report-heading-without-callout").text("nominal", &nominal)),
+    let (heading, short) = match &record.callout {
+        Some(callout) => (words.number(&callout.to_string()), words.number(&callout.to_string())),
+        None => (
+            words.say(&Message::new("report-heading-without-callout").text("nominal", &nominal)),
+            format!("{nominal} mm"),
+        ),
     };
     Ok(Check {
         number,
         heading,
+        short,
         feature: words.say(&text::feature(limits.feature)),
         id: record.id.clone(),
         time: record.time.strftime(DATE).to_string(),
@@ -184,7 +190,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
         sign: picture::verdict(status, words)?,
         reason: words.say(&text::size(&verdict.size, words)),
         cause: cause(verdict, words),
-        doubt: record.doubt.map(|doubt| words.say(&text::doubt(doubt))),
+        doubt: record.doubt.map(|doubt| words.told(&doubt)),
         band: picture::band(record, decimals, words)?,
         nominal,
         sizes: [
@@ -242,7 +248,7 @@ fn origins(record: &Record, words: &Words) -> Vec<Entry> {
     vec![
         entry("report-limits-from", words.say(&text::source(&record.limits.source, words))),
         entry("report-measured-from", measured),
-        entry("report-verdict-from", words.say(&text::rule(record.verdict.rule))),
+        entry("report-verdict-from", words.told(&record.verdict.rule)),
     ]
 }
 

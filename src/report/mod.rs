@@ -7,7 +7,7 @@
 //! | `row` | the names and figures that CSV and JSON share |
 //! | `band` | the limit band's geometry, for the report and the window |
 //! | `picture` | the limit band and the verdict's sign as SVG |
-//! | `text` | sentences about status, limits, rule, position and doubt |
+//! | `text` | sentences about status, source of the limits, size and position |
 //!
 //! A report is made of records and nothing else: no clock, no window, no table. The same report renders to the same
 //! bytes. A new rendering is a file here and a line in [`RENDERINGS`]; the command line's formats and the window's

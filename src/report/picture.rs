@@ -114,7 +114,7 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
     let clear = |x: f64, room: f64| room <= (x - lower).abs() && room <= (x - upper).abs();
     let ticks = band.ticks.iter().map(|&um| {
         let x = at(um);
-        Tick { x: units(x), text: tick_text(um, words), labelled: clear(x, 24.0) }
+        Tick { x: units(x), text: tick_text(um, words), labelled: clear(x, 24.0) && x < LEFT + WIDTH - 14.0 }
     });
     let nominal = band.shows(0.0).then(|| {
         let x = at(0.0);
@@ -254,7 +254,7 @@ mod tests {
     fn coordinates_are_plain_numbers() {
         assert_eq!(units(-0.04), "0.0");
         assert_eq!(units(359.96), "360.0");
-        for record in [sample::good(), sample::typed("0.001"), sample::out_of_position()] {
+        for record in [sample::good(), sample::scrap(), sample::typed("0.001"), sample::out_of_position()] {
             let svg = drawn(&record);
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
         }

@@ -1,12 +1,12 @@
-//! Sentences of the report about one check: status, feature, source of the limits, rule, position, doubt.
+//! Sentences of the report about one check: status, feature, source of the limits, size, position.
 //!
-//! Messages without a language; [`Words`](crate::words::Words) says them. Errors and caveats bring their own.
+//! Messages without a language; [`Words`] says them. Rules, doubts, caveats and origins bring their own.
 
 use crate::length::Length;
 use crate::report::band::Side;
 use crate::tolerance::{Feature, Source};
-use crate::verdict::{AxisPosition, Doubt, PositionVerdict, Rule, SizeVerdict, Status};
-use crate::words::{Message, Words};
+use crate::verdict::{AxisPosition, PositionVerdict, SizeVerdict, Status};
+use crate::words::{Message, Say as _, Words};
 
 /// The word of a status, in capitals: `GOOD`, `NABEWERKING`.
 pub const fn status(status: Status) -> Message {
@@ -34,39 +34,14 @@ pub const fn side(side: Side) -> Message {
     })
 }
 
-/// The decision rule.
-pub const fn rule(rule: Rule) -> Message {
-    Message::new(match rule {
-        Rule::Simple => "report-rule-simple",
-    })
-}
-
-/// What a doubtful value may be.
-pub const fn doubt(doubt: Doubt) -> Message {
-    Message::new(match doubt {
-        Doubt::TimesInch => "report-doubt-times-inch",
-        Doubt::Inches => "report-doubt-inches",
-        Doubt::Double => "report-doubt-double",
-        Doubt::Half => "report-doubt-half",
-    })
-}
-
-/// Where the limits come from.
+/// Where the limits come from, and what the standard says where a user's table says something else.
 pub fn source(source: &Source, words: &Words) -> Message {
     match source {
-        Source::Table { name, shipped: true, over, to, .. } => {
-            Message::new("report-source-iso").text("table", name).mm("over", *over).mm("to", *to)
-        }
-        Source::Table { name, over, to, instead_of: None, .. } => {
-            Message::new("report-source-own").text("table", name).mm("over", *over).mm("to", *to)
-        }
-        Source::Table { name, over, to, instead_of: Some(standard), .. } => Message::new("report-source-instead")
-            .text("table", name)
-            .mm("over", *over)
-            .mm("to", *to)
+        Source::Table { instead_of: Some(standard), .. } => Message::new("report-source-instead")
+            .message("source", source.message())
             .text("upper", words.signed_um(standard.upper()))
             .text("lower", words.signed_um(standard.lower())),
-        Source::File(file) => Message::new("report-source-file").text("file", file),
+        Source::Table { .. } | Source::File(_) => source.message(),
     }
 }
 
@@ -150,10 +125,6 @@ mod tests {
         for each in [Feature::Hole, Feature::Shaft] {
             assert_eq!(words.say(&feature(each)), each.word());
         }
-        for each in [Doubt::TimesInch, Doubt::Inches, Doubt::Double, Doubt::Half] {
-            assert_eq!(words.say(&doubt(each)), each.to_string());
-        }
-        assert_eq!(words.say(&rule(Rule::Simple)), Rule::Simple.to_string());
     }
 
     #[test]

@@ -5,4 +5,6 @@ mod limits_cli;
 mod logs;
 mod masks;
 mod report;
+mod report;
+mod report_cli;
 mod tables;

@@ -1,5 +1,7 @@
 //! The report as a reader sees it: complete, well-formed, escaped, the same every time.
 
+#![cfg(test)]
+
 use fitcheck::journal::Record;
 use fitcheck::length::Length;
 use fitcheck::probing::{Circle, Contact, Measurement, Origin};
