@@ -1,10 +1,11 @@
 //! Tests of the core and the command line, in one binary.
 
+#![cfg(test)]
+
 mod import;
 mod limits_cli;
 mod logs;
 mod masks;
-mod report;
 mod report;
 mod report_cli;
 mod tables;
