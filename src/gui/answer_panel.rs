@@ -5,7 +5,7 @@ use eframe::egui::{Align, CollapsingHeader, Frame, Layout, Margin, RichText, Sen
 
 use super::shapes;
 use super::theme::{self, palette, sizes, space};
-use super::view::{View, quiet};
+use super::view::{Digits, View, quiet};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::verdict::Status;
@@ -62,16 +62,20 @@ fn card_ui(ui: &mut Ui, view: &View<'_>, record: Option<&Record>) {
 /// What stands below the word: the value, the distances, what to remove, the position.
 fn lines(words: &Words, record: &Record) -> Vec<String> {
     let size = &record.verdict.size;
-    let mut lines = vec![format!("{} mm", words.mm(record.measurement.diameter, 3))];
+    let digits = Digits::of(record);
+    let mut lines = vec![format!("{} mm", digits.mm(words, record.measurement.diameter, 3))];
     let distance = |id: (&'static str, &'static str), distance: Length| {
         let id = if distance < Length::ZERO { id.1 } else { id.0 };
-        words.say(&Message::new(id).text("um", words.um(distance.abs())))
+        words.say(&Message::new(id).text("um", digits.um(words, distance.abs())))
     };
     if let Some(removal) = size.removal {
-        let um = |length: Length| words.um(length);
+        let um = |length: Length| digits.um(words, length);
         lines.push(words.say(&Message::new("remove-to-limit").text("um", um(removal.to_limit))));
         lines.push(words.say(&Message::new("remove-to-middle").text("um", um(removal.to_middle))));
-        let half = words.number(&half_um(removal.to_limit));
+        let half = match digits {
+            Digits::Exact => words.number(&half_um(removal.to_limit)),
+            Digits::Rounded => um(removal.to_limit.midpoint(Length::ZERO)),
+        };
         lines.push(words.say(&Message::new("remove-per-side").text("um", half)));
     } else {
         lines.push(distance(("above-minimum", "below-minimum"), size.above_minimum));

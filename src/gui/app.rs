@@ -7,7 +7,9 @@ use super::effects::{Errands, Runner};
 use super::store::Store;
 use super::theme::{self, space};
 use super::view::View;
-use super::{answer_panel, band_plot, contacts_plot, dialogs, field, fit_panel, history_panel, status_panel, top_bar};
+use super::{
+    answer_panel, band_plot, contacts_plot, dialogs, field, fit_panel, history_panel, keypad, status_panel, top_bar,
+};
 use crate::session::{Command, Effect, Field, Saved, Session, Theme};
 use crate::words::{Language, Words};
 
@@ -172,5 +174,6 @@ fn page_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.separator();
         contacts_plot::contacts_ui(ui, view);
     });
+    keypad::keypad_ui(ui, view);
     dialogs::dialogs_ui(ui, view);
 }

@@ -6,9 +6,9 @@ use egui_plot::{AxisHints, Plot, PlotBounds, PlotTransform, VLine, VPlacement};
 
 use super::shapes::{self, Hatch};
 use super::theme::{self, Palette, palette, sizes, space};
-use super::view::{View, heading, quiet};
+use super::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
-use crate::length::{Length, Unit};
+use crate::length::Length;
 use crate::report::band::{Band, Marker, Side};
 use crate::tolerance::{Feature, Limits};
 use crate::words::{Message, Words};
@@ -135,16 +135,17 @@ impl Drawing<'_> {
             5.0,
             4.0,
         ));
-        if zone.width() > space(20.0) {
-            self.text(
+        if let (Some(marker), Some(record)) = (self.band.marker, record) {
+            self.marker(marker, record, body);
+        }
+        if space(20.0) < zone.width() {
+            let (ground, colour) = (self.palette.zone.0, self.palette.zone_edge.0);
+            self.label(
                 zone.center_top() + vec2(0.0, 4.0),
                 Align2::CENTER_TOP,
                 &self.words.get("zone"),
-                self.palette.zone_edge.0,
+                (ground, colour),
             );
-        }
-        if let (Some(marker), Some(record)) = (self.band.marker, record) {
-            self.marker(marker, record, body);
         }
     }
 
@@ -152,15 +153,21 @@ impl Drawing<'_> {
         self.transform.position_from_point_x(um)
     }
 
-    fn text(&self, at: Pos2, anchor: Align2, text: &str, colour: Color32) -> Rect {
+    /// Text without a ground.
+    fn text(&self, at: Pos2, anchor: Align2, text: &str, colour: Color32) {
+        self.label(at, anchor, text, (Color32::TRANSPARENT, colour));
+    }
+
+    /// Text on a ground, so that lines and hatching do not cross it.
+    fn label(&self, at: Pos2, anchor: Align2, text: &str, (ground, colour): (Color32, Color32)) {
         let galley = self.painter.layout_no_wrap(text.to_owned(), theme::font(sizes().body), colour);
         let rect = anchor.anchor_size(at, galley.size());
         // Kept inside the plot, so that no number is cut off.
         let frame = self.transform.frame();
         let shift = (frame.left() - rect.left()).max(0.0) - (rect.right() - frame.right()).max(0.0);
         let rect = rect.translate(vec2(shift, 0.0));
+        self.painter.rect_filled(rect.expand2(vec2(3.0, 0.0)), 2.0, ground);
         self.painter.galley(rect.min, galley, colour);
-        rect
     }
 
     fn side(&self, rect: Rect, side: Side, anchor: Align2) {
@@ -181,7 +188,7 @@ impl Drawing<'_> {
 
     fn marker(&self, marker: Marker, record: &Record, body: Rect) {
         let deviation = record.verdict.size.deviation;
-        let said = format!("{} µm", self.words.signed_um(deviation));
+        let said = format!("{} µm", Digits::of(record).signed_um(self.words, deviation));
         let colour = self.palette.text.0;
         let size = space(4.0);
         let tip = |x: f32| pos2(x, body.center().y);
@@ -205,11 +212,11 @@ impl Drawing<'_> {
             }
             Marker::BeyondLeft(_) => {
                 triangle(tip(body.left() + 2.0), vec2(-size * 1.6, 0.0));
-                self.text(tip(body.left() + size * 2.4), Align2::LEFT_CENTER, &said, colour);
+                self.label(tip(body.left() + size * 2.4), Align2::LEFT_CENTER, &said, (self.palette.panel.0, colour));
             }
             Marker::BeyondRight(_) => {
                 triangle(tip(body.right() - 2.0), vec2(size * 1.6, 0.0));
-                self.text(tip(body.right() - size * 2.4), Align2::RIGHT_CENTER, &said, colour);
+                self.label(tip(body.right() - size * 2.4), Align2::RIGHT_CENTER, &said, (self.palette.panel.0, colour));
             }
         }
     }
@@ -224,8 +231,7 @@ impl Drawing<'_> {
             let y = body.top() + body.height() * share;
             self.painter.hline(x.min(limit)..=x.max(limit), y, stroke);
             self.painter.circle_filled(pos2(limit, y), 3.0, stroke.color);
-            let text = distance.abs().exact(Unit::Micrometre, 0);
-            let text = format!("{} µm", self.words.number(&text));
+            let text = format!("{} µm", Digits::of(record).um(self.words, distance.abs()));
             let galley = self.painter.layout_no_wrap(text, theme::font(sizes().small), stroke.color);
             if distance != Length::ZERO && galley.size().x + 8.0 < (x - limit).abs() {
                 let at = Align2::CENTER_CENTER.anchor_size(pos2(f32::midpoint(x, limit), y), galley.size());

@@ -7,12 +7,15 @@ use eframe::egui::{Align2, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, LineStyle, MarkerShape, Plot, PlotPoint, PlotPoints, Points};
 
 use super::theme::{self, palette, sizes};
-use super::view::{View, heading, quiet};
+use super::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::words::{Message, Say as _, Words};
 
 /// How far the largest deviation reaches, as a share of the nominal radius.
 const REACH: f64 = 0.3;
+
+/// Beyond so many contacts their numbers would hide the picture.
+const MOST_NUMBERS: usize = 16;
 
 /// Points on a drawn circle.
 const STEPS: u16 = 144;
@@ -46,7 +49,7 @@ pub(super) fn contacts_ui(ui: &mut Ui, view: &View<'_>) {
 }
 
 fn circle_text(words: &Words, record: &Record) -> String {
-    let mut text = format!("Ø {}", words.mm(record.measurement.diameter, 4));
+    let mut text = format!("Ø {}", Digits::of(record).mm(words, record.measurement.diameter, 4));
     if let Some(position) = record.verdict.position {
         let [x, y] = position.axes.map(|axis| {
             let sign = if crate::length::Length::ZERO < axis.deviation { "+" } else { "" };
@@ -158,20 +161,16 @@ impl Picture {
             });
         let painter = ui.painter().with_clip_rect(response.response.rect);
         let deviations = deviations(record);
-        for (number, ([x, y], deviation)) in self.contacts.iter().zip(deviations).enumerate() {
+        for (number, ([x, y], deviation)) in
+            self.contacts.iter().zip(deviations).enumerate().filter(|_| self.contacts.len() <= MOST_NUMBERS)
+        {
             let at = response.transform.position_from_point(&PlotPoint::new(*x, *y));
-            // The number stands outside the circle, away from the lines.
-            let away = vec2(f32_of(*x), -f32_of(*y)).normalized() * 16.0;
-            let text = format!("{}  {}", number + 1, words.number(&deviation));
-            let anchor = if away.x < -4.0 {
-                Align2::RIGHT_CENTER
-            } else if 4.0 < away.x {
-                Align2::LEFT_CENTER
-            } else {
-                Align2::CENTER_CENTER
-            };
+            // The number stands beside the contact, outside the circle.
+            let side = if *x < -0.1 { -1.0 } else { 1.0 };
+            let anchor = if side < 0.0 { Align2::RIGHT_CENTER } else { Align2::LEFT_CENTER };
+            let text = format!("{}  {} µm", number + 1, words.number(&deviation));
             let galley = painter.layout_no_wrap(text, theme::font(sizes().small), palette.text.0);
-            let rect = anchor.anchor_size(at + away, galley.size());
+            let rect = anchor.anchor_size(at + vec2(14.0 * side, 0.0), galley.size());
             painter.rect_filled(rect.expand(2.0), 2.0, palette.panel.0);
             painter.rect_stroke(
                 rect.expand(2.0),
@@ -209,11 +208,6 @@ fn factor(radius: f64, largest: f64) -> f64 {
     let wanted = (REACH * radius / largest.max(radius * 1e-7)).max(1.0);
     let decade = 10_f64.powf(wanted.log10().floor());
     [5.0, 2.0, 1.0].into_iter().map(|step| step * decade).find(|factor| *factor <= wanted * (1.0 + 1e-9)).unwrap_or(1.0)
-}
-
-#[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "screen coordinates need no more digits")]
-const fn f32_of(value: f64) -> f32 {
-    value as f32
 }
 
 #[cfg(test)]

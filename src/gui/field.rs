@@ -6,6 +6,7 @@ use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Align, FontId, Id, Key, Response, TextEdit, Ui};
 
+use super::keypad;
 use super::theme;
 use super::view::{View, problem};
 use crate::session::{Command, Field};
@@ -56,6 +57,9 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id,
         .labelled_by(name);
     if response.changed() {
         view.send(Command::Type(field, text.clone()));
+    }
+    if response.has_focus() {
+        keypad::aim(ui, field);
     }
     let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if entered {

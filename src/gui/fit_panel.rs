@@ -90,6 +90,10 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>) {
                 view.send(Command::MeasureBy(by));
             }
         }
+        let keypad = view.session.has_keypad();
+        if ui.add(Button::selectable(keypad, view.text("keypad"))).clicked() {
+            view.send(Command::ShowKeypad(!keypad));
+        }
     });
     ui.horizontal(|ui| {
         let palette = palette(ui.ctx());

@@ -6,7 +6,7 @@ use egui_extras::{Column, TableBuilder};
 use super::answer_panel::status_id;
 use super::shapes;
 use super::theme::{self, palette, sizes, space};
-use super::view::{View, heading, quiet};
+use super::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::session::Command;
 use crate::words::{Message, Say as _, Words};
@@ -37,7 +37,8 @@ pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
             let (rect, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
             let status = record.verdict.status();
             shapes::status(ui.painter(), rect, Some(status), palette(ui.ctx()).text.0);
-            let said = format!("{}  {}", callout(record), view.words.mm(record.measurement.diameter, 3));
+            let said =
+                format!("{}  {}", callout(record), Digits::of(record).mm(view.words, record.measurement.diameter, 3));
             ui.label(said).on_hover_text(view.text(status_id(Some(status))));
         }
         let count = view.session.history().len();
@@ -142,12 +143,13 @@ struct Cells {
 
 impl Cells {
     fn of(words: &Words, record: &Record) -> Self {
+        let digits = Digits::of(record);
         Self {
             time: record.time.strftime("%H:%M:%S").to_string(),
             part: record.id.clone(),
             callout: callout(record),
-            measured: words.mm(record.measurement.diameter, 4),
-            deviation: format!("{} µm", words.signed_um(record.verdict.size.deviation)),
+            measured: digits.mm(words, record.measurement.diameter, 4),
+            deviation: format!("{} µm", digits.signed_um(words, record.verdict.size.deviation)),
             status: words.get(status_id(Some(record.verdict.status()))),
             from: words.say(&record.measurement.origin.message()),
         }

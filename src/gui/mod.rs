@@ -7,7 +7,7 @@
 //! | `store` | the state file |
 //! | `theme` | colours, sizes, fonts |
 //! | `top_bar`, `fit_panel`, `band_plot`, `contacts_plot`, `answer_panel`, `status_panel`, `history_panel`, `dialogs` | the parts of the check page |
-//! | `class_chooser`, `field`, `shapes` | widgets of our own |
+//! | `class_chooser`, `field`, `keypad`, `shapes` | widgets of our own |
 //!
 //! No decision and no arithmetic on lengths happens here; egui is named nowhere else.
 
@@ -21,6 +21,7 @@ mod effects;
 mod field;
 mod fit_panel;
 mod history_panel;
+mod keypad;
 mod shapes;
 mod status_panel;
 mod store;

@@ -126,8 +126,10 @@ pub struct Sizes {
     pub step: f32,
     /// The height of a field.
     pub field: f32,
-    /// The height of what is pressed with a glove.
+    /// The height of what is pressed with a finger.
     pub touch: f32,
+    /// The side of a key of the keypad.
+    pub key: f32,
 }
 
 /// The theme file.

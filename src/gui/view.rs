@@ -3,6 +3,8 @@
 use eframe::egui::{self, RichText, Ui};
 
 use super::theme;
+use crate::journal::Record;
+use crate::length::{Length, Unit};
 use crate::session::{Command, Session};
 use crate::words::Words;
 
@@ -25,6 +27,52 @@ impl View<'_> {
     /// A text by name.
     pub fn text(&self, id: &str) -> String {
         self.words.get(id)
+    }
+}
+
+/// How exactly a record's figures are shown.
+///
+/// A typed or imported value is shown as it was given. A measured circle has more digits than it deserves: it is shown
+/// to 0.1 µm, as the control does, unless that would hide on which side of a limit it lies. Decided is always the
+/// exact value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Digits {
+    Exact,
+    Rounded,
+}
+
+impl Digits {
+    pub fn of(record: &Record) -> Self {
+        let size = &record.verdict.size;
+        let near = |distance: Length| distance.abs() < Length::from_micrometres(1) && distance != Length::ZERO;
+        if record.measurement.circle.is_none() || near(size.above_minimum) || near(size.below_maximum) {
+            Self::Exact
+        } else {
+            Self::Rounded
+        }
+    }
+
+    /// A size in millimetres with at least so many decimals.
+    pub fn mm(self, words: &Words, length: Length, decimals: usize) -> String {
+        match self {
+            Self::Exact => words.mm(length, decimals),
+            Self::Rounded => words.number(&length.rounded(Unit::Millimetre, 4)),
+        }
+    }
+
+    /// A distance in micrometres without its sign.
+    pub fn um(self, words: &Words, length: Length) -> String {
+        match self {
+            Self::Exact => words.um(length),
+            Self::Rounded => words.number(&length.rounded(Unit::Micrometre, 1)),
+        }
+    }
+
+    /// A deviation in micrometres with its sign, none on zero.
+    pub fn signed_um(self, words: &Words, length: Length) -> String {
+        let text = self.um(words, length);
+        let is_zero = !text.bytes().any(|byte| (b'1'..=b'9').contains(&byte));
+        if Length::ZERO < length && !is_zero { format!("+{text}") } else { text }
     }
 }
 

@@ -20,6 +20,8 @@ pub enum Command {
     ChooseClass(ToleranceClass),
     /// Chooses where the next measurement comes from.
     MeasureBy(MeasureBy),
+    /// Shows or hides the keypad.
+    ShowKeypad(bool),
     /// Measures and judges.
     Measure,
     /// Clears the result and the typed value; the history stays.

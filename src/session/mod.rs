@@ -107,6 +107,7 @@ pub struct Session {
     mask: MaskChoice,
     language: Language,
     theme: Theme,
+    keypad: bool,
     shown: Option<Shown>,
     measured_is_used: bool,
     history: Vec<Arc<Record>>,
@@ -133,6 +134,7 @@ impl Session {
             mask: MaskChoice::default(),
             language,
             theme,
+            keypad: false,
             shown: None,
             measured_is_used: false,
             history: Vec::new(),
@@ -176,6 +178,11 @@ impl Session {
     /// Light or dark.
     pub const fn theme(&self) -> Theme {
         self.theme
+    }
+
+    /// Whether the keypad is shown.
+    pub const fn has_keypad(&self) -> bool {
+        self.keypad
     }
 
     /// The record that is shown, if any. It always belongs to the limits on screen.
@@ -224,6 +231,7 @@ impl Session {
             Command::Type(field, text) => self.type_text(field, text),
             Command::ChooseClass(class) => self.choose_class(class.as_str()),
             Command::MeasureBy(by) => self.inputs.by = by,
+            Command::ShowKeypad(shown) => self.keypad = shown,
             Command::Measure => self.measure(now),
             Command::ClearResult => self.clear_result(),
             Command::Show(number) => self.show(number),
@@ -538,13 +546,20 @@ impl Session {
 
     /// What survives a restart.
     pub fn saved(&self) -> Saved {
-        Saved::new(self.language, self.theme, self.inputs.clone(), self.tables_folder.clone())
+        Saved {
+            language: self.language,
+            theme: self.theme,
+            keypad: self.keypad,
+            tables_folder: self.tables_folder.clone(),
+            inputs: self.inputs.clone(),
+            ..Saved::default()
+        }
     }
 
     /// A session from what was saved. The tables' folder is read by the effect that comes with it.
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let effects = saved.tables_folder.clone().map(Effect::ReadTables).into_iter().collect();
-        (Self::with(saved.language, saved.theme, saved.inputs), effects)
+        (Self { keypad: saved.keypad, ..Self::with(saved.language, saved.theme, saved.inputs) }, effects)
     }
 
     /// The callout that limits are shown for.

@@ -14,18 +14,33 @@ use crate::words::Language;
 const VERSION: u32 = 1;
 
 /// The state that is kept.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Saved {
-    version: u32,
+    pub(super) version: u32,
     /// The language of the window.
     pub language: Language,
     /// Light or dark.
     pub theme: Theme,
+    /// Whether the keypad is shown.
+    pub keypad: bool,
     /// The folder of the user's own tables.
     pub tables_folder: Option<PathBuf>,
     /// The text fields.
     pub inputs: Inputs,
+}
+
+impl Default for Saved {
+    fn default() -> Self {
+        Self {
+            version: VERSION,
+            language: Language::default(),
+            theme: Theme::default(),
+            keypad: false,
+            tables_folder: None,
+            inputs: Inputs::default(),
+        }
+    }
 }
 
 /// Why a saved state cannot be used.
@@ -46,10 +61,6 @@ pub enum SavedError {
 }
 
 impl Saved {
-    pub(super) const fn new(language: Language, theme: Theme, inputs: Inputs, tables_folder: Option<PathBuf>) -> Self {
-        Self { version: VERSION, language, theme, tables_folder, inputs }
-    }
-
     /// Reads a state; what is missing takes its default.
     pub fn read(bytes: &[u8]) -> Result<Self, SavedError> {
         let broken = |reason: String| SavedError::Broken { reason };

@@ -7,6 +7,7 @@ use eframe::egui::{Key, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Store};
+use fitcheck::session::Field;
 
 use crate::harness::{Window, check, type_into, verdict, window};
 
@@ -50,7 +51,7 @@ fn tab_walks_in_reading_order() {
     let mut window = window();
     type_into(&mut window, "Fit", "25 H7");
     let mut walked = Vec::new();
-    for _ in 0..13 {
+    for _ in 0..14 {
         window.key_press(Key::Tab);
         window.run();
         walked.push(focused(&window));
@@ -61,6 +62,7 @@ fn tab_walks_in_reading_order() {
             "Measured value",
             "Type",
             "Simulate",
+            "Keypad",
             "Measure",
             "Clear",
             "Nominal size",
@@ -82,6 +84,29 @@ fn the_settled_window_asks_for_no_repaint() {
     window.run();
     let delay = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(delay, Duration::MAX);
+}
+
+#[test]
+fn a_check_works_by_touch_alone() {
+    let mut window = window();
+    window.get_by_role_and_label(Role::Button, "Keypad").click();
+    window.run();
+    let press = |window: &mut Harness<'_, App>, keys: &[&str]| {
+        for key in keys {
+            window.get_by_role_and_label(Role::Button, key).click();
+            window.run();
+        }
+    };
+    press(&mut window, &["Key 2", "Key 5"]);
+    assert_eq!(window.state().session().inputs().text(Field::Callout), "25", "the callout had the focus");
+    window.get_by_role_and_label(Role::ComboBox, "Class").click();
+    window.run();
+    press(&mut window, &["H7"]);
+    window.get_by_role_and_label(Role::TextInput, "Measured value").click();
+    window.run();
+    press(&mut window, &["Key 2", "Key 5", "Decimal sign", "Key 0", "Key 3", "Key 3"]);
+    press(&mut window, &["Delete last", "Key 0", "Measure with Enter"]);
+    assert!(verdict(&window).starts_with("SCRAP. 25.030 mm"), "{}", verdict(&window));
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! The window, driven by label and key, never by pixel. Pictures are few and small.
 
+#![cfg(test)]
+
 mod check_page;
 mod dialogs;
 mod harness;

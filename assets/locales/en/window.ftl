@@ -160,3 +160,12 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } rows refused
 }
 measured-needs-limits = There are no limits to judge by: type a callout first
+
+keypad = Keypad
+key = Key
+key-blank = Space
+key-decimal = Decimal sign
+key-minus = Minus
+key-back = Delete last
+key-clear = Empty
+key-measure = Measure with Enter

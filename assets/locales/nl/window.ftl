@@ -160,3 +160,12 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } regels geweigerd
 }
 measured-needs-limits = Er zijn geen grensmaten om aan te toetsen: typ eerst een passing
+
+keypad = Toetsen
+key = Toets
+key-blank = Spatie
+key-decimal = Decimaalteken
+key-minus = Min
+key-back = Laatste wissen
+key-clear = Leeg
+key-measure = Meten met Enter
