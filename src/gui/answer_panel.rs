@@ -43,7 +43,9 @@ fn card_ui(ui: &mut Ui, view: &View<'_>, record: Option<&Record>) {
             let (rect, _) = ui.allocate_exact_size(vec2(space(18.0), space(18.0)), Sense::hover());
             shapes::status(ui.painter(), rect, status, colour);
             // A long word (German, Italian) is set smaller rather than cut.
-            let wanted = if status.is_some() { sizes().status } else { sizes().value };
+            // 64 points and up, following the panel; no result is no news.
+            let wanted = sizes().status.max(ui.available_width() * 0.2);
+            let wanted = if status.is_some() { wanted } else { sizes().value };
             let galley = ui.painter().layout_no_wrap(word.clone(), theme::bold(wanted), colour);
             let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0));
             ui.label(RichText::new(&word).font(theme::bold(size.floor())).color(colour));

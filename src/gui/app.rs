@@ -150,19 +150,25 @@ fn page_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     let (narrow, low) = (size.x < 1200.0, size.y < 700.0);
     top_bar::top_bar_ui(ui, view);
-    if narrow || low {
-        Panel::bottom("history").exact_size(space(11.0)).show(ui, |ui| history_panel::strip_ui(ui, view));
+    let folded = narrow || low;
+    if folded && !history_panel::is_unfolded(ui) {
+        Panel::bottom("strip").exact_size(space(12.0)).show(ui, |ui| history_panel::strip_ui(ui, view));
     } else {
-        let height = (size.y * 0.21).max(space(40.0));
-        Panel::bottom("history").exact_size(height).show(ui, |ui| history_panel::history_ui(ui, view));
+        let height = (size.y * if folded { 0.4 } else { 0.21 }).max(space(40.0));
+        Panel::bottom("history").exact_size(height).show(ui, |ui| history_panel::history_ui(ui, view, folded));
     }
     let side = if narrow { space(66.0) } else { space(74.0) };
     Panel::left("fit").exact_size(side).show(ui, |ui| {
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| fit_panel::fit_panel_ui(ui, view));
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            // The scroll bar floats: it must not lie on the fields.
+            ui.set_max_width(ui.available_width() - space(2.5));
+            fit_panel::fit_panel_ui(ui, view);
+        });
     });
-    let side = if narrow { space(76.0) } else { space(88.0).max(size.x * 0.26) };
+    let side = if narrow { space(82.0) } else { space(88.0).max(size.x * 0.26) };
     Panel::right("answer").exact_size(side).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            ui.set_max_width(ui.available_width() - space(2.5));
             answer_panel::answer_ui(ui, view);
             ui.add_space(space(2.0));
             status_panel::status_ui(ui, view);

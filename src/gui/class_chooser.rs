@@ -17,7 +17,7 @@ pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
         .width(space(20.0))
         .height(f32::INFINITY)
         .show_ui(ui, |ui| {
-            ui.set_min_width(space(90.0));
+            ui.set_min_width(space(132.0));
             for feature in [Feature::Hole, Feature::Shaft] {
                 ui.horizontal(|ui| {
                     feature_picture(ui, feature, space(6.0));

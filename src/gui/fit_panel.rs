@@ -91,7 +91,7 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
         }
         let keypad = view.session.has_keypad();
-        if ui.add(Button::selectable(keypad, view.text("keypad"))).clicked() {
+        if ui.add(Button::new(view.text("keypad")).selected(keypad)).clicked() {
             view.send(Command::ShowKeypad(!keypad));
         }
     });

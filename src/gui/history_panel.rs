@@ -1,6 +1,6 @@
 //! Bottom: what came before, newest first. Only the rows in sight are drawn.
 
-use eframe::egui::{Align, Checkbox, Id, Layout, RichText, Sense, Ui, UiBuilder, vec2};
+use eframe::egui::{Align, Button, Checkbox, Id, Layout, RichText, Sense, Ui, UiBuilder, vec2};
 use egui_extras::{Column, TableBuilder};
 
 use super::answer_panel::status_id;
@@ -11,10 +11,33 @@ use crate::journal::Record;
 use crate::session::Command;
 use crate::words::{Message, Say as _, Words};
 
-/// Title row and table.
-pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>) {
-    ui.horizontal(|ui| {
+fn unfolded_id() -> Id {
+    Id::unique("history-unfolded")
+}
+
+/// Whether the user opened the table on a small window.
+pub(super) fn is_unfolded(ui: &Ui) -> bool {
+    ui.data(|data| data.get_temp(unfolded_id())).unwrap_or(false)
+}
+
+/// The heading; on a small window a button that folds and unfolds.
+fn title_ui(ui: &mut Ui, view: &View<'_>, can_fold: bool) {
+    if !can_fold {
         heading(ui, view.text("history"));
+        return;
+    }
+    let open = is_unfolded(ui);
+    let text = RichText::new(view.text("history")).font(theme::bold(sizes().heading));
+    if ui.add(Button::new(text).selected(open)).clicked() {
+        ui.data_mut(|data| data.insert_temp(unfolded_id(), !open));
+        ui.ctx().request_repaint();
+    }
+}
+
+/// Title row and table.
+pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
+    ui.horizontal(|ui| {
+        title_ui(ui, view, can_fold);
         let count = view.session.history().len();
         quiet(ui, view.words.say(&Message::new("history-count").count("count", count)));
         if 0 < view.session.chosen_count() {
@@ -32,7 +55,7 @@ pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// One line instead of the table, where there is no room for it.
 pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
     ui.horizontal(|ui| {
-        heading(ui, view.text("history"));
+        title_ui(ui, view, true);
         for record in view.session.history().iter().rev().take(4) {
             let (rect, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
             let status = record.verdict.status();
@@ -70,7 +93,8 @@ fn table_ui(ui: &mut Ui, view: &mut View<'_>) {
         .auto_shrink(false)
         .cell_layout(Layout::left_to_right(Align::Center))
         .column(Column::exact(space(10.0)))
-        .columns(Column::initial(space(26.0)).at_least(space(20.0)).clip(true), 6)
+        .columns(Column::initial(space(26.0)).at_least(space(20.0)).clip(true), 5)
+        .column(Column::initial(space(38.0)).at_least(space(20.0)).clip(true))
         .column(Column::remainder().clip(true))
         .header(sizes().body + 6.0, |mut header| {
             for head in HEADS {
@@ -119,7 +143,7 @@ fn show_ui(ui: &mut Ui, view: &mut View<'_>, number: usize, cells: &Cells) {
 fn status_ui(ui: &mut Ui, record: &Record, word: &str) {
     let status = record.verdict.status();
     let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
-    let (rect, _) = ui.allocate_exact_size(vec2(space(28.0).min(ui.available_width()), space(6.0)), Sense::hover());
+    let (rect, _) = ui.allocate_exact_size(vec2(space(36.0).min(ui.available_width()), space(6.0)), Sense::hover());
     ui.painter().rect_filled(rect, 3.0, fill);
     let (shape, text) = rect.split_left_right_at_x(rect.left() + rect.height());
     shapes::status(ui.painter(), shape.shrink(3.0), Some(status), colour);
