@@ -8,7 +8,7 @@ use super::theme::{self, palette, sizes, space};
 use super::view::{Digits, View, quiet};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
-use crate::verdict::Status;
+use crate::verdict::{PositionVerdict, Status};
 use crate::words::{Message, Say, Words};
 
 /// The verdict card and the reasons below it.
@@ -83,14 +83,14 @@ fn lines(words: &Words, record: &Record) -> Vec<String> {
         lines.push(distance(("above-minimum", "below-minimum"), size.above_minimum));
         lines.push(distance(("below-maximum", "above-maximum"), size.below_maximum));
     }
-    if let Some(position) = record.verdict.position.filter(|position| position.is_monitored()) {
+    if let Some(position) = record.verdict.position.filter(PositionVerdict::is_monitored) {
         lines.push(words.get(if position.is_out() { "position-out" } else { "position-in" }));
     }
     if record.verdict.status() != size.status {
         let id = status_id(Some(size.status));
         lines.push(words.say(&Message::new("diameter-alone").text("status", words.get(id))));
     }
-    lines.extend(record.doubt.map(|doubt| words.say(&doubt.message())));
+    lines.extend(record.doubt.map(|doubt| words.told(&doubt)));
     lines
 }
 
