@@ -1,0 +1,310 @@
+//! Contacts as points about their own centre, and what keeps them from being a circle.
+//!
+//! A circle is never computed in machine coordinates: 1 km away from the origin the textbook formula for three points
+//! is wrong by 0.7 µm. The points are moved to the middle of their bounding box and divided by a power of two, which
+//! loses no bit that matters, and sorted, so that the order of the contacts cannot change a sum.
+
+use super::Circle;
+use crate::length::Length;
+use crate::probing::contact::Contact;
+use crate::words::{Message, Say};
+
+/// Rounding of a coordinate, in units of the largest coordinate: contacts nearer to each other than this, or to a
+/// straight line, differ by rounding only.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Why contacts are no circle.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CircleError {
+    /// One or two contacts, or none.
+    #[error("a circle needs at least 3 contacts, given: {contacts}")]
+    TooFew {
+        /// How many were given.
+        contacts: usize,
+    },
+    /// Contacts lie at the same place, and without the repeated ones fewer than three are left.
+    #[error("contacts {first} and {second} coincide at x = {x}, y = {y}: a circle needs 3 different points")]
+    Coinciding {
+        /// The first of the two, counted from 1.
+        first: usize,
+        /// The second.
+        second: usize,
+        /// Where, in millimetres.
+        x: f64,
+        /// Where, in millimetres.
+        y: f64,
+    },
+    /// All contacts lie on one straight line.
+    #[error("all {contacts} contacts lie on one straight line: no circle goes through them")]
+    Collinear {
+        /// How many.
+        contacts: usize,
+    },
+    /// The contacts are so nearly straight that every larger circle fits better.
+    #[error("the {contacts} contacts fit a straight line better than any circle")]
+    Straight {
+        /// How many.
+        contacts: usize,
+    },
+    /// A coordinate is NaN or infinite.
+    #[error("contact {contact}: {axis} = {value} is not a finite number")]
+    NotFinite {
+        /// Which contact, counted from 1.
+        contact: usize,
+        /// `x` or `y`.
+        axis: char,
+        /// What was given.
+        value: f64,
+    },
+    /// A coordinate or a diameter is beyond [`Length::MAX`].
+    #[error("{what} = {value} mm is too large: at most {} mm either way", Length::MAX)]
+    TooLarge {
+        /// `contact 3: x`, or `diameter`.
+        what: String,
+        /// What was given or found, in millimetres.
+        value: f64,
+    },
+}
+
+impl Say for CircleError {
+    fn message(&self) -> Message {
+        match self {
+            Self::TooFew { contacts } => Message::new("circle-too-few").text("contacts", contacts),
+            Self::Coinciding { first, second, x, y } => {
+                Message::new("circle-coinciding").text("first", first).text("second", second).text("x", x).text("y", y)
+            }
+            Self::Collinear { contacts } => Message::new("circle-collinear").text("contacts", contacts),
+            Self::Straight { contacts } => Message::new("circle-straight").text("contacts", contacts),
+            Self::NotFinite { contact, axis, value } => {
+                Message::new("circle-not-finite").text("contact", contact).text("axis", axis).text("value", value)
+            }
+            Self::TooLarge { what, value } => {
+                Message::new("circle-too-large").text("what", what).text("value", value).text("most", Length::MAX)
+            }
+        }
+    }
+}
+
+/// A number of things as a factor. Exact up to 2^32, more than a file of the largest size can hold.
+pub(super) fn count_f64(count: usize) -> f64 {
+    f64::from(u32::try_from(count).unwrap_or(u32::MAX))
+}
+
+/// From `b` to `a`.
+pub(super) fn minus([a_x, a_y]: [f64; 2], [b_x, b_y]: [f64; 2]) -> [f64; 2] {
+    [a_x - b_x, a_y - b_y]
+}
+
+/// Scalar product.
+pub(super) fn dot([a_x, a_y]: [f64; 2], [b_x, b_y]: [f64; 2]) -> f64 {
+    a_x * b_x + a_y * b_y
+}
+
+/// Product of the lengths and the sine between; positive when `b` lies to the left of `a`.
+pub(super) fn cross([a_x, a_y]: [f64; 2], [b_x, b_y]: [f64; 2]) -> f64 {
+    a_x * b_y - a_y * b_x
+}
+
+/// Length of a vector.
+pub(super) fn norm([x, y]: [f64; 2]) -> f64 {
+    x.hypot(y)
+}
+
+/// Centre of the circle through three points; `None` when they are collinear to the last bit.
+pub(super) fn circumcentre(first: [f64; 2], second: [f64; 2], third: [f64; 2]) -> Option<[f64; 2]> {
+    let (a, b) = (minus(second, first), minus(third, first));
+    let twice_area = 2.0 * cross(a, b);
+    let ([a_x, a_y], [b_x, b_y], [x, y]) = (a, b, first);
+    let (a_squared, b_squared) = (dot(a, a), dot(b, b));
+    let centre =
+        [x + (b_y * a_squared - a_y * b_squared) / twice_area, y + (a_x * b_squared - b_x * a_squared) / twice_area];
+    centre.iter().all(|coordinate| coordinate.is_finite()).then_some(centre)
+}
+
+/// Contacts as points between -2 and 2.
+pub(super) struct Frame {
+    origin: [f64; 2],
+    scale: f64,
+    points: Vec<[f64; 2]>,
+    repeated: Vec<[usize; 2]>,
+}
+
+impl Frame {
+    /// Moves, scales and sorts contacts of which a circle can be made.
+    pub(super) fn new(contacts: &[Contact]) -> Result<Self, CircleError> {
+        check_numbers(contacts)?;
+        if contacts.len() < 3 {
+            return Err(CircleError::TooFew { contacts: contacts.len() });
+        }
+        let [least, most] = bounds(contacts);
+        let ([least_x, least_y], [most_x, most_y]) = (least, most);
+        let origin = [least_x / 2.0 + most_x / 2.0, least_y / 2.0 + most_y / 2.0];
+        let largest = [least_x, least_y, most_x, most_y].iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let extent = (most_x - least_x).max(most_y - least_y);
+        let mut frame =
+            Self { origin, scale: power_of_two_below(extent / 2.0), points: Vec::new(), repeated: Vec::new() };
+        let rounding = ROUNDING * largest;
+        let mut numbered: Vec<_> = (1_usize..).zip(contacts).collect();
+        numbered.sort_by(|(_, a), (_, b)| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        let distinct = frame.find_repeated(&numbered, rounding);
+        if distinct < 3 {
+            let [first, second] = frame.repeated.first().copied().unwrap_or([1, 2]);
+            let place = numbered.iter().find(|(number, _)| *number == first).map(|(_, contact)| (contact.x, contact.y));
+            let (x, y) = place.unwrap_or_default();
+            return Err(CircleError::Coinciding { first, second, x, y });
+        }
+        frame.points = numbered.iter().map(|(_, contact)| frame.place(contact)).collect();
+        if is_straight(&frame.points, rounding / frame.scale) {
+            return Err(CircleError::Collinear { contacts: contacts.len() });
+        }
+        Ok(frame)
+    }
+
+    /// Notes pairs of contacts at the same place and answers how many different places there are.
+    fn find_repeated(&mut self, sorted: &[(usize, &Contact)], rounding: f64) -> usize {
+        let mut distinct: usize = 0;
+        let mut kept: Option<(usize, &Contact)> = None;
+        for &(number, contact) in sorted {
+            match kept {
+                Some((before, other))
+                    if (contact.x - other.x).abs() <= rounding && (contact.y - other.y).abs() <= rounding =>
+                {
+                    self.repeated.push([before.min(number), before.max(number)]);
+                }
+                _ => {
+                    distinct += 1;
+                    kept = Some((number, contact));
+                }
+            }
+        }
+        self.repeated.sort_unstable();
+        distinct
+    }
+
+    /// The points, sorted.
+    pub(super) fn points(&self) -> &[[f64; 2]] {
+        &self.points
+    }
+
+    /// Pairs of contacts at the same place, by number from 1.
+    pub(super) fn repeated(&self) -> &[[usize; 2]] {
+        &self.repeated
+    }
+
+    /// Where a contact lies in this frame.
+    pub(super) fn place(&self, contact: &Contact) -> [f64; 2] {
+        let [x, y] = self.origin;
+        [(contact.x - x) / self.scale, (contact.y - y) / self.scale]
+    }
+
+    /// A length of this frame in millimetres.
+    pub(super) fn length(&self, length: f64) -> f64 {
+        length * self.scale
+    }
+
+    /// A point of this frame in millimetres.
+    pub(super) fn point(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [origin_x, origin_y] = self.origin;
+        [origin_x + x * self.scale, origin_y + y * self.scale]
+    }
+
+    /// A circle of this frame in millimetres.
+    pub(super) fn circle(&self, centre: [f64; 2], radius: f64) -> Circle {
+        let [x, y] = self.point(centre);
+        Circle { x, y, diameter: 2.0 * radius * self.scale }
+    }
+}
+
+fn check_numbers(contacts: &[Contact]) -> Result<(), CircleError> {
+    for (contact, touched) in (1..).zip(contacts) {
+        for (axis, value) in [('x', touched.x), ('y', touched.y)] {
+            if !value.is_finite() {
+                return Err(CircleError::NotFinite { contact, axis, value });
+            }
+            if Length::MAX.to_mm_f64() < value.abs() {
+                return Err(CircleError::TooLarge { what: format!("contact {contact}: {axis}"), value });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn bounds(contacts: &[Contact]) -> [[f64; 2]; 2] {
+    let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+    contacts.iter().fold(start, |[[least_x, least_y], [most_x, most_y]], contact| {
+        [[least_x.min(contact.x), least_y.min(contact.y)], [most_x.max(contact.x), most_y.max(contact.y)]]
+    })
+}
+
+/// The largest power of two that is not above a number; 1 for zero and numbers too small to scale by.
+fn power_of_two_below(number: f64) -> f64 {
+    /// The bits of an `f64` that hold the exponent.
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    if number < 1e-300 { 1.0 } else { f64::from_bits(number.to_bits() & EXPONENT) }
+}
+
+/// Whether all points lie within `rounding` of the line through the two that are farthest apart along an axis.
+fn is_straight(sorted: &[[f64; 2]], rounding: f64) -> bool {
+    let lowest = sorted.iter().min_by(|[_, a], [_, b]| a.total_cmp(b));
+    let highest = sorted.iter().max_by(|[_, a], [_, b]| a.total_cmp(b));
+    let (Some(&left), Some(&right), Some(&lowest), Some(&highest)) = (sorted.first(), sorted.last(), lowest, highest)
+    else {
+        return true;
+    };
+    let across = minus(right, left);
+    let up = minus(highest, lowest);
+    let (start, along) = if norm(across) < norm(up) { (lowest, up) } else { (left, across) };
+    let allowed = rounding.max(ROUNDING) * norm(along);
+    sorted.iter().all(|&point| cross(along, minus(point, start)).abs() <= allowed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{Language, Words};
+
+    #[track_caller]
+    fn check(points: &[[f64; 2]], expected: &str) {
+        let contacts: Vec<_> = points.iter().map(|&[x, y]| Contact { x, y, z: 0.0 }).collect();
+        let said = match super::super::evaluate(&contacts) {
+            Ok(evaluation) => format!("{:?}", evaluation.least_squares),
+            Err(error) => {
+                assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+                assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
+                error.to_string()
+            }
+        };
+        assert_eq!(said, expected);
+    }
+
+    #[test]
+    fn says_why_contacts_are_no_circle() {
+        check(&[], "a circle needs at least 3 contacts, given: 0");
+        check(&[[1.0, 2.0], [3.0, 4.0]], "a circle needs at least 3 contacts, given: 2");
+        let coincide = "contacts 1 and 3 coincide at x = 1, y = 2: a circle needs 3 different points";
+        check(&[[1.0, 2.0], [3.0, 4.0], [1.0, 2.0]], coincide);
+        check(&[[1.0, 2.0], [3.0, 4.0], [1.0, 2.0], [3.0, 4.0]], coincide);
+        let all = "contacts 1 and 2 coincide at x = 5, y = 5: a circle needs 3 different points";
+        check(&[[5.0, 5.0]; 4], all);
+        check(&[[0.0, 0.0]; 3], "contacts 1 and 2 coincide at x = 0, y = 0: a circle needs 3 different points");
+        let line = "all 3 contacts lie on one straight line: no circle goes through them";
+        check(&[[0.1, 0.1], [0.2, 0.2], [0.3, 0.3]], line);
+        check(&[[1000.1, 7.0], [1000.2, 7.0], [1000.7, 7.0]], line);
+        check(&[[1e6 + 0.1, 0.7], [1e6 + 0.2, 1.4], [1e6 + 0.4, 2.8]], line);
+        check(&[[0.0, 0.0], [1.0, f64::NAN], [2.0, 2.0]], "contact 2: y = NaN is not a finite number");
+        check(&[[0.0, 0.0], [1.0, 1.0], [f64::NEG_INFINITY, 2.0]], "contact 3: x = -inf is not a finite number");
+        check(
+            &[[0.0, 0.0], [1.0, 1.0], [0.0, 2e9]],
+            "contact 3: y = 2000000000 mm is too large: at most 1000000000 mm either way",
+        );
+        check(
+            &[[0.0, 0.0], [1.0, 1e-3], [2.0, -1e-3], [3.0, 0.0]],
+            "the 4 contacts fit a straight line better than any circle",
+        );
+    }
+
+    #[test]
+    fn two_at_one_place_among_three_others_only_warn() {
+        check(&[[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]], "Circle { x: 0.0, y: 0.0, diameter: 2.0 }");
+    }
+}
