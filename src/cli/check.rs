@@ -10,7 +10,8 @@ use crate::exchange::contacts;
 use crate::files;
 use crate::journal::Record;
 use crate::length::Length;
-use crate::probing::measure::{ProbePosition, cycle_number, measure, measure_contacts};
+use crate::probing::measure::{ProbePosition, cycle_number, measure};
+use crate::probing::measurement::measure_contacts;
 use crate::probing::simulated::{Machine, Probe, Workpiece};
 use crate::probing::{Measurement, Origin};
 use crate::report::{csv, json};
@@ -173,7 +174,7 @@ fn measure_file(path: &Path, io: &mut Io<'_>) -> Result<Measurement, CliError> {
         writeln!(io.err, "warning: {name}: column {column} is not used")?;
     }
     let origin = Origin::Contacts { file: name.as_str().into() };
-    measure_contacts(read.contacts, origin).map_err(|error| data(&name, &error))
+    measure_contacts(&read.contacts, origin).map_err(|error| data(&name, &error))
 }
 
 fn print_json(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {

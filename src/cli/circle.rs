@@ -1,13 +1,167 @@
-//! `fitcheck circle`
+//! `fitcheck circle`: circle evaluation by every criterion.
 
-use super::{CliError, Io, Outcome};
+use std::io::Write as _;
+use std::path::PathBuf;
 
-/// circle
+use serde::Serialize;
+
+use super::{CliError, Format, Io, Outcome, read_input};
+use crate::exchange::contacts;
+use crate::probing::Circle;
+use crate::probing::circle::{Evaluation, TwoPoint, Zone, evaluate};
+
+const EXAMPLES: &str = "Examples:
+  fitcheck circle bore.csv
+  fitcheck circle bore.csv --format json
+  printf 'x,y\\n12.5,0\\n0,12.5\\n-12.5,0\\n' | fitcheck circle -
+
+The file has columns x, y and perhaps z in millimetres, with or without a header. Figures of the answer are
+millimetres and degrees; maximum_inscribed is null where the contacts do not surround a circle.";
+
+/// Evaluate a circle by every criterion: least squares, circumscribed, inscribed, minimum zone, two-point
 #[derive(Debug, clap::Args)]
-pub(super) struct Args {}
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    /// CSV file of contacts; - reads standard input
+    #[arg(value_name = "CONTACTS.csv")]
+    file: PathBuf,
+    /// How the result is printed
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// The answer for programs; the names are a contract.
+#[derive(Debug, Serialize)]
+struct Answer<'a> {
+    least_squares: LeastSquares,
+    minimum_circumscribed: Circle,
+    maximum_inscribed: Option<Circle>,
+    minimum_zone: Option<Ring>,
+    two_point: Vec<Pair>,
+    contacts: usize,
+    arc_deg: f64,
+    residuals: &'a [f64],
+    warnings: Vec<String>,
+}
+
+#[derive(Debug, Serialize)]
+struct LeastSquares {
+    x: f64,
+    y: f64,
+    diameter: f64,
+    /// Largest minus smallest radial deviation.
+    form: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Ring {
+    x: f64,
+    y: f64,
+    width: f64,
+    outer_diameter: f64,
+    inner_diameter: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Pair {
+    contacts: [usize; 2],
+    size: f64,
+    direction_deg: f64,
+}
+
+impl From<Zone> for Ring {
+    fn from(zone: Zone) -> Self {
+        let Zone { x, y, width, outer_diameter, inner_diameter, .. } = zone;
+        Self { x, y, width, outer_diameter, inner_diameter }
+    }
+}
+
+impl From<&TwoPoint> for Pair {
+    fn from(pair: &TwoPoint) -> Self {
+        Self { contacts: pair.contacts, size: pair.size, direction_deg: pair.direction_deg }
+    }
+}
 
 impl Args {
-    pub(super) fn run(&self, _io: &mut Io<'_>) -> Result<Outcome, CliError> {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let (name, bytes) = read_input(&self.file, io)?;
+        let bad = |error: &dyn std::fmt::Display| CliError::Data(format!("{name}: {error}"));
+        let read = contacts::read(&bytes).map_err(|error| bad(&error))?;
+        for column in read.ignored {
+            writeln!(io.err, "warning: {name}: column {column} is not used")?;
+        }
+        let evaluation = evaluate(&read.contacts).map_err(|error| bad(&error))?;
+        let warnings: Vec<String> = evaluation.warnings.iter().map(ToString::to_string).collect();
+        if self.format != Format::Json {
+            for warning in &warnings {
+                writeln!(io.err, "warning: {warning}")?;
+            }
+        }
+        let Circle { x, y, diameter } = evaluation.least_squares;
+        let answer = Answer {
+            least_squares: LeastSquares { x, y, diameter, form: evaluation.form() },
+            minimum_circumscribed: evaluation.minimum_circumscribed,
+            maximum_inscribed: evaluation.maximum_inscribed,
+            minimum_zone: evaluation.minimum_zone.map(Ring::from),
+            two_point: evaluation.two_point.iter().map(Pair::from).collect(),
+            contacts: read.contacts.len(),
+            arc_deg: evaluation.arc_deg,
+            residuals: &evaluation.residuals,
+            warnings,
+        };
+        match self.format {
+            Format::Json => {
+                let text = serde_json::to_string_pretty(&answer).map_err(|error| CliError::Data(error.to_string()))?;
+                writeln!(io.out, "{text}")?;
+            }
+            Format::Csv => print_csv(&answer, io)?,
+            Format::Text => print_text(&answer, &evaluation, io)?,
+        }
         Ok(Outcome::Done)
     }
+}
+
+fn print_csv(answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
+    writeln!(io.out, "criterion,x_mm,y_mm,diameter_mm,form_mm")?;
+    let LeastSquares { x, y, diameter, form } = answer.least_squares;
+    writeln!(io.out, "least_squares,{x},{y},{diameter},{form}")?;
+    let Circle { x, y, diameter } = answer.minimum_circumscribed;
+    writeln!(io.out, "minimum_circumscribed,{x},{y},{diameter},")?;
+    if let Some(Circle { x, y, diameter }) = answer.maximum_inscribed {
+        writeln!(io.out, "maximum_inscribed,{x},{y},{diameter},")?;
+    }
+    if let Some(Ring { x, y, width, .. }) = answer.minimum_zone {
+        writeln!(io.out, "minimum_zone,{x},{y},,{width}")?;
+    }
+    for Pair { size, .. } in &answer.two_point {
+        writeln!(io.out, "two_point,,,{size},")?;
+    }
+    Ok(())
+}
+
+fn print_text(answer: &Answer<'_>, evaluation: &Evaluation, io: &mut Io<'_>) -> Result<(), CliError> {
+    let mut row = |name: &str, circle: Option<Circle>, form: Option<f64>| {
+        let form = form.map(|form| format!("   form {:.4}", form)).unwrap_or_default();
+        match circle {
+            Some(Circle { x, y, diameter }) => {
+                writeln!(io.out, "{name:<24}Ø {diameter:>12.6}   centre {x:>13.6} {y:>13.6}{form}")
+            }
+            None => writeln!(io.out, "{name:<24}does not exist for these contacts"),
+        }
+    };
+    row("least squares", Some(evaluation.least_squares), Some(answer.least_squares.form))?;
+    row("minimum circumscribed", Some(answer.minimum_circumscribed), None)?;
+    row("maximum inscribed", answer.maximum_inscribed, None)?;
+    match &answer.minimum_zone {
+        Some(Ring { x, y, width, .. }) => {
+            let name = "minimum zone";
+            writeln!(io.out, "{name:<24}roundness {width:.6}   centre {x:.6} {y:.6}")?;
+        }
+        None => writeln!(io.out, "minimum zone            does not exist for these contacts")?,
+    }
+    for Pair { contacts: [one, other], size, direction_deg } in &answer.two_point {
+        writeln!(io.out, "two-point {one} - {other}   {size:.6}   at {direction_deg:.1}°")?;
+    }
+    writeln!(io.out, "{} contacts over {:.1}°, millimetres", answer.contacts, answer.arc_deg)?;
+    Ok(())
 }

@@ -32,6 +32,12 @@ pub enum NoContact {
         /// Which touch of the cycle, from 1.
         number: usize,
     },
+    /// The movement begins where material is: a real probe would have collided on its way there.
+    #[error("touch {number}: the probing path begins inside the material")]
+    InMaterial {
+        /// Which touch of the cycle, from 1.
+        number: usize,
+    },
     /// The recorded contacts are used up.
     #[error("touch {number}: the file has only {available} contacts")]
     UsedUp {
@@ -46,6 +52,7 @@ impl Say for NoContact {
     fn message(&self) -> Message {
         match self {
             Self::Missed { number } => Message::new("contact-missed").text("number", number),
+            Self::InMaterial { number } => Message::new("contact-in-material").text("number", number),
             Self::UsedUp { number, available } => {
                 Message::new("contact-used-up").text("number", number).text("available", available)
             }
@@ -60,4 +67,61 @@ pub trait Prober {
     /// # Errors
     /// [`NoContact`] when nothing is met.
     fn touch(&mut self, touch: &Touch) -> Result<Contact, NoContact>;
+}
+
+/// Contacts recorded in a file, handed out in their order whatever the cycle asks for.
+#[derive(Debug, Clone)]
+pub struct Recorded {
+    contacts: Vec<Contact>,
+    next: usize,
+}
+
+impl Recorded {
+    /// Contacts in probing order.
+    pub const fn new(contacts: Vec<Contact>) -> Self {
+        Self { contacts, next: 0 }
+    }
+}
+
+impl Prober for Recorded {
+    /// The next contact of the record.
+    ///
+    /// # Errors
+    /// [`NoContact::UsedUp`] when there is none left.
+    fn touch(&mut self, _touch: &Touch) -> Result<Contact, NoContact> {
+        let contact = self.contacts.get(self.next).copied();
+        self.next += 1;
+        contact.ok_or(NoContact::UsedUp { number: self.next, available: self.contacts.len() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{Language, Words};
+
+    #[track_caller]
+    fn check(error: &NoContact, expected: &str) {
+        assert_eq!(error.to_string(), expected);
+        assert_eq!(Words::new(Language::En).told(error), expected);
+        assert_ne!(Words::new(Language::Nl).told(error), error.message().id);
+    }
+
+    #[test]
+    fn every_missing_contact_has_its_words() {
+        check(&NoContact::Missed { number: 2 }, "touch 2: no contact on the probing path");
+        check(&NoContact::InMaterial { number: 1 }, "touch 1: the probing path begins inside the material");
+        check(&NoContact::UsedUp { number: 4, available: 3 }, "touch 4: the file has only 3 contacts");
+    }
+
+    #[test]
+    fn a_record_is_handed_out_in_order_and_ends() {
+        let contact = |x| Contact { x, y: 0.0, z: 0.0 };
+        let mut recorded = Recorded::new(vec![contact(1.0), contact(2.0)]);
+        let touch = Touch { from: [0.0; 3], direction: [1.0, 0.0, 0.0] };
+        assert_eq!(recorded.touch(&touch), Ok(contact(1.0)));
+        assert_eq!(recorded.touch(&touch), Ok(contact(2.0)));
+        assert_eq!(recorded.touch(&touch), Err(NoContact::UsedUp { number: 3, available: 2 }));
+        assert_eq!(recorded.touch(&touch), Err(NoContact::UsedUp { number: 4, available: 2 }));
+    }
 }

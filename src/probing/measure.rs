@@ -1,7 +1,6 @@
 //! From a fit and a position to a measurement: what the window and the command line ask for.
 
-use super::circle::least_squares;
-use super::contact::{Contact, Prober};
+use super::contact::Prober;
 use super::cycle::{Angle, CycleError, Inputs, Value};
 use super::cycles::cycle;
 use super::measurement::{Measurement, Origin};
@@ -61,28 +60,6 @@ pub fn measure(
         .with(280, Value::Length(position.centre_tolerance));
     let cycle = cycle(number).ok_or(CycleError::NoSuchParameter { cycle: number, q: 0 })?;
     let result = cycle.measure(&inputs, prober)?;
-    let measurement = Measurement {
-        diameter: result.diameter,
-        centre: Some(result.centre),
-        contacts: result.contacts,
-        circle: Some(result.circle),
-        origin,
-    };
+    let measurement = Measurement::of_circle(result.circle, result.contacts, origin)?;
     Ok((measurement, result.position))
-}
-
-/// Diameter and centre of contacts that were made elsewhere, any number from three.
-///
-/// # Errors
-/// [`CycleError::Circle`] when they make no circle.
-pub fn measure_contacts(contacts: Vec<Contact>, origin: Origin) -> Result<Measurement, CycleError> {
-    let circle = least_squares(&contacts)?;
-    let nearest = |mm: f64| Length::from_mm_f64(mm).map_err(CycleError::TooLarge);
-    Ok(Measurement {
-        diameter: nearest(circle.diameter)?,
-        centre: Some([nearest(circle.x)?, nearest(circle.y)?]),
-        contacts,
-        circle: Some(circle),
-        origin,
-    })
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::circle::Circle;
+use super::circle::{Circle, CircleError, least_squares};
 use super::contact::Contact;
 use crate::length::Length;
 use crate::words::{Message, Say};
@@ -116,7 +116,30 @@ impl fmt::Display for Caveat {
     }
 }
 
+/// Measures a circle from any number of contacts, at least three: the least-squares circle.
+///
+/// # Errors
+/// [`CircleError`] says why the contacts are no circle.
+pub fn measure_contacts(contacts: &[Contact], origin: Origin) -> Result<Measurement, CircleError> {
+    Measurement::of_circle(least_squares(contacts)?, contacts.to_vec(), origin)
+}
+
+/// A geometric result at the nearest nanometre.
+fn rounded(what: &str, mm: f64) -> Result<Length, CircleError> {
+    Length::from_mm_f64(mm).map_err(|_range| CircleError::TooLarge { what: what.to_owned(), value: mm })
+}
+
 impl Measurement {
+    /// A fitted circle; diameter and centre become lengths here, once, at the nearest nanometre.
+    ///
+    /// # Errors
+    /// [`CircleError::TooLarge`] where a diameter or a centre is beyond [`Length::MAX`].
+    pub fn of_circle(circle: Circle, contacts: Vec<Contact>, origin: Origin) -> Result<Self, CircleError> {
+        let diameter = rounded("diameter", circle.diameter)?;
+        let centre = Some([rounded("centre x", circle.x)?, rounded("centre y", circle.y)?]);
+        Ok(Self { diameter, centre, contacts, circle: Some(circle), origin })
+    }
+
     /// A bare diameter that was typed or imported.
     pub const fn of_diameter(diameter: Length, origin: Origin) -> Self {
         Self { diameter, centre: None, contacts: Vec::new(), circle: None, origin }
@@ -143,5 +166,59 @@ impl Measurement {
             }
         }
         caveats
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{Language, Words};
+
+    #[track_caller]
+    fn check(said: &(impl Say + fmt::Display), expected: &str) {
+        assert_eq!(said.to_string(), expected);
+        assert_eq!(Words::new(Language::En).told(said), expected);
+        assert_ne!(Words::new(Language::Nl).told(said), said.message().id);
+    }
+
+    #[test]
+    fn every_origin_has_its_words() {
+        check(&Origin::Simulated { cycle: 421, seed: 7 }, "simulated, cycle 421, seed 7");
+        check(&Origin::Contacts { file: "bore.csv".into() }, "contacts from bore.csv");
+        check(&Origin::Imported { file: "TCHPR421.TXT".into() }, "imported from TCHPR421.TXT");
+        check(&Origin::Typed, "typed");
+    }
+
+    #[test]
+    fn every_caveat_has_its_words() {
+        check(&Caveat::OnlyADiameter, "one diameter only: nothing is known of form and position");
+        check(&Caveat::ThreeContacts, "3 contacts: form cannot be measured");
+        check(&Caveat::FourContacts, "4 contacts: no form seen beyond ovality");
+        check(&Caveat::FewContacts { contacts: 12 }, "12 contacts: form between them is not seen");
+        check(
+            &Caveat::ShortArc { arc_deg: 120 },
+            "contacts cover only 120°: scatter is magnified in diameter and centre",
+        );
+    }
+
+    fn on_circle(count: u32, step_deg: f64) -> Vec<Contact> {
+        let angles = (0..count).map(|k| (f64::from(k) * step_deg).to_radians());
+        angles.map(|angle| Contact { x: 50.0 + 12.5 * angle.cos(), y: 12.5 * angle.sin(), z: -5.0 }).collect()
+    }
+
+    #[test]
+    fn contacts_become_a_diameter_in_whole_nanometres() {
+        let measurement = measure_contacts(&on_circle(7, 50.0), Origin::Typed).unwrap();
+        assert_eq!(measurement.diameter.nanometres(), 25_000_000);
+        assert_eq!(measurement.centre.unwrap().map(Length::nanometres), [50_000_000, 0]);
+        assert_eq!(measurement.caveats(), [Caveat::FewContacts { contacts: 7 }]);
+        let short = measure_contacts(&on_circle(3, 60.0), Origin::Typed).unwrap();
+        assert_eq!(short.caveats(), [Caveat::ThreeContacts, Caveat::ShortArc { arc_deg: 120 }]);
+        let half = measure_contacts(&on_circle(3, 90.0), Origin::Typed).unwrap();
+        assert_eq!(half.caveats(), [Caveat::ThreeContacts]);
+        assert!(matches!(
+            measure_contacts(&on_circle(2, 90.0), Origin::Typed),
+            Err(CircleError::TooFew { contacts: 2 })
+        ));
     }
 }

@@ -21,5 +21,5 @@ pub mod measurement;
 pub mod simulated;
 
 pub use circle::Circle;
-pub use contact::{Contact, NoContact, Prober, Touch};
-pub use measurement::{Caveat, Measurement, Origin};
+pub use contact::{Contact, NoContact, Prober, Recorded, Touch};
+pub use measurement::{Caveat, Measurement, Origin, measure_contacts};

@@ -187,8 +187,7 @@ impl Machine {
                 break;
             }
         }
-        // Behind the start there is no probing: the probe would stand in the material.
-        (0.0 <= distance && self.is_free(touch)).then_some(distance)
+        (0.0 <= distance).then_some(distance)
     }
 
     /// Whether the probe's start is not in the material.
@@ -213,33 +212,14 @@ impl Machine {
 impl Prober for Machine {
     fn touch(&mut self, touch: &Touch) -> Result<Contact, NoContact> {
         self.touches += 1;
+        if !self.is_free(touch) {
+            return Err(NoContact::InMaterial { number: self.touches });
+        }
         let distance = self.distance(touch).ok_or(NoContact::Missed { number: self.touches })?;
         let scatter = self.scatter(self.workpiece.surface_scatter) + self.scatter(self.probe.trigger_scatter);
         let distance = distance + scatter;
         let [x, y, z] = touch.from;
         let [along_x, along_y, along_z] = touch.direction;
         Ok(Contact { x: x + distance * along_x, y: y + distance * along_y, z: z + distance * along_z })
-    }
-}
-
-/// Contacts from a file, handed out in their order.
-#[derive(Debug, Clone)]
-pub struct Recorded {
-    contacts: Vec<Contact>,
-    next: usize,
-}
-
-impl Recorded {
-    /// Contacts to hand out.
-    pub const fn new(contacts: Vec<Contact>) -> Self {
-        Self { contacts, next: 0 }
-    }
-}
-
-impl Prober for Recorded {
-    fn touch(&mut self, _touch: &Touch) -> Result<Contact, NoContact> {
-        let contact = self.contacts.get(self.next).copied();
-        self.next += 1;
-        contact.ok_or(NoContact::UsedUp { number: self.next, available: self.contacts.len() })
     }
 }

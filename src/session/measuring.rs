@@ -9,7 +9,8 @@ use crate::exchange::Imported;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::probing::cycle::Angle;
-use crate::probing::measure::{ProbePosition, cycle_number, measure as run_cycle, measure_contacts};
+use crate::probing::measure::{ProbePosition, cycle_number, measure as run_cycle};
+use crate::probing::measurement::measure_contacts;
 use crate::probing::simulated::{Lobes, Machine, Probe, Workpiece};
 use crate::probing::{Contact, Measurement, Origin};
 use crate::report::{RENDERINGS, Report};
@@ -133,7 +134,7 @@ pub(super) fn import_notice(name: &str, imported: &Imported) -> Notice {
 /// Judges contacts from a file by the limits on screen.
 pub(super) fn judge_contacts(
     name: &str,
-    contacts: Vec<Contact>,
+    contacts: &[Contact],
     asked: &Asked,
     now: DateTime,
 ) -> Result<Record, Message> {

@@ -491,7 +491,7 @@ impl Session {
         self.notices.push(measuring::import_notice(name, &imported));
         let mut records: Vec<_> = imported.records.into_iter().map(Arc::new).collect();
         if let Some(contacts) = imported.contacts {
-            match measuring::judge_contacts(name, contacts, &self.asked, now) {
+            match measuring::judge_contacts(name, &contacts, &self.asked, now) {
                 Ok(record) => records.push(Arc::new(record)),
                 Err(problem) => self.tell(problem),
             }

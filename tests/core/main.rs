@@ -2,6 +2,8 @@
 
 #![cfg(test)]
 
+mod circle_cli;
+mod circles;
 mod import;
 mod limits_cli;
 mod logs;

@@ -1,5 +1,6 @@
 # probing
 
+# Where a measurement comes from, and what it cannot tell.
 origin-simulated = simulated, cycle { $cycle }, seed { $seed }
 origin-contacts = contacts from { $file }
 origin-imported = imported from { $file }
@@ -18,3 +19,24 @@ cycle-no-such-parameter = cycle { $cycle } has no parameter Q{ $q }
 cycle-limits-swapped = minimum dimension { $minimum } mm is above maximum dimension { $maximum } mm
 cycle-too-large = the measured circle is too large: { $error }
 workpiece-cannot-be = { $what } = { $given }: { $allowed }
+
+# Touches.
+contact-in-material = touch { $number }: the probing path begins inside the material
+
+# Circle evaluation.
+circle-too-few = a circle needs at least 3 contacts, given: { $contacts }
+circle-coinciding = contacts { $first } and { $second } coincide at x = { $x }, y = { $y }: a circle needs 3 different points
+circle-collinear = all { $contacts } contacts lie on one straight line: no circle goes through them
+circle-straight = the { $contacts } contacts fit a straight line better than any circle
+circle-not-finite = contact { $contact }: { $axis } = { $value } is not a finite number
+circle-too-large = { $what } = { $value } mm is too large: at most { $most } mm either way
+circle-three-contacts = 3 contacts: form cannot be measured, the residual is always zero
+circle-four-contacts = 4 contacts: four lobes stay unseen and change the diameter
+circle-short-arc = the contacts cover only { $arc }° of arc: scatter in the diameter is { $factor } times that of 3 contacts at 120°
+circle-circumscribed-of-short-arc = the minimum circumscribed circle of a short arc is not the size of the feature
+circle-counts-twice = contacts { $first } and { $second } coincide: this place counts twice
+circle-no-inscribed = there is no maximum inscribed circle: the contacts do not surround one
+circle-no-zone = there is no minimum zone: a straight strip is narrower than every ring
+circle-too-many-contacts = maximum inscribed circle and minimum zone are not computed for { $contacts } contacts: at most { $most }
+circle-short-chord = contacts { $first } and { $second } oppose each other beside the centre: this size is { $short } µm too small
+circle-apart = contact { $contact } lies { $apart } mm off the circle, far more than the others: dust or a false touch?

@@ -18,3 +18,25 @@ cycle-no-such-parameter = cyclus { $cycle } heeft geen parameter Q{ $q }
 cycle-limits-swapped = de minimale maat { $minimum } mm is groter dan de maximale maat { $maximum } mm
 cycle-too-large = de gemeten cirkel is te groot: { $error }
 workpiece-cannot-be = { $what } = { $given }: { $allowed }
+# Where a measurement comes from, and what it cannot tell.
+
+# Touches.
+contact-in-material = tasting { $number }: de tastweg begint in het materiaal
+
+# Circle evaluation.
+circle-too-few = een cirkel heeft minstens 3 tastpunten nodig, gegeven: { $contacts }
+circle-coinciding = tastpunten { $first } en { $second } vallen samen op x = { $x }, y = { $y }: een cirkel heeft 3 verschillende punten nodig
+circle-collinear = alle { $contacts } tastpunten liggen op één rechte lijn: daar gaat geen cirkel door
+circle-straight = de { $contacts } tastpunten passen beter op een rechte lijn dan op welke cirkel ook
+circle-not-finite = tastpunt { $contact }: { $axis } = { $value } is geen eindig getal
+circle-too-large = { $what } = { $value } mm is te groot: hoogstens { $most } mm in beide richtingen
+circle-three-contacts = 3 tastpunten: vorm is niet te meten, de restafwijking is altijd nul
+circle-four-contacts = 4 tastpunten: vier lobben blijven onzichtbaar en veranderen de diameter
+circle-short-arc = de tastpunten beslaan maar { $arc }° van de cirkel: de spreiding in de diameter is { $factor } keer die van 3 tastpunten op 120°
+circle-circumscribed-of-short-arc = de kleinste omgeschreven cirkel van een korte boog is niet de maat van het element
+circle-counts-twice = tastpunten { $first } en { $second } vallen samen: deze plaats telt dubbel
+circle-no-inscribed = er is geen grootste ingeschreven cirkel: de tastpunten omsluiten er geen
+circle-no-zone = er is geen minimale zone: een rechte strook is smaller dan elke ring
+circle-too-many-contacts = grootste ingeschreven cirkel en minimale zone worden niet berekend voor { $contacts } tastpunten: hoogstens { $most }
+circle-short-chord = tastpunten { $first } en { $second } liggen tegenover elkaar naast het middelpunt: deze maat is { $short } µm te klein
+circle-apart = tastpunt { $contact } ligt { $apart } mm naast de cirkel, veel verder dan de andere: vuil of een valse tasting?

@@ -266,8 +266,8 @@ mod tests {
     #[track_caller]
     fn check(points: &[[f64; 2]], expected: &str) {
         let contacts: Vec<_> = points.iter().map(|&[x, y]| Contact { x, y, z: 0.0 }).collect();
-        let said = match super::super::least_squares(&contacts) {
-            Ok(circle) => format!("{circle:?}"),
+        let said = match super::super::evaluate(&contacts) {
+            Ok(evaluation) => format!("{:?}", evaluation.least_squares),
             Err(error) => {
                 assert_eq!(Words::new(Language::En).told(&error), error.to_string());
                 assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);

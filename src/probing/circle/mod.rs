@@ -15,12 +15,24 @@
 //! Everything here is `f64` millimetres and nothing is rounded; a result becomes a [`crate::length::Length`] once, in
 //! [`super::measurement`]. Heights (`z`) are not looked at. Limits and verdicts are elsewhere.
 
+mod cell;
+mod circumscribed;
 mod frame;
+mod hull;
+mod inscribed;
 mod least_squares;
+mod two_point;
+mod uncertainty;
+mod warning;
+mod zone;
 
 use super::contact::Contact;
 pub use frame::CircleError;
-use frame::Frame;
+use frame::{Frame, count_f64};
+pub use two_point::TwoPoint;
+pub use uncertainty::Uncertainty;
+pub use warning::CircleWarning;
+pub use zone::Zone;
 
 /// A circle in millimetres.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -31,6 +43,62 @@ pub struct Circle {
     pub y: f64,
     /// Diameter.
     pub diameter: f64,
+}
+
+/// The most contacts for which the maximum inscribed circle and the minimum zone are searched for: the search looks at
+/// every pair of contacts. Beyond it they are left out, with [`CircleWarning::TooManyContacts`].
+pub const MOST_FOR_ZONE: usize = 3_000;
+
+/// Everything that contacts say about a circle. Lengths in millimetres.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Evaluation {
+    /// Gaussian circle, ISO 14405-1 (GG): what the cycles report.
+    pub least_squares: Circle,
+    /// Radial deviation of each contact from [`Self::least_squares`], outwards positive, in the order of the contacts.
+    pub residuals: Vec<f64>,
+    /// Minimum circumscribed circle, ISO 14405-1 (GN).
+    pub minimum_circumscribed: Circle,
+    /// Maximum inscribed circle, ISO 14405-1 (GX); `None` where the contacts do not surround one.
+    pub maximum_inscribed: Option<Circle>,
+    /// Minimum zone (GC): the ring of least width that holds all contacts.
+    pub minimum_zone: Option<Zone>,
+    /// Two-point sizes (LP) where contacts oppose each other.
+    pub two_point: Vec<TwoPoint>,
+    /// The arc in degrees that the contacts cover: 360 less [`Self::largest_gap_deg`].
+    pub arc_deg: f64,
+    /// The largest angle in degrees without a contact, seen from the least-squares centre.
+    pub largest_gap_deg: f64,
+    /// How scatter of the touches goes into diameter and centre.
+    pub uncertainty: Uncertainty,
+    /// What the contacts cannot tell, and what is suspicious.
+    pub warnings: Vec<CircleWarning>,
+}
+
+impl Evaluation {
+    /// Spread of the residuals of the least-squares circle: largest minus smallest. Zero for three contacts, whatever
+    /// the form of the workpiece.
+    pub fn form(&self) -> f64 {
+        let (least, most) = spread(&self.residuals);
+        most - least
+    }
+
+    /// Root mean square of the residuals.
+    pub fn residual_rms(&self) -> f64 {
+        let squares: f64 = self.residuals.iter().map(|residual| residual * residual).sum();
+        (squares / count_f64(self.residuals.len())).sqrt()
+    }
+
+    /// Roundness by the minimum zone, where there is one.
+    pub fn roundness(&self) -> Option<f64> {
+        self.minimum_zone.map(|zone| zone.width)
+    }
+}
+
+/// Smallest and largest of some numbers.
+fn spread(numbers: &[f64]) -> (f64, f64) {
+    numbers
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), &number| (least.min(number), most.max(number)))
 }
 
 /// The geometric least-squares circle through contacts.
@@ -48,6 +116,35 @@ pub fn least_squares(contacts: &[Contact]) -> Result<Circle, CircleError> {
     let frame = Frame::new(contacts)?;
     let fit = least_squares::fit(frame.points()).ok_or(CircleError::Straight { contacts: contacts.len() })?;
     Ok(frame.circle(fit.centre, fit.radius))
+}
+
+/// Evaluates contacts by every criterion.
+///
+/// The answer does not depend on the order of the contacts: they are sorted before anything is summed.
+pub fn evaluate(contacts: &[Contact]) -> Result<Evaluation, CircleError> {
+    let frame = Frame::new(contacts)?;
+    let points = frame.points();
+    let fit = least_squares::fit(points).ok_or(CircleError::Straight { contacts: contacts.len() })?;
+    let angles = Angles::new(points, fit.centre);
+    let few = points.len() <= MOST_FOR_ZONE;
+    let (circumscribed_centre, circumscribed_radius) = circumscribed::smallest(points);
+    let hull = hull::convex(points);
+    let inscribed = if few { inscribed::largest(points, &hull) } else { None };
+    let zone = if few { zone::narrowest(points, &hull, fit.centre) } else { None };
+    let mut evaluation = Evaluation {
+        least_squares: frame.circle(fit.centre, fit.radius),
+        residuals: contacts.iter().map(|contact| frame.length(fit.residual(frame.place(contact)))).collect(),
+        minimum_circumscribed: frame.circle(circumscribed_centre, circumscribed_radius),
+        maximum_inscribed: inscribed.map(|(centre, radius)| frame.circle(centre, radius)),
+        minimum_zone: zone.map(|ring| Zone::new(&frame, ring)),
+        two_point: two_point::opposed(contacts, &frame, fit.centre),
+        arc_deg: 360.0 - angles.largest_gap_deg,
+        largest_gap_deg: angles.largest_gap_deg,
+        uncertainty: Uncertainty::of(points, fit.centre),
+        warnings: Vec::new(),
+    };
+    evaluation.warnings = warning::all(&evaluation, frame.repeated());
+    Ok(evaluation)
 }
 
 /// The arc in degrees that contacts cover, seen from a circle's centre: 360 less the largest gap.

@@ -1,0 +1,82 @@
+//! The smallest circle that contains all points.
+//!
+//! It is carried by two or three of them. Starting from any two, the point farthest outside joins the carriers, the
+//! smallest circle about these (at most four) replaces the circle, and the radius grows with every round, so that it
+//! ends. Each round looks at every point once; even 100 000 points take a dozen rounds.
+
+use super::frame::{circumcentre, minus, norm};
+
+/// How far outside a point may lie by rounding, as part of the radius.
+const ROUNDING: f64 = 1e-14;
+
+/// Rounds after which the answer differs from the last one by rounding only.
+const MOST_ROUNDS: usize = 1_000;
+
+/// Centre and radius of the smallest circle around the points.
+pub(super) fn smallest(points: &[[f64; 2]]) -> ([f64; 2], f64) {
+    let mut carriers: Vec<[f64; 2]> = points.first().into_iter().chain(points.last()).copied().collect();
+    let mut circle = smallest_about_few(&carriers);
+    for _ in 0..MOST_ROUNDS {
+        let (centre, radius) = circle;
+        let Some((distance, farthest)) = farthest(points, centre) else { break };
+        if distance <= radius * (1.0 + ROUNDING) {
+            break;
+        }
+        carriers.push(farthest);
+        let (next_centre, next_radius) = smallest_about_few(&carriers);
+        if next_radius <= radius {
+            break;
+        }
+        circle = (next_centre, next_radius);
+        carriers.retain(|&point| next_radius * (1.0 - 1e-9) <= norm(minus(point, next_centre)));
+        keep_three(&mut carriers, circle);
+    }
+    let (centre, radius) = circle;
+    // The radius that rounding left is the one that contains every point.
+    (centre, farthest(points, centre).map_or(radius, |(distance, _)| distance))
+}
+
+/// Of four carriers on one circle, drops one that the circle does not need.
+fn keep_three(carriers: &mut Vec<[f64; 2]>, (_, radius): ([f64; 2], f64)) {
+    if carriers.len() <= 3 {
+        return;
+    }
+    for dropped in 0..carriers.len() {
+        let mut others = carriers.clone();
+        others.remove(dropped);
+        if radius * (1.0 - ROUNDING) <= smallest_about_few(&others).1 {
+            *carriers = others;
+            return;
+        }
+    }
+    // Rounding let no three carry the same circle; the newest three come closest.
+    carriers.remove(0);
+}
+
+fn farthest(points: &[[f64; 2]], centre: [f64; 2]) -> Option<(f64, [f64; 2])> {
+    points.iter().map(|&point| (norm(minus(point, centre)), point)).max_by(|(a, _), (b, _)| a.total_cmp(b))
+}
+
+/// The smallest circle about a handful of points: of all circles on two or three of them that contain the others.
+fn smallest_about_few(points: &[[f64; 2]]) -> ([f64; 2], f64) {
+    let mut best = ([0.0; 2], f64::INFINITY);
+    let mut consider = |centre: [f64; 2], on: [f64; 2]| {
+        let radius = farthest(points, centre).map_or(0.0, |(distance, _)| distance);
+        // A centre whose farthest point is another one than those it was made of is a circle, too, only not the best.
+        if radius < best.1 && radius <= norm(minus(on, centre)) * (1.0 + 1e-12) {
+            best = (centre, radius);
+        }
+    };
+    for (index, &first) in points.iter().enumerate() {
+        for (second_index, &second) in points.iter().enumerate().skip(index + 1) {
+            let ([first_x, first_y], [second_x, second_y]) = (first, second);
+            consider([f64::midpoint(first_x, second_x), f64::midpoint(first_y, second_y)], first);
+            for &third in points.iter().skip(second_index + 1) {
+                if let Some(centre) = circumcentre(first, second, third) {
+                    consider(centre, first);
+                }
+            }
+        }
+    }
+    best
+}

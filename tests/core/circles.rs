@@ -1,0 +1,286 @@
+//! Circle evaluation against the certified NIST sets, textbook sets, and exact circles anywhere.
+
+use fitcheck::probing::Contact;
+use fitcheck::probing::circle::{Evaluation, arc_deg, evaluate, least_squares};
+use proptest::prelude::*;
+use serde_json::Value;
+
+const SETS: [&str; 2] =
+    [include_str!("../data/circles/nist_circles.json"), include_str!("../data/circles/textbook_circles.json")];
+
+fn contact([x, y]: [f64; 2]) -> Contact {
+    Contact { x, y, z: 0.0 }
+}
+
+/// Every reference set: its name, its contacts and its answers.
+pub fn sets() -> Vec<(String, Vec<Contact>, Value)> {
+    let files = SETS.map(|file| serde_json::from_str::<Value>(file).unwrap());
+    let sets = files.iter().flat_map(|file| file["sets"].as_array().unwrap());
+    let sets: Vec<_> = sets
+        .map(|set| {
+            let point = |point: &Value| contact([point[0].as_f64().unwrap(), point[1].as_f64().unwrap()]);
+            let contacts: Vec<_> = set["points"].as_array().unwrap().iter().map(point).collect();
+            assert_eq!(Some(contacts.len() as u64), set["n"].as_u64());
+            (set["id"].as_str().unwrap().to_owned(), contacts, set.clone())
+        })
+        .collect();
+    assert_eq!(sets.len(), 19);
+    sets
+}
+
+#[track_caller]
+fn near(found: f64, expected: &Value, tolerance: f64, what: &str) {
+    let expected = expected.as_f64().unwrap();
+    let error = (found - expected).abs();
+    assert!(error <= tolerance * expected.abs().max(1.0), "{what}: {found} instead of {expected}, off by {error:e}");
+}
+
+#[test]
+fn every_reference_set_is_met_by_every_criterion() {
+    for (id, contacts, set) in sets() {
+        let found = evaluate(&contacts).unwrap();
+        let answer = &set["least_squares"];
+        near(found.least_squares.x, &answer["x"], 1e-9, &id);
+        near(found.least_squares.y, &answer["y"], 1e-9, &id);
+        near(found.least_squares.diameter, &answer["diameter"], 1e-9, &id);
+        near(found.residual_rms(), &set["residual_rms"], 1e-9, &id);
+        near(found.form(), &set["residual_max_minus_min"], 1e-9, &id);
+        assert!((found.largest_gap_deg - set["largest_gap_deg"].as_f64().unwrap()).abs() < 1e-3, "{id}");
+
+        let answer = &set["minimum_circumscribed"];
+        near(found.minimum_circumscribed.x, &answer["x"], 1e-8, &id);
+        near(found.minimum_circumscribed.y, &answer["y"], 1e-8, &id);
+        near(found.minimum_circumscribed.diameter, &answer["diameter"], 1e-8, &id);
+
+        let answer = &set["maximum_inscribed"];
+        assert_eq!(found.maximum_inscribed.is_none(), answer.is_null(), "{id}: {:?}", found.maximum_inscribed);
+        if let Some(circle) = found.maximum_inscribed {
+            near(circle.x, &answer["x"], 1e-8, &id);
+            near(circle.y, &answer["y"], 1e-8, &id);
+            near(circle.diameter, &answer["diameter"], 1e-8, &id);
+        }
+
+        let answer = &set["minimum_zone"];
+        let zone = found.minimum_zone.unwrap();
+        near(zone.x, &answer["x"], 1e-8, &id);
+        near(zone.y, &answer["y"], 1e-8, &id);
+        near(zone.width, &answer["width"], 1e-8, &id);
+        near(zone.outer_diameter, &answer["outer_diameter"], 1e-8, &id);
+        near(zone.inner_diameter, &answer["inner_diameter"], 1e-8, &id);
+    }
+}
+
+fn on_circle(centre: [f64; 2], radius: f64, angles_deg: &[f64]) -> Vec<Contact> {
+    let [x, y] = centre;
+    let place = |angle: &f64| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        contact([x + radius * cos, y + radius * sin])
+    };
+    angles_deg.iter().map(place).collect()
+}
+
+fn evenly(first: f64, step: f64, count: u32) -> Vec<f64> {
+    (0..count).map(|k| first + f64::from(k) * step).collect()
+}
+
+/// The largest of the errors of centre and diameter.
+fn error(found: &fitcheck::probing::Circle, centre: [f64; 2], diameter: f64) -> f64 {
+    let [x, y] = centre;
+    (found.x - x).abs().max((found.y - y).abs()).max((found.diameter - diameter).abs())
+}
+
+proptest! {
+    #[test]
+    fn exact_circles_anywhere_answer_exactly(
+        centre in [-1000.0..1000.0_f64, -1000.0..1000.0],
+        diameter in 0.5..500.0_f64,
+        first in -360.0..360.0_f64,
+        step in prop_oneof![30.0..120.0_f64, -120.0..-30.0],
+        count in 3_u32..12,
+    ) {
+        let contacts = on_circle(centre, diameter / 2.0, &evenly(first, step, count));
+        prop_assume!(arc_deg(&contacts, &fitcheck::probing::Circle { x: centre[0], y: centre[1], diameter }) >= 60.0);
+        let found = least_squares(&contacts).unwrap();
+        prop_assert!(error(&found, centre, diameter) < 1e-9, "{found:?}");
+    }
+
+    #[test]
+    fn far_from_the_origin_nothing_is_lost_beyond_the_contacts_own_rounding(
+        centre in [-1e6..1e6_f64, -1e6..1e6],
+        diameter in 1.0..100.0_f64,
+        first in -360.0..360.0_f64,
+        count in 3_u32..9,
+    ) {
+        let step = 360.0 / f64::from(count);
+        let found = least_squares(&on_circle(centre, diameter / 2.0, &evenly(first, step, count))).unwrap();
+        // A coordinate near a million has steps of 1.2e-10; contacts and the centre are rounded to them.
+        prop_assert!(error(&found, centre, diameter) < 4.0 * 1.2e-10, "{found:?}");
+    }
+
+    #[test]
+    fn the_order_of_contacts_changes_no_bit(
+        radii in prop::collection::vec(9.9..10.1_f64, 3..40),
+        seed in any::<u64>(),
+    ) {
+        let step = 360.0 / f64::from(u32::try_from(radii.len()).unwrap());
+        let contacts: Vec<_> = (0_u32..)
+            .zip(&radii)
+            .map(|(k, _)| (f64::from(k) * step).to_radians().sin_cos())
+            .zip(&radii)
+            .map(|((sin, cos), radius)| contact([50.0 + radius * cos, radius * sin]))
+            .collect();
+        let mut shuffled = contacts.clone();
+        let mut state = seed | 1;
+        for index in (1..shuffled.len()).rev() {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            shuffled.swap(index, usize::try_from(state >> 33).unwrap() % (index + 1));
+        }
+        let (one, other) = (evaluate(&contacts).unwrap(), evaluate(&shuffled).unwrap());
+        prop_assert_eq!(one.least_squares, other.least_squares);
+        prop_assert_eq!(one.minimum_circumscribed, other.minimum_circumscribed);
+        prop_assert_eq!(one.maximum_inscribed, other.maximum_inscribed);
+        prop_assert_eq!(one.minimum_zone, other.minimum_zone);
+        prop_assert_eq!(one.two_point.len(), other.two_point.len());
+    }
+
+    #[test]
+    fn turning_all_contacts_turns_nothing_but_the_centre(turn in -360.0..360.0_f64, bump in 0.0..0.05_f64) {
+        let radii = [10.0, 10.0 + bump, 10.0, 10.0, 10.0 - bump / 3.0, 10.0, 10.0];
+        let contacts = |turn: f64| -> Vec<_> {
+            let places = evenly(turn, 360.0 / 7.0, 7);
+            places.iter().zip(radii).flat_map(|(&angle, radius)| on_circle([0.0, 0.0], radius, &[angle])).collect()
+        };
+        let (straight, turned) = (evaluate(&contacts(0.0)).unwrap(), evaluate(&contacts(turn)).unwrap());
+        let sizes = |found: &Evaluation| [
+            found.least_squares.diameter,
+            found.minimum_circumscribed.diameter,
+            found.maximum_inscribed.unwrap().diameter,
+            found.minimum_zone.unwrap().width,
+            found.form(),
+            found.uncertainty.diameter,
+        ];
+        for (one, other) in sizes(&straight).into_iter().zip(sizes(&turned)) {
+            prop_assert!((one - other).abs() < 1e-11, "{one} and {other}");
+        }
+    }
+
+    #[test]
+    fn the_criteria_stand_in_their_order_and_no_crude_search_beats_them(
+        radii in prop::collection::vec(9.0..11.0_f64, 4..16),
+        first in 0.0..360.0_f64,
+    ) {
+        let step = 360.0 / f64::from(u32::try_from(radii.len()).unwrap());
+        let angles = evenly(first, step, u32::try_from(radii.len()).unwrap());
+        let contacts: Vec<_> =
+            angles.iter().zip(&radii).flat_map(|(&angle, &radius)| on_circle([0.0, 0.0], radius, &[angle])).collect();
+        let found = evaluate(&contacts).unwrap();
+        let zone = found.minimum_zone.unwrap();
+        let width = brute_width(&contacts);
+        prop_assert!((zone.width - width).abs() < 1e-9, "{} instead of {width}", zone.width);
+        prop_assert!(zone.width <= found.form() + 1e-12);
+        for contact in &contacts {
+            let around = found.minimum_circumscribed;
+            let distance = (contact.x - around.x).hypot(contact.y - around.y);
+            prop_assert!(distance <= around.diameter / 2.0 + 1e-12);
+            if let Some(inside) = found.maximum_inscribed {
+                let distance = (contact.x - inside.x).hypot(contact.y - inside.y);
+                prop_assert!(inside.diameter / 2.0 <= distance + 1e-12);
+            }
+        }
+    }
+}
+
+/// The width of the narrowest ring by trying every crossing of two perpendicular bisectors.
+fn brute_width(contacts: &[Contact]) -> f64 {
+    let mut bisectors = Vec::new();
+    for (index, a) in contacts.iter().enumerate() {
+        for b in &contacts[index + 1..] {
+            let normal = [b.x - a.x, b.y - a.y];
+            bisectors.push((normal, normal[0] * (a.x + b.x) / 2.0 + normal[1] * (a.y + b.y) / 2.0));
+        }
+    }
+    let mut width = f64::INFINITY;
+    for (index, (first, first_offset)) in bisectors.iter().enumerate() {
+        for (second, second_offset) in &bisectors[index + 1..] {
+            let determinant = first[0] * second[1] - first[1] * second[0];
+            let x = (first_offset * second[1] - second_offset * first[1]) / determinant;
+            let y = (second_offset * first[0] - first_offset * second[0]) / determinant;
+            let distances = contacts.iter().map(|contact| (contact.x - x).hypot(contact.y - y));
+            let (least, most) = distances
+                .fold((f64::INFINITY, 0.0_f64), |(least, most), distance| (least.min(distance), most.max(distance)));
+            if least.is_finite() && most - least < width {
+                width = most - least;
+            }
+        }
+    }
+    width
+}
+
+#[test]
+fn opposed_contacts_give_two_point_sizes() {
+    // An oval of amplitude 0.01 touched on its axes: X minus Y is four times the amplitude.
+    let contacts = [[10.01, 0.0], [0.0, 9.99], [-10.01, 0.0], [0.0, -9.99]].map(contact);
+    let found = evaluate(&contacts).unwrap();
+    let sizes: Vec<_> = found.two_point.iter().map(|size| (size.contacts, size.size)).collect();
+    assert_eq!(sizes.len(), 2);
+    assert_eq!(sizes[0].0, [1, 3]);
+    assert_eq!(sizes[1].0, [2, 4]);
+    assert!((sizes[0].1 - sizes[1].1 - 0.04).abs() < 1e-12);
+    assert!((found.least_squares.diameter - 20.0).abs() < 1e-12);
+    let three = on_circle([0.0, 0.0], 10.0, &evenly(0.0, 120.0, 3));
+    assert!(evaluate(&three).unwrap().two_point.is_empty());
+}
+
+#[test]
+fn a_chord_beside_the_centre_is_named() {
+    // D = 25, contacts opposed about a point 0.1 mm beside the true centre: the chord is 0.8 µm short.
+    let half = (12.5_f64 * 12.5 - 0.1 * 0.1).sqrt();
+    let contacts = [[half, 0.1], [0.0, 12.5], [-half, 0.1], [0.0, -12.5]].map(contact);
+    let found = evaluate(&contacts).unwrap();
+    assert!((found.two_point[0].short_by - 0.0008).abs() < 1e-5, "{:?}", found.two_point);
+    let said: Vec<_> = found.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        said,
+        [
+            "4 contacts: four lobes stay unseen and change the diameter",
+            "contacts 1 and 3 oppose each other beside the centre: this size is 0.80 µm too small",
+        ]
+    );
+}
+
+#[test]
+fn three_contacts_on_a_short_arc_say_how_much_worse_they_are() {
+    let found = evaluate(&on_circle([5.0, 5.0], 12.5, &evenly(0.0, 60.0, 3))).unwrap();
+    let said: Vec<_> = found.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        said,
+        [
+            "3 contacts: form cannot be measured, the residual is always zero",
+            "the contacts cover only 120.0° of arc: scatter in the diameter is 3.0 times that of 3 contacts at 120°",
+            "the minimum circumscribed circle of a short arc is not the size of the feature",
+            "there is no maximum inscribed circle: the contacts do not surround one",
+        ]
+    );
+    assert!(found.form() < 1e-13);
+}
+
+#[test]
+fn one_contact_far_off_is_named() {
+    let mut contacts = on_circle([0.0, 0.0], 10.0, &evenly(0.0, 30.0, 12));
+    contacts[4].x *= 0.98;
+    contacts[4].y *= 0.98;
+    let said: Vec<_> = evaluate(&contacts).unwrap().warnings.iter().map(ToString::to_string).collect();
+    assert!(said.iter().any(|said| said.starts_with("contact 5 lies 0.1")), "{said:?}");
+}
+
+#[test]
+fn a_hundred_thousand_contacts_are_answered_without_the_pairwise_criteria() {
+    let angles = evenly(0.0, 360.0 / 100_000.0, 100_000);
+    let found = evaluate(&on_circle([100.0, -50.0], 25.0, &angles)).unwrap();
+    assert!(error(&found.least_squares, [100.0, -50.0], 50.0) < 1e-9);
+    assert!(error(&found.minimum_circumscribed, [100.0, -50.0], 50.0) < 1e-9);
+    assert_eq!(found.maximum_inscribed, None);
+    assert_eq!(found.minimum_zone, None);
+    let said: Vec<_> = found.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(said, ["maximum inscribed circle and minimum zone are not computed for 100000 contacts: at most 3000"]);
+}
