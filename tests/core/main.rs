@@ -2,8 +2,10 @@
 
 #![cfg(test)]
 
+mod check_cli;
 mod import;
 mod limits_cli;
+mod locales;
 mod logs;
 mod masks;
 mod report;
