@@ -36,10 +36,10 @@ pub(super) struct Args {
     #[command(flatten)]
     source: SourceArgs,
     /// Seed of the simulated scatter: the same seed gives the same contacts
-    #[arg(long, value_name = "N", default_value_t = 1, requires = "simulate")]
+    #[arg(long, value_name = "N", default_value_t = 1, conflicts_with_all = ["measured", "contacts"])]
     seed: u64,
     /// True diameter of the simulated workpiece in mm; without it the middle of the zone
-    #[arg(long, value_name = "MM", requires = "simulate")]
+    #[arg(long, value_name = "MM", conflicts_with_all = ["measured", "contacts"])]
     true_diameter: Option<String>,
     /// Mask of a language (nl, de, en, it) or your own mask file
     #[arg(long, value_name = "LANGUAGE|FILE", default_value = "en")]
@@ -85,12 +85,13 @@ impl FromStr for MaskArg {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let tables = self.tables.load(io)?;
-        let callout: Callout = self.callout.parse().map_err(|error| data(&self.callout, &error))?;
-        let limits = tables.limits(&callout).map_err(|error| data(&self.callout, &error))?;
+        let asked = Some(self.callout.trim()).filter(|text| !text.is_empty()).unwrap_or("callout");
+        let callout: Callout = self.callout.parse().map_err(|error| data(asked, &error))?;
+        let limits = tables.limits(&callout).map_err(|error| data(asked, &error))?;
         let measurement = self.measurement(&limits, io)?;
         let measured = measurement.diameter;
         let record = Record {
-            time: jiff::Zoned::now().datetime(),
+            time: super::now(),
             id: String::new(),
             callout: Some(callout),
             verdict: verdict::judge(&limits, measured, None),

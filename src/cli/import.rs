@@ -75,7 +75,7 @@ struct Tally {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let tables = self.tables.load(io)?;
-        let now = self.time.unwrap_or_else(|| jiff::Zoned::now().datetime());
+        let now = self.time.unwrap_or_else(super::now);
         let mut printer = Printer::new(self.format, io)?;
         let mut tally = Tally::default();
         for path in &self.files {

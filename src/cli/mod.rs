@@ -171,6 +171,12 @@ fn read_input(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec<u8>), CliErro
     Ok((name, files::read(path)?))
 }
 
+/// The local date and time to the second: what a person reads, and what every control prints.
+fn now() -> jiff::civil::DateTime {
+    let now = jiff::Zoned::now().datetime();
+    now.with().subsec_nanosecond(0).build().unwrap_or(now)
+}
+
 /// Writes an output file and says its name on standard error.
 fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), CliError> {
     files::write(path, bytes)?;

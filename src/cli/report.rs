@@ -165,7 +165,7 @@ impl Args {
         let rendering = self.rendering()?;
         let tables = self.tables.load(io)?;
         let words = Words::new(Language::from_code(&self.language).unwrap_or_default());
-        let now = self.time.unwrap_or_else(now);
+        let now = self.time.unwrap_or_else(super::now);
         let mut collected =
             Collected { english: Words::new(Language::En), checks: Vec::new(), notes: Vec::new(), bad: false };
         for path in &self.files {
@@ -248,12 +248,6 @@ impl Collected {
         self.notes.push(note);
         Ok(())
     }
-}
-
-/// The local date and time to the second.
-fn now() -> DateTime {
-    let now = jiff::Zoned::now().datetime();
-    now.with().subsec_nanosecond(0).build().unwrap_or(now)
 }
 
 /// Judges a `--check`: a name and a colon perhaps, a callout, an equals sign, a diameter.

@@ -4,8 +4,10 @@
 
 mod circle_cli;
 mod circles;
+mod check_cli;
 mod import;
 mod limits_cli;
+mod locales;
 mod logs;
 mod masks;
 mod report;
