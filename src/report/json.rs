@@ -59,7 +59,12 @@ pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
 pub fn object(record: &Record) -> Result<serde_json::Map<String, serde_json::Value>, RenderError> {
     let value = serde_json::to_value(Row::of(record)).map_err(|error| RenderError::writer("json", &error))?;
     let serde_json::Value::Object(mut object) = value else { return Ok(serde_json::Map::new()) };
-    object.retain(|_, value| !value.is_null());
+    // Without what there is not: nulls, and the empty contacts and name of a typed value.
+    object.retain(|_, value| {
+        !value.is_null()
+            && value.as_str() != Some("")
+            && !matches!(value, serde_json::Value::Array(array) if array.is_empty())
+    });
     Ok(object)
 }
 

@@ -2,9 +2,9 @@
 
 #![cfg(test)]
 
+mod check_cli;
 mod circle_cli;
 mod circles;
-mod check_cli;
 mod import;
 mod limits_cli;
 mod locales;
