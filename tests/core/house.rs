@@ -1,0 +1,71 @@
+//! The house's own rules, held against the source: who may know whom.
+
+use std::path::{Path, PathBuf};
+
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(sources(&path));
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            found.push(path);
+        }
+    }
+    found
+}
+
+/// The code of a file: without comments, and without its tests at the end.
+fn code(path: &Path) -> String {
+    let text = std::fs::read_to_string(path).unwrap();
+    let text = text.split("#[cfg(test)]\nmod ").next().unwrap_or_default().to_owned();
+    text.lines().filter(|line| !line.trim_start().starts_with("//")).map(|line| format!("{line}\n")).collect()
+}
+
+/// Files below `src`, as paths from there.
+fn files(wanted: impl Fn(&str) -> bool) -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let name = |path: &Path| path.strip_prefix(&root).unwrap().to_string_lossy().replace('\\', "/");
+    sources(&root).iter().map(|path| (name(path), code(path))).filter(|(name, _)| wanted(name)).collect()
+}
+
+#[track_caller]
+fn none_names(files: &[(String, String)], words: &[&str]) {
+    assert!(!files.is_empty(), "no file looked at");
+    for (name, code) in files {
+        for word in words {
+            assert!(!code.contains(word), "{name} names {word}");
+        }
+    }
+}
+
+#[test]
+fn only_the_window_knows_egui() {
+    none_names(&files(|name| !name.starts_with("gui/")), &["egui", "eframe", "rfd::"]);
+}
+
+#[test]
+fn the_core_touches_no_file_thread_or_clock() {
+    let core = |name: &str| {
+        ["tolerance/", "probing/", "report/", "exchange/", "session/"].iter().any(|room| name.starts_with(room))
+            || ["length.rs", "verdict.rs", "journal.rs"].contains(&name)
+    };
+    none_names(&files(core), &["std::fs", "std::thread", "Zoned::now", "Timestamp::now", "SystemTime", "Instant"]);
+}
+
+#[test]
+fn a_cycle_gets_limits_and_never_a_tolerance_class() {
+    none_names(&files(|name| name.starts_with("probing/")), &["ToleranceClass", "Callout", "Tables"]);
+}
+
+#[test]
+fn colours_come_from_the_theme_file() {
+    let window = files(|name| name.starts_with("gui/") && name != "gui/theme.rs");
+    none_names(&window, &["from_rgb", "from_gray", "Color32::RED", "Color32::GREEN", "from_hex", "FontId::new"]);
+}
+
+#[test]
+fn files_are_written_whole_in_one_place() {
+    let others = files(|name| name != "files.rs");
+    none_names(&others, &["std::fs::write", "File::create"]);
+}
