@@ -6,6 +6,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use eframe::egui::{CentralPanel, Ui};
 use egui_kittest::Harness;
 use fitcheck::gui::{App, Errands, Setup, Store};
+use fitcheck::session::Command;
 use fitcheck::words::Language;
 
 fn setup() -> Setup {
@@ -36,6 +37,17 @@ fn frames(criterion: &mut Criterion) {
     let mut harness = Harness::builder().with_size(size).build_eframe(|cc| App::new(cc, setup()));
     harness.run();
     criterion.bench_function("settled frame, Fitcheck", |bencher| bencher.iter(|| harness.step()));
+    let rows: String = (0..10_000).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
+    let now = (setup().clock)();
+    let tables = fitcheck::control::shipped_tables();
+    let imported =
+        fitcheck::exchange::import("parts.csv", format!("id,callout,measured\n{rows}").as_bytes(), &tables, now);
+    assert_eq!(imported.records.len(), 10_000);
+    let ctx = harness.ctx.clone();
+    let command = Command::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(imported)) };
+    harness.state_mut().send(&ctx, command);
+    harness.run();
+    criterion.bench_function("settled frame, Fitcheck with 10 000 checks", |bencher| bencher.iter(|| harness.step()));
 }
 
 criterion_group!(benches, frames);

@@ -80,6 +80,11 @@ impl App {
         &self.session
     }
 
+    /// Does a command as if a button had sent it: the way in for scripts.
+    pub fn send(&mut self, ctx: &Context, command: Command) {
+        self.apply(ctx, vec![command]);
+    }
+
     fn prefer_theme(&self, ctx: &Context) {
         ctx.set_theme(match self.session.theme() {
             Theme::System => ThemePreference::System,

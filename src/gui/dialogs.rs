@@ -15,7 +15,7 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
         let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
         Window::new(title)
             .id(Id::unique("notice"))
-            .anchor(Align2::CENTER_TOP, vec2(0.0, space(14.0)))
+            .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -space(46.0)))
             .collapsible(false)
             .resizable(false)
             .show(ui, |ui| notice_ui(ui, view, &notice));
