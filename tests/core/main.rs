@@ -10,4 +10,5 @@ mod logs;
 mod masks;
 mod report;
 mod report_cli;
+mod session;
 mod tables;
