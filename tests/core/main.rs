@@ -2,6 +2,7 @@
 
 #![cfg(test)]
 
+mod bad_input;
 mod check_cli;
 mod import;
 mod limits_cli;
