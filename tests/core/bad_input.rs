@@ -25,7 +25,7 @@ const READERS: [&[&str]; 5] = [
 fn run(args: &[&str], path: &Path) -> (i32, String, String) {
     let path = path.to_str().unwrap();
     let args = args.iter().map(|arg| if *arg == "FILE" { path } else { arg });
-    let output = cargo_bin_cmd!("fitcheck").args(args).timeout(Duration::from_secs(60)).output().unwrap();
+    let output = cargo_bin_cmd!("fitcheck").args(args).timeout(Duration::from_mins(1)).output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
     (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
 }

@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use assert_cmd::cargo::cargo_bin_cmd;
 use fitcheck::exchange::import;
@@ -48,8 +49,8 @@ fn limits(session: &Session) -> Option<(String, String)> {
     session.asked().limits().map(|limits| (limits.minimum().to_string(), limits.maximum().to_string()))
 }
 
-fn mm(minimum: &str, maximum: &str) -> Option<(String, String)> {
-    Some((minimum.to_owned(), maximum.to_owned()))
+fn mm(minimum: &str, maximum: &str) -> (String, String) {
+    (minimum.to_owned(), maximum.to_owned())
 }
 
 /// No verdict beside limits that it was not made with.
@@ -82,9 +83,9 @@ fn limits_follow_as_the_callout_is_typed() {
         ("2", None),
         ("25", None),
         ("25 H", None),
-        ("25 H7", mm("25", "25.021")),
+        ("25 H7", Some(mm("25", "25.021"))),
         ("25 H77", None),
-        ("25,5 h6", mm("25.487", "25.5")),
+        ("25,5 h6", Some(mm("25.487", "25.5"))),
         ("", None),
     ] {
         run(&mut session, [typed(Field::Callout, text)]);
@@ -99,7 +100,7 @@ fn nominal_size_and_class_are_two_halves_of_the_callout() {
     run(&mut session, [typed(Field::Nominal, "25"), Command::ChooseClass("H7".parse().unwrap())]);
     assert_eq!(session.inputs().text(Field::Callout), "25 H7");
     run(&mut session, [typed(Field::Nominal, "30")]);
-    assert_eq!((session.inputs().text(Field::Callout), limits(&session)), ("30 H7", mm("30", "30.021")));
+    assert_eq!((session.inputs().text(Field::Callout), limits(&session)), ("30 H7", Some(mm("30", "30.021"))));
     run(&mut session, [typed(Field::Callout, "40 g6")]);
     assert_eq!(session.inputs().text(Field::Nominal), "40");
 }
@@ -172,10 +173,10 @@ fn a_check_from_the_history_brings_its_callout_back() {
     measure(&mut session, "40 g6", "39.9");
     run(&mut session, [Command::Show(0)]);
     assert_eq!(session.inputs().text(Field::Callout), "25 H7");
-    assert_eq!((session.inputs().text(Field::Nominal), limits(&session)), ("25", mm("25", "25.021")));
+    assert_eq!((session.inputs().text(Field::Nominal), limits(&session)), ("25", Some(mm("25", "25.021"))));
     assert_eq!(status(&session), Some(Status::Good));
     run(&mut session, [Command::Show(1)]);
-    assert_eq!((status(&session), limits(&session)), (Some(Status::Scrap), mm("39.975", "39.991")));
+    assert_eq!((status(&session), limits(&session)), (Some(Status::Scrap), Some(mm("39.975", "39.991"))));
     run(&mut session, [Command::Show(2), Command::Choose(2, true)]);
     assert_eq!((status(&session), session.chosen_count()), (Some(Status::Scrap), 0));
 }
@@ -186,7 +187,7 @@ fn limits_of_a_log_stay_while_its_verdict_is_shown() {
     measure(&mut session, "25 H7", "25.012");
     let answer = imported(&session, "TCHPR421.TXT", &log());
     run(&mut session, [answer]);
-    let record = session.shown().unwrap().record.clone();
+    let record = Arc::clone(&session.shown().unwrap().record);
     assert_eq!(record.callout, None);
     // The callout in the field belonged to other limits.
     assert_eq!(session.inputs().text(Field::Callout), "");
@@ -200,7 +201,7 @@ fn limits_of_a_log_stay_while_its_verdict_is_shown() {
     assert_eq!((session.history().len(), session.inputs().text(Field::Measured)), (3, "10.001"));
     assert_eq!(session.shown().unwrap().record.limits, record.limits);
     run(&mut session, [Command::Show(0)]);
-    assert_eq!((session.inputs().text(Field::Callout), limits(&session)), ("25 H7", mm("25", "25.021")));
+    assert_eq!((session.inputs().text(Field::Callout), limits(&session)), ("25 H7", Some(mm("25", "25.021"))));
     run(&mut session, [Command::Show(1), Command::ClearResult]);
     assert_eq!((status(&session), limits(&session)), (None, None));
 }
