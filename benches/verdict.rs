@@ -1,4 +1,5 @@
 //! How long limits and a verdict take for one callout, with the tables loaded.
+#![expect(clippy::expect_used, reason = "a bench may stop")]
 
 use std::hint::black_box;
 

@@ -118,7 +118,7 @@ impl Length {
     /// A length of so many micrometres, for constants in the code: any `i32` is in range.
     pub const fn from_micrometres(um: i32) -> Self {
         // `as` widens here; `From` is not const.
-        #[expect(clippy::as_conversions, clippy::cast_lossless, reason = "widening in a const function")]
+        #[expect(clippy::as_conversions, reason = "widening in a const function")]
         Self(um as i64 * 1_000)
     }
 
@@ -174,12 +174,14 @@ impl Length {
     }
 
     /// The difference, at most [`Length::MAX`] either way: for distances that are shown, never for limits.
+    #[must_use]
     pub fn saturating_sub(self, other: Self) -> Self {
         // Two lengths are at most 2e15 nm apart, far inside i64.
         Self((self.0 - other.0).clamp(-Self::MAX.0, Self::MAX.0))
     }
 
     /// The middle between two lengths, a half nanometre rounded towards the larger.
+    #[must_use]
     pub fn midpoint(self, other: Self) -> Self {
         let sum = self.0 + other.0;
         Self(sum.div_euclid(2) + sum.rem_euclid(2))
@@ -402,8 +404,8 @@ mod tests {
 
     #[test]
     fn floats_meet_lengths_at_the_nearest_nanometre() {
-        assert_eq!(Length::from_mm_f64(25.0120004).unwrap().nanometres(), 25_012_000);
-        assert_eq!(Length::from_mm_f64(-0.0000006).unwrap().nanometres(), -1);
+        assert_eq!(Length::from_mm_f64(25.012_000_4).unwrap().nanometres(), 25_012_000);
+        assert_eq!(Length::from_mm_f64(-0.000_000_6).unwrap().nanometres(), -1);
         assert!(Length::from_mm_f64(f64::NAN).is_err());
         assert!(Length::from_mm_f64(f64::INFINITY).is_err());
         assert!(Length::from_mm_f64(1.000_000_1e9).is_err());

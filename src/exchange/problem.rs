@@ -132,7 +132,7 @@ pub enum Reason {
         /// The two cells together.
         joined: String,
     },
-    /// More rows than [`MOST_ROWS`].
+    /// More rows than [`MOST_ROWS`](super::imported::MOST_ROWS).
     #[error("only the first {most} rows were read: split the file")]
     TooManyRows {
         /// How many.

@@ -69,7 +69,7 @@ pub struct Angle(i64);
 impl Angle {
     /// An angle of so many whole degrees.
     pub const fn from_degrees(degrees: i32) -> Self {
-        #[expect(clippy::as_conversions, clippy::cast_lossless, reason = "widening in a const function")]
+        #[expect(clippy::as_conversions, reason = "widening in a const function")]
         Self(degrees as i64 * 10_000)
     }
 

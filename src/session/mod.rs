@@ -278,9 +278,18 @@ impl Session {
             Field::Measured => {
                 self.inputs.by = MeasureBy::Typing;
                 self.measured_is_used = false;
-                self.asked = Asked::read(&self.inputs, &self.tables);
+                self.read_fields();
             }
-            _ => self.asked = Asked::read(&self.inputs, &self.tables),
+            _ => self.read_fields(),
+        }
+    }
+
+    /// Reads the fields anew. The limits stay those of the record that is shown: it may come from a log without a
+    /// callout, or from tables that are no longer used.
+    fn read_fields(&mut self) {
+        self.asked = Asked::read(&self.inputs, &self.tables);
+        if let Some(shown) = &self.shown {
+            self.asked.show_limits(shown.record.limits.clone(), shown.record.callout);
         }
     }
 
@@ -296,8 +305,8 @@ impl Session {
             let nominal = asked::nominal_text(self.inputs.text(Field::Callout)).to_owned();
             self.inputs.set(Field::Nominal, nominal);
         }
-        self.asked = Asked::read(&self.inputs, &self.tables);
         self.shown = None;
+        self.read_fields();
         if self.measured_is_used {
             self.inputs.set(Field::Measured, String::new());
             self.measured_is_used = false;
@@ -310,7 +319,7 @@ impl Session {
                 if self.inputs.by == MeasureBy::Simulating {
                     let next = self.asked.seed.unwrap_or_default().wrapping_add(1);
                     self.inputs.set(Field::Seed, next.to_string());
-                    self.asked = Asked::read(&self.inputs, &self.tables);
+                    self.read_fields();
                 } else {
                     self.measured_is_used = true;
                 }
@@ -338,7 +347,13 @@ impl Session {
                 self.inputs.set(Field::Callout, callout.to_string());
                 self.callout_changed(true);
             }
-            _ => {}
+            Some(_) => {}
+            // A log carries limits and no callout: the one in the field would belong to others.
+            None if self.inputs.text(Field::Callout).is_empty() => {}
+            None => {
+                self.inputs.set(Field::Callout, String::new());
+                self.callout_changed(true);
+            }
         }
         self.asked.show_limits(record.limits.clone(), record.callout);
         self.draw(record);
@@ -362,7 +377,7 @@ impl Session {
         self.shown = None;
         self.inputs.set(Field::Measured, String::new());
         self.measured_is_used = false;
-        self.asked = Asked::read(&self.inputs, &self.tables);
+        self.read_fields();
     }
 
     fn remember(&mut self) {
@@ -379,13 +394,20 @@ impl Session {
         self.remember();
         self.history.clear();
         self.chosen.clear();
-        self.shown = None;
+        self.clear_shown();
     }
 
     fn take_back(&mut self) {
         if let Some(snapshot) = self.undo.pop() {
-            (self.history, self.chosen, self.shown) = (snapshot.history, snapshot.chosen, None);
+            (self.history, self.chosen) = (snapshot.history, snapshot.chosen);
+            self.clear_shown();
         }
+    }
+
+    /// Without a record, the limits are again those of the fields.
+    fn clear_shown(&mut self) {
+        self.shown = None;
+        self.read_fields();
     }
 
     fn set_language(&mut self, language: Language) {
@@ -423,7 +445,7 @@ impl Session {
     }
 
     fn confirm(&mut self, now: DateTime) -> Vec<Effect> {
-        let Some(dialog) = &self.dialog else { return Vec::new() };
+        let Some(dialog) = self.dialog.as_ref().filter(|dialog| !dialog.busy) else { return Vec::new() };
         let text = dialog.path.trim();
         if text.is_empty() {
             self.refuse_dialog(Message::new("dialog-no-path"));
@@ -441,13 +463,13 @@ impl Session {
                     return Vec::new();
                 }
             },
-            Purpose::ExportStatus => match self.status_text() {
-                Some(text) => Effect::Save(path, text.into_bytes()),
-                None => {
+            Purpose::ExportStatus => {
+                let Some(text) = self.status_text() else {
                     self.refuse_dialog(Message::new("dialog-no-status"));
                     return Vec::new();
-                }
-            },
+                };
+                Effect::Save(path, text.into_bytes())
+            }
         };
         if let Some(dialog) = &mut self.dialog {
             (dialog.busy, dialog.problem) = (true, None);
@@ -459,6 +481,23 @@ impl Session {
         if let Some(dialog) = &mut self.dialog {
             (dialog.busy, dialog.problem) = (false, Some(problem));
         }
+    }
+
+    /// Whether the dialog that sent a file to work is still open; it may have been closed, and another one opened.
+    fn dialog_waits(&self) -> bool {
+        self.dialog.as_ref().is_some_and(|dialog| dialog.busy)
+    }
+
+    /// The file that a dialog asked for is done.
+    fn file_done(&mut self) {
+        if self.dialog_waits() {
+            self.dialog = None;
+        }
+    }
+
+    /// The file that a dialog asked for could not be read or written: told in any case.
+    fn file_failed(&mut self, problem: Message) {
+        if self.dialog_waits() { self.refuse_dialog(problem) } else { self.tell(problem) }
     }
 
     /// The chosen records, or all of them when none is chosen, as a file's bytes.
@@ -483,11 +522,11 @@ impl Session {
         let imported = match result {
             Ok(imported) => *imported,
             Err(problem) => {
-                self.refuse_dialog(problem);
+                self.file_failed(problem);
                 return;
             }
         };
-        self.dialog = None;
+        self.file_done();
         self.notices.push(measuring::import_notice(name, &imported));
         let mut records: Vec<_> = imported.records.into_iter().map(Arc::new).collect();
         if let Some(contacts) = imported.contacts {
@@ -502,28 +541,27 @@ impl Session {
     fn mask_read(&mut self, name: String, result: Result<(Box<Mask>, Vec<Message>), Message>) {
         match result {
             Ok((mask, details)) => {
-                self.dialog = None;
+                self.file_done();
                 if !details.is_empty() {
                     let message = Message::new("mask-loaded-with-warnings").text("name", &name);
                     self.notices.push(Notice { message, details, is_problem: false });
                 }
                 self.set_mask(MaskChoice::Own { name, mask: Arc::new(*mask) });
             }
-            Err(problem) => self.refuse_dialog(problem),
+            Err(problem) => self.file_failed(problem),
         }
     }
 
     fn tables_read(&mut self, folder: PathBuf, result: Result<(Box<Tables>, Vec<Message>), Message>) {
         match result {
             Ok((tables, details)) => {
-                self.dialog = None;
+                self.file_done();
                 let count = tables.iter().filter(|table| !table.shipped()).count();
                 let message = Message::new("tables-loaded").count("count", count).text("folder", folder.display());
                 self.notices.push(Notice { message, details, is_problem: false });
                 self.use_tables(*tables, Some(folder));
             }
-            Err(problem) if self.dialog.is_some() => self.refuse_dialog(problem),
-            Err(problem) => self.tell(problem),
+            Err(problem) => self.file_failed(problem),
         }
     }
 
@@ -536,11 +574,11 @@ impl Session {
     fn saved_file(&mut self, path: &std::path::Path, result: Result<(), FileError>) {
         match result {
             Ok(()) => {
-                self.dialog = None;
+                self.file_done();
                 let message = Message::new("file-written").text("path", path.display());
                 self.notices.push(Notice { message, details: Vec::new(), is_problem: false });
             }
-            Err(error) => self.refuse_dialog(error.message()),
+            Err(error) => self.file_failed(error.message()),
         }
     }
 

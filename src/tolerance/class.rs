@@ -100,14 +100,14 @@ impl ToleranceClass {
     }
 
     /// Hole for capitals, shaft for small letters.
-    pub const fn feature(&self) -> Feature {
+    pub const fn feature(self) -> Feature {
         // The first letter is enough: mixed case is refused when parsing.
         if self.text[0].is_ascii_uppercase() { Feature::Hole } else { Feature::Shaft }
     }
 
     /// The same letters and grade on the other side of the material: `h7` for `H7`.
     #[must_use]
-    pub fn other_case(&self) -> Self {
+    pub fn other_case(self) -> Self {
         let mut text = self.text;
         match self.feature() {
             Feature::Hole => text.make_ascii_lowercase(),

@@ -1,9 +1,5 @@
 //! `fitcheck limits`, through the built program.
-#![expect(
-    clippy::unwrap_used,
-    clippy::disallowed_methods,
-    reason = "a test may stop, and it writes small files that nobody else reads"
-)]
+#![expect(clippy::disallowed_methods, reason = "a test writes small files that nobody else reads")]
 
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::process::{Command, Stdio};

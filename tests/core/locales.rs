@@ -97,7 +97,7 @@ fn within_bracket(rest: &str) -> &str {
         depth += i32::from(c == '(') - i32::from(c == ')');
         depth == 0
     });
-    &rest[..end.unwrap_or(rest.len())]
+    rest.split_at(end.unwrap_or(rest.len())).0
 }
 
 /// The literals in a piece of source.

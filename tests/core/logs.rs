@@ -1,5 +1,4 @@
 //! Measuring logs against `tests/data/samples/logs/expected.csv`, column by column.
-#![expect(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may stop")]
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

@@ -2,6 +2,7 @@
 
 #![cfg(test)]
 
+mod bad_input;
 mod check_cli;
 mod circle_cli;
 mod circles;
@@ -13,4 +14,5 @@ mod logs;
 mod masks;
 mod report;
 mod report_cli;
+mod session;
 mod tables;

@@ -55,6 +55,7 @@ enum Part {
 
 /// What stands behind a `%`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "four flags that may stand together in any combination")]
 struct Format {
     left: bool,
     plus: bool,

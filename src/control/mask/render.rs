@@ -133,7 +133,7 @@ impl At {
             (Kind::Raw, Printed::Text(text)) => Ok(text.to_owned()),
             (Kind::Text, Printed::Text(text)) => {
                 let text: String = text.chars().take(format.digits.unwrap_or(usize::MAX)).collect();
-                Ok(padded(text, format.width, format.left))
+                Ok(padded(&text, format.width, format.left))
             }
             (Kind::Decimal, Printed::Number(number)) => {
                 let digits = format.digits.unwrap_or(6);
@@ -190,10 +190,10 @@ fn signed(number: &str, format: &Format) -> String {
         let width = format.width.saturating_sub(sign.len());
         return format!("{sign}{figures:0>width$}");
     }
-    padded(format!("{sign}{figures}"), format.width, format.left)
+    padded(&format!("{sign}{figures}"), format.width, format.left)
 }
 
-fn padded(text: String, width: usize, left: bool) -> String {
+fn padded(text: &str, width: usize, left: bool) -> String {
     if left { format!("{text:<width$}") } else { format!("{text:>width$}") }
 }
 

@@ -10,7 +10,7 @@ use crate::probing::cycle::{CycleError, CycleResult, Inputs, Parameter, Value};
 use crate::tolerance::Feature;
 use crate::verdict::{AxisPosition, PositionVerdict, Status, classify};
 
-/// The probe's own set-up clearance, mm, that Q320 is added to (SET_UP of the touch-probe table).
+/// The probe's own set-up clearance, mm, that Q320 is added to (`SET_UP` of the touch-probe table).
 const SET_UP: f64 = 2.0;
 
 /// What differs between hole and stud.

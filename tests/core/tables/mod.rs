@@ -7,8 +7,6 @@
 //! | `refusing` | everything that can be wrong |
 //! | `writing` | round trips, and what cannot be written |
 #![expect(
-    clippy::unwrap_used,
-    clippy::indexing_slicing,
     clippy::string_slice,
     clippy::disallowed_methods,
     reason = "a test may stop, and it writes small files that nobody else reads"
