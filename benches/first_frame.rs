@@ -37,7 +37,8 @@ fn frames(criterion: &mut Criterion) {
     let mut harness = Harness::builder().with_size(size).build_eframe(|cc| App::new(cc, setup()));
     harness.run();
     criterion.bench_function("settled frame, Fitcheck", |bencher| bencher.iter(|| harness.step()));
-    let rows: String = (0..10_000).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
+    let rows: Vec<String> = (0..10_000).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
+    let rows = rows.concat();
     let now = (setup().clock)();
     let tables = fitcheck::control::shipped_tables();
     let imported =

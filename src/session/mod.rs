@@ -8,11 +8,13 @@
 //! | `command` | everything that can be done |
 //! | `inputs` | the text fields |
 //! | `asked` | what the texts mean: callout, limits, errors beside their fields |
+//! | `files` | dialogs, and what comes back from files |
 //! | `measuring` | from the fields to a measurement |
 //! | `saved` | what survives a restart |
 
 mod asked;
 mod command;
+mod files;
 mod inputs;
 mod measuring;
 mod saved;
@@ -30,12 +32,9 @@ pub use saved::{Saved, SavedError};
 
 use crate::control::mask::Mask;
 use crate::control::{shipped_tables, status};
-use crate::exchange::Imported;
-use crate::files::FileError;
 use crate::journal::Record;
-use crate::report;
 use crate::tolerance::{Callout, Tables};
-use crate::words::{Language, Message, Say as _, Words};
+use crate::words::{Language, Message, Say as _};
 
 /// The mask that the status window is drawn with.
 #[derive(Debug, Clone, Default)]
@@ -423,162 +422,6 @@ impl Session {
     fn redraw(&mut self) {
         if let Some(shown) = self.shown.take() {
             self.draw(shown.record);
-        }
-    }
-
-    fn open_dialog(&mut self, purpose: Purpose) {
-        let path = match purpose {
-            Purpose::Export(format) => {
-                let ending = report::RENDERINGS.get(format).and_then(|rendering| rendering.endings.first());
-                ending.map(|ending| format!("fitcheck.{ending}")).unwrap_or_default()
-            }
-            Purpose::ExportStatus => "fitcheck-status.txt".to_owned(),
-            Purpose::Import | Purpose::LoadMask | Purpose::LoadTables => String::new(),
-        };
-        self.dialog = Some(Dialog { purpose, path, problem: None, busy: false });
-    }
-
-    fn picked(&mut self, path: Option<PathBuf>, now: DateTime) -> Vec<Effect> {
-        let (Some(dialog), Some(path)) = (&mut self.dialog, path) else { return Vec::new() };
-        dialog.path = path.display().to_string();
-        self.confirm(now)
-    }
-
-    fn confirm(&mut self, now: DateTime) -> Vec<Effect> {
-        let Some(dialog) = self.dialog.as_ref().filter(|dialog| !dialog.busy) else { return Vec::new() };
-        let text = dialog.path.trim();
-        if text.is_empty() {
-            self.refuse_dialog(Message::new("dialog-no-path"));
-            return Vec::new();
-        }
-        let path = PathBuf::from(text);
-        let effect = match dialog.purpose {
-            Purpose::Import => Effect::Import(path),
-            Purpose::LoadMask => Effect::ReadMask(path),
-            Purpose::LoadTables => Effect::ReadTables(path),
-            Purpose::Export(format) => match self.export(format, now) {
-                Ok(bytes) => Effect::Save(path, bytes),
-                Err(problem) => {
-                    self.refuse_dialog(problem);
-                    return Vec::new();
-                }
-            },
-            Purpose::ExportStatus => {
-                let Some(text) = self.status_text() else {
-                    self.refuse_dialog(Message::new("dialog-no-status"));
-                    return Vec::new();
-                };
-                Effect::Save(path, text.into_bytes())
-            }
-        };
-        if let Some(dialog) = &mut self.dialog {
-            (dialog.busy, dialog.problem) = (true, None);
-        }
-        vec![effect]
-    }
-
-    fn refuse_dialog(&mut self, problem: Message) {
-        if let Some(dialog) = &mut self.dialog {
-            (dialog.busy, dialog.problem) = (false, Some(problem));
-        }
-    }
-
-    /// Whether the dialog that sent a file to work is still open; it may have been closed, and another one opened.
-    fn dialog_waits(&self) -> bool {
-        self.dialog.as_ref().is_some_and(|dialog| dialog.busy)
-    }
-
-    /// The file that a dialog asked for is done.
-    fn file_done(&mut self) {
-        if self.dialog_waits() {
-            self.dialog = None;
-        }
-    }
-
-    /// The file that a dialog asked for could not be read or written: told in any case.
-    fn file_failed(&mut self, problem: Message) {
-        if self.dialog_waits() { self.refuse_dialog(problem) } else { self.tell(problem) }
-    }
-
-    /// The chosen records, or all of them when none is chosen, as a file's bytes.
-    fn export(&self, format: usize, now: DateTime) -> Result<Vec<u8>, Message> {
-        let all = self.history.iter().enumerate();
-        let wanted = all.filter(|(number, _)| self.chosen.is_empty() || self.chosen.contains(number));
-        let words = Words::new(self.language);
-        measuring::export(format, wanted.map(|(_, record)| record.as_ref().clone()).collect(), &words, now)
-    }
-
-    fn status_text(&self) -> Option<String> {
-        self.shown.as_ref().and_then(|shown| shown.window.clone().ok())
-    }
-
-    fn close(&mut self) {
-        if self.dialog.take().is_none() && !self.notices.is_empty() {
-            self.notices.remove(0);
-        }
-    }
-
-    fn imported(&mut self, name: &str, result: Result<Box<Imported>, Message>, now: DateTime) {
-        let imported = match result {
-            Ok(imported) => *imported,
-            Err(problem) => {
-                self.file_failed(problem);
-                return;
-            }
-        };
-        self.file_done();
-        self.notices.push(measuring::import_notice(name, &imported));
-        let mut records: Vec<_> = imported.records.into_iter().map(Arc::new).collect();
-        if let Some(contacts) = imported.contacts {
-            match measuring::judge_contacts(name, &contacts, &self.asked, now) {
-                Ok(record) => records.push(Arc::new(record)),
-                Err(problem) => self.tell(problem),
-            }
-        }
-        self.add(records);
-    }
-
-    fn mask_read(&mut self, name: String, result: Result<(Box<Mask>, Vec<Message>), Message>) {
-        match result {
-            Ok((mask, details)) => {
-                self.file_done();
-                if !details.is_empty() {
-                    let message = Message::new("mask-loaded-with-warnings").text("name", &name);
-                    self.notices.push(Notice { message, details, is_problem: false });
-                }
-                self.set_mask(MaskChoice::Own { name, mask: Arc::new(*mask) });
-            }
-            Err(problem) => self.file_failed(problem),
-        }
-    }
-
-    fn tables_read(&mut self, folder: PathBuf, result: Result<(Box<Tables>, Vec<Message>), Message>) {
-        match result {
-            Ok((tables, details)) => {
-                self.file_done();
-                let count = tables.iter().filter(|table| !table.shipped()).count();
-                let message = Message::new("tables-loaded").count("count", count).text("folder", folder.display());
-                self.notices.push(Notice { message, details, is_problem: false });
-                self.use_tables(*tables, Some(folder));
-            }
-            Err(problem) => self.file_failed(problem),
-        }
-    }
-
-    fn use_tables(&mut self, tables: Tables, folder: Option<PathBuf>) {
-        self.tables = Arc::new(tables);
-        self.tables_folder = folder;
-        self.callout_changed(true);
-    }
-
-    fn saved_file(&mut self, path: &std::path::Path, result: Result<(), FileError>) {
-        match result {
-            Ok(()) => {
-                self.file_done();
-                let message = Message::new("file-written").text("path", path.display());
-                self.notices.push(Notice { message, details: Vec::new(), is_problem: false });
-            }
-            Err(error) => self.file_failed(error.message()),
         }
     }
 
