@@ -1,6 +1,5 @@
 //! `fitcheck circle`: circle evaluation by every criterion.
 
-use std::io::Write as _;
 use std::path::PathBuf;
 
 use serde::Serialize;
@@ -141,7 +140,7 @@ fn print_csv(answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
 
 fn print_text(answer: &Answer<'_>, evaluation: &Evaluation, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut row = |name: &str, circle: Option<Circle>, form: Option<f64>| {
-        let form = form.map(|form| format!("   form {:.4}", form)).unwrap_or_default();
+        let form = form.map(|form| format!("   form {form:.4}")).unwrap_or_default();
         match circle {
             Some(Circle { x, y, diameter }) => {
                 writeln!(io.out, "{name:<24}Ø {diameter:>12.6}   centre {x:>13.6} {y:>13.6}{form}")

@@ -5,6 +5,7 @@
 mod check_cli;
 mod circle_cli;
 mod circles;
+mod cycles;
 mod house;
 mod import;
 mod limits_cli;

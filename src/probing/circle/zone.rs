@@ -66,7 +66,7 @@ impl Ring {
 
 /// The narrowest ring, or `None` where a straight strip is narrower than every ring.
 pub(super) fn narrowest(points: &[[f64; 2]], hull: &[[f64; 2]], start: [f64; 2]) -> Option<Ring> {
-    let near = Diagram::new(points, |own, other| HalfPlane::nearer(own, other));
+    let near = Diagram::new(points, HalfPlane::nearer);
     let far = Diagram::new(hull, |own, other| HalfPlane::nearer(other, own));
     let mut best = Ring::about(points, start);
     let mut consider = |centre: [f64; 2]| {
@@ -190,7 +190,7 @@ impl DiagramEdge {
         let (along, other_along) = (minus(self.end, self.start), minus(other.end, other.start));
         let between = minus(other.start, self.start);
         let area = cross(along, other_along);
-        let within = |part: f64| -BEYOND <= part && part <= 1.0 + BEYOND;
+        let within = |part: f64| (-BEYOND..=1.0 + BEYOND).contains(&part);
         if within(cross(between, other_along) / area) && within(cross(between, along) / area) {
             crossing(&self.line, &other.line)
         } else {
