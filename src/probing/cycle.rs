@@ -62,6 +62,42 @@ pub enum Range {
     Tool,
 }
 
+/// What is allowed, as the second half of a range error.
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length { least, most } => write!(f, "at least {least} mm, at most {most} mm"),
+            Self::Angle { most, smallest } if *smallest == Angle::default() => write!(f, "at most {most} either way"),
+            Self::Angle { most, smallest } => write!(f, "at least {smallest} in size, at most {most}"),
+            Self::OneOf(allowed) => write!(f, "not one of {}", listed(allowed)),
+            Self::Tool => f.write_str("a tool number is 0 to 99999"),
+        }
+    }
+}
+
+impl Say for Range {
+    fn message(&self) -> Message {
+        match self {
+            Self::Length { least, most } => Message::new("cycle-length-range").text("least", least).text("most", most),
+            Self::Angle { most, smallest } if *smallest == Angle::default() => {
+                Message::new("cycle-angle-range").text("most", most)
+            }
+            Self::Angle { most, smallest } => {
+                Message::new("cycle-angle-size-range").text("smallest", smallest).text("most", most)
+            }
+            Self::OneOf(allowed) => Message::new("cycle-one-of").text("allowed", listed(allowed)),
+            Self::Tool => Message::new("cycle-tool-range"),
+        }
+    }
+}
+
+fn listed(numbers: &[i64]) -> String {
+    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// A quarter turn in ten-thousandths of a degree.
+pub(super) const QUARTER_TURN: i64 = 900_000;
+
 /// An angle in ten-thousandths of a degree, as the control writes it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Angle(i64);
@@ -78,10 +114,25 @@ impl Angle {
         self.0
     }
 
-    /// Radians times a count of steps, for geometry.
-    #[expect(clippy::as_conversions, clippy::cast_precision_loss, reason = "a few million at most")]
-    pub fn to_radians(self) -> f64 {
-        (self.0 as f64 / 10_000.0).to_radians()
+    /// The angle so many steps further, within one turn.
+    #[must_use]
+    pub fn stepped(self, step: Self, count: u8) -> Self {
+        let turned = i128::from(self.0) + i128::from(step.0) * i128::from(count);
+        // Less than a turn, so it fits.
+        Self(i64::try_from(turned.rem_euclid(i128::from(4 * QUARTER_TURN))).unwrap_or_default())
+    }
+
+    /// The unit vector in this direction, exact at every quarter turn.
+    pub fn direction(self) -> [f64; 2] {
+        let turned = self.0.rem_euclid(4 * QUARTER_TURN);
+        let beyond = i32::try_from(turned % QUARTER_TURN).unwrap_or_default();
+        let (sin, cos) = (f64::from(beyond) / 10_000.0).to_radians().sin_cos();
+        match turned / QUARTER_TURN {
+            0 => [cos, sin],
+            1 => [-sin, cos],
+            2 => [-cos, -sin],
+            _ => [sin, -cos],
+        }
     }
 }
 
@@ -127,9 +178,22 @@ impl fmt::Display for Value {
     }
 }
 
+impl Value {
+    /// The value with its unit, for errors.
+    fn with_unit(self) -> String {
+        match self {
+            Self::Length(length) => format!("{length} mm"),
+            Self::Angle(_) | Self::Whole(_) => self.to_string(),
+        }
+    }
+}
+
 /// The values that a cycle is run with, by Q number.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Inputs(BTreeMap<u16, Value>);
+pub struct Inputs {
+    given: BTreeMap<u16, Value>,
+    defaults: BTreeMap<u16, Value>,
+}
 
 impl Inputs {
     /// Nothing given.
@@ -140,21 +204,31 @@ impl Inputs {
     /// Gives a parameter a value; it is checked when the cycle runs.
     #[must_use]
     pub fn with(mut self, q: u16, value: Value) -> Self {
-        self.0.insert(q, value);
+        self.given.insert(q, value);
         self
+    }
+
+    /// The value that was given, or the default that [`Cycle::checked`] has put in.
+    fn value(&self, q: u16) -> Option<Value> {
+        self.given.get(&q).or_else(|| self.defaults.get(&q)).copied()
+    }
+
+    /// Whether a value was given, so that no default is taken.
+    pub(super) fn is_given(&self, q: u16) -> bool {
+        self.given.contains_key(&q)
     }
 
     /// A length that [`Cycle::checked`] has put in.
     pub(super) fn length(&self, q: u16) -> Length {
-        if let Some(Value::Length(length)) = self.0.get(&q) { *length } else { Length::ZERO }
+        if let Some(Value::Length(length)) = self.value(q) { length } else { Length::ZERO }
     }
 
     pub(super) fn angle(&self, q: u16) -> Angle {
-        if let Some(Value::Angle(angle)) = self.0.get(&q) { *angle } else { Angle::default() }
+        if let Some(Value::Angle(angle)) = self.value(q) { angle } else { Angle::default() }
     }
 
     pub(super) fn whole(&self, q: u16) -> i64 {
-        if let Some(Value::Whole(whole)) = self.0.get(&q) { *whole } else { 0 }
+        if let Some(Value::Whole(whole)) = self.value(q) { whole } else { 0 }
     }
 }
 
@@ -181,7 +255,7 @@ pub struct CycleResult {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CycleError {
     /// A parameter is outside its range.
-    #[error("Q{q} {name} = {given}: {allowed}")]
+    #[error("Q{q} {name} = {given}: {range}")]
     OutOfRange {
         /// The parameter.
         q: u16,
@@ -190,7 +264,17 @@ pub enum CycleError {
         /// What was given.
         given: String,
         /// What is allowed.
-        allowed: String,
+        range: Range,
+    },
+    /// A text is no value for a parameter.
+    #[error("Q{q} {name}: {error}")]
+    NotAValue {
+        /// The parameter.
+        q: u16,
+        /// Its name.
+        name: &'static str,
+        /// What is wrong with the text.
+        error: LengthError,
     },
     /// A parameter without a default was not given.
     #[error("Q{q} {name} is missing")]
@@ -216,6 +300,14 @@ pub enum CycleError {
         /// The maximum.
         maximum: Length,
     },
+    /// A nominal diameter of zero.
+    #[error("Q{q} {name} = 0 mm: a circle needs a diameter above 0")]
+    NoDiameter {
+        /// The parameter.
+        q: u16,
+        /// Its name.
+        name: &'static str,
+    },
     /// The probe met nothing.
     #[error(transparent)]
     NoContact(#[from] NoContact),
@@ -230,11 +322,15 @@ pub enum CycleError {
 impl Say for CycleError {
     fn message(&self) -> Message {
         match self {
-            Self::OutOfRange { q, name, given, allowed } => Message::new("cycle-out-of-range")
+            Self::OutOfRange { q, name, given, range } => Message::new("cycle-out-of-range")
                 .text("q", q)
                 .text("name", name)
                 .text("given", given)
-                .text("allowed", allowed),
+                .message("allowed", range.message()),
+            Self::NotAValue { q, name, error } => {
+                Message::new("cycle-not-a-value").text("q", q).text("name", name).message("error", error.message())
+            }
+            Self::NoDiameter { q, name } => Message::new("cycle-no-diameter").text("q", q).text("name", name),
             Self::Missing { q, name } => Message::new("cycle-missing").text("q", q).text("name", name),
             Self::NoSuchParameter { cycle, q } => {
                 Message::new("cycle-no-such-parameter").text("cycle", cycle).text("q", q)
@@ -302,25 +398,12 @@ impl Parameter {
         }
     }
 
-    /// The range in words, for errors.
-    pub fn allowed(&self) -> String {
-        match self.range {
-            Range::Length { least, most } => format!("{least} to {most} mm is allowed"),
-            Range::Angle { most, smallest } if smallest == Angle::default() => {
-                format!("-{most} to {most} is allowed")
-            }
-            Range::Angle { most, smallest } => format!("at least {smallest} in size, at most {most}"),
-            Range::OneOf(allowed) => {
-                let allowed: Vec<String> = allowed.iter().map(ToString::to_string).collect();
-                format!("{} is allowed", allowed.join(", "))
-            }
-            Range::Tool => "a tool number from 0 to 99999 is allowed".to_owned(),
-        }
-    }
-
     /// Reads a value as people type it; the range is checked when the cycle runs.
-    pub fn read(&self, text: &str) -> Result<Value, LengthError> {
-        match self.range {
+    ///
+    /// # Errors
+    /// [`CycleError::NotAValue`] for a text that is no number of the declared kind.
+    pub fn read(&self, text: &str) -> Result<Value, CycleError> {
+        let read = match self.range {
             Range::Length { .. } => text.parse().map(Value::Length),
             Range::Angle { .. } => text.parse().map(Value::Angle),
             Range::OneOf(_) | Range::Tool => text
@@ -328,7 +411,8 @@ impl Parameter {
                 .parse()
                 .map(Value::Whole)
                 .map_err(|_whole| LengthError::NotANumber { text: text.trim().to_owned() }),
-        }
+        };
+        read.map_err(|error| CycleError::NotAValue { q: self.q, name: self.name, error })
     }
 }
 
@@ -353,19 +437,20 @@ impl Cycle {
     }
 
     fn checked(&self, inputs: &Inputs) -> Result<Inputs, CycleError> {
-        if let Some(&q) = inputs.0.keys().find(|q| self.parameter(**q).is_none()) {
+        if let Some(&q) = inputs.given.keys().find(|q| self.parameter(**q).is_none()) {
             return Err(CycleError::NoSuchParameter { cycle: self.number, q });
         }
-        let mut checked = Inputs::new();
+        let mut checked = inputs.clone();
         for parameter in self.parameters {
             let (q, name) = (parameter.q, parameter.name);
-            let value = inputs.0.get(&q).copied().or_else(|| parameter.default_value());
-            let value = value.ok_or(CycleError::Missing { q, name })?;
-            if !parameter.allows(value) {
-                let (given, allowed) = (value.to_string(), parameter.allowed());
-                return Err(CycleError::OutOfRange { q, name, given, allowed });
+            if let Some(default) = parameter.default_value() {
+                checked.defaults.insert(q, default);
             }
-            checked.0.insert(q, value);
+            let value = checked.value(q).ok_or(CycleError::Missing { q, name })?;
+            if !parameter.allows(value) {
+                let (given, range) = (value.with_unit(), parameter.range);
+                return Err(CycleError::OutOfRange { q, name, given, range });
+            }
         }
         Ok(checked)
     }

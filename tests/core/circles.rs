@@ -20,7 +20,7 @@ pub fn sets() -> Vec<(String, Vec<Contact>, Value)> {
         .map(|set| {
             let point = |point: &Value| contact([point[0].as_f64().unwrap(), point[1].as_f64().unwrap()]);
             let contacts: Vec<_> = set["points"].as_array().unwrap().iter().map(point).collect();
-            assert_eq!(Some(contacts.len() as u64), set["n"].as_u64());
+            assert_eq!(Value::from(contacts.len()), set["n"]);
             (set["id"].as_str().unwrap().to_owned(), contacts, set.clone())
         })
         .collect();

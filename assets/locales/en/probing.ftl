@@ -14,11 +14,18 @@ contact-missed = touch { $number }: no contact on the probing path
 contact-used-up = touch { $number }: the file has only { $available } contacts
 
 cycle-out-of-range = Q{ $q } { $name } = { $given }: { $allowed }
+cycle-length-range = at least { $least } mm, at most { $most } mm
+cycle-angle-range = at most { $most } either way
+cycle-angle-size-range = at least { $smallest } in size, at most { $most }
+cycle-one-of = not one of { $allowed }
+cycle-tool-range = a tool number is 0 to 99999
+cycle-not-a-value = Q{ $q } { $name }: { $error }
+cycle-no-diameter = Q{ $q } { $name } = 0 mm: a circle needs a diameter above 0
 cycle-missing = Q{ $q } { $name } is missing
 cycle-no-such-parameter = cycle { $cycle } has no parameter Q{ $q }
 cycle-limits-swapped = minimum dimension { $minimum } mm is above maximum dimension { $maximum } mm
 cycle-too-large = the measured circle is too large: { $error }
-workpiece-cannot-be = { $what } = { $given }: { $allowed }
+workpiece-cannot-be = { $what } = { $given }: at least { $least }, at most { $most }
 
 # Touches.
 contact-in-material = touch { $number }: the probing path begins inside the material

@@ -13,11 +13,18 @@ contact-missed = aanraking { $number }: geen contact op de meetweg
 contact-used-up = aanraking { $number }: het bestand heeft maar { $available } meetpunten
 
 cycle-out-of-range = Q{ $q } { $name } = { $given }: { $allowed }
+cycle-length-range = minstens { $least } mm, hoogstens { $most } mm
+cycle-angle-range = hoogstens { $most } in beide richtingen
+cycle-angle-size-range = minstens { $smallest } groot, hoogstens { $most }
+cycle-one-of = geen van { $allowed }
+cycle-tool-range = een gereedschapsnummer is 0 tot 99999
+cycle-not-a-value = Q{ $q } { $name }: { $error }
+cycle-no-diameter = Q{ $q } { $name } = 0 mm: een cirkel heeft een diameter boven 0 nodig
 cycle-missing = Q{ $q } { $name } ontbreekt
 cycle-no-such-parameter = cyclus { $cycle } heeft geen parameter Q{ $q }
 cycle-limits-swapped = de minimale maat { $minimum } mm is groter dan de maximale maat { $maximum } mm
 cycle-too-large = de gemeten cirkel is te groot: { $error }
-workpiece-cannot-be = { $what } = { $given }: { $allowed }
+workpiece-cannot-be = { $what } = { $given }: minstens { $least }, hoogstens { $most }
 # Where a measurement comes from, and what it cannot tell.
 
 # Touches.

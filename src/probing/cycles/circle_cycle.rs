@@ -6,12 +6,18 @@
 use crate::length::Length;
 use crate::probing::circle::least_squares;
 use crate::probing::contact::{Prober, Touch};
-use crate::probing::cycle::{CycleError, CycleResult, Inputs, Parameter, Value};
+use crate::probing::cycle::{Angle, CycleError, CycleResult, Inputs, Parameter, QUARTER_TURN, Range, Value};
 use crate::tolerance::Feature;
 use crate::verdict::{AxisPosition, PositionVerdict, Status, classify};
 
 /// The probe's own set-up clearance, mm, that Q320 is added to (`SET_UP` of the touch-probe table).
 const SET_UP: f64 = 2.0;
+
+/// The name of Q262.
+const NOMINAL_DIAMETER: &str = "NOMINAL DIAMETER";
+
+/// The step between three contacts when Q247 is not given: 90 degrees would leave half the circle unseen.
+const STEP_OF_THREE: Angle = Angle::from_degrees(120);
 
 /// What differs between hole and stud.
 pub(super) struct Side {
@@ -24,11 +30,10 @@ pub(super) struct Side {
 
 /// The declaration, in the order of NC programs.
 pub(super) const fn parameters(side: &Side) -> [Parameter; 18] {
-    const QUARTER_TURN: i64 = 900_000;
     [
         Parameter::coordinate(273, "CENTER IN 1ST AXIS"),
         Parameter::coordinate(274, "CENTER IN 2ND AXIS"),
-        Parameter::size(262, "NOMINAL DIAMETER"),
+        Parameter::size(262, NOMINAL_DIAMETER),
         Parameter::angle(325, "STARTING ANGLE", 360, 0).or(0),
         Parameter::angle(247, "STEPPING ANGLE", 120, 5).or(QUARTER_TURN),
         Parameter::coordinate(261, "MEASURING HEIGHT").or(0),
@@ -41,7 +46,7 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 18] {
         Parameter::size(280, "TOLERANCE 2ND CENTER").or(0),
         Parameter::choice(281, "MEASURING LOG", &[0, 1, 2]).or(0),
         Parameter::choice(309, "PGM-STOP IF ERROR", &[0, 1]).or(0),
-        Parameter { q: 330, name: "TOOL NUMBER", range: crate::probing::cycle::Range::Tool, default: Some(0) },
+        Parameter { q: 330, name: "TOOL NUMBER", range: Range::Tool, default: Some(0) },
         Parameter::choice(423, "NO. OF MEAS. POINTS", &[3, 4]).or(4),
         Parameter::choice(365, "TYPE OF TRAVERSE", &[0, 1]).or(1),
     ]
@@ -52,6 +57,9 @@ pub(super) fn run(side: &Side, inputs: &Inputs, prober: &mut dyn Prober) -> Resu
     let (minimum, maximum) = (inputs.length(side.minimum), inputs.length(side.maximum));
     if maximum < minimum {
         return Err(CycleError::LimitsSwapped { minimum, maximum });
+    }
+    if inputs.length(262) == Length::ZERO {
+        return Err(CycleError::NoDiameter { q: 262, name: NOMINAL_DIAMETER });
     }
     let nominal = [inputs.length(273), inputs.length(274)];
     let contacts = touches(side, inputs).iter().map(|touch| prober.touch(touch)).collect::<Result<Vec<_>, _>>()?;
@@ -82,7 +90,8 @@ pub(super) fn run(side: &Side, inputs: &Inputs, prober: &mut dyn Prober) -> Resu
     Ok(CycleResult { contacts, circle, centre, diameter, position, status, results })
 }
 
-/// The touches in order: at Q325 + k · Q247, from inside a hole or from outside a stud.
+/// The touches in order: at Q325 + k · Q247, from inside a hole or from outside a stud. Three contacts without a given
+/// Q247 lie 120 degrees apart.
 fn touches(side: &Side, inputs: &Inputs) -> Vec<Touch> {
     let centre = [inputs.length(273).to_mm_f64(), inputs.length(274).to_mm_f64()];
     let height = inputs.length(261).to_mm_f64();
@@ -93,13 +102,14 @@ fn touches(side: &Side, inputs: &Inputs) -> Vec<Touch> {
         Feature::Hole => ((radius - clearance).max(0.0), 1.0),
         Feature::Shaft => (radius + clearance, -1.0),
     };
-    let (first, step) = (inputs.angle(325).to_radians(), inputs.angle(247).to_radians());
+    let count = inputs.whole(423);
+    let step = if count == 3 && !inputs.is_given(247) { STEP_OF_THREE } else { inputs.angle(247) };
     let [x, y] = centre;
     // Q423 is 3 or 4.
     (0..4_u8)
-        .take(usize::try_from(inputs.whole(423)).unwrap_or(4))
+        .take(usize::try_from(count).unwrap_or(4))
         .map(|number| {
-            let (sin, cos) = (first + f64::from(number) * step).sin_cos();
+            let [cos, sin] = inputs.angle(325).stepped(step, number).direction();
             Touch { from: [x + start * cos, y + start * sin, height], direction: [outward * cos, outward * sin, 0.0] }
         })
         .collect()
