@@ -12,6 +12,7 @@ use fitcheck::session::Field;
 use crate::harness::{Window, check, type_into, verdict, window};
 
 /// The name of what has the focus.
+#[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone is not general over lifetimes")]
 fn focused(window: &Harness<'_, App>) -> String {
     window.get_by(|node| node.is_focused()).accesskit_node().label().unwrap_or_default()
 }
