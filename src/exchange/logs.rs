@@ -62,7 +62,7 @@ fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
             };
             let Some(limits) = limits(circle.feature, circle.nominal.diameter, pair, &source.file) else {
                 let given = pair.maximum.to_string();
-                let reason = Reason::Limits(crate::tolerance::table::LimitsError::TooLarge { nominal: pair.maximum });
+                let reason = Reason::Limits(crate::tolerance::LimitsError::TooLarge { nominal: pair.maximum });
                 return imported.refuse(Problem { line, column: None, reason, given });
             };
             let measured = circle.actual.diameter;

@@ -5,8 +5,8 @@ use std::fmt;
 use super::contacts::ContactsError;
 use crate::control::log::{LogReason, LogWarning};
 use crate::length::{Length, LengthError};
-use crate::tolerance::table::LimitsError;
-use crate::tolerance::{Callout, CalloutError};
+
+use crate::tolerance::{Callout, CalloutError, LimitsError};
 use crate::words::{Message, Say};
 
 /// A row that could not be used.

@@ -2,11 +2,11 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, Ui, WidgetInfo, pos2, vec2};
-use egui_plot::{AxisHints, Plot, PlotBounds, PlotTransform, VLine, VPlacement};
+use egui_plot::{AxisHints, PlotBounds, PlotTransform, VLine, VPlacement};
 
 use super::shapes::{self, Hatch};
 use super::theme::{self, Palette, palette, sizes, space};
-use super::view::{Digits, View, heading, quiet};
+use super::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::report::band::{Band, Marker, Side};
@@ -50,19 +50,9 @@ fn plot_ui(ui: &mut Ui, words: &Words, band: &Band, limits: &Limits, record: Opt
         .tick_label_color(palette.text.0)
         .label("µm")
         .placement(VPlacement::Bottom);
-    let response = Plot::new("limit-band")
-        .height(height)
+    let response = still_plot("limit-band", height)
         .custom_x_axes(vec![axis])
         .show_axes([true, false])
-        .show_grid(false)
-        .show_background(false)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .show_crosshair(false)
-        .label_formatter(|_| None)
         .set_margin_fraction(vec2(0.0, 0.0))
         .show(ui, |plot| {
             plot.set_plot_bounds(PlotBounds::from_min_max([band.axis_min_um, 0.0], [band.axis_max_um, 1.0]));

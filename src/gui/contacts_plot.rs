@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Stroke, Ui, WidgetInfo, vec2};
-use egui_plot::{Line, LineStyle, MarkerShape, Plot, PlotPoint, PlotPoints, Points};
+use egui_plot::{Line, LineStyle, MarkerShape, PlotPoint, PlotPoints, Points};
 
 use super::theme::{self, palette, sizes};
-use super::view::{Digits, View, heading, quiet};
+use super::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
 use crate::words::{Message, Say as _, Words};
 
@@ -125,19 +125,9 @@ impl Picture {
             .map(|step| (TAU * f64::from(step) / f64::from(STEPS)).sin_cos())
             .map(|(sin, cos)| [cos, sin])
             .collect();
-        let response = Plot::new("contacts")
-            .height(height)
+        let response = still_plot("contacts", height)
             .data_aspect(1.0)
             .show_axes(false)
-            .show_grid(false)
-            .show_background(false)
-            .allow_zoom(false)
-            .allow_drag(false)
-            .allow_scroll(false)
-            .allow_boxed_zoom(false)
-            .allow_double_click_reset(false)
-            .show_crosshair(false)
-            .label_formatter(|_| None)
             .include_x(-1.0 - REACH)
             .include_x(1.0 + REACH)
             .include_y(-1.0 - REACH)

@@ -1,6 +1,7 @@
 //! What every panel gets: the state, the words, and a place to put its commands.
 
 use eframe::egui::{self, RichText, Ui};
+use egui_plot::Plot;
 
 use super::theme;
 use crate::journal::Record;
@@ -91,4 +92,19 @@ pub(super) fn quiet(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
 pub(super) fn problem(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     let colour = theme::palette(ui.ctx()).error.0;
     ui.label(RichText::new(text).color(colour).size(theme::sizes().small))
+}
+
+/// A plot that is only looked at: nothing moves it, and it does not eat the wheel.
+pub(super) fn still_plot<'a>(id: &'static str, height: f32) -> Plot<'a> {
+    Plot::new(id)
+        .height(height)
+        .show_grid(false)
+        .show_background(false)
+        .allow_zoom(false)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .show_crosshair(false)
+        .label_formatter(|_| None)
 }

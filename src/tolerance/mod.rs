@@ -5,16 +5,19 @@
 //! | `class` | tolerance classes such as `H7`, hole or shaft by the letter's case |
 //! | `callout` | what people type: `25 H7` |
 //! | `limits` | deviations and limits of size, and where they come from |
-//! | `table` | size ranges and deviations as a control's table holds them, and the lookup |
+//! | `table` | size ranges and deviations as a control's table holds them |
+//! | `lookup` | from a callout to limits: the user's tables first, then the shipped ones |
 //!
 //! Nothing here reads a file or knows a window: tables arrive as values.
 
 pub mod callout;
 pub mod class;
 pub mod limits;
+pub mod lookup;
 pub mod table;
 
 pub use callout::{Callout, CalloutError};
 pub use class::{ClassError, Feature, ToleranceClass};
 pub use limits::{Deviations, DeviationsError, Limits, Source};
-pub use table::{DeviationTable, LimitsError, Tables};
+pub use lookup::{LimitsError, Tables};
+pub use table::DeviationTable;
