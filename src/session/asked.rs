@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use super::inputs::{Field, Inputs};
 use crate::length::Length;
+use crate::probing::cycle::{Angle, Value};
+use crate::probing::cycles::cycle;
 use crate::tolerance::{Callout, Limits, Tables};
 use crate::words::{Message, Say as _};
 
@@ -13,6 +15,8 @@ pub struct Asked {
     callout: Option<Callout>,
     limits: Option<Limits>,
     lengths: BTreeMap<Field, Length>,
+    /// The angle of the first contact.
+    pub(super) first_angle: Option<Angle>,
     /// The seed of the simulation.
     pub(super) seed: Option<u64>,
     /// The number of lobes of the simulated workpiece.
@@ -20,15 +24,19 @@ pub struct Asked {
     errors: BTreeMap<Field, Message>,
 }
 
-/// The fields that hold a length, with what they may be.
-const LENGTHS: [(Field, Range); 14] = [
+/// The fields that are parameters of the measuring cycle: the cycle's declaration says what they may be.
+const PARAMETERS: [(Field, u16); 6] = [
+    (Field::CentreX, 273),
+    (Field::CentreY, 274),
+    (Field::Height, 261),
+    (Field::FirstAngle, 325),
+    (Field::Clearance, 320),
+    (Field::CentreTolerance, 279),
+];
+
+/// The other fields that hold a length, with what they may be.
+const LENGTHS: [(Field, Range); 8] = [
     (Field::Measured, Range::AboveZero),
-    (Field::CentreX, Range::Any),
-    (Field::CentreY, Range::Any),
-    (Field::Height, Range::Any),
-    (Field::FirstAngle, Range::Turn),
-    (Field::Clearance, Range::ZeroOrMore),
-    (Field::CentreTolerance, Range::ZeroOrMore),
     (Field::TrueDiameter, Range::AboveZero),
     (Field::OffsetX, Range::Any),
     (Field::OffsetY, Range::Any),
@@ -38,22 +46,19 @@ const LENGTHS: [(Field, Range); 14] = [
     (Field::ProbeScatter, Range::ZeroOrMore),
 ];
 
-/// What a field's number may be. The control's own ranges: ±99999.9999 mm, ±360 degrees.
+/// What a field's number may be, within the control's ±99999.9999 mm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Range {
     Any,
     ZeroOrMore,
     AboveZero,
-    Turn,
 }
 
 impl Range {
     fn check(self, value: Length) -> Result<(), Message> {
         let largest = Length::from_nanometres(99_999_999_900).unwrap_or_default();
-        let turn = Length::from_micrometres(360_000);
         let outside = |id| Err(Message::new(id).mm("given", value).mm("limit", largest));
         match self {
-            Self::Turn if turn < value.abs() => Err(Message::new("field-angle-range").mm("given", value)),
             Self::ZeroOrMore if value < Length::ZERO => outside("field-not-negative"),
             Self::AboveZero if value <= Length::ZERO => outside("field-above-zero"),
             _ if largest < value.abs() => outside("field-range"),
@@ -83,11 +88,15 @@ impl Asked {
             callout: None,
             limits: None,
             lengths: BTreeMap::new(),
+            first_angle: None,
             seed: None,
             lobes: None,
             errors: BTreeMap::new(),
         };
         asked.read_callout(inputs.text(Field::Callout), tables);
+        for (field, q) in PARAMETERS {
+            asked.read_parameter(field, q, inputs.text(field));
+        }
         for (field, range) in LENGTHS {
             asked.read_length(field, range, inputs.text(field));
         }
@@ -111,6 +120,17 @@ impl Asked {
             Err(error) => error.message(),
         };
         self.errors.insert(Field::Callout, problem);
+    }
+
+    /// The ranges of cycles 421 and 422 are the same but for their limits.
+    fn read_parameter(&mut self, field: Field, q: u16, text: &str) {
+        let Some(parameter) = cycle(421).and_then(|cycle| cycle.parameter(q)) else { return };
+        match parameter.accept(text) {
+            Ok(Value::Length(length)) => _ = self.lengths.insert(field, length),
+            Ok(Value::Angle(angle)) => self.first_angle = Some(angle),
+            Ok(Value::Whole(_)) => {}
+            Err(error) => _ = self.errors.insert(field, error.message()),
+        }
     }
 
     fn read_length(&mut self, field: Field, range: Range, text: &str) {
@@ -143,7 +163,7 @@ impl Asked {
         self.limits.as_ref()
     }
 
-    /// The length in a field, mm (degrees for the angle), when it can be read.
+    /// The length in a field, mm, when it can be read.
     pub fn length(&self, field: Field) -> Option<Length> {
         self.lengths.get(&field).copied()
     }

@@ -8,7 +8,6 @@ use super::inputs::{Field, Inputs, MeasureBy};
 use crate::exchange::Imported;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
-use crate::probing::cycle::Angle;
 use crate::probing::measure::{ProbePosition, cycle_number, measure as run_cycle};
 use crate::probing::measurement::measure_contacts;
 use crate::probing::simulated::{Lobes, Machine, Probe, Workpiece};
@@ -82,8 +81,8 @@ fn simulated(asked: &Asked, limits: &Limits) -> Result<(Measurement, Option<Posi
 }
 
 fn probe_position(asked: &Asked) -> Result<ProbePosition, Refusal> {
-    let angle = length(asked, Field::FirstAngle)?;
-    let first_angle = angle.to_string().parse::<Angle>().map_err(|error| (Field::FirstAngle, error.message()))?;
+    let missing = || asked.error(Field::FirstAngle).cloned().unwrap_or_else(|| LengthError::Empty.message());
+    let first_angle = asked.first_angle.ok_or_else(|| (Field::FirstAngle, missing()))?;
     Ok(ProbePosition {
         centre: [length(asked, Field::CentreX)?, length(asked, Field::CentreY)?],
         height: length(asked, Field::Height)?,

@@ -173,3 +173,16 @@ fn the_language_can_be_switched_while_running() {
     window.get_by_role_and_label(Role::TextInput, "Gemeten waarde");
     window.get_by_label_contains("STATUS VAN DE PASSING: GOED");
 }
+
+#[test]
+fn a_parameter_out_of_range_says_its_range_beside_the_field() {
+    let mut window = window();
+    type_into(&mut window, "First contact", "361");
+    window.get_by_label_contains("Q325 STARTING ANGLE = 361°");
+    type_into(&mut window, "First contact", "45,5");
+    assert!(window.query_by_label_contains("Q325").is_none());
+    type_into(&mut window, "Set-up clearance", "-1");
+    window.get_by_label_contains("Q320 SET-UP CLEARANCE = -1 mm");
+    type_into(&mut window, "Centre X", "abc");
+    window.get_by_label_contains("abc is not a number");
+}

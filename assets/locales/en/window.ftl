@@ -62,7 +62,6 @@ probe-scatter = Probe scatter 1σ
 field-range = { $given } is outside −{ $limit } to { $limit }
 field-not-negative = { $given } is below 0: 0 to { $limit } is allowed
 field-above-zero = { $given } is not above 0: up to { $limit } is allowed
-field-angle-range = { $given }° is outside −360° to 360°
 field-not-whole = { $given } is not a whole number
 
 limit-band = Limit band

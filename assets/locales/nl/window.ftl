@@ -62,7 +62,6 @@ probe-scatter = Spreiding taster 1σ
 field-range = { $given } ligt buiten −{ $limit } tot { $limit }
 field-not-negative = { $given } is kleiner dan 0: toegestaan is 0 tot { $limit }
 field-above-zero = { $given } is niet groter dan 0: toegestaan is tot { $limit }
-field-angle-range = { $given }° ligt buiten −360° tot 360°
 field-not-whole = { $given } is geen geheel getal
 
 limit-band = Grensband

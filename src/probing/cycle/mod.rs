@@ -179,8 +179,7 @@ impl Cycle {
             }
             let value = checked.value(q).ok_or(CycleError::Missing { q, name })?;
             if !parameter.allows(value) {
-                let (given, range) = (value.with_unit(), parameter.range);
-                return Err(CycleError::OutOfRange { q, name, given, range });
+                return Err(parameter.out_of_range(value));
             }
         }
         Ok(checked)

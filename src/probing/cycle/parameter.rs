@@ -145,4 +145,18 @@ impl Parameter {
         };
         read.map_err(|error| CycleError::NotAValue { q: self.q, name: self.name, error })
     }
+
+    /// Reads a value and holds it against the range.
+    ///
+    /// # Errors
+    /// [`CycleError::NotAValue`] or [`CycleError::OutOfRange`].
+    pub fn accept(&self, text: &str) -> Result<Value, CycleError> {
+        let value = self.read(text)?;
+        if self.allows(value) { Ok(value) } else { Err(self.out_of_range(value)) }
+    }
+
+    /// The error for a value outside the range.
+    pub(super) fn out_of_range(&self, value: Value) -> CycleError {
+        CycleError::OutOfRange { q: self.q, name: self.name, given: value.with_unit(), range: self.range }
+    }
 }
