@@ -2,7 +2,7 @@
 //!
 //! Layout as program 82551 of NC-Solution 8255 reads it (seed `000_2e707c2d138629e0.txt`): column BEREICH holds the upper,
 //! inclusive end of a size range in millimetres; two rows a range, upper deviation then lower, in micrometres; one
-//! column a tolerance class. Other columns are left alone. Rules S1, S9, F9 to F11 of `facts/heidenhain.md` 12.
+//! column a tolerance class. Other columns are left alone. Rules: `docs/SOURCES.md`, tables.
 
 mod fault;
 mod write;

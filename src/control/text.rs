@@ -1,7 +1,7 @@
 //! Bytes of a control's text file to text.
 //!
-//! Controls write UTF-8 or Windows-1252, with LF, CRLF, CR or byte 0 between lines (`facts`: text transfer over LSV2
-//! separates lines with byte 0).
+//! Controls write UTF-8 or Windows-1252, with LF, CRLF, CR or byte 0 between lines: text transfer over LSV2 separates
+//! lines with byte 0 (`docs/SOURCES.md`).
 
 use std::borrow::Cow;
 

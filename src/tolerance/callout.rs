@@ -38,8 +38,8 @@ pub enum CalloutError {
     /// The nominal size cannot be read.
     #[error("nominal size: {0}")]
     Nominal(LengthError),
-    /// ISO 286 and the control's tables begin above 0 mm (`facts` of program 8255: a size of 0 or less would read the
-    /// table's first row).
+    /// ISO 286 and the control's tables begin above 0 mm. Program 8255 has no such check: a size of 0 or less would
+    /// read its table's first row.
     #[error("nominal size {nominal} mm is not above 0")]
     NotPositive {
         /// What was given.

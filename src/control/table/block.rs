@@ -1,7 +1,7 @@
 //! The two blocks that describe the columns of a table.
 //!
 //! `#STRUCTBEGIN` … `#STRUCTEND` of iTNC 530 and `TableDescription ( … )` of TNC 640 and TNC7
-//! (`facts/heidenhain.md` 2.3 and 2.4). What a block says beyond name, width, type and decimals is kept as it is written.
+//! (`docs/SOURCES.md`). What a block says beyond name, width, type and decimals is kept as it is written.
 
 use super::fault::{TableDoubt, TableError, TableFault, beginning};
 use super::read::{MOST_COLUMNS, Reader, WIDEST};

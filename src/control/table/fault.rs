@@ -1,6 +1,6 @@
 //! What can be wrong or odd in a table file, and where.
 //!
-//! Rule 10 of `facts/heidenhain.md` 2.6: every message names file, line and column.
+//! Rule 8 of `docs/SOURCES.md`: every message names file, line and column.
 
 use std::fmt;
 use std::sync::Arc;

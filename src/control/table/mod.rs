@@ -8,7 +8,7 @@
 //! | `fault` | errors and warnings with file, line and column |
 //!
 //! A cell is a text here. What a column means is the business of others, such as [`super::deviations`].
-//! Formats and rules: `facts/heidenhain.md`, section 2.
+//! Formats and rules: `docs/SOURCES.md`.
 
 mod block;
 mod fault;
@@ -191,7 +191,7 @@ impl ControlTable {
     }
 }
 
-/// Whether a cell holds no value: blank or a lone `-` (`facts/heidenhain.md` 2.5).
+/// Whether a cell holds no value: blank or a lone `-` (`docs/SOURCES.md`).
 pub(crate) fn is_blank(cell: &str) -> bool {
     cell.is_empty() || cell == "-"
 }

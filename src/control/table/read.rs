@@ -1,6 +1,6 @@
 //! Bytes to a table.
 //!
-//! One walk over the lines, each looked at once; what is kept is bounded. Rules: `facts/heidenhain.md` 2.6.
+//! One walk over the lines, each looked at once; what is kept is bounded. Rules: `docs/SOURCES.md`.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -362,7 +362,7 @@ fn is_end(text: &str) -> bool {
 }
 
 /// The span that follows from a block: `#STRUCTBEGIN` adds a blank to the larger of width and name,
-/// `TableDescription` gives the span itself (`facts/heidenhain.md` 2.3, 2.4).
+/// `TableDescription` gives the span itself (`docs/SOURCES.md`).
 fn span(column: &Column, generation: Generation) -> usize {
     let name = column.name.chars().count();
     match generation {

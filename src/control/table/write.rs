@@ -1,16 +1,16 @@
 //! A table to bytes.
 //!
 //! Cells are written as they are, padded to their columns; lines end in CRLF, the table in `[END]`. What is written reads
-//! back as the same table, or it is an error. Rules: `facts/heidenhain.md` 2.3 to 2.6.
+//! back as the same table, or it is an error. Rules: `docs/SOURCES.md`.
 
 use crate::control::text::decode;
 use crate::words::{Message, Say};
 
 use super::{Column, Comment, CommentPlace, ControlTable, Generation};
 
-/// The most columns of a table on iTNC 530 (`facts/heidenhain.md` 2.3).
+/// The most columns of a table on iTNC 530 (`docs/SOURCES.md`).
 const MOST_COLUMNS: usize = 30;
-/// The most characters of a line on iTNC 530 (`facts/heidenhain.md` 2.3).
+/// The most characters of a line on iTNC 530 (`docs/SOURCES.md`).
 const LONGEST_LINE: usize = 200;
 
 /// Why a table cannot be written.

@@ -61,7 +61,7 @@ impl Uncertainty {
 mod tests {
     use super::*;
 
-    /// Checks one line of the table in `facts/metrology.md`, section 4.
+    /// Checks one line of the table of factors.
     #[track_caller]
     fn check(count: u32, step_deg: f64, [diameter, against, along, across]: [&str; 4]) {
         let points: Vec<_> = (0..count)

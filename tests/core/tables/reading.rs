@@ -83,7 +83,7 @@ fn check_begin(line: &str, expected: &str) {
     assert_eq!(said, expected, "for {line:?}");
 }
 
-/// The forms of `facts/heidenhain.md` 2.2.
+/// The forms of `docs/SOURCES.md`.
 #[test]
 fn every_seen_form_of_the_begin_line_is_read() {
     check_begin("BEGIN 8150-1-en.tab", "8150-1-en tab - - -");
