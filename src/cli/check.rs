@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use super::{CliError, Format, Io, Outcome, TableArgs};
+use super::{CliError, Format, Io, Outcome, TableArgs, heard_or_not};
 use crate::control::mask::Mask;
 use crate::control::status::status_window;
 use crate::exchange::contacts;
@@ -142,15 +142,15 @@ impl Args {
                 let name = path.display().to_string();
                 let (mask, warnings) = Mask::read(&files::read(path)?).map_err(|error| data(&name, &error))?;
                 for warning in warnings {
-                    writeln!(io.err, "warning: {name}: {warning}")?;
+                    io.tell(format_args!("warning: {name}: {warning}"))?;
                 }
                 status_window(record, Language::En, Some(&mask)).map_err(|error| data(&name, &error))?
             }
         };
-        io.out.write_all(text.as_bytes())?;
+        heard_or_not(io.out.write_all(text.as_bytes()))?;
         if let Some(removal) = record.verdict.size.removal {
             let (limit, middle) = (removal.to_limit, removal.to_middle);
-            writeln!(io.err, "remove {limit} mm to the nearest limit, {middle} mm to the middle of the zone")?;
+            io.tell(format_args!("remove {limit} mm to the nearest limit, {middle} mm to the middle of the zone"))?;
         }
         Ok(())
     }
@@ -159,11 +159,11 @@ impl Args {
 /// What is odd about the measured value; what the measurement cannot tell stands in CSV and JSON.
 fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
     if let Some(doubt) = record.doubt {
-        writeln!(io.err, "warning: {doubt}")?;
+        io.tell(format_args!("warning: {doubt}"))?;
     }
     if let Source::Table { instead_of: Some(shipped), name, .. } = &record.limits.source {
         let (upper, lower) = (shipped.upper(), shipped.lower());
-        writeln!(io.err, "warning: table {name} differs from the built-in one, which has {upper} and {lower} mm")?;
+        io.tell(format_args!("warning: table {name} differs from the built-in one, which has {upper} and {lower} mm"))?;
     }
     Ok(())
 }
@@ -172,7 +172,7 @@ fn measure_file(path: &Path, io: &mut Io<'_>) -> Result<Measurement, CliError> {
     let (name, bytes) = super::read_input(path, io)?;
     let read = contacts::read(&bytes).map_err(|error| data(&name, &error))?;
     for column in read.ignored {
-        writeln!(io.err, "warning: {name}: column {column} is not used")?;
+        io.tell(format_args!("warning: {name}: column {column} is not used"))?;
     }
     let origin = Origin::Contacts { file: name.as_str().into() };
     measure_contacts(&read.contacts, origin).map_err(|error| data(&name, &error))
@@ -181,14 +181,12 @@ fn measure_file(path: &Path, io: &mut Io<'_>) -> Result<Measurement, CliError> {
 fn print_json(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
     let object = json::object(record).map_err(|error| CliError::Data(error.to_string()))?;
     let text = serde_json::to_string_pretty(&object).map_err(|error| CliError::Data(error.to_string()))?;
-    writeln!(io.out, "{text}")?;
-    Ok(())
+    heard_or_not(writeln!(io.out, "{text}"))
 }
 
 fn print_csv(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
     let bytes = csv::render(std::slice::from_ref(record)).map_err(|error| CliError::Data(error.to_string()))?;
-    io.out.write_all(&bytes)?;
-    Ok(())
+    heard_or_not(io.out.write_all(&bytes))
 }
 
 fn data(what: &str, error: &impl std::fmt::Display) -> CliError {

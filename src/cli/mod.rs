@@ -66,7 +66,7 @@ impl TableArgs {
         let Some(folder) = &self.tables else { return Ok(shipped_tables()) };
         let own = crate::control::deviations::read_folder(folder).map_err(|error| CliError::Data(error.to_string()))?;
         for warning in &own.warnings {
-            writeln!(io.err, "warning: {warning}")?;
+            io.tell(format_args!("warning: {warning}"))?;
         }
         Ok(shipped_tables().with_own(own.tables))
     }
@@ -120,6 +120,21 @@ impl Outcome {
     }
 }
 
+impl Io<'_> {
+    /// Writes a line to standard error; nobody listening there is no error, so that the rest is still done.
+    fn tell(&mut self, line: std::fmt::Arguments<'_>) -> Result<(), CliError> {
+        heard_or_not(writeln!(self.err, "{line}"))
+    }
+}
+
+/// A closed pipe is not an error, and must never end a subcommand before its verdict.
+fn heard_or_not(written: std::io::Result<()>) -> Result<(), CliError> {
+    match written {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(()),
+    }
+}
+
 impl Cli {
     /// Whether a subcommand was named; without one the window opens.
     pub const fn has_subcommand(&self) -> bool {
@@ -136,7 +151,7 @@ impl Cli {
             Some(Command::Report(args)) => args.run(io),
             None => Ok(Outcome::Done),
         };
-        let result = result.and_then(|outcome| io.out.flush().map(|()| outcome).map_err(CliError::Stream));
+        let result = result.and_then(|outcome| heard_or_not(io.out.flush()).map(|()| outcome));
         match result {
             Ok(outcome) => outcome.code(),
             Err(CliError::Stream(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => 0,

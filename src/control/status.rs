@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 use super::mask::{Context, Mask, RenderError};
 use super::variables::{Parameter, Value, Variables};
 use crate::journal::Record;
+use crate::length::{Length, Unit};
 use crate::tolerance::Feature;
 use crate::verdict::Status;
 use crate::words::Language;
@@ -39,7 +40,11 @@ pub fn status_variables(record: &Record, language: Language) -> Variables {
     let mut variables = Variables::new();
     let limits = &record.limits;
     let (number, length) = (Value::Number, Value::Length);
-    let um = |length: crate::length::Length| Value::Number(length.to_mm_f64() * 1000.0);
+    // The decimal text is exact, the product of a float and 1000 is not: 0.5015 mm would be 501.49999999999994 µm.
+    let um = |length: Length| {
+        let exact = length.exact(Unit::Micrometre, 0).parse();
+        number(exact.unwrap_or_else(|_never| length.to_mm_f64() * 1000.0))
+    };
     let mut set = |parameter, value| variables.set(parameter, value);
     let class = record.callout.map(|callout| callout.class().to_string()).unwrap_or_default();
     let fit = record.callout.map_or_else(|| limits.nominal.to_string(), |callout| callout.to_string());

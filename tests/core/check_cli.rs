@@ -374,3 +374,27 @@ fn the_help_has_examples_and_exit_codes() {
         assert!(answer.out.contains(text), "{}", answer.out);
     }
 }
+
+/// A reader that went away must not turn scrap into good.
+#[cfg(unix)]
+#[test]
+fn a_closed_pipe_keeps_the_verdict() {
+    use std::process::{Command, Stdio};
+    let closed = || {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        Stdio::from(writer)
+    };
+    for (measured, code) in [("25.012", 0), ("24.998", 10), ("25.030", 11)] {
+        let command = || {
+            let mut command = Command::new(assert_cmd::cargo::cargo_bin!("fitcheck"));
+            command.args(["check", "25 H7", "--measured", measured]);
+            command
+        };
+        let status = command().stdout(closed()).stderr(Stdio::null()).status().unwrap();
+        assert_eq!(status.code(), Some(code), "{measured}, standard output closed");
+        let output = command().stdout(Stdio::piped()).stderr(closed()).output().unwrap();
+        assert_eq!(output.status.code(), Some(code), "{measured}, standard error closed");
+        assert_eq!(String::from_utf8(output.stdout).unwrap().lines().count(), 5, "{measured}");
+    }
+}

@@ -266,6 +266,54 @@ fn a_mask_that_cannot_be_read_says_where_and_why() {
 }
 
 #[test]
+fn quotation_marks_within_a_record_are_printed() {
+    let printed = |mask: &str| render(mask.as_bytes(), &Variables::new(), Language::En);
+    for mask in ["\"A %\"b; c%\" d\";", "\"A %\\\"b; c%\\\" d\";", "\"A \\\"b; c\\\" d\";"] {
+        assert_eq!(printed(mask).unwrap(), "A \"b; c\" d\n", "{mask}");
+    }
+}
+
+#[test]
+fn text_that_would_be_lost_is_refused() {
+    let refused = |mask: &str| Mask::read(mask.as_bytes()).unwrap_err().to_string();
+    assert_eq!(refused("\"A\" \"%F\", Q1;"), "line 1, column 5: \"%F\", Q1; is no record, keyword or comment");
+    assert_eq!(refused("\"%S\", QS3 QS2;"), "line 1, column 11: QS2; is no record, keyword or comment");
+}
+
+#[test]
+fn hiding_empty_texts_does_not_hide_an_undefined_one() {
+    let mask = b"M_EMPTY_HIDE;\n\"STATUS: %S %S\", QS3, QS9;\n";
+    let mut variables = Variables::new();
+    variables.set(Parameter::qs(3), Value::Text("SCRAP".to_owned()));
+    assert_eq!(render(mask, &variables, Language::En).unwrap_err(), "line 2, column 13: QS9 is not defined");
+    variables.set(Parameter::qs(9), Value::Text(String::new()));
+    assert_eq!(render(mask, &variables, Language::En).unwrap(), "");
+}
+
+#[test]
+fn a_huge_mask_is_refused_before_it_fills_the_memory() {
+    let refused = |mask: &[u8]| Mask::read(mask).unwrap_err().to_string();
+    assert_eq!(refused(&b"M_\n".repeat(1 << 20)), "the mask is larger than 1024 KiB");
+    // One line of a million quotation marks takes no longer than any other mask.
+    let quotes = ["\"", &"%\"".repeat((1 << 19) - 4), "\";"].concat();
+    assert!(Mask::read(quotes.as_bytes()).is_ok());
+}
+
+#[test]
+fn deviations_in_micrometres_are_exact() {
+    // 0.5015 mm times 1000 is 501.49999999999994 in binary arithmetic.
+    let variables = status_variables(&record("25 H7", 0, "25"), Language::En);
+    assert_eq!(variables.get(Parameter::q(4)), Some(&Value::Number(0.0)));
+    let mut record = record("25 H7", 0, "25");
+    let deviations = Deviations::new("0.5015".parse().unwrap(), "-1.0235".parse().unwrap()).unwrap();
+    record.limits.deviations = deviations;
+    let printed = |record: &Record| {
+        render(b"\"%.0F %.1F\", Q4, Q5;", &status_variables(record, Language::En), Language::En).unwrap()
+    };
+    assert_eq!(printed(&record), "502 -1023.5\n");
+}
+
+#[test]
 fn a_parameter_of_the_other_kind_is_refused() {
     let mut variables = Variables::new();
     variables.set(Parameter::qs(1), Value::Text("H7".to_owned()));

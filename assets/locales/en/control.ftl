@@ -2,6 +2,7 @@
 
 # Masks
 mask-empty = the mask is empty
+mask-too-large = the mask is larger than { $most } KiB
 mask-unknown = line { $line }, column { $column }: { $found } is no record, keyword or comment
 mask-unclosed-quote = line { $line }, column { $column }: the quotation mark is not closed
 mask-unknown-format = line { $line }, column { $column }: { $found } is no format, allowed are %S %RS %F %LF %D %I %%

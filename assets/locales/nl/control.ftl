@@ -2,6 +2,7 @@
 
 # Maskers
 mask-empty = het masker is leeg
+mask-too-large = het masker is groter dan { $most } KiB
 mask-unknown = regel { $line }, kolom { $column }: { $found } is geen uitvoerregel, sleutelwoord of commentaar
 mask-unclosed-quote = regel { $line }, kolom { $column }: het aanhalingsteken wordt niet gesloten
 mask-unknown-format = regel { $line }, kolom { $column }: { $found } is geen formaat, toegestaan zijn %S %RS %F %LF %D %I %%

@@ -8,6 +8,12 @@ pub enum MaskError {
     /// There is nothing to print.
     #[error("the mask is empty")]
     Empty,
+    /// More than any mask needs.
+    #[error("the mask is larger than {most} KiB")]
+    TooLarge {
+        /// What is allowed.
+        most: usize,
+    },
     /// A line is neither record, keyword nor comment.
     #[error("line {line}, column {column}: {found} is no record, keyword or comment")]
     Unknown {
@@ -77,6 +83,7 @@ impl Say for MaskError {
         let at = |id, line: &usize, column: &usize| Message::new(id).text("line", line).text("column", column);
         match self {
             Self::Empty => Message::new("mask-empty"),
+            Self::TooLarge { most } => Message::new("mask-too-large").text("most", most),
             Self::Unknown { line, column, found } => at("mask-unknown", line, column).text("found", found),
             Self::UnclosedQuote { line, column } => at("mask-unclosed-quote", line, column),
             Self::UnknownFormat { line, column, found } => at("mask-unknown-format", line, column).text("found", found),
@@ -199,6 +206,7 @@ mod tests {
         let found = || "%X".to_owned();
         let errors: Vec<Box<dyn Say>> = vec![
             Box::new(MaskError::Empty),
+            Box::new(MaskError::TooLarge { most: 1024 }),
             Box::new(MaskError::Unknown { line: 1, column: 2, found: found() }),
             Box::new(MaskError::UnclosedQuote { line: 1, column: 2 }),
             Box::new(MaskError::UnknownFormat { line: 1, column: 2, found: found() }),

@@ -6,6 +6,8 @@ use crate::control::variables::{Family, Parameter};
 
 /// The widest field; a control's line is 200 characters at most.
 const WIDEST: usize = 255;
+/// The largest mask, 1 MiB: a real one has a few hundred bytes, and every line may print or warn many times its size.
+const LARGEST: usize = 1 << 20;
 /// The most digits behind the point.
 const MOST_DIGITS: usize = 30;
 
@@ -23,6 +25,9 @@ impl Mask {
     /// # Errors
     /// [`MaskError`] with line and column.
     pub fn read(bytes: &[u8]) -> Result<(Self, Vec<MaskWarning>), MaskError> {
+        if LARGEST < bytes.len() {
+            return Err(MaskError::TooLarge { most: LARGEST >> 10 });
+        }
         let text = decode(bytes);
         let mut reader = Reader { line: 0, warnings: Vec::new() };
         let mut read = Vec::new();
@@ -111,7 +116,7 @@ impl Reader {
     fn record(&mut self, cursor: &mut Cursor<'_>) -> Result<Line, MaskError> {
         let pieces = self.quoted(cursor)?;
         let names = self.parameters(cursor)?;
-        self.end(cursor);
+        self.end(cursor)?;
         let formats = pieces.iter().filter(|piece| matches!(piece, Piece::Slot(_))).count();
         if formats != names.len() {
             return Err(MaskError::Count { line: self.line, formats, parameters: names.len() });
@@ -132,15 +137,16 @@ impl Reader {
         cursor.next();
         let mut pieces = Vec::new();
         let mut text = String::new();
+        // Where a `%"` stands that was taken for a quotation mark: in `"100 %"` it was meant to close the record.
+        let mut last_mark = None;
         loop {
             let column = cursor.column;
-            let unclosed = MaskError::UnclosedQuote { line: self.line, column: begin };
-            match cursor.next().ok_or(unclosed)? {
+            let Some(c) = cursor.next() else { return Err(self.unclosed(begin, last_mark)) };
+            match c {
                 '"' => break,
                 '%' if cursor.take_if(|c| c == '%').is_some() => text.push('%'),
-                // A quotation mark, but not in `"100 %"`, where it closes the record.
-                '%' if cursor.peek() == Some('"') && has_another_quote(cursor) => {
-                    cursor.next();
+                '%' if cursor.take_if(|c| c == '"').is_some() => {
+                    last_mark = Some(column);
                     text.push('"');
                 }
                 '%' if cursor.rest().starts_with("\\\"") => {
@@ -155,6 +161,7 @@ impl Reader {
                     pieces.push(Piece::Slot(Slot { format: self.format(cursor, column)?, column }));
                 }
                 '\\' if cursor.take_if(|c| c == '\\').is_some() => text.push('\\'),
+                '\\' if cursor.take_if(|c| c == '"').is_some() => text.push('"'),
                 '\\' if cursor.take_if(|c| c == 'n').is_some() => text.push('\n'),
                 c => text.push(c),
             }
@@ -163,6 +170,16 @@ impl Reader {
             pieces.push(Piece::Text(text));
         }
         Ok(pieces)
+    }
+
+    /// A record without an end: its last `%"` is the likelier slip than a forgotten quotation mark.
+    fn unclosed(&self, begin: usize, last_mark: Option<usize>) -> MaskError {
+        let line = self.line;
+        last_mark.map_or(MaskError::UnclosedQuote { line, column: begin }, |column| MaskError::UnknownFormat {
+            line,
+            column,
+            found: "%\"".to_owned(),
+        })
     }
 
     fn format(&self, cursor: &mut Cursor<'_>, column: usize) -> Result<Format, MaskError> {
@@ -243,7 +260,7 @@ impl Reader {
                     (None, Some(language)) => Line::Language(Some(language.to_owned())),
                     (None, None) if other.starts_with("M_") || other.starts_with("L_") => {
                         self.warnings.push(MaskWarning::UnknownWord { line: self.line, word: shortened(&word) });
-                        self.end(cursor);
+                        self.end(cursor)?;
                         return Ok(None);
                     }
                     (None, None) => {
@@ -252,21 +269,25 @@ impl Reader {
                 }
             }
         };
-        self.end(cursor);
+        self.end(cursor)?;
         Ok(Some(line))
     }
 
-    /// The `;` and what may follow it.
-    fn end(&mut self, cursor: &mut Cursor<'_>) {
+    /// The `;` and what may follow it. Without it nothing but a comment may follow: it would be lost unprinted.
+    fn end(&mut self, cursor: &mut Cursor<'_>) -> Result<(), MaskError> {
         cursor.skip_blanks();
         let line = self.line;
         if cursor.take_if(|c| c == ';').is_none() {
+            if cursor.peek().is_some_and(|c| c != '*') {
+                return Err(MaskError::Unknown { line, column: cursor.column, found: shortened(cursor.rest()) });
+            }
             self.warnings.push(MaskWarning::NoSemicolon { line });
         }
         cursor.skip_blanks();
         if cursor.peek().is_some_and(|c| c != '*') {
             self.warnings.push(MaskWarning::BehindSemicolon { line, found: shortened(cursor.rest()) });
         }
+        Ok(())
     }
 }
 
@@ -295,14 +316,6 @@ const LANGUAGES: [&str; 22] = [
     "SLOVAK",
     "TURKISH",
 ];
-
-fn has_another_quote(cursor: &Cursor<'_>) -> bool {
-    // Only within the quoted part: what follows the closing quote holds parameters and comments.
-    let mut rest = cursor.clone();
-    rest.next();
-    let record = rest.rest().split(';').next().unwrap_or_default();
-    record.contains('"')
-}
 
 fn name(word: &str) -> Option<Name> {
     let word = word.to_ascii_uppercase();

@@ -84,14 +84,12 @@ const fn language_word(language: Language) -> &'static str {
 }
 
 impl Record {
-    /// Whether a text parameter is empty or undefined, for `M_EMPTY_HIDE`.
+    /// Whether a text parameter is empty, for `M_EMPTY_HIDE`. An undefined one stays an error: a slip in its number must
+    /// not make the status line vanish.
     fn has_empty_text(&self, variables: &Variables) -> bool {
         self.parts.iter().any(|part| match part {
             Part::Field { name: Name::Parameter(parameter), .. } if parameter.family == Family::Qs => {
-                match variables.get(*parameter) {
-                    None => true,
-                    Some(value) => matches!(value, Value::Text(text) if text.is_empty()),
-                }
+                matches!(variables.get(*parameter), Some(Value::Text(text)) if text.is_empty())
             }
             _ => false,
         })
