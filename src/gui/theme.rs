@@ -337,7 +337,7 @@ mod tests {
             for (one, other) in
                 [(palette.good, palette.rework), (palette.rework, palette.scrap), (palette.good, palette.scrap)]
             {
-                assert!(1.3 <= contrast(one, other), "{one:?} {other:?}: {:.2}", contrast(one, other));
+                assert!(1.4 <= contrast(one, other), "{one:?} {other:?}: {:.2}", contrast(one, other));
             }
         }
     }
