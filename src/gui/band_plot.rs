@@ -2,7 +2,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, Ui, WidgetInfo, pos2, vec2};
-use egui_plot::{AxisHints, PlotBounds, PlotTransform, VLine, VPlacement};
+use egui_plot::{AxisHints, GridMark, PlotBounds, PlotTransform, VLine, VPlacement};
 
 use super::shapes::{self, Hatch};
 use super::theme::{self, Palette, palette, sizes, space};
@@ -53,6 +53,7 @@ fn plot_ui(ui: &mut Ui, words: &Words, band: &Band, limits: &Limits, record: Opt
     let response = still_plot("limit-band", height)
         .custom_x_axes(vec![axis])
         .show_axes([true, false])
+        .x_grid_spacer(|_| ticks(band))
         .set_margin_fraction(vec2(0.0, 0.0))
         .show(ui, |plot| {
             plot.set_plot_bounds(PlotBounds::from_min_max([band.axis_min_um, 0.0], [band.axis_max_um, 1.0]));
@@ -63,6 +64,15 @@ fn plot_ui(ui: &mut Ui, words: &Words, band: &Band, limits: &Limits, record: Opt
     let said = describe(words, limits, record);
     response.response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, words.get("limit-band")));
     ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_description(said.clone()));
+}
+
+/// The band's own ticks, all labelled.
+fn ticks(band: &Band) -> Vec<GridMark> {
+    let step_size = match band.ticks.as_slice() {
+        [first, second, ..] => second - first,
+        _ => band.axis_max_um - band.axis_min_um,
+    };
+    band.ticks.iter().map(|&value| GridMark { value, step_size }).collect()
 }
 
 /// What the picture shows, for whoever cannot see it.
