@@ -1,14 +1,36 @@
 //! The file dialog with its typed path, and notices.
 
-use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
+use eframe::egui::{
+    Align2, Button, Id, Key, KeyboardShortcut, Modal, Modifiers, ScrollArea, TextEdit, Ui, Window, vec2,
+};
 
 use super::field::select_all;
 use super::theme::{sizes, space};
 use super::view::{View, heading, problem, quiet};
 use crate::session::{Command, Dialog, Notice, Purpose};
 
+/// Files dropped on the window are imported; Ctrl+O opens the import and Ctrl+S the report.
+fn shortcuts(ui: &Ui, view: &mut View<'_>) {
+    let dropped = ui.input(|input| input.raw.dropped_files.clone());
+    for file in dropped {
+        view.send(Command::OpenDialog(Purpose::Import));
+        view.send(Command::Picked(Some(file.path().to_owned())));
+    }
+    let pressed = |key| ui.input_mut(|input| input.consume_shortcut(&KeyboardShortcut::new(Modifiers::COMMAND, key)));
+    if view.session.dialog().is_some() {
+        return;
+    }
+    if pressed(Key::O) {
+        view.send(Command::OpenDialog(Purpose::Import));
+    }
+    if pressed(Key::S) && !view.session.history().is_empty() {
+        view.send(Command::OpenDialog(Purpose::Export(0)));
+    }
+}
+
 /// Draws the open dialog, or the oldest notice.
 pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
+    shortcuts(ui, view);
     if let Some(dialog) = view.session.dialog().cloned() {
         Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, &dialog));
     } else if let Some(notice) = view.session.notices().first().cloned() {

@@ -153,3 +153,42 @@ fn a_mask_with_an_undefined_variable_names_it() {
     type_path(&mut window, "File", &path);
     window.get_by_label_contains("Q999");
 }
+
+#[derive(Debug)]
+struct Dropped(std::path::PathBuf);
+
+impl eframe::egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+#[test]
+fn files_dropped_on_the_window_are_imported() {
+    let logs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples/logs");
+    let mut window = window();
+    for name in ["nl/TCHPR421.TXT", "en/TCHPR421.TXT"] {
+        window.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(logs.join(name))));
+    }
+    window.run();
+    window.get_by_label("2 checks");
+    assert!(verdict(&window).starts_with("GOOD. 25.0134 mm"), "{}", verdict(&window));
+}
+
+#[test]
+fn import_and_report_open_by_key() {
+    let mut window = window();
+    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::O);
+    window.run();
+    window.get_by_label("Import measurements");
+    window.key_press(Key::Escape);
+    window.run();
+    check(&mut window, "25 H7", "25.012");
+    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::S);
+    window.run();
+    window.get_by_role_and_label(Role::Button, "Save");
+}
