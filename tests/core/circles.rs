@@ -265,6 +265,30 @@ fn three_contacts_on_a_short_arc_say_how_much_worse_they_are() {
 }
 
 #[test]
+fn a_thousand_contacts_on_an_exact_or_oval_circle_are_answered_soon() {
+    // On an exact circle all bisectors meet in one point; an oval's hull has every contact as a corner.
+    let angles = evenly(0.0, 0.36, 1000);
+    let exact = evaluate(&on_circle([50.0, 0.0], 12.5, &angles)).unwrap();
+    assert!(exact.minimum_zone.unwrap().width < 1e-13);
+    assert!((exact.maximum_inscribed.unwrap().diameter - 25.0).abs() < 1e-12);
+    let radius = |angle: f64| 12.5 + 0.01 * (2.0 * angle.to_radians()).cos();
+    let oval: Vec<_> = angles.iter().flat_map(|&angle| on_circle([50.0, 0.0], radius(angle), &[angle])).collect();
+    let oval = evaluate(&oval).unwrap();
+    assert!((oval.minimum_zone.unwrap().width - 0.02).abs() < 1e-12);
+    assert!((oval.maximum_inscribed.unwrap().diameter - 24.98).abs() < 1e-8);
+}
+
+#[test]
+fn repeated_contacts_are_listed_but_not_by_the_thousand() {
+    let angles = evenly(0.0, 90.0, 4).repeat(100);
+    let said: Vec<_> =
+        evaluate(&on_circle([0.0, 0.0], 10.0, &angles)).unwrap().warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(said[0], "contacts 1 and 5 coincide: this place counts twice");
+    assert_eq!(said[5], "the same holds for 391 more");
+    assert_eq!(said.len(), 6);
+}
+
+#[test]
 fn one_contact_far_off_is_named() {
     let mut contacts = on_circle([0.0, 0.0], 10.0, &evenly(0.0, 30.0, 12));
     contacts[4].x *= 0.98;

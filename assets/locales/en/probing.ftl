@@ -46,4 +46,5 @@ circle-no-inscribed = there is no maximum inscribed circle: the contacts do not 
 circle-no-zone = there is no minimum zone: a straight strip is narrower than every ring
 circle-too-many-contacts = maximum inscribed circle and minimum zone are not computed for { $contacts } contacts: at most { $most }
 circle-short-chord = contacts { $first } and { $second } oppose each other beside the centre: this size is { $short } µm too small
+circle-more-of-a-kind = the same holds for { $more } more
 circle-apart = contact { $contact } lies { $apart } mm off the circle, far more than the others: dust or a false touch?

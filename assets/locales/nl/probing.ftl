@@ -46,4 +46,5 @@ circle-no-inscribed = er is geen grootste ingeschreven cirkel: de tastpunten oms
 circle-no-zone = er is geen minimale zone: een rechte strook is smaller dan elke ring
 circle-too-many-contacts = grootste ingeschreven cirkel en minimale zone worden niet berekend voor { $contacts } tastpunten: hoogstens { $most }
 circle-short-chord = tastpunten { $first } en { $second } liggen tegenover elkaar naast het middelpunt: deze maat is { $short } µm te klein
+circle-more-of-a-kind = hetzelfde geldt voor nog { $more }
 circle-apart = tastpunt { $contact } ligt { $apart } mm naast de cirkel, veel verder dan de andere: vuil of een valse tasting?

@@ -14,7 +14,7 @@ pub(super) enum Side {
     Point(usize),
 }
 
-/// Where `normal · x` is at most `offset`.
+/// Where `normal · x` is at most `offset`; the normal is a unit vector.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HalfPlane {
     normal: [f64; 2],
@@ -25,20 +25,26 @@ impl HalfPlane {
     /// Nearer to `own` than to `other`.
     pub(super) fn nearer(own: [f64; 2], other: [f64; 2]) -> Self {
         let ([own_x, own_y], [other_x, other_y]) = (own, other);
-        let normal = minus(other, own);
-        Self { normal, offset: dot(normal, [own_x + other_x, own_y + other_y]) / 2.0 }
+        let normal = unit(minus(other, own));
+        Self { normal, offset: dot(normal, [f64::midpoint(own_x, other_x), f64::midpoint(own_y, other_y)]) }
     }
 
     /// To the left of the way from one corner to the next.
     fn left_of(start: [f64; 2], end: [f64; 2]) -> Self {
         let [x, y] = minus(end, start);
-        let normal = [y, -x];
+        let normal = unit([y, -x]);
         Self { normal, offset: dot(normal, start) }
     }
 
     fn height(&self, point: [f64; 2]) -> f64 {
         dot(self.normal, point) - self.offset
     }
+}
+
+/// The same direction with length 1; points that coincide have no direction and keep everything.
+fn unit([x, y]: [f64; 2]) -> [f64; 2] {
+    let length = norm([x, y]);
+    if length <= 0.0 { [0.0; 2] } else { [x / length, y / length] }
 }
 
 /// Where the borders of two half-planes cross; `None` when they are parallel.

@@ -1,6 +1,6 @@
 //! The convex hull of points.
 
-use super::frame::{cross, dot, minus, norm};
+use super::frame::{count_f64, cross, dot, minus, norm};
 
 /// Corners of the convex hull, counter-clockwise, without points on its edges (Andrew's monotone chain).
 pub(super) fn convex(sorted: &[[f64; 2]]) -> Vec<[f64; 2]> {
@@ -36,4 +36,28 @@ pub(super) fn narrowest_strip(corners: &[[f64; 2]]) -> f64 {
         if dot(edge, edge) <= 0.0 { f64::INFINITY } else { corners.iter().map(rise).fold(0.0, f64::max) }
     };
     corners.iter().zip(next).map(width).fold(f64::INFINITY, f64::min)
+}
+
+/// The points in the order of their directions from the middle of the hull.
+pub(super) fn around(points: &[[f64; 2]], corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let count = count_f64(corners.len());
+    let (sum_x, sum_y) = corners.iter().fold((0.0, 0.0), |(sum_x, sum_y), [x, y]| (sum_x + x, sum_y + y));
+    let angle = |point: &[f64; 2]| {
+        let [x, y] = minus(*point, [sum_x / count, sum_y / count]);
+        y.atan2(x)
+    };
+    let mut ordered = points.to_vec();
+    ordered.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+    ordered
+}
+
+/// All other points with their indices, neighbours on both sides first, one or two of the last ones twice.
+///
+/// Clipping in this order cuts a polygon down to a few sides at once; in any other, cells of thousands of sides come
+/// and go on the way.
+pub(super) fn neighbours(ordered: &[[f64; 2]], index: usize) -> impl Iterator<Item = (usize, [f64; 2])> {
+    let count = ordered.len();
+    let onwards = (0..).zip(ordered.iter().copied()).take(count).cycle().skip(index + 1);
+    let backwards = (0..count).rev().zip(ordered.iter().rev().copied()).cycle().skip(count.saturating_sub(index));
+    onwards.zip(backwards).take(count / 2).flat_map(|(after, before)| [after, before])
 }

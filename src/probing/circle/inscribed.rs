@@ -6,6 +6,7 @@
 
 use super::cell::{Cell, HalfPlane, Side};
 use super::frame::{minus, norm};
+use super::hull::{around, neighbours};
 
 /// Circles on the edge of the hull and inside it count as equal within this part.
 const ROUNDING: f64 = 1e-12;
@@ -15,12 +16,11 @@ pub(super) fn largest(points: &[[f64; 2]], hull: &[[f64; 2]]) -> Option<([f64; 2
     let mut inside: Option<([f64; 2], f64)> = None;
     let mut on_edge: f64 = 0.0;
     let mut cell = Cell::default();
+    let points = around(points, hull);
     for (index, &own) in points.iter().enumerate() {
         cell.restart(hull);
-        for (other_index, &other) in points.iter().enumerate() {
-            if other_index != index {
-                cell.clip(HalfPlane::nearer(own, other), Side::Point(other_index));
-            }
+        for (other_index, other) in neighbours(&points, index) {
+            cell.clip(HalfPlane::nearer(own, other), Side::Point(other_index));
         }
         let last = cell.edges().last().map(|edge| edge.side);
         let before = last.into_iter().chain(cell.edges().iter().map(|edge| edge.side));

@@ -9,6 +9,9 @@ const HALF_CIRCLE_DEG: f64 = 180.0 - 1e-6;
 /// A chord shorter than its diameter by more than this is named: 0.1 µm. Ours.
 const SHORT_CHORD_MM: f64 = 1e-4;
 
+/// So many warnings of a kind are listed: a file may hold a million repeated contacts.
+const MOST_OF_A_KIND: usize = 5;
+
 /// One remark on an evaluation.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CircleWarning {
@@ -63,6 +66,12 @@ pub enum CircleWarning {
         /// By how much in micrometres, two decimals.
         short: String,
     },
+    /// More warnings of the same kind as the one before.
+    #[error("the same holds for {more} more")]
+    More {
+        /// How many.
+        more: usize,
+    },
     /// One contact lies apart from all others.
     #[error("contact {contact} lies {apart} mm off the circle, far more than the others: dust or a false touch?")]
     Apart {
@@ -91,6 +100,7 @@ impl Say for CircleWarning {
             Self::ShortChord { first, second, short } => {
                 Message::new("circle-short-chord").text("first", first).text("second", second).text("short", short)
             }
+            Self::More { more } => Message::new("circle-more-of-a-kind").text("more", more),
             Self::Apart { contact, apart } => {
                 Message::new("circle-apart").text("contact", contact).text("apart", apart)
             }
@@ -113,7 +123,8 @@ pub(super) fn all(evaluation: &Evaluation, repeated: &[[usize; 2]]) -> Vec<Circl
         warnings.push(CircleWarning::ShortArc { arc, factor: format!("{factor:.1}") });
         warnings.push(CircleWarning::CircumscribedOfShortArc);
     }
-    warnings.extend(repeated.iter().map(|&[first, second]| CircleWarning::Coinciding { first, second }));
+    let twice = repeated.iter().map(|&[first, second]| CircleWarning::Coinciding { first, second });
+    warnings.extend(first_few(twice, repeated.len()));
     warnings.extend(apart(&evaluation.residuals));
     if MOST_FOR_ZONE < contacts {
         warnings.push(CircleWarning::TooManyContacts { contacts });
@@ -125,12 +136,19 @@ pub(super) fn all(evaluation: &Evaluation, repeated: &[[usize; 2]]) -> Vec<Circl
             warnings.push(CircleWarning::NoZone);
         }
     }
-    let short = evaluation.two_point.iter().filter(|size| SHORT_CHORD_MM < size.short_by);
-    warnings.extend(short.map(|size| {
+    let short: Vec<_> = evaluation.two_point.iter().filter(|size| SHORT_CHORD_MM < size.short_by).collect();
+    let chords = short.iter().map(|size| {
         let [first, second] = size.contacts;
         CircleWarning::ShortChord { first, second, short: format!("{:.2}", size.short_by * 1000.0) }
-    }));
+    });
+    warnings.extend(first_few(chords, short.len()));
     warnings
+}
+
+/// The first warnings of a kind, and how many more there are.
+fn first_few(warnings: impl Iterator<Item = CircleWarning>, count: usize) -> impl Iterator<Item = CircleWarning> {
+    let more = count.checked_sub(MOST_OF_A_KIND).filter(|&more| 0 < more);
+    warnings.take(MOST_OF_A_KIND).chain(more.map(|more| CircleWarning::More { more }))
 }
 
 /// A contact whose residual is more than twice that of any other, among at least six contacts, and more than 1 µm.
@@ -183,6 +201,7 @@ mod tests {
             &CircleWarning::ShortChord { first: 1, second: 3, short: text("0.80") },
             "contacts 1 and 3 oppose each other beside the centre: this size is 0.80 µm too small",
         );
+        check(&CircleWarning::More { more: 7 }, "the same holds for 7 more");
         check(
             &CircleWarning::Apart { contact: 9, apart: text("3.0123") },
             "contact 9 lies 3.0123 mm off the circle, far more than the others: dust or a false touch?",

@@ -7,13 +7,17 @@
 
 use super::cell::{Cell, HalfPlane, Side, crossing};
 use super::frame::{Frame, cross, dot, minus, norm};
-use super::hull::narrowest_strip;
+use super::hull::{around, narrowest_strip, neighbours};
 
 /// Centres are searched for within so many half extents of the points. Farther away a ring is a straight strip.
 const REACH: f64 = 1e4;
 
-/// How far beyond its ends an edge is still tried, as part of its length: every centre found is measured again.
-const BEYOND: f64 = 1e-9;
+/// How far beyond its ends an edge is still tried: every centre found is measured again.
+const BEYOND: f64 = 1e-11;
+
+/// A ring narrower by less than this, in half extents of the points, is no better. On an exact circle every edge
+/// crosses every other near the centre, and each would be measured again for the sake of its last bit.
+const NO_BETTER: f64 = 1e-14;
 
 /// The ring of least width that holds all contacts. Lengths in millimetres.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -66,9 +70,12 @@ impl Ring {
 
 /// The narrowest ring, or `None` where a straight strip is narrower than every ring.
 pub(super) fn narrowest(points: &[[f64; 2]], hull: &[[f64; 2]], start: [f64; 2]) -> Option<Ring> {
-    let near = Diagram::new(points, HalfPlane::nearer);
-    let far = Diagram::new(hull, |own, other| HalfPlane::nearer(other, own));
     let mut best = Ring::about(points, start);
+    if best.width() <= NO_BETTER {
+        return Some(best);
+    }
+    let near = Diagram::new(&around(points, hull), HalfPlane::nearer);
+    let far = Diagram::new(&around(hull, hull), |own, other| HalfPlane::nearer(other, own));
     let mut consider = |centre: [f64; 2]| {
         let ring = Ring::about(points, centre);
         if ring.width() < best.width() {
@@ -79,12 +86,12 @@ pub(super) fn narrowest(points: &[[f64; 2]], hull: &[[f64; 2]], start: [f64; 2])
     let mut width = consider(start);
     for &(centre, outer) in &far.corners {
         // The corner's own radius is the outer one; the first point too far inside ends the look.
-        if points.iter().all(|&point| outer - norm(minus(point, centre)) < width) {
+        if points.iter().all(|&point| outer - norm(minus(point, centre)) < width - NO_BETTER) {
             width = consider(centre);
         }
     }
     for &(centre, inner) in &near.corners {
-        if hull.iter().all(|&corner| norm(minus(corner, centre)) - inner < width) {
+        if hull.iter().all(|&corner| norm(minus(corner, centre)) - inner < width - NO_BETTER) {
             width = consider(centre);
         }
     }
@@ -94,11 +101,11 @@ pub(super) fn narrowest(points: &[[f64; 2]], hull: &[[f64; 2]], start: [f64; 2])
     near_edges.sort_by(|a, b| b.most.total_cmp(&a.most));
     for outside in &far_edges {
         for inside in &near_edges {
-            if width <= outside.least - inside.most {
+            if width - NO_BETTER <= outside.least - inside.most {
                 break;
             }
             let Some(centre) = outside.meets(inside) else { continue };
-            if norm(minus(outside.own, centre)) - norm(minus(inside.own, centre)) < width {
+            if norm(minus(outside.own, centre)) - norm(minus(inside.own, centre)) < width - NO_BETTER {
                 width = consider(centre);
             }
         }
@@ -119,6 +126,8 @@ struct DiagramEdge {
     start: [f64; 2],
     end: [f64; 2],
     line: HalfPlane,
+    /// [`BEYOND`] as part of the edge.
+    beyond: f64,
     /// Least distance of the edge to the two points.
     least: f64,
     /// Greatest distance of the edge to the two points.
@@ -126,16 +135,15 @@ struct DiagramEdge {
 }
 
 impl Diagram {
+    /// Points in the order of [`around`].
     fn new(points: &[[f64; 2]], keep: impl Fn([f64; 2], [f64; 2]) -> HalfPlane) -> Self {
         let square = [[-REACH, -REACH], [REACH, -REACH], [REACH, REACH], [-REACH, REACH]];
         let mut diagram = Self { corners: Vec::new(), edges: Vec::new() };
         let mut cell = Cell::default();
         for (index, &own) in points.iter().enumerate() {
             cell.restart(&square);
-            for (other_index, &other) in points.iter().enumerate() {
-                if other_index != index {
-                    cell.clip(keep(own, other), Side::Point(other_index));
-                }
+            for (other_index, other) in neighbours(points, index) {
+                cell.clip(keep(own, other), Side::Point(other_index));
             }
             diagram.take(&cell, index, own, points, &keep);
         }
@@ -182,7 +190,7 @@ impl DiagramEdge {
         } else {
             start_distance.min(end_distance)
         };
-        Self { own, start, end, line, least, most: start_distance.max(end_distance) }
+        Self { own, start, end, line, beyond: BEYOND / length, least, most: start_distance.max(end_distance) }
     }
 
     /// Where two edges cross, a little beyond their ends included.
@@ -190,8 +198,8 @@ impl DiagramEdge {
         let (along, other_along) = (minus(self.end, self.start), minus(other.end, other.start));
         let between = minus(other.start, self.start);
         let area = cross(along, other_along);
-        let within = |part: f64| (-BEYOND..=1.0 + BEYOND).contains(&part);
-        if within(cross(between, other_along) / area) && within(cross(between, along) / area) {
+        let within = |part: f64, edge: &Self| (-edge.beyond..=1.0 + edge.beyond).contains(&part);
+        if within(cross(between, other_along) / area, self) && within(cross(between, along) / area, other) {
             crossing(&self.line, &other.line)
         } else {
             None
