@@ -55,6 +55,16 @@ pub enum ContactsError {
         /// What stands there.
         given: String,
     },
+    /// A decimal sign that is not the one of the rows before.
+    #[error("line {line}, column {column}: {given} has another decimal sign than the rows before")]
+    MixedSigns {
+        /// Where.
+        line: usize,
+        /// Which cell of the row.
+        column: usize,
+        /// What stands there.
+        given: String,
+    },
     /// A quotation mark that is not closed.
     #[error("line {line}: a quotation mark is not closed")]
     OpenQuote {
@@ -74,6 +84,9 @@ impl Say for ContactsError {
             }
             Self::NotANumber { line, column, name, given } => {
                 at("contacts-not-a-number", line).text("column", column).text("name", name).text("given", given)
+            }
+            Self::MixedSigns { line, column, given } => {
+                at("contacts-mixed-signs", line).text("column", column).text("given", given)
             }
             Self::OpenQuote { line } => at("contacts-open-quote", line),
         }
@@ -105,6 +118,7 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, ContactsError> {
     let separator = separator(&text);
     let mut read = Contacts { contacts: Vec::new(), ignored: Vec::new() };
     let mut places: Option<Places> = None;
+    let mut decimal_sign = None;
     for item in Rows::new(&text, 1, separator) {
         let (line, cells) = match item {
             Item::Row { line, cells } => (line, cells),
@@ -113,6 +127,9 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, ContactsError> {
         let row: Vec<&str> = cells.iter().map(str::trim).collect();
         if row.iter().all(|cell| cell.is_empty()) || row.first().is_some_and(|cell| cell.starts_with('#')) {
             continue;
+        }
+        if !is_header(&row) {
+            same_sign(&row, line, &mut decimal_sign)?;
         }
         match places {
             Some(places) => read.contacts.push(contact(&row, places, line)?),
@@ -127,6 +144,17 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, ContactsError> {
         }
     }
     if read.contacts.is_empty() { Err(ContactsError::Empty) } else { Ok(read) }
+}
+
+/// Point and comma as decimal signs in one file: one of them is a slip, and nobody can tell which.
+fn same_sign(row: &[&str], line: usize, sign: &mut Option<char>) -> Result<(), ContactsError> {
+    for (at, cell) in row.iter().enumerate().filter(|(_, cell)| number(cell).is_some()) {
+        let Some(own) = cell.chars().find(|c| ['.', ','].contains(c)) else { continue };
+        if *sign.get_or_insert(own) != own {
+            return Err(ContactsError::MixedSigns { line, column: at + 1, given: (*cell).to_owned() });
+        }
+    }
+    Ok(())
 }
 
 /// The separator of the first line that has one; a blank in between counts as none.
@@ -234,6 +262,7 @@ mod tests {
         check(b"x,y\n1,nan\n", "line 2, column 2: y is nan, not a number of millimetres");
         check(b"x,y\n1,\n", "line 2, column 2: y is empty, not a number of millimetres");
         check(b"x;y\n1.234,5;2\n", "line 2, column 1: x is 1.234,5, not a number of millimetres");
+        check(b"x;y\n1.5;2\n1;2,5\n", "line 3, column 2: 2,5 has another decimal sign than the rows before");
         check(b"x,y\n1,\"2\n3,4\n", "line 2: a quotation mark is not closed");
     }
 

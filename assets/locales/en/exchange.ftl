@@ -44,3 +44,4 @@ contacts-no-columns = line { $line }: the header must name x and y, and may name
 contacts-cells = line { $line }: { $cells } cells instead of { $wanted }: { $given }
 contacts-not-a-number = line { $line }, column { $column }: { $name } is { $given }, not a number of millimetres
 contacts-open-quote = line { $line }: a quotation mark is not closed
+contacts-mixed-signs = line { $line }, column { $column }: { $given } has another decimal sign than the rows before

@@ -44,3 +44,4 @@ contacts-no-columns = regel { $line }: de kopregel moet x en y noemen en mag z n
 contacts-cells = regel { $line }: { $cells } cellen in plaats van { $wanted }: { $given }
 contacts-not-a-number = regel { $line }, kolom { $column }: { $name } is { $given }, geen getal in millimeter
 contacts-open-quote = regel { $line }: een aanhalingsteken wordt niet gesloten
+contacts-mixed-signs = regel { $line }, kolom { $column }: { $given } heeft een ander decimaalteken dan de regels ervoor
