@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use clap::builder::PossibleValuesParser;
+
 use super::{CliError, Format, Io, Outcome, TableArgs, heard_or_not};
 use crate::control::mask::Mask;
 use crate::control::status::status_window;
@@ -42,8 +44,11 @@ pub(super) struct Args {
     #[arg(long, value_name = "MM", conflicts_with_all = ["measured", "contacts"])]
     true_diameter: Option<String>,
     /// Mask of a language (nl, de, en, it) or your own mask file
-    #[arg(long, value_name = "LANGUAGE|FILE", default_value = "en")]
-    mask: MaskArg,
+    #[arg(long, value_name = "LANGUAGE|FILE")]
+    mask: Option<MaskArg>,
+    /// Language of the status words and of L_ sections in your own mask; without --mask also of the mask
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
+    language: String,
     /// text prints the mask's text and nothing else
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -134,7 +139,8 @@ impl Args {
     }
 
     fn print_window(&self, record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
-        let text = match &self.mask {
+        let language = Language::from_code(&self.language).unwrap_or_default();
+        let text = match self.mask.as_ref().unwrap_or(&MaskArg::Shipped(language)) {
             MaskArg::Shipped(language) => {
                 status_window(record, *language, None).map_err(|error| CliError::Data(error.to_string()))?
             }
@@ -144,7 +150,7 @@ impl Args {
                 for warning in warnings {
                     io.tell(format_args!("warning: {name}: {warning}"))?;
                 }
-                status_window(record, Language::En, Some(&mask)).map_err(|error| data(&name, &error))?
+                status_window(record, language, Some(&mask)).map_err(|error| data(&name, &error))?
             }
         };
         heard_or_not(io.out.write_all(text.as_bytes()))?;

@@ -198,6 +198,18 @@ fn an_own_mask_prints_as_it_says() {
 }
 
 #[test]
+fn an_own_mask_speaks_the_language_that_is_asked_for() {
+    let (_folder, path) = file("L_DUTCH;\n\"%S\", QS3;\nL_ENGLISH;\n\"FIT %S\", QS3;\n", "shop.a");
+    let mask = path.to_str().unwrap();
+    let said = |language| run(&["25 H7", "--measured", "24.998", "--mask", mask, "--language", language]).out;
+    assert_eq!(said("nl"), "Nabewerking\n");
+    assert_eq!(said("en"), "FIT REWORK\n");
+    let shipped = run(&["25 H7", "--measured", "25.012", "--language", "nl"]);
+    assert!(shipped.out.starts_with("STATUS VAN DE PASSING: GOED\n"), "{}", shipped.out);
+    assert_eq!(run(&["25 H7", "--measured", "25.012", "--language", "xx"]).code, 2);
+}
+
+#[test]
 fn a_mask_that_cannot_be_used_is_named() {
     let mask = |path: &Path| ["25 H7", "--measured", "25", "--mask", path.to_str().unwrap()].map(str::to_owned);
     let refused_mask = |path: &Path, reason: &str| {
