@@ -226,7 +226,8 @@ impl Say for Doubt {
 
 /// Whether a measured value looks like another quantity: within 1 % of 25.4 times, 1/25.4, twice or half the nominal.
 ///
-/// The 1 % is ours: wider than every tolerance zone of the tables above 10 mm, and far from every honest reading.
+/// The 1 % is ours, far from every honest reading. Zones of coarse grades are wider than that on small
+/// sizes; a doubt only warns and never changes the verdict.
 pub fn doubt(nominal: Length, measured: Length) -> Option<Doubt> {
     let (nominal, measured) = (i128::from(nominal.nanometres()), i128::from(measured.nanometres()));
     // measured * divisor within 1 % of nominal * factor

@@ -31,6 +31,18 @@ pub enum ContactsError {
         /// The header.
         given: String,
     },
+    /// The header names the same coordinate twice: either could be meant.
+    #[error("line {line}: columns {first} and {second} are both {name}")]
+    Twice {
+        /// Where.
+        line: usize,
+        /// x, y or z.
+        name: char,
+        /// The first of the columns.
+        first: usize,
+        /// The second.
+        second: usize,
+    },
     /// A row with more or fewer cells than it should have.
     #[error("line {line}: {cells} cells instead of {wanted}: {given}")]
     Cells {
@@ -79,6 +91,9 @@ impl Say for ContactsError {
         match self {
             Self::Empty => Message::new("contacts-file-empty"),
             Self::NoColumns { line, given } => at("contacts-no-columns", line).text("given", given),
+            Self::Twice { line, name, first, second } => {
+                at("contacts-twice", line).text("name", name).text("first", first).text("second", second)
+            }
             Self::Cells { line, cells, wanted, given } => {
                 at("contacts-cells", line).text("cells", cells).text("wanted", wanted).text("given", given)
             }
@@ -169,28 +184,37 @@ fn separator(text: &str) -> u8 {
 
 /// A first row with a letter in every cell but for units: no figure is a name.
 fn is_header(row: &[&str]) -> bool {
-    row.iter().any(|cell| matches!(name(cell), Some('x' | 'y'))) && row.iter().all(|cell| number(cell).is_none())
+    let begins = |cell: &&str| cell.starts_with(['x', 'y', 'X', 'Y']);
+    row.iter().any(begins) && row.iter().all(|cell| number(cell).is_none())
 }
 
-/// `X`, `x [mm]` and `x_mm` are x.
+/// `X`, `x [mm]` and `x_mm` are x; `x [inch]` and `x_nominal` are something else.
 fn name(cell: &str) -> Option<char> {
-    let bare = cell.to_ascii_lowercase();
-    let bare = bare.split(['[', '(', '_', ' ']).next().unwrap_or_default();
-    match bare {
-        "x" => Some('x'),
-        "y" => Some('y'),
-        "z" => Some('z'),
+    let letters = |c: &char| !"[]()_".contains(*c) && !c.is_whitespace();
+    let bare: String = cell.chars().filter(letters).collect::<String>().to_ascii_lowercase();
+    match bare.as_str() {
+        "x" | "xmm" => Some('x'),
+        "y" | "ymm" => Some('y'),
+        "z" | "zmm" => Some('z'),
         _ => None,
     }
 }
 
 fn header(row: &[&str], line: usize, ignored: &mut Vec<String>) -> Result<Places, ContactsError> {
-    let place = |wanted| row.iter().position(|cell| name(cell) == Some(wanted));
-    let (Some(x), Some(y)) = (place('x'), place('y')) else {
+    let place = |wanted| {
+        let mut places = (0..).zip(row).filter(|(_, cell)| name(cell) == Some(wanted)).map(|(at, _)| at);
+        match (places.next(), places.next()) {
+            (Some(first), Some(second)) => {
+                Err(ContactsError::Twice { line, name: wanted, first: first + 1, second: second + 1 })
+            }
+            (place, _) => Ok(place),
+        }
+    };
+    let (Some(x), Some(y)) = (place('x')?, place('y')?) else {
         return Err(ContactsError::NoColumns { line, given: row.join(", ") });
     };
     ignored.extend(row.iter().filter(|cell| name(cell).is_none()).map(|cell| (*cell).to_owned()));
-    Ok(Places { x, y, z: place('z'), cells: row.len() })
+    Ok(Places { x, y, z: place('z')?, cells: row.len() })
 }
 
 fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, ContactsError> {
@@ -264,6 +288,29 @@ mod tests {
         check(b"x;y\n1.234,5;2\n", "line 2, column 1: x is 1.234,5, not a number of millimetres");
         check(b"x;y\n1.5;2\n1;2,5\n", "line 3, column 2: 2,5 has another decimal sign than the rows before");
         check(b"x,y\n1,\"2\n3,4\n", "line 2: a quotation mark is not closed");
+    }
+
+    #[test]
+    fn columns_of_another_unit_or_another_kind_are_not_taken_for_millimetres() {
+        let only = "the header must name x and y, and may name z; it is";
+        check(b"x [inch],y [inch]\n1,2\n", &format!("line 1: {only} x [inch], y [inch]"));
+        check(b"x_dev;y_dev\n1;2\n", &format!("line 1: {only} x_dev, y_dev"));
+        check(b"x_nominal;y_nominal;x;y\n1;2;3;4\n", "(3, 4, 0) ignored [\"x_nominal\", \"y_nominal\"]");
+        check(b"X (mm);y_mm;z mm\n1;2;3\n", "(1, 2, 3) ignored []");
+        check(b"x;y;x [mm]\n1;2;3\n", "line 1: columns 1 and 3 are both x");
+    }
+
+    #[test]
+    fn every_error_is_said_in_english_and_in_dutch() {
+        use crate::words::{Language, Words};
+        for csv in
+            ["", "x,q\n1,2\n", "x,y,x\n1,2,3\n", "x,y\n1\n", "x,y\n1,abc\n", "x;y\n1.5;2\n1;2,5\n", "x,y\n1,\"2\n"]
+        {
+            let error = read(csv.as_bytes()).unwrap_err();
+            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+            let dutch = Words::new(Language::Nl).told(&error);
+            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
+        }
     }
 
     #[test]

@@ -140,11 +140,12 @@ pub(super) fn judge_contacts(
     let limits = asked.limits().ok_or_else(|| Message::new("measured-needs-limits"))?;
     let origin = Origin::Contacts { file: name.into() };
     let measurement = measure_contacts(contacts, origin).map_err(|error| error.message())?;
-    // The centre is compared with the probe position, where that can be read.
-    let position = probe_position(asked).ok().zip(measurement.centre).map(|(position, centre)| {
-        let tolerance = (Length::ZERO < position.centre_tolerance).then_some(position.centre_tolerance);
-        let [x, y] = centre;
-        let [nominal_x, nominal_y] = position.centre;
+    // A position that cannot be read is refused: leaving it out would call a shifted feature good.
+    let nominal = |field| length(asked, field).map_err(|(_, problem)| problem);
+    let (nominal_x, nominal_y) = (nominal(Field::CentreX)?, nominal(Field::CentreY)?);
+    let permitted = nominal(Field::CentreTolerance)?;
+    let position = measurement.centre.map(|[x, y]| {
+        let tolerance = (Length::ZERO < permitted).then_some(permitted);
         let axis = |is: Length, nominal| AxisPosition { deviation: is.saturating_sub(nominal), tolerance };
         PositionVerdict { axes: [axis(x, nominal_x), axis(y, nominal_y)] }
     });

@@ -375,3 +375,13 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn an_angle_is_read_in_degrees_and_never_in_a_unit_of_length() {
+    let read = |text: &str| text.parse::<Angle>().map(Angle::ten_thousandths).map_err(|error| error.to_string());
+    assert_eq!(read(" -22,5° "), Ok(-225_000));
+    assert_eq!(read("0.0001 °"), Ok(1));
+    for text in ["45 mm", "90 µm", "90um", "90°°"] {
+        assert_eq!(read(text), Err(format!("{text} is not a number")));
+    }
+}

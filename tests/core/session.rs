@@ -239,6 +239,30 @@ fn rows_of_a_file_fill_the_history_and_bad_ones_are_told() {
 }
 
 #[test]
+fn contacts_are_not_judged_while_the_centres_tolerance_cannot_be_read() {
+    let contacts = b"x,y\n12.605,0\n0.1,12.505\n-12.405,0\n0.1,-12.505\n";
+    let import = |tolerance: &str| {
+        let mut session = session();
+        run(&mut session, [typed(Field::Callout, "25 H7"), typed(Field::CentreTolerance, tolerance)]);
+        let answer = imported(&session, "bore.csv", contacts);
+        run(&mut session, [answer]);
+        session
+    };
+    // The centre is 0.1 mm off: scrap where 0.01 mm is permitted, and never good because of a slip of the finger.
+    assert_eq!(status(&import("0.01")), Some(Status::Scrap));
+    assert_eq!(status(&import("0.2")), Some(Status::Good));
+    let refused = import("0.01x");
+    assert_eq!(status(&refused), None);
+    assert!(refused.notices().iter().any(|notice| notice.is_problem));
+    // What the position does not need, does not stop it.
+    let mut session = session();
+    run(&mut session, [typed(Field::Callout, "25 H7"), typed(Field::Height, "high")]);
+    let answer = imported(&session, "bore.csv", contacts);
+    run(&mut session, [answer]);
+    assert_eq!(status(&session), Some(Status::Good));
+}
+
+#[test]
 fn contacts_of_a_file_are_judged_by_the_limits_on_screen() {
     let contacts = b"x,y\n12.506,0\n0,12.506\n-12.506,0\n0,-12.506\n";
     let mut session = session();

@@ -41,6 +41,7 @@ exchange-time = { $given } is not a date and time: time of import used
 # Contacts
 contacts-file-empty = the file holds no contacts
 contacts-no-columns = line { $line }: the header must name x and y, and may name z; it is { $given }
+contacts-twice = line { $line }: columns { $first } and { $second } are both { $name }
 contacts-cells = line { $line }: { $cells } cells instead of { $wanted }: { $given }
 contacts-not-a-number = line { $line }, column { $column }: { $name } is { $given }, not a number of millimetres
 contacts-open-quote = line { $line }: a quotation mark is not closed

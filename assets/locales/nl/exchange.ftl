@@ -41,6 +41,7 @@ exchange-time = { $given } is geen datum en tijd: tijd van import gebruikt
 # Meetpunten
 contacts-file-empty = het bestand bevat geen meetpunten
 contacts-no-columns = regel { $line }: de kopregel moet x en y noemen en mag z noemen; er staat { $given }
+contacts-twice = regel { $line }: kolommen { $first } en { $second } zijn allebei { $name }
 contacts-cells = regel { $line }: { $cells } cellen in plaats van { $wanted }: { $given }
 contacts-not-a-number = regel { $line }, kolom { $column }: { $name } is { $given }, geen getal in millimeter
 contacts-open-quote = regel { $line }: een aanhalingsteken wordt niet gesloten

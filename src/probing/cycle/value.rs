@@ -52,7 +52,13 @@ impl FromStr for Angle {
 
     /// Reads degrees with at most four decimals, point or comma: the same figures as a length.
     fn from_str(text: &str) -> Result<Self, LengthError> {
-        let millionths = text.trim().trim_end_matches('°').parse::<Length>()?.nanometres();
+        let bare = text.trim();
+        let bare = bare.strip_suffix('°').unwrap_or(bare);
+        // A length may name its unit; 45 mm is no angle.
+        if bare.contains(|c: char| c.is_alphabetic() || c == '°') {
+            return Err(LengthError::NotANumber { text: text.trim().to_owned() });
+        }
+        let millionths = bare.parse::<Length>()?.nanometres();
         if millionths % 100 != 0 {
             return Err(LengthError::TooFine { text: text.trim().to_owned() });
         }
