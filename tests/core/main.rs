@@ -6,6 +6,7 @@ mod bad_input;
 mod check_cli;
 mod circle_cli;
 mod circles;
+mod cycle_declaration;
 mod cycles;
 mod house;
 mod import;
