@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::callout::Callout;
 use super::class::{Feature, ToleranceClass};
 use super::limits::{Deviations, Limits, Source};
+use super::ranges;
 use super::table::{Column, DeviationTable};
 use crate::length::Length;
 use crate::words::{Message, Say};
@@ -51,7 +52,7 @@ pub enum LimitsError {
         to: Length,
     },
     /// The table's cell is empty.
-    #[error("{class} is not defined over {over} up to {to} mm in table {table}; {}", where_defined(.defined))]
+    #[error("{class} is not defined over {over} up to {to} mm in table {table}; {}", ranges::text(.defined))]
     NotDefined {
         /// The class that was asked for.
         class: ToleranceClass,
@@ -97,27 +98,10 @@ impl Say for LimitsError {
                 .text("table", table)
                 .mm("over", *over)
                 .mm("to", *to)
-                .message("where", where_defined_message(defined)),
+                .message("where", ranges::message(defined)),
             Self::TooLarge { nominal } => Message::new("limits-too-large").mm("nominal", *nominal),
         }
     }
-}
-
-fn where_defined_message(ranges: &[(Length, Length)]) -> Message {
-    match ranges {
-        [] => Message::new("limits-defined-nowhere"),
-        _ => Message::new("limits-defined").message("ranges", ranges_message(ranges)),
-    }
-}
-
-/// The ranges one after the other; halved each time, so that many ranges do not nest deeply.
-fn ranges_message(ranges: &[(Length, Length)]) -> Message {
-    if let Some((first @ [_, ..], rest)) = ranges.split_at_checked(ranges.len() / 2) {
-        let ranges = Message::new("limits-ranges").message("first", ranges_message(first));
-        return ranges.message("rest", ranges_message(rest));
-    }
-    let (over, to) = ranges.first().copied().unwrap_or_default();
-    Message::new("limits-range").mm("over", over).mm("to", to)
 }
 
 fn unknown_class(
@@ -135,14 +119,6 @@ fn unknown_class(
     }
     let known: Vec<&str> = known.iter().map(ToleranceClass::as_str).collect();
     format!("{class} is not in table {table}; it has {}", known.join(" "))
-}
-
-fn where_defined(ranges: &[(Length, Length)]) -> String {
-    if ranges.is_empty() {
-        return "it is defined nowhere".to_owned();
-    }
-    let ranges: Vec<String> = ranges.iter().map(|(over, to)| format!("over {over} up to {to} mm")).collect();
-    format!("it is defined {}", ranges.join(", "))
 }
 
 impl Tables {

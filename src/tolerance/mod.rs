@@ -12,8 +12,10 @@
 
 pub mod callout;
 pub mod class;
+pub mod iso286;
 pub mod limits;
 pub mod lookup;
+mod ranges;
 pub mod table;
 
 pub use callout::{Callout, CalloutError};

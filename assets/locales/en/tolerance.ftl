@@ -48,3 +48,9 @@ file-is-folder = this is a folder, not a file: { $path }
 file-missing = no such file or folder: { $path }
 file-too-large = the file is larger than { $limit } MiB: { $path }
 file-system = { $reason }: { $path }
+
+## ISO 286
+iso286-no-grade = { $class } is no class of ISO 286: its grades are { $grades }
+iso286-no-letter = { $class } is no class of ISO 286: it has no letter { $letters }, only { $known }
+iso286-too-large = nominal size { $nominal } mm is beyond ISO 286, which ends at 3150 mm
+iso286-not-here = { $class } is not defined at { $nominal } mm in ISO 286; { $where }

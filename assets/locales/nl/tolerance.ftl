@@ -48,3 +48,9 @@ file-is-folder = dit is een map, geen bestand: { $path }
 file-missing = bestand of map bestaat niet: { $path }
 file-too-large = het bestand is groter dan { $limit } MiB: { $path }
 file-system = { $reason }: { $path }
+
+## ISO 286
+iso286-no-grade = { $class } is geen klasse van ISO 286: de graden zijn { $grades }
+iso286-no-letter = { $class } is geen klasse van ISO 286: de letter { $letters } bestaat niet, wel { $known }
+iso286-too-large = nominale maat { $nominal } mm ligt buiten ISO 286, die bij 3150 mm ophoudt
+iso286-not-here = { $class } is bij { $nominal } mm niet gedefinieerd in ISO 286; { $where }
