@@ -94,7 +94,7 @@ impl App {
     }
 
     fn run(&self, ctx: &Context, effect: Effect) {
-        self.runner.run(ctx, effect, self.session.tables(), (self.clock)());
+        self.runner.run(ctx, effect, self.session.sources(), (self.clock)());
     }
 
     fn apply(&mut self, ctx: &Context, commands: Vec<Command>) {

@@ -8,7 +8,7 @@ use super::inputs::{Field, MeasureBy};
 use crate::control::mask::Mask;
 use crate::exchange::Imported;
 use crate::files::FileError;
-use crate::tolerance::{Tables, ToleranceClass};
+use crate::tolerance::{DeviationTable, ToleranceClass, iso286};
 use crate::words::{Language, Message};
 
 /// A change of the state.
@@ -70,11 +70,15 @@ pub enum Command {
     TablesRead {
         /// The folder.
         folder: PathBuf,
-        /// The tables to look up in, and warnings.
-        result: Result<(Box<Tables>, Vec<Message>), Message>,
+        /// The tables, and warnings.
+        result: Result<(Vec<DeviationTable>, Vec<Message>), Message>,
     },
-    /// Goes back to the shipped tables alone.
-    ShippedTables,
+    /// Uses no tables of the user's own any more.
+    NoOwnTables,
+    /// Looks limits up in ISO 286 or in the control's tables, after the user's own.
+    UseSource(SourceChoice),
+    /// Chooses where editions of ISO 286 differ.
+    SetStandard(iso286::Options),
     /// A file was written, or not.
     Saved {
         /// Where.
@@ -99,6 +103,17 @@ pub enum Purpose {
     Export(usize),
     /// Writing the status window's text.
     ExportStatus,
+}
+
+/// What limits are looked up in after the user's own tables.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SourceChoice {
+    /// ISO 286.
+    #[default]
+    Iso286,
+    /// The control's two tables.
+    ControlTables,
 }
 
 /// Light or dark.

@@ -6,7 +6,8 @@
 //! | `callout` | what people type: `25 H7` |
 //! | `limits` | deviations and limits of size, and where they come from |
 //! | `table` | size ranges and deviations as a control's table holds them |
-//! | `lookup` | from a callout to limits: the user's tables first, then the shipped ones |
+//! | `iso286` | the standard: every class, 0 to 3150 mm |
+//! | `sources` | from a callout to limits: the user's own tables first, then ISO 286 or the control's tables |
 //!
 //! Nothing here reads a file or knows a window: tables arrive as values.
 
@@ -14,12 +15,12 @@ pub mod callout;
 pub mod class;
 pub mod iso286;
 pub mod limits;
-pub mod lookup;
 mod ranges;
+pub mod sources;
 pub mod table;
 
 pub use callout::{Callout, CalloutError};
 pub use class::{ClassError, Feature, ToleranceClass};
 pub use limits::{Deviations, DeviationsError, Limits, Source};
-pub use lookup::{LimitsError, Tables};
+pub use sources::{Base, LimitsError, Sources};
 pub use table::DeviationTable;

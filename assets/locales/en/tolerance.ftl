@@ -18,7 +18,9 @@ class-malformed = { $text } is not a tolerance class: write letters and a grade,
 
 ## Deviations and limits
 deviations-order = upper deviation { $upper-sign }{ $upper } mm is below lower deviation { $lower-sign }{ $lower } mm
-source-shipped-table = ISO 286 table { $name }, over { $over } up to { $to } mm
+source-iso286 = ISO 286, over { $over } up to { $to } mm
+source-iso286-js-rounded = ISO 286 with JS rounded as in 1988, over { $over } up to { $to } mm
+source-shipped-table = built-in table { $name }, over { $over } up to { $to } mm
 source-table = table { $name }, over { $over } up to { $to } mm
 source-file = file { $name }
 limits-hole-class = { $class } is a hole class and table { $table } does not have it; the shaft class is { $other }

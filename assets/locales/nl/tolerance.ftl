@@ -18,7 +18,9 @@ class-malformed = { $text } is geen tolerantieklasse: schrijf letters en een gra
 
 ## Afwijkingen en grensmaten
 deviations-order = bovenafwijking { $upper-sign }{ $upper } mm ligt onder onderafwijking { $lower-sign }{ $lower } mm
-source-shipped-table = ISO 286-tabel { $name }, boven { $over } tot en met { $to } mm
+source-iso286 = ISO 286, boven { $over } tot en met { $to } mm
+source-iso286-js-rounded = ISO 286 met JS afgerond als in 1988, boven { $over } tot en met { $to } mm
+source-shipped-table = ingebouwde tabel { $name }, boven { $over } tot en met { $to } mm
 source-table = tabel { $name }, boven { $over } tot en met { $to } mm
 source-file = bestand { $name }
 limits-hole-class = { $class } is een klasse voor gaten en staat niet in tabel { $table }; de klasse voor assen is { $other }
