@@ -14,6 +14,8 @@ use crate::words::{Language, Message};
 /// A change of the state.
 #[derive(Debug, Clone)]
 pub enum Command {
+    /// Opens a page.
+    OpenPage(Page),
     /// Replaces the text of a field. A changed callout clears the result.
     Type(Field, String),
     /// Takes a class from the chooser; the nominal size stays.
@@ -103,6 +105,24 @@ pub enum Purpose {
     Export(usize),
     /// Writing the status window's text.
     ExportStatus,
+}
+
+/// A page of the window.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Page {
+    /// One part: good, rework or scrap.
+    #[default]
+    Check,
+    /// Hole against shaft.
+    Fit,
+    /// Tables of deviations.
+    Tables,
+}
+
+impl Page {
+    /// Every page in the order of the top bar.
+    pub const ALL: [Self; 3] = [Self::Check, Self::Fit, Self::Tables];
 }
 
 /// What limits are looked up in after the user's own tables.

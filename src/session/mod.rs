@@ -26,7 +26,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 pub use asked::Asked;
-pub use command::{Command, Effect, Purpose, SourceChoice, Theme};
+pub use command::{Command, Effect, Page, Purpose, SourceChoice, Theme};
 pub use inputs::{Field, Inputs, MeasureBy};
 pub use saved::{Saved, SavedError};
 
@@ -99,6 +99,7 @@ const UNDO_STEPS: usize = 50;
 /// The state of the application.
 #[derive(Debug)]
 pub struct Session {
+    page: Page,
     inputs: Inputs,
     asked: Asked,
     sources: Arc<Sources>,
@@ -134,6 +135,7 @@ impl Session {
         let sources = Arc::new(Sources::default());
         let asked = Asked::read(&inputs, &sources);
         Self {
+            page: Page::default(),
             inputs,
             asked,
             sources,
@@ -150,6 +152,11 @@ impl Session {
             dialog: None,
             notices: Vec::new(),
         }
+    }
+
+    /// The open page.
+    pub const fn page(&self) -> Page {
+        self.page
     }
 
     /// The text fields.
@@ -243,6 +250,7 @@ impl Session {
     /// Does a command at a local date and time, and says what the world outside has to do.
     pub fn apply(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         match command {
+            Command::OpenPage(page) => self.page = page,
             Command::Type(field, text) => self.type_text(field, text),
             Command::ChooseClass(class) => self.choose_class(class.as_str()),
             Command::MeasureBy(by) => self.inputs.by = by,
