@@ -284,7 +284,7 @@ mod tests {
             said("25 H7"),
             "25 H7 has no measured value: write a callout, = and millimetres, such as 25 H7=25.012"
         );
-        assert_eq!(said("Bore: 25=25"), "a tolerance class is missing, such as H7 for a hole or h7 for a shaft");
+        assert_eq!(said("Bore: 25=25"), "a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1");
     }
 
     #[test]

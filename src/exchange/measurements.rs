@@ -219,7 +219,7 @@ impl Reader<'_> {
         };
         let read = match nominal {
             Some((_, nominal)) if begins_with_letter => {
-                given.parse().map_err(CalloutError::Class).and_then(|class| Callout::new(nominal, class))
+                given.parse().map_err(CalloutError::from).and_then(|class| Callout::new(nominal, class))
             }
             _ => given.parse::<Callout>(),
         };

@@ -17,14 +17,14 @@ pub fn um(um: i32) -> Length {
 pub fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
     let callout: Callout = callout.parse().unwrap();
     let source = Source::Table {
-        name: format!("82553_{}.tab", callout.feature()).into(),
+        name: format!("82553_{}.tab", callout.feature().unwrap()).into(),
         shipped: true,
         over: um(18_000),
         to: um(30_000),
         instead_of: None,
     };
     let deviations = Deviations::new(um(upper), um(lower)).unwrap();
-    Limits::new(callout.feature(), callout.nominal(), deviations, source).unwrap()
+    Limits::new(callout.feature().unwrap(), callout.nominal(), deviations, source).unwrap()
 }
 
 /// A check of some limits.

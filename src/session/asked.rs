@@ -6,6 +6,7 @@ use super::inputs::{Field, Inputs};
 use crate::length::Length;
 use crate::probing::cycle::{Angle, Value};
 use crate::probing::cycles::cycle;
+use crate::tolerance::callout::halves;
 use crate::tolerance::{Callout, Limits, Tables};
 use crate::words::{Message, Say as _};
 
@@ -69,16 +70,12 @@ impl Range {
 
 /// The size part of a callout as it is typed.
 pub(super) fn nominal_text(callout: &str) -> &str {
-    let bare = callout.trim().trim_start_matches(['Ø', 'ø', '⌀', ' ']);
-    let end = bare.find(|c: char| c.is_alphabetic()).unwrap_or(bare.len());
-    bare.get(..end).unwrap_or_default().trim()
+    halves(callout).0
 }
 
-/// The class part of a callout as it is typed.
+/// The tolerance part of a callout as it is typed.
 pub(super) fn class_text(callout: &str) -> &str {
-    let bare = callout.trim().trim_start_matches(['Ø', 'ø', '⌀', ' ']);
-    let start = bare.find(|c: char| c.is_alphabetic()).unwrap_or(bare.len());
-    bare.get(start..).unwrap_or_default().trim()
+    halves(callout).1
 }
 
 impl Asked {
@@ -191,9 +188,14 @@ mod tests {
 
     #[test]
     fn a_callout_is_taken_apart_while_it_is_typed() {
-        for (text, nominal, class) in
-            [("25 H7", "25", "H7"), ("Ø25,5js6", "25,5", "js6"), ("25", "25", ""), ("H7", "", "H7"), ("", "", "")]
-        {
+        for (text, nominal, class) in [
+            ("25 H7", "25", "H7"),
+            ("Ø25,5js6", "25,5", "js6"),
+            ("25", "25", ""),
+            ("H7", "", "H7"),
+            ("12 +0.1 -0.2", "12", "+0.1 -0.2"),
+            ("", "", ""),
+        ] {
             assert_eq!((nominal_text(text), class_text(text)), (nominal, class), "for {text:?}");
         }
     }

@@ -43,6 +43,11 @@ impl Deviations {
         Ok(Self { upper, lower })
     }
 
+    /// The deviations between two values, whichever is the upper one: for code that knows, never for given texts.
+    pub(super) fn spanning(one: Length, other: Length) -> Self {
+        Self { upper: one.max(other), lower: one.min(other) }
+    }
+
     /// Upper limit deviation (ES or es).
     pub const fn upper(&self) -> Length {
         self.upper

@@ -64,6 +64,12 @@ pub enum LimitsError {
         /// Where the class is defined, above and up to: joined ranges, ascending.
         defined: Vec<(Length, Length)>,
     },
+    /// The callout asks for no single tolerance class.
+    #[error("{callout} has no single tolerance class to look up")]
+    NoClass {
+        /// What was asked for.
+        callout: Callout,
+    },
     /// A limit would be beyond what a length can hold.
     #[error("the limits of {nominal} mm are too large")]
     TooLarge {
@@ -98,6 +104,7 @@ impl Say for LimitsError {
                 .mm("over", *over)
                 .mm("to", *to)
                 .message("where", where_defined_message(defined)),
+            Self::NoClass { callout } => Message::new("limits-no-class").text("callout", callout),
             Self::TooLarge { nominal } => Message::new("limits-too-large").mm("nominal", *nominal),
         }
     }
@@ -183,15 +190,16 @@ impl Tables {
     /// # Errors
     /// [`LimitsError`] names what is missing and what there is instead; nothing is clamped.
     pub fn limits(&self, callout: &Callout) -> Result<Limits, LimitsError> {
+        let Some(class) = callout.class() else { return Err(LimitsError::NoClass { callout: *callout }) };
         let mut beyond = None;
         for table in &self.tables {
-            let Some(column) = table.column(callout.class()) else { continue };
+            let Some(column) = table.column(class) else { continue };
             let Some((number, over, to)) = table.range(callout.nominal()) else {
                 beyond.get_or_insert(table);
                 continue;
             };
             let Some(deviations) = column.cells.get(number).copied().flatten() else {
-                let (class, name) = (callout.class(), Arc::clone(&table.name));
+                let name = Arc::clone(&table.name);
                 return Err(LimitsError::NotDefined {
                     class,
                     table: name,
@@ -203,7 +211,7 @@ impl Tables {
             let instead_of = self.instead_of(table, callout, deviations);
             let source =
                 Source::Table { name: Arc::clone(&table.name), shipped: table.shipped(), over, to, instead_of };
-            return Limits::new(callout.feature(), callout.nominal(), deviations, source)
+            return Limits::new(class.feature(), callout.nominal(), deviations, source)
                 .ok_or(LimitsError::TooLarge { nominal: callout.nominal() });
         }
         match beyond {
@@ -213,7 +221,7 @@ impl Tables {
                 over: table.last_over(),
                 to: table.last_end(),
             }),
-            None => Err(self.unknown(callout.class())),
+            None => Err(self.unknown(class)),
         }
     }
 
@@ -352,7 +360,7 @@ mod tests {
             assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
         }
         let tables = shipped();
-        for callout in ["6.5 H7", "5 G6", "5 H6", "5 z7", "1 N9", "5 g6"] {
+        for callout in ["6.5 H7", "5 G6", "5 ±0.1", "5 H6", "5 z7", "1 N9", "5 g6"] {
             check(&tables.limits(&callout.parse().unwrap()).unwrap_err());
         }
         let (class, table): (_, Arc<str>) = ("H7".parse().unwrap(), "own.tab".into());

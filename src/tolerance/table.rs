@@ -149,7 +149,7 @@ impl DeviationTable {
 
     pub(super) fn deviations(&self, callout: &Callout) -> Option<Deviations> {
         let (number, ..) = self.range(callout.nominal())?;
-        self.column(callout.class())?.cells.get(number).copied().flatten()
+        self.column(callout.class()?)?.cells.get(number).copied().flatten()
     }
 }
 

@@ -325,7 +325,7 @@ fn a_callout_without_limits_is_refused_in_words() {
         ("500 H7", "500 H7: nominal size 500 mm is beyond table 82553_hole.tab"),
         ("400.000001 H7", "beyond table 82553_hole.tab"),
         ("1 N9", "1 N9: N9 is not defined"),
-        ("25", "25: a tolerance class is missing, such as H7 for a hole or h7 for a shaft"),
+        ("25", "25: a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1"),
         ("", "callout: a callout is missing: write a nominal size and a tolerance class, such as 25 H7"),
         ("1.234,5 H7", "1.234,5"),
     ] {
