@@ -146,13 +146,13 @@ impl Callout {
     /// A callout of two limits of size: `12.01/11.985`. Its nominal size is their middle.
     ///
     /// # Errors
-    /// [`CalloutErrorKind::LimitsOrder`] with the right order, [`CalloutErrorKind::NotPositive`], and
-    /// [`CalloutErrorKind::LimitsApart`] where the smaller one is less than half of the larger: such a text may mean
+    /// [`CalloutErrorKind::LimitsOrder`] with the right order, [`CalloutErrorKind::MinimumNotPositive`],
+    /// and [`CalloutErrorKind::LimitsApart`] where the smaller one is less than half of the larger: such a text may mean
     /// anything.
     pub fn with_limits(maximum: Length, minimum: Length) -> Result<Self, CalloutError> {
         let (larger, smaller) = (maximum.max(minimum), maximum.min(minimum));
         if smaller <= Length::ZERO {
-            return Err(CalloutErrorKind::NotPositive { nominal: smaller }.into());
+            return Err(CalloutErrorKind::MinimumNotPositive { minimum: smaller }.into());
         }
         if smaller < larger.saturating_sub(smaller) {
             return Err(CalloutErrorKind::LimitsApart { larger, smaller }.into());

@@ -147,7 +147,7 @@ fn reads_limits_larger_first() {
     check("12.01/", &format!("! a limit of size is missing: {how} (character 7)"));
     check("12.01/-0.1", &format!("! -0.1 is no limit of size: {how} (character 7)"));
     check("12/1.1.1", "! limit of size: 1.1.1 is not a number (character 4)");
-    check("12/0", "! nominal size 0 mm is not above 0");
+    check("12/0", "! minimum limit 0 mm is not above 0 (character 1)");
 }
 
 #[test]
