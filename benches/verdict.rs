@@ -24,7 +24,7 @@ fn verdicts(criterion: &mut Criterion) {
         criterion.bench_function(&format!("limits and verdict of one callout, {name}"), |bencher| {
             bencher.iter(|| {
                 let (callout, measured) = next.next().expect("endless");
-                let limits = sources.limits(black_box(callout)).expect("limits");
+                let limits = sources.limits(black_box(callout), None).expect("limits");
                 judge(&limits, black_box(*measured), None).status()
             });
         });
@@ -34,7 +34,7 @@ fn verdicts(criterion: &mut Criterion) {
     criterion.bench_function("the same from the callout's text", |bencher| {
         bencher.iter(|| {
             let callout: Callout = black_box(*next.next().expect("endless")).parse().expect("a callout");
-            let limits = standard.limits(&callout).expect("limits");
+            let limits = standard.limits(&callout, None).expect("limits");
             judge(&limits, callout.nominal(), None).status()
         });
     });

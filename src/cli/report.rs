@@ -255,7 +255,7 @@ fn record(text: &str, sources: &Sources, time: DateTime) -> Result<Record, Check
     let (asked, measured) = text.rsplit_once('=').ok_or_else(|| CheckError::NoMeasured { text: text.to_owned() })?;
     let (id, callout) = asked.rsplit_once(':').unwrap_or(("", asked));
     let callout: Callout = callout.parse()?;
-    let limits = sources.limits(&callout)?;
+    let limits = sources.limits(&callout, None)?;
     let measured: Length = measured.parse().map_err(CheckError::Measured)?;
     if measured <= Length::ZERO {
         return Err(CheckError::NotPositive { measured });
@@ -284,7 +284,7 @@ mod tests {
             said("25 H7"),
             "25 H7 has no measured value: write a callout, = and millimetres, such as 25 H7=25.012"
         );
-        assert_eq!(said("Bore: 25=25"), "a tolerance class is missing, such as H7 for a hole or h7 for a shaft");
+        assert_eq!(said("Bore: 25=25"), "a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1");
     }
 
     #[test]

@@ -23,10 +23,19 @@ fn render_report(report: &Report, _words: &Words) -> Result<Vec<u8>, RenderError
 
 /// The records as CSV, with a header, in their order.
 pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
+    render_rows(records.iter().map(Row::of))
+}
+
+/// The same with an empty feature: where the callouts do not say hole or shaft, and it did not matter.
+pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError> {
+    render_rows(records.iter().map(|record| Row { feature: "", ..Row::of(record) }))
+}
+
+fn render_rows(rows: impl Iterator<Item = Row>) -> Result<Vec<u8>, RenderError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(COLUMNS).map_err(|error| RenderError::writer("csv", &error))?;
-    for record in records {
-        let fields = fields(&Row::of(record))?;
+    for row in rows {
+        let fields = fields(&row)?;
         writer.write_record(fields).map_err(|error| RenderError::writer("csv", &error))?;
     }
     writer.into_inner().map_err(|error| RenderError::writer("csv", &error))

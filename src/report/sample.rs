@@ -18,7 +18,7 @@ pub fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
     let callout: Callout = callout.parse().unwrap();
     let source = Source::Iso286 { over: um(18_000), to: um(30_000), js_rounded: false };
     let deviations = Deviations::new(um(upper), um(lower)).unwrap();
-    Limits::new(callout.feature(), callout.nominal(), deviations, source).unwrap()
+    Limits::new(callout.feature().unwrap(), callout.nominal(), deviations, source).unwrap()
 }
 
 /// A check of some limits.

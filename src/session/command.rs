@@ -8,7 +8,7 @@ use super::inputs::{Field, MeasureBy};
 use crate::control::mask::Mask;
 use crate::exchange::Imported;
 use crate::files::FileError;
-use crate::tolerance::{DeviationTable, ToleranceClass, iso286};
+use crate::tolerance::{DeviationTable, Feature, ToleranceClass, iso286};
 use crate::words::{Language, Message};
 
 /// A change of the state.
@@ -20,6 +20,8 @@ pub enum Command {
     Type(Field, String),
     /// Takes a class from the chooser; the nominal size stays.
     ChooseClass(ToleranceClass),
+    /// Says whether a hole or a shaft is meant, for a callout that does not say it.
+    ChooseFeature(Feature),
     /// Chooses where the next measurement comes from.
     MeasureBy(MeasureBy),
     /// Shows or hides the keypad.

@@ -253,6 +253,10 @@ impl Session {
             Command::OpenPage(page) => self.page = page,
             Command::Type(field, text) => self.type_text(field, text),
             Command::ChooseClass(class) => self.choose_class(class.as_str()),
+            Command::ChooseFeature(feature) => {
+                self.inputs.feature = Some(feature);
+                self.callout_changed(false);
+            }
             Command::MeasureBy(by) => self.inputs.by = by,
             Command::ShowKeypad(shown) => self.keypad = shown,
             Command::Measure => self.measure(now),
@@ -336,6 +340,10 @@ impl Session {
         }
         self.shown = None;
         self.read_fields();
+        if self.asked.callout().is_some_and(|callout| callout.feature().is_some()) {
+            // The next callout without letters asks anew.
+            self.inputs.feature = None;
+        }
         if self.measured_is_used {
             self.inputs.set(Field::Measured, String::new());
             self.measured_is_used = false;
@@ -372,7 +380,7 @@ impl Session {
         let Some(record) = self.history.get(number).cloned() else { return };
         // The limits on screen follow the record, never the other way round.
         match record.callout {
-            Some(callout) if Some(callout) != self.asked.callout() => {
+            Some(callout) if Some(callout) != self.part_callout() => {
                 self.inputs.set(Field::Callout, callout.to_string());
                 self.callout_changed(true);
             }
@@ -383,6 +391,9 @@ impl Session {
                 self.inputs.set(Field::Callout, String::new());
                 self.callout_changed(true);
             }
+        }
+        if record.callout.is_some_and(|callout| callout.feature().is_none()) {
+            self.inputs.feature = Some(record.limits.feature);
         }
         self.asked.show_limits(record.limits.clone(), record.callout);
         self.draw(record);
@@ -477,6 +488,12 @@ impl Session {
         session.sources = Arc::new(sources);
         session.read_fields();
         (session, effects)
+    }
+
+    /// The callout of the part that is judged: one side of a fit.
+    fn part_callout(&self) -> Option<Callout> {
+        let callout = self.asked.callout()?;
+        Some(self.inputs.feature.map_or(callout, |feature| callout.of_part(feature)))
     }
 
     /// The callout that limits are shown for.

@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::class::Feature;
+use super::iso2768::GeneralClass;
 use crate::length::{Length, signed_mm};
 use crate::words::{Message, Say};
 
@@ -43,6 +44,11 @@ impl Deviations {
         Ok(Self { upper, lower })
     }
 
+    /// The deviations between two values, whichever is the upper one: for code that knows, never for given texts.
+    pub(super) fn spanning(one: Length, other: Length) -> Self {
+        Self { upper: one.max(other), lower: one.min(other) }
+    }
+
     /// Upper limit deviation (ES or es).
     pub const fn upper(&self) -> Length {
         self.upper
@@ -71,6 +77,17 @@ pub enum Source {
         /// Whether half micrometres of JS or js were rounded off, as the 1988 edition allows.
         js_rounded: bool,
     },
+    /// ISO 2768-1, general tolerances of linear sizes.
+    Iso2768 {
+        /// The class.
+        class: GeneralClass,
+        /// The size range: above this,
+        over: Length,
+        /// up to and including this.
+        to: Length,
+    },
+    /// The callout says them itself: deviations or limits of size.
+    Callout,
     /// A control's table.
     Table {
         /// The table's name, `82553_hole.tab`.
@@ -95,6 +112,8 @@ impl fmt::Display for Source {
             Self::Iso286 { over, to, js_rounded: true } => {
                 write!(f, "ISO 286 with JS rounded as in 1988, over {over} up to {to} mm")
             }
+            Self::Iso2768 { class, over, to } => write!(f, "ISO 2768-1 class {class}, over {over} up to {to} mm"),
+            Self::Callout => f.pad("the callout itself"),
             Self::Table { name, shipped: true, over, to, .. } => {
                 write!(f, "built-in table {name}, over {over} up to {to} mm")
             }
@@ -111,6 +130,10 @@ impl Say for Source {
                 let id = if *js_rounded { "source-iso286-js-rounded" } else { "source-iso286" };
                 Message::new(id).mm("over", *over).mm("to", *to)
             }
+            Self::Iso2768 { class, over, to } => {
+                Message::new("source-iso2768").text("class", class).mm("over", *over).mm("to", *to)
+            }
+            Self::Callout => Message::new("source-callout"),
             Self::Table { name, shipped, over, to, .. } => {
                 let id = if *shipped { "source-shipped-table" } else { "source-table" };
                 Message::new(id).text("name", name).mm("over", *over).mm("to", *to)
@@ -176,8 +199,16 @@ mod tests {
         let (over, to) = (um(18_500), um(30_000));
         let table = |shipped| Source::Table { name: "own.tab".into(), shipped, over, to, instead_of: None };
         let standard = |js_rounded| Source::Iso286 { over, to, js_rounded };
-        for source in [standard(false), standard(true), table(true), table(false), Source::File("TCHPR421.TXT".into())]
-        {
+        let general = Source::Iso2768 { class: GeneralClass::Medium, over, to };
+        for source in [
+            standard(false),
+            standard(true),
+            general,
+            Source::Callout,
+            table(true),
+            table(false),
+            Source::File("TCHPR421.TXT".into()),
+        ] {
             assert_eq!(Words::new(Language::En).told(&source), source.to_string());
             let dutch = Words::new(Language::Nl).told(&source);
             assert!(dutch != source.message().id && dutch != source.to_string(), "{dutch}");

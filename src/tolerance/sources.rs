@@ -5,9 +5,10 @@
 
 use std::sync::Arc;
 
-use super::callout::Callout;
+use super::callout::{Callout, Tolerance};
 use super::class::{Feature, ToleranceClass};
 use super::iso286::{self, Undefined};
+use super::iso2768::{self, GeneralError};
 use super::limits::{Deviations, Limits, Source};
 use super::ranges;
 use super::table::{Column, DeviationTable};
@@ -82,6 +83,21 @@ pub enum LimitsError {
         /// Where the class is defined, above and up to: joined ranges, ascending.
         defined: Vec<(Length, Length)>,
     },
+    /// ISO 2768-1 does not define it.
+    #[error("{0}")]
+    General(#[from] GeneralError),
+    /// A callout without letters does not say hole or shaft, and a fit says both.
+    #[error("{callout} does not say whether the hole or the shaft is meant")]
+    NoFeature {
+        /// What was asked for.
+        callout: Callout,
+    },
+    /// The letter's case says hole and a shaft was asked for, or the other way round.
+    #[error("{class} is a {} class and not a {} class", class.feature(), class.feature().other())]
+    OtherFeature {
+        /// The class that was asked for.
+        class: ToleranceClass,
+    },
     /// A limit would be beyond what a length can hold.
     #[error("the limits of {nominal} mm are too large")]
     TooLarge {
@@ -94,6 +110,15 @@ impl Say for LimitsError {
     fn message(&self) -> Message {
         match self {
             Self::Undefined(error) => error.message(),
+            Self::General(error) => error.message(),
+            Self::NoFeature { callout } => Message::new("limits-no-feature").text("callout", callout),
+            Self::OtherFeature { class } => {
+                let id = match class.feature() {
+                    Feature::Hole => "limits-is-hole-class",
+                    Feature::Shaft => "limits-is-shaft-class",
+                };
+                Message::new(id).text("class", class)
+            }
             Self::UnknownClass { class, table, other_case: Some(other), .. } => {
                 let id = match class.feature() {
                     Feature::Hole => "limits-hole-class",
@@ -203,23 +228,71 @@ impl Sources {
         classes
     }
 
-    /// The limits of a callout.
+    /// The limits of a callout. The letter's case says hole or shaft; where a callout has no letters or is a fit,
+    /// `feature` says which one is meant.
     ///
     /// ```
-    /// use fitcheck::tolerance::Sources;
+    /// use fitcheck::tolerance::{Feature, Sources};
     ///
-    /// let limits = Sources::default().limits(&"280 M6".parse()?)?;
+    /// let sources = Sources::default();
+    /// let limits = sources.limits(&"280 M6".parse()?, None)?;
     /// assert_eq!(limits.maximum().to_string(), "279.991");
     /// assert_eq!(limits.source.to_string(), "ISO 286, over 250 up to 315 mm");
+    /// let limits = sources.limits(&"12 ±0.02".parse()?, Some(Feature::Shaft))?;
+    /// assert_eq!(limits.minimum().to_string(), "11.98");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     /// [`LimitsError`] names what is missing and what there is instead; nothing is clamped.
-    pub fn limits(&self, callout: &Callout) -> Result<Limits, LimitsError> {
-        let (deviations, source) = self.class_deviations(callout.class(), callout.nominal())?;
-        Limits::new(callout.feature(), callout.nominal(), deviations, source)
+    pub fn limits(&self, callout: &Callout, feature: Option<Feature>) -> Result<Limits, LimitsError> {
+        if let (Some(class), Some(feature)) = (callout.class(), feature) {
+            if class.feature() != feature {
+                return Err(LimitsError::OtherFeature { class });
+            }
+        }
+        let (deviations, source) = self.deviations(callout, feature)?;
+        let feature = callout.feature().or(feature).ok_or(LimitsError::NoFeature { callout: *callout })?;
+        Limits::new(feature, callout.nominal(), deviations, source)
             .ok_or(LimitsError::TooLarge { nominal: callout.nominal() })
+    }
+
+    /// The limits of a callout where it does not matter whether a hole or a shaft is meant: of a callout without letters
+    /// they are given as those of a shaft.
+    ///
+    /// # Errors
+    /// [`LimitsError`], also for a fit, which has two.
+    pub fn size_limits(&self, callout: &Callout) -> Result<Limits, LimitsError> {
+        match callout.tolerance() {
+            Tolerance::Class(_) | Tolerance::Fit { .. } => self.limits(callout, None),
+            _ => self.limits(callout, Some(Feature::Shaft)),
+        }
+    }
+
+    /// The limit deviations of a callout, and where they come from. `feature` is needed for a fit only.
+    ///
+    /// # Errors
+    /// [`LimitsError`], as for [`Sources::limits`].
+    pub fn deviations(&self, callout: &Callout, feature: Option<Feature>) -> Result<(Deviations, Source), LimitsError> {
+        let nominal = callout.nominal();
+        match callout.tolerance() {
+            Tolerance::Class(class) => self.class_deviations(class, nominal),
+            Tolerance::Fit { hole, shaft } => match feature {
+                Some(Feature::Hole) => self.class_deviations(hole, nominal),
+                Some(Feature::Shaft) => self.class_deviations(shaft, nominal),
+                None => Err(LimitsError::NoFeature { callout: *callout }),
+            },
+            Tolerance::General(class) => {
+                let iso2768::GeneralCell { deviations, over, to } = iso2768::deviations(class, nominal)?;
+                Ok((deviations, Source::Iso2768 { class, over, to }))
+            }
+            Tolerance::Deviations(deviations) => Ok((deviations, Source::Callout)),
+            Tolerance::Limits { maximum, minimum } => {
+                let from = |limit: Length| limit.saturating_sub(nominal);
+                let too_large = |_order| LimitsError::TooLarge { nominal };
+                Ok((Deviations::new(from(maximum), from(minimum)).map_err(too_large)?, Source::Callout))
+            }
+        }
     }
 
     fn class_deviations(&self, class: ToleranceClass, nominal: Length) -> Result<(Deviations, Source), LimitsError> {

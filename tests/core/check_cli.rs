@@ -325,7 +325,7 @@ fn a_callout_without_limits_is_refused_in_words() {
         ("3200 H7", "3200 H7: nominal size 3200 mm is beyond ISO 286"),
         ("3150.000001 H7", "beyond ISO 286, which ends at 3150 mm"),
         ("1 N9", "1 N9: N9 is not defined"),
-        ("25", "25: a tolerance class is missing, such as H7 for a hole or h7 for a shaft"),
+        ("25", "25: a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1"),
         ("", "callout: a callout is missing: write a nominal size and a tolerance class, such as 25 H7"),
         ("1.234,5 H7", "1.234,5"),
     ] {

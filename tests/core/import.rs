@@ -228,7 +228,7 @@ fn limits_of_the_sample_logs_are_those_of_their_classes() {
         if row[3].is_empty() {
             continue;
         }
-        let limits = Sources::default().limits(&row[3].parse().unwrap()).unwrap();
+        let limits = Sources::default().limits(&row[3].parse().unwrap(), None).unwrap();
         assert_eq!((limits.minimum(), limits.maximum()), (row[5].parse().unwrap(), row[6].parse().unwrap()), "{row:?}");
         compared += 1;
     }

@@ -122,7 +122,7 @@ fn bytes_that_are_no_utf8_and_control_characters_are_answered_like_any_line() {
     let out = format!(
         "{HEADER}{}{}\
          \u{fffd}[2J25 H7,,,,,,,\"\u{fffd}[2J25 H7 does not begin with a nominal size: write one, such as 25 H7\"\n\
-         2\u{fffd}5\u{fffd},,,,,,,\"\u{fffd}5\u{fffd} is not a tolerance class: write letters and a grade, such as H7 or js13\"\n",
+         2\u{fffd}5\u{fffd},,,,,,,\"\u{fffd}5\u{fffd} is not a tolerance class: write letters and a grade, such as H7 or js13 (character 2)\"\n",
         good("Ø25 H7"),
         good("25 H7"),
     );

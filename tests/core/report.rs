@@ -18,7 +18,7 @@ fn um(um: i32) -> Length {
 fn limits(callout: &str, upper: i32, lower: i32, source: Source) -> Limits {
     let callout: Callout = callout.parse().unwrap();
     let deviations = Deviations::new(um(upper), um(lower)).unwrap();
-    Limits::new(callout.feature(), callout.nominal(), deviations, source).unwrap()
+    Limits::new(callout.feature().unwrap(), callout.nominal(), deviations, source).unwrap()
 }
 
 fn iso() -> Source {

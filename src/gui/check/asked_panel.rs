@@ -35,6 +35,21 @@ fn callout_ui(ui: &mut Ui, view: &mut View<'_>) {
     let width = ui.available_width();
     field_ui(ui, view, Field::Callout, name.id, Look::large(width));
     error_ui(ui, view, Field::Callout);
+    if view.session.asked().needs_feature() {
+        feature_ui(ui, view);
+    }
+}
+
+/// Hole or shaft, where the callout does not say it.
+fn feature_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal(|ui| {
+        for (feature, id) in [(Feature::Hole, "feature-hole"), (Feature::Shaft, "feature-shaft")] {
+            feature_picture(ui, feature, space(6.0));
+            if ui.radio(view.session.inputs().feature == Some(feature), view.text(id)).clicked() {
+                view.send(Command::ChooseFeature(feature));
+            }
+        }
+    });
 }
 
 fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {

@@ -29,7 +29,7 @@ fn shipped() -> Sources {
 
 #[track_caller]
 fn check(tables: &Sources, callout: &str, expected: &str) {
-    let said = match tables.limits(&callout.parse().unwrap()) {
+    let said = match tables.limits(&callout.parse().unwrap(), None) {
         Ok(limits) => format!("{} to {} from {}", limits.minimum(), limits.maximum(), limits.source),
         Err(error) => error.to_string(),
     };
@@ -65,7 +65,7 @@ fn a_users_table_comes_first_and_says_what_it_overrides() {
     check(&tables, "2 H7", "2 to 2.02 from table own.tab, over 1 up to 3 mm");
     check(&tables, "5 H7", "H7 is not defined over 3 up to 6 mm in table own.tab; it is defined over 0 up to 3 mm");
     check(&tables, "5 N9", "4.97 to 5 from built-in table hole.tab, over 3 up to 6 mm");
-    let instead = |callout: &str| match tables.limits(&callout.parse().unwrap()).unwrap().source {
+    let instead = |callout: &str| match tables.limits(&callout.parse().unwrap(), None).unwrap().source {
         Source::Table { instead_of, .. } => instead_of,
         _ => None,
     };
@@ -96,6 +96,32 @@ fn iso_286_answers_what_a_users_table_does_not_hold() {
 }
 
 #[test]
+fn callouts_without_letters_need_to_be_told_hole_or_shaft() {
+    #[track_caller]
+    fn check(callout: &str, feature: Option<Feature>, expected: &str) {
+        let said = match Sources::default().limits(&callout.parse().unwrap(), feature) {
+            Ok(limits) => {
+                format!("{} {} to {} from {}", limits.feature, limits.minimum(), limits.maximum(), limits.source)
+            }
+            Err(error) => error.to_string(),
+        };
+        assert_eq!(said, expected, "for {callout} {feature:?}");
+    }
+    let (hole, shaft) = (Some(Feature::Hole), Some(Feature::Shaft));
+    check("12 +0.01 -0.015", hole, "hole 11.985 to 12.01 from the callout itself");
+    check("12 +0.01 -0.015", None, "12 +0.01 -0.015 does not say whether the hole or the shaft is meant");
+    check("12.01/11.985", shaft, "shaft 11.985 to 12.01 from the callout itself");
+    // An odd number of nanometres: the middle is no whole number of them, the limits are exact all the same.
+    check("12.000001/12", shaft, "shaft 12 to 12.000001 from the callout itself");
+    check("10m", shaft, "shaft 9.8 to 10.2 from ISO 2768-1 class m, over 6 up to 30 mm");
+    check("25 H7/g6", shaft, "shaft 24.98 to 24.993 from ISO 286, over 18 up to 30 mm");
+    check("25 H7/g6", hole, "hole 25 to 25.021 from ISO 286, over 18 up to 30 mm");
+    check("25 H7/g6", None, "25 H7/g6 does not say whether the hole or the shaft is meant");
+    check("25 H7", shaft, "H7 is a hole class and not a shaft class");
+    check("25 g6", hole, "g6 is a shaft class and not a hole class");
+}
+
+#[test]
 fn rounded_js_is_told_with_the_source() {
     let options = iso286::Options { js: iso286::JsHalves::Rounded, ..iso286::Options::default() };
     let sources = Sources::default().with_options(options);
@@ -114,10 +140,13 @@ fn every_error_is_said_in_english_and_in_dutch() {
     }
     let tables = shipped();
     for callout in ["6.5 H7", "5 G6", "5 H6", "5 z7", "1 N9", "5 g6"] {
-        check(&tables.limits(&callout.parse().unwrap()).unwrap_err());
+        check(&tables.limits(&callout.parse().unwrap(), None).unwrap_err());
     }
-    for callout in ["24 T7", "25 Q7", "3151 H7"] {
-        check(&Sources::default().limits(&callout.parse().unwrap()).unwrap_err());
+    for callout in ["24 T7", "25 Q7", "3151 H7", "12 ±0.1", "0.4m"] {
+        check(&Sources::default().limits(&callout.parse().unwrap(), None).unwrap_err());
+    }
+    for (callout, feature) in [("25 H7", Feature::Shaft), ("25 h7", Feature::Hole)] {
+        check(&Sources::default().limits(&callout.parse().unwrap(), Some(feature)).unwrap_err());
     }
     let (class, table): (_, Arc<str>) = ("H7".parse().unwrap(), "own.tab".into());
     let defined = [("0", "1"), ("3", "6.5"), ("10", "18")].map(|(over, to)| (mm(over), mm(to))).to_vec();

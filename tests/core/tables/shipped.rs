@@ -132,7 +132,7 @@ fn control() -> fitcheck::tolerance::Sources {
 
 #[track_caller]
 fn check_limits(callout: &str, expected: &str) {
-    let said = match callout.parse::<Callout>().map(|callout| control().limits(&callout)) {
+    let said = match callout.parse::<Callout>().map(|callout| control().limits(&callout, None)) {
         Ok(Ok(limits)) => format!(
             "{} / {}",
             limits.deviations.upper().exact(Unit::Micrometre, 0),
@@ -201,10 +201,10 @@ fn the_shipped_tables_agree_with_the_spot_checks_as_far_as_they_go() {
     for record in reader.records() {
         let record = record.unwrap();
         let callout: Callout = record[0].parse().unwrap();
-        let class = callout.class().to_string();
+        let class = callout.class().unwrap().to_string();
         let is_ours = HOLE_CLASSES.split(' ').chain(SHAFT_CLASSES.split(' ')).any(|ours| ours == class);
         let is_refused = !is_ours || mm("400") < callout.nominal() || !record[3].is_empty();
-        match tables.limits(&callout) {
+        match tables.limits(&callout, None) {
             Err(_) if is_refused => refused += 1,
             Ok(limits) if !is_refused => {
                 assert_eq!(limits.deviations.lower(), um(&record[1]), "{callout}");
