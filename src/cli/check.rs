@@ -89,10 +89,10 @@ impl FromStr for MaskArg {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let tables = self.tables.load(io)?;
+        let sources = self.tables.load(io)?;
         let asked = Some(self.callout.trim()).filter(|text| !text.is_empty()).unwrap_or("callout");
         let callout: Callout = self.callout.parse().map_err(|error| data(asked, &error))?;
-        let limits = tables.limits(&callout).map_err(|error| data(asked, &error))?;
+        let limits = sources.limits(&callout).map_err(|error| data(asked, &error))?;
         let measurement = self.measurement(&limits, io)?;
         let measured = measurement.diameter;
         let record = Record {

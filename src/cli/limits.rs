@@ -11,7 +11,7 @@ use lines::{Found, LONGEST_LINE, Line};
 use super::{CliError, Format, Io, Outcome, TableArgs};
 use crate::control::text::decode;
 use crate::length::{Length, Unit};
-use crate::tolerance::{Callout, Deviations, Limits, Source, Tables};
+use crate::tolerance::{Callout, Deviations, Limits, Source, Sources};
 
 /// How much of a line that is too long is shown.
 const SHOWN: usize = 40;
@@ -44,9 +44,9 @@ pub(super) struct Args {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let tables = self.tables.load(io)?;
+        let sources = self.tables.load(io)?;
         let Io { input, out, err } = io;
-        let mut answers = Answers::new(&tables, self.format, &mut **out, &mut **err)?;
+        let mut answers = Answers::new(&sources, self.format, &mut **out, &mut **err)?;
         for callout in &self.callouts {
             if callout == "-" {
                 answers.answer_lines(&mut **input)?;
@@ -60,7 +60,7 @@ impl Args {
 
 /// Everything that is printed, in one of the three formats.
 struct Answers<'a> {
-    tables: &'a Tables,
+    sources: &'a Sources,
     printer: Printer<'a>,
     err: &'a mut dyn Write,
     answered: usize,
@@ -139,7 +139,7 @@ fn source(source: &Source) -> String {
         Source::Table { instead_of: Some(shipped), .. } => {
             format!("{source}, instead of {} µm in ISO 286", lower_and_upper(shipped))
         }
-        Source::Table { .. } | Source::File(_) => source.to_string(),
+        _ => source.to_string(),
     }
 }
 
@@ -154,7 +154,7 @@ fn lower_and_upper(deviations: &Deviations) -> String {
 
 impl<'a> Answers<'a> {
     fn new(
-        tables: &'a Tables,
+        sources: &'a Sources,
         format: Format,
         out: &'a mut dyn Write,
         err: &'a mut dyn Write,
@@ -172,7 +172,7 @@ impl<'a> Answers<'a> {
                 Printer::Json(out)
             }
         };
-        Ok(Self { tables, printer, err, answered: 0, refused: 0 })
+        Ok(Self { sources, printer, err, answered: 0, refused: 0 })
     }
 
     /// Answers every line of the input. What is answered is out before the next wait for input, so that another
@@ -199,7 +199,7 @@ impl<'a> Answers<'a> {
             Ok(parsed) => parsed,
             Err(error) => return self.refuse(callout, error.to_string(), line),
         };
-        let limits = match self.tables.limits(&parsed) {
+        let limits = match self.sources.limits(&parsed) {
             Ok(limits) => limits,
             Err(error) => return self.refuse(callout, error.to_string(), line),
         };

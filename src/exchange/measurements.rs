@@ -142,7 +142,7 @@ impl Reader<'_> {
             self.imported.set_aside(Unjudged { line, id, time, measured: Some(measured), position: None, why });
             return Ok(());
         };
-        let limits = self.source.tables.limits(&callout).map_err(|error| (cell, Reason::Limits(error)))?;
+        let limits = self.source.sources.limits(&callout).map_err(|error| (cell, Reason::Limits(error)))?;
         let record = Record {
             time: self.time(line, cells),
             id,

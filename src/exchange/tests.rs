@@ -5,7 +5,7 @@ use crate::tolerance::{DeviationTable, Deviations};
 use crate::verdict::Status;
 
 /// Up to 18 and up to 30 mm, after ISO 286-2.
-fn tables() -> Tables {
+fn tables() -> Sources {
     let um = Length::from_micrometres;
     let column = |class: &str, cells: [(i32, i32); 2]| Column {
         class: class.parse().unwrap(),
@@ -14,7 +14,7 @@ fn tables() -> Tables {
     let table = |name: &str, columns: Vec<Column>| {
         DeviationTable::new(name, true, vec!["18".parse().unwrap(), "30".parse().unwrap()], columns).unwrap()
     };
-    Tables::shipped(vec![
+    Sources::of_tables(vec![
         table("hole.tab", vec![column("H7", [(18, 0), (21, 0)]), column("K7", [(6, -12), (6, -15)])]),
         table("shaft.tab", vec![column("g6", [(-6, -17), (-7, -20)])]),
     ])

@@ -24,7 +24,7 @@ pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
                     heading(ui, view.text(feature_classes_id(feature)));
                 });
                 ui.horizontal_wrapped(|ui| {
-                    for class in view.session.tables().classes(feature) {
+                    for class in view.session.sources().classes(feature) {
                         let size = vec2(space(14.0), theme::sizes().field);
                         let button = eframe::egui::Button::selectable(chosen == Some(class), class.as_str());
                         if ui.add_sized(size, button).clicked() {

@@ -7,7 +7,7 @@ use crate::length::Length;
 use crate::probing::cycle::{Angle, Value};
 use crate::probing::cycles::cycle;
 use crate::tolerance::callout::halves;
-use crate::tolerance::{Callout, Limits, Tables};
+use crate::tolerance::{Callout, Limits, Sources};
 use crate::words::{Message, Say as _};
 
 /// The meaning of the fields. Made anew at every change.
@@ -80,7 +80,7 @@ pub(super) fn class_text(callout: &str) -> &str {
 
 impl Asked {
     /// Reads the fields. Empty optional fields are no error; a number that cannot be used is.
-    pub(super) fn read(inputs: &Inputs, tables: &Tables) -> Self {
+    pub(super) fn read(inputs: &Inputs, sources: &Sources) -> Self {
         let mut asked = Self {
             callout: None,
             limits: None,
@@ -90,7 +90,7 @@ impl Asked {
             lobes: None,
             errors: BTreeMap::new(),
         };
-        asked.read_callout(inputs.text(Field::Callout), tables);
+        asked.read_callout(inputs.text(Field::Callout), sources);
         for (field, q) in PARAMETERS {
             asked.read_parameter(field, q, inputs.text(field));
         }
@@ -102,14 +102,14 @@ impl Asked {
         asked
     }
 
-    fn read_callout(&mut self, text: &str, tables: &Tables) {
+    fn read_callout(&mut self, text: &str, sources: &Sources) {
         if text.trim().is_empty() {
             return;
         }
         let problem = match text.parse::<Callout>() {
             Ok(callout) => {
                 self.callout = Some(callout);
-                match tables.limits(&callout) {
+                match sources.limits(&callout) {
                     Ok(limits) => return self.limits = Some(limits),
                     Err(error) => error.message(),
                 }

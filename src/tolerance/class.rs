@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::iso286::Grade;
 use crate::words::{Message, Say};
 
 /// Which side of the material is measured.
@@ -112,6 +113,20 @@ impl ToleranceClass {
         match self.feature() {
             Feature::Hole => text.make_ascii_lowercase(),
             Feature::Shaft => text.make_ascii_uppercase(),
+        }
+        Self { text }
+    }
+
+    /// The class of a letter of ISO 286 (in small letters) and a grade: at most two letters and two digits.
+    pub(super) fn of_parts(feature: Feature, letters: &str, grade: Grade) -> Self {
+        let mut text = [0; LONGEST];
+        let digits = grade.digits();
+        let bytes = letters.bytes().map(|letter| match feature {
+            Feature::Hole => letter.to_ascii_uppercase(),
+            Feature::Shaft => letter,
+        });
+        for (place, byte) in text.iter_mut().zip(bytes.chain(digits.into_iter().filter(|digit| *digit != 0))) {
+            *place = byte;
         }
         Self { text }
     }

@@ -7,20 +7,23 @@
 //! | `iso2768` | general tolerances: `10m` |
 //! | `limits` | deviations and limits of size, and where they come from |
 //! | `table` | size ranges and deviations as a control's table holds them |
-//! | `lookup` | from a callout to limits: the user's tables first, then the shipped ones |
+//! | `iso286` | the standard: every class, 0 to 3150 mm |
+//! | `sources` | from a callout to limits: the user's own tables first, then ISO 286 or the control's tables |
 //!
 //! Nothing here reads a file or knows a window: tables arrive as values.
 
 pub mod callout;
 pub mod class;
 pub mod iso2768;
+pub mod iso286;
 pub mod limits;
-pub mod lookup;
+mod ranges;
+pub mod sources;
 pub mod table;
 
 pub use callout::{Callout, CalloutError, CalloutErrorKind, CycleText, Tolerance};
 pub use class::{ClassError, Feature, ToleranceClass};
 pub use iso2768::GeneralClass;
 pub use limits::{Deviations, DeviationsError, Limits, Source};
-pub use lookup::{LimitsError, Tables};
+pub use sources::{Base, LimitsError, Sources};
 pub use table::DeviationTable;

@@ -11,6 +11,7 @@ mod cycle_declaration;
 mod cycles;
 mod house;
 mod import;
+mod iso286;
 mod limits_cli;
 mod locales;
 mod logs;

@@ -18,7 +18,9 @@ class-malformed = { $text } is not a tolerance class: write letters and a grade,
 
 ## Deviations and limits
 deviations-order = upper deviation { $upper-sign }{ $upper } mm is below lower deviation { $lower-sign }{ $lower } mm
-source-shipped-table = ISO 286 table { $name }, over { $over } up to { $to } mm
+source-iso286 = ISO 286, over { $over } up to { $to } mm
+source-iso286-js-rounded = ISO 286 with JS rounded as in 1988, over { $over } up to { $to } mm
+source-shipped-table = built-in table { $name }, over { $over } up to { $to } mm
 source-table = table { $name }, over { $over } up to { $to } mm
 source-file = file { $name }
 limits-hole-class = { $class } is a hole class and table { $table } does not have it; the shaft class is { $other }
@@ -83,3 +85,8 @@ general-too-small = nominal size { $nominal-sign }{ $nominal } mm is below { $fi
 general-too-large = nominal size { $nominal } mm is beyond ISO 2768-1, which ends with { $last } mm
 general-not-defined = there is no class { $class } of ISO 2768-1 { $range }; it is defined { $defined }
 general-range-from = from { $over } up to { $to } mm
+## ISO 286
+iso286-no-grade = { $class } is no class of ISO 286: its grades are { $grades }
+iso286-no-letter = { $class } is no class of ISO 286: it has no letter { $letters }, only { $known }
+iso286-too-large = nominal size { $nominal } mm is beyond ISO 286, which ends at 3150 mm
+iso286-not-here = { $class } is not defined at { $nominal } mm in ISO 286; { $where }

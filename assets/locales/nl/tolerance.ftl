@@ -18,7 +18,9 @@ class-malformed = { $text } is geen tolerantieklasse: schrijf letters en een gra
 
 ## Afwijkingen en grensmaten
 deviations-order = bovenafwijking { $upper-sign }{ $upper } mm ligt onder onderafwijking { $lower-sign }{ $lower } mm
-source-shipped-table = ISO 286-tabel { $name }, boven { $over } tot en met { $to } mm
+source-iso286 = ISO 286, boven { $over } tot en met { $to } mm
+source-iso286-js-rounded = ISO 286 met JS afgerond als in 1988, boven { $over } tot en met { $to } mm
+source-shipped-table = ingebouwde tabel { $name }, boven { $over } tot en met { $to } mm
 source-table = tabel { $name }, boven { $over } tot en met { $to } mm
 source-file = bestand { $name }
 limits-hole-class = { $class } is een klasse voor gaten en staat niet in tabel { $table }; de klasse voor assen is { $other }
@@ -83,3 +85,8 @@ general-too-small = nominale maat { $nominal-sign }{ $nominal } mm ligt onder { 
 general-too-large = nominale maat { $nominal } mm valt buiten ISO 2768-1, dat tot en met { $last } mm gaat
 general-not-defined = ISO 2768-1 heeft geen klasse { $class } { $range }; wel { $defined }
 general-range-from = van { $over } tot en met { $to } mm
+## ISO 286
+iso286-no-grade = { $class } is geen klasse van ISO 286: de graden zijn { $grades }
+iso286-no-letter = { $class } is geen klasse van ISO 286: de letter { $letters } bestaat niet, wel { $known }
+iso286-too-large = nominale maat { $nominal } mm ligt buiten ISO 286, die bij 3150 mm ophoudt
+iso286-not-here = { $class } is bij { $nominal } mm niet gedefinieerd in ISO 286; { $where }
