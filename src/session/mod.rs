@@ -490,6 +490,11 @@ impl Session {
         (session, effects)
     }
 
+    /// Where in a field's text an error shows: characters counted from 0.
+    pub fn culprit(&self, field: Field) -> Option<&std::ops::Range<usize>> {
+        self.asked.culprit().filter(|_| field == Field::Callout)
+    }
+
     /// The callout of the part that is judged: one side of a fit.
     fn part_callout(&self) -> Option<Callout> {
         let callout = self.asked.callout()?;

@@ -142,7 +142,6 @@ impl Say for LimitsError {
                 .mm("over", *over)
                 .mm("to", *to)
                 .message("where", ranges::message(defined)),
-            Self::NoClass { callout } => Message::new("limits-no-class").text("callout", callout),
             Self::TooLarge { nominal } => Message::new("limits-too-large").mm("nominal", *nominal),
         }
     }

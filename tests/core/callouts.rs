@@ -8,7 +8,7 @@ use fitcheck::control::shipped_tables;
 use fitcheck::length::Length;
 use fitcheck::tolerance::callout::qs400;
 use fitcheck::tolerance::iso2768::{self, GeneralClass};
-use fitcheck::tolerance::{Callout, CycleText, Deviations, Sources, Tolerance, ToleranceClass};
+use fitcheck::tolerance::{Callout, CycleText, Deviations, Sources, ToleranceClass};
 use proptest::prelude::*;
 
 /// ISO 2768-1, linear sizes: over, up to, and the deviations of f, m, c and v, in millimetres.
@@ -87,18 +87,8 @@ fn samples(kind: &str) -> Vec<Sample> {
 
 /// The deviations of a callout: its own, or those of ISO 2768-1 or of ISO 286.
 fn deviations(callout: &Callout) -> Result<Option<(Length, Length)>, String> {
-    let pair = |band: Deviations| Some((band.upper(), band.lower()));
-    match callout.tolerance() {
-        Tolerance::Deviations(band) => Ok(pair(band)),
-        Tolerance::General(class) => match iso2768::deviations(class, callout.nominal()) {
-            Ok(cell) => Ok(pair(cell.deviations)),
-            Err(error) => Err(error.to_string()),
-        },
-        _ => match Sources::default().limits(callout) {
-            Ok(limits) => Ok(pair(limits.deviations)),
-            Err(error) => Err(error.to_string()),
-        },
-    }
+    let found = Sources::default().deviations(callout, None).map_err(|error| error.to_string())?;
+    Ok(Some((found.0.upper(), found.0.lower())))
 }
 
 #[test]

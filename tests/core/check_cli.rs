@@ -410,3 +410,37 @@ fn a_closed_pipe_keeps_the_verdict() {
         assert_eq!(String::from_utf8(output.stdout).unwrap().lines().count(), 5, "{measured}");
     }
 }
+
+#[test]
+fn a_callout_without_letters_is_good_as_either_and_asks_hole_or_shaft_before_it_condemns() {
+    let good = run(&["12 +0.01 -0.015", "--measured", "12.01", "--format", "json"]);
+    assert_eq!(good.code, 0, "{}", good.err);
+    let object: Value = serde_json::from_str(&good.out).unwrap();
+    assert_eq!((&object["feature"], &object["status"]), (&Value::Null, &json!("GOOD")));
+    let good = run(&["12 +0.01 -0.015", "--measured", "12.01", "--format", "csv"]);
+    assert!(good.out.contains(",12 +0.01 -0.015,,12,11.985,12.010,12.010,10,GOOD,"), "{}", good.out);
+    let unsaid = run(&["12 +0.01 -0.015", "--measured", "12.010001"]);
+    assert_eq!((unsaid.code, unsaid.out.as_str()), (1, ""));
+    assert!(unsaid.err.contains("12.010001 mm is outside 11.985 to 12.01 mm"), "{}", unsaid.err);
+    assert!(unsaid.err.contains("add --feature hole or --feature shaft"), "{}", unsaid.err);
+    for (feature, measured, code) in
+        [("hole", "12.010001", 11), ("shaft", "12.010001", 10), ("hole", "11.98", 10), ("shaft", "11.98", 11)]
+    {
+        let answer = run(&["12 +0.01 -0.015", "--feature", feature, "--measured", measured]);
+        assert_eq!(answer.code, code, "{feature} {measured}: {}", answer.err);
+    }
+}
+
+#[test]
+fn one_part_of_a_fit_is_checked_when_it_is_named() {
+    let answer = run(&["25 H7/g6", "--measured", "24.99"]);
+    assert_eq!((answer.code, answer.out.as_str()), (1, ""));
+    let why = "25 H7/g6 does not say whether the hole or the shaft is meant: add --feature hole or --feature shaft";
+    assert!(answer.err.contains(why), "{}", answer.err);
+    let shaft = run(&["25 H7/g6", "--feature", "shaft", "--measured", "24.99"]);
+    assert_eq!(shaft.code, 0);
+    assert!(shaft.out.contains("CHECKED FIT: 25 g6\n"), "{}", shaft.out);
+    assert_eq!(run(&["25 H7/g6", "--feature", "hole", "--measured", "24.99"]).code, 10);
+    let wrong = run(&["25 H7", "--feature", "shaft", "--measured", "25"]);
+    assert!(wrong.code == 1 && wrong.err.contains("H7 is a hole class and not a shaft class"), "{}", wrong.err);
+}

@@ -284,3 +284,35 @@ fn exceptions_and_borders_are_right_or_refused_line_by_line() {
         ]
     );
 }
+
+#[test]
+fn every_notation_of_drawings_is_answered() {
+    let input = "Ø25 h6\n25 H7-g6\n10m\n12+0.01-0.015\n12 ±0.02\n12 +0.2/0\n12,01/11,985\n3v\n8-2-1\n".as_bytes();
+    let answer = limits(&["-", "--format", "csv"], input);
+    assert_eq!(
+        String::from_utf8(answer.get_output().stdout.clone()).unwrap(),
+        format!(
+            "{HEADER}Ø25 h6,25,-13,0,24.987,25.000,{HOLE_18_30},\n\
+             25 H7,25,0,21,25.000,25.021,{HOLE_18_30},\n\
+             25 g6,25,-20,-7,24.980,24.993,{HOLE_18_30},\n\
+             10m,10,-200,200,9.800,10.200,\"ISO 2768-1 class m, over 6 up to 30 mm\",\n\
+             12+0.01-0.015,12,-15,10,11.985,12.010,the callout itself,\n\
+             12 ±0.02,12,-20,20,11.980,12.020,the callout itself,\n\
+             12 +0.2/0,12,0,200,12.000,12.200,the callout itself,\n\
+             \"12,01/11,985\",11.9975,-12.5,12.5,11.985,12.010,the callout itself,\n\
+             3v,,,,,,,there is no class v of ISO 2768-1 from 0.5 up to 3 mm; it is defined over 3 up to 4000 mm\n\
+             8-2-1,,,,,,,the lower deviation stands before the upper one: write 8 -1 -2 (character 2)\n"
+        )
+    );
+    check(
+        &["25 H7/g6", "12 +0.2 0"],
+        "",
+        0,
+        "\
+25 H7       hole     25.000 … 25.021 mm    (0 / +21 µm)        from ISO 286, over 18 up to 30 mm
+25 g6       shaft    24.980 … 24.993 mm    (-20 / -7 µm)       from ISO 286, over 18 up to 30 mm
+12 +0.2 0   –        12.000 … 12.200 mm    (0 / +200 µm)       from the callout itself
+",
+        "",
+    );
+}

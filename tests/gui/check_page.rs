@@ -216,3 +216,45 @@ fn pages_open_by_name_and_by_key() {
         assert_eq!(window.query_by_role_and_label(Role::TextInput, "Measured value").is_some(), page == "Check");
     }
 }
+
+#[test]
+fn a_callout_without_letters_asks_hole_or_shaft() {
+    let mut window = window();
+    type_into(&mut window, "Fit", "12 +0.01 -0.015");
+    window.get_by_label_contains("does not say whether the hole or the shaft is meant");
+    type_into(&mut window, "Measured value", "12.02");
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(verdict(&window).starts_with("No result"), "{}", verdict(&window));
+    window.get_by_role_and_label(Role::RadioButton, "Shaft").click();
+    window.run();
+    window.get_by_label("from the callout itself");
+    type_into(&mut window, "Measured value", "12.02");
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(verdict(&window).starts_with("REWORK. 12.020 mm. Remove 10 µm"), "{}", verdict(&window));
+    // The same size as a hole is scrap, and the old verdict does not stay.
+    window.get_by_role_and_label(Role::RadioButton, "Hole").click();
+    window.run();
+    assert!(verdict(&window).starts_with("No result"), "{}", verdict(&window));
+    type_into(&mut window, "Measured value", "12.02");
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
+    // A class says it itself, and the next callout without letters asks anew.
+    type_into(&mut window, "Fit", "25 H7");
+    type_into(&mut window, "Fit", "10m");
+    window.get_by_label_contains("does not say whether the hole or the shaft is meant");
+}
+
+#[test]
+fn one_part_of_a_fit_is_checked() {
+    let mut window = window();
+    type_into(&mut window, "Fit", "25 H7/g6");
+    window.get_by_role_and_label(Role::RadioButton, "Shaft").click();
+    window.run();
+    check(&mut window, "25 H7/g6", "24.99");
+    assert!(verdict(&window).starts_with("GOOD. 24.990 mm"), "{}", verdict(&window));
+    let record = &window.state().session().history()[0];
+    assert_eq!(record.callout.map(|callout| callout.to_string()), Some("25 g6".to_owned()));
+}
