@@ -19,7 +19,7 @@ class-malformed = { $text } is not a tolerance class: write letters and a grade,
 ## Deviations and limits
 deviations-order = upper deviation { $upper-sign }{ $upper } mm is below lower deviation { $lower-sign }{ $lower } mm
 source-iso286 = ISO 286, over { $over } up to { $to } mm
-source-iso286-js-rounded = ISO 286 with JS rounded as in 1988, over { $over } up to { $to } mm
+source-iso286-remark = ISO 286, over { $over } up to { $to } mm; { $remark }
 source-shipped-table = built-in table { $name }, over { $over } up to { $to } mm
 source-table = table { $name }, over { $over } up to { $to } mm
 source-file = file { $name }
@@ -61,6 +61,10 @@ iso286-no-grade = { $class } is no class of ISO 286: its grades are { $grades }
 iso286-no-letter = { $class } is no class of ISO 286: it has no letter { $letters }, only { $known }
 iso286-too-large = nominal size { $nominal } mm is beyond ISO 286, which ends at 3150 mm
 iso286-not-here = { $class } is not defined at { $nominal } mm in ISO 286; { $where }
+iso286-js-rounded = JS rounded as in 1988
+iso286-contested-ef = contested: ef is 28 µm here, other transcriptions have 25 µm
+iso286-older-it5 = for trial use; older catalogues have a smaller IT5 here
+iso286-trial-use = for trial use
 ## Callouts: deviations, limits, fits and general tolerances
 callout-at = { $reason } (character { $at })
 callout-no-tolerance = a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1
