@@ -6,12 +6,14 @@
 //! | `callout` | what people type: `25 H7` |
 //! | `limits` | deviations and limits of size, and where they come from |
 //! | `table` | size ranges and deviations as a control's table holds them |
+//! | `fit` | a hole against a shaft: clearances, search, temperature |
 //! | `lookup` | from a callout to limits: the user's tables first, then the shipped ones |
 //!
 //! Nothing here reads a file or knows a window: tables arrive as values.
 
 pub mod callout;
 pub mod class;
+pub mod fit;
 pub mod iso286;
 pub mod limits;
 pub mod lookup;
