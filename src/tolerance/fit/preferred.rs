@@ -195,10 +195,7 @@ impl Function {
     }
 
     pub(super) fn of_parts(hole: (Letter, Grade), shaft: (Letter, Grade)) -> Option<Self> {
-        let letter = match (hole.0, shaft.0) {
-            (Letter::H, letter) | (letter, Letter::H) => letter,
-            _ => return None,
-        };
+        let ((Letter::H, letter) | (letter, Letter::H)) = (hole.0, shaft.0) else { return None };
         Self::ALL.into_iter().find(|function| {
             let (is, of_hole, of_shaft) = function.parts();
             is == letter && Grade::numbered(of_hole) == Some(hole.1) && Grade::numbered(of_shaft) == Some(shaft.1)

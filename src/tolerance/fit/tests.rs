@@ -194,8 +194,9 @@ fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
         "version = 1\n[[material]]\nname = \" \"\nexpansion = 1",
         "line 3: a material's name has 1 to 60 characters and no control characters",
     );
-    let many: String = (0..1001).map(|n| format!("[[material]]\nname = \"m{n}\"\nexpansion = 1\n")).collect();
-    check(&format!("version = 1\n{many}"), "there are 1001 materials: at most 1000");
+    let many: Vec<String> =
+        (0..1001).map(|number| format!("[[material]]\nname = \"m{number}\"\nexpansion = 1\n")).collect();
+    check(&format!("version = 1\n{}", many.concat()), "there are 1001 materials: at most 1000");
     check(
         &steel.replace("11.5", "1150"),
         "line 5, column 13: an expansion of 1150 is out of range: from -20 to 500, in millionths a kelvin, such as 11.5 for steel",
