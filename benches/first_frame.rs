@@ -40,9 +40,9 @@ fn frames(criterion: &mut Criterion) {
     let rows: Vec<String> = (0..10_000).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
     let rows = rows.concat();
     let now = (setup().clock)();
-    let tables = fitcheck::control::shipped_tables();
+    let sources = fitcheck::tolerance::Sources::default();
     let imported =
-        fitcheck::exchange::import("parts.csv", format!("id,callout,measured\n{rows}").as_bytes(), &tables, now);
+        fitcheck::exchange::import("parts.csv", format!("id,callout,measured\n{rows}").as_bytes(), &sources, now);
     assert_eq!(imported.records.len(), 10_000);
     let ctx = harness.ctx.clone();
     let command = Command::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(imported)) };

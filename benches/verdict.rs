@@ -6,11 +6,12 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use fitcheck::control::shipped_tables;
 use fitcheck::length::Length;
-use fitcheck::tolerance::Callout;
+use fitcheck::tolerance::{Callout, Sources};
 use fitcheck::verdict::judge;
 
 fn verdicts(criterion: &mut Criterion) {
-    let tables = shipped_tables();
+    let standard = Sources::default();
+    let tables = Sources::of_tables(shipped_tables());
     let callouts: Vec<(Callout, Length)> = ["25 H7", "120.0001 s7", "8 JS7", "400 H13", "3 k6", "0.5 D10"]
         .into_iter()
         .map(|text| {
@@ -18,20 +19,22 @@ fn verdicts(criterion: &mut Criterion) {
             (callout, callout.nominal())
         })
         .collect();
-    let mut next = callouts.iter().cycle();
-    criterion.bench_function("limits and verdict of one callout", |bencher| {
-        bencher.iter(|| {
-            let (callout, measured) = next.next().expect("endless");
-            let limits = tables.limits(black_box(callout)).expect("limits");
-            judge(&limits, black_box(*measured), None).status()
+    for (name, sources) in [("ISO 286", &standard), ("the control's tables", &tables)] {
+        let mut next = callouts.iter().cycle();
+        criterion.bench_function(&format!("limits and verdict of one callout, {name}"), |bencher| {
+            bencher.iter(|| {
+                let (callout, measured) = next.next().expect("endless");
+                let limits = sources.limits(black_box(callout), None).expect("limits");
+                judge(&limits, black_box(*measured), None).status()
+            });
         });
-    });
+    }
     let texts = ["25 H7", "120.0001 s7", "8 JS7", "400 H13", "3 k6", "0.5 D10"];
     let mut next = texts.iter().cycle();
     criterion.bench_function("the same from the callout's text", |bencher| {
         bencher.iter(|| {
             let callout: Callout = black_box(*next.next().expect("endless")).parse().expect("a callout");
-            let limits = tables.limits(&callout).expect("limits");
+            let limits = standard.limits(&callout, None).expect("limits");
             judge(&limits, callout.nominal(), None).status()
         });
     });

@@ -159,10 +159,10 @@ pub fn classify(feature: Feature, minimum: Length, maximum: Length, measured: Le
 /// Judges a diameter: a hole too small or a shaft too large can be reworked, the other side is scrap.
 ///
 /// ```
+/// use fitcheck::tolerance::Sources;
 /// use fitcheck::verdict::{Status, judge_size};
-/// use fitcheck::control::shipped_tables;
 ///
-/// let limits = shipped_tables().limits(&"25 H7".parse()?)?;
+/// let limits = Sources::default().limits(&"25 H7".parse()?, None)?;
 /// let verdict = judge_size(&limits, "24.998".parse()?);
 /// assert_eq!(verdict.status, Status::Rework);
 /// assert_eq!(verdict.removal.map(|removal| removal.to_limit.to_string()), Some("0.002".to_owned()));

@@ -17,8 +17,8 @@ use crate::probing::measurement::measure_contacts;
 use crate::probing::simulated::{Machine, Probe, Workpiece};
 use crate::probing::{Measurement, Origin};
 use crate::report::{csv, json};
-use crate::tolerance::{Callout, Limits, Source};
-use crate::verdict::{self, doubt};
+use crate::tolerance::{Callout, Feature, Limits, LimitsError, Source};
+use crate::verdict::{self, Status, doubt};
 use crate::words::Language;
 
 const EXAMPLES: &str = "Examples:
@@ -33,13 +33,16 @@ Exit codes: 0 good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usag
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
-    /// Nominal size and tolerance class, such as "25 H7"
+    /// "25 H7", "10m", "12 +0.01 -0.015", "12.01/11.985", or with --feature one part of "25 H7/g6"
     callout: String,
     #[command(flatten)]
     source: SourceArgs,
     /// Seed of the simulated scatter: the same seed gives the same contacts
     #[arg(long, value_name = "N", default_value_t = 1, conflicts_with_all = ["measured", "contacts"])]
     seed: u64,
+    /// Hole or shaft, for a callout that does not say it: 10m, "12 ±0.02", or one part of "25 H7/g6"
+    #[arg(long, value_enum)]
+    feature: Option<FeatureArg>,
     /// True diameter of the simulated workpiece in mm; without it the middle of the zone
     #[arg(long, value_name = "MM", conflicts_with_all = ["measured", "contacts"])]
     true_diameter: Option<String>,
@@ -54,6 +57,27 @@ pub(super) struct Args {
     format: Format,
     #[command(flatten)]
     tables: TableArgs,
+}
+
+/// How to say which part is meant.
+const FEATURES: &str = "--feature hole or --feature shaft";
+
+/// Hole or shaft.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+enum FeatureArg {
+    /// An inner size.
+    Hole,
+    /// An outer size.
+    Shaft,
+}
+
+impl FeatureArg {
+    const fn feature(self) -> Feature {
+        match self {
+            Self::Hole => Feature::Hole,
+            Self::Shaft => Feature::Shaft,
+        }
+    }
 }
 
 /// Where the diameter comes from: exactly one.
@@ -89,26 +113,44 @@ impl FromStr for MaskArg {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let tables = self.tables.load(io)?;
+        let sources = self.tables.load(io)?;
         let asked = Some(self.callout.trim()).filter(|text| !text.is_empty()).unwrap_or("callout");
         let callout: Callout = self.callout.parse().map_err(|error| data(asked, &error))?;
-        let limits = tables.limits(&callout).map_err(|error| data(asked, &error))?;
+        let feature = self.feature.map(FeatureArg::feature);
+        let unstated = feature.is_none() && callout.feature().is_none();
+        let limits = if unstated { sources.size_limits(&callout) } else { sources.limits(&callout, feature) };
+        let limits = limits.map_err(|error| match error {
+            LimitsError::NoFeature { .. } => CliError::Data(format!("{error}: add {FEATURES}")),
+            error => data(asked, &error),
+        })?;
+        if unstated && self.source.simulate {
+            let error = LimitsError::NoFeature { callout };
+            return Err(CliError::Data(format!("{error}: add {FEATURES}")));
+        }
         let measurement = self.measurement(&limits, io)?;
         let measured = measurement.diameter;
         let record = Record {
             time: super::now(),
             id: String::new(),
-            callout: Some(callout),
+            callout: Some(callout.of_part(limits.feature)),
             verdict: verdict::judge(&limits, measured, None),
             doubt: doubt(limits.nominal, measured),
             limits,
             measurement,
         };
+        let status = record.verdict.status();
+        if unstated && (status == Status::Rework || status == Status::Scrap) {
+            let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());
+            return Err(CliError::Data(format!(
+                "{asked}: {measured} mm is outside {minimum} to {maximum} mm; whether that is rework or scrap depends on \
+                 hole or shaft: add {FEATURES}"
+            )));
+        }
         warn(&record, io)?;
         match self.format {
             Format::Text => self.print_window(&record, io)?,
-            Format::Json => print_json(&record, io)?,
-            Format::Csv => print_csv(&record, io)?,
+            Format::Json => print_json(&record, unstated, io)?,
+            Format::Csv => print_csv(&record, unstated, io)?,
         }
         Ok(Outcome::Judged(record.verdict.status()))
     }
@@ -184,14 +226,19 @@ fn measure_file(path: &Path, io: &mut Io<'_>) -> Result<Measurement, CliError> {
     measure_contacts(&read.contacts, origin).map_err(|error| data(&name, &error))
 }
 
-fn print_json(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
-    let object = json::object(record).map_err(|error| CliError::Data(error.to_string()))?;
+/// `unstated`: the callout has no letters and nobody said hole or shaft, so the file does not say it either.
+fn print_json(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), CliError> {
+    let mut object = json::object(record).map_err(|error| CliError::Data(error.to_string()))?;
+    if let Some(feature) = object.get_mut("feature").filter(|_| unstated) {
+        *feature = serde_json::Value::Null;
+    }
     let text = serde_json::to_string_pretty(&object).map_err(|error| CliError::Data(error.to_string()))?;
     heard_or_not(writeln!(io.out, "{text}"))
 }
 
-fn print_csv(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
-    let bytes = csv::render(std::slice::from_ref(record)).map_err(|error| CliError::Data(error.to_string()))?;
+fn print_csv(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), CliError> {
+    let render = if unstated { csv::render_without_feature } else { csv::render };
+    let bytes = render(std::slice::from_ref(record)).map_err(|error| CliError::Data(error.to_string()))?;
     heard_or_not(io.out.write_all(&bytes))
 }
 

@@ -74,7 +74,7 @@ struct Tally {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let tables = self.tables.load(io)?;
+        let sources = self.tables.load(io)?;
         let now = self.time.unwrap_or_else(super::now);
         let mut printer = Printer::new(self.format, io)?;
         let mut tally = Tally::default();
@@ -82,7 +82,7 @@ impl Args {
             match files::read(path) {
                 Ok(bytes) => {
                     let name = path.file_name().unwrap_or_default().to_string_lossy();
-                    let imported = import(&name, &bytes, &tables, now);
+                    let imported = import(&name, &bytes, &sources, now);
                     warn(path, &imported, io)?;
                     printer.file(row::rows(path, &imported).inspect(|row| tally.count(row)), io)?;
                 }

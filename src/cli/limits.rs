@@ -11,7 +11,7 @@ use lines::{Found, LONGEST_LINE, Line};
 use super::{CliError, Format, Io, Outcome, TableArgs};
 use crate::control::text::decode;
 use crate::length::{Length, Unit};
-use crate::tolerance::{Callout, Deviations, Limits, Source, Tables};
+use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
 
 /// How much of a line that is too long is shown.
 const SHOWN: usize = 40;
@@ -22,6 +22,7 @@ Examples:
   fitcheck limits \"25 H7\" \"25 g6\" --format csv   several, for a spreadsheet
   fitcheck limits - --format csv < callouts.txt  one callout a line, one answer a line
   fitcheck limits \"25 U1\" --tables my_tables     with your own control tables
+  fitcheck limits \"25 H7/g6\" 10m \"12 ±0.02\"     a fit (hole, then shaft), ISO 2768-1, deviations
 
 Columns of CSV and names in JSON: callout, nominal_mm, lower_um, upper_um, min_mm, max_mm, source, error.
 A refused callout has no figures but a reason in error, and the exit code is 1.";
@@ -30,7 +31,7 @@ A refused callout has no figures but a reason in error, and the exit code is 1."
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
-    /// Nominal size and tolerance class, "25 H7"; - reads one a line from standard input
+    /// "25 H7", "25 H7/g6", "10m", "12 +0.01 -0.015", "12.01/11.985"; - reads one a line from standard input
     #[arg(value_name = "CALLOUT", required = true)]
     callouts: Vec<String>,
 
@@ -44,9 +45,9 @@ pub(super) struct Args {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let tables = self.tables.load(io)?;
+        let sources = self.tables.load(io)?;
         let Io { input, out, err } = io;
-        let mut answers = Answers::new(&tables, self.format, &mut **out, &mut **err)?;
+        let mut answers = Answers::new(&sources, self.format, &mut **out, &mut **err)?;
         for callout in &self.callouts {
             if callout == "-" {
                 answers.answer_lines(&mut **input)?;
@@ -60,7 +61,7 @@ impl Args {
 
 /// Everything that is printed, in one of the three formats.
 struct Answers<'a> {
-    tables: &'a Tables,
+    sources: &'a Sources,
     printer: Printer<'a>,
     err: &'a mut dyn Write,
     answered: usize,
@@ -139,7 +140,7 @@ fn source(source: &Source) -> String {
         Source::Table { instead_of: Some(shipped), .. } => {
             format!("{source}, instead of {} µm in ISO 286", lower_and_upper(shipped))
         }
-        Source::Table { .. } | Source::File(_) => source.to_string(),
+        _ => source.to_string(),
     }
 }
 
@@ -154,7 +155,7 @@ fn lower_and_upper(deviations: &Deviations) -> String {
 
 impl<'a> Answers<'a> {
     fn new(
-        tables: &'a Tables,
+        sources: &'a Sources,
         format: Format,
         out: &'a mut dyn Write,
         err: &'a mut dyn Write,
@@ -172,7 +173,7 @@ impl<'a> Answers<'a> {
                 Printer::Json(out)
             }
         };
-        Ok(Self { tables, printer, err, answered: 0, refused: 0 })
+        Ok(Self { sources, printer, err, answered: 0, refused: 0 })
     }
 
     /// Answers every line of the input. What is answered is out before the next wait for input, so that another
@@ -199,13 +200,25 @@ impl<'a> Answers<'a> {
             Ok(parsed) => parsed,
             Err(error) => return self.refuse(callout, error.to_string(), line),
         };
-        let limits = match self.tables.limits(&parsed) {
+        if !matches!(parsed.tolerance(), Tolerance::Fit { .. }) {
+            return self.answer_part(callout, parsed, line);
+        }
+        // A fit is two sizes: the hole's answer, then the shaft's.
+        for feature in [Feature::Hole, Feature::Shaft] {
+            let part = parsed.of_part(feature);
+            self.answer_part(&part.to_string(), part, line)?;
+        }
+        Ok(())
+    }
+
+    fn answer_part(&mut self, asked: &str, callout: Callout, line: Option<usize>) -> Result<(), CliError> {
+        let limits = match self.sources.size_limits(&callout) {
             Ok(limits) => limits,
-            Err(error) => return self.refuse(callout, error.to_string(), line),
+            Err(error) => return self.refuse(asked, error.to_string(), line),
         };
         match &mut self.printer {
-            Printer::Text(out) => write_text(*out, &parsed, &limits)?,
-            printer => printer.row(self.answered, &Row::of(callout, &limits))?,
+            Printer::Text(out) => write_text(*out, &callout, &limits)?,
+            printer => printer.row(self.answered, &Row::of(asked, &limits))?,
         }
         self.answered += 1;
         Ok(())
@@ -280,7 +293,8 @@ fn write_text(out: &mut dyn Write, callout: &Callout, limits: &Limits) -> std::i
     let (minimum, maximum) = (mm(limits.minimum()), mm(limits.maximum()));
     let range = format!("{minimum:>8} … {maximum} mm");
     let deviations = format!("({} µm)", lower_and_upper(&limits.deviations));
-    let (feature, source) = (limits.feature, source(&limits.source));
+    let feature = callout.feature().map_or("–", Feature::word);
+    let source = source(&limits.source);
     writeln!(out, "{callout:<10}  {feature:<5}  {range:<22}  {deviations:<18}  from {source}")
 }
 

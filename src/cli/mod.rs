@@ -13,11 +13,12 @@ use std::io::{BufRead, Read as _, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand, ValueEnum};
 
 use crate::control::shipped_tables;
 use crate::files::{self, FileError};
-use crate::tolerance::Tables;
+use crate::tolerance::{Base, Sources, iso286};
 use crate::verdict::Status;
 
 /// Good, rework or scrap: limits and fits, measured.
@@ -55,20 +56,60 @@ pub enum Format {
 /// Where the tables come from.
 #[derive(Debug, Clone, clap::Args)]
 pub struct TableArgs {
-    /// Folder with your own control tables (*.tab); they are asked before the built-in ones
+    /// Folder with your own control tables (*.tab); they come first for the classes and sizes that they hold
     #[arg(long, value_name = "FOLDER", global = false)]
     tables: Option<PathBuf>,
+    /// What answers after your own tables
+    #[arg(long, value_enum, default_value_t = SourceChoice::Iso286)]
+    source: SourceChoice,
+    #[command(flatten)]
+    standard: StandardArgs,
+}
+
+/// The two sources of limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum SourceChoice {
+    /// ISO 286, every class to 3150 mm.
+    Iso286,
+    /// The control's two tables, 47 classes to 400 mm.
+    Control,
+}
+
+/// Where editions of ISO 286 differ.
+#[derive(Debug, Clone, clap::Args)]
+pub struct StandardArgs {
+    /// Edition of ISO 286 for cd, ef and fg: to 10 mm (1988) or to 50 mm (2010)
+    #[arg(long, value_name = "YEAR", default_value = "2010", value_parser = PossibleValuesParser::new(["1988", "2010"]))]
+    edition: String,
+    /// Round half micrometres of JS7 to JS11 and js7 to js11 off, as in 1988
+    #[arg(long)]
+    js_rounded: bool,
+}
+
+impl StandardArgs {
+    /// The options of the standard.
+    pub fn options(&self) -> iso286::Options {
+        iso286::Options {
+            edition: if self.edition == "1988" { iso286::Edition::Of1988 } else { iso286::Edition::Of2010 },
+            js: if self.js_rounded { iso286::JsHalves::Rounded } else { iso286::JsHalves::Exact },
+        }
+    }
 }
 
 impl TableArgs {
-    /// The built-in tables, after the user's own where a folder is named; warnings go to standard error.
-    fn load(&self, io: &mut Io<'_>) -> Result<Tables, CliError> {
-        let Some(folder) = &self.tables else { return Ok(shipped_tables()) };
+    /// Where limits are looked up; warnings about the user's own tables go to standard error.
+    fn load(&self, io: &mut Io<'_>) -> Result<Sources, CliError> {
+        let base = match self.source {
+            SourceChoice::Iso286 => Base::Iso286,
+            SourceChoice::Control => Base::Tables(shipped_tables()),
+        };
+        let sources = Sources::default().with_base(base).with_options(self.standard.options());
+        let Some(folder) = &self.tables else { return Ok(sources) };
         let own = crate::control::deviations::read_folder(folder).map_err(|error| CliError::Data(error.to_string()))?;
         for warning in &own.warnings {
             io.tell(format_args!("warning: {warning}"))?;
         }
-        Ok(shipped_tables().with_own(own.tables))
+        Ok(sources.with_own(own.tables))
     }
 }
 

@@ -12,7 +12,7 @@ use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::probing::{Measurement, Origin};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
-use crate::tolerance::{Callout, CalloutError, LimitsError, Tables};
+use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::verdict::{doubt, judge};
 use crate::words::{Language, Message, Say, Words};
 
@@ -163,16 +163,16 @@ struct Collected {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let rendering = self.rendering()?;
-        let tables = self.tables.load(io)?;
+        let sources = self.tables.load(io)?;
         let words = Words::new(Language::from_code(&self.language).unwrap_or_default());
         let now = self.time.unwrap_or_else(super::now);
         let mut collected =
             Collected { english: Words::new(Language::En), checks: Vec::new(), notes: Vec::new(), bad: false };
         for path in &self.files {
-            collected.file(path, &tables, now, io)?;
+            collected.file(path, &sources, now, io)?;
         }
         for text in &self.checks {
-            match record(text, &tables, now) {
+            match record(text, &sources, now) {
                 Ok(record) => collected.checks.push(record),
                 Err(error) => collected.refuse(Message::new("report-note").text("place", text), error.message(), io)?,
             }
@@ -214,13 +214,13 @@ impl Args {
 
 impl Collected {
     /// Takes in a file of measurements.
-    fn file(&mut self, path: &Path, tables: &Tables, now: DateTime, io: &mut Io<'_>) -> std::io::Result<()> {
+    fn file(&mut self, path: &Path, sources: &Sources, now: DateTime, io: &mut Io<'_>) -> std::io::Result<()> {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let bytes = match files::read(path) {
             Ok(bytes) => bytes,
             Err(error) => return self.refuse(Message::new("report-note").text("place", &name), error.message(), io),
         };
-        let imported = import(&name, &bytes, tables, now);
+        let imported = import(&name, &bytes, sources, now);
         let line = |line: usize| Message::new("report-note-line").text("place", &name).text("line", line);
         for problem in &imported.problems {
             self.refuse(Message::new("report-note").text("place", &name), problem.message(), io)?;
@@ -251,11 +251,11 @@ impl Collected {
 }
 
 /// Judges a `--check`: a name and a colon perhaps, a callout, an equals sign, a diameter.
-fn record(text: &str, tables: &Tables, time: DateTime) -> Result<Record, CheckError> {
+fn record(text: &str, sources: &Sources, time: DateTime) -> Result<Record, CheckError> {
     let (asked, measured) = text.rsplit_once('=').ok_or_else(|| CheckError::NoMeasured { text: text.to_owned() })?;
     let (id, callout) = asked.rsplit_once(':').unwrap_or(("", asked));
     let callout: Callout = callout.parse()?;
-    let limits = tables.limits(&callout)?;
+    let limits = sources.limits(&callout, None)?;
     let measured: Length = measured.parse().map_err(CheckError::Measured)?;
     if measured <= Length::ZERO {
         return Err(CheckError::NotPositive { measured });
@@ -278,13 +278,13 @@ mod tests {
 
     #[test]
     fn a_check_without_sense_is_refused_in_words() {
-        let refused = |text: &str| record(text, &Tables::default(), DateTime::constant(2026, 11, 21, 10, 42, 0, 0));
+        let refused = |text: &str| record(text, &Sources::default(), DateTime::constant(2026, 11, 21, 10, 42, 0, 0));
         let said = |text: &str| refused(text).unwrap_err().to_string();
         assert_eq!(
             said("25 H7"),
             "25 H7 has no measured value: write a callout, = and millimetres, such as 25 H7=25.012"
         );
-        assert_eq!(said("Bore: 25=25"), "a tolerance class is missing, such as H7 for a hole or h7 for a shaft");
+        assert_eq!(said("Bore: 25=25"), "a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1");
     }
 
     #[test]

@@ -8,7 +8,7 @@ mod fault;
 mod write;
 
 use std::path::Path;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 pub use fault::{DeviationDoubt, DeviationError, DeviationFault, DeviationWarning};
 pub use write::to_control_table;
@@ -17,7 +17,7 @@ use super::table::{Column, ControlTable, Located, Place, TableFile, TableUnit, b
 use crate::files::{self, FileError};
 use crate::length::{Length, LengthError, Unit};
 use crate::tolerance::table::{Column as ClassColumn, TableShapeError};
-use crate::tolerance::{ClassError, DeviationTable, Deviations, Tables, ToleranceClass};
+use crate::tolerance::{ClassError, DeviationTable, Deviations, ToleranceClass};
 
 /// The name of the column with the ends of the size ranges.
 const RANGE: &str = "BEREICH";
@@ -35,17 +35,17 @@ const SHIPPED: [(&str, &[u8]); 2] = [
 /// The tables of NC-Solution 8255: `82553_hole.tab` and `82553_shaft.tab`, embedded in the program.
 ///
 /// They are read once, at the first call.
-pub fn shipped_tables() -> Tables {
-    static TABLES: LazyLock<Tables> = LazyLock::new(|| {
+pub fn shipped_tables() -> Vec<Arc<DeviationTable>> {
+    static TABLES: LazyLock<Vec<Arc<DeviationTable>>> = LazyLock::new(|| {
         let tables = SHIPPED.iter().filter_map(|(name, bytes)| match read_table(bytes, name, name, true) {
-            Ok((table, _warnings)) => table,
+            Ok((table, _warnings)) => table.map(Arc::new),
             // A test proves that they can be read; a program without a table refuses every callout.
             Err(error) => {
                 log::error!("shipped table: {error}");
                 None
             }
         });
-        Tables::shipped(tables.collect())
+        tables.collect()
     });
     TABLES.clone()
 }

@@ -46,7 +46,7 @@ pub fn status_variables(record: &Record, language: Language) -> Variables {
         number(exact.unwrap_or_else(|_never| length.to_mm_f64() * 1000.0))
     };
     let mut set = |parameter, value| variables.set(parameter, value);
-    let class = record.callout.map(|callout| callout.class().to_string()).unwrap_or_default();
+    let class = record.callout.and_then(|callout| callout.class()).map(|class| class.to_string()).unwrap_or_default();
     let fit = record.callout.map_or_else(|| limits.nominal.to_string(), |callout| callout.to_string());
     set(Parameter::q(1), length(limits.nominal));
     set(Parameter::qs(1), Value::Text(class));

@@ -321,7 +321,8 @@ fn is_number(cell: &str) -> bool {
 }
 
 fn is_callout(cell: &str) -> bool {
-    cell.parse::<Callout>().is_ok()
+    // Deviations and limits look like dates and numbers of parts: 2024-03-14, 17-3.
+    cell.parse::<Callout>().is_ok_and(|callout| callout.class().is_some())
 }
 
 pub(super) fn is_class(cell: &str) -> bool {

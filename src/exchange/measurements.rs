@@ -142,7 +142,7 @@ impl Reader<'_> {
             self.imported.set_aside(Unjudged { line, id, time, measured: Some(measured), position: None, why });
             return Ok(());
         };
-        let limits = self.source.tables.limits(&callout).map_err(|error| (cell, Reason::Limits(error)))?;
+        let limits = self.source.sources.limits(&callout, None).map_err(|error| (cell, Reason::Limits(error)))?;
         let record = Record {
             time: self.time(line, cells),
             id,
@@ -219,7 +219,7 @@ impl Reader<'_> {
         };
         let read = match nominal {
             Some((_, nominal)) if begins_with_letter => {
-                given.parse().map_err(CalloutError::Class).and_then(|class| Callout::new(nominal, class))
+                given.parse().map_err(CalloutError::from).and_then(|class| Callout::new(nominal, class))
             }
             _ => given.parse::<Callout>(),
         };

@@ -32,7 +32,7 @@ pub use imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
 pub use problem::{Problem, Reason, Warning, WarningReason};
 
 use crate::control::text;
-use crate::tolerance::Tables;
+use crate::tolerance::Sources;
 use crate::words::{Message, Say};
 
 /// A format that measurements are read from.
@@ -66,11 +66,11 @@ const CONTACTS: Format = Format {
 impl Format {
     /// Whether the file seems to be of this format, by its first 64 KiB and its name.
     pub fn recognises(&self, bytes: &[u8], file_name: &str) -> bool {
-        let tables = Tables::default();
+        let sources = Sources::default();
         (self.recognises)(&Source {
             file: file_name.into(),
             bytes,
-            tables: &tables,
+            sources: &sources,
             now: DateTime::constant(1, 1, 1, 0, 0, 0, 0),
         })
     }
@@ -93,7 +93,7 @@ struct Source<'a> {
     /// The file's name without its folder.
     file: Arc<str>,
     bytes: &'a [u8],
-    tables: &'a Tables,
+    sources: &'a Sources,
     now: DateTime,
 }
 
@@ -128,16 +128,16 @@ fn decode(bytes: &[u8]) -> Cow<'_, str> {
 /// aside: `rows` is the sum of the three, so nothing is dropped. `now` is the time of records whose file tells none.
 ///
 /// ```
-/// use fitcheck::control::shipped_tables;
+/// use fitcheck::tolerance::Sources;
 ///
 /// let csv = b"id;callout;measured\nbore 1;25 H7;25,0l2\n";
 /// let now = jiff::civil::date(2024, 3, 14).at(8, 5, 9, 0);
-/// let imported = fitcheck::exchange::import("bores.csv", csv, &shipped_tables(), now);
+/// let imported = fitcheck::exchange::import("bores.csv", csv, &Sources::default(), now);
 /// let problem = imported.problems.first().map(ToString::to_string);
 /// assert_eq!(problem.as_deref(), Some("line 2, column 3: measured: 25,0l2 is not a number"));
 /// ```
-pub fn import(file_name: &str, bytes: &[u8], tables: &Tables, now: DateTime) -> Imported {
-    let source = Source { file: file_name.into(), bytes, tables, now };
+pub fn import(file_name: &str, bytes: &[u8], sources: &Sources, now: DateTime) -> Imported {
+    let source = Source { file: file_name.into(), bytes, sources, now };
     if source.head().trim().is_empty() && bytes.len() <= HEAD {
         return Imported::failed(Reason::Empty);
     }

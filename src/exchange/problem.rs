@@ -351,8 +351,10 @@ mod tests {
             check(&Problem { line: 3, column: Some(2), reason: reason.clone(), given: text() });
             check(&Problem { line: 3, column: None, reason, given: text() });
         }
-        for reason in [Reason::Callout(CalloutError::Empty), Reason::Limits(LimitsError::TooLarge { nominal: length })]
-        {
+        for reason in [
+            Reason::Callout("".parse::<Callout>().unwrap_err()),
+            Reason::Limits(LimitsError::TooLarge { nominal: length }),
+        ] {
             assert_eq!(Words::new(Language::En).told(&reason), reason.to_string());
             assert_ne!(Words::new(Language::Nl).told(&reason), reason.message().id);
         }

@@ -5,7 +5,7 @@ use crate::tolerance::{DeviationTable, Deviations};
 use crate::verdict::Status;
 
 /// Up to 18 and up to 30 mm, after ISO 286-2.
-fn tables() -> Tables {
+fn tables() -> Sources {
     let um = Length::from_micrometres;
     let column = |class: &str, cells: [(i32, i32); 2]| Column {
         class: class.parse().unwrap(),
@@ -14,7 +14,7 @@ fn tables() -> Tables {
     let table = |name: &str, columns: Vec<Column>| {
         DeviationTable::new(name, true, vec!["18".parse().unwrap(), "30".parse().unwrap()], columns).unwrap()
     };
-    Tables::shipped(vec![
+    Sources::of_tables(vec![
         table("hole.tab", vec![column("H7", [(18, 0), (21, 0)]), column("K7", [(6, -12), (6, -15)])]),
         table("shaft.tab", vec![column("g6", [(-6, -17), (-7, -20)])]),
     ])
@@ -113,7 +113,7 @@ fn bad_rows_are_listed_and_good_ones_kept() {
             "! line 4, column 2: Z9 is not in table hole.tab; it has H7 K7 <25 Z9>",
             "! line 5: the row has 2 cells where 3 are due <25 H7>",
             "! line 6, column 3: measured: a length is missing <>",
-            "! line 7, column 2: callout: Hh7 mixes upper and lower case: write HH7 for a hole or hh7 for a shaft <25 Hh7>",
+            "! line 7, column 2: callout: Hh7 mixes upper and lower case: write HH7 for a hole or hh7 for a shaft (character 4) <25 Hh7>",
             "! line 8, column 3: measured: 1.234,5 is ambiguous: write one decimal sign and no thousands separator <1.234,5>",
             "! line 9, column 2: nominal size 40 mm is beyond table hole.tab, whose last range is over 18 up to and including 30 mm <40 H7>",
             "! line 10, column 4: the row has 4 cells where 3 are due: is a separator used as decimal sign or in a text, too? <9>",

@@ -1,16 +1,14 @@
 //! One frame: draw the panels, apply their commands, run the effects.
 
-use eframe::egui::{CentralPanel, Context, Panel, ScrollArea, ThemePreference, Ui};
+use eframe::egui::{Context, ThemePreference, Ui};
 use jiff::civil::DateTime;
 
 use super::effects::{Errands, Runner};
 use super::store::Store;
-use super::theme::{self, space};
+use super::theme;
 use super::view::View;
-use super::{
-    answer_panel, band_plot, contacts_plot, dialogs, field, fit_panel, history_panel, keypad, status_panel, top_bar,
-};
-use crate::session::{Command, Effect, Field, Saved, Session, Theme};
+use super::{check, dialogs, field, fit, keypad, tables, top_bar};
+use crate::session::{Command, Effect, Field, Page, Saved, Session, Theme};
 use crate::words::{Language, Words};
 
 /// What the window is started with.
@@ -94,7 +92,7 @@ impl App {
     }
 
     fn run(&self, ctx: &Context, effect: Effect) {
-        self.runner.run(ctx, effect, self.session.tables(), (self.clock)());
+        self.runner.run(ctx, effect, self.session.sources(), (self.clock)());
     }
 
     fn apply(&mut self, ctx: &Context, commands: Vec<Command>) {
@@ -131,7 +129,7 @@ impl eframe::App for App {
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let mut view = View { session: &self.session, words: &self.words, commands: Vec::new() };
-        page_ui(ui, &mut view);
+        window_ui(ui, &mut view);
         let commands = view.commands;
         if self.first_frame {
             self.first_frame = false;
@@ -150,41 +148,14 @@ impl eframe::App for App {
     }
 }
 
-/// The check page: left what is asked, middle what was seen, right the answer, bottom what came before.
-fn page_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let size = ui.available_size();
-    let (narrow, low) = (size.x < 1200.0, size.y < 700.0);
+/// The top bar, the open page, and what lies over it.
+fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
     top_bar::top_bar_ui(ui, view);
-    let folded = narrow || low;
-    if folded && !history_panel::is_unfolded(ui) {
-        Panel::bottom("strip").exact_size(space(12.0)).show(ui, |ui| history_panel::strip_ui(ui, view));
-    } else {
-        let height = (size.y * if folded { 0.4 } else { 0.21 }).max(space(40.0));
-        Panel::bottom("history").exact_size(height).show(ui, |ui| history_panel::history_ui(ui, view, folded));
+    match view.session.page() {
+        Page::Check => check::check_ui(ui, view),
+        Page::Fit => fit::fit_ui(ui, view),
+        Page::Tables => tables::tables_ui(ui, view),
     }
-    let side = if narrow { space(66.0) } else { space(74.0) };
-    Panel::left("fit").exact_size(side).show(ui, |ui| {
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            // The scroll bar floats: it must not lie on the fields.
-            ui.set_max_width(ui.available_width() - space(2.5));
-            fit_panel::fit_panel_ui(ui, view);
-        });
-    });
-    let side = if narrow { space(82.0) } else { space(88.0).max(size.x * 0.26) };
-    Panel::right("answer").exact_size(side).show(ui, |ui| {
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            ui.set_max_width(ui.available_width() - space(2.5));
-            answer_panel::answer_ui(ui, view);
-            ui.add_space(space(2.0));
-            status_panel::status_ui(ui, view);
-        });
-    });
-    CentralPanel::default().show(ui, |ui| {
-        let height = ui.available_height();
-        band_plot::band_ui(ui, view, (height * 0.36).clamp(space(34.0), space(70.0)));
-        ui.separator();
-        contacts_plot::contacts_ui(ui, view);
-    });
     keypad::keypad_ui(ui, view);
     dialogs::dialogs_ui(ui, view);
 }

@@ -10,7 +10,7 @@ use crate::tolerance::Feature;
 
 /// The chooser; `name` is what a screen reader says.
 pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
-    let chosen = view.session.callout().map(|callout| callout.class());
+    let chosen = view.session.callout().and_then(|callout| callout.class());
     let shown = chosen.map_or_else(|| view.text("class-none"), |class| class.to_string());
     let response = ComboBox::from_id_salt("class-chooser")
         .selected_text(shown)
@@ -24,7 +24,7 @@ pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
                     heading(ui, view.text(feature_classes_id(feature)));
                 });
                 ui.horizontal_wrapped(|ui| {
-                    for class in view.session.tables().classes(feature) {
+                    for class in view.session.sources().classes(feature) {
                         let size = vec2(space(14.0), theme::sizes().field);
                         let button = eframe::egui::Button::selectable(chosen == Some(class), class.as_str());
                         if ui.add_sized(size, button).clicked() {

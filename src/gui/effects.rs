@@ -11,12 +11,11 @@ use jiff::civil::DateTime;
 
 use crate::control::deviations;
 use crate::control::mask::Mask;
-use crate::control::shipped_tables;
 use crate::exchange;
 use crate::files;
 use crate::report::RENDERINGS;
 use crate::session::{Command, Effect, Purpose};
-use crate::tolerance::Tables;
+use crate::tolerance::{DeviationTable, Sources};
 use crate::words::{Message, Say as _};
 
 /// How errands are run.
@@ -48,15 +47,15 @@ impl Runner {
     }
 
     /// Runs an effect; the clipboard is the frame's own business.
-    pub fn run(&self, ctx: &Context, effect: Effect, tables: &Arc<Tables>, now: DateTime) {
+    pub fn run(&self, ctx: &Context, effect: Effect, sources: &Arc<Sources>, now: DateTime) {
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
             effect => effect,
         };
-        let (sender, ctx, tables) = (self.sender.clone(), ctx.clone(), Arc::clone(tables));
+        let (sender, ctx, sources) = (self.sender.clone(), ctx.clone(), Arc::clone(sources));
         let errands = self.errands;
         let errand = move || {
-            let command = answer(effect, errands, &tables, now);
+            let command = answer(effect, errands, &sources, now);
             // A closed window hears no answer; that is no fault.
             let _closed = sender.send(command);
             ctx.request_repaint();
@@ -72,10 +71,10 @@ impl Runner {
     }
 }
 
-fn answer(effect: Effect, errands: Errands, tables: &Tables, now: DateTime) -> Command {
+fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) -> Command {
     match effect {
         Effect::Browse(purpose) => Command::Picked((errands == Errands::OnThread).then(|| pick(purpose)).flatten()),
-        Effect::Import(path) => Command::Imported { name: name(&path), result: import(&path, tables, now) },
+        Effect::Import(path) => Command::Imported { name: name(&path), result: import(&path, sources, now) },
         Effect::ReadMask(path) => Command::MaskRead { name: name(&path), result: read_mask(&path) },
         Effect::ReadTables(folder) => {
             let result = read_tables(&folder);
@@ -93,9 +92,9 @@ fn name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-fn import(path: &Path, tables: &Tables, now: DateTime) -> Result<Box<exchange::Imported>, Message> {
+fn import(path: &Path, sources: &Sources, now: DateTime) -> Result<Box<exchange::Imported>, Message> {
     let bytes = files::read(path).map_err(|error| error.message())?;
-    Ok(Box::new(exchange::import(&name(path), &bytes, tables, now)))
+    Ok(Box::new(exchange::import(&name(path), &bytes, sources, now)))
 }
 
 fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
@@ -104,10 +103,10 @@ fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
     Ok((Box::new(mask), warnings.iter().map(crate::words::Say::message).collect()))
 }
 
-fn read_tables(folder: &Path) -> Result<(Box<Tables>, Vec<Message>), Message> {
+fn read_tables(folder: &Path) -> Result<(Vec<DeviationTable>, Vec<Message>), Message> {
     let own = deviations::read_folder(folder).map_err(|error| error.message())?;
     let warnings = own.warnings.iter().map(crate::words::Say::message).collect();
-    Ok((Box::new(shipped_tables().with_own(own.tables)), warnings))
+    Ok((own.tables, warnings))
 }
 
 /// The system's own dialog. `None` when it was left, or when there is none: the typed path remains.

@@ -2,9 +2,11 @@
 //!
 //! Text is read at every change and committed with Enter; nothing is dropped or altered while typing.
 
-use eframe::egui::text::{CCursor, CCursorRange};
+use std::ops::Range;
+
+use eframe::egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{Align, FontId, Id, Key, Response, TextEdit, Ui};
+use eframe::egui::{Align, FontId, Id, Key, Response, Stroke, TextBuffer, TextEdit, Ui};
 
 use super::keypad;
 use super::theme;
@@ -45,16 +47,22 @@ pub(super) fn id(field: Field) -> Id {
 pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id, look: Look) -> Response {
     let mut text = view.session.inputs().text(field).to_owned();
     let id = id(field);
-    let response = ui
-        .add(
-            TextEdit::singleline(&mut text)
-                .id(id)
-                .font(look.font)
-                .desired_width(look.width)
-                .align(eframe::egui::Align2([look.align, Align::Center]))
-                .min_size(eframe::egui::vec2(look.width, theme::sizes().field)),
-        )
-        .labelled_by(name);
+    let culprit = view.session.culprit(field);
+    let marked = |ui: &Ui, buffer: &dyn TextBuffer, _width: f32| {
+        let job = underlined(ui, buffer.as_str(), &look.font, culprit);
+        ui.fonts_mut(|fonts| fonts.layout_job(job))
+    };
+    let mut layouter = marked;
+    let mut edit = TextEdit::singleline(&mut text)
+        .id(id)
+        .font(look.font.clone())
+        .desired_width(look.width)
+        .align(eframe::egui::Align2([look.align, Align::Center]))
+        .min_size(eframe::egui::vec2(look.width, theme::sizes().field));
+    if culprit.is_some() {
+        edit = edit.layouter(&mut layouter);
+    }
+    let response = ui.add(edit).labelled_by(name);
     if response.changed() {
         view.send(Command::Type(field, text.clone()));
     }
@@ -77,6 +85,26 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id,
         });
     }
     response
+}
+
+/// A text whose wrong characters are underlined; `culprit` counts characters from 0.
+fn underlined(ui: &Ui, text: &str, font: &FontId, culprit: Option<&Range<usize>>) -> LayoutJob {
+    let palette = theme::palette(ui.ctx());
+    let plain = TextFormat::simple(font.clone(), palette.text.0);
+    let mut job = LayoutJob { break_on_newline: false, ..LayoutJob::default() };
+    let Some(culprit) = culprit else {
+        job.append(text, 0.0, plain);
+        return job;
+    };
+    let byte = |character: usize| text.char_indices().nth(character).map_or(text.len(), |(byte, _)| byte);
+    let (start, end) = (byte(culprit.start), byte(culprit.end));
+    let wrong = TextFormat { underline: Stroke::new(2.0, palette.error.0), ..plain.clone() };
+    for (range, format) in [(0..start, plain.clone()), (start..end, wrong), (end..text.len(), plain)] {
+        if let Some(part) = text.get(range).filter(|part| !part.is_empty()) {
+            job.append(part, 0.0, format);
+        }
+    }
+    job
 }
 
 /// Selects the whole text of a field, so that typing replaces it.

@@ -6,25 +6,23 @@
 //! | `effects` | files, dialogs and the clipboard, off the frame's thread |
 //! | `store` | the state file |
 //! | `theme` | colours, sizes, fonts |
-//! | `top_bar`, `fit_panel`, `band_plot`, `contacts_plot`, `answer_panel`, `status_panel`, `history_panel`, `dialogs` | the parts of the check page |
+//! | `check`, `fit`, `tables` | the pages |
+//! | `top_bar`, `dialogs` | what belongs to every page |
 //! | `class_chooser`, `field`, `keypad`, `shapes` | widgets of our own |
 //!
 //! No decision and no arithmetic on lengths happens here; egui is named nowhere else.
 
-mod answer_panel;
 mod app;
-mod band_plot;
+mod check;
 mod class_chooser;
-mod contacts_plot;
 mod dialogs;
 mod effects;
 mod field;
-mod fit_panel;
-mod history_panel;
+mod fit;
 mod keypad;
 mod shapes;
-mod status_panel;
 mod store;
+mod tables;
 mod theme;
 mod top_bar;
 mod view;

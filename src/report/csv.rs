@@ -23,10 +23,19 @@ fn render_report(report: &Report, _words: &Words) -> Result<Vec<u8>, RenderError
 
 /// The records as CSV, with a header, in their order.
 pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
+    render_rows(records.iter().map(Row::of))
+}
+
+/// The same with an empty feature: where the callouts do not say hole or shaft, and it did not matter.
+pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError> {
+    render_rows(records.iter().map(|record| Row { feature: "", ..Row::of(record) }))
+}
+
+fn render_rows(rows: impl Iterator<Item = Row>) -> Result<Vec<u8>, RenderError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(COLUMNS).map_err(|error| RenderError::writer("csv", &error))?;
-    for record in records {
-        let fields = fields(&Row::of(record))?;
+    for row in rows {
+        let fields = fields(&row)?;
         writer.write_record(fields).map_err(|error| RenderError::writer("csv", &error))?;
     }
     writer.into_inner().map_err(|error| RenderError::writer("csv", &error))
@@ -102,16 +111,16 @@ mod tests {
             &[sample::good(), sample::rework(), sample::out_of_position()],
             &[
                 "2026-11-21T10:42:07,Bore A,25 H7,hole,25,25.000,25.021,25.012,12,GOOD,,,,,,,\
-                 \"ISO 286 table 82553_hole.tab, over 18 up to 30 mm\",typed,\
+                 \"ISO 286, over 18 up to 30 mm\",typed,\
                  \"no guard band, limits belong to the zone\",\
                  one diameter only: nothing is known of form and position",
                 "2026-11-21T10:43:00,,25 H7,hole,25,25.000,25.021,24.998,-2,REWORK,2,12.5,,,,,\
-                 \"ISO 286 table 82553_hole.tab, over 18 up to 30 mm\",typed,\
+                 \"ISO 286, over 18 up to 30 mm\",typed,\
                  \"no guard band, limits belong to the zone\",\
                  one diameter only: nothing is known of form and position",
                 "2026-11-21T10:44:00,Stud,25 g6,shaft,25,24.980,24.993,24.985,-15,SCRAP,,,OUT,0.003,-0.012,\
                  \"[[12.4955,-0.012,-5.0],[0.003,12.4805,-5.0],[-12.4895,-0.012,-5.0],[0.003,-12.5045,-5.0]]\",\
-                 \"ISO 286 table 82553_shaft.tab, over 18 up to 30 mm\",\"simulated, cycle 422, seed 1\",\
+                 \"ISO 286, over 18 up to 30 mm\",\"simulated, cycle 422, seed 1\",\
                  \"no guard band, limits belong to the zone\",\
                  the centre is out of position; the size alone is GOOD | 4 contacts: no form seen beyond ovality",
             ],

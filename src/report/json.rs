@@ -107,7 +107,7 @@ mod tests {
       "centre_x_mm": null,
       "centre_y_mm": null,
       "contacts": [],
-      "source": "ISO 286 table 82553_hole.tab, over 18 up to 30 mm",
+      "source": "ISO 286, over 18 up to 30 mm",
       "origin": "typed",
       "rule": "no guard band, limits belong to the zone",
       "warnings": [

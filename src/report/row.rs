@@ -148,7 +148,7 @@ pub fn warnings(record: &Record) -> Vec<String> {
     if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
         let um = |length| Micrometres(length).text();
         let (upper, lower) = (um(standard.upper()), um(standard.lower()));
-        warnings.push(format!("own table: the ISO 286 table says {upper} and {lower} µm here"));
+        warnings.push(format!("own table: ISO 286 says {upper} and {lower} µm here"));
     }
     warnings.extend(measurement.caveats().iter().map(ToString::to_string));
     warnings

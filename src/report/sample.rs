@@ -13,18 +13,12 @@ pub fn um(um: i32) -> Length {
     Length::from_micrometres(um)
 }
 
-/// Limits as the shipped tables give them between 18 and 30 mm.
+/// Limits as ISO 286 gives them between 18 and 30 mm.
 pub fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
     let callout: Callout = callout.parse().unwrap();
-    let source = Source::Table {
-        name: format!("82553_{}.tab", callout.feature()).into(),
-        shipped: true,
-        over: um(18_000),
-        to: um(30_000),
-        instead_of: None,
-    };
+    let source = Source::Iso286 { over: um(18_000), to: um(30_000), js_rounded: false };
     let deviations = Deviations::new(um(upper), um(lower)).unwrap();
-    Limits::new(callout.feature(), callout.nominal(), deviations, source).unwrap()
+    Limits::new(callout.feature().unwrap(), callout.nominal(), deviations, source).unwrap()
 }
 
 /// A check of some limits.

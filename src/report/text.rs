@@ -41,7 +41,7 @@ pub fn source(source: &Source, words: &Words) -> Message {
             .message("source", source.message())
             .text("upper", words.signed_um(standard.upper()))
             .text("lower", words.signed_um(standard.lower())),
-        Source::Table { .. } | Source::File(_) => source.message(),
+        _ => source.message(),
     }
 }
 
@@ -143,10 +143,13 @@ mod tests {
         let standard = Deviations::new(um(21), um(-5)).ok();
         assert_eq!(
             words.say(&source(&table(false, standard), &words)),
-            "table a.tab, over 18.5 up to 30 mm; the ISO 286 table says +21 and \u{2212}5 µm here"
+            "table a.tab, over 18.5 up to 30 mm; ISO 286 says +21 and \u{2212}5 µm here"
         );
         let words = Words::new(Language::Nl);
-        assert_eq!(words.say(&source(&table(true, None), &words)), "ISO 286-tabel a.tab, boven 18,5 tot en met 30 mm");
+        assert_eq!(
+            words.say(&source(&table(true, None), &words)),
+            "ingebouwde tabel a.tab, boven 18,5 tot en met 30 mm"
+        );
     }
 
     #[test]

@@ -1,18 +1,22 @@
 //! What the fields mean: callout and limits, and an error beside each field that caused one.
 
 use std::collections::BTreeMap;
+use std::ops;
 
 use super::inputs::{Field, Inputs};
 use crate::length::Length;
 use crate::probing::cycle::{Angle, Value};
 use crate::probing::cycles::cycle;
-use crate::tolerance::{Callout, Limits, Tables};
+use crate::tolerance::callout::halves;
+use crate::tolerance::{Callout, Feature, Limits, Sources};
 use crate::words::{Message, Say as _};
 
 /// The meaning of the fields. Made anew at every change.
 #[derive(Debug, Clone)]
 pub struct Asked {
     callout: Option<Callout>,
+    /// Where in the callout's text an error shows, in characters.
+    culprit: Option<ops::Range<usize>>,
     limits: Option<Limits>,
     lengths: BTreeMap<Field, Length>,
     /// The angle of the first contact.
@@ -69,23 +73,20 @@ impl Range {
 
 /// The size part of a callout as it is typed.
 pub(super) fn nominal_text(callout: &str) -> &str {
-    let bare = callout.trim().trim_start_matches(['Ø', 'ø', '⌀', ' ']);
-    let end = bare.find(|c: char| c.is_alphabetic()).unwrap_or(bare.len());
-    bare.get(..end).unwrap_or_default().trim()
+    halves(callout).0
 }
 
-/// The class part of a callout as it is typed.
+/// The tolerance part of a callout as it is typed.
 pub(super) fn class_text(callout: &str) -> &str {
-    let bare = callout.trim().trim_start_matches(['Ø', 'ø', '⌀', ' ']);
-    let start = bare.find(|c: char| c.is_alphabetic()).unwrap_or(bare.len());
-    bare.get(start..).unwrap_or_default().trim()
+    halves(callout).1
 }
 
 impl Asked {
     /// Reads the fields. Empty optional fields are no error; a number that cannot be used is.
-    pub(super) fn read(inputs: &Inputs, tables: &Tables) -> Self {
+    pub(super) fn read(inputs: &Inputs, sources: &Sources) -> Self {
         let mut asked = Self {
             callout: None,
+            culprit: None,
             limits: None,
             lengths: BTreeMap::new(),
             first_angle: None,
@@ -93,7 +94,7 @@ impl Asked {
             lobes: None,
             errors: BTreeMap::new(),
         };
-        asked.read_callout(inputs.text(Field::Callout), tables);
+        asked.read_callout(inputs.text(Field::Callout), inputs.feature, sources);
         for (field, q) in PARAMETERS {
             asked.read_parameter(field, q, inputs.text(field));
         }
@@ -105,19 +106,23 @@ impl Asked {
         asked
     }
 
-    fn read_callout(&mut self, text: &str, tables: &Tables) {
+    /// `feature` counts where the callout does not say hole or shaft itself.
+    fn read_callout(&mut self, text: &str, feature: Option<Feature>, sources: &Sources) {
         if text.trim().is_empty() {
             return;
         }
         let problem = match text.parse::<Callout>() {
             Ok(callout) => {
                 self.callout = Some(callout);
-                match tables.limits(&callout) {
+                match sources.limits(&callout, callout.feature().or(feature)) {
                     Ok(limits) => return self.limits = Some(limits),
                     Err(error) => error.message(),
                 }
             }
-            Err(error) => error.message(),
+            Err(error) => {
+                self.culprit = error.span();
+                error.message()
+            }
         };
         self.errors.insert(Field::Callout, problem);
     }
@@ -158,6 +163,16 @@ impl Asked {
         self.callout
     }
 
+    /// Where in the callout's text an error shows: characters counted from 0.
+    pub const fn culprit(&self) -> Option<&ops::Range<usize>> {
+        self.culprit.as_ref()
+    }
+
+    /// Whether the callout does not say hole or shaft, so that it has to be chosen.
+    pub fn needs_feature(&self) -> bool {
+        self.callout.is_some_and(|callout| callout.feature().is_none())
+    }
+
     /// The limits on screen.
     pub const fn limits(&self) -> Option<&Limits> {
         self.limits.as_ref()
@@ -191,9 +206,14 @@ mod tests {
 
     #[test]
     fn a_callout_is_taken_apart_while_it_is_typed() {
-        for (text, nominal, class) in
-            [("25 H7", "25", "H7"), ("Ø25,5js6", "25,5", "js6"), ("25", "25", ""), ("H7", "", "H7"), ("", "", "")]
-        {
+        for (text, nominal, class) in [
+            ("25 H7", "25", "H7"),
+            ("Ø25,5js6", "25,5", "js6"),
+            ("25", "25", ""),
+            ("H7", "", "H7"),
+            ("12 +0.1 -0.2", "12", "+0.1 -0.2"),
+            ("", "", ""),
+        ] {
             assert_eq!((nominal_text(text), class_text(text)), (nominal, class), "for {text:?}");
         }
     }

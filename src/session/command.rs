@@ -8,16 +8,20 @@ use super::inputs::{Field, MeasureBy};
 use crate::control::mask::Mask;
 use crate::exchange::Imported;
 use crate::files::FileError;
-use crate::tolerance::{Tables, ToleranceClass};
+use crate::tolerance::{DeviationTable, Feature, ToleranceClass, iso286};
 use crate::words::{Language, Message};
 
 /// A change of the state.
 #[derive(Debug, Clone)]
 pub enum Command {
+    /// Opens a page.
+    OpenPage(Page),
     /// Replaces the text of a field. A changed callout clears the result.
     Type(Field, String),
     /// Takes a class from the chooser; the nominal size stays.
     ChooseClass(ToleranceClass),
+    /// Says whether a hole or a shaft is meant, for a callout that does not say it.
+    ChooseFeature(Feature),
     /// Chooses where the next measurement comes from.
     MeasureBy(MeasureBy),
     /// Shows or hides the keypad.
@@ -70,11 +74,15 @@ pub enum Command {
     TablesRead {
         /// The folder.
         folder: PathBuf,
-        /// The tables to look up in, and warnings.
-        result: Result<(Box<Tables>, Vec<Message>), Message>,
+        /// The tables, and warnings.
+        result: Result<(Vec<DeviationTable>, Vec<Message>), Message>,
     },
-    /// Goes back to the shipped tables alone.
-    ShippedTables,
+    /// Uses no tables of the user's own any more.
+    NoOwnTables,
+    /// Looks limits up in ISO 286 or in the control's tables, after the user's own.
+    UseSource(SourceChoice),
+    /// Chooses where editions of ISO 286 differ.
+    SetStandard(iso286::Options),
     /// A file was written, or not.
     Saved {
         /// Where.
@@ -99,6 +107,35 @@ pub enum Purpose {
     Export(usize),
     /// Writing the status window's text.
     ExportStatus,
+}
+
+/// A page of the window.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Page {
+    /// One part: good, rework or scrap.
+    #[default]
+    Check,
+    /// Hole against shaft.
+    Fit,
+    /// Tables of deviations.
+    Tables,
+}
+
+impl Page {
+    /// Every page in the order of the top bar.
+    pub const ALL: [Self; 3] = [Self::Check, Self::Fit, Self::Tables];
+}
+
+/// What limits are looked up in after the user's own tables.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SourceChoice {
+    /// ISO 286.
+    #[default]
+    Iso286,
+    /// The control's two tables.
+    ControlTables,
 }
 
 /// Light or dark.

@@ -11,7 +11,7 @@ use crate::control::mask::Mask;
 use crate::exchange::Imported;
 use crate::files::FileError;
 use crate::report;
-use crate::tolerance::Tables;
+use crate::tolerance::{DeviationTable, Sources};
 use crate::words::{Message, Say as _, Words};
 
 impl Session {
@@ -141,22 +141,32 @@ impl Session {
         }
     }
 
-    pub(super) fn tables_read(&mut self, folder: PathBuf, result: Result<(Box<Tables>, Vec<Message>), Message>) {
+    pub(super) fn tables_read(
+        &mut self,
+        folder: PathBuf,
+        result: Result<(Vec<DeviationTable>, Vec<Message>), Message>,
+    ) {
         match result {
             Ok((tables, details)) => {
                 self.file_done();
-                let count = tables.iter().filter(|table| !table.shipped()).count();
+                let count = tables.len();
                 let message = Message::new("tables-loaded").count("count", count).text("folder", folder.display());
                 self.notices.push(Notice { message, details, is_problem: false });
-                self.use_tables(*tables, Some(folder));
+                self.use_tables(tables, Some(folder));
             }
             Err(problem) => self.file_failed(problem),
         }
     }
 
-    pub(super) fn use_tables(&mut self, tables: Tables, folder: Option<PathBuf>) {
-        self.tables = Arc::new(tables);
+    pub(super) fn use_tables(&mut self, own: Vec<DeviationTable>, folder: Option<PathBuf>) {
         self.tables_folder = folder;
+        let sources = self.sources.as_ref().clone().with_own(own);
+        self.use_sources(sources);
+    }
+
+    /// Limits from elsewhere: no verdict stays beside limits that it was not made with.
+    pub(super) fn use_sources(&mut self, sources: Sources) {
+        self.sources = Arc::new(sources);
         self.callout_changed(true);
     }
 

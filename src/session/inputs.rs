@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::tolerance::Feature;
+
 /// A text field of the check page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -109,6 +111,8 @@ pub struct Inputs {
     texts: BTreeMap<Field, String>,
     /// Where the next measurement comes from.
     pub by: MeasureBy,
+    /// Hole or shaft, where the callout does not say it.
+    pub feature: Option<Feature>,
 }
 
 impl Inputs {

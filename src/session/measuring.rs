@@ -45,7 +45,7 @@ fn record(
     Record {
         time: now,
         id: part.trim().to_owned(),
-        callout: asked.callout(),
+        callout: asked.callout().map(|callout| callout.of_part(limits.feature)),
         limits: limits.clone(),
         verdict: verdict::judge(limits, measured, position),
         doubt: verdict::doubt(limits.nominal, measured),

@@ -26,14 +26,14 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 pub use asked::Asked;
-pub use command::{Command, Effect, Purpose, Theme};
+pub use command::{Command, Effect, Page, Purpose, SourceChoice, Theme};
 pub use inputs::{Field, Inputs, MeasureBy};
 pub use saved::{Saved, SavedError};
 
 use crate::control::mask::Mask;
 use crate::control::{shipped_tables, status};
 use crate::journal::Record;
-use crate::tolerance::{Callout, Tables};
+use crate::tolerance::{Base, Callout, Sources};
 use crate::words::{Language, Message, Say as _};
 
 /// The mask that the status window is drawn with.
@@ -99,9 +99,10 @@ const UNDO_STEPS: usize = 50;
 /// The state of the application.
 #[derive(Debug)]
 pub struct Session {
+    page: Page,
     inputs: Inputs,
     asked: Asked,
-    tables: Arc<Tables>,
+    sources: Arc<Sources>,
     tables_folder: Option<PathBuf>,
     mask: MaskChoice,
     language: Language,
@@ -116,19 +117,28 @@ pub struct Session {
     notices: Vec<Notice>,
 }
 
+/// The source that a choice stands for.
+fn base(choice: SourceChoice) -> Base {
+    match choice {
+        SourceChoice::Iso286 => Base::Iso286,
+        SourceChoice::ControlTables => Base::Tables(shipped_tables()),
+    }
+}
+
 impl Session {
-    /// A session with the shipped tables and empty fields.
+    /// A session with ISO 286 as source of limits and empty fields.
     pub fn new(language: Language) -> Self {
         Self::with(language, Theme::default(), Inputs::default())
     }
 
     fn with(language: Language, theme: Theme, inputs: Inputs) -> Self {
-        let tables = Arc::new(shipped_tables());
-        let asked = Asked::read(&inputs, &tables);
+        let sources = Arc::new(Sources::default());
+        let asked = Asked::read(&inputs, &sources);
         Self {
+            page: Page::default(),
             inputs,
             asked,
-            tables,
+            sources,
             tables_folder: None,
             mask: MaskChoice::default(),
             language,
@@ -144,6 +154,11 @@ impl Session {
         }
     }
 
+    /// The open page.
+    pub const fn page(&self) -> Page {
+        self.page
+    }
+
     /// The text fields.
     pub const fn inputs(&self) -> &Inputs {
         &self.inputs
@@ -154,9 +169,17 @@ impl Session {
         &self.asked
     }
 
-    /// The tables that limits are looked up in.
-    pub const fn tables(&self) -> &Arc<Tables> {
-        &self.tables
+    /// Where limits are looked up.
+    pub const fn sources(&self) -> &Arc<Sources> {
+        &self.sources
+    }
+
+    /// What limits are looked up in after the user's own tables.
+    pub fn source_choice(&self) -> SourceChoice {
+        match self.sources.base() {
+            Base::Iso286 => SourceChoice::Iso286,
+            Base::Tables(_) => SourceChoice::ControlTables,
+        }
     }
 
     /// The folder of the user's own tables, where one was chosen.
@@ -227,8 +250,13 @@ impl Session {
     /// Does a command at a local date and time, and says what the world outside has to do.
     pub fn apply(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         match command {
+            Command::OpenPage(page) => self.page = page,
             Command::Type(field, text) => self.type_text(field, text),
             Command::ChooseClass(class) => self.choose_class(class.as_str()),
+            Command::ChooseFeature(feature) => {
+                self.inputs.feature = Some(feature);
+                self.callout_changed(false);
+            }
             Command::MeasureBy(by) => self.inputs.by = by,
             Command::ShowKeypad(shown) => self.keypad = shown,
             Command::Measure => self.measure(now),
@@ -256,7 +284,13 @@ impl Session {
             Command::Imported { name, result } => self.imported(&name, result, now),
             Command::MaskRead { name, result } => self.mask_read(name, result),
             Command::TablesRead { folder, result } => self.tables_read(folder, result),
-            Command::ShippedTables => self.use_tables(shipped_tables(), None),
+            Command::NoOwnTables => self.use_tables(Vec::new(), None),
+            Command::UseSource(choice) => {
+                self.use_sources(self.sources.as_ref().clone().with_base(base(choice)));
+            }
+            Command::SetStandard(options) => {
+                self.use_sources(self.sources.as_ref().clone().with_options(options));
+            }
             Command::Saved { path, result } => self.saved_file(&path, result),
             Command::CopyStatus => return self.status_text().map(Effect::Copy).into_iter().collect(),
         }
@@ -286,7 +320,7 @@ impl Session {
     /// Reads the fields anew. The limits stay those of the record that is shown: it may come from a log without a
     /// callout, or from tables that are no longer used.
     fn read_fields(&mut self) {
-        self.asked = Asked::read(&self.inputs, &self.tables);
+        self.asked = Asked::read(&self.inputs, &self.sources);
         if let Some(shown) = &self.shown {
             self.asked.show_limits(shown.record.limits.clone(), shown.record.callout);
         }
@@ -306,6 +340,10 @@ impl Session {
         }
         self.shown = None;
         self.read_fields();
+        if self.asked.callout().is_some_and(|callout| callout.feature().is_some()) {
+            // The next callout without letters asks anew.
+            self.inputs.feature = None;
+        }
         if self.measured_is_used {
             self.inputs.set(Field::Measured, String::new());
             self.measured_is_used = false;
@@ -342,7 +380,7 @@ impl Session {
         let Some(record) = self.history.get(number).cloned() else { return };
         // The limits on screen follow the record, never the other way round.
         match record.callout {
-            Some(callout) if Some(callout) != self.asked.callout() => {
+            Some(callout) if Some(callout) != self.part_callout() => {
                 self.inputs.set(Field::Callout, callout.to_string());
                 self.callout_changed(true);
             }
@@ -353,6 +391,9 @@ impl Session {
                 self.inputs.set(Field::Callout, String::new());
                 self.callout_changed(true);
             }
+        }
+        if record.callout.is_some_and(|callout| callout.feature().is_none()) {
+            self.inputs.feature = Some(record.limits.feature);
         }
         self.asked.show_limits(record.limits.clone(), record.callout);
         self.draw(record);
@@ -432,6 +473,8 @@ impl Session {
             theme: self.theme,
             keypad: self.keypad,
             tables_folder: self.tables_folder.clone(),
+            source: self.source_choice(),
+            standard: self.sources.options(),
             inputs: self.inputs.clone(),
             ..Saved::default()
         }
@@ -440,7 +483,22 @@ impl Session {
     /// A session from what was saved. The tables' folder is read by the effect that comes with it.
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let effects = saved.tables_folder.clone().map(Effect::ReadTables).into_iter().collect();
-        (Self { keypad: saved.keypad, ..Self::with(saved.language, saved.theme, saved.inputs) }, effects)
+        let mut session = Self { keypad: saved.keypad, ..Self::with(saved.language, saved.theme, saved.inputs) };
+        let sources = Sources::default().with_base(base(saved.source)).with_options(saved.standard);
+        session.sources = Arc::new(sources);
+        session.read_fields();
+        (session, effects)
+    }
+
+    /// Where in a field's text an error shows: characters counted from 0.
+    pub fn culprit(&self, field: Field) -> Option<&std::ops::Range<usize>> {
+        self.asked.culprit().filter(|_| field == Field::Callout)
+    }
+
+    /// The callout of the part that is judged: one side of a fit.
+    fn part_callout(&self) -> Option<Callout> {
+        let callout = self.asked.callout()?;
+        Some(self.inputs.feature.map_or(callout, |feature| callout.of_part(feature)))
     }
 
     /// The callout that limits are shown for.

@@ -6,8 +6,9 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use super::command::Theme;
+use super::command::{SourceChoice, Theme};
 use super::inputs::Inputs;
+use crate::tolerance::iso286;
 use crate::words::Language;
 
 /// The version that is written.
@@ -26,6 +27,10 @@ pub struct Saved {
     pub keypad: bool,
     /// The folder of the user's own tables.
     pub tables_folder: Option<PathBuf>,
+    /// What limits are looked up in after the user's own tables.
+    pub source: SourceChoice,
+    /// Where editions of ISO 286 differ.
+    pub standard: iso286::Options,
     /// The text fields.
     pub inputs: Inputs,
 }
@@ -38,6 +43,8 @@ impl Default for Saved {
             theme: Theme::default(),
             keypad: false,
             tables_folder: None,
+            source: SourceChoice::default(),
+            standard: iso286::Options::default(),
             inputs: Inputs::default(),
         }
     }

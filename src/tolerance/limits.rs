@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::class::Feature;
+use super::iso2768::GeneralClass;
 use crate::length::{Length, signed_mm};
 use crate::words::{Message, Say};
 
@@ -43,6 +44,11 @@ impl Deviations {
         Ok(Self { upper, lower })
     }
 
+    /// The deviations between two values, whichever is the upper one: for code that knows, never for given texts.
+    pub(super) fn spanning(one: Length, other: Length) -> Self {
+        Self { upper: one.max(other), lower: one.min(other) }
+    }
+
     /// Upper limit deviation (ES or es).
     pub const fn upper(&self) -> Length {
         self.upper
@@ -62,17 +68,37 @@ impl Deviations {
 /// Where deviations come from. Every number that is shown says this.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Source {
+    /// ISO 286.
+    Iso286 {
+        /// The size step: above this,
+        over: Length,
+        /// up to and including this.
+        to: Length,
+        /// Whether half micrometres of JS or js were rounded off, as the 1988 edition allows.
+        js_rounded: bool,
+    },
+    /// ISO 2768-1, general tolerances of linear sizes.
+    Iso2768 {
+        /// The class.
+        class: GeneralClass,
+        /// The size range: above this,
+        over: Length,
+        /// up to and including this.
+        to: Length,
+    },
+    /// The callout says them itself: deviations or limits of size.
+    Callout,
     /// A control's table.
     Table {
         /// The table's name, `82553_hole.tab`.
         name: Arc<str>,
-        /// Whether the table is one of the two shipped ones, which agree with ISO 286-2 cell by cell.
+        /// Whether the table is one of the two shipped ones, which agree with ISO 286 cell by cell.
         shipped: bool,
         /// The size range: above this,
         over: Length,
         /// up to and including this.
         to: Length,
-        /// What the shipped table says here, where a user's table says something else.
+        /// What ISO 286 says here, where a user's table says something else.
         instead_of: Option<Deviations>,
     },
     /// The limits came with the measurement, from the named file.
@@ -82,8 +108,14 @@ pub enum Source {
 impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Iso286 { over, to, js_rounded: false } => write!(f, "ISO 286, over {over} up to {to} mm"),
+            Self::Iso286 { over, to, js_rounded: true } => {
+                write!(f, "ISO 286 with JS rounded as in 1988, over {over} up to {to} mm")
+            }
+            Self::Iso2768 { class, over, to } => write!(f, "ISO 2768-1 class {class}, over {over} up to {to} mm"),
+            Self::Callout => f.pad("the callout itself"),
             Self::Table { name, shipped: true, over, to, .. } => {
-                write!(f, "ISO 286 table {name}, over {over} up to {to} mm")
+                write!(f, "built-in table {name}, over {over} up to {to} mm")
             }
             Self::Table { name, over, to, .. } => write!(f, "table {name}, over {over} up to {to} mm"),
             Self::File(name) => write!(f, "file {name}"),
@@ -94,6 +126,14 @@ impl fmt::Display for Source {
 impl Say for Source {
     fn message(&self) -> Message {
         match self {
+            Self::Iso286 { over, to, js_rounded } => {
+                let id = if *js_rounded { "source-iso286-js-rounded" } else { "source-iso286" };
+                Message::new(id).mm("over", *over).mm("to", *to)
+            }
+            Self::Iso2768 { class, over, to } => {
+                Message::new("source-iso2768").text("class", class).mm("over", *over).mm("to", *to)
+            }
+            Self::Callout => Message::new("source-callout"),
             Self::Table { name, shipped, over, to, .. } => {
                 let id = if *shipped { "source-shipped-table" } else { "source-table" };
                 Message::new(id).text("name", name).mm("over", *over).mm("to", *to)
@@ -158,7 +198,17 @@ mod tests {
         assert_eq!(Words::new(Language::Nl).told(&error), dutch);
         let (over, to) = (um(18_500), um(30_000));
         let table = |shipped| Source::Table { name: "own.tab".into(), shipped, over, to, instead_of: None };
-        for source in [table(true), table(false), Source::File("TCHPR421.TXT".into())] {
+        let standard = |js_rounded| Source::Iso286 { over, to, js_rounded };
+        let general = Source::Iso2768 { class: GeneralClass::Medium, over, to };
+        for source in [
+            standard(false),
+            standard(true),
+            general,
+            Source::Callout,
+            table(true),
+            table(false),
+            Source::File("TCHPR421.TXT".into()),
+        ] {
             assert_eq!(Words::new(Language::En).told(&source), source.to_string());
             let dutch = Words::new(Language::Nl).told(&source);
             assert!(dutch != source.message().id && dutch != source.to_string(), "{dutch}");

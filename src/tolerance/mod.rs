@@ -3,25 +3,29 @@
 //! | file | what |
 //! |---|---|
 //! | `class` | tolerance classes such as `H7`, hole or shaft by the letter's case |
-//! | `callout` | what people type: `25 H7` |
+//! | `callout` | what people type: `25 H7`, `25 H7/g6`, `10m`, `12 +0.01 -0.015`, `12.01/11.985` |
+//! | `iso2768` | general tolerances: `10m` |
 //! | `limits` | deviations and limits of size, and where they come from |
 //! | `table` | size ranges and deviations as a control's table holds them |
+//! | `iso286` | the standard: every class, 0 to 3150 mm |
+//! | `sources` | from a callout to limits: the user's own tables first, then ISO 286 or the control's tables |
 //! | `fit` | a hole against a shaft: clearances, search, temperature |
-//! | `lookup` | from a callout to limits: the user's tables first, then the shipped ones |
 //!
 //! Nothing here reads a file or knows a window: tables arrive as values.
 
 pub mod callout;
 pub mod class;
 pub mod fit;
+pub mod iso2768;
 pub mod iso286;
 pub mod limits;
-pub mod lookup;
 mod ranges;
+pub mod sources;
 pub mod table;
 
-pub use callout::{Callout, CalloutError};
+pub use callout::{Callout, CalloutError, CalloutErrorKind, CycleText, Tolerance};
 pub use class::{ClassError, Feature, ToleranceClass};
+pub use iso2768::GeneralClass;
 pub use limits::{Deviations, DeviationsError, Limits, Source};
-pub use lookup::{LimitsError, Tables};
+pub use sources::{Base, LimitsError, Sources};
 pub use table::DeviationTable;

@@ -3,7 +3,6 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::callout::Callout;
 use super::class::ToleranceClass;
 use super::limits::Deviations;
 use crate::length::{Length, signed_mm};
@@ -145,11 +144,6 @@ impl DeviationTable {
 
     pub(super) fn last_over(&self) -> Length {
         self.ends.iter().rev().nth(1).copied().unwrap_or_default()
-    }
-
-    pub(super) fn deviations(&self, callout: &Callout) -> Option<Deviations> {
-        let (number, ..) = self.range(callout.nominal())?;
-        self.column(callout.class())?.cells.get(number).copied().flatten()
     }
 }
 

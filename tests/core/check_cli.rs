@@ -128,7 +128,7 @@ fn json_has_the_fields_of_the_contract() {
         ("measured_mm", json!(25.012)),
         ("deviation_um", json!(12.0)),
         ("status", json!("GOOD")),
-        ("source", json!("ISO 286 table 82553_hole.tab, over 18 up to 30 mm")),
+        ("source", json!("ISO 286, over 18 up to 30 mm")),
         ("rule", json!("no guard band, limits belong to the zone")),
         ("warnings", json!(["one diameter only: nothing is known of form and position"])),
     ] {
@@ -316,16 +316,16 @@ fn exactly_one_source_is_asked_for() {
 #[test]
 fn a_callout_without_limits_is_refused_in_words() {
     for (callout, needle) in [
-        ("25 X7", "25 X7: X7 is not in table 82553_hole.tab; it has D10 E9 F7"),
-        ("25 f6", "25 f6: f6 is not in table 82553_shaft.tab; it has d9 e8 f7"),
-        ("25 G6", "25 G6: G6 is a hole class and table 82553_hole.tab does not have it; the shaft class is g6"),
+        ("25 Q7", "25 Q7: Q7 is no class of ISO 286: it has no letter Q"),
+        ("25 j8", "25 j8: j8 is not defined at 25 mm in ISO 286; it is defined over 0 up to 3 mm"),
+        ("24 T7", "24 T7: T7 is not defined at 24 mm in ISO 286; it is defined over 24 up to 3150 mm"),
         ("0 H7", "0 H7: nominal size 0 mm is not above 0"),
         ("-3 H7", "-3 H7: nominal size -3 mm is not above 0"),
         ("\u{2212}3 H7", "nominal size -3 mm is not above 0"),
-        ("500 H7", "500 H7: nominal size 500 mm is beyond table 82553_hole.tab"),
-        ("400.000001 H7", "beyond table 82553_hole.tab"),
+        ("3200 H7", "3200 H7: nominal size 3200 mm is beyond ISO 286"),
+        ("3150.000001 H7", "beyond ISO 286, which ends at 3150 mm"),
         ("1 N9", "1 N9: N9 is not defined"),
-        ("25", "25: a tolerance class is missing, such as H7 for a hole or h7 for a shaft"),
+        ("25", "25: a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1"),
         ("", "callout: a callout is missing: write a nominal size and a tolerance class, such as 25 H7"),
         ("1.234,5 H7", "1.234,5"),
     ] {
@@ -409,4 +409,38 @@ fn a_closed_pipe_keeps_the_verdict() {
         assert_eq!(output.status.code(), Some(code), "{measured}, standard error closed");
         assert_eq!(String::from_utf8(output.stdout).unwrap().lines().count(), 5, "{measured}");
     }
+}
+
+#[test]
+fn a_callout_without_letters_is_good_as_either_and_asks_hole_or_shaft_before_it_condemns() {
+    let good = run(&["12 +0.01 -0.015", "--measured", "12.01", "--format", "json"]);
+    assert_eq!(good.code, 0, "{}", good.err);
+    let object: Value = serde_json::from_str(&good.out).unwrap();
+    assert_eq!((&object["feature"], &object["status"]), (&Value::Null, &json!("GOOD")));
+    let good = run(&["12 +0.01 -0.015", "--measured", "12.01", "--format", "csv"]);
+    assert!(good.out.contains(",12 +0.01 -0.015,,12,11.985,12.010,12.010,10,GOOD,"), "{}", good.out);
+    let unsaid = run(&["12 +0.01 -0.015", "--measured", "12.010001"]);
+    assert_eq!((unsaid.code, unsaid.out.as_str()), (1, ""));
+    assert!(unsaid.err.contains("12.010001 mm is outside 11.985 to 12.01 mm"), "{}", unsaid.err);
+    assert!(unsaid.err.contains("add --feature hole or --feature shaft"), "{}", unsaid.err);
+    for (feature, measured, code) in
+        [("hole", "12.010001", 11), ("shaft", "12.010001", 10), ("hole", "11.98", 10), ("shaft", "11.98", 11)]
+    {
+        let answer = run(&["12 +0.01 -0.015", "--feature", feature, "--measured", measured]);
+        assert_eq!(answer.code, code, "{feature} {measured}: {}", answer.err);
+    }
+}
+
+#[test]
+fn one_part_of_a_fit_is_checked_when_it_is_named() {
+    let answer = run(&["25 H7/g6", "--measured", "24.99"]);
+    assert_eq!((answer.code, answer.out.as_str()), (1, ""));
+    let why = "25 H7/g6 does not say whether the hole or the shaft is meant: add --feature hole or --feature shaft";
+    assert!(answer.err.contains(why), "{}", answer.err);
+    let shaft = run(&["25 H7/g6", "--feature", "shaft", "--measured", "24.99"]);
+    assert_eq!(shaft.code, 0);
+    assert!(shaft.out.contains("CHECKED FIT: 25 g6\n"), "{}", shaft.out);
+    assert_eq!(run(&["25 H7/g6", "--feature", "hole", "--measured", "24.99"]).code, 10);
+    let wrong = run(&["25 H7", "--feature", "shaft", "--measured", "25"]);
+    assert!(wrong.code == 1 && wrong.err.contains("H7 is a hole class and not a shaft class"), "{}", wrong.err);
 }

@@ -55,7 +55,7 @@ fn the_core_touches_no_file_thread_or_clock() {
 
 #[test]
 fn a_cycle_gets_limits_and_never_a_tolerance_class() {
-    none_names(&files(|name| name.starts_with("probing/")), &["ToleranceClass", "Callout", "Tables"]);
+    none_names(&files(|name| name.starts_with("probing/")), &["ToleranceClass", "Callout", "Sources"]);
 }
 
 #[test]

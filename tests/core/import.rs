@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
-use fitcheck::control::shipped_tables;
+use fitcheck::tolerance::Sources;
 
 const HEADER: &str = "file,line,id,callout,nominal_mm,min_mm,max_mm,measured_mm,deviation_um,status,remove_um,position,source,warnings,error";
 
@@ -46,7 +46,7 @@ fn samples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples/logs")
 }
 
-const H7: &str = "\"ISO 286 table 82553_hole.tab, over 18 up to 30 mm\"";
+const H7: &str = "\"ISO 286, over 18 up to 30 mm\"";
 
 #[test]
 fn the_exit_code_is_that_of_the_worst_verdict() {
@@ -110,11 +110,11 @@ fn values_of_another_quantity_are_warned_of() {
 
 #[test]
 fn unknown_classes_and_sizes_tell_the_way_out() {
-    let (code, rows) = csv("m.csv", b"callout;measured\n25 H99;25\n500 H7;500\n25 G6;25\n");
+    let (code, rows) = csv("m.csv", b"callout;measured\n25 H99;25\n3200 H7;3200\n24 T7;24\n");
     assert_eq!(code, 1);
-    assert!(rows[0].contains("H99 is not in table 82553_hole.tab"), "{}", rows[0]);
-    assert!(rows[1].contains("500 mm is beyond table 82553_hole.tab"), "{}", rows[1]);
-    assert!(rows[2].contains("the shaft class is g6"), "{}", rows[2]);
+    assert!(rows[0].contains("H99 is no class of ISO 286: its grades are 01 0 1"), "{}", rows[0]);
+    assert!(rows[1].contains("3200 mm is beyond ISO 286, which ends at 3150 mm"), "{}", rows[1]);
+    assert!(rows[2].contains("it is defined over 24 up to 3150 mm"), "{}", rows[2]);
 }
 
 #[test]
@@ -171,8 +171,8 @@ fn problems_have_file_line_and_column_on_standard_error() {
     assert_eq!(
         answer.out,
         "file:line  id  callout  measured mm  limits mm         deviation µm  verdict                  position  source\n\
-         m.csv:4    b3  25 H7          0.984  25.000 to 25.021        -24016  REWORK, remove 24016 µm            ISO 286 table 82553_hole.tab, over 18 up to 30 mm\n\
-         m.csv:5    b4  25 H7         25.012  25.000 to 25.021           +12  GOOD                               ISO 286 table 82553_hole.tab, over 18 up to 30 mm\n\
+         m.csv:4    b3  25 H7          0.984  25.000 to 25.021        -24016  REWORK, remove 24016 µm            ISO 286, over 18 up to 30 mm\n\
+         m.csv:5    b4  25 H7         25.012  25.000 to 25.021           +12  GOOD                               ISO 286, over 18 up to 30 mm\n\
          4 rows: 1 GOOD, 1 REWORK, 2 not usable\n"
     );
 }
@@ -228,7 +228,7 @@ fn limits_of_the_sample_logs_are_those_of_their_classes() {
         if row[3].is_empty() {
             continue;
         }
-        let limits = shipped_tables().limits(&row[3].parse().unwrap()).unwrap();
+        let limits = Sources::default().limits(&row[3].parse().unwrap(), None).unwrap();
         assert_eq!((limits.minimum(), limits.maximum()), (row[5].parse().unwrap(), row[6].parse().unwrap()), "{row:?}");
         compared += 1;
     }
@@ -273,7 +273,7 @@ fn own_tables_come_first_and_say_where_they_differ() {
         [
             "m.csv,2,,25 H7,25,25.010,25.040,25.030,30,GOOD,,,\"table own.tab, over 0 up to 30 mm\",ISO 286 has 0 / +21 µm here,",
             "m.csv,3,,25 U1,25,24.995,25.005,25.006,6,SCRAP,,,\"table own.tab, over 0 up to 30 mm\",,",
-            "m.csv,4,,25 g6,25,24.980,24.993,24.990,-10,GOOD,,,\"ISO 286 table 82553_shaft.tab, over 18 up to 30 mm\",,",
+            "m.csv,4,,25 g6,25,24.980,24.993,24.990,-10,GOOD,,,\"ISO 286, over 18 up to 30 mm\",,",
         ],
         "{}",
         answer.err
@@ -298,7 +298,7 @@ proptest::proptest! {
         "(b[0-9]|);(25 ?[HKgZ][5-8]|Ø?[0-9]{1,3},5 h7|25|x|);(2[45][.,][0-9]{1,7}|[0-9]{1,3}|-3|abc|)", 1..30)
     ) {
         let text = format!("id;callout;measured\n{}\n", rows.join("\n"));
-        let imported = fitcheck::exchange::import("m.csv", text.as_bytes(), &shipped_tables(), jiff::civil::date(2025, 1, 1).at(0, 0, 0, 0));
+        let imported = fitcheck::exchange::import("m.csv", text.as_bytes(), &Sources::default(), jiff::civil::date(2025, 1, 1).at(0, 0, 0, 0));
         let filled = rows.iter().filter(|row| *row != ";;").count().max(1);
         proptest::prop_assert_eq!(imported.rows, filled);
         proptest::prop_assert_eq!(imported.records.len() + imported.unjudged.len() + imported.problems.len(), filled);

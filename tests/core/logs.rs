@@ -7,7 +7,7 @@ use fitcheck::control::log::{self, Circle, Log, Values};
 use fitcheck::exchange::{Imported, WhyUnjudged, import};
 use fitcheck::journal::Record;
 use fitcheck::length::{Length, Unit};
-use fitcheck::tolerance::{Feature, Source, Tables};
+use fitcheck::tolerance::{Feature, Source, Sources};
 use fitcheck::verdict::Status;
 
 /// One line of the expected values, by column.
@@ -22,7 +22,7 @@ fn expected() -> Vec<Expected> {
 }
 
 fn imported(bytes: &[u8]) -> Imported {
-    import("log.txt", bytes, &Tables::default(), jiff::civil::date(2000, 1, 1).at(0, 0, 0, 0))
+    import("log.txt", bytes, &Sources::default(), jiff::civil::date(2000, 1, 1).at(0, 0, 0, 0))
 }
 
 /// Every expected line with its log: the second line of a file is the file's second log.

@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 mod bad_input;
+mod callouts;
 mod check_cli;
 mod circle_cli;
 mod circles;

@@ -25,7 +25,7 @@ fn record(callout: &str, upper_um: i32, measured: &str) -> Record {
     let measured: Length = measured.parse().unwrap();
     let deviations = Deviations::new(Length::from_micrometres(upper_um), Length::ZERO).unwrap();
     let source = Source::File("test".into());
-    let limits = Limits::new(callout.feature(), callout.nominal(), deviations, source).unwrap();
+    let limits = Limits::new(callout.feature().unwrap(), callout.nominal(), deviations, source).unwrap();
     Record {
         time: time(),
         id: String::new(),

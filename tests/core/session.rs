@@ -67,7 +67,7 @@ fn told(session: &Session, field: Field) -> Option<String> {
 
 /// What the world outside answers when a file of these bytes is imported.
 fn imported(session: &Session, name: &str, bytes: &[u8]) -> Command {
-    let imported = import(name, bytes, session.tables(), now());
+    let imported = import(name, bytes, session.sources(), now());
     Command::Imported { name: name.to_owned(), result: Ok(Box::new(imported)) }
 }
 
@@ -126,8 +126,8 @@ fn what_cannot_be_measured_is_told_beside_its_field_and_changes_nothing() {
         measure(&mut session, "25 H7", measured);
         assert!(told(&session, Field::Measured).is_some(), "{measured:?}");
     }
-    measure(&mut session, "25 X7", "25");
-    assert!(told(&session, Field::Callout).unwrap().starts_with("X7 is not in table"));
+    measure(&mut session, "25 Q7", "25");
+    assert!(told(&session, Field::Callout).unwrap().starts_with("Q7 is no class of ISO 286"));
     assert_eq!((session.history().len(), status(&session), session.can_undo()), (0, None, false));
 }
 
@@ -152,7 +152,7 @@ fn a_changed_callout_clears_the_verdict_and_the_value_it_was_made_of() {
         typed(Field::Callout, "25 X"),
         typed(Field::Nominal, "26"),
         Command::ChooseClass("g6".parse().unwrap()),
-        Command::ShippedTables,
+        Command::NoOwnTables,
     ] {
         let mut session = session();
         measure(&mut session, "25 H7", "25.012");
@@ -224,7 +224,7 @@ fn clearing_the_history_can_be_taken_back() {
 #[test]
 fn rows_of_a_file_fill_the_history_and_bad_ones_are_told() {
     let mut session = session();
-    let text = b"id,callout,measured\nA1,25 H7,25.012\nA2,25 Z9,25.0\nA3,25 H7,x\nA4,25 H7,24.998\n";
+    let text = b"id,callout,measured\nA1,25 H7,25.012\nA2,25 Q9,25.0\nA3,25 H7,x\nA4,25 H7,24.998\n";
     let answer = imported(&session, "parts.csv", text);
     run(&mut session, [Command::OpenDialog(Purpose::Import), Command::TypePath("parts.csv".to_owned())]);
     assert_eq!(run(&mut session, [Command::Confirm]), [Effect::Import(PathBuf::from("parts.csv"))]);

@@ -3,6 +3,7 @@
 use eframe::egui::accesskit::{Live, Role};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
+use eframe::egui::{Key, Modifiers};
 use fitcheck::session::Field;
 
 use crate::harness::{check, type_into, verdict, window};
@@ -70,11 +71,11 @@ fn limits_follow_while_typing_and_a_refusal_stands_beside_the_field() {
     window.get_by_label("25.021");
     window.get_by_label("25.000");
     window.get_by_label("+21 µm");
-    type_into(&mut window, "Fit", "25 G6");
-    window.get_by_label_contains("the shaft class is g6");
+    type_into(&mut window, "Fit", "24 T7");
+    window.get_by_label_contains("it is defined over 24 up to 3150 mm");
     assert!(window.query_by_label("25.021").is_none(), "no limits beside a refused callout");
-    type_into(&mut window, "Fit", "401 H7");
-    window.get_by_label_contains("beyond table 82553_hole.tab");
+    type_into(&mut window, "Fit", "3151 H7");
+    window.get_by_label_contains("beyond ISO 286, which ends at 3150 mm");
     type_into(&mut window, "Fit", "7.5.2 H7");
     window.get_by_label_contains("7.5.2 is not a number");
 }
@@ -185,4 +186,75 @@ fn a_parameter_out_of_range_says_its_range_beside_the_field() {
     window.get_by_label_contains("Q320 SET-UP CLEARANCE = -1 mm");
     type_into(&mut window, "Centre X", "abc");
     window.get_by_label_contains("abc is not a number");
+}
+
+#[test]
+fn the_controls_tables_can_be_asked_instead_of_the_standard() {
+    let mut window = window();
+    type_into(&mut window, "Fit", "400.5 H7");
+    window.get_by_label("from ISO 286, over 400 up to 500 mm");
+    window.get_by_role_and_label(Role::Button, "Menu").click();
+    window.run();
+    window.get_by_label("Limits from").click();
+    window.run();
+    window.get_by_label_contains("The control's tables").click();
+    window.run();
+    window.get_by_label_contains("beyond table 82553_hole.tab");
+    type_into(&mut window, "Fit", "25 H7");
+    window.get_by_label("from built-in table 82553_hole.tab, over 18 up to 30 mm");
+}
+
+#[test]
+fn pages_open_by_name_and_by_key() {
+    let mut window = window();
+    for (page, key) in [("Tables", Key::Num3), ("Fit", Key::Num2), ("Check", Key::Num1)] {
+        window.key_press_modifiers(Modifiers::COMMAND, key);
+        window.run();
+        assert_eq!(window.query_by_role_and_label(Role::TextInput, "Measured value").is_some(), page == "Check");
+        window.get_by_role_and_label(Role::Button, page).click();
+        window.run();
+        assert_eq!(window.query_by_role_and_label(Role::TextInput, "Measured value").is_some(), page == "Check");
+    }
+}
+
+#[test]
+fn a_callout_without_letters_asks_hole_or_shaft() {
+    let mut window = window();
+    type_into(&mut window, "Fit", "12 +0.01 -0.015");
+    window.get_by_label_contains("does not say whether the hole or the shaft is meant");
+    type_into(&mut window, "Measured value", "12.02");
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(verdict(&window).starts_with("No result"), "{}", verdict(&window));
+    window.get_by_role_and_label(Role::RadioButton, "Shaft").click();
+    window.run();
+    window.get_by_label("from the callout itself");
+    type_into(&mut window, "Measured value", "12.02");
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(verdict(&window).starts_with("REWORK. 12.020 mm. Remove 10 µm"), "{}", verdict(&window));
+    // The same size as a hole is scrap, and the old verdict does not stay.
+    window.get_by_role_and_label(Role::RadioButton, "Hole").click();
+    window.run();
+    assert!(verdict(&window).starts_with("No result"), "{}", verdict(&window));
+    type_into(&mut window, "Measured value", "12.02");
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
+    // A class says it itself, and the next callout without letters asks anew.
+    type_into(&mut window, "Fit", "25 H7");
+    type_into(&mut window, "Fit", "10m");
+    window.get_by_label_contains("does not say whether the hole or the shaft is meant");
+}
+
+#[test]
+fn one_part_of_a_fit_is_checked() {
+    let mut window = window();
+    type_into(&mut window, "Fit", "25 H7/g6");
+    window.get_by_role_and_label(Role::RadioButton, "Shaft").click();
+    window.run();
+    check(&mut window, "25 H7/g6", "24.99");
+    assert!(verdict(&window).starts_with("GOOD. 24.990 mm"), "{}", verdict(&window));
+    let record = &window.state().session().history()[0];
+    assert_eq!(record.callout.map(|callout| callout.to_string()), Some("25 g6".to_owned()));
 }

@@ -1,6 +1,8 @@
 # The window: labels, buttons, headings. Sentence case, no colon after a label, an ellipsis on what opens a dialog.
 
 page-check = Check
+page-fit = Fit
+page-tables = Tables
 import = Import…
 export = Export
 export-html = Inspection report (HTML)…
@@ -13,8 +15,13 @@ theme = Appearance
 theme-system = As the system
 theme-light = Light
 theme-dark = Dark
+limits-from = Limits from
+source-choice-iso286 = ISO 286, every class to 3150 mm
+source-choice-control = The control's tables, 47 classes to 400 mm
+standard-js-rounded = Round JS halves off, as in 1988
+standard-1988 = cd, ef, fg to 10 mm only, as in 1988
 load-tables = Own tables…
-shipped-tables = Built-in tables only
+no-own-tables = No own tables
 load-mask = Own mask…
 undo = Undo
 clear-history = Clear history

@@ -1,6 +1,8 @@
 # Het venster: opschriften, knoppen, koppen.
 
 page-check = Controle
+page-fit = Passing
+page-tables = Tabellen
 import = Importeren…
 export = Exporteren
 export-html = Meetrapport (HTML)…
@@ -13,8 +15,13 @@ theme = Weergave
 theme-system = Als het systeem
 theme-light = Licht
 theme-dark = Donker
+limits-from = Grenzen uit
+source-choice-iso286 = ISO 286, elke klasse tot 3150 mm
+source-choice-control = De tabellen van de besturing, 47 klassen tot 400 mm
+standard-js-rounded = Halve JS-waarden afronden, zoals in 1988
+standard-1988 = cd, ef, fg alleen tot 10 mm, zoals in 1988
 load-tables = Eigen tabellen…
-shipped-tables = Alleen ingebouwde tabellen
+no-own-tables = Geen eigen tabellen
 load-mask = Eigen masker…
 undo = Ongedaan maken
 clear-history = Geschiedenis wissen

@@ -140,6 +140,16 @@ pub fn classes(feature: Feature, options: Options) -> impl Iterator<Item = Toler
     })
 }
 
+/// The classes that are offered first: those of the control's tables (NC-Solution 8255) and the preferred ones of
+/// ISO 286-1.
+pub fn usual_classes(feature: Feature) -> impl Iterator<Item = ToleranceClass> {
+    let usual = match feature {
+        Feature::Hole => "A11 B11 C11 D10 E9 F7 F8 G7 G9 H6 H7 H8 H9 H11 H12 H13 JS7 JS9 K6 K7 M6 M7 N7 N9 P7 P9 R7 S7",
+        Feature::Shaft => "a11 b11 c11 d9 e8 f7 g6 h5 h6 h7 h8 h9 h11 js5 js6 js13 js14 k5 k6 m5 m6 n6 p6 r6 s6 s7",
+    };
+    usual.split(' ').filter_map(|class| class.parse().ok())
+}
+
 /// The upper, inclusive ends of all steps, ascending, 1 mm among them: within a step no class changes.
 pub fn step_ends() -> impl Iterator<Item = Length> {
     sizes()

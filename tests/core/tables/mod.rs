@@ -48,8 +48,8 @@ fn sample(name: &str) -> Vec<u8> {
 
 #[track_caller]
 fn check_cell(table: &DeviationTable, callout: &str, upper: &str, lower: &str) {
-    let tables = fitcheck::tolerance::Tables::shipped(vec![table.clone()]);
-    let limits = tables.limits(&callout.parse().unwrap()).unwrap();
+    let tables = fitcheck::tolerance::Sources::of_tables(vec![table.clone()]);
+    let limits = tables.limits(&callout.parse().unwrap(), None).unwrap();
     assert_eq!((limits.deviations.upper(), limits.deviations.lower()), (um(upper), um(lower)), "{callout}");
 }
 

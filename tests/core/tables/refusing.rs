@@ -163,7 +163,7 @@ fn other_columns_are_left_alone() {
     );
     let both = SOUND.replace("U1", "h7");
     let (table, _) = read_table(both.as_bytes(), "own.tab", "own.tab", false).unwrap();
-    let tables = fitcheck::tolerance::Tables::shipped(vec![table.unwrap()]);
+    let tables = fitcheck::tolerance::Sources::of_tables(vec![table.unwrap()]);
     assert_eq!((tables.classes(Feature::Hole).len(), tables.classes(Feature::Shaft).len()), (1, 1));
 }
 

@@ -34,12 +34,12 @@ fn reading_writing_and_reading_again_gives_the_same_table() {
 
 #[test]
 fn deviations_survive_all_three_generations() {
-    for table in shipped_tables().iter() {
+    for table in &shipped_tables() {
         for generation in GENERATIONS {
             let bytes = to_control_table(table, generation).write().unwrap();
             let (again, warnings) = read_table(&bytes, table.name(), "x", true).unwrap();
             assert_eq!(warnings, []);
-            assert_eq!(&again.unwrap(), table);
+            assert_eq!(again.unwrap(), **table);
         }
     }
 }

@@ -6,8 +6,8 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, LineStyle, MarkerShape, PlotPoint, PlotPoints, Points};
 
-use super::theme::{self, palette, sizes};
-use super::view::{Digits, View, heading, quiet, still_plot};
+use crate::gui::theme::{self, palette, sizes};
+use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
 use crate::words::{Message, Say as _, Words};
 

@@ -2,17 +2,17 @@
 
 use eframe::egui::{Button, CollapsingHeader, Grid, RichText, Ui, vec2};
 
-use super::class_chooser::{class_chooser_ui, feature_picture};
-use super::field::{Look, error_ui, field_ui};
-use super::theme::{self, palette, sizes, space};
-use super::view::{View, heading, quiet};
+use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
+use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::view::{View, heading, quiet};
 use crate::length::Length;
 use crate::session::{Command, Field, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 use crate::words::{Message, Say as _};
 
 /// The panel's content.
-pub(super) fn fit_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
+pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     callout_ui(ui, view);
     ui.add_space(space(1.0));
@@ -35,6 +35,21 @@ fn callout_ui(ui: &mut Ui, view: &mut View<'_>) {
     let width = ui.available_width();
     field_ui(ui, view, Field::Callout, name.id, Look::large(width));
     error_ui(ui, view, Field::Callout);
+    if view.session.asked().needs_feature() {
+        feature_ui(ui, view);
+    }
+}
+
+/// Hole or shaft, where the callout does not say it.
+fn feature_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal(|ui| {
+        for (feature, id) in [(Feature::Hole, "feature-hole"), (Feature::Shaft, "feature-shaft")] {
+            feature_picture(ui, feature, space(6.0));
+            if ui.radio(view.session.inputs().feature == Some(feature), view.text(id)).clicked() {
+                view.send(Command::ChooseFeature(feature));
+            }
+        }
+    });
 }
 
 fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {

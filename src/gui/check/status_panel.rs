@@ -2,8 +2,8 @@
 
 use eframe::egui::{ComboBox, Frame, Label, Margin, RichText, ScrollArea, Stroke, Ui};
 
-use super::theme::{self, palette, sizes, space};
-use super::view::{View, problem, quiet};
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::view::{View, problem, quiet};
 use crate::session::{Command, MaskChoice, Purpose};
 use crate::words::{Language, Message};
 

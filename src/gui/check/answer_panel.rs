@@ -3,9 +3,9 @@
 use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{Align, CollapsingHeader, Frame, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
-use super::shapes;
-use super::theme::{self, palette, sizes, space};
-use super::view::{Digits, View, quiet};
+use crate::gui::shapes;
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::view::{Digits, View, quiet};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::verdict::{PositionVerdict, Status};

@@ -4,9 +4,9 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, Ui, WidgetInfo, pos2, vec2};
 use egui_plot::{AxisHints, GridMark, PlotBounds, PlotTransform, VLine, VPlacement};
 
-use super::shapes::{self, Hatch};
-use super::theme::{self, Palette, palette, sizes, space};
-use super::view::{Digits, View, heading, quiet, still_plot};
+use crate::gui::shapes::{self, Hatch};
+use crate::gui::theme::{self, Palette, palette, sizes, space};
+use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::report::band::{Band, Marker, Side};

@@ -4,9 +4,9 @@ use eframe::egui::{Align, Button, Checkbox, Id, Layout, RichText, Sense, Ui, UiB
 use egui_extras::{Column, TableBuilder};
 
 use super::answer_panel::status_id;
-use super::shapes;
-use super::theme::{self, palette, sizes, space};
-use super::view::{Digits, View, heading, quiet};
+use crate::gui::shapes;
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::session::Command;
 use crate::words::{Message, Say as _, Words};

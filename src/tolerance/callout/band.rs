@@ -1,0 +1,156 @@
+//! Reading deviations: `+0.01 -0.015`, `±0.02`, `+0.2/0`, `-0.1`, `+10 µm -15 µm`.
+
+use super::Callout;
+use super::error::{CalloutError, shorten};
+use super::kind::{CalloutErrorKind as Kind, Part};
+use super::reading::{Grammar, Number, Reader, Size};
+use super::scanner::{Place, is_figure, is_minus, is_sign};
+use crate::length::Length;
+use crate::tolerance::Deviations;
+
+/// The units that may stand behind a deviation.
+const UNITS: [&str; 4] = ["mm", "\u{b5}m", "\u{3bc}m", "um"];
+
+/// The sign before a deviation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sign {
+    None,
+    Plus,
+    Minus,
+    Both,
+}
+
+/// A deviation as it was read.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Deviation<'a> {
+    pub(super) sign: Sign,
+    /// With its sign.
+    pub(super) value: Length,
+    number: Number<'a>,
+    place: Place,
+}
+
+impl<'a> Reader<'a> {
+    /// One deviation or two behind a size.
+    pub(super) fn band(&mut self, size: Size) -> Result<Callout, CalloutError> {
+        let first = self.deviation()?;
+        self.refuse_no_sign(&first)?;
+        if first.sign == Sign::Both {
+            return self.with_deviations(size, first.place, first.value, first.value.negated());
+        }
+        self.scanner.skip_blanks();
+        let stroke = self.scanner.eat(|c| c == '/');
+        self.scanner.skip_blanks();
+        if !stroke && !self.scanner.peek().is_some_and(|c| is_sign(c) || is_figure(c)) {
+            return self.single(size, &first);
+        }
+        let start = self.scanner.offset();
+        let second = self.deviation()?;
+        self.refuse_no_sign(&second)?;
+        if second.sign == Sign::Both {
+            let found = shorten(self.scanner.since(start));
+            return Err(self.error(second.place, Kind::NotA { part: Part::Deviation, found }));
+        }
+        self.refuse_one_unit(&first, &second)?;
+        self.both(size, &first, &second)
+    }
+
+    /// A sign, and a number with its unit.
+    pub(super) fn deviation(&mut self) -> Result<Deviation<'a>, CalloutError> {
+        let start = self.scanner.offset();
+        let sign = self.sign();
+        self.scanner.skip_blanks();
+        let number = self.number(&UNITS, |error| Kind::Number { part: Part::Deviation, error })?;
+        let Some(number) = number else { return Err(self.expected(Part::Deviation, start)) };
+        let value = if sign == Sign::Minus { number.value.negated() } else { number.value };
+        Ok(Deviation { sign, value, number, place: self.scanner.place_from(start) })
+    }
+
+    fn sign(&mut self) -> Sign {
+        if self.scanner.eat(is_minus) {
+            return Sign::Minus;
+        }
+        if self.scanner.eat(|c| c == '±') {
+            return Sign::Both;
+        }
+        if !self.scanner.eat(|c| c == '+') {
+            return Sign::None;
+        }
+        let mut ahead = self.scanner;
+        if ahead.eat(|c| c == '/') && ahead.eat(is_minus) {
+            self.scanner = ahead;
+            return Sign::Both;
+        }
+        Sign::Plus
+    }
+
+    /// One signed deviation, as QS400 of cycle 444 has it: the other one is zero.
+    fn single(&self, size: Size, only: &Deviation<'_>) -> Result<Callout, CalloutError> {
+        let whole = Place { start: size.place.start, end: only.place.end };
+        if only.value == Length::ZERO {
+            let end = Place { start: only.place.end, end: only.place.end };
+            return Err(self.error(end, Kind::Missing { part: Part::Deviation }));
+        }
+        let as_deviation = self.with_deviations(size, only.place, only.value, Length::ZERO);
+        // "12.01-11.985" and "12-11" may be limits of size as well; cycle texts have none.
+        let (nominal, removed) = (size.value, only.value.negated());
+        if removed < nominal.saturating_sub(removed) || self.grammar == Grammar::Cycle {
+            return as_deviation;
+        }
+        let Ok(limits) = Callout::with_limits(nominal.max(removed), nominal.min(removed)) else { return as_deviation };
+        let limits = limits.to_string();
+        Err(match as_deviation {
+            Ok(deviation) => self.error(whole, Kind::LimitsOrDeviation { limits, deviation: deviation.to_string() }),
+            Err(_leaves_nothing) => self.error(whole, Kind::LimitsMeant { limits }),
+        })
+    }
+
+    /// Upper and lower deviation. A callout with the lower one first is refused; cycle texts have both orders.
+    fn both(&self, size: Size, first: &Deviation<'_>, second: &Deviation<'_>) -> Result<Callout, CalloutError> {
+        let place = Place { start: first.place.start, end: second.place.end };
+        let callout = self.with_deviations(size, place, first.value, second.value)?;
+        if first.value < second.value && self.grammar == Grammar::Callout {
+            return Err(self.error(place, Kind::DeviationOrder { offer: callout.to_string() }));
+        }
+        Ok(callout)
+    }
+
+    /// A callout between two deviations in either order.
+    fn with_deviations(&self, size: Size, place: Place, one: Length, other: Length) -> Result<Callout, CalloutError> {
+        self.placed(place, Callout::with_deviations(size.value, Deviations::spanning(one, other)))
+    }
+
+    /// Only zero may stand without a sign.
+    fn refuse_no_sign(&self, deviation: &Deviation<'_>) -> Result<(), CalloutError> {
+        if deviation.sign == Sign::None && deviation.value != Length::ZERO {
+            return Err(self.no_sign(deviation));
+        }
+        Ok(())
+    }
+
+    /// The texts of QS400 have neither `±` nor units.
+    pub(super) fn refuse_both_and_unit(&self, deviation: &Deviation<'_>) -> Result<(), CalloutError> {
+        if deviation.sign == Sign::Both || deviation.number.unit.is_some() {
+            let found = shorten(self.scanner.since(deviation.place.start));
+            return Err(self.error(deviation.place, Kind::NotA { part: Part::Deviation, found }));
+        }
+        Ok(())
+    }
+
+    pub(super) fn no_sign(&self, deviation: &Deviation<'_>) -> CalloutError {
+        self.error(deviation.place, Kind::NoSign { number: shorten(deviation.number.figures) })
+    }
+
+    /// `+10 -15 µm` may mean 10 mm or 10 µm.
+    fn refuse_one_unit(&self, first: &Deviation<'_>, second: &Deviation<'_>) -> Result<(), CalloutError> {
+        let micrometres = |one: &Deviation<'_>| one.number.unit.is_some_and(|unit| unit != "mm");
+        let bare = |one: &Deviation<'_>| one.number.unit.is_none() && one.value != Length::ZERO;
+        for (one, other) in [(first, second), (second, first)] {
+            if bare(one) && micrometres(other) {
+                let number = shorten(one.number.figures);
+                return Err(self.error(one.number.place, Kind::NoUnit { number }));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,171 @@
+//! The texts that cycles 14xx take for a nominal value: a callout, less, or more. Reading and writing; what a control
+//! does with them is not here.
+
+use std::fmt;
+use std::str::FromStr;
+
+use super::error::CalloutError;
+use super::kind::{CalloutErrorKind, Part};
+use super::reading::{Grammar, Reader, Size};
+use super::{Callout, Tolerance};
+use crate::length::Length;
+
+/// A text of cycles 14xx: `10H7`, `?10H7`, `?`, `10H7@10.004`.
+///
+/// The tolerance is a class of ISO 286, a general class of ISO 2768-1 or deviations; their order is free, so `8-2-1` is
+/// −1 and −2. Fits and limits of size are none of these cycles.
+///
+/// ```
+/// use fitcheck::tolerance::callout::CycleText;
+///
+/// let text: CycleText = "? 10 H7 @ 10,004".parse()?;
+/// assert!(text.position_unknown);
+/// assert_eq!(text.callout().unwrap().to_string(), "10 H7");
+/// assert_eq!(text.to_string(), "?10H7@10.004");
+/// # Ok::<(), fitcheck::tolerance::CalloutError>(())
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub struct CycleText {
+    /// A leading `?`: the operator positions the probe.
+    pub position_unknown: bool,
+    /// The nominal value; a lone `?` has none.
+    pub size: Option<CycleSize>,
+    /// The actual value behind an `@`, in millimetres: a position, so it may be zero or less.
+    pub actual: Option<Length>,
+}
+
+/// The nominal value of a cycle text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum CycleSize {
+    /// A number alone, in millimetres: a position, so it may be zero or less.
+    Nominal(Length),
+    /// A size above zero with its tolerance.
+    Callout(Callout),
+}
+
+impl CycleText {
+    /// The nominal value in millimetres, with or without tolerance.
+    pub const fn nominal(&self) -> Option<Length> {
+        match self.size {
+            Some(CycleSize::Nominal(nominal)) => Some(nominal),
+            Some(CycleSize::Callout(callout)) => Some(callout.nominal()),
+            None => None,
+        }
+    }
+
+    /// The nominal size with its tolerance, where it has one.
+    pub const fn callout(&self) -> Option<Callout> {
+        match self.size {
+            Some(CycleSize::Callout(callout)) => Some(callout),
+            _ => None,
+        }
+    }
+}
+
+impl FromStr for CycleText {
+    type Err = CalloutError;
+
+    fn from_str(text: &str) -> Result<Self, CalloutError> {
+        let mut reader = Reader::new(text, Grammar::Cycle);
+        reader.scanner.skip_blanks();
+        let position_unknown = reader.scanner.eat(|c| c == '?');
+        reader.scanner.skip_blanks();
+        if position_unknown && reader.scanner.peek().is_none() {
+            return Ok(Self { position_unknown, ..Self::default() });
+        }
+        let size = reader.size()?;
+        reader.scanner.skip_blanks();
+        let size = match reader.scanner.peek() {
+            None | Some('@') => CycleSize::Nominal(size.value),
+            Some(_) => CycleSize::Callout(reader.tolerance(size)?),
+        };
+        reader.scanner.skip_blanks();
+        let actual = if reader.scanner.eat(|c| c == '@') { Some(actual(&mut reader)?.value) } else { None };
+        reader.end()?;
+        Ok(Self { position_unknown, size: Some(size), actual })
+    }
+}
+
+/// The number behind an `@`.
+fn actual(reader: &mut Reader<'_>) -> Result<Size, CalloutError> {
+    reader.scanner.skip_blanks();
+    let start = reader.scanner.offset();
+    reader.size().map_err(|error| match error.kind {
+        CalloutErrorKind::Empty | CalloutErrorKind::NoNominal { .. } => {
+            reader.scanner.skip_blanks();
+            reader.expected(Part::Actual, start)
+        }
+        CalloutErrorKind::Nominal(error) => {
+            reader.error(reader.scanner.place_from(start), CalloutErrorKind::Number { part: Part::Actual, error })
+        }
+        _ => error,
+    })
+}
+
+/// As a control takes it: without blanks, with a point, every deviation with a sign, never `±` or `Ø`.
+///
+/// A fit and limits of size, which these cycles do not have, are printed as callouts.
+impl fmt::Display for CycleText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = String::from(if self.position_unknown { "?" } else { "" });
+        match self.size {
+            Some(CycleSize::Nominal(nominal)) => text.push_str(&nominal.to_string()),
+            Some(CycleSize::Callout(callout)) => text.push_str(&callout_text(&callout)),
+            None => {}
+        }
+        if let Some(actual) = self.actual {
+            text.push('@');
+            text.push_str(&actual.to_string());
+        }
+        f.pad(&text)
+    }
+}
+
+fn callout_text(callout: &Callout) -> String {
+    let nominal = callout.nominal();
+    match callout.tolerance() {
+        Tolerance::Class(class) => format!("{nominal}{class}"),
+        Tolerance::Deviations(deviations) => {
+            let (upper, lower) = (deviations.upper(), deviations.lower());
+            let upper_sign = if upper < Length::ZERO { '-' } else { '+' };
+            let lower_sign = if Length::ZERO < lower { '+' } else { '-' };
+            format!("{nominal}{upper_sign}{}{lower_sign}{}", upper.abs(), lower.abs())
+        }
+        _ => callout.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::said;
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, expected: &str) {
+        assert_eq!(said::<CycleText>(text), expected, "for {text:?}");
+    }
+
+    #[test]
+    fn cycle_texts_may_say_less_and_more() {
+        for text in ["?", "?50", "-20", "10H7", "?10H7", "10H7@10.004", "?10m@-3", "10+0.01-0.015", "8-1-2", "10+0.2-0"]
+        {
+            check(text, text);
+        }
+        check(" ? Ø10 ± 0,02 @ 9,99 ", "?10+0.02-0.02@9.99");
+        check("8-2-1", "8-1-2");
+        check("12-0.1+0.1", "12+0.1-0.1");
+        check("12-8", "12+0-8");
+        check("", "! a callout is missing: write a nominal size and a tolerance class, such as 25 H7");
+        check("??", "! ?? does not begin with a nominal size: write one, such as 25 H7");
+        check("-5H7", "! nominal size -5 mm is not above 0");
+        let no_fit = "cannot stand in a text of cycles 14xx: write a class, a general class or deviations";
+        check("10H7/g6", &format!("! / {no_fit} (character 5)"));
+        check("10H7-g6", &format!("! - {no_fit} (character 5)"));
+        check("12/11", &format!("! / {no_fit} (character 3)"));
+        let how = "write a number, such as 10H7@10.004";
+        check("10H7@", &format!("! a value behind @ is missing: {how} (character 6)"));
+        check("10H7@x", &format!("! x is no value behind @: {how} (character 6)"));
+        check("10H7@1.2.3", "! value behind @: 1.2.3 is not a number (character 6)");
+        check("10H7@1?", "! ? is too much: the text ends before it (character 7)");
+    }
+}

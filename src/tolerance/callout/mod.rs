@@ -1,0 +1,251 @@
+//! Callouts: a nominal size and its tolerance, as drawings have them and operators type them.
+//!
+//! | file | what |
+//! |---|---|
+//! | `scanner` | a text, character by character |
+//! | `reading` | the one grammar: size, then class, fit or limits |
+//! | `band` | the grammar's deviations, with sign and unit |
+//! | `error` | why a text is no callout, and at which character |
+//! | `kind` | the reasons |
+//! | `words` | the same in every language |
+//! | `cycle_text` | the texts of cycles 14xx: a callout, or less, or more |
+//! | `qs400` | the tolerance texts of cycle 444 |
+//!
+//! ```text
+//! callout    = [ "Ø" ] size ( class | fit | general | deviations ) | [ "Ø" ] size "/" size ;
+//! size       = number [ "mm" ] ;
+//! class      = letters digit [ digit ] ;                    H7, js13
+//! fit        = class ( "/" | "-" ) class ;                  hole first: H7/g6
+//! general    = "f" | "m" | "c" | "v" ;                      ISO 2768-1, with no digit behind it
+//! deviations = ( "±" | "+/-" ) value | signed [ [ "/" ] signed ] ;
+//! signed     = ( "+" | "-" ) value | "0" ;                  upper before lower; one alone: the other is 0
+//! value      = number [ "mm" | "µm" | "um" ] ;
+//! number     = digits [ ( "." | "," ) digits ] ;            one kind of decimal sign in a text
+//! ```
+//! Blanks may stand between the parts; U+2212 and U+2013 are a minus. A callout says what is wanted; whether a class is
+//! defined at its size is told by the sources of limits, not here.
+
+mod band;
+mod cycle_text;
+mod error;
+mod kind;
+mod qs400;
+mod reading;
+mod scanner;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
+use std::fmt;
+use std::str::FromStr;
+
+pub use cycle_text::{CycleSize, CycleText};
+pub use error::CalloutError;
+pub use kind::{CalloutErrorKind, Part};
+pub use qs400::qs400;
+pub use reading::halves;
+
+use super::class::{Feature, ToleranceClass};
+use super::iso2768::GeneralClass;
+use super::limits::Deviations;
+use crate::length::Length;
+
+/// A nominal size above zero and its tolerance; the minimum limit it states is above zero, too.
+///
+/// ```
+/// use fitcheck::tolerance::{Callout, Feature};
+///
+/// let callout: Callout = "Ø25,0H7".parse()?;
+/// assert_eq!(callout.to_string(), "25 H7");
+/// assert_eq!(callout.feature(), Some(Feature::Hole));
+/// let callout: Callout = "12+0,2/0".parse()?;
+/// assert_eq!((callout.to_string().as_str(), callout.feature()), ("12 +0.2 0", None));
+/// # Ok::<(), fitcheck::tolerance::CalloutError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Callout {
+    nominal: Length,
+    tolerance: Tolerance,
+}
+
+/// What a callout asks for around its nominal size.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Tolerance {
+    /// One tolerance class: `25 H7`.
+    Class(ToleranceClass),
+    /// A hole and the shaft in it: `25 H7/g6`.
+    Fit {
+        /// The hole's class, in capitals.
+        hole: ToleranceClass,
+        /// The shaft's class, in small letters.
+        shaft: ToleranceClass,
+    },
+    /// A general tolerance of ISO 2768-1: `10m`.
+    General(GeneralClass),
+    /// Deviations from the nominal size: `12 +0.01 -0.015`, `12 ±0.02`.
+    Deviations(Deviations),
+    /// Limits of size: `12.01/11.985`. The smaller one is at least half of the larger.
+    Limits {
+        /// The larger.
+        maximum: Length,
+        /// The smaller, or the same.
+        minimum: Length,
+    },
+}
+
+impl Callout {
+    /// A callout of a single class: `25 H7`.
+    ///
+    /// # Errors
+    /// [`CalloutErrorKind::NotPositive`] for a size of zero or less.
+    pub fn new(nominal: Length, class: ToleranceClass) -> Result<Self, CalloutError> {
+        Self::above_zero(nominal, Tolerance::Class(class))
+    }
+
+    /// A callout of a fit: `25 H7/g6`.
+    ///
+    /// # Errors
+    /// [`CalloutErrorKind::FitOrder`] with the right order, [`CalloutErrorKind::FitSide`] for two holes or two shafts,
+    /// [`CalloutErrorKind::NotPositive`].
+    pub fn fit(nominal: Length, hole: ToleranceClass, shaft: ToleranceClass) -> Result<Self, CalloutError> {
+        match (hole.feature(), shaft.feature()) {
+            (Feature::Hole, Feature::Shaft) => Self::above_zero(nominal, Tolerance::Fit { hole, shaft }),
+            (Feature::Shaft, Feature::Hole) => {
+                let offer = Self::fit(nominal, shaft, hole)?.to_string();
+                Err(CalloutErrorKind::FitOrder { offer }.into())
+            }
+            _ => Err(CalloutErrorKind::FitSide { first: hole, second: shaft }.into()),
+        }
+    }
+
+    /// A callout of a general tolerance of ISO 2768-1: `10m`. Whether the class is defined at the size is for
+    /// [`super::iso2768::deviations`] to say.
+    ///
+    /// # Errors
+    /// [`CalloutErrorKind::NotPositive`] for a size of zero or less.
+    pub fn general(nominal: Length, class: GeneralClass) -> Result<Self, CalloutError> {
+        Self::above_zero(nominal, Tolerance::General(class))
+    }
+
+    /// A callout of a size and its deviations: `12 +0.01 -0.015`.
+    ///
+    /// # Errors
+    /// [`CalloutErrorKind::NotPositive`], [`CalloutErrorKind::MinimumNotPositive`], and
+    /// [`CalloutErrorKind::TooLarge`] where a limit would be beyond [`Length::MAX`].
+    pub fn with_deviations(nominal: Length, deviations: Deviations) -> Result<Self, CalloutError> {
+        let callout = Self::above_zero(nominal, Tolerance::Deviations(deviations))?;
+        let limits = (nominal.checked_add(deviations.lower()), nominal.checked_add(deviations.upper()));
+        let (Some(minimum), Some(_)) = limits else { return Err(CalloutErrorKind::TooLarge { nominal }.into()) };
+        if minimum <= Length::ZERO {
+            return Err(CalloutErrorKind::MinimumNotPositive { minimum }.into());
+        }
+        Ok(callout)
+    }
+
+    /// A callout of two limits of size: `12.01/11.985`. Its nominal size is their middle.
+    ///
+    /// # Errors
+    /// [`CalloutErrorKind::LimitsOrder`] with the right order, [`CalloutErrorKind::MinimumNotPositive`],
+    /// and [`CalloutErrorKind::LimitsApart`] where the smaller one is less than half of the larger: such a text may mean
+    /// anything.
+    pub fn with_limits(maximum: Length, minimum: Length) -> Result<Self, CalloutError> {
+        let (larger, smaller) = (maximum.max(minimum), maximum.min(minimum));
+        if smaller <= Length::ZERO {
+            return Err(CalloutErrorKind::MinimumNotPositive { minimum: smaller }.into());
+        }
+        if smaller < larger.saturating_sub(smaller) {
+            return Err(CalloutErrorKind::LimitsApart { larger, smaller }.into());
+        }
+        let nominal = larger.midpoint(smaller);
+        let callout = Self { nominal, tolerance: Tolerance::Limits { maximum: larger, minimum: smaller } };
+        if maximum < minimum {
+            return Err(CalloutErrorKind::LimitsOrder { offer: callout.to_string() }.into());
+        }
+        Ok(callout)
+    }
+
+    fn above_zero(nominal: Length, tolerance: Tolerance) -> Result<Self, CalloutError> {
+        if nominal <= Length::ZERO {
+            return Err(CalloutErrorKind::NotPositive { nominal }.into());
+        }
+        Ok(Self { nominal, tolerance })
+    }
+
+    /// The nominal size in millimetres above zero; of limits of size their middle, a half nanometre rounded up.
+    pub const fn nominal(&self) -> Length {
+        self.nominal
+    }
+
+    /// What is asked for around the nominal size.
+    pub const fn tolerance(&self) -> Tolerance {
+        self.tolerance
+    }
+
+    /// The tolerance class, where there is a single one: not of a fit.
+    pub const fn class(&self) -> Option<ToleranceClass> {
+        match self.tolerance {
+            Tolerance::Class(class) => Some(class),
+            _ => None,
+        }
+    }
+
+    /// The tolerance class of one feature: a single class of that feature, or that side of a fit.
+    pub fn class_for(&self, feature: Feature) -> Option<ToleranceClass> {
+        match (self.tolerance, feature) {
+            (Tolerance::Class(class), _) => (class.feature() == feature).then_some(class),
+            (Tolerance::Fit { hole, .. }, Feature::Hole) => Some(hole),
+            (Tolerance::Fit { shaft, .. }, Feature::Shaft) => Some(shaft),
+            _ => None,
+        }
+    }
+
+    /// The callout of one part: that side of a fit, any other callout as it is.
+    #[must_use]
+    pub fn of_part(self, feature: Feature) -> Self {
+        match (self.tolerance, self.class_for(feature)) {
+            (Tolerance::Fit { .. }, Some(class)) => Self { tolerance: Tolerance::Class(class), ..self },
+            _ => self,
+        }
+    }
+
+    /// Hole or shaft, by the case of a single class; a callout of another kind does not say.
+    pub fn feature(&self) -> Option<Feature> {
+        self.class().map(ToleranceClass::feature)
+    }
+}
+
+impl FromStr for Callout {
+    type Err = CalloutError;
+
+    /// Reads the grammar at the head of this file.
+    fn from_str(text: &str) -> Result<Self, CalloutError> {
+        reading::callout(text)
+    }
+}
+
+/// The one notation of each kind, which reads as the same callout: `25 H7` as the control prints it in QS2, `25 H7/g6`,
+/// `10m`, `12 ±0.02`, `12 +0.2 0`, `12.01/11.985`. Numbers have a point and only the decimals they need; zero has no
+/// sign.
+impl fmt::Display for Callout {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let nominal = self.nominal;
+        f.pad(&match self.tolerance {
+            Tolerance::Class(class) => format!("{nominal} {class}"),
+            Tolerance::Fit { hole, shaft } => format!("{nominal} {hole}/{shaft}"),
+            Tolerance::General(class) => format!("{nominal}{class}"),
+            Tolerance::Deviations(deviations) if deviations.upper() == deviations.lower().negated() => {
+                format!("{nominal} ±{}", deviations.upper())
+            }
+            Tolerance::Deviations(deviations) => {
+                format!("{nominal} {} {}", signed(deviations.upper()), signed(deviations.lower()))
+            }
+            Tolerance::Limits { maximum, minimum } => format!("{maximum}/{minimum}"),
+        })
+    }
+}
+
+/// A deviation with its sign; zero carries none.
+fn signed(deviation: Length) -> String {
+    format!("{}{deviation}", if Length::ZERO < deviation { "+" } else { "" })
+}

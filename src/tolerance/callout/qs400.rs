@@ -1,0 +1,113 @@
+//! The tolerance texts of cycle 444 (QS400): one or two deviations without a nominal size.
+
+use super::band::{Deviation, Sign};
+use super::error::CalloutError;
+use super::kind::CalloutErrorKind;
+use super::reading::{Grammar, Reader};
+use super::scanner::Place;
+use crate::length::Length;
+use crate::tolerance::Deviations;
+
+/// The most characters that a string parameter of a control holds.
+const LONGEST: usize = 255;
+
+/// Reads the text of QS400: `0.4-0.1` is +0.4 and −0.1, `0.4` is +0.4 and 0, `-0.1` is 0 and −0.1.
+///
+/// A blank text, zero, and two deviations of the same sign (`0.1+0.1`) are no tolerance, as the manual of cycle 444 says.
+/// Point or comma, keyboard hyphen, true minus or en dash; numbers are millimetres without a unit.
+///
+/// ```
+/// use fitcheck::tolerance::callout::qs400;
+///
+/// let deviations = qs400("0,4–0,1")?.unwrap();
+/// assert_eq!((deviations.upper().to_string(), deviations.lower().to_string()), ("0.4".into(), "-0.1".into()));
+/// assert_eq!(qs400(" ")?, None);
+/// # Ok::<(), fitcheck::tolerance::CalloutError>(())
+/// ```
+///
+/// # Errors
+/// Anything else is refused, not ignored, as are more than 255 characters.
+pub fn qs400(text: &str) -> Result<Option<Deviations>, CalloutError> {
+    let mut reader = Reader::new(text, Grammar::Cycle);
+    if let Some((start, _)) = text.char_indices().nth(LONGEST) {
+        let beyond = Place { start, end: text.len() };
+        return Err(reader.error(beyond, CalloutErrorKind::TooLong { most: LONGEST }));
+    }
+    reader.scanner.skip_blanks();
+    if reader.scanner.peek().is_none() {
+        return Ok(None);
+    }
+    let first = deviation(&mut reader)?;
+    reader.scanner.skip_blanks();
+    if reader.scanner.peek().is_none() {
+        return Ok(band(first.value, Length::ZERO));
+    }
+    let start = reader.scanner.offset();
+    let second = deviation(&mut reader)?;
+    reader.end()?;
+    match (first.sign, second.sign) {
+        (_, Sign::None) => Err(reader.no_sign(&second)),
+        (Sign::Minus, Sign::Plus) => Err(reader.error(reader.scanner.place_from(start), CalloutErrorKind::BandOrder)),
+        (Sign::Minus, _) | (_, Sign::Plus) => Ok(None),
+        _ => Ok(band(first.value, second.value)),
+    }
+}
+
+fn deviation<'a>(reader: &mut Reader<'a>) -> Result<Deviation<'a>, CalloutError> {
+    let deviation = reader.deviation()?;
+    reader.refuse_both_and_unit(&deviation)?;
+    Ok(deviation)
+}
+
+/// A band of zero width around the nominal size is no tolerance.
+fn band(one: Length, other: Length) -> Option<Deviations> {
+    (one != other).then(|| Deviations::spanning(one, other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, expected: &str) {
+        let said = match qs400(text) {
+            Ok(Some(band)) => format!("{} {}", band.upper(), band.lower()),
+            Ok(None) => String::new(),
+            Err(error) => format!("! {error}"),
+        };
+        assert_eq!(said, expected, "for {text:?}");
+    }
+
+    #[test]
+    fn texts_of_qs400_are_bands_without_a_size() {
+        for text in ["0.4-0.1", "0,4\u{2013}0,1", "+0.4\u{2212}0.1", " 0.4 -0.1 "] {
+            check(text, "0.4 -0.1");
+        }
+        check("0.4", "0.4 0");
+        check("0.4-0", "0.4 0");
+        check("-0.1", "0 -0.1");
+        check("0-0.1", "0 -0.1");
+        for text in ["", "  ", "0", "-0", "0-0", "0.1+0.1", "0.1+0.2", "-0.1-0.2"] {
+            check(text, "");
+        }
+        check(
+            "-0.1+0.4",
+            "! the lower deviation stands before the upper one: QS400 is written as 0.4-0.1 (character 5)",
+        );
+        check("0.4-0.1-0.2", "! -0.2 is too much: the text ends before it (character 8)");
+        check("H7", "! H7 is no deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
+        check("±0.1", "! ±0.1 is no deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
+        check("0.1 mm", "! 0.1 mm is no deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
+        check("0.4-0,1", "! 0,1 has another decimal sign than the number before: write one kind (character 5)");
+        check(
+            "1.234,5",
+            "! deviation: 1.234,5 is ambiguous: write one decimal sign and no thousands separator (character 1)",
+        );
+        check(&format!("0.4{}", " ".repeat(252)), "0.4 0");
+        check(&format!("0.4{}", " ".repeat(253)), "! the text is too long: at most 255 characters");
+        check(
+            "0.4 0.1",
+            "! 0.1 has no sign: write +0.1 or -0.1 for a deviation, and no blank within a number (character 5)",
+        );
+    }
+}

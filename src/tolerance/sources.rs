@@ -1,0 +1,384 @@
+//! Two sources behind one question, "what are the limits of this callout": ISO 286 and a control's tables.
+//!
+//! ISO 286 is the default. A user's own tables come first for the classes and sizes that they hold; they are looked up as
+//! program 82551 does it (LBL 1 to LBL 99). Every answer says where it comes from.
+
+use std::sync::Arc;
+
+use super::callout::{Callout, Tolerance};
+use super::class::{Feature, ToleranceClass};
+use super::iso286::{self, Undefined};
+use super::iso2768::{self, GeneralError};
+use super::limits::{Deviations, Limits, Source};
+use super::ranges;
+use super::table::{Column, DeviationTable};
+use crate::length::Length;
+use crate::words::{Message, Say};
+
+/// Where limits are looked up: the user's own tables first, then ISO 286 or the control's tables.
+///
+/// A table that holds the class and reaches to the size answers, also with "not defined here"; a class or a size that
+/// it does not have is asked of the next source. Cloning is cheap.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Sources {
+    /// The user's own, in the order of asking.
+    own: Vec<Arc<DeviationTable>>,
+    base: Base,
+    options: iso286::Options,
+}
+
+/// What answers after the user's own tables.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub enum Base {
+    /// The standard: every class from above 0 up to 3150 mm.
+    #[default]
+    Iso286,
+    /// Tables as on a control, in the order of asking. One of the user's own with the same name takes the place.
+    Tables(Vec<Arc<DeviationTable>>),
+}
+
+/// Why a callout has no limits.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum LimitsError {
+    /// ISO 286 does not define it.
+    #[error("{0}")]
+    Undefined(#[from] Undefined),
+    /// No table has the class.
+    #[error("{}", unknown_class(*.class, .table, .known, *.other_case))]
+    UnknownClass {
+        /// The class that was asked for.
+        class: ToleranceClass,
+        /// The tables for this kind of feature, by name.
+        table: String,
+        /// The classes that there are for this kind of feature.
+        known: Vec<ToleranceClass>,
+        /// The class of the other case, where a table has it: the user may have meant that.
+        other_case: Option<ToleranceClass>,
+    },
+    /// The size is beyond the table's last range.
+    #[error(
+        "nominal size {nominal} mm is beyond table {table}, whose last range is over {over} up to and including {to} mm"
+    )]
+    BeyondLastRange {
+        /// The size that was asked for.
+        nominal: Length,
+        /// The table.
+        table: Arc<str>,
+        /// The last range: above this,
+        over: Length,
+        /// up to and including this.
+        to: Length,
+    },
+    /// The table's cell is empty.
+    #[error("{class} is not defined over {over} up to {to} mm in table {table}; {}", ranges::text(.defined))]
+    NotDefined {
+        /// The class that was asked for.
+        class: ToleranceClass,
+        /// The table.
+        table: Arc<str>,
+        /// The range: above this,
+        over: Length,
+        /// up to and including this.
+        to: Length,
+        /// Where the class is defined, above and up to: joined ranges, ascending.
+        defined: Vec<(Length, Length)>,
+    },
+    /// ISO 2768-1 does not define it.
+    #[error("{0}")]
+    General(#[from] GeneralError),
+    /// A callout without letters does not say hole or shaft, and a fit says both.
+    #[error("{callout} does not say whether the hole or the shaft is meant")]
+    NoFeature {
+        /// What was asked for.
+        callout: Callout,
+    },
+    /// The letter's case says hole and a shaft was asked for, or the other way round.
+    #[error("{class} is a {} class and not a {} class", class.feature(), class.feature().other())]
+    OtherFeature {
+        /// The class that was asked for.
+        class: ToleranceClass,
+    },
+    /// A limit would be beyond what a length can hold.
+    #[error("the limits of {nominal} mm are too large")]
+    TooLarge {
+        /// The size that was asked for.
+        nominal: Length,
+    },
+}
+
+impl Say for LimitsError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Undefined(error) => error.message(),
+            Self::General(error) => error.message(),
+            Self::NoFeature { callout } => Message::new("limits-no-feature").text("callout", callout),
+            Self::OtherFeature { class } => {
+                let id = match class.feature() {
+                    Feature::Hole => "limits-is-hole-class",
+                    Feature::Shaft => "limits-is-shaft-class",
+                };
+                Message::new(id).text("class", class)
+            }
+            Self::UnknownClass { class, table, other_case: Some(other), .. } => {
+                let id = match class.feature() {
+                    Feature::Hole => "limits-hole-class",
+                    Feature::Shaft => "limits-shaft-class",
+                };
+                Message::new(id).text("class", class).text("table", table).text("other", other)
+            }
+            Self::UnknownClass { class, table, known, .. } => {
+                let known: Vec<&str> = known.iter().map(ToleranceClass::as_str).collect();
+                let message = Message::new("limits-unknown-class").text("class", class).text("table", table);
+                message.text("known", known.join(" "))
+            }
+            Self::BeyondLastRange { nominal, table, over, to } => Message::new("limits-beyond-last-range")
+                .mm("nominal", *nominal)
+                .text("table", table)
+                .mm("over", *over)
+                .mm("to", *to),
+            Self::NotDefined { class, table, over, to, defined } => Message::new("limits-not-defined")
+                .text("class", class)
+                .text("table", table)
+                .mm("over", *over)
+                .mm("to", *to)
+                .message("where", ranges::message(defined)),
+            Self::TooLarge { nominal } => Message::new("limits-too-large").mm("nominal", *nominal),
+        }
+    }
+}
+
+fn unknown_class(
+    class: ToleranceClass,
+    table: &str,
+    known: &[ToleranceClass],
+    other_case: Option<ToleranceClass>,
+) -> String {
+    let feature = class.feature();
+    if let Some(other) = other_case {
+        return format!(
+            "{class} is a {feature} class and table {table} does not have it; the {} class is {other}",
+            feature.other()
+        );
+    }
+    let known: Vec<&str> = known.iter().map(ToleranceClass::as_str).collect();
+    format!("{class} is not in table {table}; it has {}", known.join(" "))
+}
+
+impl Sources {
+    /// Tables as on a control, and nothing else.
+    pub fn of_tables(tables: impl IntoIterator<Item = impl Into<Arc<DeviationTable>>>) -> Self {
+        let tables = tables.into_iter().map(Into::into).collect();
+        Self { base: Base::Tables(tables), ..Self::default() }
+    }
+
+    /// The same with another base.
+    #[must_use]
+    pub fn with_base(self, base: Base) -> Self {
+        Self { base, ..self }
+    }
+
+    /// The same with a user's own tables, which are asked first.
+    #[must_use]
+    pub fn with_own(self, own: impl IntoIterator<Item = impl Into<Arc<DeviationTable>>>) -> Self {
+        Self { own: own.into_iter().map(Into::into).collect(), ..self }
+    }
+
+    /// The same with other options of ISO 286.
+    #[must_use]
+    pub const fn with_options(mut self, options: iso286::Options) -> Self {
+        self.options = options;
+        self
+    }
+
+    /// The user's own tables.
+    pub fn own(&self) -> &[Arc<DeviationTable>] {
+        &self.own
+    }
+
+    /// What answers after them.
+    pub const fn base(&self) -> &Base {
+        &self.base
+    }
+
+    /// The options of ISO 286.
+    pub const fn options(&self) -> iso286::Options {
+        self.options
+    }
+
+    /// All tables in the order of asking.
+    pub fn tables(&self) -> impl Iterator<Item = &Arc<DeviationTable>> {
+        let base: &[_] = match &self.base {
+            Base::Iso286 => &[],
+            Base::Tables(tables) => tables,
+        };
+        self.own.iter().chain(base.iter().filter(|base| !self.own.iter().any(|own| same_name(own, base))))
+    }
+
+    /// The classes to choose from for holes or for shafts, each once: those of the tables, then the usual ones of
+    /// ISO 286. Any other class of the standard is answered as well.
+    pub fn classes(&self, feature: Feature) -> Vec<ToleranceClass> {
+        let columns = self.tables().flat_map(|table| table.columns().iter().map(|column| column.class));
+        let usual = matches!(self.base, Base::Iso286).then(|| iso286::usual_classes(feature));
+        let mut classes = Vec::new();
+        for class in columns.chain(usual.into_iter().flatten()) {
+            if class.feature() == feature && !classes.contains(&class) {
+                classes.push(class);
+            }
+        }
+        classes
+    }
+
+    /// The limits of a callout. The letter's case says hole or shaft; where a callout has no letters or is a fit,
+    /// `feature` says which one is meant.
+    ///
+    /// ```
+    /// use fitcheck::tolerance::{Feature, Sources};
+    ///
+    /// let sources = Sources::default();
+    /// let limits = sources.limits(&"280 M6".parse()?, None)?;
+    /// assert_eq!(limits.maximum().to_string(), "279.991");
+    /// assert_eq!(limits.source.to_string(), "ISO 286, over 250 up to 315 mm");
+    /// let limits = sources.limits(&"12 ±0.02".parse()?, Some(Feature::Shaft))?;
+    /// assert_eq!(limits.minimum().to_string(), "11.98");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`LimitsError`] names what is missing and what there is instead; nothing is clamped.
+    pub fn limits(&self, callout: &Callout, feature: Option<Feature>) -> Result<Limits, LimitsError> {
+        if let (Some(class), Some(feature)) = (callout.class(), feature) {
+            if class.feature() != feature {
+                return Err(LimitsError::OtherFeature { class });
+            }
+        }
+        let (deviations, source) = self.deviations(callout, feature)?;
+        let feature = callout.feature().or(feature).ok_or(LimitsError::NoFeature { callout: *callout })?;
+        Limits::new(feature, callout.nominal(), deviations, source)
+            .ok_or(LimitsError::TooLarge { nominal: callout.nominal() })
+    }
+
+    /// The limits of a callout where it does not matter whether a hole or a shaft is meant: of a callout without letters
+    /// they are given as those of a shaft.
+    ///
+    /// # Errors
+    /// [`LimitsError`], also for a fit, which has two.
+    pub fn size_limits(&self, callout: &Callout) -> Result<Limits, LimitsError> {
+        match callout.tolerance() {
+            Tolerance::Class(_) | Tolerance::Fit { .. } => self.limits(callout, None),
+            _ => self.limits(callout, Some(Feature::Shaft)),
+        }
+    }
+
+    /// The limit deviations of a callout, and where they come from. `feature` is needed for a fit only.
+    ///
+    /// # Errors
+    /// [`LimitsError`], as for [`Sources::limits`].
+    pub fn deviations(&self, callout: &Callout, feature: Option<Feature>) -> Result<(Deviations, Source), LimitsError> {
+        let nominal = callout.nominal();
+        match callout.tolerance() {
+            Tolerance::Class(class) => self.class_deviations(class, nominal),
+            Tolerance::Fit { hole, shaft } => match feature {
+                Some(Feature::Hole) => self.class_deviations(hole, nominal),
+                Some(Feature::Shaft) => self.class_deviations(shaft, nominal),
+                None => Err(LimitsError::NoFeature { callout: *callout }),
+            },
+            Tolerance::General(class) => {
+                let iso2768::GeneralCell { deviations, over, to } = iso2768::deviations(class, nominal)?;
+                Ok((deviations, Source::Iso2768 { class, over, to }))
+            }
+            Tolerance::Deviations(deviations) => Ok((deviations, Source::Callout)),
+            Tolerance::Limits { maximum, minimum } => {
+                let from = |limit: Length| limit.saturating_sub(nominal);
+                let too_large = |_order| LimitsError::TooLarge { nominal };
+                Ok((Deviations::new(from(maximum), from(minimum)).map_err(too_large)?, Source::Callout))
+            }
+        }
+    }
+
+    fn class_deviations(&self, class: ToleranceClass, nominal: Length) -> Result<(Deviations, Source), LimitsError> {
+        let mut beyond = None;
+        for table in self.tables() {
+            let Some(column) = table.column(class) else { continue };
+            let Some((number, over, to)) = table.range(nominal) else {
+                beyond.get_or_insert(table);
+                continue;
+            };
+            let Some(deviations) = column.cells.get(number).copied().flatten() else {
+                let (table, defined) = (Arc::clone(&table.name), defined_ranges(table, column));
+                return Err(LimitsError::NotDefined { class, table, over, to, defined });
+            };
+            let (name, shipped) = (Arc::clone(&table.name), table.shipped());
+            let instead_of = self.instead_of(table, class, nominal, deviations);
+            return Ok((deviations, Source::Table { name, shipped, over, to, instead_of }));
+        }
+        match (&self.base, beyond) {
+            (Base::Iso286, beyond) => self.standard(class, nominal).map_err(|undefined| match beyond {
+                // A class of the user's own that the standard does not know: the table says how far it goes.
+                Some(table) if iso286::parts(class).is_none() => beyond_last_range(table, nominal),
+                _ => undefined.into(),
+            }),
+            (Base::Tables(_), Some(table)) => Err(beyond_last_range(table, nominal)),
+            (Base::Tables(_), None) => Err(self.unknown(class)),
+        }
+    }
+
+    fn standard(&self, class: ToleranceClass, nominal: Length) -> Result<(Deviations, Source), Undefined> {
+        let iso286::Cell { deviations, over, to } = iso286::deviations(class, nominal, self.options)?;
+        let js_rounded = self.options.js == iso286::JsHalves::Rounded && {
+            let exact = iso286::Options { js: iso286::JsHalves::Exact, ..self.options };
+            iso286::deviations(class, nominal, exact).is_ok_and(|cell| cell.deviations != deviations)
+        };
+        Ok((deviations, Source::Iso286 { over, to, js_rounded }))
+    }
+
+    /// What the standard says where a user's own table says something else.
+    fn instead_of(
+        &self,
+        table: &DeviationTable,
+        class: ToleranceClass,
+        nominal: Length,
+        deviations: Deviations,
+    ) -> Option<Deviations> {
+        if table.shipped() {
+            return None;
+        }
+        let standard = iso286::deviations(class, nominal, self.options).ok()?.deviations;
+        (standard != deviations).then_some(standard)
+    }
+
+    fn unknown(&self, class: ToleranceClass) -> LimitsError {
+        let feature = class.feature();
+        let has = |table: &DeviationTable| table.columns().iter().any(|column| column.class.feature() == feature);
+        let names: Vec<&str> = self.tables().filter(|table| has(table)).map(|table| table.name()).collect();
+        let other = class.other_case();
+        let other_case = self.tables().any(|table| table.column(other).is_some()).then_some(other);
+        LimitsError::UnknownClass { class, table: names.join(", "), known: self.classes(feature), other_case }
+    }
+}
+
+fn beyond_last_range(table: &DeviationTable, nominal: Length) -> LimitsError {
+    let (table, over, to) = (Arc::clone(&table.name), table.last_over(), table.last_end());
+    LimitsError::BeyondLastRange { nominal, table, over, to }
+}
+
+fn same_name(one: &DeviationTable, other: &DeviationTable) -> bool {
+    one.name.eq_ignore_ascii_case(&other.name)
+}
+
+/// The ranges where a column has values, neighbours joined.
+fn defined_ranges(table: &DeviationTable, column: &Column) -> Vec<(Length, Length)> {
+    let mut ranges: Vec<(Length, Length)> = Vec::new();
+    let mut over = Length::ZERO;
+    for (&to, cell) in table.ends.iter().zip(&column.cells) {
+        match ranges.last_mut() {
+            Some(last) if cell.is_some() && last.1 == over => last.1 = to,
+            _ if cell.is_some() => ranges.push((over, to)),
+            _ => {}
+        }
+        over = to;
+    }
+    ranges
+}
+
+#[cfg(test)]
+mod tests;
