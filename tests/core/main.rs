@@ -9,6 +9,8 @@ mod circle_cli;
 mod circles;
 mod cycle_declaration;
 mod cycles;
+mod fit_search;
+mod fits;
 mod house;
 mod import;
 mod iso286;
