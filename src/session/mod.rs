@@ -30,7 +30,8 @@ use jiff::civil::DateTime;
 pub use asked::Asked;
 pub use command::{Command, Effect, Page, Purpose, SourceChoice, Theme};
 pub use fit::{
-    ClassMap, Direction, Equivalent, FitCommand, FitPage, Mark, Parts, Picture, PictureZone, WarmFit, extremes, measured_field,
+    ClassMap, Direction, Equivalent, FitCommand, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit,
+    expansion_field, extremes, measured_field,
 };
 pub use inputs::{Field, Inputs, MeasureBy};
 pub use saved::{Saved, SavedError};
