@@ -7,7 +7,7 @@ use eframe::egui::{Key, Modifiers, Theme, Vec2, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Store};
-use fitcheck::session::{Field, Page};
+use fitcheck::session::{Command, Field, Page};
 use fitcheck::words::Language;
 
 use crate::harness::{DESK, Window, type_into, verdict};
@@ -50,10 +50,22 @@ fn focused(window: &Harness<'_, App>) -> String {
 #[test]
 fn the_kind_of_a_fit_depends_on_the_size() {
     for (typed, said) in [
-        ("50 H7/p6", "Interference fit. −42 … −1 µm. Minimum interference 1 µm. Maximum interference 42 µm. Mean interference 21.5 µm"),
-        ("2 H7/p6", "Transition fit. −12 … +4 µm. Maximum clearance 4 µm. Maximum interference 12 µm. Mean interference 4 µm"),
-        ("25 H7/h6", "Clearance fit. 0 … +34 µm. Maximum clearance 34 µm. Minimum clearance 0 µm. Mean clearance 17 µm"),
-        ("25 H7-g6", "Clearance fit. +7 … +41 µm. Maximum clearance 41 µm. Minimum clearance 7 µm. Mean clearance 24 µm"),
+        (
+            "50 H7/p6",
+            "Interference fit. −42 … −1 µm. Maximum interference 42 µm. Minimum interference 1 µm. Mean interference 21.5 µm",
+        ),
+        (
+            "2 H7/p6",
+            "Transition fit. −12 … +4 µm. Maximum clearance 4 µm. Maximum interference 12 µm. Mean interference 4 µm",
+        ),
+        (
+            "25 H7/h6",
+            "Clearance fit. 0 … +34 µm. Maximum clearance 34 µm. Minimum clearance 0 µm. Mean clearance 17 µm",
+        ),
+        (
+            "25 H7-g6",
+            "Clearance fit. +7 … +41 µm. Maximum clearance 41 µm. Minimum clearance 7 µm. Mean clearance 24 µm",
+        ),
     ] {
         assert_eq!(verdict(&fit(typed)), said, "{typed}");
     }
@@ -68,7 +80,7 @@ fn the_answer_is_polite_and_names_limits_and_their_source() {
         window.get_by_label(text);
     }
     assert_eq!(window.get_all_by_label("from ISO 286, over 30 up to 50 mm").count(), 2);
-    window.get_by_label("preferred fit of the hole basis; ANSI B4.2: locational interference");
+    window.get_by_label("H7/p6: preferred fit of the hole basis; ANSI B4.2: locational interference");
 }
 
 #[test]
@@ -107,7 +119,7 @@ fn measured_parts_have_a_clearance_and_a_verdict_each() {
 #[test]
 fn errors_stand_beside_their_field() {
     let mut window = fit("24 H7/t6");
-    window.get_by_label_contains("it is defined over 24 up to 500 mm");
+    window.get_by_label_contains("t6 is not defined at 24 mm in ISO 286; it is defined over 24");
     assert_eq!(verdict(&window), "No fit yet");
     type_into(&mut window, "Fit of hole and shaft", "25 g6/H7");
     window.get_by_label_contains("the shaft stands before the hole: write 25 H7/g6");
@@ -116,7 +128,7 @@ fn errors_stand_beside_their_field() {
     type_into(&mut window, "Measured hole", "25.0.1");
     window.get_by_label("25.0.1 is not a number");
     type_into(&mut window, "Measured hole", "-25");
-    window.get_by_label_contains("-25 is not above 0");
+    window.get_by_label_contains("−25 is not above 0");
     type_into(&mut window, "Temperature", "2000");
     window.get_by_label_contains("a temperature of 2000 °C is out of range");
     type_into(&mut window, "Hole, µm/(m K)", "steel");
@@ -202,9 +214,9 @@ fn the_equivalent_fit_is_told_and_taken_over() {
     window.get_by_label("Exactly the same clearances");
     click(&mut window, Role::Button, "Equivalent fit");
     assert_eq!(callout(&window), "25 P7/h6");
-    // Above 500 mm and for coarser grades the Δ is missing.
-    type_into(&mut window, "Fit of hole and shaft", "25 H8/s8");
-    window.get_by_label_contains("Not the same: smallest clearance");
+    // The hole's Δ is made for a shaft one grade finer: 25 P7 is −14 to −35, p7 +43 to +22.
+    type_into(&mut window, "Fit of hole and shaft", "25 H7/p7");
+    window.get_by_label("Not the same: smallest clearance +8 µm, largest +8 µm");
 }
 
 #[test]
@@ -355,6 +367,9 @@ fn picture(name: &str, theme: Theme, size: Vec2, callout: &str, parts: [&str; 2]
         return;
     }
     let mut window = open(Window { theme, size, ..Window::default() });
+    let ctx = window.ctx.clone();
+    let wanted = if theme == Theme::Light { fitcheck::session::Theme::Light } else { fitcheck::session::Theme::Dark };
+    window.state_mut().send(&ctx, Command::SetTheme(wanted));
     type_into(&mut window, "Fit of hole and shaft", callout);
     for (name, text) in ["Measured hole", "Measured shaft"].into_iter().zip(parts) {
         type_into(&mut window, name, text);

@@ -214,7 +214,7 @@ fit-missed-by = { $below } µm too little, { $above } µm too much
 fit-is-preferred = preferred
 
 fit-picture = Hole and shaft zones
-fit-picture-legend = µm from the zero line; fundamental deviation in bold
+fit-picture-legend = µm from { $nominal } mm; fundamental deviation in bold
 fit-picture-empty = The zones appear with the fit
 fit-arrow-clearance = Actual clearance
 fit-arrow-interference = Actual interference

@@ -214,7 +214,7 @@ fit-missed-by = { $below } µm te weinig, { $above } µm te veel
 fit-is-preferred = voorkeur
 
 fit-picture = Tolerantievelden van boring en as
-fit-picture-legend = µm vanaf de nullijn; fundamentele afwijking vet
+fit-picture-legend = µm vanaf { $nominal } mm; fundamentele afwijking vet
 fit-picture-empty = De tolerantievelden verschijnen met de passing
 fit-arrow-clearance = Werkelijke speling
 fit-arrow-interference = Werkelijke overmaat

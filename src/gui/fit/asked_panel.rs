@@ -54,7 +54,7 @@ fn preferred_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
     let chosen = pair(view).filter(|(hole, shaft)| preference(*hole, *shaft).is_some());
     let shown = chosen.map_or_else(|| view.text("class-none"), |(hole, shaft)| format!("{hole}/{shaft}"));
     list_ui(ui, ("fit-preferred", name), shown, width, |ui| {
-        ui.set_min_width(space(150.0));
+        ui.set_min_width(space(200.0));
         for (list, title) in
             [(Preference::HoleBasis, "fit-list-hole-basis"), (Preference::ShaftBasis, "fit-list-shaft-basis")]
         {
@@ -64,7 +64,7 @@ fn preferred_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
                 for (hole, shaft) in list.fits() {
                     let of_list = chosen.filter(|(hole, shaft)| preference(*hole, *shaft) == Some(list));
                     let button = Button::selectable(of_list == Some((hole, shaft)), format!("{hole}/{shaft}"));
-                    let button = button.min_size(vec2(space(19.0), sizes().field));
+                    let button = button.min_size(vec2(space(19.0), space(7.0)));
                     if ui.add_enabled(view.session.fit().is_defined(hole, shaft), button).clicked() {
                         view.send(Command::Fit(FitCommand::TakePair(hole, shaft)));
                         ui.close();

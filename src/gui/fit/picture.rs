@@ -19,7 +19,8 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     ui.horizontal(|ui| {
         heading(ui, view.text("fit-picture"));
         if page.fit().is_some() {
-            quiet(ui, view.text("fit-picture-legend"));
+            let legend = Message::new("fit-picture-legend").mm("nominal", page.nominal().unwrap_or_default());
+            quiet(ui, view.words.say(&legend));
         }
     });
     let (Some(fit), Some(picture)) = (page.fit(), page.picture()) else {
@@ -112,7 +113,7 @@ impl<'a> Drawing<'a> {
     fn draw(&self, fit: &Fit) {
         let width = self.body.width();
         let column = (width * 0.15).max(space(14.0));
-        let left = self.body.left() + (width * 0.14).max(space(15.0));
+        let left = self.body.left() + (width * 0.16).max(space(18.0));
         let hole = Rangef::new(left, left + column);
         let shaft = Rangef::new(hole.max + space(4.0), hole.max + space(4.0) + column);
         let zero = self.y(0.0);
@@ -127,9 +128,7 @@ impl<'a> Drawing<'a> {
             self.mark(x, zone, limits);
             self.name(x, limits);
         }
-        let nominal = format!("{} mm", self.words.number(&fit.nominal().to_string()));
-        let at = pos2(self.body.right() - 2.0, zero);
-        self.label(at, Align2::RIGHT_CENTER, &nominal, theme::bold(sizes().small));
+        self.label(pos2(self.body.left() + space(1.0), zero), Align2::LEFT_CENTER, "0", theme::bold(sizes().body));
     }
 
     /// Text on a ground, so that lines do not cross it.
@@ -204,17 +203,15 @@ impl<'a> Drawing<'a> {
                 }
                 self.label(pos2(x.center(), y), Align2::CENTER_CENTER, &text, font);
             }
-            Mark::Above => {
-                let tip = pos2(x.center(), self.body.top() + 8.0);
-                shapes::arrow_head(&self.painter, tip, vec2(0.0, -1.0), 12.0, colour);
-                self.label(tip + vec2(10.0, 2.0), Align2::LEFT_CENTER, &text, font);
-            }
-            Mark::Below => {
-                let tip = pos2(x.center(), self.body.bottom() - 8.0);
-                shapes::arrow_head(&self.painter, tip, vec2(0.0, 1.0), 12.0, colour);
-                self.label(tip + vec2(10.0, -2.0), Align2::LEFT_CENTER, &text, font);
-            }
+            Mark::Above => self.beyond(pos2(x.center(), self.body.top() + 6.0), -1.0, &text, font),
+            Mark::Below => self.beyond(pos2(x.center(), self.body.bottom() - 6.0), 1.0, &text, font),
         }
+    }
+
+    /// An arrow at the edge, its number towards the middle.
+    fn beyond(&self, tip: Pos2, down: f32, text: &str, font: eframe::egui::FontId) {
+        shapes::arrow_head(&self.painter, tip, vec2(0.0, down), space(3.0), self.palette.text.0);
+        self.label(tip + vec2(space(3.0), 0.0), Align2::LEFT_CENTER, text, font);
     }
 
     fn name(&self, x: Rangef, limits: &Limits) {

@@ -1,7 +1,7 @@
 //! Left, below: from a wanted clearance to the pairs of classes that give it. Only the rows in sight are drawn.
 
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{Button, ComboBox, ScrollArea, Ui, vec2};
+use eframe::egui::{Atom, Button, ComboBox, ScrollArea, Ui, vec2};
 
 use super::parts_panel::pair_ui;
 use crate::gui::theme::{self, Hex, palette, sizes, space};
@@ -105,7 +105,7 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, candidate: &Candidate) {
         name = format!("{name}  {remark}");
     }
     let chosen = (view.session.fit().class(Feature::Hole), view.session.fit().class(Feature::Shaft));
-    let button = Button::new(job).truncate().selected(chosen == (Some(hole), Some(shaft)));
+    let button = Button::new((job, Atom::grow())).truncate().selected(chosen == (Some(hole), Some(shaft)));
     let size = vec2(ui.available_width(), sizes().field);
     if ui.add_sized(size, button).accessible_name(name).clicked() {
         view.send(Command::Fit(FitCommand::TakePair(hole, shaft)));
