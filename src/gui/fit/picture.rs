@@ -128,7 +128,7 @@ impl<'a> Drawing<'a> {
             self.mark(x, zone, limits);
             self.name(x, limits);
         }
-        self.label(pos2(self.body.left() + space(1.0), zero), Align2::LEFT_CENTER, "0", theme::bold(sizes().body));
+        self.label(pos2(self.body.left(), zero), Align2::LEFT_CENTER, "0", theme::bold(sizes().body));
     }
 
     /// Text on a ground, so that lines do not cross it.
@@ -251,7 +251,11 @@ impl<'a> Drawing<'a> {
                 self.painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, self.palette.quiet.0), 3.0, 3.0));
             }
             self.arrow(x, from, to, Stroke::new(2.0, self.palette.text.0));
-            let at = pos2(x + space(2.0), f32::midpoint(from, to));
+            // Beside the line's middle, but not on the zero line.
+            let middle = f32::midpoint(from, to);
+            let zero = self.y(0.0);
+            let middle = if (middle - zero).abs() < LINE / 2.0 { zero - LINE * 0.75 } else { middle };
+            let at = pos2(x + space(2.0), middle);
             self.label(at, Align2::LEFT_CENTER, &self.words.um(amount), theme::bold(sizes().limits));
             self.below(x, &name, step - space(1.0));
             x += step;
@@ -265,7 +269,7 @@ impl<'a> Drawing<'a> {
             return;
         }
         self.painter.vline(x, top..=bottom, stroke);
-        let size = 9.0_f32.min((bottom - top) / 2.0);
+        let size = space(2.25).min((bottom - top) / 3.0);
         self.head(pos2(x, top), vec2(0.0, -1.0), size, stroke.color);
         self.head(pos2(x, bottom), vec2(0.0, 1.0), size, stroke.color);
     }
