@@ -8,6 +8,7 @@
 //! | `contacts` | CSV of x, y and perhaps z |
 //! | `measurements` | CSV of id, callout and measured value |
 //! | `columns`, `words` | which column of a CSV is which, by header or content |
+//! | `tables` | tables of deviations for controls and other tools |
 //! | `delimited` | rows and cells, with their lines |
 //!
 //! A new format is one file here and one line in [`FORMATS`]; command line, dialogs and README follow from the list.
@@ -20,6 +21,7 @@ pub mod imported;
 mod logs;
 mod measurements;
 pub mod problem;
+pub mod tables;
 mod words;
 
 use std::borrow::Cow;

@@ -46,3 +46,12 @@ contacts-cells = line { $line }: { $cells } cells instead of { $wanted }: { $giv
 contacts-not-a-number = line { $line }, column { $column }: { $name } is { $given }, not a number of millimetres
 contacts-open-quote = line { $line }: a quotation mark is not closed
 contacts-mixed-signs = line { $line }, column { $column }: { $given } has another decimal sign than the rows before
+
+## Tables of deviations
+table-format-name = { $name } does not begin with a letter: the names of tables on a TNC7 do
+table-format-csv = the CSV cannot be written: { $reason }
+table-format-itnc530 = control table for iTNC 530
+table-format-tnc640 = control table for TNC 620 and TNC 640
+table-format-tnc7 = control table for TNC7
+table-format-plain-csv = CSV, a line for every class and size range
+table-format-pcdmis = CSV of ISO tolerances for PC-DMIS

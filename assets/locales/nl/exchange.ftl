@@ -46,3 +46,12 @@ contacts-cells = regel { $line }: { $cells } cellen in plaats van { $wanted }: {
 contacts-not-a-number = regel { $line }, kolom { $column }: { $name } is { $given }, geen getal in millimeter
 contacts-open-quote = regel { $line }: een aanhalingsteken wordt niet gesloten
 contacts-mixed-signs = regel { $line }, kolom { $column }: { $given } heeft een ander decimaalteken dan de regels ervoor
+
+## Tables of deviations
+table-format-name = { $name } begint niet met een letter: namen van tabellen op een TNC7 wel
+table-format-csv = de CSV kan niet worden geschreven: { $reason }
+table-format-itnc530 = besturingstabel voor iTNC 530
+table-format-tnc640 = besturingstabel voor TNC 620 en TNC 640
+table-format-tnc7 = besturingstabel voor TNC7
+table-format-plain-csv = CSV, een regel per klasse en maatbereik
+table-format-pcdmis = CSV met ISO-toleranties voor PC-DMIS
