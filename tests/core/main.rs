@@ -19,4 +19,5 @@ mod masks;
 mod report;
 mod report_cli;
 mod session;
+mod table_cli;
 mod tables;
