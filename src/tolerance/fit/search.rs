@@ -1,16 +1,19 @@
 //! From a wanted clearance to the pairs of classes that give it.
 //!
-//! Looks at every pair of classes that ISO 286 defines at a size, exactly, to the nanometre. Two numbers decide a
+//! Looks at every pair of classes that the sources define at a size, exactly, to the nanometre. Two numbers decide a
 //! pair, so all quarter of a million pairs are looked at; only those that are shown are spelled out.
 
 use std::cmp::Reverse;
 
-use super::basis::Basis;
+use super::basis::{self, Basis};
 use super::preferred::{Function, Preference};
 use super::{Kind, preferred};
 use crate::length::{Length, signed_mm};
+use crate::tolerance::callout::Callout;
 use crate::tolerance::class::{Feature, ToleranceClass};
 use crate::tolerance::iso286::{self, Grade, Letter, Options};
+use crate::tolerance::limits::Deviations;
+use crate::tolerance::sources::{Base, Sources};
 use crate::words::{Message, Say};
 
 /// A range of clearance; negative is an interference. The borders belong to it.
@@ -107,6 +110,12 @@ pub enum SearchError {
         /// What was given.
         nominal: Length,
     },
+    /// The tables have no class for a hole or none for a shaft.
+    #[error("the tables have no classes for both hole and shaft at {nominal} mm")]
+    NoClasses {
+        /// What was given.
+        nominal: Length,
+    },
 }
 
 impl Say for SearchError {
@@ -120,11 +129,13 @@ impl Say for SearchError {
                 signed_mm(Message::new("callout-not-positive"), "nominal-sign", "nominal", nominal)
             }
             Self::TooLarge { nominal } => Message::new("iso286-too-large").mm("nominal", nominal),
+            Self::NoClasses { nominal } => Message::new("fit-search-no-classes").mm("nominal", nominal),
         }
     }
 }
 
-/// Finds the pairs whose whole range of clearance lies within the wanted one, and spells out the best `limit`.
+/// Finds the pairs of ISO 286 whose whole range of clearance lies within the wanted one, and spells out the best
+/// `limit`.
 ///
 /// # Errors
 /// [`SearchError`] for a range in the wrong order and for a size that ISO 286 does not have.
@@ -135,16 +146,31 @@ pub fn search(
     scope: Scope,
     limit: usize,
 ) -> Result<Found, SearchError> {
+    search_in(nominal, wanted, &Sources::default().with_options(options), scope, limit)
+}
+
+/// The same among the classes of any sources: where a user's own table has a class, its deviations count.
+///
+/// # Errors
+/// [`SearchError`], also where the sources have no class for a hole or none for a shaft.
+pub fn search_in(
+    nominal: Length,
+    wanted: Wanted,
+    sources: &Sources,
+    scope: Scope,
+    limit: usize,
+) -> Result<Found, SearchError> {
     if wanted.maximum < wanted.minimum {
         return Err(SearchError::Order { minimum: wanted.minimum, maximum: wanted.maximum });
     }
     if nominal <= Length::ZERO {
         return Err(SearchError::NotPositive { nominal });
     }
-    let holes = Zone::all(Feature::Hole, nominal, options);
-    let shafts = Zone::all(Feature::Shaft, nominal, options);
+    let holes = Zone::all(Feature::Hole, nominal, sources);
+    let shafts = Zone::all(Feature::Shaft, nominal, sources);
     if holes.is_empty() || shafts.is_empty() {
-        return Err(SearchError::TooLarge { nominal });
+        let is_standard = matches!(sources.base(), Base::Iso286);
+        return Err(if is_standard { SearchError::TooLarge { nominal } } else { SearchError::NoClasses { nominal } });
     }
     let mut ranked = fitting(&holes, &shafts, wanted, scope);
     let total = ranked.len();
@@ -161,20 +187,45 @@ pub fn search(
 /// A class at the size that is asked for, in nanometres.
 struct Zone {
     class: ToleranceClass,
-    parts: (Letter, Grade),
+    /// `None` for a class that ISO 286 does not know.
+    parts: Option<(Letter, Grade)>,
     upper: i64,
     lower: i64,
 }
 
 impl Zone {
-    /// Every class, by letter and then by grade.
-    fn all(feature: Feature, nominal: Length, options: Options) -> Vec<Self> {
-        let classes = iso286::classes_at(feature, nominal, options);
-        let zone = |(class, deviations): (ToleranceClass, crate::tolerance::Deviations)| {
-            let (upper, lower) = (deviations.upper().nanometres(), deviations.lower().nanometres());
-            Some(Self { class, parts: iso286::parts(class)?, upper, lower })
+    /// Every class, by letter and then by grade; those that ISO 286 does not know follow by name.
+    fn all(feature: Feature, nominal: Length, sources: &Sources) -> Vec<Self> {
+        let is_standard = matches!(sources.base(), Base::Iso286);
+        let standard = is_standard.then(|| iso286::classes_at(feature, nominal, sources.options()));
+        let standard = standard.into_iter().flatten();
+        if sources.tables().next().is_none() {
+            return standard.map(|(class, deviations)| Self::new(class, deviations)).collect();
+        }
+        let columns = sources.tables().flat_map(|table| table.columns().iter().map(|column| column.class));
+        let mut classes: Vec<_> =
+            standard.map(|(class, _)| class).chain(columns.filter(|class| class.feature() == feature)).collect();
+        classes.sort_unstable_by_key(|class| {
+            let parts = iso286::parts(*class);
+            (parts.is_none(), parts, *class)
+        });
+        classes.dedup();
+        // A class that its table does not define at this size is none to choose.
+        let zone = |class| {
+            let callout = Callout::new(nominal, class).ok()?;
+            Some(Self::new(class, sources.deviations(&callout, None).ok()?.0))
         };
-        classes.filter_map(zone).collect()
+        classes.into_iter().filter_map(zone).collect()
+    }
+
+    fn new(class: ToleranceClass, deviations: Deviations) -> Self {
+        let (upper, lower) = (deviations.upper().nanometres(), deviations.lower().nanometres());
+        Self { class, parts: iso286::parts(class), upper, lower }
+    }
+
+    /// Whether it lies on the zero line by its letter.
+    fn is_h(&self) -> bool {
+        self.parts.is_some_and(|(letter, _)| letter == Letter::H)
     }
 }
 
@@ -201,15 +252,16 @@ enum Group {
 }
 
 impl Group {
-    fn of(hole: (Letter, Grade), shaft: (Letter, Grade)) -> Self {
-        if hole.0 != Letter::H && shaft.0 != Letter::H {
+    fn of(hole: &Zone, shaft: &Zone) -> Self {
+        if !hole.is_h() && !shaft.is_h() {
             return Self::Rest;
         }
-        match Preference::of_parts(hole, shaft) {
+        let parts = hole.parts.zip(shaft.parts);
+        match parts.and_then(|(hole, shaft)| Preference::of_parts(hole, shaft)) {
             Some(Preference::HoleBasis) => Self::PreferredHole,
             Some(Preference::ShaftBasis) => Self::PreferredShaft,
-            None if Function::of_parts(hole, shaft).is_some() => Self::Named,
-            None if hole.0 == Letter::H => Self::HoleBasis,
+            None if parts.is_some_and(|(hole, shaft)| Function::of_parts(hole, shaft).is_some()) => Self::Named,
+            None if hole.is_h() => Self::HoleBasis,
             None => Self::ShaftBasis,
         }
     }
@@ -226,7 +278,7 @@ impl Group {
 impl Ranked {
     fn of(hole: (usize, &Zone), shaft: (usize, &Zone)) -> Self {
         let width = (hole.1.upper - hole.1.lower) + (shaft.1.upper - shaft.1.lower);
-        let group = Group::of(hole.1.parts, shaft.1.parts);
+        let group = Group::of(hole.1, shaft.1);
         Self { group, width: Reverse(width), hole: hole.0, shaft: shaft.0 }
     }
 
@@ -239,7 +291,7 @@ impl Ranked {
             maximum: Length::from_nanometres(hole.upper - shaft.lower).ok()?,
             preference: preferred::preference(hole.class, shaft.class),
             function: preferred::function(hole.class, shaft.class),
-            basis: Basis::of_letters(hole.parts.0, shaft.parts.0),
+            basis: basis::basis(hole.class, shaft.class),
         })
     }
 }
