@@ -48,14 +48,15 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id,
     let mut text = view.session.inputs().text(field).to_owned();
     let id = id(field);
     let culprit = view.session.culprit(field);
+    let font = look.font.clone();
     let marked = |ui: &Ui, buffer: &dyn TextBuffer, _width: f32| {
-        let job = underlined(ui, buffer.as_str(), &look.font, culprit);
+        let job = underlined(ui, buffer.as_str(), &font, culprit);
         ui.fonts_mut(|fonts| fonts.layout_job(job))
     };
     let mut layouter = marked;
     let mut edit = TextEdit::singleline(&mut text)
         .id(id)
-        .font(look.font.clone())
+        .font(look.font)
         .desired_width(look.width)
         .align(eframe::egui::Align2([look.align, Align::Center]))
         .min_size(eframe::egui::vec2(look.width, theme::sizes().field));

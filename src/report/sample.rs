@@ -16,7 +16,7 @@ pub fn um(um: i32) -> Length {
 /// Limits as ISO 286 gives them between 18 and 30 mm.
 pub fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
     let callout: Callout = callout.parse().unwrap();
-    let source = Source::Iso286 { over: um(18_000), to: um(30_000), js_rounded: false };
+    let source = Source::Iso286 { over: um(18_000), to: um(30_000), remark: None };
     let deviations = Deviations::new(um(upper), um(lower)).unwrap();
     Limits::new(callout.feature().unwrap(), callout.nominal(), deviations, source).unwrap()
 }

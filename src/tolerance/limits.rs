@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::class::Feature;
+use super::iso286::Remark;
 use super::iso2768::GeneralClass;
 use crate::length::{Length, signed_mm};
 use crate::words::{Message, Say};
@@ -59,6 +60,11 @@ impl Deviations {
         self.lower
     }
 
+    /// How far both deviations, upper and lower, lie above those of another pair.
+    pub fn minus(&self, other: &Self) -> (Length, Length) {
+        (self.upper.saturating_sub(other.upper), self.lower.saturating_sub(other.lower))
+    }
+
     /// Width of the tolerance zone, zero or more.
     pub fn width(&self) -> Length {
         self.upper.saturating_sub(self.lower)
@@ -74,8 +80,8 @@ pub enum Source {
         over: Length,
         /// up to and including this.
         to: Length,
-        /// Whether half micrometres of JS or js were rounded off, as the 1988 edition allows.
-        js_rounded: bool,
+        /// What a reader should know about the figure.
+        remark: Option<Remark>,
     },
     /// ISO 2768-1, general tolerances of linear sizes.
     Iso2768 {
@@ -108,9 +114,9 @@ pub enum Source {
 impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Iso286 { over, to, js_rounded: false } => write!(f, "ISO 286, over {over} up to {to} mm"),
-            Self::Iso286 { over, to, js_rounded: true } => {
-                write!(f, "ISO 286 with JS rounded as in 1988, over {over} up to {to} mm")
+            Self::Iso286 { over, to, remark: None } => write!(f, "ISO 286, over {over} up to {to} mm"),
+            Self::Iso286 { over, to, remark: Some(remark) } => {
+                write!(f, "ISO 286, over {over} up to {to} mm; {remark}")
             }
             Self::Iso2768 { class, over, to } => write!(f, "ISO 2768-1 class {class}, over {over} up to {to} mm"),
             Self::Callout => f.pad("the callout itself"),
@@ -126,9 +132,13 @@ impl fmt::Display for Source {
 impl Say for Source {
     fn message(&self) -> Message {
         match self {
-            Self::Iso286 { over, to, js_rounded } => {
-                let id = if *js_rounded { "source-iso286-js-rounded" } else { "source-iso286" };
-                Message::new(id).mm("over", *over).mm("to", *to)
+            Self::Iso286 { over, to, remark } => {
+                let id = if remark.is_some() { "source-iso286-remark" } else { "source-iso286" };
+                let message = Message::new(id).mm("over", *over).mm("to", *to);
+                match remark {
+                    Some(remark) => message.message("remark", remark.message()),
+                    None => message,
+                }
             }
             Self::Iso2768 { class, over, to } => {
                 Message::new("source-iso2768").text("class", class).mm("over", *over).mm("to", *to)
@@ -198,11 +208,16 @@ mod tests {
         assert_eq!(Words::new(Language::Nl).told(&error), dutch);
         let (over, to) = (um(18_500), um(30_000));
         let table = |shipped| Source::Table { name: "own.tab".into(), shipped, over, to, instead_of: None };
-        let standard = |js_rounded| Source::Iso286 { over, to, js_rounded };
+        let standard = |remark| Source::Iso286 { over, to, remark };
+        let [rounded, contested] = [Remark::JsRounded, Remark::ContestedEf].map(|remark| standard(Some(remark)));
+        let [older, trial] = [Remark::OlderIt5, Remark::TrialUse].map(|remark| standard(Some(remark)));
         let general = Source::Iso2768 { class: GeneralClass::Medium, over, to };
         for source in [
-            standard(false),
-            standard(true),
+            standard(None),
+            rounded,
+            contested,
+            older,
+            trial,
             general,
             Source::Callout,
             table(true),

@@ -246,10 +246,10 @@ impl Sources {
     /// # Errors
     /// [`LimitsError`] names what is missing and what there is instead; nothing is clamped.
     pub fn limits(&self, callout: &Callout, feature: Option<Feature>) -> Result<Limits, LimitsError> {
-        if let (Some(class), Some(feature)) = (callout.class(), feature) {
-            if class.feature() != feature {
-                return Err(LimitsError::OtherFeature { class });
-            }
+        if let (Some(class), Some(feature)) = (callout.class(), feature)
+            && class.feature() != feature
+        {
+            return Err(LimitsError::OtherFeature { class });
         }
         let (deviations, source) = self.deviations(callout, feature)?;
         let feature = callout.feature().or(feature).ok_or(LimitsError::NoFeature { callout: *callout })?;
@@ -323,12 +323,8 @@ impl Sources {
     }
 
     fn standard(&self, class: ToleranceClass, nominal: Length) -> Result<(Deviations, Source), Undefined> {
-        let iso286::Cell { deviations, over, to } = iso286::deviations(class, nominal, self.options)?;
-        let js_rounded = self.options.js == iso286::JsHalves::Rounded && {
-            let exact = iso286::Options { js: iso286::JsHalves::Exact, ..self.options };
-            iso286::deviations(class, nominal, exact).is_ok_and(|cell| cell.deviations != deviations)
-        };
-        Ok((deviations, Source::Iso286 { over, to, js_rounded }))
+        let iso286::Cell { deviations, over, to, remark } = iso286::deviations(class, nominal, self.options)?;
+        Ok((deviations, Source::Iso286 { over, to, remark }))
     }
 
     /// What the standard says where a user's own table says something else.

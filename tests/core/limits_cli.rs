@@ -257,7 +257,7 @@ fn editions_of_the_standard_can_be_chosen() {
     assert!(figures(&["100 JS9"]).starts_with("100 JS9,100,-43.5,43.5,"));
     assert_eq!(
         figures(&["100 JS9", "--js-rounded"]),
-        "100 JS9,100,-43,43,99.957,100.043,\"ISO 286 with JS rounded as in 1988, over 80 up to 120 mm\","
+        "100 JS9,100,-43,43,99.957,100.043,\"ISO 286, over 80 up to 120 mm; JS rounded as in 1988\","
     );
     assert!(figures(&["20 cd8"]).starts_with("20 cd8,20,-118,-85,"));
     assert!(figures(&["20 cd8", "--edition", "1988"]).contains("it is defined over 0 up to 10 mm"));

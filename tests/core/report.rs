@@ -22,7 +22,7 @@ fn limits(callout: &str, upper: i32, lower: i32, source: Source) -> Limits {
 }
 
 fn iso() -> Source {
-    Source::Iso286 { over: um(18_000), to: um(30_000), js_rounded: false }
+    Source::Iso286 { over: um(18_000), to: um(30_000), remark: None }
 }
 
 fn record(

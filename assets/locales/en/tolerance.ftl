@@ -19,7 +19,7 @@ class-malformed = { $text } is not a tolerance class: write letters and a grade,
 ## Deviations and limits
 deviations-order = upper deviation { $upper-sign }{ $upper } mm is below lower deviation { $lower-sign }{ $lower } mm
 source-iso286 = ISO 286, over { $over } up to { $to } mm
-source-iso286-js-rounded = ISO 286 with JS rounded as in 1988, over { $over } up to { $to } mm
+source-iso286-remark = ISO 286, over { $over } up to { $to } mm; { $remark }
 source-shipped-table = built-in table { $name }, over { $over } up to { $to } mm
 source-table = table { $name }, over { $over } up to { $to } mm
 source-file = file { $name }
@@ -102,6 +102,10 @@ material-too-many = there are { $count } materials: at most { $most }
 material-name = line { $line }: a material's name has 1 to { $longest } characters and no control characters
 material-twice = line { $line }: there are two materials called { $name }
 material-unknown = no material is called { $name }; there are { $known }, or give the expansion itself, such as 11.5
+iso286-js-rounded = JS rounded as in 1988
+iso286-contested-ef = contested: ef is 28 µm here, other transcriptions have 25 µm
+iso286-older-it5 = for trial use; older catalogues have a smaller IT5 here
+iso286-trial-use = for trial use
 ## Callouts: deviations, limits, fits and general tolerances
 callout-at = { $reason } (character { $at })
 callout-no-tolerance = a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1

@@ -19,7 +19,7 @@ class-malformed = { $text } is geen tolerantieklasse: schrijf letters en een gra
 ## Afwijkingen en grensmaten
 deviations-order = bovenafwijking { $upper-sign }{ $upper } mm ligt onder onderafwijking { $lower-sign }{ $lower } mm
 source-iso286 = ISO 286, boven { $over } tot en met { $to } mm
-source-iso286-js-rounded = ISO 286 met JS afgerond als in 1988, boven { $over } tot en met { $to } mm
+source-iso286-remark = ISO 286, boven { $over } tot en met { $to } mm; { $remark }
 source-shipped-table = ingebouwde tabel { $name }, boven { $over } tot en met { $to } mm
 source-table = tabel { $name }, boven { $over } tot en met { $to } mm
 source-file = bestand { $name }
@@ -102,6 +102,10 @@ material-too-many = er zijn { $count } materialen: hoogstens { $most }
 material-name = regel { $line }: de naam van een materiaal heeft 1 tot { $longest } tekens en geen stuurtekens
 material-twice = regel { $line }: er zijn twee materialen met de naam { $name }
 material-unknown = geen materiaal heet { $name }; er zijn { $known }, of geef de uitzetting zelf op, zoals 11,5
+iso286-js-rounded = JS afgerond als in 1988
+iso286-contested-ef = omstreden: ef is hier 28 µm, andere overschriften hebben 25 µm
+iso286-older-it5 = op proef; oudere catalogi hebben hier een kleinere IT5
+iso286-trial-use = op proef
 ## Maataanduidingen: afwijkingen, grensmaten, passingen en algemene toleranties
 callout-at = { $reason } (teken { $at })
 callout-no-tolerance = de tolerantie ontbreekt, zoals H7, h7, H7/g6, m, +0.1 -0.2 of ±0.1

@@ -5,16 +5,19 @@
 //! | `figures` | the printed tables: steps, standard tolerances, fundamental deviations |
 //! | `grade` | grades and letters |
 //! | `zone` | the rules: what the figures make of a class at a size, with every exception |
+//! | `remark` | what a reader should know about a figure |
 //! | `undefined` | why a class is refused, and where it is defined |
 //!
 //! Nothing is clamped, extended or computed from a formula. Where the standard leaves a choice there is an option.
 
 mod figures;
 mod grade;
+mod remark;
 mod undefined;
 mod zone;
 
 pub use grade::{Grade, Letter};
+pub use remark::Remark;
 pub use undefined::{Reason, Undefined};
 
 use serde::{Deserialize, Serialize};
@@ -67,17 +70,8 @@ pub struct Cell {
     pub over: Length,
     /// up to and including this.
     pub to: Length,
-}
-
-/// Something that a reader should know about a figure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Remark {
-    /// ef and EF at 18 to 30 mm: transcriptions differ, 28 or 25 µm; 28 is the geometric mean of e and f.
-    ContestedEf,
-    /// IT1 to IT5 above 500 mm are meant for trial use.
-    TrialUse,
-    /// IT5 above 800 mm: older catalogues have a narrower row.
-    OlderIt5,
+    /// What a reader should know about the figure.
+    pub remark: Option<Remark>,
 }
 
 /// The limit deviations of a class at a nominal size.
@@ -102,6 +96,7 @@ pub fn deviations(class: ToleranceClass, nominal: Length, options: Options) -> R
     let Some(place) = Place::of(nominal) else { return Err(refused(Reason::TooLarge)) };
     zone::zone(class.feature(), letter, grade, place, options)
         .and_then(|zone| cell(zone, place))
+        .map(|cell| Cell { remark: remark::remark(letter, grade, nominal, cell.deviations, options), ..cell })
         .ok_or_else(|| refused(Reason::NotHere))
 }
 
@@ -170,23 +165,6 @@ pub fn standard_tolerance(grade: Grade, nominal: Length) -> Option<Length> {
     Length::from_nanometres(zone.upper - zone.lower).ok()
 }
 
-/// What a reader should know about a class at a size.
-pub fn remarks(class: ToleranceClass, nominal: Length) -> Vec<Remark> {
-    let Some((letter, grade)) = parts(class) else { return Vec::new() };
-    let above = |mm| millimetres(mm) < nominal;
-    let mut remarks = Vec::new();
-    if letter == Letter::Ef && above(18) && !above(30) {
-        remarks.push(Remark::ContestedEf);
-    }
-    if grade.at_most(5) && above(500) {
-        remarks.push(Remark::TrialUse);
-    }
-    if grade == Grade::IT5 && above(800) {
-        remarks.push(Remark::OlderIt5);
-    }
-    remarks
-}
-
 fn cell(zone: Zone, place: Place) -> Option<Cell> {
     let (ends, number): (&[i32], _) = match zone.steps {
         Steps::Main => (&figures::MAIN_ENDS, place.main),
@@ -197,7 +175,7 @@ fn cell(zone: Zone, place: Place) -> Option<Cell> {
     let to = *ends.get(number)?;
     let length = |nm| Length::from_nanometres(nm).ok();
     let deviations = Deviations::new(length(zone.upper)?, length(zone.lower)?).ok()?;
-    Some(Cell { deviations, over: millimetres(over), to: millimetres(to) })
+    Some(Cell { deviations, over: millimetres(over), to: millimetres(to), remark: None })
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::words::{Language, Say as _, Words};
 #[track_caller]
 fn check_with(options: Options, class: &str, nominal: &str, expected: &str) {
     let said = match deviations(class.parse().unwrap(), nominal.parse().unwrap(), options) {
-        Ok(Cell { deviations, over, to }) => {
+        Ok(Cell { deviations, over, to, .. }) => {
             let um = |length: Length| length.exact(crate::length::Unit::Micrometre, 0);
             format!("{} / {} over {over} to {to}", um(deviations.upper()), um(deviations.lower()))
         }
@@ -114,13 +114,16 @@ fn the_classes_at_a_size_are_those_that_are_answered() {
 
 #[test]
 fn contested_and_provisional_figures_are_told() {
-    let remarks = |class: &str, nominal: &str| remarks(class.parse().unwrap(), nominal.parse().unwrap());
-    assert_eq!(remarks("ef8", "18"), []);
-    assert_eq!(remarks("ef8", "18.000001"), [Remark::ContestedEf]);
-    assert_eq!(remarks("EF8", "30"), [Remark::ContestedEf]);
-    assert_eq!(remarks("EF8", "30.000001"), []);
-    assert_eq!(remarks("h5", "500"), []);
-    assert_eq!(remarks("h5", "501"), [Remark::TrialUse]);
-    assert_eq!(remarks("h5", "801"), [Remark::TrialUse, Remark::OlderIt5]);
-    assert_eq!(remarks("h6", "801"), []);
+    let remark = |class: &str, nominal: &str| {
+        deviations(class.parse().unwrap(), nominal.parse().unwrap(), Options::default()).unwrap().remark
+    };
+    assert_eq!(remark("ef8", "18"), None);
+    assert_eq!(remark("ef8", "18.000001"), Some(Remark::ContestedEf));
+    assert_eq!(remark("EF8", "30"), Some(Remark::ContestedEf));
+    assert_eq!(remark("EF8", "30.000001"), None);
+    assert_eq!(remark("h5", "500"), None);
+    assert_eq!(remark("h5", "501"), Some(Remark::TrialUse));
+    assert_eq!(remark("h5", "800"), Some(Remark::TrialUse));
+    assert_eq!(remark("h5", "801"), Some(Remark::OlderIt5));
+    assert_eq!(remark("h6", "801"), None);
 }

@@ -125,7 +125,7 @@ fn callouts_without_letters_need_to_be_told_hole_or_shaft() {
 fn rounded_js_is_told_with_the_source() {
     let options = iso286::Options { js: iso286::JsHalves::Rounded, ..iso286::Options::default() };
     let sources = Sources::default().with_options(options);
-    check(&sources, "100 JS9", "99.957 to 100.043 from ISO 286 with JS rounded as in 1988, over 80 up to 120 mm");
+    check(&sources, "100 JS9", "99.957 to 100.043 from ISO 286, over 80 up to 120 mm; JS rounded as in 1988");
     check(&sources, "100 JS8", "99.973 to 100.027 from ISO 286, over 80 up to 120 mm");
 }
 

@@ -1,0 +1,66 @@
+//! What a reader should know about a figure of the standard: contested, provisional, rounded.
+
+use std::fmt;
+
+use super::{Grade, JsHalves, Letter, Options, millimetres};
+use crate::length::Length;
+use crate::tolerance::limits::Deviations;
+use crate::words::{Message, Say};
+
+/// Something that a reader should know about a figure. The numbers of the rules are those of `docs/SOURCES.md`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Remark {
+    /// Half micrometres of JS or js were rounded off, as the 1988 edition allows (rule 5).
+    JsRounded,
+    /// ef and EF above 18 up to 30 mm: transcriptions differ; 28 is the geometric mean of e and f (rule 8).
+    ContestedEf,
+    /// IT5 above 800 mm: older catalogues have a narrower row.
+    OlderIt5,
+    /// IT1 to IT5 above 500 mm are meant for trial use (rule 9).
+    TrialUse,
+}
+
+/// The remark about a cell, the most important one.
+pub(super) fn remark(
+    letter: Letter,
+    grade: Grade,
+    nominal: Length,
+    deviations: Deviations,
+    options: Options,
+) -> Option<Remark> {
+    let above = |mm| millimetres(mm) < nominal;
+    let is_rounded = || deviations.width() != super::standard_tolerance(grade, nominal).unwrap_or_default();
+    if letter == Letter::Js && options.js == JsHalves::Rounded && is_rounded() {
+        Some(Remark::JsRounded)
+    } else if letter == Letter::Ef && above(18) && !above(30) {
+        Some(Remark::ContestedEf)
+    } else if grade == Grade::IT5 && above(800) {
+        Some(Remark::OlderIt5)
+    } else if grade.at_most(5) && above(500) {
+        Some(Remark::TrialUse)
+    } else {
+        None
+    }
+}
+
+impl fmt::Display for Remark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::JsRounded => "JS rounded as in 1988",
+            Self::ContestedEf => "contested: ef is 28 µm here, other transcriptions have 25 µm",
+            Self::OlderIt5 => "for trial use; older catalogues have a smaller IT5 here",
+            Self::TrialUse => "for trial use",
+        })
+    }
+}
+
+impl Say for Remark {
+    fn message(&self) -> Message {
+        Message::new(match self {
+            Self::JsRounded => "iso286-js-rounded",
+            Self::ContestedEf => "iso286-contested-ef",
+            Self::OlderIt5 => "iso286-older-it5",
+            Self::TrialUse => "iso286-trial-use",
+        })
+    }
+}
