@@ -2,7 +2,7 @@
 //!
 //! Answers one by one, so that memory stays the same however many callouts come.
 
-mod lines;
+pub(super) mod lines;
 
 use std::io::{BufRead, Write};
 
@@ -90,7 +90,7 @@ struct Row<'a> {
 
 /// An exact decimal: as it is in CSV, a number in JSON.
 #[derive(Debug)]
-struct Figure(String);
+pub(super) struct Figure(pub(super) String);
 
 impl serde::Serialize for Figure {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -135,7 +135,7 @@ impl<'a> Row<'a> {
 }
 
 /// Where the limits come from, and what the shipped table says where the user's says something else.
-fn source(source: &Source) -> String {
+pub(super) fn source(source: &Source) -> String {
     match source {
         Source::Table { instead_of: Some(shipped), .. } => {
             format!("{source}, instead of {} µm in ISO 286", lower_and_upper(shipped))
@@ -145,7 +145,7 @@ fn source(source: &Source) -> String {
 }
 
 /// `0 / +21`
-fn lower_and_upper(deviations: &Deviations) -> String {
+pub(super) fn lower_and_upper(deviations: &Deviations) -> String {
     let signed = |length: Length| {
         let plus = if Length::ZERO < length { "+" } else { "" };
         format!("{plus}{}", length.exact(Unit::Micrometre, 0))
@@ -299,7 +299,7 @@ fn write_text(out: &mut dyn Write, callout: &Callout, limits: &Limits) -> std::i
 }
 
 /// The writer's own error: a closed pipe stays one.
-fn csv_error(error: csv::Error) -> CliError {
+pub(super) fn csv_error(error: csv::Error) -> CliError {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => CliError::Stream(error),
         other => CliError::Data(format!("{other:?}")),
@@ -307,6 +307,6 @@ fn csv_error(error: csv::Error) -> CliError {
 }
 
 /// A text without control characters: it goes to a terminal, and one line of input stays one line of output.
-fn printable(text: &str) -> String {
+pub(super) fn printable(text: &str) -> String {
     text.chars().map(|c| if c.is_control() && c != '\t' { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

@@ -9,6 +9,7 @@ mod circle_cli;
 mod circles;
 mod cycle_declaration;
 mod cycles;
+mod fit_cli;
 mod fit_search;
 mod fits;
 mod house;

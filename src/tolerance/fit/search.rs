@@ -78,8 +78,8 @@ pub struct Miss {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Found {
     /// The best pairs, best first: preferred fits of the hole basis, of the shaft basis, pairs named in ANSI B4.2, then
-    /// hole basis, shaft basis, and the rest. Within each the widest tolerances first, which are the cheapest to make,
-    /// and then by letters.
+    /// hole basis, shaft basis, and the rest. Within each the widest tolerances first, which are the cheapest to make:
+    /// both together, then the narrower one; and then by letters.
     pub candidates: Vec<Candidate>,
     /// How many pairs fit altogether.
     pub total: usize,
@@ -223,6 +223,10 @@ impl Zone {
         Self { class, parts: iso286::parts(class), upper, lower }
     }
 
+    const fn width(&self) -> i64 {
+        self.upper - self.lower
+    }
+
     /// Whether it lies on the zero line by its letter.
     fn is_h(&self) -> bool {
         self.parts.is_some_and(|(letter, _)| letter == Letter::H)
@@ -235,6 +239,8 @@ struct Ranked {
     group: Group,
     /// The width of the range of clearance in nanometres: both tolerances together.
     width: Reverse<i64>,
+    /// The narrower of the two tolerances: among equals `H6/g7` before `H0/g8`.
+    narrower: Reverse<i64>,
     /// Places in the lists of zones, which are in the order of letters.
     hole: usize,
     shaft: usize,
@@ -276,10 +282,10 @@ impl Group {
 }
 
 impl Ranked {
-    fn of(hole: (usize, &Zone), shaft: (usize, &Zone)) -> Self {
-        let width = (hole.1.upper - hole.1.lower) + (shaft.1.upper - shaft.1.lower);
-        let group = Group::of(hole.1, shaft.1);
-        Self { group, width: Reverse(width), hole: hole.0, shaft: shaft.0 }
+    fn of((hole, hole_zone): (usize, &Zone), (shaft, shaft_zone): (usize, &Zone)) -> Self {
+        let (one, other) = (hole_zone.width(), shaft_zone.width());
+        let (width, narrower) = (Reverse(one + other), Reverse(one.min(other)));
+        Self { group: Group::of(hole_zone, shaft_zone), width, narrower, hole, shaft }
     }
 
     fn candidate(self, holes: &[Zone], shafts: &[Zone]) -> Option<Candidate> {
