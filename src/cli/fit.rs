@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `answer` | what there is to say about one fit |
-//! | `figures` | the same in figures: the names that CSV and JSON share |
+//! | `figures`, `columns` | the same in figures: the names that CSV and JSON share |
 //! | `text` | the same for people |
 //! | `heat` | materials and temperatures |
 //! | `reverse` | from a wanted clearance or a function to classes |
@@ -11,15 +11,17 @@
 //! Callouts are answered one by one, so that memory stays the same however many come.
 
 mod answer;
+mod columns;
 mod figures;
 mod heat;
 mod reverse;
 mod text;
 
-use std::io::BufRead;
+use std::io::{BufRead, ErrorKind};
 
 use answer::{Answer, Measured};
-use figures::{COLUMNS, Figures};
+use columns::COLUMNS;
+use figures::Figures;
 
 use super::limits::lines::{Found, LONGEST_LINE, Line};
 use super::limits::{csv_error, printable};
@@ -34,32 +36,40 @@ const SHOWN: usize = 40;
 
 const HELP: &str = "\
 Examples:
-  fitcheck fit \"50 H7/p6\"                                  clearance, kind, basis, the fit in the other basis
-  fitcheck fit \"50 H7/p6\" --hole 50.010 --shaft 50.030     two measured parts; one alone says what is left
-  fitcheck fit \"50 H7/p6\" --hole-material aluminium --shaft-material steel --temperature 80
+  fitcheck fit \"50 H7/p6\"                                 clearance, kind, basis, other basis
+  fitcheck fit \"50 H7/p6\" --hole 50.010 --shaft 50.030    two measured parts, or one alone
+  fitcheck fit \"50 H7/p6\" --hole-material brass --shaft-material steel --temperature 80
   fitcheck fit \"50 H7/p6\" --hole-material steel --shaft-material steel --hole-temperature 220
-  fitcheck fit 25 --min-clearance 0.007 --max-clearance 0.041    classes for a clearance; negative is interference
+  fitcheck fit 25 --min-clearance 0.007 --max-clearance 0.041     classes for a clearance
   fitcheck fit 25 --function sliding --format json
-  fitcheck fit - --format csv < fits.txt                   one fit a line
+  fitcheck fit - --format csv < fits.txt                  one fit a line
 
-A clearance is hole minus shaft; a negative one is an interference. Measured diameters are those at 20 °C.
+A clearance is hole minus shaft; a negative one is an interference. Measured diameters are those
+at 20 °C.
 
-JSON of one fit, an object; of several or of - an array:
-  callout, nominal_mm, kind (clearance, transition, interference), minimum_clearance_um, maximum_clearance_um,
-  mean_clearance_um, basis (hole, shaft, both), preferred (hole basis, shaft basis), function,
-  hole and shaft {class, min_mm, max_mm, lower_um, upper_um, source},
-  equivalent {callout, exact, minimum_clearance_um, maximum_clearance_um, error}: the fit in the other basis,
-  actual {hole_mm, shaft_mm, clearance_um, conforms, hole_status, shaft_status, hole_remove_um, shaft_remove_um},
-  possible {feature, measured_mm, status, remove_um, minimum_clearance_um, maximum_clearance_um}: with one part,
-  temperature {hole_c, shaft_c, change_um, minimum_clearance_um, maximum_clearance_um, kind, actual_clearance_um,
-  hole_material and shaft_material {name, expansion_um_per_m_k, certainty, source}}, error.
-JSON of a search: nominal_mm, minimum_clearance_um, maximum_clearance_um, scope, function, total,
-  candidates [{callout, hole, shaft, kind, minimum_clearance_um, maximum_clearance_um, basis, preferred, function}],
-  nearest {candidate, below_um, above_um} where nothing fits.
-What there is not is null. CSV has the same names, joined with _ where they lie within another.
+JSON of one fit is an object, of several or of - an array:
+  callout, nominal_mm, kind (clearance, transition, interference), minimum_clearance_um,
+    maximum_clearance_um, mean_clearance_um, basis (hole, shaft, both),
+    preferred (hole basis, shaft basis), function, error
+  hole, shaft   class, min_mm, max_mm, lower_um, upper_um, source
+  equivalent    the fit in the other basis: callout, exact, minimum_clearance_um,
+                maximum_clearance_um, error
+  actual        two measured parts: hole_mm, shaft_mm, clearance_um, conforms, hole_status,
+                shaft_status, hole_remove_um, shaft_remove_um
+  possible      one measured part: feature, measured_mm, status, remove_um,
+                minimum_clearance_um, maximum_clearance_um
+  temperature   hole_c, shaft_c, change_um, minimum_clearance_um, maximum_clearance_um, kind,
+                actual_clearance_um, hole_material and shaft_material with name,
+                expansion_um_per_m_k, certainty, source
+JSON of a search:
+  nominal_mm, minimum_clearance_um, maximum_clearance_um, scope, function, total
+  candidates    callout, hole, shaft, kind, minimum_clearance_um, maximum_clearance_um, basis,
+                preferred, function
+  nearest       where nothing fits: candidate, below_um, above_um
+What there is not is null. CSV has the same names, joined with _ where one lies within another.
 
-Exit codes: the worse of the two measured parts, 0 good, 10 rework, 11 scrap; 1 bad data, 2 wrong usage.
-A search that finds nothing names the nearest miss and ends with 0.";
+Exit codes: the worse of the measured parts, 0 good, 10 rework, 11 scrap; 1 bad data, 2 wrong
+usage. A search that finds nothing names the nearest miss and ends with 0.";
 
 /// Show what a hole and a shaft such as "25 H7/g6" do to each other, or find classes for a clearance
 #[derive(Debug, clap::Args)]
@@ -109,12 +119,22 @@ impl Args {
         }
         let asked = Asked { sources: &sources, heat: self.heat.load()?, measured };
         let mut printer = Printer::new(self.format, is_one);
+        match (self.answer(&asked, &mut printer, io), printer.worst) {
+            // Nobody listens, but the verdict stands.
+            (Err(CliError::Stream(error)), Some(worst)) if error.kind() == ErrorKind::BrokenPipe => {
+                Ok(Outcome::Judged(worst))
+            }
+            (outcome, _) => outcome,
+        }
+    }
+
+    fn answer(&self, asked: &Asked<'_>, printer: &mut Printer, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         printer.begin(io)?;
         for callout in &self.callouts {
             if callout == "-" {
-                answer_lines(&asked, &mut printer, io)?;
+                answer_lines(asked, printer, io)?;
             } else {
-                printer.answer(&asked, &printable(callout), None, io)?;
+                printer.answer(asked, &printable(callout), None, io)?;
             }
         }
         printer.finish(io)
@@ -205,6 +225,7 @@ impl Printer {
             Ok(answer) => answer,
             Err(error) => return self.refuse(callout, error, line, io),
         };
+        self.worst = self.worst.max(answer.measured.status());
         warn(&answer, io)?;
         match self.format {
             Format::Text => {
@@ -216,7 +237,6 @@ impl Printer {
             Format::Csv | Format::Json => self.row(&Figures::of(callout, &answer), io)?,
         }
         self.answered += 1;
-        self.worst = self.worst.max(answer.measured.status());
         Ok(())
     }
 
@@ -250,7 +270,7 @@ impl Printer {
         Ok(serde_json::to_writer(&mut *io.out, figures).map_err(std::io::Error::from)?)
     }
 
-    fn finish(self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+    fn finish(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         if self.format == Format::Json && !self.is_one {
             io.out.write_all(if self.answered == 0 { b"]\n" } else { b"\n]\n" })?;
         }

@@ -195,6 +195,11 @@ fn own_materials_come_from_a_file() {
     let told = told(&args("Delrin"));
     assert_eq!(told["temperature"]["change_um"], json!(27.625));
     assert_eq!(told["temperature"]["hole_material"]["certainty"], json!("own"));
+    std::fs::write(&file, "version = 1\n[[material]]\nname = \"1.4301\"\nexpansion = 16\n").unwrap();
+    let numbered = self::told(&args("1.4301"));
+    assert_eq!(numbered["temperature"]["hole_material"]["name"], json!("1.4301"));
+    assert!(fit(&args("42CrMo4"), "").1.contains("no material is called 42CrMo4; there are steel, "));
+    assert!(fit(&args("6061"), "").1.contains("an expansion of 6061 is out of range"));
     std::fs::write(&file, "version = 1\n[[material]]\nname = \"delrin\"\nexpansion = 1220\n").unwrap();
     let (_, err, code) = fit(&args("delrin"), "");
     assert_eq!(code, 1);
@@ -380,5 +385,22 @@ fn wrong_data_ends_with_1_and_wrong_usage_with_2() {
         &["25 H7/g6", "--edition", "1999"],
     ] {
         assert_eq!(code(args), 2, "{args:?}");
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn a_closed_pipe_keeps_the_verdict() {
+    use std::process::{Command, Stdio};
+    for (format, shaft, expected) in [("text", "50.05", 10), ("json", "50.02", 11), ("csv", "50.03", 0)] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let status = Command::new(assert_cmd::cargo::cargo_bin!("fitcheck"))
+            .args(["fit", "50 H7/p6", "--hole", "50.010", "--shaft", shaft, "--format", format])
+            .stdout(Stdio::from(writer))
+            .stderr(Stdio::null())
+            .status()
+            .unwrap();
+        assert_eq!(status.code(), Some(expected), "{format}");
     }
 }

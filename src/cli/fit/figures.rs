@@ -13,66 +13,6 @@ use crate::tolerance::fit::{Actual, Basis, Possible, basis};
 use crate::tolerance::{Limits, ToleranceClass};
 use crate::verdict::{Status, Verdict};
 
-/// The columns of CSV, in order.
-pub(super) const COLUMNS: [&str; 56] = [
-    "callout",
-    "nominal_mm",
-    "kind",
-    "minimum_clearance_um",
-    "maximum_clearance_um",
-    "mean_clearance_um",
-    "basis",
-    "preferred",
-    "function",
-    "hole_class",
-    "hole_min_mm",
-    "hole_max_mm",
-    "hole_lower_um",
-    "hole_upper_um",
-    "hole_source",
-    "shaft_class",
-    "shaft_min_mm",
-    "shaft_max_mm",
-    "shaft_lower_um",
-    "shaft_upper_um",
-    "shaft_source",
-    "equivalent_callout",
-    "equivalent_exact",
-    "equivalent_minimum_clearance_um",
-    "equivalent_maximum_clearance_um",
-    "equivalent_error",
-    "actual_hole_mm",
-    "actual_shaft_mm",
-    "actual_clearance_um",
-    "actual_conforms",
-    "actual_hole_status",
-    "actual_shaft_status",
-    "actual_hole_remove_um",
-    "actual_shaft_remove_um",
-    "possible_feature",
-    "possible_measured_mm",
-    "possible_status",
-    "possible_remove_um",
-    "possible_minimum_clearance_um",
-    "possible_maximum_clearance_um",
-    "temperature_hole_c",
-    "temperature_shaft_c",
-    "temperature_change_um",
-    "temperature_minimum_clearance_um",
-    "temperature_maximum_clearance_um",
-    "temperature_kind",
-    "temperature_actual_clearance_um",
-    "temperature_hole_material_name",
-    "temperature_hole_material_expansion_um_per_m_k",
-    "temperature_hole_material_certainty",
-    "temperature_hole_material_source",
-    "temperature_shaft_material_name",
-    "temperature_shaft_material_expansion_um_per_m_k",
-    "temperature_shaft_material_certainty",
-    "temperature_shaft_material_source",
-    "error",
-];
-
 /// One fit; the fields' order is that of the columns.
 #[derive(Debug, Default, Serialize)]
 pub(super) struct Figures<'a> {
@@ -347,7 +287,7 @@ impl<'a> Figures<'a> {
         Self { callout, error: Some(error), ..Self::default() }
     }
 
-    /// The cells of CSV, in the order of [`COLUMNS`].
+    /// The cells of CSV, in the order of [`super::columns::COLUMNS`].
     pub(super) fn columns(&self) -> Vec<String> {
         let words = [self.kind, self.basis, self.preferred, self.function];
         let [kind, basis, preferred, function] = words.map(|word| word.unwrap_or_default().to_owned());

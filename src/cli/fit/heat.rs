@@ -7,7 +7,7 @@ use crate::control::text::decode;
 use crate::files;
 use crate::length::Length;
 use crate::tolerance::fit::materials::{Certainty, Materials};
-use crate::tolerance::fit::thermal::{Temperature, Warm, clearance_change_apart};
+use crate::tolerance::fit::thermal::{Expansion, Temperature, ThermalError, Warm, clearance_change_apart};
 use crate::tolerance::fit::{Fit, Kind};
 
 /// Materials and temperatures.
@@ -119,21 +119,27 @@ fn bad(what: &str, error: &dyn std::fmt::Display) -> CliError {
 }
 
 impl Part {
-    /// A material by its name, or an expansion where the text begins like a number.
+    /// A material by its name, which may be a number such as 1.4301, or else an expansion.
     fn of(text: &str, materials: &Materials, temperature: Temperature) -> Result<Self, String> {
-        if text.trim_start().starts_with(|c: char| c.is_ascii_digit() || "+-.,\u{2212}".contains(c)) {
-            let expansion =
-                text.parse().map_err(|error: crate::tolerance::fit::thermal::ThermalError| error.to_string())?;
-            let warm = Warm { expansion, temperature };
-            return Ok(Self { name: None, certainty: Certainty::Own, source: None, warm });
+        let unknown = match materials.find(text) {
+            Ok(material) => {
+                return Ok(Self {
+                    name: Some(material.name.clone()),
+                    certainty: material.certainty,
+                    source: material.source.clone(),
+                    warm: Warm { expansion: material.expansion, temperature },
+                });
+            }
+            Err(error) => error,
+        };
+        match text.parse::<Expansion>() {
+            Ok(expansion) => {
+                let warm = Warm { expansion, temperature };
+                Ok(Self { name: None, certainty: Certainty::Own, source: None, warm })
+            }
+            Err(ThermalError::NotANumber { .. }) => Err(unknown.to_string()),
+            Err(error) => Err(error.to_string()),
         }
-        let material = materials.find(text).map_err(|error| error.to_string())?;
-        Ok(Self {
-            name: Some(material.name.clone()),
-            certainty: material.certainty,
-            source: material.source.clone(),
-            warm: Warm { expansion: material.expansion, temperature },
-        })
     }
 }
 

@@ -1,12 +1,14 @@
 //! The way back: from a wanted clearance, or a function such as sliding, to classes.
 
+mod figures;
+
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
-use serde::Serialize;
+use figures::{COLUMNS, CandidateFigures, Figures, MissFigures};
 
-use super::figures::{nominal, um, words};
+use super::figures::{nominal, um};
 use super::{csv_line, text};
-use crate::cli::limits::{Figure, printable};
+use crate::cli::limits::printable;
 use crate::cli::{CliError, Format, Io, Outcome};
 use crate::length::Length;
 use crate::tolerance::fit::preferred::{self, Function};
@@ -73,84 +75,6 @@ impl ScopeChoice {
 
 /// How many pairs are shown unless it is said.
 const SHOWN: usize = 20;
-
-/// The columns of CSV, in order: the names of a candidate.
-const COLUMNS: [&str; 9] = [
-    "callout",
-    "hole",
-    "shaft",
-    "kind",
-    "minimum_clearance_um",
-    "maximum_clearance_um",
-    "basis",
-    "preferred",
-    "function",
-];
-
-/// The answer for programs.
-#[derive(Debug, Serialize)]
-struct Figures {
-    nominal_mm: Figure,
-    minimum_clearance_um: Option<Figure>,
-    maximum_clearance_um: Option<Figure>,
-    scope: Option<&'static str>,
-    function: Option<&'static str>,
-    total: usize,
-    candidates: Vec<CandidateFigures>,
-    nearest: Option<MissFigures>,
-}
-
-#[derive(Debug, Serialize)]
-struct CandidateFigures {
-    callout: String,
-    hole: String,
-    shaft: String,
-    kind: &'static str,
-    minimum_clearance_um: Figure,
-    maximum_clearance_um: Figure,
-    basis: Option<&'static str>,
-    preferred: Option<&'static str>,
-    function: Option<&'static str>,
-}
-
-#[derive(Debug, Serialize)]
-struct MissFigures {
-    candidate: CandidateFigures,
-    below_um: Figure,
-    above_um: Figure,
-}
-
-impl CandidateFigures {
-    fn of(size: Length, candidate: &Candidate) -> Self {
-        let [basis, preferred, function] = words(candidate.hole, candidate.shaft);
-        Self {
-            callout: format!("{size} {}/{}", candidate.hole, candidate.shaft),
-            hole: candidate.hole.to_string(),
-            shaft: candidate.shaft.to_string(),
-            kind: candidate.kind().word(),
-            minimum_clearance_um: um(candidate.minimum),
-            maximum_clearance_um: um(candidate.maximum),
-            basis,
-            preferred,
-            function,
-        }
-    }
-
-    fn cells(&self) -> [&str; 9] {
-        let or_empty = |word: Option<&'static str>| word.unwrap_or_default();
-        [
-            &self.callout,
-            &self.hole,
-            &self.shaft,
-            self.kind,
-            &self.minimum_clearance_um.0,
-            &self.maximum_clearance_um.0,
-            or_empty(self.basis),
-            or_empty(self.preferred),
-            or_empty(self.function),
-        ]
-    }
-}
 
 impl ReverseArgs {
     pub(super) const fn is_asked(&self) -> bool {
