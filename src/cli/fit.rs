@@ -245,9 +245,9 @@ impl Printer {
             // What was answered before stands before it on a screen, too.
             io.out.flush()?;
             match line {
-                Some(line) if callout.is_empty() => writeln!(io.err, "line {line}: {error}")?,
-                _ if callout.is_empty() => writeln!(io.err, "\"\": {error}")?,
-                _ => writeln!(io.err, "{callout}: {error}")?,
+                Some(line) if callout.is_empty() => io.tell(format_args!("line {line}: {error}"))?,
+                _ if callout.is_empty() => io.tell(format_args!("\"\": {error}"))?,
+                _ => io.tell(format_args!("{callout}: {error}"))?,
             }
         } else {
             self.row(&Figures::refused(callout, error), io)?;
@@ -279,7 +279,7 @@ impl Printer {
             return Ok(self.worst.map_or(Outcome::Done, Outcome::Judged));
         }
         if self.format != Format::Text {
-            writeln!(io.err, "{} of {} callouts refused", self.refused, self.answered)?;
+            io.tell(format_args!("{} of {} callouts refused", self.refused, self.answered))?;
         }
         Ok(Outcome::BadData)
     }

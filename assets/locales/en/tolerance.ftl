@@ -139,3 +139,8 @@ general-too-small = nominal size { $nominal-sign }{ $nominal } mm is below { $fi
 general-too-large = nominal size { $nominal } mm is beyond ISO 2768-1, which ends with { $last } mm
 general-not-defined = there is no class { $class } of ISO 2768-1 { $range }; it is defined { $defined }
 general-range-from = from { $over } up to { $to } mm
+
+## Tables made of the standard
+make-no-class = no class is named: name some, such as H7 H8 JS9
+make-both-features = { $hole } and { $shaft } cannot stand in one table: only the case tells them apart, so make one table for holes and one for shafts
+make-last-size = the last size is { $to-sign }{ $to } mm: it must be above 0 and at most 3150 mm

@@ -139,3 +139,8 @@ general-too-small = nominale maat { $nominal-sign }{ $nominal } mm ligt onder { 
 general-too-large = nominale maat { $nominal } mm valt buiten ISO 2768-1, dat tot en met { $last } mm gaat
 general-not-defined = ISO 2768-1 heeft geen klasse { $class } { $range }; wel { $defined }
 general-range-from = van { $over } tot en met { $to } mm
+
+## Tables made of the standard
+make-no-class = er is geen klasse genoemd: noem er een of meer, zoals H7 H8 JS9
+make-both-features = { $hole } en { $shaft } kunnen niet in één tabel staan: alleen de hoofdletter onderscheidt ze, maak dus een tabel voor boringen en een voor assen
+make-last-size = de laatste maat is { $to-sign }{ $to } mm: die moet groter dan 0 en hoogstens 3150 mm zijn
