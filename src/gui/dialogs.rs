@@ -108,7 +108,7 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
 }
 
 /// Whether something is drawn that was not drawn in the frame before.
-fn just_opened(ui: &Ui, id: Id) -> bool {
+pub(super) fn just_opened(ui: &Ui, id: Id) -> bool {
     let frame = ui.ctx().cumulative_frame_nr();
     let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default::<u64>(id), frame));
     last + 1 < frame

@@ -4,6 +4,7 @@
 
 use std::path::PathBuf;
 
+use super::fit::FitCommand;
 use super::inputs::{Field, MeasureBy};
 use crate::control::mask::Mask;
 use crate::exchange::Imported;
@@ -26,7 +27,7 @@ pub enum Command {
     MeasureBy(MeasureBy),
     /// Shows or hides the keypad.
     ShowKeypad(bool),
-    /// Measures and judges.
+    /// Measures and judges, on the check page.
     Measure,
     /// Clears the result and the typed value; the history stays.
     ClearResult,
@@ -92,6 +93,8 @@ pub enum Command {
     },
     /// Puts the status window's text on the clipboard.
     CopyStatus,
+    /// Does something on the fit page.
+    Fit(FitCommand),
 }
 
 /// What a file dialog is for.

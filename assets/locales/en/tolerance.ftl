@@ -61,6 +61,10 @@ iso286-no-grade = { $class } is no class of ISO 286: its grades are { $grades }
 iso286-no-letter = { $class } is no class of ISO 286: it has no letter { $letters }, only { $known }
 iso286-too-large = nominal size { $nominal } mm is beyond ISO 286, which ends at 3150 mm
 iso286-not-here = { $class } is not defined at { $nominal } mm in ISO 286; { $where }
+iso286-js-rounded = JS rounded as in 1988
+iso286-contested-ef = contested: ef is 28 µm here, other transcriptions have 25 µm
+iso286-older-it5 = for trial use; older catalogues have a smaller IT5 here
+iso286-trial-use = for trial use
 
 ## Fits
 fit-kind-clearance = clearance fit
@@ -102,10 +106,6 @@ material-too-many = there are { $count } materials: at most { $most }
 material-name = line { $line }: a material's name has 1 to { $longest } characters and no control characters
 material-twice = line { $line }: there are two materials called { $name }
 material-unknown = no material is called { $name }; there are { $known }, or give the expansion itself, such as 11.5
-iso286-js-rounded = JS rounded as in 1988
-iso286-contested-ef = contested: ef is 28 µm here, other transcriptions have 25 µm
-iso286-older-it5 = for trial use; older catalogues have a smaller IT5 here
-iso286-trial-use = for trial use
 ## Callouts: deviations, limits, fits and general tolerances
 callout-at = { $reason } (character { $at })
 callout-no-tolerance = a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1

@@ -61,6 +61,10 @@ iso286-no-grade = { $class } is geen klasse van ISO 286: de graden zijn { $grade
 iso286-no-letter = { $class } is geen klasse van ISO 286: de letter { $letters } bestaat niet, wel { $known }
 iso286-too-large = nominale maat { $nominal } mm ligt buiten ISO 286, die bij 3150 mm ophoudt
 iso286-not-here = { $class } is bij { $nominal } mm niet gedefinieerd in ISO 286; { $where }
+iso286-js-rounded = JS afgerond als in 1988
+iso286-contested-ef = omstreden: ef is hier 28 µm, andere overschriften hebben 25 µm
+iso286-older-it5 = op proef; oudere catalogi hebben hier een kleinere IT5
+iso286-trial-use = op proef
 
 ## Passingen
 fit-kind-clearance = spelingpassing
@@ -102,10 +106,6 @@ material-too-many = er zijn { $count } materialen: hoogstens { $most }
 material-name = regel { $line }: de naam van een materiaal heeft 1 tot { $longest } tekens en geen stuurtekens
 material-twice = regel { $line }: er zijn twee materialen met de naam { $name }
 material-unknown = geen materiaal heet { $name }; er zijn { $known }, of geef de uitzetting zelf op, zoals 11,5
-iso286-js-rounded = JS afgerond als in 1988
-iso286-contested-ef = omstreden: ef is hier 28 µm, andere overschriften hebben 25 µm
-iso286-older-it5 = op proef; oudere catalogi hebben hier een kleinere IT5
-iso286-trial-use = op proef
 ## Maataanduidingen: afwijkingen, grensmaten, passingen en algemene toleranties
 callout-at = { $reason } (teken { $at })
 callout-no-tolerance = de tolerantie ontbreekt, zoals H7, h7, H7/g6, m, +0.1 -0.2 of ±0.1
