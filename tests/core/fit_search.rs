@@ -82,6 +82,13 @@ fn finds_what_looking_at_every_pair_finds() {
             let wanted = wanted(minimum, maximum);
             let (least, most) = (wanted.minimum.nanometres(), wanted.maximum.nanometres());
             let fits = |(_, min, max): &&(Pair, i64, i64)| least <= *min && *max <= most;
+            // Long lists are compared pair by pair at one size, and counted at the others.
+            let count = pairs.iter().filter(fits).count();
+            if 5_000 < count && size != "25" {
+                let found = search(nominal, wanted, Options::default(), Scope::All, 1).unwrap();
+                assert_eq!(found.total, count, "{size} mm, {minimum} to {maximum}");
+                continue;
+            }
             let expected: BTreeSet<Pair> = pairs.iter().filter(fits).map(|(pair, ..)| *pair).collect();
             let candidates = found(nominal, wanted, Scope::All);
             assert!(set(&candidates) == expected, "{size} mm, {minimum} to {maximum}");
@@ -92,7 +99,7 @@ fn finds_what_looking_at_every_pair_finds() {
 #[test]
 fn the_borders_of_a_known_fit_find_it_and_a_nanometre_less_does_not() {
     let all: BTreeSet<&str> =
-        "H7/g6 H7/h6 H7/p6 H8/f7 G7/h6 K7/h6 N9/h8 F8/m6 H01/js01 H18/r3 H6/k5".split_whitespace().collect();
+        "H7/g6 H7/h6 H7/p6 H8/f7 G7/h6 K7/h6 N9/h8 F8/m6 H01/js01 H13/r3 H6/k5".split_whitespace().collect();
     let mut tried = 0;
     for size in SIZES {
         for ((hole, shaft), min, max) in every_pair(mm(size), Options::default()) {
