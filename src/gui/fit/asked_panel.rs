@@ -54,7 +54,7 @@ fn preferred_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
     let chosen = pair(view).filter(|(hole, shaft)| preference(*hole, *shaft).is_some());
     let shown = chosen.map_or_else(|| view.text("class-none"), |(hole, shaft)| format!("{hole}/{shaft}"));
     list_ui(ui, ("fit-preferred", name), shown, width, |ui| {
-        ui.set_min_width(space(150.0));
+        ui.set_min_width(space(210.0));
         for (list, title) in
             [(Preference::HoleBasis, "fit-list-hole-basis"), (Preference::ShaftBasis, "fit-list-shaft-basis")]
         {
