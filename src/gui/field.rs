@@ -78,7 +78,7 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id,
     if entered || (response.gained_focus() && !response.is_pointer_button_down_on()) {
         select_all(ui, id, &text);
     }
-    if let Some(error) = view.session.asked().error(field) {
+    if let Some(error) = view.session.error(field) {
         let said = view.words.say(error);
         ui.ctx().accesskit_node_builder(id, |node| {
             node.set_invalid(eframe::egui::accesskit::Invalid::True);
@@ -118,7 +118,7 @@ pub(super) fn select_all(ui: &Ui, id: Id, text: &str) {
 
 /// What is wrong with a field, below it.
 pub(super) fn error_ui(ui: &mut Ui, view: &View<'_>, field: Field) {
-    if let Some(error) = view.session.asked().error(field) {
+    if let Some(error) = view.session.error(field) {
         problem(ui, view.words.say(error));
     }
 }

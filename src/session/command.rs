@@ -5,6 +5,7 @@
 use std::path::PathBuf;
 
 use super::inputs::{Field, MeasureBy};
+use super::tables::TablesCommand;
 use crate::control::mask::Mask;
 use crate::exchange::Imported;
 use crate::files::FileError;
@@ -26,7 +27,7 @@ pub enum Command {
     MeasureBy(MeasureBy),
     /// Shows or hides the keypad.
     ShowKeypad(bool),
-    /// Measures and judges.
+    /// Measures and judges, on the check page.
     Measure,
     /// Clears the result and the typed value; the history stays.
     ClearResult,
@@ -92,6 +93,8 @@ pub enum Command {
     },
     /// Puts the status window's text on the clipboard.
     CopyStatus,
+    /// Does something on the table page.
+    Tables(TablesCommand),
 }
 
 /// What a file dialog is for.
@@ -107,6 +110,10 @@ pub enum Purpose {
     Export(usize),
     /// Writing the status window's text.
     ExportStatus,
+    /// Reading one table for the table page.
+    OpenTable,
+    /// Writing the shown table in a format of the tables' list, by its number there.
+    SaveTable(usize),
 }
 
 /// A page of the window.
@@ -162,6 +169,8 @@ pub enum Effect {
     ReadMask(PathBuf),
     /// Read a folder of tables and send [`Command::TablesRead`].
     ReadTables(PathBuf),
+    /// Read one table and send [`TablesCommand::Read`].
+    ReadTable(PathBuf),
     /// Write a file and send [`Command::Saved`].
     Save(PathBuf, Vec<u8>),
     /// Put a text on the clipboard.

@@ -48,11 +48,21 @@ pub enum Field {
     ProbeScatter,
     /// Seed of the scatter; counts up with every simulated measurement.
     Seed,
+    /// Table page: which classes are shown, and which size is marked.
+    TableFilter,
+    /// Table page: upper deviation of the selected cell, µm.
+    CellUpper,
+    /// Table page: lower deviation of the selected cell, µm.
+    CellLower,
+    /// Table page: classes to add or to make a table of.
+    TableClasses,
+    /// Table page: largest size of a new table, mm.
+    TableTo,
 }
 
 impl Field {
     /// Every field in reading order.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 24] = [
         Self::Callout,
         Self::Measured,
         Self::Part,
@@ -72,6 +82,11 @@ impl Field {
         Self::SurfaceScatter,
         Self::ProbeScatter,
         Self::Seed,
+        Self::TableFilter,
+        Self::CellUpper,
+        Self::CellLower,
+        Self::TableClasses,
+        Self::TableTo,
     ];
 
     /// What stands in the field at the first start.
@@ -88,6 +103,8 @@ impl Field {
             Self::SurfaceScatter => "0.0003",
             Self::ProbeScatter => "0.0005",
             Self::Seed => "1",
+            Self::TableFilter | Self::CellUpper | Self::CellLower | Self::TableClasses => "",
+            Self::TableTo => "500",
         }
     }
 }

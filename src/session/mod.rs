@@ -11,6 +11,7 @@
 //! | `files` | dialogs, and what comes back from files |
 //! | `measuring` | from the fields to a measurement |
 //! | `saved` | what survives a restart |
+//! | `tables` | the table page |
 
 mod asked;
 mod command;
@@ -18,6 +19,7 @@ mod files;
 mod inputs;
 mod measuring;
 mod saved;
+pub mod tables;
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -29,6 +31,7 @@ pub use asked::Asked;
 pub use command::{Command, Effect, Page, Purpose, SourceChoice, Theme};
 pub use inputs::{Field, Inputs, MeasureBy};
 pub use saved::{Saved, SavedError};
+pub use tables::{TablesCommand, TablesPage};
 
 use crate::control::mask::Mask;
 use crate::control::{shipped_tables, status};
@@ -115,6 +118,7 @@ pub struct Session {
     undo: Vec<Snapshot>,
     dialog: Option<Dialog>,
     notices: Vec<Notice>,
+    tables: TablesPage,
 }
 
 /// The source that a choice stands for.
@@ -151,6 +155,7 @@ impl Session {
             undo: Vec::new(),
             dialog: None,
             notices: Vec::new(),
+            tables: TablesPage::default(),
         }
     }
 
@@ -250,7 +255,7 @@ impl Session {
     /// Does a command at a local date and time, and says what the world outside has to do.
     pub fn apply(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         match command {
-            Command::OpenPage(page) => self.page = page,
+            Command::OpenPage(page) => self.open_page(page),
             Command::Type(field, text) => self.type_text(field, text),
             Command::ChooseClass(class) => self.choose_class(class.as_str()),
             Command::ChooseFeature(feature) => {
@@ -259,7 +264,8 @@ impl Session {
             }
             Command::MeasureBy(by) => self.inputs.by = by,
             Command::ShowKeypad(shown) => self.keypad = shown,
-            Command::Measure => self.measure(now),
+            Command::Measure if self.page == Page::Check => self.measure(now),
+            Command::Measure => {}
             Command::ClearResult => self.clear_result(),
             Command::Show(number) => self.show(number),
             Command::Choose(number, true) if number < self.history.len() => _ = self.chosen.insert(number),
@@ -292,6 +298,7 @@ impl Session {
                 self.use_sources(self.sources.as_ref().clone().with_options(options));
             }
             Command::Saved { path, result } => self.saved_file(&path, result),
+            Command::Tables(command) => self.apply_tables(command),
             Command::CopyStatus => return self.status_text().map(Effect::Copy).into_iter().collect(),
         }
         Vec::new()
@@ -313,7 +320,17 @@ impl Session {
                 self.measured_is_used = false;
                 self.read_fields();
             }
+            Field::TableFilter | Field::CellUpper | Field::CellLower | Field::TableClasses | Field::TableTo => {
+                self.table_field_changed(field);
+            }
             _ => self.read_fields(),
+        }
+    }
+
+    fn open_page(&mut self, page: Page) {
+        self.page = page;
+        if page == Page::Tables {
+            self.open_tables_page();
         }
     }
 
@@ -493,6 +510,11 @@ impl Session {
     /// Where in a field's text an error shows: characters counted from 0.
     pub fn culprit(&self, field: Field) -> Option<&std::ops::Range<usize>> {
         self.asked.culprit().filter(|_| field == Field::Callout)
+    }
+
+    /// What is wrong with a field, on whatever page it stands.
+    pub fn error(&self, field: Field) -> Option<&Message> {
+        self.asked.error(field).or_else(|| self.tables.error(field))
     }
 
     /// The callout of the part that is judged: one side of a fit.

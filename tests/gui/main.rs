@@ -7,3 +7,4 @@ mod dialogs;
 mod harness;
 mod keyboard;
 mod pictures;
+mod table_page;

@@ -12,7 +12,7 @@ use fitcheck::gui::App;
 use crate::harness::{Window, check};
 
 /// Whether pictures can be made here.
-fn can_paint(test: &str) -> bool {
+pub fn can_paint(test: &str) -> bool {
     let renderer = catch_unwind(egui_kittest::wgpu::WgpuTestRenderer::new);
     assert!(renderer.is_ok() || std::env::var("CI").is_err(), "no Vulkan driver, and CI must have one");
     if renderer.is_err() {
