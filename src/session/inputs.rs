@@ -92,7 +92,15 @@ impl Field {
     /// What stands in the field at the first start.
     const fn default_text(self) -> &'static str {
         match self {
-            Self::Callout | Self::Measured | Self::Part | Self::Nominal | Self::TrueDiameter => "",
+            Self::Callout
+            | Self::Measured
+            | Self::Part
+            | Self::Nominal
+            | Self::TrueDiameter
+            | Self::TableFilter
+            | Self::CellUpper
+            | Self::CellLower
+            | Self::TableClasses => "",
             Self::CentreX | Self::CentreY | Self::FirstAngle | Self::CentreTolerance | Self::LobeHeight => "0",
             Self::Lobes => "3",
             Self::Height => "-5",
@@ -103,7 +111,6 @@ impl Field {
             Self::SurfaceScatter => "0.0003",
             Self::ProbeScatter => "0.0005",
             Self::Seed => "1",
-            Self::TableFilter | Self::CellUpper | Self::CellLower | Self::TableClasses => "",
             Self::TableTo => "500",
         }
     }

@@ -290,11 +290,7 @@ impl Session {
     /// A text of the page's fields changed.
     pub(super) fn table_field_changed(&mut self, field: Field) {
         match field {
-            Field::TableFilter => {
-                if let Some(document) = self.tables.shown() {
-                    self.tables.filter = Filter::of(self.inputs.text(field), document.table());
-                }
-            }
+            Field::TableFilter => self.filter_changed(),
             Field::CellUpper | Field::CellLower => self.check_cell_fields(),
             _ => _ = self.tables.errors.remove(&field),
         }

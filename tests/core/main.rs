@@ -19,4 +19,5 @@ mod masks;
 mod report;
 mod report_cli;
 mod session;
+mod session_tables;
 mod tables;

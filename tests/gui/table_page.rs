@@ -9,6 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::control::deviations::read_table;
 use fitcheck::gui::App;
+use fitcheck::session::{self, Command};
 use fitcheck::tolerance::DeviationTable;
 
 use crate::harness::{Window, type_into, window};
@@ -376,6 +377,9 @@ fn picture(name: &str, theme: Theme) {
     }
     let folder = tempfile::tempdir().unwrap();
     let mut page = open(Window { theme, size: vec2(1024.0, 600.0), ..Window::default() });
+    let ctx = page.ctx.clone();
+    let chosen = if theme == Theme::Light { session::Theme::Light } else { session::Theme::Dark };
+    page.state_mut().send(&ctx, Command::SetTheme(chosen));
     if theme == Theme::Light {
         press(&mut page, "Open…");
         let path = shop_table(folder.path());
@@ -385,6 +389,7 @@ fn picture(name: &str, theme: Theme) {
         type_into(&mut page, "Filter", "25");
     }
     page.remove_cursor();
+    page.run();
     page.snapshot(name);
 }
 

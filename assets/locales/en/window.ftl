@@ -213,6 +213,7 @@ tables-own-class = own
 tables-previous = Previous difference
 tables-next = Next difference
 tables-not-saved = Changes are not saved
+tables-keys = Arrows walk, Enter edits, Delete empties, F8 goes to the next difference, Ctrl+F to the filter
 tables-grid = Deviations of { $name } in µm
 tables-range-head = over – up to, mm
 tables-pair = { $upper } / { $lower } µm

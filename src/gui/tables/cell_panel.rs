@@ -1,7 +1,7 @@
 //! Right: the selected cell against ISO 286, and the fields that change it.
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Button, Grid, Id, Key, Pos2, Rect, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{Align, Button, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use super::grid;
 use crate::gui::field::{Look, error_ui, field_ui};
@@ -56,35 +56,40 @@ fn title_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>) {
 
 /// Table, ISO 286 and how far apart they are: upper over lower.
 fn figures_ui(ui: &mut Ui, view: &mut View<'_>, selected: &Selected<'_>) {
-    let rows: [(Field, &str, fn(Deviations) -> Length); 2] = [
-        (Field::CellUpper, "tables-upper", |pair| pair.upper()),
-        (Field::CellLower, "tables-lower", |pair| pair.lower()),
-    ];
+    let rows = [(Field::CellUpper, "tables-upper"), (Field::CellLower, "tables-lower")];
     Grid::new("cell-figures").num_columns(4).min_row_height(0.0).spacing(vec2(space(3.0), space(1.0))).show(ui, |ui| {
         ui.label("");
         for id in ["tables-head-table", "tables-head-standard", "tables-head-by"] {
-            quiet(ui, view.text(id));
+            right_ui(ui, sizes().body, |ui| quiet(ui, view.text(id)));
         }
         ui.end_row();
-        for (field, id, part) in rows {
+        for (field, id) in rows {
+            let part = |pair: Deviations| if field == Field::CellUpper { pair.upper() } else { pair.lower() };
             let name = ui.label(view.text(id));
             value_ui(ui, view, field, name.id);
             let is = selected.standard.map(part);
-            ui.label(is.map_or_else(|| "–".to_owned(), |is| view.words.signed_um(is)));
-            match selected.cell.map(part).zip(is).map(|(has, is)| has.saturating_sub(is)) {
+            let is_text = is.map_or_else(|| "–".to_owned(), |is| view.words.signed_um(is));
+            right_ui(ui, sizes().field, |ui| ui.label(is_text));
+            let by = selected.cell.map(part).zip(is).map(|(has, is)| has.saturating_sub(is));
+            right_ui(ui, sizes().field, |ui| match by {
                 Some(by) if by != Length::ZERO => {
                     let text = RichText::new(view.words.signed_um(by)).font(theme::bold(sizes().body));
-                    ui.label(text.color(palette(ui.ctx()).error.0));
+                    ui.label(text.color(palette(ui.ctx()).error.0))
                 }
-                Some(_) => _ = quiet(ui, "0"),
-                None => _ = quiet(ui, "–"),
-            }
+                Some(_) => quiet(ui, "0"),
+                None => quiet(ui, "–"),
+            });
             ui.end_row();
         }
     });
-    for (field, ..) in rows {
+    for (field, _) in rows {
         error_ui(ui, view, field);
     }
+}
+
+/// A figure of the grid, right-aligned below its head.
+fn right_ui(ui: &mut Ui, height: f32, figure: impl FnOnce(&mut Ui) -> Response) {
+    ui.allocate_ui_with_layout(vec2(space(15.0), height), Layout::right_to_left(Align::Center), figure);
 }
 
 /// A field of the cell. Enter puts both into the table and goes back to the cells, Escape goes back without.
@@ -176,10 +181,6 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, selected: &Selected<'_>) {
             if ui.add_enabled(enabled, Button::new(view.text(id))).clicked() {
                 view.send(Command::Tables(command));
             }
-        }
-        let remove = Message::new("tables-remove-column").text("class", selected.class);
-        if ui.button(view.words.say(&remove)).clicked() {
-            view.send(Command::Tables(TablesCommand::RemoveColumn));
         }
     });
 }

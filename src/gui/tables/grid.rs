@@ -67,6 +67,8 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     let body = Rect::from_min_max(rect.min + measures.head, rect.max);
     let room = UiBuilder::new().max_rect(body).id_salt("table-body");
     let output = ui.scope_builder(room, |ui| {
+        // Cut cells are seen as cut; a fade would lie on the selected one.
+        ui.spacing_mut().scroll.fade.strength = 0.0;
         let number = view.session.tables().number();
         let area = ScrollArea::both().id_salt(("table", number)).auto_shrink(false);
         area.show_viewport(ui, |ui, viewport| body_ui(ui, view, &measures, viewport, grid.has_focus()))
@@ -135,7 +137,11 @@ fn body_ui(ui: &mut Ui, view: &mut View<'_>, measures: &Measures, viewport: Rect
                 continue;
             }
             let rect = Rect::from_min_size(pos2(x, y), measures.cell);
-            let selected = document.selected() == Some((class.class, range));
+            let selected = match (document.selected() == Some((class.class, range)), focused) {
+                (false, _) => paint::Selection::None,
+                (true, false) => paint::Selection::Selected,
+                (true, true) => paint::Selection::Focused,
+            };
             let look = paint::Look {
                 palette: palette(ui.ctx()),
                 words: view.words,
@@ -143,7 +149,6 @@ fn body_ui(ui: &mut Ui, view: &mut View<'_>, measures: &Measures, viewport: Rect
                 cell,
                 differs: !document.differences(column, range).is_empty(),
                 selected,
-                focused: selected && focused,
                 marked: filter.rows().contains(&range),
             };
             paint::cell(ui.painter(), rect, &look);
@@ -186,7 +191,7 @@ fn cell_name(view: &View<'_>, document: &Document, place: &Place) -> String {
         None => Message::new("tables-no-value"),
     };
     let id =
-        if !document.differences(place.column, place.range).is_empty() { "tables-cell-differs" } else { "tables-cell" };
+        if document.differences(place.column, place.range).is_empty() { "tables-cell" } else { "tables-cell-differs" };
     let message = Message::new(id).text("class", place.class).mm("over", over).mm("to", to);
     view.words.say(&message.message("figures", figures))
 }

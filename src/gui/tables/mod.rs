@@ -44,6 +44,7 @@ pub(super) fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
             classes_panel::classes_panel_ui(ui, view);
         });
     });
+    Panel::bottom("table-strip").exact_size(space(8.0)).show(ui, |ui| tool_bar::strip_ui(ui, view));
     let frame = Frame::new().fill(palette(ui.ctx()).panel.0);
     CentralPanel::default().frame(frame).show(ui, |ui| grid::grid_ui(ui, view));
 }

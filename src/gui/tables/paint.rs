@@ -15,49 +15,50 @@ pub(super) struct Look<'a> {
     pub decimals: f32,
     pub cell: Option<Deviations>,
     pub differs: bool,
-    pub selected: bool,
-    /// The keyboard is here.
-    pub focused: bool,
+    pub selected: Selection,
     /// The filter names its row.
     pub marked: bool,
+}
+
+/// Whether a cell is the selected one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Selection {
+    None,
+    Selected,
+    /// And the keyboard is here.
+    Focused,
 }
 
 /// A cell: upper over lower deviation, or a quiet dash.
 pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
     let palette = look.palette;
-    let ground = if look.selected {
-        palette.selection.0
-    } else if look.marked {
-        palette.background.0
-    } else {
-        palette.field.0
-    };
+    let ground = if look.selected == Selection::None { palette.field.0 } else { palette.selection.0 };
     painter.rect_filled(rect, 0.0, ground);
     painter.rect_stroke(rect, 0.0, Stroke::new(0.5, palette.line.0), StrokeKind::Middle);
-    match look.cell {
-        Some(pair) => {
-            let third = rect.height() * 0.29;
-            for (length, y) in [(pair.upper(), rect.top() + third), (pair.lower(), rect.bottom() - third)] {
-                figure(painter, rect, y, look, length);
-            }
-        }
-        None => {
-            let at = rect.center();
-            painter.line_segment(
-                [at - vec2(space(1.0), 0.0), at + vec2(space(1.0), 0.0)],
-                Stroke::new(1.0, palette.line.0),
-            );
-        }
+    if let Some(pair) = look.cell {
+        let third = rect.height() * 0.29;
+        figure(painter, rect, rect.top() + third, look, pair.upper());
+        figure(painter, rect, rect.bottom() - third, look, pair.lower());
+    } else {
+        let (at, half) = (rect.center(), vec2(space(1.0), 0.0));
+        painter.line_segment([at - half, at + half], Stroke::new(1.0, palette.quiet.0));
+    }
+    if look.marked {
+        let line = Stroke::new(2.0, palette.accent.0);
+        painter.hline(rect.x_range(), rect.top() + 1.0, line);
+        painter.hline(rect.x_range(), rect.bottom() - 1.0, line);
     }
     if look.differs {
         painter.rect_stroke(rect.shrink(1.5), 2.0, Stroke::new(1.5, palette.error.0), StrokeKind::Inside);
         let mark = Rect::from_center_size(rect.left_center() + vec2(space(3.0), 0.0), vec2(space(3.0), space(3.0)));
         unequal(painter, mark, palette.error.0);
     }
-    if look.selected {
-        let width = if look.focused { 3.0 } else { 1.5 };
-        painter.rect_stroke(rect, 2.0, Stroke::new(width, palette.accent.0), StrokeKind::Inside);
-    }
+    let width = match look.selected {
+        Selection::None => return,
+        Selection::Selected => 1.5,
+        Selection::Focused => 3.0,
+    };
+    painter.rect_stroke(rect, 2.0, Stroke::new(width, palette.accent.0), StrokeKind::Inside);
 }
 
 /// A deviation, its decimals behind the room that the column's longest ones need.

@@ -1,14 +1,14 @@
 //! Above the cells: which table, filter, save as, and whether the table agrees with ISO 286.
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Align, Button, ComboBox, KeyboardShortcut, Layout, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{Button, ComboBox, KeyboardShortcut, Label, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use super::{NEXT, OPEN, PREVIOUS, REDO, SAVE, UNDO, paint};
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::gui::field::{Look, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::view::{View, problem, quiet};
+use crate::gui::view::{View, quiet};
 use crate::session::tables::{Document, Origin, TableChoice};
 use crate::session::{Command, Field, Purpose, TablesCommand};
 use crate::verdict::Status;
@@ -17,7 +17,7 @@ use crate::words::Message;
 /// Two rows: what is done with the table, and what is seen of it.
 pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         choice_ui(ui, view);
         button(ui, view, "tables-open", true, Some(&OPEN), Command::OpenDialog(Purpose::OpenTable));
         save_ui(ui, view);
@@ -31,12 +31,11 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         let text = if can_use { "tables-use" } else { "tables-in-use" };
         button(ui, view, text, can_use, None, Command::Tables(TablesCommand::Use));
     });
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.set_min_height(sizes().field);
         filter_ui(ui, view);
         ui.separator();
         summary_ui(ui, view);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| state_ui(ui, view));
     });
     ui.add_space(space(1.0));
 }
@@ -76,7 +75,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
     let shown = view.session.tables().shown().map(|document| told(view, document.title(), document.origin()));
     let combo = ComboBox::from_id_salt("table-choice")
         .selected_text(shown.unwrap_or_default())
-        .width(space(70.0))
+        .width(space(64.0))
         .truncate()
         .height(f32::INFINITY);
     let response = combo.show_ui(ui, |ui| {
@@ -134,7 +133,12 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
         quiet(ui, view.words.say(&count));
     } else {
         let words = filter.unmatched().join(" ");
-        problem(ui, view.words.say(&Message::new("tables-unmatched").text("words", words)));
+        let text = view.words.say(&Message::new("tables-unmatched").text("words", words));
+        let text = RichText::new(text).color(palette(ui.ctx()).error.0).size(sizes().small);
+        ui.scope(|ui| {
+            ui.set_max_width(space(44.0));
+            ui.add(Label::new(text).truncate())
+        });
     }
 }
 
@@ -173,10 +177,13 @@ fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// Whether anything would be lost.
-fn state_ui(ui: &mut Ui, view: &View<'_>) {
+/// Below the cells: whether anything would be lost, and the keys.
+pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
     let Some(document) = view.session.tables().shown() else { return };
-    if document.is_unsaved() {
-        ui.label(RichText::new(view.text("tables-not-saved")).font(theme::bold(sizes().body)));
-    }
+    ui.horizontal_centered(|ui| {
+        if document.is_unsaved() {
+            ui.label(RichText::new(view.text("tables-not-saved")).font(theme::bold(sizes().small)));
+        }
+        quiet(ui, view.text("tables-keys"));
+    });
 }

@@ -236,7 +236,7 @@ impl Document {
             let column = columns.iter().position(|column| column.class == difference.class).unwrap_or_default();
             match self.differing.last_mut() {
                 Some((last, range, numbers)) if (*last, *range) == (column, difference.range) => {
-                    numbers.end = number + 1
+                    numbers.end = number + 1;
                 }
                 _ => self.differing.push((column, difference.range, number..number + 1)),
             }

@@ -5,7 +5,7 @@ use crate::length::{Length, Unit};
 use crate::session::{Field, Session};
 use crate::tolerance::table::TableShapeError;
 use crate::tolerance::table_edit::{MakeError, TableEdit, standard_column, standard_table};
-use crate::tolerance::{Deviations, Feature, ToleranceClass, iso286};
+use crate::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass, iso286};
 use crate::words::{Message, Say as _};
 
 /// What the fields of the cell say, or which of them is wrong.
@@ -156,6 +156,9 @@ impl Session {
         if let Some(&class) = classes.iter().find(|class| has(class)) {
             return self.refuse_table(Field::TableClasses, TableShapeError::Twice { class }.message());
         }
+        if let Some(error) = both_features(document.table(), &classes) {
+            return self.refuse_table(Field::TableClasses, error.message());
+        }
         let ends = document.table().ends().to_vec();
         let first = classes.first().copied();
         self.change(|edit| {
@@ -202,4 +205,11 @@ impl Session {
             Err(error) => self.refuse_table(Field::TableClasses, error.message()),
         }
     }
+}
+
+/// Why classes cannot join a table: holes among shafts, or the other way round.
+fn both_features(table: &DeviationTable, classes: &[ToleranceClass]) -> Option<MakeError> {
+    let all = || table.columns().iter().map(|column| column.class).chain(classes.iter().copied());
+    let first = |feature| all().find(|class| class.feature() == feature);
+    Some(MakeError::BothFeatures { hole: first(Feature::Hole)?, shaft: first(Feature::Shaft)? })
 }

@@ -87,7 +87,7 @@ impl<'a> Word<'a> {
         let letters = bare.trim_end_matches(|c: char| c.is_ascii_digit());
         let is_letters = !letters.is_empty() && letters.bytes().all(|byte| byte.is_ascii_alphabetic());
         let is_whole = !bare.is_empty() && letters.is_empty();
-        let is_grade = || table.columns().iter().any(|column| grade(&column.class) == bare);
+        let is_grade = || table.columns().iter().any(|column| grade_of(column.class.as_str()) == bare);
         match bare.parse() {
             _ if is_letters && letters.len() == bare.len() => Self::Letters(bare),
             _ if is_letters => Self::Class(bare),
@@ -97,18 +97,19 @@ impl<'a> Word<'a> {
         }
     }
 
-    fn matches(self, class: &ToleranceClass, same: fn(&str, &str) -> bool) -> bool {
+    fn matches(self, class: ToleranceClass, same: fn(&str, &str) -> bool) -> bool {
         match self {
             Self::Class(wanted) => same(class.as_str(), wanted),
             Self::Letters(wanted) => same(class.letters(), wanted),
-            Self::Grade(wanted) => grade(class) == wanted,
+            Self::Grade(wanted) => grade_of(class.as_str()) == wanted,
             Self::Size(_) | Self::Unknown => false,
         }
     }
 }
 
-fn grade(class: &ToleranceClass) -> &str {
-    class.as_str().trim_start_matches(|c: char| c.is_ascii_alphabetic())
+/// The grade of a class's text.
+fn grade_of(class: &str) -> &str {
+    class.trim_start_matches(|c: char| c.is_ascii_alphabetic())
 }
 
 /// Shows the columns of a word; the other case only where none has this one.
@@ -117,7 +118,7 @@ fn choose(word: Word<'_>, table: &DeviationTable, shown: &mut [bool]) -> bool {
     ways.into_iter().any(|same| {
         let mut found = false;
         for (column, shown) in table.columns().iter().zip(shown.iter_mut()) {
-            let matches = word.matches(&column.class, same);
+            let matches = word.matches(column.class, same);
             *shown |= matches;
             found |= matches;
         }

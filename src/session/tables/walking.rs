@@ -16,6 +16,21 @@ impl Session {
         self.fill_cell_fields();
     }
 
+    /// The selection goes where the filter points: to the row of a size, and into the columns that are shown.
+    pub(super) fn filter_changed(&mut self) {
+        let Some(document) = self.tables.shown() else { return };
+        let filter = Filter::of(self.inputs.text(Field::TableFilter), document.table());
+        let Some((class, range)) = document.selected() else { return };
+        let is_shown = document.column(class).is_some_and(|column| filter.columns().contains(&column));
+        let first = filter.columns().first().and_then(|&column| document.table().columns().get(column));
+        let wanted = first.filter(|_| !is_shown).map_or(class, |column| column.class);
+        let row = filter.rows().first().copied().unwrap_or(range);
+        self.tables.filter = filter;
+        if (wanted, row) != (class, range) && self.settle_cell() {
+            self.select(wanted, row);
+        }
+    }
+
     /// A step among the columns that are shown. A selected cell that the filter hides counts as the nearest shown one.
     pub(super) fn move_by(&mut self, step: Step) {
         let Some(document) = self.tables.shown() else { return };
