@@ -8,7 +8,7 @@ use std::io::{BufRead, Write};
 
 use lines::{Found, LONGEST_LINE, Line};
 
-use super::{CliError, Format, Io, Outcome, TableArgs};
+use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
 use crate::control::text::decode;
 use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
@@ -86,21 +86,6 @@ struct Row<'a> {
     max_mm: Option<Figure>,
     source: Option<String>,
     error: Option<String>,
-}
-
-/// An exact decimal: as it is in CSV, a number in JSON.
-#[derive(Debug)]
-struct Figure(String);
-
-impl serde::Serialize for Figure {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match (self.0.parse::<i64>(), self.0.parse::<f64>()) {
-            (Ok(whole), _) => serializer.serialize_i64(whole),
-            // A length has at most 16 figures and none finer than a nanometre: its nearest float prints the same.
-            (_, Ok(number)) => serializer.serialize_f64(number),
-            _ => serializer.serialize_str(&self.0),
-        }
-    }
 }
 
 impl<'a> Row<'a> {

@@ -20,4 +20,5 @@ mod report;
 mod report_cli;
 mod session;
 mod session_tables;
+mod table_cli;
 mod tables;
