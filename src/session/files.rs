@@ -42,10 +42,15 @@ impl Session {
             return Vec::new();
         }
         let path = PathBuf::from(text);
-        let effect = match dialog.purpose {
+        let purpose = dialog.purpose;
+        let effect = match purpose {
             Purpose::Import => Effect::Import(path),
             Purpose::LoadMask => Effect::ReadMask(path),
             Purpose::LoadTables => Effect::ReadTables(path),
+            Purpose::OpenTable if !self.settle_cell() => {
+                self.refuse_dialog(Message::new("tables-cell-unreadable"));
+                return Vec::new();
+            }
             Purpose::OpenTable => Effect::ReadTable(path),
             Purpose::SaveTable(format) => match self.table_bytes(format, &path) {
                 Ok(bytes) => Effect::Save(path, bytes),

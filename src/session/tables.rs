@@ -6,6 +6,7 @@
 //! | `filter` | which columns and rows a filter's text means |
 //! | `editing` | from the fields to cells and columns |
 //! | `walking` | moving from cell to cell |
+//! | `opening` | which tables are open, and the shown one
 //! | `keeping` | saving, and using a table for limits |
 //!
 //! A table stays open, with its edits, until the window is closed: looking at another one loses nothing.
@@ -14,6 +15,7 @@ mod document;
 mod editing;
 mod filter;
 mod keeping;
+mod opening;
 mod walking;
 
 use std::collections::BTreeMap;
@@ -23,9 +25,8 @@ pub use document::{Document, Origin};
 pub use filter::Filter;
 
 use self::keeping::Saving;
+use super::Session;
 use super::inputs::Field;
-use super::{Notice, Session};
-use crate::control::shipped_tables;
 use crate::tolerance::{DeviationTable, ToleranceClass};
 use crate::words::Message;
 
@@ -148,8 +149,11 @@ impl TablesPage {
         self.documents.get_mut(self.shown)
     }
 
+    /// The open table of a title. The built-in ones do not count: a user's own may be called the same.
     fn by_title(&self, title: &str) -> Option<usize> {
-        self.documents.iter().position(|document| document.title().eq_ignore_ascii_case(title))
+        let is_it =
+            |document: &Document| document.origin() != Origin::Shipped && document.title().eq_ignore_ascii_case(title);
+        self.documents.iter().position(is_it)
     }
 
     /// A title that no open table has: `own.tab`, `own_2.tab`.
@@ -189,27 +193,20 @@ impl Session {
         own.name() == document.title() && document.holds_what(own)
     }
 
-    /// Opens the built-in tables when the page is opened for the first time.
-    pub(super) fn open_tables_page(&mut self) {
-        if self.tables.documents.is_empty() {
-            let options = self.sources.options();
-            let shipped = shipped_tables().into_iter();
-            let document =
-                |table: Arc<DeviationTable>| Document::kept(table.as_ref().clone(), Origin::Shipped, options);
-            self.tables.documents = shipped.map(document).collect();
-            self.show_document(0);
-        }
-    }
-
     pub(super) fn apply_tables(&mut self, command: TablesCommand) {
         // What was typed into the cell counts before another cell or table is shown; what cannot be read keeps the
-        // cell, and says why.
-        let leaves = !matches!(
-            command,
-            TablesCommand::RevertCell | TablesCommand::SetCell | TablesCommand::EmptyCell | TablesCommand::TakeStandard
-        );
-        if leaves && !matches!(command, TablesCommand::Undo | TablesCommand::Redo) && !self.settle_cell() {
-            return;
+        // cell, and says why. Other commands are about the cell itself, or come from a file.
+        let is_pending = self.cell_is_pending();
+        match command {
+            TablesCommand::RevertCell
+            | TablesCommand::SetCell
+            | TablesCommand::EmptyCell
+            | TablesCommand::TakeStandard
+            | TablesCommand::Read { .. } => {}
+            // Undo takes back what was typed last.
+            TablesCommand::Undo | TablesCommand::Redo if is_pending => return self.fill_cell_fields(),
+            _ if !self.settle_cell() => return,
+            _ => {}
         }
         match command {
             TablesCommand::Open(TableChoice::Document(number)) => self.show_document(number),
@@ -236,49 +233,6 @@ impl Session {
         }
     }
 
-    /// Shows an open table; its selection is as it was left.
-    fn show_document(&mut self, number: usize) {
-        if number < self.tables.documents.len() {
-            self.tables.shown = number;
-            self.inputs.set(Field::TableFilter, String::new());
-            self.shown_changed();
-        }
-    }
-
-    /// Opens a table that was read; one of the same name without unsaved edits makes room for it.
-    fn open_table(&mut self, table: DeviationTable, origin: Origin) {
-        let options = self.sources.options();
-        let same = self.tables.by_title(table.name());
-        let same = same.filter(|&number| self.tables.documents.get(number).is_some_and(Document::is_replaceable));
-        if let Some((number, place)) = same.and_then(|same| Some((same, self.tables.documents.get_mut(same)?))) {
-            *place = Document::kept(table, origin, options);
-            return self.show_document(number);
-        }
-        let title = self.tables.free_title(table.name());
-        self.add_and_show(Document::kept(table, origin, options).with_title(title));
-    }
-
-    fn add_and_show(&mut self, document: Document) {
-        match self.tables.add(document) {
-            Some(number) => self.show_document(number),
-            None => self.tell(Message::new("tables-too-many").count("count", MOST_DOCUMENTS)),
-        }
-    }
-
-    fn table_read(&mut self, name: &str, result: Result<(Box<DeviationTable>, Vec<Message>), Message>) {
-        match result {
-            Ok((table, details)) => {
-                self.file_done();
-                if !details.is_empty() {
-                    let message = Message::new("tables-read-with-warnings").text("name", name);
-                    self.notices.push(Notice { message, details, is_problem: false });
-                }
-                self.open_table(*table, Origin::File);
-            }
-            Err(problem) => self.file_failed(problem),
-        }
-    }
-
     /// The shown table is another one, or was changed: filter, selection and fields follow.
     fn shown_changed(&mut self) {
         let Some(document) = self.tables.documents.get_mut(self.tables.shown) else { return };
@@ -294,18 +248,5 @@ impl Session {
             Field::CellUpper | Field::CellLower => self.check_cell_fields(),
             _ => _ = self.tables.errors.remove(&field),
         }
-    }
-
-    /// Other options of ISO 286, or other tables of the user's own: what is open follows, unless it has edits.
-    pub(super) fn sources_of_tables_changed(&mut self) {
-        let options = self.sources.options();
-        for document in &mut self.tables.documents {
-            let own = self.sources.own().iter().find(|own| own.name().eq_ignore_ascii_case(document.title()));
-            match own.filter(|own| document.is_replaceable() && !document.holds_what(own)) {
-                Some(own) => *document = Document::kept(own.as_ref().clone(), Origin::Own, options),
-                None => document.compare(options),
-            }
-        }
-        self.shown_changed();
     }
 }

@@ -380,3 +380,56 @@ fn open_tables_are_bounded_and_edits_are_never_closed() {
     let last = session.notices().last().unwrap();
     assert!(Words::new(Language::En).say(&last.message).contains("save one first"));
 }
+
+#[test]
+fn undo_takes_back_what_was_typed_first_and_leads_to_what_it_changed() {
+    let mut session = session();
+    made(&mut session, "H7 H8", "30");
+    type_text(&mut session, Field::CellUpper, "11");
+    select(&mut session, "H8", 4);
+    type_text(&mut session, Field::CellUpper, "99");
+    send(&mut session, TablesCommand::Undo);
+    assert_eq!((selected(&session).as_str(), session.inputs().text(Field::CellUpper)), ("H8 18 30 +33/0", "+33"));
+    send(&mut session, TablesCommand::Undo);
+    assert_eq!(selected(&session), "H7 0 3 +10/0");
+    send(&mut session, TablesCommand::Move(Step::Bottom));
+    send(&mut session, TablesCommand::Redo);
+    assert_eq!(selected(&session), "H7 0 3 +11/0");
+}
+
+#[test]
+fn an_own_table_with_a_built_in_name_is_another_table() {
+    let mut session = session();
+    made(&mut session, "H7", "30");
+    let made = shown(&session).table();
+    let own = DeviationTable::new("82553_hole.tab", false, made.ends().to_vec(), made.columns().to_vec()).unwrap();
+    session.apply(Command::TablesRead { folder: "/shop".into(), result: Ok((vec![own], vec![])) }, now());
+    assert_eq!(session.unopened_tables().count(), 1);
+    send(&mut session, TablesCommand::Open(TableChoice::Own(0)));
+    assert_eq!((shown(&session).title(), shown(&session).origin()), ("82553_hole.tab", Origin::Own));
+    assert_eq!(session.tables().documents()[0].table().columns().len(), 24, "the built-in one is as it was");
+}
+
+#[test]
+fn a_file_is_not_opened_while_the_cell_cannot_be_read_and_one_that_was_read_is_shown() {
+    let mut session = session();
+    type_text(&mut session, Field::CellUpper, "x");
+    session.apply(Command::OpenDialog(Purpose::OpenTable), now());
+    session.apply(Command::TypePath("/shop/own.tab".into()), now());
+    assert_eq!(session.apply(Command::Confirm, now()), []);
+    assert!(session.dialog().unwrap().problem.is_some());
+    send(&mut session, TablesCommand::RevertCell);
+    assert_eq!(session.apply(Command::Confirm, now()), [Effect::ReadTable("/shop/own.tab".into())]);
+}
+
+#[test]
+fn a_table_written_over_the_file_of_another_one_leaves_that_one_unsaved() {
+    let mut session = session();
+    for path in ["/shop/one.tab", "/shop/two.tab"] {
+        made(&mut session, "H7", "30");
+        save(&mut session, 0, path).unwrap();
+    }
+    save(&mut session, 0, "/shop/one.tab").unwrap();
+    let titles: Vec<_> = session.tables().documents()[2..].iter().map(|one| (one.title(), one.is_unsaved())).collect();
+    assert_eq!(titles, [("one_2.tab", true), ("one.tab", false)]);
+}

@@ -204,14 +204,22 @@ impl Document {
         }
     }
 
+    /// Takes the last edit back and selects what it changed.
     pub(super) fn undo(&mut self) {
-        self.edit.undo();
-        self.compare(self.options);
+        self.change_and_show(|edit| _ = edit.undo());
     }
 
+    /// Does it again and selects what it changes.
     pub(super) fn redo(&mut self) {
-        self.edit.redo();
-        self.compare(self.options);
+        self.change_and_show(|edit| _ = edit.redo());
+    }
+
+    fn change_and_show(&mut self, change: impl FnOnce(&mut TableEdit)) {
+        let before = self.table().clone();
+        self.change(change);
+        if let Some(changed) = first_change(&before, self.table()) {
+            self.selected = Some(changed);
+        }
     }
 
     /// Changes the table.
@@ -224,6 +232,11 @@ impl Document {
     /// It was saved as a table under a name.
     pub(super) fn saved(&mut self, title: String, table: DeviationTable) {
         (self.title, self.origin, self.kept) = (title, Origin::File, Some(table));
+    }
+
+    /// Its file was written over.
+    pub(super) fn lose_file(&mut self, title: String) {
+        (self.title, self.kept) = (title, None);
     }
 
     /// Compares with ISO 286 under these options.
@@ -242,4 +255,15 @@ impl Document {
             }
         }
     }
+}
+
+/// The first cell that a table has otherwise than it was before; the first one of a column that is new.
+fn first_change(before: &DeviationTable, after: &DeviationTable) -> Option<(ToleranceClass, usize)> {
+    after.columns().iter().find_map(|column| {
+        let Some(old) = before.columns().iter().find(|old| old.class == column.class) else {
+            return Some((column.class, 0));
+        };
+        let range = column.cells.iter().zip(&old.cells).position(|(cell, old)| cell != old)?;
+        Some((column.class, range))
+    })
 }

@@ -67,9 +67,14 @@ impl Session {
         }
     }
 
+    /// Whether something was typed that is not in the cell.
+    pub(super) fn cell_is_pending(&self) -> bool {
+        self.cell_texts().iter().any(|(field, text)| self.inputs.text(*field) != text)
+    }
+
     /// Puts what was typed into the selected cell. `false` when it cannot be read: then the field says why.
-    pub(super) fn settle_cell(&mut self) -> bool {
-        if self.cell_texts().iter().all(|(field, text)| self.inputs.text(*field) == text) {
+    pub(in crate::session) fn settle_cell(&mut self) -> bool {
+        if !self.cell_is_pending() {
             return true;
         }
         match self.typed_cell() {

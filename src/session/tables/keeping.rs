@@ -15,7 +15,6 @@ pub(super) struct Saving {
     document: String,
     path: PathBuf,
     table: DeviationTable,
-    is_control_table: bool,
 }
 
 /// The table under another name.
@@ -44,22 +43,25 @@ impl Session {
         // The table is called as its file is; a blank would end the name.
         let name = path.file_name().unwrap_or_default().to_string_lossy().replace(char::is_whitespace, "_");
         let bytes = (format.write)(&renamed(document.table(), &name)).map_err(|error| error.message())?;
-        let is_control_table = format.endings.contains(&"tab");
+        // A built-in table is kept as it is, and a file in another format cannot be opened again: they save nothing.
+        let saves = format.endings.contains(&"tab") && document.origin() != Origin::Shipped;
         let (document, table) = (document.title().to_owned(), document.table().clone());
-        self.tables.saving = Some(Saving { document, path: path.to_owned(), table, is_control_table });
+        self.tables.saving = saves.then(|| Saving { document, path: path.to_owned(), table });
         Ok(bytes)
     }
 
-    /// A file was written: where it was a table's, the table is saved as it was then. A copy in another format saves
-    /// nothing, because it cannot be opened again.
+    /// A file was written: where it was a table's, the table is saved as it was then, and called as its file.
     pub(in crate::session) fn table_saved(&mut self, path: &Path) {
         let Some(saving) = self.tables.saving.take_if(|saving| saving.path == path) else { return };
         let title = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let number = self.tables.by_title(&saving.document);
-        if let Some(document) = number.and_then(|number| self.tables.documents.get_mut(number))
-            && saving.is_control_table
-            && document.origin() != Origin::Shipped
-        {
+        let Some(number) = self.tables.by_title(&saving.document) else { return };
+        // Another open table of that name is in no file any more.
+        let other = self.tables.by_title(&title).filter(|other| *other != number);
+        let free = self.tables.free_title(&title);
+        if let Some(other) = other.and_then(|other| self.tables.documents.get_mut(other)) {
+            other.lose_file(free);
+        }
+        if let Some(document) = self.tables.documents.get_mut(number) {
             document.saved(title, saving.table);
         }
     }
