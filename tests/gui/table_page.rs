@@ -1,5 +1,6 @@
 //! The table page: whether a table agrees with ISO 286, and changing it, by label and key.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -80,8 +81,8 @@ fn shop_table(folder: &Path) -> PathBuf {
             .enumerate()
     {
         let row = number * 2;
-        text += &format!("{row:<3}{to:<8}{h7:<5}{:<6}+5  \r\n", format!("+{js7}"));
-        text += &format!("{:<11}{:<5}{:<6}+1  \r\n", row + 1, "0", format!("-{js7}"));
+        write!(text, "{row:<3}{to:<8}{h7:<5}{:<6}+5  \r\n", format!("+{js7}")).unwrap();
+        write!(text, "{:<11}{:<5}{:<6}+1  \r\n", row + 1, "0", format!("-{js7}")).unwrap();
     }
     put(&path, &(text + "[END]\r\n"));
     path
