@@ -2,7 +2,7 @@
 //!
 //! Answers one by one, so that memory stays the same however many callouts come.
 
-mod lines;
+pub(super) mod lines;
 
 use std::io::{BufRead, Write};
 
@@ -120,7 +120,7 @@ impl<'a> Row<'a> {
 }
 
 /// Where the limits come from, and what the shipped table says where the user's says something else.
-fn source(source: &Source) -> String {
+pub(super) fn source(source: &Source) -> String {
     match source {
         Source::Table { instead_of: Some(shipped), .. } => {
             format!("{source}, instead of {} µm in ISO 286", lower_and_upper(shipped))
@@ -130,7 +130,7 @@ fn source(source: &Source) -> String {
 }
 
 /// `0 / +21`
-fn lower_and_upper(deviations: &Deviations) -> String {
+pub(super) fn lower_and_upper(deviations: &Deviations) -> String {
     let signed = |length: Length| {
         let plus = if Length::ZERO < length { "+" } else { "" };
         format!("{plus}{}", length.exact(Unit::Micrometre, 0))
@@ -284,7 +284,7 @@ fn write_text(out: &mut dyn Write, callout: &Callout, limits: &Limits) -> std::i
 }
 
 /// The writer's own error: a closed pipe stays one.
-fn csv_error(error: csv::Error) -> CliError {
+pub(super) fn csv_error(error: csv::Error) -> CliError {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => CliError::Stream(error),
         other => CliError::Data(format!("{other:?}")),
@@ -292,6 +292,6 @@ fn csv_error(error: csv::Error) -> CliError {
 }
 
 /// A text without control characters: it goes to a terminal, and one line of input stays one line of output.
-fn printable(text: &str) -> String {
+pub(super) fn printable(text: &str) -> String {
     text.chars().map(|c| if c.is_control() && c != '\t' { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

@@ -5,6 +5,7 @@
 
 mod check;
 mod circle;
+mod fit;
 mod import;
 mod limits;
 mod report;
@@ -38,6 +39,7 @@ const EXIT_CODES: &str = "Exit codes: 0 done and good, 10 rework, 11 scrap, 12 r
 enum Command {
     Limits(limits::Args),
     Check(check::Args),
+    Fit(fit::Args),
     Import(import::Args),
     Circle(circle::Args),
     Report(report::Args),
@@ -204,6 +206,7 @@ impl Cli {
         let result = match &self.command {
             Some(Command::Limits(args)) => args.run(io),
             Some(Command::Check(args)) => args.run(io),
+            Some(Command::Fit(args)) => args.run(io),
             Some(Command::Import(args)) => args.run(io),
             Some(Command::Circle(args)) => args.run(io),
             Some(Command::Report(args)) => args.run(io),

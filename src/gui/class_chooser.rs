@@ -39,7 +39,7 @@ pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
     response.labelled_by(name);
 }
 
-const fn feature_classes_id(feature: Feature) -> &'static str {
+pub(super) const fn feature_classes_id(feature: Feature) -> &'static str {
     match feature {
         Feature::Hole => "classes-hole",
         Feature::Shaft => "classes-shaft",

@@ -4,6 +4,7 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
 use crate::tolerance::Feature;
+use crate::tolerance::fit::Kind;
 use crate::verdict::Status;
 
 /// The shape of a verdict: check, turning arrow, cross, loop; a dash for no result.
@@ -43,7 +44,7 @@ fn arc(centre: Pos2, radius: f32, from: f32, to: f32) -> Vec<Pos2> {
         .collect()
 }
 
-fn arrow_head(painter: &Painter, tip: Pos2, direction: Vec2, size: f32, colour: Color32) {
+pub(super) fn arrow_head(painter: &Painter, tip: Pos2, direction: Vec2, size: f32, colour: Color32) {
     let along = direction.normalized() * size;
     let across = vec2(-along.y, along.x) * 0.62;
     let points = vec![tip + along * 0.6, tip - along * 0.5 + across, tip - along * 0.5 - across];
@@ -70,11 +71,34 @@ pub(super) fn feature(
     }
 }
 
+/// The shape of a kind of fit: a shaft smaller than its hole, as large, or larger.
+pub(super) fn fit_kind(painter: &Painter, rect: Rect, kind: Kind, colour: Color32, ground: Color32) {
+    let size = rect.size().min_elem();
+    let (ring, shaft) = (size * 0.3, Stroke::new(size * 0.09, colour));
+    match kind {
+        Kind::Clearance => {
+            painter.circle(rect.center(), size * 0.44, ground, shaft);
+            painter.circle_filled(rect.center(), size * 0.22, colour);
+        }
+        Kind::Transition => {
+            painter.circle(rect.center(), size * 0.44, ground, shaft);
+            painter.circle_filled(rect.center(), size * 0.4, colour);
+            painter.circle_filled(rect.center(), size * 0.22, ground);
+        }
+        Kind::Interference => {
+            painter.circle_filled(rect.center(), size * 0.48, colour);
+            painter.circle_stroke(rect.center(), ring, Stroke::new(size * 0.05, ground));
+        }
+    }
+}
+
 /// How an area is hatched: the sides of the limit band differ without colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Hatch {
-    /// Lines one way: rework.
+    /// Lines one way: rework, and the hole of a fit.
     Single,
+    /// Lines the other way: the shaft of a fit.
+    Falling,
     /// Lines both ways: scrap.
     Cross,
 }
@@ -89,8 +113,10 @@ pub(super) fn hatch(painter: &Painter, rect: Rect, hatch: Hatch, stroke: Stroke)
     let height = rect.height();
     let mut x = rect.left() - height;
     while x < rect.right() {
-        painter.line_segment([pos2(x, rect.bottom()), pos2(x + height, rect.top())], stroke);
-        if hatch == Hatch::Cross {
+        if hatch != Hatch::Falling {
+            painter.line_segment([pos2(x, rect.bottom()), pos2(x + height, rect.top())], stroke);
+        }
+        if hatch != Hatch::Single {
             painter.line_segment([pos2(x, rect.top()), pos2(x + height, rect.bottom())], stroke);
         }
         x += STEP;

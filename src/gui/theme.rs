@@ -83,6 +83,10 @@ palette! {
     hatch_rework
     /// Hatching of the scrap side.
     hatch_scrap
+    /// The hole's zone in the picture of a fit.
+    hole
+    /// The shaft's.
+    shaft
     /// The status window.
     popup
     /// Its title bar.
@@ -323,6 +327,8 @@ mod tests {
                 ("on re-measure", palette.on_re_measure, palette.re_measure, 4.5),
                 ("on none", palette.on_none, palette.none, 4.5),
                 ("zone edge", palette.zone_edge, palette.zone, 7.0),
+                ("text on hole zone", palette.text, palette.hole, 7.0),
+                ("text on shaft zone", palette.text, palette.shaft, 7.0),
                 ("text on popup", palette.text, palette.popup, 7.0),
                 ("popup title", palette.on_popup_title, palette.popup_title, 7.0),
             ] {

@@ -4,6 +4,7 @@
 
 use std::path::PathBuf;
 
+use super::fit::FitCommand;
 use super::inputs::{Field, MeasureBy};
 use super::tables::TablesCommand;
 use crate::control::mask::Mask;
@@ -93,6 +94,8 @@ pub enum Command {
     },
     /// Puts the status window's text on the clipboard.
     CopyStatus,
+    /// Does something on the fit page.
+    Fit(FitCommand),
     /// Does something on the table page.
     Tables(TablesCommand),
 }

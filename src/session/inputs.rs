@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::tolerance::Feature;
 
-/// A text field of the check page.
+/// A text field of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Field {
@@ -48,6 +48,22 @@ pub enum Field {
     ProbeScatter,
     /// Seed of the scatter; counts up with every simulated measurement.
     Seed,
+    /// Nominal size and both classes of a fit, `25 H7/g6`.
+    FitCallout,
+    /// The hole's measured diameter, mm; empty where it was not measured.
+    HoleMeasured,
+    /// The shaft's measured diameter, mm; empty where it was not measured.
+    ShaftMeasured,
+    /// The temperature of both parts, °C.
+    Temperature,
+    /// Expansion of the hole's material, 10⁻⁶/K.
+    HoleExpansion,
+    /// Expansion of the shaft's material, 10⁻⁶/K.
+    ShaftExpansion,
+    /// The smallest clearance that is searched for, mm; negative is an interference.
+    WantedMinimum,
+    /// The largest clearance that is searched for, mm; negative is an interference.
+    WantedMaximum,
     /// Table page: which classes are shown, and which size is marked.
     TableFilter,
     /// Table page: upper deviation of the selected cell, µm.
@@ -62,7 +78,7 @@ pub enum Field {
 
 impl Field {
     /// Every field in reading order.
-    pub const ALL: [Self; 24] = [
+    pub const ALL: [Self; 32] = [
         Self::Callout,
         Self::Measured,
         Self::Part,
@@ -82,6 +98,14 @@ impl Field {
         Self::SurfaceScatter,
         Self::ProbeScatter,
         Self::Seed,
+        Self::FitCallout,
+        Self::HoleMeasured,
+        Self::ShaftMeasured,
+        Self::Temperature,
+        Self::HoleExpansion,
+        Self::ShaftExpansion,
+        Self::WantedMinimum,
+        Self::WantedMaximum,
         Self::TableFilter,
         Self::CellUpper,
         Self::CellLower,
@@ -97,6 +121,11 @@ impl Field {
             | Self::Part
             | Self::Nominal
             | Self::TrueDiameter
+            | Self::FitCallout
+            | Self::HoleMeasured
+            | Self::ShaftMeasured
+            | Self::WantedMinimum
+            | Self::WantedMaximum
             | Self::TableFilter
             | Self::CellUpper
             | Self::CellLower
@@ -111,6 +140,8 @@ impl Field {
             Self::SurfaceScatter => "0.0003",
             Self::ProbeScatter => "0.0005",
             Self::Seed => "1",
+            Self::Temperature => "20",
+            Self::HoleExpansion | Self::ShaftExpansion => "11.5",
             Self::TableTo => "500",
         }
     }

@@ -8,6 +8,7 @@
 //! | `command` | everything that can be done |
 //! | `inputs` | the text fields |
 //! | `asked` | what the texts mean: callout, limits, errors beside their fields |
+//! | `fit` | the fit page: hole against shaft |
 //! | `files` | dialogs, and what comes back from files |
 //! | `measuring` | from the fields to a measurement |
 //! | `saved` | what survives a restart |
@@ -16,6 +17,7 @@
 mod asked;
 mod command;
 mod files;
+mod fit;
 mod inputs;
 mod measuring;
 mod saved;
@@ -29,6 +31,10 @@ use jiff::civil::DateTime;
 
 pub use asked::Asked;
 pub use command::{Command, Effect, Page, Purpose, SourceChoice, Theme};
+pub use fit::{
+    ClassMap, Direction, Equivalent, FitCommand, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit,
+    expansion_field, extremes, measured_field,
+};
 pub use inputs::{Field, Inputs, MeasureBy};
 pub use saved::{Saved, SavedError};
 pub use tables::{TablesCommand, TablesPage};
@@ -105,6 +111,7 @@ pub struct Session {
     page: Page,
     inputs: Inputs,
     asked: Asked,
+    fit: FitPage,
     sources: Arc<Sources>,
     tables_folder: Option<PathBuf>,
     mask: MaskChoice,
@@ -138,10 +145,13 @@ impl Session {
     fn with(language: Language, theme: Theme, inputs: Inputs) -> Self {
         let sources = Arc::new(Sources::default());
         let asked = Asked::read(&inputs, &sources);
+        let mut fit = FitPage::default();
+        fit.read(&inputs, &sources);
         Self {
             page: Page::default(),
             inputs,
             asked,
+            fit,
             sources,
             tables_folder: None,
             mask: MaskChoice::default(),
@@ -298,6 +308,7 @@ impl Session {
                 self.use_sources(self.sources.as_ref().clone().with_options(options));
             }
             Command::Saved { path, result } => self.saved_file(&path, result),
+            Command::Fit(command) => self.apply_fit(&command),
             Command::Tables(command) => self.apply_tables(command),
             Command::CopyStatus => return self.status_text().map(Effect::Copy).into_iter().collect(),
         }
@@ -338,6 +349,7 @@ impl Session {
     /// callout, or from tables that are no longer used.
     fn read_fields(&mut self) {
         self.asked = Asked::read(&self.inputs, &self.sources);
+        self.fit.read(&self.inputs, &self.sources);
         if let Some(shown) = &self.shown {
             self.asked.show_limits(shown.record.limits.clone(), shown.record.callout);
         }
@@ -509,12 +521,16 @@ impl Session {
 
     /// Where in a field's text an error shows: characters counted from 0.
     pub fn culprit(&self, field: Field) -> Option<&std::ops::Range<usize>> {
-        self.asked.culprit().filter(|_| field == Field::Callout)
+        match field {
+            Field::Callout => self.asked.culprit(),
+            Field::FitCallout => self.fit.culprit(),
+            _ => None,
+        }
     }
 
     /// What is wrong with a field, on whatever page it stands.
     pub fn error(&self, field: Field) -> Option<&Message> {
-        self.asked.error(field).or_else(|| self.tables.error(field))
+        self.asked.error(field).or_else(|| self.fit.error(field)).or_else(|| self.tables.error(field))
     }
 
     /// The callout of the part that is judged: one side of a fit.

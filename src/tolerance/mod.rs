@@ -11,12 +11,14 @@
 //! | `compare` | a table against the standard, cell by cell |
 //! | `iso286` | the standard: every class, 0 to 3150 mm |
 //! | `sources` | from a callout to limits: the user's own tables first, then ISO 286 or the control's tables |
+//! | `fit` | a hole against a shaft: clearances, search, temperature |
 //!
 //! Nothing here reads a file or knows a window: tables arrive as values.
 
 pub mod callout;
 pub mod class;
 pub mod compare;
+pub mod fit;
 pub mod iso2768;
 pub mod iso286;
 pub mod limits;

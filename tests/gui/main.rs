@@ -4,6 +4,7 @@
 
 mod check_page;
 mod dialogs;
+mod fit_page;
 mod harness;
 mod keyboard;
 mod pictures;

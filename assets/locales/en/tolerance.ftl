@@ -65,6 +65,47 @@ iso286-js-rounded = JS rounded as in 1988
 iso286-contested-ef = contested: ef is 28 µm here, other transcriptions have 25 µm
 iso286-older-it5 = for trial use; older catalogues have a smaller IT5 here
 iso286-trial-use = for trial use
+
+## Fits
+fit-kind-clearance = clearance fit
+fit-kind-transition = transition fit
+fit-kind-interference = interference fit
+fit-basis-hole = hole basis
+fit-basis-shaft = shaft basis
+fit-basis-both = hole and shaft basis
+fit-preferred-hole-basis = preferred fit of the hole basis
+fit-preferred-shaft-basis = preferred fit of the shaft basis
+fit-function-loose-running = loose running
+fit-function-free-running = free running
+fit-function-close-running = close running
+fit-function-sliding = sliding
+fit-function-locational-clearance = locational clearance
+fit-function-locational-transition = locational transition
+fit-function-locational-transition-tighter = locational transition, tighter
+fit-function-locational-interference = locational interference
+fit-function-medium-drive = medium drive
+fit-function-force = force
+fit-one-sided = { $callout } is no fit: write a size, a hole class and a shaft class, such as 25 H7/g6
+fit-not-a-hole = { $minimum-sign }{ $minimum } to { $maximum-sign }{ $maximum } mm are a shaft's limits, where a hole's are needed
+fit-not-a-shaft = { $minimum-sign }{ $minimum } to { $maximum-sign }{ $maximum } mm are a hole's limits, where a shaft's are needed
+fit-nominal-sizes = a fit has one nominal size: the hole has { $hole-sign }{ $hole } mm, the shaft { $shaft-sign }{ $shaft } mm
+fit-too-large = the clearance is too large
+fit-search-order = smallest clearance { $minimum-sign }{ $minimum } mm is above largest clearance { $maximum-sign }{ $maximum } mm
+fit-search-no-classes = the tables have no classes for both hole and shaft at { $nominal } mm
+fit-thermal-too-fine = { $text } has more than three decimals
+fit-thermal-temperature = a temperature of { $text } °C is out of range: from -273.15 to 1000 °C
+fit-thermal-expansion = an expansion of { $text } is out of range: from -20 to 500, in millionths a kelvin, such as 11.5 for steel
+
+## Materials
+material-published = published value
+material-verify = usual value, to be verified
+material-own = own value
+material-toml = line { $line }, column { $column }: { $reason }
+material-version = version { $found } of a file of materials is not known, only version { $known }
+material-too-many = there are { $count } materials: at most { $most }
+material-name = line { $line }: a material's name has 1 to { $longest } characters and no control characters
+material-twice = line { $line }: there are two materials called { $name }
+material-unknown = no material is called { $name }; there are { $known }, or give the expansion itself, such as 11.5
 ## Callouts: deviations, limits, fits and general tolerances
 callout-at = { $reason } (character { $at })
 callout-no-tolerance = a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1

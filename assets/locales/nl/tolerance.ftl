@@ -65,6 +65,47 @@ iso286-js-rounded = JS afgerond als in 1988
 iso286-contested-ef = omstreden: ef is hier 28 µm, andere overschriften hebben 25 µm
 iso286-older-it5 = op proef; oudere catalogi hebben hier een kleinere IT5
 iso286-trial-use = op proef
+
+## Passingen
+fit-kind-clearance = spelingpassing
+fit-kind-transition = overgangspassing
+fit-kind-interference = perspassing
+fit-basis-hole = eenheidsboring
+fit-basis-shaft = eenheidsas
+fit-basis-both = eenheidsboring en eenheidsas
+fit-preferred-hole-basis = voorkeurspassing van de eenheidsboring
+fit-preferred-shaft-basis = voorkeurspassing van de eenheidsas
+fit-function-loose-running = ruim lopend
+fit-function-free-running = vrij lopend
+fit-function-close-running = nauw lopend
+fit-function-sliding = glijdend
+fit-function-locational-clearance = plaatsbepalend met speling
+fit-function-locational-transition = plaatsbepalend, overgang
+fit-function-locational-transition-tighter = plaatsbepalend, overgang, strakker
+fit-function-locational-interference = plaatsbepalend met overmaat
+fit-function-medium-drive = licht klemmend
+fit-function-force = zwaar klemmend
+fit-one-sided = { $callout } is geen passing: schrijf een maat, een klasse voor het gat en een voor de as, zoals 25 H7/g6
+fit-not-a-hole = { $minimum-sign }{ $minimum } tot { $maximum-sign }{ $maximum } mm zijn de grensmaten van een as, terwijl die van een gat nodig zijn
+fit-not-a-shaft = { $minimum-sign }{ $minimum } tot { $maximum-sign }{ $maximum } mm zijn de grensmaten van een gat, terwijl die van een as nodig zijn
+fit-nominal-sizes = een passing heeft één nominale maat: het gat heeft { $hole-sign }{ $hole } mm, de as { $shaft-sign }{ $shaft } mm
+fit-too-large = de speling is te groot
+fit-search-order = kleinste speling { $minimum-sign }{ $minimum } mm ligt boven grootste speling { $maximum-sign }{ $maximum } mm
+fit-search-no-classes = de tabellen hebben bij { $nominal } mm geen klassen voor zowel gat als as
+fit-thermal-too-fine = { $text } heeft meer dan drie decimalen
+fit-thermal-temperature = een temperatuur van { $text } °C valt buiten het bereik: van -273,15 tot 1000 °C
+fit-thermal-expansion = een uitzetting van { $text } valt buiten het bereik: van -20 tot 500, in miljoensten per kelvin, zoals 11,5 voor staal
+
+## Materialen
+material-published = gepubliceerde waarde
+material-verify = gangbare waarde, nog te controleren
+material-own = eigen waarde
+material-toml = regel { $line }, kolom { $column }: { $reason }
+material-version = versie { $found } van een materialenbestand is onbekend, alleen versie { $known } wordt gelezen
+material-too-many = er zijn { $count } materialen: hoogstens { $most }
+material-name = regel { $line }: de naam van een materiaal heeft 1 tot { $longest } tekens en geen stuurtekens
+material-twice = regel { $line }: er zijn twee materialen met de naam { $name }
+material-unknown = geen materiaal heet { $name }; er zijn { $known }, of geef de uitzetting zelf op, zoals 11,5
 ## Maataanduidingen: afwijkingen, grensmaten, passingen en algemene toleranties
 callout-at = { $reason } (teken { $at })
 callout-no-tolerance = de tolerantie ontbreekt, zoals H7, h7, H7/g6, m, +0.1 -0.2 of ±0.1

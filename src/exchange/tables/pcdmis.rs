@@ -20,15 +20,15 @@ pub const FORMAT: TableFormat = TableFormat {
 };
 
 fn write(table: &DeviationTable) -> Vec<u8> {
-    let mut text = String::new();
+    let mut lines = Vec::new();
     for column in table.columns() {
         for part in parts(table, column) {
             let bounds: Vec<String> = part.bounds.iter().map(ToString::to_string).collect();
             let pairs: Vec<String> = part.pairs.iter().flat_map(|pair| [mm(pair.upper()), mm(pair.lower())]).collect();
-            text.push_str(&format!("{}, {}\n{}\n", column.class, bounds.join(", "), pairs.join(", ")));
+            lines.push(format!("{}, {}\n{}\n", column.class, bounds.join(", "), pairs.join(", ")));
         }
     }
-    text.into_bytes()
+    lines.concat().into_bytes()
 }
 
 /// Neighbouring ranges with values: one more bound than pairs.

@@ -21,7 +21,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &View<'_>) {
 }
 
 /// The name of a status in the locale files.
-pub(super) const fn status_id(status: Option<Status>) -> &'static str {
+pub(in crate::gui) const fn status_id(status: Option<Status>) -> &'static str {
     match status {
         Some(Status::Good) => "word-good",
         Some(Status::Rework) => "word-rework",

@@ -14,6 +14,7 @@ mod contacts_plot;
 mod history_panel;
 mod status_panel;
 
+pub(super) use answer_panel::status_id;
 use eframe::egui::{CentralPanel, Panel, ScrollArea, Ui};
 
 use super::theme::space;

@@ -1,0 +1,247 @@
+//! Right: the answer. The kind of fit as a word and a shape, then the figures, and what follows from them.
+
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{Align, Button, Frame, Grid, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
+
+use crate::gui::check::status_id;
+use crate::gui::class_chooser::feature_picture;
+use crate::gui::shapes;
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::view::{View, heading, problem, quiet};
+use crate::length::Length;
+use crate::session::{Command, Equivalent, FitCommand, Parts, WarmFit, extremes};
+use crate::tolerance::fit::preferred::{function, preference};
+use crate::tolerance::fit::{Actual, Fit, Kind, Possible, basis};
+use crate::tolerance::{Feature, Limits};
+use crate::verdict::Status;
+use crate::words::{Message, Say as _};
+
+/// The panel's content.
+pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let session = view.session;
+    let Some(fit) = session.fit().fit() else { return card_ui(ui, view, None) };
+    card_ui(ui, view, Some(fit));
+    said_of_ui(ui, view);
+    if let Some(parts) = session.fit().parts() {
+        ui.separator();
+        parts_ui(ui, view, &parts);
+    }
+    if let Some(warm) = session.fit().warm() {
+        ui.separator();
+        warm_ui(ui, view, &warm);
+    }
+    ui.separator();
+    limits_ui(ui, view, fit);
+    if let Some(equivalent) = session.fit().equivalent() {
+        ui.separator();
+        equivalent_ui(ui, view, equivalent);
+    }
+}
+
+const fn kind_id(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Clearance => "fit-word-clearance",
+        Kind::Transition => "fit-word-transition",
+        Kind::Interference => "fit-word-interference",
+    }
+}
+
+/// A range of clearance with its signs: `+7 … +41 µm`.
+fn range(view: &View<'_>, minimum: Length, maximum: Length) -> String {
+    format!("{} … {} µm", view.words.signed_um(minimum), view.words.signed_um(maximum))
+}
+
+/// The kind of fit. It is no verdict, so it has no verdict's colour.
+fn card_ui(ui: &mut Ui, view: &View<'_>, fit: Option<&Fit>) {
+    let palette = palette(ui.ctx());
+    let (fill, colour) = (palette.background.0, palette.text.0);
+    let word = view.text(fit.map_or("fit-word-none", |fit| kind_id(fit.kind())));
+    let mut said = vec![word.clone()];
+    let card = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::same(12)).show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        ui.with_layout(Layout::top_down(Align::Center), |ui| {
+            let Some(fit) = fit else {
+                quiet(ui, &word);
+                return;
+            };
+            let (rect, _) = ui.allocate_exact_size(vec2(space(16.0), space(16.0)), Sense::hover());
+            shapes::fit_kind(ui.painter(), rect, fit.kind(), colour, fill);
+            let wanted = ui.available_width() * 0.12;
+            let galley = ui.painter().layout_no_wrap(word.clone(), theme::bold(wanted), colour);
+            let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0));
+            ui.label(RichText::new(&word).font(theme::bold(size.floor())).color(colour));
+            let (minimum, maximum) = (fit.minimum_clearance(), fit.maximum_clearance());
+            let line = range(view, minimum, maximum);
+            ui.label(RichText::new(&line).font(theme::bold(sizes().value)).color(colour));
+            said.push(line);
+        });
+        if let Some(fit) = fit {
+            said.extend(figures_ui(ui, view, fit));
+        }
+    });
+    let said = said.join(". ");
+    let response = ui.interact(card.response.rect, ui.scope_id().with("kind"), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Polite));
+}
+
+/// The ends of the range and its middle, by name; answers with what a screen reader says.
+fn figures_ui(ui: &mut Ui, view: &View<'_>, fit: &Fit) -> Vec<String> {
+    let [upper, lower] = extremes(fit.minimum_clearance(), fit.maximum_clearance());
+    let mean = fit.mean_clearance();
+    let mean_id = if mean < Length::ZERO { "fit-mean-interference" } else { "fit-mean-clearance" };
+    let rows = [upper, lower, (mean_id, mean.abs())];
+    let mut said = Vec::new();
+    Grid::new("fit-figures").num_columns(2).min_row_height(0.0).spacing(vec2(space(4.0), 0.0)).show(ui, |ui| {
+        for (id, amount) in rows {
+            let (name, value) = (view.text(id), format!("{} µm", view.words.um(amount)));
+            said.push(format!("{name} {value}"));
+            ui.label(name);
+            ui.label(RichText::new(value).font(theme::bold(sizes().limits)));
+            ui.end_row();
+        }
+    });
+    said
+}
+
+/// Basis, preference and function: whatever can be said of the pair.
+fn said_of_ui(ui: &mut Ui, view: &View<'_>) {
+    let page = view.session.fit();
+    let (Some(hole), Some(shaft)) = (page.class(Feature::Hole), page.class(Feature::Shaft)) else { return };
+    let preferred = preference(hole, shaft).map(|preference| preference.message());
+    let first = preferred.or_else(|| basis(hole, shaft).map(|basis| basis.message()));
+    let name = function(hole, shaft).map(|function| Message::new("fit-ansi").message("name", function.message()));
+    let lines: Vec<String> = first.iter().chain(&name).map(|message| view.words.say(message)).collect();
+    if !lines.is_empty() {
+        quiet(ui, lines.join("; "));
+    }
+}
+
+/// Both parts' limits, where they come from, and the way to the check page.
+fn limits_ui(ui: &mut Ui, view: &mut View<'_>, fit: &Fit) {
+    for (limits, part, button) in
+        [(fit.hole(), "feature-hole", "fit-check-hole"), (fit.shaft(), "feature-shaft", "fit-check-shaft")]
+    {
+        let class = view.session.fit().class(limits.feature);
+        let class = class.map(|class| class.to_string()).unwrap_or_default();
+        ui.horizontal(|ui| {
+            ui.spacing_mut().interact_size.y = 0.0;
+            feature_picture(ui, limits.feature, space(6.0));
+            heading(ui, format!("{} {class}", view.text(part)));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                if ui.add(Button::new(view.text(button)).min_size(vec2(0.0, sizes().field))).clicked() {
+                    view.send(Command::Fit(FitCommand::Check(limits.feature)));
+                }
+            });
+        });
+        sizes_ui(ui, view, limits);
+        quiet(ui, view.words.say(&Message::new("from-source").message("source", limits.source.message())));
+        ui.add_space(space(1.0));
+    }
+}
+
+fn sizes_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
+    Grid::new(("fit-limits", limits.feature)).num_columns(3).min_row_height(0.0).spacing(vec2(space(4.0), 0.0)).show(
+        ui,
+        |ui| {
+            for (id, size, deviation) in [
+                ("maximum", limits.maximum(), limits.deviations.upper()),
+                ("minimum", limits.minimum(), limits.deviations.lower()),
+            ] {
+                ui.label(view.text(id));
+                ui.label(RichText::new(view.words.mm(size, 3)).font(theme::bold(sizes().limits)));
+                quiet(ui, format!("{} µm", view.words.signed_um(deviation)));
+                ui.end_row();
+            }
+        },
+    );
+}
+
+/// The same fit in the other basis, to be taken over.
+fn equivalent_ui(ui: &mut Ui, view: &mut View<'_>, equivalent: &Equivalent) {
+    ui.horizontal(|ui| {
+        let name = heading(ui, view.text("fit-equivalent"));
+        let Equivalent { hole, shaft, difference } = equivalent;
+        let button = Button::new(format!("{hole}/{shaft}")).min_size(vec2(space(20.0), sizes().field));
+        if ui.add_enabled(difference.is_ok(), button).labelled_by(name.id).clicked() {
+            view.send(Command::Fit(FitCommand::TakePair(*hole, *shaft)));
+        }
+    });
+    match &equivalent.difference {
+        Ok(difference) if difference.is_none() => _ = ui.label(view.text("fit-equivalent-same")),
+        Ok(difference) => {
+            let message = Message::new("fit-equivalent-differs")
+                .text("minimum", view.words.signed_um(difference.minimum))
+                .text("maximum", view.words.signed_um(difference.maximum));
+            ui.label(view.words.say(&message));
+        }
+        Err(error) => _ = problem(ui, view.words.say(error)),
+    }
+}
+
+/// A clearance by its name and without a sign: `Interference 20 µm`.
+fn clearance(view: &View<'_>, clearance: Length) -> String {
+    let id = if clearance < Length::ZERO { "fit-actual-interference" } else { "fit-actual-clearance" };
+    view.words.say(&Message::new(id).text("um", view.words.um(clearance.abs())))
+}
+
+fn parts_ui(ui: &mut Ui, view: &View<'_>, parts: &Parts) {
+    match parts {
+        Parts::Both(actual) => both_ui(ui, view, actual),
+        Parts::One(possible) => one_ui(ui, view, possible),
+    }
+}
+
+fn both_ui(ui: &mut Ui, view: &View<'_>, actual: &Actual) {
+    ui.label(RichText::new(clearance(view, actual.clearance)).font(theme::bold(sizes().value)));
+    let id = if actual.conforms { "fit-conforms" } else { "fit-conforms-not" };
+    ui.label(view.text(id));
+    part_ui(ui, view, Feature::Hole, actual.hole, actual.hole_verdict.status());
+    part_ui(ui, view, Feature::Shaft, actual.shaft, actual.shaft_verdict.status());
+}
+
+fn one_ui(ui: &mut Ui, view: &View<'_>, possible: &Possible) {
+    let id = match possible.feature {
+        Feature::Hole => "fit-with-good-shaft",
+        Feature::Shaft => "fit-with-good-hole",
+    };
+    ui.label(view.text(id));
+    let line = range(view, possible.minimum, possible.maximum);
+    ui.label(RichText::new(line).font(theme::bold(sizes().value)));
+    part_ui(ui, view, possible.feature, possible.measured, possible.verdict.status());
+}
+
+/// A measured part and its own verdict: word, shape and colour.
+fn part_ui(ui: &mut Ui, view: &View<'_>, part: Feature, measured: Length, status: Status) {
+    let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
+    let part = view.text(match part {
+        Feature::Hole => "feature-hole",
+        Feature::Shaft => "feature-shaft",
+    });
+    let word = view.text(status_id(Some(status)));
+    let said = format!("{part} {word}");
+    ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = 0.0;
+        let chip = Frame::new().fill(fill).corner_radius(4.0).inner_margin(Margin::symmetric(8, 4)).show(ui, |ui| {
+            let (rect, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
+            shapes::status(ui.painter(), rect, Some(status), colour);
+            ui.label(RichText::new(&word).font(theme::bold(sizes().body)).color(colour));
+        });
+        let response = ui.interact(chip.response.rect, ui.scope_id().with(&said), Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
+        ui.label(format!("{part} {} mm", view.words.mm(measured, 3)));
+    });
+}
+
+fn warm_ui(ui: &mut Ui, view: &View<'_>, warm: &WarmFit) {
+    let degrees = view.words.number(&warm.temperature.to_string());
+    heading(ui, view.words.say(&Message::new("fit-at-temperature").text("degrees", degrees)));
+    ui.label(RichText::new(range(view, warm.minimum, warm.maximum)).font(theme::bold(sizes().value)));
+    let kind = view.text(kind_id(Kind::of(warm.minimum, warm.maximum)));
+    let change = Message::new("fit-temperature-change").text("um", view.words.signed_um(warm.change));
+    ui.label(format!("{kind}; {}", view.words.say(&change)));
+    if let Some(actual) = warm.actual {
+        let line = Message::new("fit-these-parts").text("clearance", clearance(view, actual));
+        ui.label(view.words.say(&line));
+    }
+}

@@ -1,0 +1,221 @@
+//! Every class at this size, to choose from: letters across, grades down. A place without a class is empty.
+//!
+//! One widget for the keyboard (arrows go to the next defined class), one node a class for screen readers and the
+//! pointer.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align2, Button, EventFilter, Id, Key, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
+    pos2, vec2,
+};
+
+use super::staircase::staircase_ui;
+use crate::gui::class_chooser::feature_classes_id;
+use crate::gui::theme::{self, Palette, palette, sizes, space};
+use crate::gui::view::{View, heading, quiet};
+use crate::session::{ClassMap, Command, Direction, FitCommand, MapCell};
+use crate::tolerance::iso286::{self, Grade, Letter};
+use crate::tolerance::{Feature, ToleranceClass};
+use crate::words::Message;
+
+/// Where the columns of letters are: the same in the staircase and in the grid.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Columns {
+    /// Where the first letter begins.
+    pub left: f32,
+    /// The width of a letter.
+    pub step: f32,
+}
+
+impl Columns {
+    fn of(rect: Rect) -> Self {
+        let count = f32::from(u8::try_from(Letter::ALL.len()).unwrap_or(u8::MAX));
+        let left = rect.left() + space(9.0);
+        Self { left, step: (rect.right() - left) / count }
+    }
+
+    /// Every letter with the left edge of its column.
+    pub fn letters(self) -> impl Iterator<Item = (Letter, f32)> {
+        let mut x = self.left - self.step;
+        Letter::ALL.into_iter().map(move |letter| {
+            x += self.step;
+            (letter, x)
+        })
+    }
+}
+
+/// Heading, staircase, grid, and classes of own tables.
+pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
+    let session = view.session;
+    let side = session.fit().side();
+    ui.horizontal(|ui| {
+        match session.fit().nominal() {
+            Some(nominal) => heading(ui, view.words.say(&Message::new("fit-classes").mm("nominal", nominal))),
+            None => heading(ui, view.text("fit-classes-none")),
+        };
+        for feature in [Feature::Hole, Feature::Shaft] {
+            let button = Button::selectable(side == feature, view.text(feature_classes_id(feature)));
+            if ui.add(button.min_size(vec2(0.0, sizes().field))).clicked() {
+                view.send(Command::Fit(FitCommand::ShowClasses(feature)));
+            }
+        }
+    });
+    let Some(map) = session.fit().map(side) else {
+        quiet(ui, view.text("fit-classes-empty"));
+        return;
+    };
+    if map.is_empty() {
+        quiet(ui, view.text("fit-classes-nowhere"));
+        return;
+    }
+    let chosen = session.fit().class(side);
+    let grade = chosen.and_then(iso286::parts).map(|(_, grade)| grade);
+    let grade = grade.or_else(|| map.first().and_then(iso286::parts).map(|(_, grade)| grade));
+    if let Some(grade) = grade {
+        staircase_ui(ui, view, map, grade, (height * 0.3).max(space(24.0)), Columns::of);
+    }
+    let rows = f32::from(u8::try_from(map.grades().count()).unwrap_or(u8::MAX)) + 1.0;
+    let row = (height * 0.7 / rows).clamp(space(3.4), space(5.5));
+    grid_ui(ui, view, map, chosen, row);
+    for class in map.others() {
+        if ui.add(Button::selectable(chosen == Some(*class), class.as_str())).clicked() {
+            view.send(Command::Fit(FitCommand::ChooseClass(*class)));
+        }
+    }
+}
+
+/// The letters of a side.
+pub(super) fn letter_text(letter: Letter, side: Feature) -> String {
+    match side {
+        Feature::Hole => letter.text().to_uppercase(),
+        Feature::Shaft => letter.text().to_owned(),
+    }
+}
+
+fn grid_ui(ui: &mut Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<ToleranceClass>, row: f32) {
+    let side = view.session.fit().side();
+    let grades: Vec<Grade> = map.grades().collect();
+    let count = f32::from(u8::try_from(grades.len()).unwrap_or(u8::MAX)) + 1.0;
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), row * count), Sense::hover());
+    let id = Id::unique(("fit-map", side));
+    let whole = ui.interact(rect, id, Sense::click());
+    let name = view.text(feature_classes_id(side));
+    whole.widget_info(|| WidgetInfo::labeled(Role::RadioGroup, true, &name));
+    if let Some(class) = chosen {
+        ui.ctx().accesskit_node_builder(id, |node| node.set_value(class.as_str()));
+    }
+    keys_ui(ui, view, map, chosen, &whole);
+    let columns = Columns::of(rect);
+    let table = Table { painter: ui.painter().clone(), palette: palette(ui.ctx()), columns, row, chosen, side };
+    table.letters(rect.top());
+    let mut top = rect.top();
+    for grade in grades {
+        top += row;
+        table.grade(rect.left(), top, grade);
+        for (letter, x) in columns.letters() {
+            let Some(cell) = map.cell(letter, grade) else { continue };
+            let place = Rect::from_min_size(pos2(x, top), vec2(columns.step, row));
+            let response = ui.interact(place, id.with((letter, grade)), Sense::CLICK);
+            table.cell(place, cell, &response);
+            if response.clicked() {
+                view.send(Command::Fit(FitCommand::ChooseClass(cell.class)));
+                whole.request_focus();
+            }
+            cell_hint(view, cell, response);
+        }
+    }
+    if whole.has_focus() {
+        let ring = Stroke::new(2.0, palette(ui.ctx()).accent.0);
+        ui.painter().rect_stroke(rect, 4.0, ring, StrokeKind::Inside);
+    }
+}
+
+fn cell_hint(view: &View<'_>, cell: &MapCell, response: Response) {
+    response.on_hover_ui(|ui| {
+        let (upper, lower) = (cell.deviations.upper(), cell.deviations.lower());
+        let (upper, lower) = (view.words.signed_um(upper), view.words.signed_um(lower));
+        ui.label(format!("{}  {lower} … {upper} µm", cell.class));
+    });
+}
+
+/// Arrows choose the next class that is defined.
+fn keys_ui(ui: &Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<ToleranceClass>, whole: &Response) {
+    if !whole.has_focus() {
+        return;
+    }
+    let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(whole.id, arrows));
+    let directions = [
+        (Key::ArrowLeft, Direction::Left),
+        (Key::ArrowRight, Direction::Right),
+        (Key::ArrowUp, Direction::Up),
+        (Key::ArrowDown, Direction::Down),
+    ];
+    for (key, direction) in directions {
+        if ui.input(|input| input.key_pressed(key)) {
+            let next = match chosen.filter(|class| map.has(*class)) {
+                Some(class) => map.next(class, direction),
+                None => map.first(),
+            };
+            if let Some(class) = next {
+                view.send(Command::Fit(FitCommand::ChooseClass(class)));
+            }
+        }
+    }
+}
+
+struct Table<'a> {
+    painter: Painter,
+    palette: &'a Palette,
+    columns: Columns,
+    row: f32,
+    chosen: Option<ToleranceClass>,
+    side: Feature,
+}
+
+impl Table<'_> {
+    fn text(&self, at: Pos2, anchor: Align2, text: &str, is_chosen: bool) {
+        let (font, colour) = if is_chosen {
+            (theme::bold(sizes().small), self.palette.text.0)
+        } else {
+            (theme::font(sizes().small), self.palette.quiet.0)
+        };
+        self.painter.text(at, anchor, text, font, colour);
+    }
+
+    fn letters(&self, top: f32) {
+        let now = self.chosen.and_then(iso286::parts).map(|(letter, _)| letter);
+        for (letter, x) in self.columns.letters() {
+            let at = pos2(x + self.columns.step / 2.0, top + self.row / 2.0);
+            self.text(at, Align2::CENTER_CENTER, &letter_text(letter, self.side), now == Some(letter));
+        }
+    }
+
+    fn grade(&self, left: f32, top: f32, grade: Grade) {
+        let now = self.chosen.and_then(iso286::parts).map(|(_, grade)| grade);
+        let at = pos2(left + space(7.5), top + self.row / 2.0);
+        self.text(at, Align2::RIGHT_CENTER, &grade.to_string(), now == Some(grade));
+    }
+
+    fn cell(&self, place: Rect, cell: &MapCell, response: &Response) {
+        let is_chosen = self.chosen == Some(cell.class);
+        let inner = place.shrink(1.0);
+        let fill = if is_chosen {
+            self.palette.accent.0
+        } else {
+            match self.side {
+                Feature::Hole => self.palette.hole.0,
+                Feature::Shaft => self.palette.shaft.0,
+            }
+        };
+        self.painter.rect_filled(inner, 1.0, fill);
+        if response.hovered() {
+            self.painter.rect_stroke(inner, 1.0, Stroke::new(1.5, self.palette.accent.0), StrokeKind::Inside);
+        }
+        if is_chosen {
+            // A mark of its own: the chosen class is not told by colour alone.
+            self.painter.circle_filled(place.center(), space(0.8), self.palette.on_accent.0);
+        }
+        response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_chosen, cell.class.as_str()));
+    }
+}

@@ -1,0 +1,106 @@
+//! Left: the measured parts; the temperature, and what the parts are made of.
+
+use eframe::egui::{ComboBox, Grid, Id, Ui, vec2};
+
+use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::theme::space;
+use crate::gui::view::{View, heading, quiet};
+use crate::session::{Command, Field, FitCommand, expansion_field};
+use crate::tolerance::Feature;
+use crate::tolerance::fit::materials::Materials;
+
+/// The measured diameters.
+pub(super) fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
+    heading(ui, view.text("fit-parts"));
+    pair_ui(
+        ui,
+        view,
+        [(Field::HoleMeasured, "fit-hole-measured", "mm"), (Field::ShaftMeasured, "fit-shaft-measured", "mm")],
+    );
+}
+
+/// Two fields beside each other, each with its name above it and its error below.
+pub(super) fn pair_ui(ui: &mut Ui, view: &mut View<'_>, fields: [(Field, &str, &str); 2]) {
+    let [first, ..] = fields;
+    let width = (ui.available_width() - space(2.0)) / 2.0;
+    Grid::new(("fit-pair", first.0))
+        .num_columns(2)
+        .min_row_height(0.0)
+        .min_col_width(width)
+        .spacing(vec2(space(2.0), space(0.5)))
+        .show(ui, |ui| {
+            let names = fields.map(|(_, name, _)| quiet(ui, view.text(name)).id);
+            ui.end_row();
+            for ((field, _, unit), name) in fields.into_iter().zip(names) {
+                number_ui(ui, view, field, name, width - space(8.0), unit);
+            }
+            ui.end_row();
+        });
+    for (field, ..) in fields {
+        error_ui(ui, view, field);
+    }
+}
+
+fn number_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id, width: f32, unit: &str) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space(1.0);
+        field_ui(ui, view, field, name, Look::number(width));
+        quiet(ui, unit);
+    });
+}
+
+/// The temperature of both parts and their materials.
+pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal(|ui| {
+        let name = heading(ui, view.text("fit-temperature"));
+        number_ui(ui, view, Field::Temperature, name.id, space(16.0), "°C");
+    });
+    error_ui(ui, view, Field::Temperature);
+    let width = (ui.available_width() - space(2.0)) / 2.0;
+    for (part, material, expansion) in [
+        (Feature::Hole, "fit-hole-material", "fit-hole-expansion"),
+        (Feature::Shaft, "fit-shaft-material", "fit-shaft-expansion"),
+    ] {
+        Grid::new(("fit-material", part))
+            .num_columns(2)
+            .min_row_height(0.0)
+            .min_col_width(width)
+            .spacing(vec2(space(2.0), space(0.5)))
+            .show(ui, |ui| {
+                let material = quiet(ui, view.text(material));
+                let expansion = quiet(ui, view.text(expansion));
+                ui.end_row();
+                material_ui(ui, view, part, material.id, width);
+                field_ui(ui, view, expansion_field(part), expansion.id, Look::number(width - space(2.0)));
+                ui.end_row();
+            });
+        error_ui(ui, view, expansion_field(part));
+    }
+}
+
+/// Materials fill the field of expansion; what is typed there is no material's any more.
+fn material_ui(ui: &mut Ui, view: &mut View<'_>, part: Feature, name: Id, width: f32) {
+    let language = view.session.language();
+    let now = view.session.fit().expansion(part);
+    let chosen = Materials::shipped().iter().find(|material| Some(material.expansion) == now);
+    let shown = chosen.map_or_else(|| view.text("fit-own-value"), |material| material.name_in(language).to_owned());
+    let response = ComboBox::from_id_salt(("fit-material", part))
+        .selected_text(shown)
+        .width(width)
+        .truncate()
+        .height(f32::INFINITY)
+        .show_ui(ui, |ui| {
+            for material in Materials::shipped().iter() {
+                let value = view.words.number(&material.expansion.to_string());
+                let text = format!("{}  {value}", material.name_in(language));
+                let is = Some(material.expansion) == now;
+                let hint = view.words.told(&material.certainty);
+                if ui.selectable_label(is, text).on_hover_text(hint).clicked() {
+                    view.send(Command::Fit(FitCommand::ChooseExpansion(part, material.expansion)));
+                    ui.close();
+                }
+            }
+        })
+        .response;
+    response.labelled_by(name);
+}

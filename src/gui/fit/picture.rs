@@ -1,0 +1,280 @@
+//! The classical picture: zero line, both zones to scale, fundamental deviations, clearances as arrows, actual parts.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::epaint::PathShape;
+use eframe::egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+
+use crate::gui::shapes::{self, Hatch};
+use crate::gui::theme::{self, Palette, palette, sizes, space};
+use crate::gui::view::{View, heading, quiet};
+use crate::length::Length;
+use crate::session::{Mark, Parts, Picture, PictureZone, extremes, measured_field};
+use crate::tolerance::fit::Fit;
+use crate::tolerance::{Feature, Limits};
+use crate::words::{Message, Words};
+
+/// Heading and picture over a height.
+pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
+    let page = view.session.fit();
+    ui.horizontal(|ui| {
+        heading(ui, view.text("fit-picture"));
+        if page.fit().is_some() {
+            quiet(ui, view.text("fit-picture-legend"));
+        }
+    });
+    let (Some(fit), Some(picture)) = (page.fit(), page.picture()) else {
+        quiet(ui, view.text("fit-picture-empty"));
+        return;
+    };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    if ui.is_rect_visible(rect) {
+        let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
+        Drawing::new(painter, rect, palette(ui.ctx()), view, &picture).draw(fit);
+    }
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, view.text("fit-picture")));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(describe(view, fit, &picture)));
+}
+
+/// What the picture shows, for whoever cannot see it.
+fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
+    let words = view.words;
+    let mut said = vec![words.say(&Message::new("fit-describe-zero").mm("nominal", fit.nominal()))];
+    for (limits, zone) in [(fit.hole(), &picture.hole), (fit.shaft(), &picture.shaft)] {
+        said.push(describe_zone(view, limits));
+        if zone.fundamental_um.is_some() {
+            let (upper, lower) = (limits.deviations.upper(), limits.deviations.lower());
+            let deviation = words.signed_um(if zone.fundamental_is_upper { upper } else { lower });
+            said.push(words.say(&Message::new("fit-describe-fundamental").text("deviation", deviation)));
+        }
+    }
+    for (id, amount) in extremes(fit.minimum_clearance(), fit.maximum_clearance()) {
+        said.push(format!("{} {} µm.", words.get(id), words.um(amount)));
+    }
+    for limits in [fit.hole(), fit.shaft()] {
+        if let Some(measured) = view.session.fit().length(measured_field(limits.feature)) {
+            let deviation = words.signed_um(measured.saturating_sub(limits.nominal));
+            let message = Message::new("fit-describe-measured")
+                .text("part", words.get(part_id(limits.feature)))
+                .text("deviation", deviation);
+            said.push(words.say(&message));
+        }
+    }
+    said.join(" ")
+}
+
+fn describe_zone(view: &View<'_>, limits: &Limits) -> String {
+    let class = view.session.fit().class(limits.feature).map(|class| class.to_string()).unwrap_or_default();
+    let message = Message::new("fit-describe-zone")
+        .text("part", view.text(part_id(limits.feature)))
+        .text("class", class)
+        .text("lower", view.words.signed_um(limits.deviations.lower()))
+        .text("upper", view.words.signed_um(limits.deviations.upper()));
+    view.words.say(&message)
+}
+
+const fn part_id(part: Feature) -> &'static str {
+    match part {
+        Feature::Hole => "feature-hole",
+        Feature::Shaft => "feature-shaft",
+    }
+}
+
+/// Screen coordinates have fewer digits than the geometry.
+#[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "a place on the screen")]
+pub(super) const fn screen(value: f64) -> f32 {
+    value as f32
+}
+
+/// Least height between two labels of a zone.
+const LINE: f32 = 16.0;
+
+struct Drawing<'a> {
+    painter: Painter,
+    /// Where deviations are drawn; the names stand below it.
+    body: Rect,
+    whole: Rect,
+    palette: &'a Palette,
+    view: &'a View<'a>,
+    words: &'a Words,
+    picture: &'a Picture,
+}
+
+impl<'a> Drawing<'a> {
+    fn new(painter: Painter, whole: Rect, palette: &'a Palette, view: &'a View<'a>, picture: &'a Picture) -> Self {
+        let body = Rect::from_min_max(whole.min, pos2(whole.right(), whole.bottom() - space(9.0)));
+        Self { painter, body, whole, palette, view, words: view.words, picture }
+    }
+
+    fn y(&self, um: f64) -> f32 {
+        self.body.bottom() - self.body.height() * screen(self.picture.fraction(um))
+    }
+
+    fn draw(&self, fit: &Fit) {
+        let width = self.body.width();
+        let column = (width * 0.15).max(space(14.0));
+        let left = self.body.left() + (width * 0.14).max(space(15.0));
+        let hole = Rangef::new(left, left + column);
+        let shaft = Rangef::new(hole.max + space(4.0), hole.max + space(4.0) + column);
+        let zero = self.y(0.0);
+        for (x, zone, limits) in [(hole, &self.picture.hole, fit.hole()), (shaft, &self.picture.shaft, fit.shaft())] {
+            self.zone(x, zone, limits.feature);
+        }
+        self.painter.hline(self.body.x_range(), zero, Stroke::new(2.0, self.palette.text.0));
+        self.arrows(fit, hole, Rangef::new(shaft.max + space(15.0), self.body.right()));
+        for (x, zone, limits) in [(hole, &self.picture.hole, fit.hole()), (shaft, &self.picture.shaft, fit.shaft())] {
+            self.fundamental(x, zone, zero);
+            self.edges(x, zone, limits);
+            self.mark(x, zone, limits);
+            self.name(x, limits);
+        }
+        let nominal = format!("{} mm", self.words.number(&fit.nominal().to_string()));
+        let at = pos2(self.body.right() - 2.0, zero);
+        self.label(at, Align2::RIGHT_CENTER, &nominal, theme::bold(sizes().small));
+    }
+
+    /// Text on a ground, so that lines do not cross it.
+    fn label(&self, at: Pos2, anchor: Align2, text: &str, font: eframe::egui::FontId) {
+        let galley = self.painter.layout_no_wrap(text.to_owned(), font, self.palette.text.0);
+        let rect = anchor.anchor_size(at, galley.size());
+        let shift = (self.whole.top() - rect.top()).max(0.0) - (rect.bottom() - self.whole.bottom()).max(0.0);
+        let rect = rect.translate(vec2(0.0, shift));
+        self.painter.rect_filled(rect.expand2(vec2(3.0, -1.0)), 2.0, self.palette.panel.0);
+        self.painter.galley(rect.min, galley, self.palette.text.0);
+    }
+
+    /// A zone of no width is still seen as a line.
+    fn zone_rect(&self, x: Rangef, zone: &PictureZone) -> Rect {
+        let (top, bottom) = (self.y(zone.upper_um), self.y(zone.lower_um));
+        Rect::from_x_y_ranges(x, top..=bottom.max(top + 2.0))
+    }
+
+    fn zone(&self, x: Rangef, zone: &PictureZone, part: Feature) {
+        let rect = self.zone_rect(x, zone);
+        let (fill, hatch) = match part {
+            Feature::Hole => (self.palette.hole.0, Hatch::Single),
+            Feature::Shaft => (self.palette.shaft.0, Hatch::Falling),
+        };
+        self.painter.rect_filled(rect, 0.0, fill);
+        shapes::hatch(&self.painter, rect, hatch, Stroke::new(1.0, self.palette.quiet.0.gamma_multiply(0.6)));
+        let edge = Stroke::new(1.5, self.palette.text.0);
+        self.painter.rect_stroke(rect, 0.0, edge, eframe::egui::StrokeKind::Middle);
+    }
+
+    /// From the zero line to the nearest edge.
+    fn fundamental(&self, x: Rangef, zone: &PictureZone, zero: f32) {
+        let Some(um) = zone.fundamental_um else { return };
+        self.arrow(x.center(), zero, self.y(um), Stroke::new(1.5, self.palette.text.0));
+    }
+
+    /// Both limit deviations beside the zone, the fundamental one heavier; pushed apart where they would touch.
+    fn edges(&self, x: Rangef, zone: &PictureZone, limits: &Limits) {
+        let (mut top, mut bottom) = (self.y(zone.upper_um), self.y(zone.lower_um));
+        let lacking = (LINE - (bottom - top)).max(0.0) / 2.0;
+        (top, bottom) = (top - lacking, bottom + lacking);
+        let (at, anchor, names) = match limits.feature {
+            Feature::Hole => (x.min - space(2.0), Align2::RIGHT_CENTER, ["ES", "EI"]),
+            Feature::Shaft => (x.max + space(2.0), Align2::LEFT_CENTER, ["es", "ei"]),
+        };
+        let [upper, lower] = names;
+        for (y, name, deviation, is_upper) in
+            [(top, upper, limits.deviations.upper(), true), (bottom, lower, limits.deviations.lower(), false)]
+        {
+            let is_fundamental = zone.fundamental_um.is_some() && zone.fundamental_is_upper == is_upper;
+            let font = if is_fundamental { theme::bold(sizes().body) } else { theme::font(sizes().body) };
+            self.label(pos2(at, y), anchor, &format!("{name} {}", self.words.signed_um(deviation)), font);
+        }
+    }
+
+    /// A measured part across its zone, or an arrow at the edge that it is beyond; always with its deviation.
+    fn mark(&self, x: Rangef, zone: &PictureZone, limits: &Limits) {
+        let measured = self.view.session.fit().length(measured_field(limits.feature));
+        let (Some(mark), Some(measured)) = (zone.mark, measured) else { return };
+        let text = self.words.signed_um(measured.saturating_sub(limits.nominal));
+        let colour = self.palette.text.0;
+        let font = theme::bold(sizes().body);
+        match mark {
+            Mark::InSight(um) => {
+                let y = self.y(um);
+                self.painter.hline(x.expand(4.0), y, Stroke::new(3.0, colour));
+                for (tip, along) in [(x.min, 1.0), (x.max, -1.0)] {
+                    let head = vec2(along * 9.0, 0.0);
+                    let points =
+                        vec![pos2(tip, y), pos2(tip, y) - head + vec2(0.0, 5.0), pos2(tip, y) - head - vec2(0.0, 5.0)];
+                    self.painter.add(PathShape::convex_polygon(points, colour, Stroke::NONE));
+                }
+                self.label(pos2(x.center(), y), Align2::CENTER_CENTER, &text, font);
+            }
+            Mark::Above => {
+                let tip = pos2(x.center(), self.body.top() + 8.0);
+                shapes::arrow_head(&self.painter, tip, vec2(0.0, -1.0), 12.0, colour);
+                self.label(tip + vec2(10.0, 2.0), Align2::LEFT_CENTER, &text, font);
+            }
+            Mark::Below => {
+                let tip = pos2(x.center(), self.body.bottom() - 8.0);
+                shapes::arrow_head(&self.painter, tip, vec2(0.0, 1.0), 12.0, colour);
+                self.label(tip + vec2(10.0, -2.0), Align2::LEFT_CENTER, &text, font);
+            }
+        }
+    }
+
+    fn name(&self, x: Rangef, limits: &Limits) {
+        let class = self.view.session.fit().class(limits.feature).map(|class| class.to_string()).unwrap_or_default();
+        self.below(x.center(), &format!("{} {class}", self.words.get(part_id(limits.feature))), x.span() + space(4.0));
+    }
+
+    /// A name below the picture, on two lines where it is long.
+    fn below(&self, x: f32, text: &str, width: f32) {
+        let colour = self.palette.text.0;
+        let mut job = eframe::egui::text::LayoutJob::simple(text.to_owned(), theme::font(sizes().small), colour, width);
+        job.halign = eframe::egui::Align::Center;
+        let galley = self.painter.layout_job(job);
+        self.painter.galley(pos2(x, self.body.bottom() + space(0.5)), galley, colour);
+    }
+
+    /// Both ends of the range as arrows between the zones' edges, and the actual clearance between the parts.
+    fn arrows(&self, fit: &Fit, hole: Rangef, space_for: Rangef) {
+        let Picture { hole: of_hole, shaft: of_shaft, .. } = *self.picture;
+        let [upper, lower] = extremes(fit.minimum_clearance(), fit.maximum_clearance());
+        let mut arrows = vec![
+            (of_hole.upper_um, of_shaft.lower_um, self.words.get(upper.0), upper.1),
+            (of_hole.lower_um, of_shaft.upper_um, self.words.get(lower.0), lower.1),
+        ];
+        if let (Some(Mark::InSight(hole)), Some(Mark::InSight(shaft))) = (of_hole.mark, of_shaft.mark)
+            && let Some(Parts::Both(actual)) = self.view.session.fit().parts()
+        {
+            let id = if actual.clearance < Length::ZERO { "fit-arrow-interference" } else { "fit-arrow-clearance" };
+            arrows.push((hole, shaft, self.words.get(id), actual.clearance.abs()));
+        }
+        let step = space_for.span() / f32::from(u8::try_from(arrows.len()).unwrap_or(1));
+        let mut x = space_for.min + step / 2.0;
+        for (from, to, name, amount) in arrows {
+            let (from, to) = (self.y(from), self.y(to));
+            for y in [from, to] {
+                let ends = [pos2(hole.max, y), pos2(x + space(2.0), y)];
+                self.painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, self.palette.quiet.0), 3.0, 3.0));
+            }
+            self.arrow(x, from, to, Stroke::new(2.0, self.palette.text.0));
+            let at = pos2(x + space(2.0), f32::midpoint(from, to));
+            self.label(at, Align2::LEFT_CENTER, &self.words.um(amount), theme::bold(sizes().limits));
+            self.below(x, &name, step - space(1.0));
+            x += step;
+        }
+    }
+
+    /// A vertical arrow with heads at both ends, where there is room for them.
+    fn arrow(&self, x: f32, from: f32, to: f32, stroke: Stroke) {
+        let (top, bottom) = (from.min(to), from.max(to));
+        if bottom - top < 1.0 {
+            return;
+        }
+        self.painter.vline(x, top..=bottom, stroke);
+        let size = 9.0_f32.min((bottom - top) / 2.0);
+        self.head(pos2(x, top), vec2(0.0, -1.0), size, stroke.color);
+        self.head(pos2(x, bottom), vec2(0.0, 1.0), size, stroke.color);
+    }
+
+    /// A head whose tip touches the place.
+    fn head(&self, tip: Pos2, direction: eframe::egui::Vec2, size: f32, colour: Color32) {
+        shapes::arrow_head(&self.painter, tip - direction * size * 0.6, direction, size, colour);
+    }
+}

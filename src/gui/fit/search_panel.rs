@@ -1,0 +1,121 @@
+//! Left, below: from a wanted clearance to the pairs of classes that give it. Only the rows in sight are drawn.
+
+use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::{Button, ComboBox, ScrollArea, Ui, vec2};
+
+use super::parts_panel::pair_ui;
+use crate::gui::theme::{self, Hex, palette, sizes, space};
+use crate::gui::view::{View, heading, problem, quiet};
+use crate::length::Length;
+use crate::session::{Command, Field, FitCommand};
+use crate::tolerance::Feature;
+use crate::tolerance::fit::search::{Candidate, Found, Scope};
+use crate::words::Message;
+
+/// How many rows the list shows at once.
+const ROWS: f32 = 6.0;
+
+const fn scope_id(scope: Scope) -> &'static str {
+    match scope {
+        Scope::All => "fit-scope-all",
+        Scope::Basis => "fit-scope-basis",
+        Scope::Preferred => "fit-scope-preferred",
+    }
+}
+
+/// The wanted clearances, where to search, and what was found.
+pub(super) fn search_ui(ui: &mut Ui, view: &mut View<'_>) {
+    heading(ui, view.text("fit-search"));
+    pair_ui(
+        ui,
+        view,
+        [(Field::WantedMinimum, "fit-wanted-minimum", "mm"), (Field::WantedMaximum, "fit-wanted-maximum", "mm")],
+    );
+    ui.horizontal(|ui| {
+        let name = quiet(ui, view.text("fit-scope"));
+        let width = ui.available_width() - space(2.0);
+        let now = view.session.fit().scope();
+        ComboBox::from_id_salt("fit-scope")
+            .selected_text(view.text(scope_id(now)))
+            .width(width)
+            .truncate()
+            .show_ui(ui, |ui| {
+                for scope in [Scope::All, Scope::Basis, Scope::Preferred] {
+                    if ui.selectable_label(scope == now, view.text(scope_id(scope))).clicked() {
+                        view.send(Command::Fit(FitCommand::SearchAmong(scope)));
+                        ui.close();
+                    }
+                }
+            })
+            .response
+            .labelled_by(name.id);
+    });
+    let session = view.session;
+    match session.fit().found() {
+        None if session.fit().nominal().is_none() => _ = quiet(ui, view.text("fit-search-size")),
+        None => _ = quiet(ui, view.text("fit-search-hint")),
+        Some(Err(error)) => _ = problem(ui, view.words.say(error)),
+        Some(Ok(found)) => found_ui(ui, view, found),
+    }
+}
+
+fn found_ui(ui: &mut Ui, view: &mut View<'_>, found: &Found) {
+    if let Some(miss) = &found.nearest {
+        quiet(ui, view.text("fit-found-none"));
+        row_ui(ui, view, &miss.candidate);
+        let um = |length: Length| view.words.um(length);
+        let missed = Message::new("fit-missed-by").text("below", um(miss.below)).text("above", um(miss.above));
+        quiet(ui, view.words.say(&missed));
+        return;
+    }
+    let shown = found.candidates.len();
+    let mut text = view.words.say(&Message::new("fit-found").count("count", found.total));
+    if shown < found.total {
+        text = format!("{text}, {}", view.words.say(&Message::new("fit-found-first").count("count", shown)));
+    }
+    quiet(ui, text);
+    ui.spacing_mut().item_spacing.y = space(0.5);
+    let height = (sizes().field + space(0.5)) * ROWS;
+    ScrollArea::vertical().id_salt("fit-found").max_height(height).auto_shrink([false, true]).show_rows(
+        ui,
+        sizes().field,
+        shown,
+        |ui, rows| {
+            ui.set_max_width(ui.available_width() - space(2.5));
+            for candidate in found.candidates.get(rows).unwrap_or_default() {
+                row_ui(ui, view, candidate);
+            }
+        },
+    );
+}
+
+/// A pair as a button: its classes, its clearances, and what is said of it.
+fn row_ui(ui: &mut Ui, view: &mut View<'_>, candidate: &Candidate) {
+    let palette = palette(ui.ctx());
+    let Candidate { hole, shaft, minimum, maximum, .. } = *candidate;
+    let pair = format!("{hole}/{shaft}");
+    let range = format!("{} … {} µm", view.words.signed_um(minimum), view.words.signed_um(maximum));
+    let mut job = LayoutJob::default();
+    let text = |font, colour: Hex| TextFormat::simple(font, colour.0);
+    job.append(&pair, 0.0, text(theme::bold(sizes().body), palette.text));
+    job.append(&range, space(3.0), text(theme::font(sizes().body), palette.text));
+    let mut name = format!("{pair}  {range}");
+    if let Some(remark) = remark(view, candidate) {
+        job.append(&remark, space(3.0), text(theme::font(sizes().small), palette.quiet));
+        name = format!("{name}  {remark}");
+    }
+    let chosen = (view.session.fit().class(Feature::Hole), view.session.fit().class(Feature::Shaft));
+    let button = Button::new(job).truncate().selected(chosen == (Some(hole), Some(shaft)));
+    let size = vec2(ui.available_width(), sizes().field);
+    if ui.add_sized(size, button).accessible_name(name).clicked() {
+        view.send(Command::Fit(FitCommand::TakePair(hole, shaft)));
+    }
+}
+
+fn remark(view: &View<'_>, candidate: &Candidate) -> Option<String> {
+    match (candidate.preference, candidate.function, candidate.basis) {
+        (Some(_), _, _) => Some(view.text("fit-is-preferred")),
+        (None, Some(function), _) => Some(view.words.told(&function)),
+        (None, None, basis) => basis.map(|basis| view.words.told(&basis)),
+    }
+}

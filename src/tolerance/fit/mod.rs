@@ -1,0 +1,250 @@
+//! Fits: a hole against a shaft of the same nominal size.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | clearances, the kind of fit, two measured parts |
+//! | `error` | why two limits are no fit |
+//! | `basis` | hole basis or shaft basis |
+//! | `preferred` | the preferred fits of ISO 286-1 and the names of ANSI B4.2 |
+//! | `equivalent` | the same fit in the other basis, and whether it is exactly the same |
+//! | `thermal` | the clearance at another temperature |
+//! | `materials` | coefficients of expansion, shipped and the user's own |
+//! | `search` | from a wanted clearance to the classes that give it |
+//!
+//! A clearance is a length; a negative one is an interference. The kind of a fit depends on the size and is never
+//! stored for a pair of letters.
+
+pub mod basis;
+pub mod equivalent;
+mod error;
+pub mod materials;
+pub mod preferred;
+pub mod search;
+pub mod thermal;
+
+use std::fmt;
+
+pub use basis::{Basis, basis};
+pub use error::FitError;
+
+use super::callout::{Callout, Tolerance};
+use super::class::Feature;
+use super::limits::Limits;
+use super::sources::Sources;
+use crate::length::Length;
+use crate::verdict::{self, Status, Verdict};
+use crate::words::{Message, Say};
+
+/// A hole and a shaft of the same nominal size.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fit {
+    hole: Limits,
+    shaft: Limits,
+}
+
+/// What a hole and a shaft within their limits do to each other: as ISO 286-1 has it, with the standard's extreme
+/// cases: no clearance at all at the least still is a clearance fit, none at the most an interference fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// The smallest clearance is zero or more.
+    Clearance,
+    /// Clearance or interference, as the parts turn out.
+    Transition,
+    /// The largest clearance is zero or less, and the smallest is below zero.
+    Interference,
+}
+
+impl Kind {
+    /// The kind of a fit with these clearances.
+    pub fn of(minimum: Length, maximum: Length) -> Self {
+        if Length::ZERO <= minimum {
+            Self::Clearance
+        } else if maximum <= Length::ZERO {
+            Self::Interference
+        } else {
+            Self::Transition
+        }
+    }
+
+    /// The word for machines, in every language the same.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Clearance => "clearance",
+            Self::Transition => "transition",
+            Self::Interference => "interference",
+        }
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Clearance => "clearance fit",
+            Self::Transition => "transition fit",
+            Self::Interference => "interference fit",
+        })
+    }
+}
+
+impl Say for Kind {
+    fn message(&self) -> Message {
+        Message::new(match self {
+            Self::Clearance => "fit-kind-clearance",
+            Self::Transition => "fit-kind-transition",
+            Self::Interference => "fit-kind-interference",
+        })
+    }
+}
+
+/// Two measured parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Actual {
+    /// The hole's measured diameter.
+    pub hole: Length,
+    /// The shaft's measured diameter.
+    pub shaft: Length,
+    /// Hole minus shaft; negative is an interference.
+    pub clearance: Length,
+    /// Whether the clearance lies in the range that the callout allows, borders included. That can be so with a part
+    /// that is out of its own limits: the parts' verdicts say that.
+    pub conforms: bool,
+    /// What the hole alone is.
+    pub hole_verdict: Verdict,
+    /// What the shaft alone is.
+    pub shaft_verdict: Verdict,
+}
+
+impl Actual {
+    /// The worse of the two parts.
+    pub fn status(&self) -> Status {
+        self.hole_verdict.status().max(self.shaft_verdict.status())
+    }
+}
+
+/// One measured part, the other one anywhere within its limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Possible {
+    /// Which part was measured.
+    pub feature: Feature,
+    /// Its measured diameter.
+    pub measured: Length,
+    /// What it is alone.
+    pub verdict: Verdict,
+    /// The smallest clearance with a good counterpart.
+    pub minimum: Length,
+    /// The largest clearance with a good counterpart.
+    pub maximum: Length,
+}
+
+impl Fit {
+    /// A fit of a hole and a shaft.
+    ///
+    /// # Errors
+    /// [`FitError`] when a part is not what it should be, when the nominal sizes differ, or when a clearance would be
+    /// beyond what a length holds.
+    pub fn new(hole: Limits, shaft: Limits) -> Result<Self, FitError> {
+        if hole.feature != Feature::Hole {
+            return Err(FitError::NotAHole { minimum: hole.minimum(), maximum: hole.maximum() });
+        }
+        if shaft.feature != Feature::Shaft {
+            return Err(FitError::NotAShaft { minimum: shaft.minimum(), maximum: shaft.maximum() });
+        }
+        if hole.nominal != shaft.nominal {
+            return Err(FitError::NominalSizes { hole: hole.nominal, shaft: shaft.nominal });
+        }
+        let clearances = (hole.maximum().checked_sub(shaft.minimum()), hole.minimum().checked_sub(shaft.maximum()));
+        if let (Some(_), Some(_)) = clearances { Ok(Self { hole, shaft }) } else { Err(FitError::TooLarge) }
+    }
+
+    /// The fit of a callout such as `25 H7/g6`, each part's limits by the same sources.
+    ///
+    /// ```
+    /// use fitcheck::tolerance::Sources;
+    /// use fitcheck::tolerance::fit::{Fit, Kind};
+    ///
+    /// let fit = Fit::of_callout(&"50 H7/p6".parse()?, &Sources::default())?;
+    /// assert_eq!((fit.minimum_clearance().to_string(), fit.kind()), ("-0.042".into(), Kind::Interference));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`FitError::OneSided`] for a callout that is no fit, [`FitError::Limits`] where a class is not defined.
+    pub fn of_callout(callout: &Callout, sources: &Sources) -> Result<Self, FitError> {
+        if !matches!(callout.tolerance(), Tolerance::Fit { .. }) {
+            return Err(FitError::OneSided { callout: *callout });
+        }
+        let limits = |feature| sources.limits(callout, Some(feature));
+        Self::new(limits(Feature::Hole)?, limits(Feature::Shaft)?)
+    }
+
+    /// The hole's limits.
+    pub const fn hole(&self) -> &Limits {
+        &self.hole
+    }
+
+    /// The shaft's limits.
+    pub const fn shaft(&self) -> &Limits {
+        &self.shaft
+    }
+
+    /// The nominal size of both.
+    pub const fn nominal(&self) -> Length {
+        self.hole.nominal
+    }
+
+    /// The largest clearance, ES − ei; negative when there always is an interference.
+    pub fn maximum_clearance(&self) -> Length {
+        self.hole.maximum().saturating_sub(self.shaft.minimum())
+    }
+
+    /// The smallest clearance, EI − es; negative is the largest interference.
+    pub fn minimum_clearance(&self) -> Length {
+        self.hole.minimum().saturating_sub(self.shaft.maximum())
+    }
+
+    /// The clearance of two parts in the middle of their zones; a half nanometre is rounded towards the larger.
+    pub fn mean_clearance(&self) -> Length {
+        self.minimum_clearance().midpoint(self.maximum_clearance())
+    }
+
+    /// Clearance, transition or interference, at this size.
+    pub fn kind(&self) -> Kind {
+        Kind::of(self.minimum_clearance(), self.maximum_clearance())
+    }
+
+    /// Whether a clearance lies in the range of this fit, borders included.
+    pub fn allows(&self, clearance: Length) -> bool {
+        self.minimum_clearance() <= clearance && clearance <= self.maximum_clearance()
+    }
+
+    /// What two measured parts do: their clearance, and each part's own verdict.
+    pub fn actual(&self, hole: Length, shaft: Length) -> Actual {
+        let clearance = hole.saturating_sub(shaft);
+        Actual {
+            hole,
+            shaft,
+            clearance,
+            conforms: self.allows(clearance),
+            hole_verdict: verdict::judge(&self.hole, hole, None),
+            shaft_verdict: verdict::judge(&self.shaft, shaft, None),
+        }
+    }
+
+    /// What one measured part leaves possible when its counterpart lies within its limits.
+    pub fn possible(&self, feature: Feature, measured: Length) -> Possible {
+        let (limits, minimum, maximum) = match feature {
+            Feature::Hole => {
+                let clearance = |shaft| measured.saturating_sub(shaft);
+                (&self.hole, clearance(self.shaft.maximum()), clearance(self.shaft.minimum()))
+            }
+            Feature::Shaft => {
+                let clearance = |hole: Length| hole.saturating_sub(measured);
+                (&self.shaft, clearance(self.hole.minimum()), clearance(self.hole.maximum()))
+            }
+        };
+        Possible { feature, measured, verdict: verdict::judge(limits, measured, None), minimum, maximum }
+    }
+}
+
+#[cfg(test)]
+mod tests;

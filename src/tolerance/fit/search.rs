@@ -1,0 +1,185 @@
+//! From a wanted clearance to the pairs of classes that give it.
+//!
+//! Looks at every pair of classes that the sources define at a size, exactly, to the nanometre. Two numbers decide a
+//! pair, so all quarter of a million pairs are looked at; only those that are shown are spelled out.
+
+mod ranking;
+
+use ranking::{Zone, fitting, nearest};
+
+use super::Kind;
+use super::basis::Basis;
+use super::preferred::{Function, Preference};
+use crate::length::{Length, signed_mm};
+use crate::tolerance::class::{Feature, ToleranceClass};
+use crate::tolerance::iso286::Options;
+use crate::tolerance::sources::{Base, Sources};
+use crate::words::{Message, Say};
+
+/// A range of clearance; negative is an interference. The borders belong to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wanted {
+    /// No less than this.
+    pub minimum: Length,
+    /// No more than this.
+    pub maximum: Length,
+}
+
+/// Which pairs are looked at.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum Scope {
+    /// The preferred fits of ISO 286-1 and the pairs that ANSI B4.2 names.
+    Preferred,
+    /// Pairs with an H or an h.
+    Basis,
+    /// Every pair.
+    #[default]
+    All,
+}
+
+/// A pair of classes and what it gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Candidate {
+    /// The hole's class.
+    pub hole: ToleranceClass,
+    /// The shaft's class.
+    pub shaft: ToleranceClass,
+    /// The smallest clearance.
+    pub minimum: Length,
+    /// The largest clearance.
+    pub maximum: Length,
+    /// The list of ISO 286-1 that it stands in.
+    pub preference: Option<Preference>,
+    /// Its name in ANSI B4.2.
+    pub function: Option<Function>,
+    /// Hole basis or shaft basis.
+    pub basis: Option<Basis>,
+}
+
+impl Candidate {
+    /// Clearance, transition or interference.
+    pub fn kind(&self) -> Kind {
+        Kind::of(self.minimum, self.maximum)
+    }
+}
+
+/// The pair that comes nearest where none fits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Miss {
+    /// The pair.
+    pub candidate: Candidate,
+    /// How far its smallest clearance is below the wanted one, zero or more.
+    pub below: Length,
+    /// How far its largest clearance is above the wanted one, zero or more.
+    pub above: Length,
+}
+
+/// What a search found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Found {
+    /// The best pairs, best first: preferred fits of the hole basis, of the shaft basis, pairs named in ANSI B4.2, then
+    /// hole basis, shaft basis, and the rest. Within each the widest tolerances first, which are the cheapest to make:
+    /// both together, then the narrower one; and then by letters.
+    pub candidates: Vec<Candidate>,
+    /// How many pairs fit altogether.
+    pub total: usize,
+    /// Where none fits, the pair that reaches least beyond what is wanted, below and above together.
+    pub nearest: Option<Miss>,
+}
+
+/// Why there is nothing to search.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum SearchError {
+    /// The wanted clearances are in the wrong order; they are not swapped.
+    #[error("smallest clearance {minimum} mm is above largest clearance {maximum} mm")]
+    Order {
+        /// The smallest that was given.
+        minimum: Length,
+        /// The largest that was given.
+        maximum: Length,
+    },
+    /// A nominal size of 0 or less.
+    #[error("nominal size {nominal} mm is not above 0")]
+    NotPositive {
+        /// What was given.
+        nominal: Length,
+    },
+    /// A nominal size beyond the standard.
+    #[error("nominal size {nominal} mm is beyond ISO 286, which ends at 3150 mm")]
+    TooLarge {
+        /// What was given.
+        nominal: Length,
+    },
+    /// The tables have no class for a hole or none for a shaft.
+    #[error("the tables have no classes for both hole and shaft at {nominal} mm")]
+    NoClasses {
+        /// What was given.
+        nominal: Length,
+    },
+}
+
+impl Say for SearchError {
+    fn message(&self) -> Message {
+        match *self {
+            Self::Order { minimum, maximum } => {
+                let message = signed_mm(Message::new("fit-search-order"), "minimum-sign", "minimum", minimum);
+                signed_mm(message, "maximum-sign", "maximum", maximum)
+            }
+            Self::NotPositive { nominal } => {
+                signed_mm(Message::new("callout-not-positive"), "nominal-sign", "nominal", nominal)
+            }
+            Self::TooLarge { nominal } => Message::new("iso286-too-large").mm("nominal", nominal),
+            Self::NoClasses { nominal } => Message::new("fit-search-no-classes").mm("nominal", nominal),
+        }
+    }
+}
+
+/// Finds the pairs of ISO 286 whose whole range of clearance lies within the wanted one, and spells out the best
+/// `limit`.
+///
+/// # Errors
+/// [`SearchError`] for a range in the wrong order and for a size that ISO 286 does not have.
+pub fn search(
+    nominal: Length,
+    wanted: Wanted,
+    options: Options,
+    scope: Scope,
+    limit: usize,
+) -> Result<Found, SearchError> {
+    search_in(nominal, wanted, &Sources::default().with_options(options), scope, limit)
+}
+
+/// The same among the classes of any sources: where a user's own table has a class, its deviations count.
+///
+/// # Errors
+/// [`SearchError`], also where the sources have no class for a hole or none for a shaft.
+pub fn search_in(
+    nominal: Length,
+    wanted: Wanted,
+    sources: &Sources,
+    scope: Scope,
+    limit: usize,
+) -> Result<Found, SearchError> {
+    if wanted.maximum < wanted.minimum {
+        return Err(SearchError::Order { minimum: wanted.minimum, maximum: wanted.maximum });
+    }
+    if nominal <= Length::ZERO {
+        return Err(SearchError::NotPositive { nominal });
+    }
+    let holes = Zone::all(Feature::Hole, nominal, sources);
+    let shafts = Zone::all(Feature::Shaft, nominal, sources);
+    if holes.is_empty() || shafts.is_empty() {
+        let is_standard = matches!(sources.base(), Base::Iso286);
+        return Err(if is_standard { SearchError::TooLarge { nominal } } else { SearchError::NoClasses { nominal } });
+    }
+    let mut ranked = fitting(&holes, &shafts, wanted, scope);
+    let total = ranked.len();
+    let nearest = if total == 0 { nearest(&holes, &shafts, wanted, scope) } else { None };
+    if limit < ranked.len() {
+        ranked.select_nth_unstable(limit);
+        ranked.truncate(limit);
+    }
+    ranked.sort_unstable();
+    let candidates = ranked.iter().filter_map(|pair| pair.candidate(&holes, &shafts)).collect();
+    Ok(Found { candidates, total, nearest })
+}

@@ -1,0 +1,235 @@
+use super::search::SearchError;
+use super::thermal::{Expansion, Temperature, Warm, clearance_change_apart, growth};
+use super::*;
+use crate::tolerance::fit::materials::{Certainty, Materials, MaterialsError};
+use crate::tolerance::fit::preferred::{Function, Preference};
+use crate::tolerance::{Deviations, Source};
+use crate::words::{Language, Words};
+
+fn mm(text: &str) -> Length {
+    text.parse().unwrap()
+}
+
+fn limits(feature: Feature, nominal: &str, upper: &str, lower: &str) -> Limits {
+    let deviations = Deviations::new(mm(upper), mm(lower)).unwrap();
+    Limits::new(feature, mm(nominal), deviations, Source::File("drawing".into())).unwrap()
+}
+
+fn fit(hole: (&str, &str), shaft: (&str, &str)) -> Fit {
+    let hole = limits(Feature::Hole, "25", hole.0, hole.1);
+    Fit::new(hole, limits(Feature::Shaft, "25", shaft.0, shaft.1)).unwrap()
+}
+
+#[track_caller]
+fn said(what: &(impl Say + fmt::Display)) {
+    assert_eq!(Words::new(Language::En).told(what), what.to_string());
+    let dutch = Words::new(Language::Nl).told(what);
+    assert!(dutch != what.message().id && dutch != what.to_string(), "{dutch}");
+}
+
+#[test]
+fn zero_counts_as_clearance_at_the_least_and_as_interference_at_the_most() {
+    #[track_caller]
+    fn check(hole: (&str, &str), shaft: (&str, &str), kind: Kind) {
+        assert_eq!(fit(hole, shaft).kind(), kind);
+    }
+    check(("0.021", "0"), ("0", "-0.013"), Kind::Clearance);
+    check(("0.021", "0"), ("0.000001", "-0.013"), Kind::Transition);
+    check(("0.021", "0"), ("0.034", "0.021"), Kind::Interference);
+    check(("0.021", "0"), ("0.034", "0.020999"), Kind::Transition);
+    check(("0", "0"), ("0", "0"), Kind::Clearance);
+    check(("0", "-0.000001"), ("0", "0"), Kind::Interference);
+}
+
+#[test]
+fn what_is_no_fit_is_refused() {
+    let hole = |nominal| limits(Feature::Hole, nominal, "0.021", "0");
+    let shaft = |nominal| limits(Feature::Shaft, nominal, "0", "-0.013");
+    let error = |hole, shaft| {
+        let error = Fit::new(hole, shaft).unwrap_err();
+        said(&error);
+        error.to_string()
+    };
+    assert_eq!(error(shaft("25"), shaft("25")), "24.987 to 25 mm are a shaft's limits, where a hole's are needed");
+    assert_eq!(error(hole("25"), hole("25")), "25 to 25.021 mm are a hole's limits, where a shaft's are needed");
+    let nominal = error(hole("25"), shaft("25.000001"));
+    assert_eq!(nominal, "a fit has one nominal size: the hole has 25 mm, the shaft 25.000001 mm");
+    let far = limits(Feature::Hole, "25", "999999000", "0");
+    let low = limits(Feature::Shaft, "25", "0", "-999999000");
+    assert_eq!(error(far, low), "the clearance is too large");
+    for text in ["25 H7", "12 ±0.02", "600 H7/c9", "25 Q7/h6"] {
+        said(&Fit::of_callout(&text.parse().unwrap(), &Sources::default()).unwrap_err());
+    }
+    said(&FitError::NotAHole { minimum: mm("-1.5"), maximum: mm("0.5") });
+}
+
+#[test]
+fn two_measured_parts_have_a_clearance_and_a_verdict_each() {
+    let fit = fit(("0.021", "0"), ("-0.007", "-0.020"));
+    let actual = fit.actual(mm("25.0210"), mm("24.98"));
+    assert_eq!((actual.clearance, actual.conforms, actual.status()), (mm("0.041"), true, Status::Good));
+    // Both parts out to the same side: the clearance conforms and the parts do not.
+    let actual = fit.actual(mm("25.031"), mm("25.003"));
+    assert_eq!((actual.clearance, actual.conforms), (mm("0.028"), true));
+    assert_eq!((actual.hole_verdict.status(), actual.shaft_verdict.status()), (Status::Scrap, Status::Rework));
+    assert_eq!(actual.status(), Status::Scrap);
+    assert!(!fit.actual(mm("25.021001"), mm("24.98")).conforms);
+    assert!(fit.allows(mm("0.007")) && !fit.allows(mm("0.006999")));
+}
+
+#[test]
+fn one_measured_part_leaves_a_range() {
+    let fit = fit(("0.021", "0"), ("-0.007", "-0.020"));
+    let hole = fit.possible(Feature::Hole, mm("25.010"));
+    assert_eq!((hole.minimum, hole.maximum, hole.verdict.status()), (mm("0.017"), mm("0.030"), Status::Good));
+    let shaft = fit.possible(Feature::Shaft, mm("24.979"));
+    assert_eq!((shaft.minimum, shaft.maximum, shaft.verdict.status()), (mm("0.021"), mm("0.042"), Status::Scrap));
+}
+
+#[test]
+fn temperatures_are_worked_by_hand() {
+    let warm = |expansion: &str, temperature: &str| Warm {
+        expansion: expansion.parse().unwrap(),
+        temperature: temperature.parse().unwrap(),
+    };
+    // 100 mm of aluminium at 25 °C: 23.1e-6 · 5 · 100 mm = 11.55 µm.
+    assert_eq!(growth(mm("100"), warm("23.1", "25")), mm("0.01155"));
+    // 25 mm, 6 K more: steel 1.725 µm, aluminium 3.465 µm.
+    assert_eq!(growth(mm("25"), warm("11.5", "26")), mm("0.001725"));
+    assert_eq!(growth(mm("25"), warm("23.1", "26 °C")), mm("0.003465"));
+    // A steel ring of 50 mm at 220 °C over a cold pin at −30 °C: 115 µm and 28.75 µm.
+    assert_eq!(clearance_change_apart(mm("50"), warm("11.5", "220"), warm("11.5", "-30")), mm("0.14375"));
+    assert_eq!(clearance_change_apart(mm("50"), warm("11.5", "20"), warm("23.1", "20")), Length::ZERO);
+    // 0.5 nm either way goes away from zero: 1 mm · 0.5e-6 · 1 K.
+    assert_eq!(growth(mm("1"), warm("0.5", "21")), mm("0.000001"));
+    assert_eq!(growth(mm("1"), warm("0.5", "19")), mm("-0.000001"));
+    assert_eq!(growth(mm("1"), warm("0.499", "21")), Length::ZERO);
+    assert_eq!(growth(mm("1"), warm("-0.5", "21")), mm("-0.000001"));
+    let extreme = Warm { expansion: Expansion::MAX, temperature: Temperature::MAX };
+    let cold = Warm { expansion: Expansion::MAX, temperature: Temperature::MIN };
+    assert_eq!(clearance_change_apart(Length::MAX, extreme, cold), mm("636575000"));
+}
+
+#[test]
+fn temperatures_and_expansions_read_as_they_print() {
+    #[track_caller]
+    fn temperature(text: &str, expected: &str) {
+        let told = text.parse::<Temperature>().map(|found| found.to_string());
+        assert_eq!(told.unwrap_or_else(|error| format!("! {error}")), expected, "for {text:?}");
+    }
+    temperature("20", "20");
+    temperature(" -40 °C ", "-40");
+    temperature("\u{2212}0,5C", "-0.5");
+    temperature("+85.125", "85.125");
+    temperature("-273.15", "-273.15");
+    temperature("1000.000", "1000");
+    temperature("-273.151", "! a temperature of -273.151 °C is out of range: from -273.15 to 1000 °C");
+    temperature("1000.001", "! a temperature of 1000.001 °C is out of range: from -273.15 to 1000 °C");
+    temperature(
+        "99999999999999999999",
+        "! a temperature of 99999999999999999999 °C is out of range: from -273.15 to 1000 °C",
+    );
+    temperature("20.0001", "! 20.0001 has more than three decimals");
+    temperature("", "!  is not a number");
+    temperature("1.234,5", "! 1.234,5 is not a number");
+    temperature("--1", "! --1 is not a number");
+    temperature("20 F", "! 20 F is not a number");
+    assert_eq!("11.5".parse::<Expansion>().unwrap().thousandths(), 11_500);
+    assert_eq!("-0.001".parse::<Expansion>().unwrap().to_string(), "-0.001");
+    for text in ["500.001", "-20.001", "11.5555", "steel"] {
+        said(&text.parse::<Expansion>().unwrap_err());
+    }
+    said(&"-500".parse::<Temperature>().unwrap_err());
+}
+
+#[test]
+fn shipped_materials_are_those_of_the_facts() {
+    let shipped = Materials::shipped();
+    let list: Vec<String> =
+        shipped.iter().map(|m| format!("{} {} {}", m.name, m.expansion, m.certainty.word())).collect();
+    assert_eq!(
+        list,
+        [
+            "steel 11.5 published",
+            "aluminium 23.1 published",
+            "stainless steel 16 verify",
+            "cast iron 10.5 verify",
+            "brass 18.5 verify",
+            "bronze 18 verify",
+            "copper 16.5 verify",
+            "titanium 8.6 verify",
+            "magnesium 26 verify",
+            "POM 110 verify",
+            "carbide 5.5 verify",
+            "invar 1.2 verify",
+        ]
+    );
+    assert!(shipped.iter().all(|material| material.source.is_some()));
+    assert_eq!(shipped.find("Staal").unwrap().name, "steel");
+    assert_eq!(shipped.find(" CAST IRON ").unwrap().name_in(Language::Nl), "gietijzer");
+}
+
+#[test]
+fn own_materials_replace_and_add() {
+    let text = "version = 1\n[[material]]\nname = \"Steel\"\nexpansion = \"12,2\"\n[[material]]\nname = \"PE\"\nexpansion = 200\n";
+    let both = Materials::shipped().with_own(Materials::read(text).unwrap());
+    let steel = both.find("steel").unwrap();
+    assert_eq!((steel.expansion.to_string(), steel.certainty), ("12.2".to_owned(), Certainty::Own));
+    assert_eq!(both.iter().count(), 13);
+    assert_eq!(both.find("pe").unwrap().expansion.to_string(), "200");
+}
+
+#[test]
+fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
+    #[track_caller]
+    fn check(text: &str, expected: &str) {
+        let error = Materials::read(text).unwrap_err();
+        assert_eq!(error.to_string(), expected);
+        said(&error);
+    }
+    let steel = "version = 1\n\n[[material]]\nname = \"steel\"\nexpansion = 11.5\n";
+    check("version = 2", "version 2 of a file of materials is not known, only version 1");
+    check(
+        &format!("{steel}[[material]]\nname = \"STEEL\"\nexpansion = 1\n"),
+        "line 7: there are two materials called STEEL",
+    );
+    check(
+        "version = 1\n[[material]]\nname = \" \"\nexpansion = 1",
+        "line 3: a material's name has 1 to 60 characters and no control characters",
+    );
+    let many: Vec<String> =
+        (0..1001).map(|number| format!("[[material]]\nname = \"m{number}\"\nexpansion = 1\n")).collect();
+    check(&format!("version = 1\n{}", many.concat()), "there are 1001 materials: at most 1000");
+    check(
+        &steel.replace("11.5", "1150"),
+        "line 5, column 13: an expansion of 1150 is out of range: from -20 to 500, in millionths a kelvin, such as 11.5 for steel",
+    );
+    check(
+        &steel.replace("expansion", "alpha"),
+        "line 5, column 1: unknown field `alpha`, expected one of `name`, `names`, `expansion`, `source`, `certainty`",
+    );
+    let unknown = Materials::read(steel).unwrap().find("wood").unwrap_err();
+    assert_eq!(
+        unknown.to_string(),
+        "no material is called wood; there are steel, or give the expansion itself, such as 11.5"
+    );
+    said(&unknown);
+    assert!(matches!(Materials::read("version = 1\nmaterial = 3"), Err(MaterialsError::Toml { line: 2, .. })));
+    assert!(matches!(Materials::read(&steel.replace("11.5", "nan")), Err(MaterialsError::Toml { line: 5, .. })));
+}
+
+#[test]
+fn every_word_is_said_in_english_and_in_dutch() {
+    [Kind::Clearance, Kind::Transition, Kind::Interference].iter().for_each(said);
+    [Basis::Hole, Basis::Shaft, Basis::Both].iter().for_each(said);
+    [Preference::HoleBasis, Preference::ShaftBasis].iter().for_each(said);
+    [Certainty::Published, Certainty::Verify, Certainty::Own].iter().for_each(said);
+    Function::ALL.iter().for_each(said);
+    let errors = [
+        SearchError::Order { minimum: mm("0.5"), maximum: mm("-0.5") },
+        SearchError::NotPositive { nominal: mm("-1") },
+        SearchError::TooLarge { nominal: mm("3150.000001") },
+        SearchError::NoClasses { nominal: mm("400.5") },
+    ];
+    errors.iter().for_each(said);
+}

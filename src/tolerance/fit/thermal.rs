@@ -1,0 +1,208 @@
+//! The clearance at another temperature than the reference temperature of 20 °C (ISO 1).
+//!
+//! First order in the temperature, which is enough: a coefficient is seldom known better than to a tenth.
+//! Coefficients and temperatures are exact decimals; the result is rounded once, at the end, to the nanometre.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::length::Length;
+use crate::words::{Message, Say};
+
+/// The reference temperature of ISO 1.
+const REFERENCE: i32 = 20_000;
+/// A thousandth of 10⁻⁶/K times a thousandth of a kelvin.
+const SCALE: i128 = 1_000_000_000_000;
+
+/// A coefficient of linear expansion in thousandths of 10⁻⁶/K, from −20 to 500 · 10⁻⁶/K.
+///
+/// The bounds hold every engineering metal and plastic; a value beyond them is probably given in another unit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Expansion(i32);
+
+/// A temperature in thousandths of a degree Celsius, from −273.15 to 1000 °C.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Temperature(i32);
+
+/// Why a text is no temperature or no coefficient of expansion.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ThermalError {
+    /// The text is not a decimal number.
+    #[error("{text} is not a number")]
+    NotANumber {
+        /// What was given.
+        text: String,
+    },
+    /// More than three decimals.
+    #[error("{text} has more than three decimals")]
+    TooFine {
+        /// What was given.
+        text: String,
+    },
+    /// A temperature out of range.
+    #[error("a temperature of {text} °C is out of range: from -273.15 to 1000 °C")]
+    Temperature {
+        /// What was given.
+        text: String,
+    },
+    /// A coefficient out of range.
+    #[error("an expansion of {text} is out of range: from -20 to 500, in millionths a kelvin, such as 11.5 for steel")]
+    Expansion {
+        /// What was given.
+        text: String,
+    },
+}
+
+impl Say for ThermalError {
+    fn message(&self) -> Message {
+        match self {
+            Self::NotANumber { text } => Message::new("length-not-a-number").text("text", text),
+            Self::TooFine { text } => Message::new("fit-thermal-too-fine").text("text", text),
+            Self::Temperature { text } => Message::new("fit-thermal-temperature").text("text", text),
+            Self::Expansion { text } => Message::new("fit-thermal-expansion").text("text", text),
+        }
+    }
+}
+
+impl Expansion {
+    /// The smallest, −20 · 10⁻⁶/K.
+    pub const MIN: Self = Self(-20_000);
+    /// The largest, 500 · 10⁻⁶/K.
+    pub const MAX: Self = Self(500_000);
+
+    /// The coefficient in thousandths of 10⁻⁶/K.
+    pub const fn thousandths(self) -> i32 {
+        self.0
+    }
+}
+
+impl Temperature {
+    /// The reference temperature, 20 °C.
+    pub const REFERENCE: Self = Self(REFERENCE);
+    /// The lowest, −273.15 °C.
+    pub const MIN: Self = Self(-273_150);
+    /// The highest, 1000 °C.
+    pub const MAX: Self = Self(1_000_000);
+
+    /// The temperature in thousandths of a degree Celsius.
+    pub const fn thousandths(self) -> i32 {
+        self.0
+    }
+}
+
+impl FromStr for Expansion {
+    type Err = ThermalError;
+
+    /// Reads millionths a kelvin, `11.5`: point or comma, at most three decimals.
+    fn from_str(text: &str) -> Result<Self, ThermalError> {
+        let text = text.trim();
+        let found = i32::try_from(thousandths(text)?).ok().map(Self);
+        let in_range = found.filter(|found| Self::MIN <= *found && *found <= Self::MAX);
+        in_range.ok_or_else(|| ThermalError::Expansion { text: text.to_owned() })
+    }
+}
+
+impl FromStr for Temperature {
+    type Err = ThermalError;
+
+    /// Reads degrees Celsius, `80`, `20,5 °C`, `-40C`: point or comma, at most three decimals.
+    fn from_str(text: &str) -> Result<Self, ThermalError> {
+        let text = text.trim();
+        let number = text.strip_suffix('C').unwrap_or(text);
+        let number = number.strip_suffix('°').unwrap_or(number).trim_end();
+        let found = i32::try_from(thousandths(number)?).ok().map(Self);
+        let in_range = found.filter(|found| Self::MIN <= *found && *found <= Self::MAX);
+        in_range.ok_or_else(|| ThermalError::Temperature { text: number.to_owned() })
+    }
+}
+
+/// Millionths a kelvin with a point and only the decimals it has.
+impl fmt::Display for Expansion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&decimal(self.0))
+    }
+}
+
+/// Degrees Celsius with a point and only the decimals it has, without the unit.
+impl fmt::Display for Temperature {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&decimal(self.0))
+    }
+}
+
+/// The material and the temperature of a part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Warm {
+    /// How much the material expands.
+    pub expansion: Expansion,
+    /// How warm it is.
+    pub temperature: Temperature,
+}
+
+impl Warm {
+    /// The growth of a length of 1 in billionths of a millionth.
+    fn growth(self) -> i128 {
+        i128::from(self.expansion.0) * i128::from(self.temperature.0 - REFERENCE)
+    }
+}
+
+/// How much more clearance there is at a temperature of both parts than at 20 °C: ΔC = (α hole − α shaft)(T − 20) D.
+///
+/// ```
+/// use fitcheck::tolerance::fit::thermal::clearance_change;
+///
+/// // 50 mm of aluminium around steel at 80 °C: (23.1 − 11.5) · 60 · 50 mm = 34.8 µm.
+/// let change = clearance_change("50".parse()?, "23.1".parse()?, "11.5".parse()?, "80".parse()?);
+/// assert_eq!(change.nanometres(), 34_800);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn clearance_change(nominal: Length, hole: Expansion, shaft: Expansion, temperature: Temperature) -> Length {
+    clearance_change_apart(nominal, Warm { expansion: hole, temperature }, Warm { expansion: shaft, temperature })
+}
+
+/// The same where each part has its own temperature, as a hole that is heated for assembly.
+pub fn clearance_change_apart(nominal: Length, hole: Warm, shaft: Warm) -> Length {
+    // Below 10^15 nm times 10^12: far inside an i128.
+    nanometres(i128::from(nominal.nanometres()) * (hole.growth() - shaft.growth()))
+}
+
+/// How much longer a length is at a temperature than at 20 °C.
+pub fn growth(nominal: Length, part: Warm) -> Length {
+    nanometres(i128::from(nominal.nanometres()) * part.growth())
+}
+
+/// The nearest whole nanometre, halves away from zero.
+fn nanometres(scaled: i128) -> Length {
+    let half = SCALE / 2 * scaled.signum();
+    let nm = i64::try_from((scaled + half) / SCALE).ok();
+    // Within the bounds of coefficients and temperatures a part grows by a fraction of its length, so this holds.
+    nm.and_then(|nm| Length::from_nanometres(nm).ok()).unwrap_or(Length::MAX)
+}
+
+/// The thousandths of a decimal number; beyond nine figures whatever is out of every range.
+fn thousandths(text: &str) -> Result<i64, ThermalError> {
+    let not_a_number = || ThermalError::NotANumber { text: text.to_owned() };
+    let unsigned = text.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(text);
+    let (whole, decimals) = unsigned.split_once(['.', ',']).unwrap_or((unsigned, ""));
+    let sound = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    if !sound(whole) || !sound(decimals) || (whole.is_empty() && decimals.is_empty()) {
+        return Err(not_a_number());
+    }
+    let decimals = decimals.trim_end_matches('0');
+    if 3 < decimals.len() {
+        return Err(ThermalError::TooFine { text: text.to_owned() });
+    }
+    let whole = whole.trim_start_matches('0');
+    let number = if 9 < whole.len() { Ok(i64::MAX) } else { format!("{whole}{decimals:0<3}").parse() };
+    let number = number.map_err(|_figures| not_a_number())?;
+    Ok(if text.starts_with(['-', '\u{2212}']) { -number } else { number })
+}
+
+fn decimal(thousandths: i32) -> String {
+    let sign = if thousandths < 0 { "-" } else { "" };
+    let (whole, rest) = (thousandths.unsigned_abs() / 1000, thousandths.unsigned_abs() % 1000);
+    if rest == 0 {
+        return format!("{sign}{whole}");
+    }
+    format!("{sign}{whole}.{rest:03}").trim_end_matches('0').to_owned()
+}
