@@ -50,22 +50,10 @@ fn focused(window: &Harness<'_, App>) -> String {
 #[test]
 fn the_kind_of_a_fit_depends_on_the_size() {
     for (typed, said) in [
-        (
-            "50 H7/p6",
-            "Interference fit. −42 … −1 µm. Minimum interference 1 µm. Maximum interference 42 µm. Mean interference 21.5 µm",
-        ),
-        (
-            "2 H7/p6",
-            "Transition fit. −12 … +4 µm. Maximum clearance 4 µm. Maximum interference 12 µm. Mean interference 4 µm",
-        ),
-        (
-            "25 H7/h6",
-            "Clearance fit. 0 … +34 µm. Maximum clearance 34 µm. Minimum clearance 0 µm. Mean clearance 17 µm",
-        ),
-        (
-            "25 H7-g6",
-            "Clearance fit. +7 … +41 µm. Maximum clearance 41 µm. Minimum clearance 7 µm. Mean clearance 24 µm",
-        ),
+        ("50 H7/p6", "Interference fit. −42 … −1 µm. Minimum interference 1 µm. Maximum interference 42 µm. Mean interference 21.5 µm"),
+        ("2 H7/p6", "Transition fit. −12 … +4 µm. Maximum clearance 4 µm. Maximum interference 12 µm. Mean interference 4 µm"),
+        ("25 H7/h6", "Clearance fit. 0 … +34 µm. Maximum clearance 34 µm. Minimum clearance 0 µm. Mean clearance 17 µm"),
+        ("25 H7-g6", "Clearance fit. +7 … +41 µm. Maximum clearance 41 µm. Minimum clearance 7 µm. Mean clearance 24 µm"),
     ] {
         assert_eq!(verdict(&fit(typed)), said, "{typed}");
     }
