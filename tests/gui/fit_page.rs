@@ -366,7 +366,7 @@ fn picture(name: &str, theme: Theme, size: Vec2, callout: &str, parts: [&str; 2]
     if !can_paint(name) {
         return;
     }
-    let mut window = open(Window { theme, size, ..Window::default() });
+    let mut window = open(Window { size, theme, ..Window::default() });
     type_into(&mut window, "Fit of hole and shaft", callout);
     for (name, text) in ["Measured hole", "Measured shaft"].into_iter().zip(parts) {
         type_into(&mut window, name, text);
