@@ -42,6 +42,7 @@ pub use tables::{TablesCommand, TablesPage};
 use crate::control::mask::Mask;
 use crate::control::{shipped_tables, status};
 use crate::journal::Record;
+use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::{Base, Callout, Sources};
 use crate::words::{Language, Message, Say as _};
 
@@ -112,6 +113,7 @@ pub struct Session {
     inputs: Inputs,
     asked: Asked,
     fit: FitPage,
+    materials: Materials,
     sources: Arc<Sources>,
     tables_folder: Option<PathBuf>,
     mask: MaskChoice,
@@ -165,6 +167,7 @@ impl Session {
             undo: Vec::new(),
             dialog: None,
             notices: Vec::new(),
+            materials: Materials::shipped().clone(),
             tables: TablesPage::default(),
         }
     }
@@ -260,6 +263,16 @@ impl Session {
     /// Tells something that happened outside, such as a state file that was set aside.
     pub fn tell(&mut self, message: Message) {
         self.notices.push(Notice { message, details: Vec::new(), is_problem: true });
+    }
+
+    /// Adds the user's own materials to the shipped ones; one of the same name takes its place.
+    pub fn use_materials(&mut self, own: Materials) {
+        self.materials = Materials::shipped().with_own(own);
+    }
+
+    /// What parts can be made of.
+    pub const fn materials(&self) -> &Materials {
+        &self.materials
     }
 
     /// Does a command at a local date and time, and says what the world outside has to do.

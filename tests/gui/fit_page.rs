@@ -338,6 +338,32 @@ fn the_fields_survive_a_restart() {
 }
 
 #[test]
+fn own_materials_are_offered_and_a_broken_file_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let put = |text: &str| {
+        let path = folder.path().join("materials.toml");
+        std::fs::File::create(path).and_then(|mut file| std::io::Write::write_all(&mut file, text.as_bytes())).unwrap();
+    };
+    let own_window = || {
+        let store = Store::at(&folder.path().join("state.toml"));
+        let mut window = open(Window { store, ..Window::default() });
+        type_into(&mut window, "Fit of hole and shaft", "50 H7/h6");
+        window
+    };
+    put("version = 1\n[[material]]\nname = \"steel\"\nexpansion = 17.3\nsource = \"our mill\"\n");
+    let mut window = own_window();
+    click(&mut window, Role::ComboBox, "Material of the hole");
+    click(&mut window, Role::Button, "steel  17.3");
+    // 50 mm, (17.3 - 11.5) in a million and a kelvin, 60 K.
+    type_into(&mut window, "Temperature", "80");
+    // The shaft's field still holds the value that it was left with.
+    window.get_by_label("Clearance fit; clearance changes by +17.4 µm");
+    put("version = 1\n[[material]]\nname = 7\n");
+    let window = own_window();
+    window.get_by_label_contains("materials.toml, line 3");
+}
+
+#[test]
 fn the_settled_page_asks_for_no_repaint() {
     let mut window = fit("50 H7/p6");
     type_into(&mut window, "Measured hole", "50.010");

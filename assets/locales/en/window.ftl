@@ -328,3 +328,6 @@ fit-with-good-hole = Clearance with a good hole
 fit-at-temperature = At { $degrees } °C
 fit-temperature-change = clearance changes by { $um } µm
 fit-these-parts = These parts: { $clearance }
+
+## Own materials
+materials-refused = Own materials cannot be used: { $path }, { $reason }

@@ -328,3 +328,6 @@ fit-with-good-hole = Speling met een goede boring
 fit-at-temperature = Bij { $degrees } °C
 fit-temperature-change = speling verandert { $um } µm
 fit-these-parts = Deze delen: { $clearance }
+
+## Own materials
+materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, { $reason }

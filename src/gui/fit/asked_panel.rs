@@ -4,7 +4,7 @@ use eframe::egui::{Button, ComboBox, Grid, Id, Ui, vec2};
 
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{sizes, space};
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, heading, list_height, quiet};
 use crate::session::{Command, Field, FitCommand};
 use crate::tolerance::ToleranceClass;
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
@@ -43,7 +43,7 @@ fn list_ui(ui: &mut Ui, (salt, name): (&str, Id), shown: String, width: f32, con
         .selected_text(shown)
         .width(width)
         .truncate()
-        .height(f32::INFINITY)
+        .height(list_height(ui))
         .show_ui(ui, content)
         .response
         .labelled_by(name);

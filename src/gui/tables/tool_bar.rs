@@ -8,7 +8,7 @@ use crate::exchange::tables::TABLE_FORMATS;
 use crate::gui::field::{Look, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::view::{View, quiet};
+use crate::gui::view::{View, list_height, quiet};
 use crate::session::tables::{Document, Origin, TableChoice};
 use crate::session::{Command, Field, Purpose, TablesCommand};
 use crate::verdict::Status;
@@ -77,7 +77,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
         .selected_text(shown.unwrap_or_default())
         .width(space(64.0))
         .truncate()
-        .height(f32::INFINITY);
+        .height(list_height(ui));
     let response = combo.show_ui(ui, |ui| {
         let open = view.session.tables().documents().iter().enumerate();
         let open = open.map(|(number, document)| {
