@@ -266,6 +266,30 @@ fn what_contradicts_itself_is_not_written() {
 }
 
 #[test]
+fn figures_may_be_apart_by_a_tenth_of_a_micrometre_and_no_nanometre_more() {
+    let along = |deviation: &str| PointLog { deviation: mm(deviation), ..point("0") }.check().is_ok();
+    assert!(along("0.0001") && along("-0.0001"));
+    assert!(!along("0.000101") && !along("-0.000101"));
+    // Across the normal, so that only the axis itself is wrong.
+    let axis = |deviation: &str| {
+        let deviations = [mm(deviation), Length::ZERO, Length::ZERO];
+        PointLog { deviations, ..point("0") }.check().is_ok()
+    };
+    assert!(axis("0.0001") && axis("-0.0001"));
+    assert!(!axis("0.000101") && !axis("-0.000101"));
+}
+
+#[test]
+fn the_normal_may_have_any_length() {
+    let mut log = point("0");
+    for scale in [1.0, 1e-3, 10.0, 1e-300, 1e300] {
+        log.normal = [3.0 * scale, 0.0, 4.0 * scale];
+        let [x, y, z] = log.unit_normal().unwrap();
+        assert!((x - 0.6).abs() < 1e-15 && y == 0.0 && (z - 0.8).abs() < 1e-15, "{scale}: {x} {y} {z}");
+    }
+}
+
+#[test]
 fn a_page_is_imported_as_deviations_with_their_status() {
     let logs = [point("0.4"), point("0.400001"), point("-0.2"), PointLog { band: None, status: None, ..point("0.1") }];
     let now = jiff::civil::date(2000, 1, 1).at(0, 0, 0, 0);
