@@ -94,6 +94,11 @@ pub(super) fn problem(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     ui.label(RichText::new(text).color(colour).size(theme::sizes().small))
 }
 
+/// How high a list that drops down may be: the rest scrolls, so that its end can always be reached.
+pub(super) fn list_height(ui: &Ui) -> f32 {
+    ui.ctx().content_rect().height() * 0.55
+}
+
 /// A plot that is only looked at: nothing moves it, and it does not eat the wheel.
 pub(super) fn still_plot<'a>(id: &'static str, height: f32) -> Plot<'a> {
     Plot::new(id)

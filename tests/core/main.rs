@@ -24,5 +24,6 @@ mod masks;
 mod report;
 mod report_cli;
 mod session;
+mod session_tables;
 mod table_cli;
 mod tables;

@@ -128,8 +128,14 @@ impl<'a> Drawing<'a> {
             self.name(x, limits);
         }
         let nominal = format!("{} mm", self.words.number(&fit.nominal().to_string()));
-        let at = pos2(self.body.right() - 2.0, zero);
-        self.label(at, Align2::RIGHT_CENTER, &nominal, theme::bold(sizes().small));
+        // On the side of the line where the shaft, and so the smallest clearance, is not.
+        let (anchor, off) = if self.picture.shaft.upper_um + self.picture.shaft.lower_um < 0.0 {
+            (Align2::RIGHT_BOTTOM, -3.0)
+        } else {
+            (Align2::RIGHT_TOP, 3.0)
+        };
+        let at = pos2(self.body.right() - 2.0, zero + off);
+        self.label(at, anchor, &nominal, theme::bold(sizes().small));
     }
 
     /// Text on a ground, so that lines do not cross it.
@@ -192,6 +198,11 @@ impl<'a> Drawing<'a> {
         let text = self.words.signed_um(measured.saturating_sub(limits.nominal));
         let colour = self.palette.text.0;
         let font = theme::bold(sizes().body);
+        // Towards the other zone: on the outer side stand the limit deviations.
+        let (side, beside) = match limits.feature {
+            Feature::Hole => (10.0, Align2::LEFT_CENTER),
+            Feature::Shaft => (-10.0, Align2::RIGHT_CENTER),
+        };
         match mark {
             Mark::InSight(um) => {
                 let y = self.y(um);
@@ -207,12 +218,12 @@ impl<'a> Drawing<'a> {
             Mark::Above => {
                 let tip = pos2(x.center(), self.body.top() + 8.0);
                 shapes::arrow_head(&self.painter, tip, vec2(0.0, -1.0), 12.0, colour);
-                self.label(tip + vec2(10.0, 2.0), Align2::LEFT_CENTER, &text, font);
+                self.label(tip + vec2(side, 2.0), beside, &text, font);
             }
             Mark::Below => {
                 let tip = pos2(x.center(), self.body.bottom() - 8.0);
                 shapes::arrow_head(&self.painter, tip, vec2(0.0, 1.0), 12.0, colour);
-                self.label(tip + vec2(10.0, -2.0), Align2::LEFT_CENTER, &text, font);
+                self.label(tip + vec2(side, -2.0), beside, &text, font);
             }
         }
     }
