@@ -17,6 +17,8 @@ mod import;
 mod iso286;
 mod limits_cli;
 mod locales;
+mod log_444;
+mod log_writing;
 mod logs;
 mod masks;
 mod report;
