@@ -6,7 +6,7 @@ use eframe::egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Sense, Shape, S
 
 use crate::gui::shapes::{self, Hatch};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, heading, quiet, quiet_cut};
 use crate::length::Length;
 use crate::session::{Mark, Parts, Picture, PictureZone, extremes, measured_field};
 use crate::tolerance::fit::Fit;
@@ -19,7 +19,7 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     ui.horizontal(|ui| {
         heading(ui, view.text("fit-picture"));
         if page.fit().is_some() {
-            quiet(ui, view.text("fit-picture-legend"));
+            quiet_cut(ui, view.text("fit-picture-legend"));
         }
     });
     let (Some(fit), Some(picture)) = (page.fit(), page.picture()) else {
