@@ -6,7 +6,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use eframe::egui::{CentralPanel, Ui};
 use egui_kittest::Harness;
 use fitcheck::gui::{App, Errands, Setup, Store};
-use fitcheck::session::Command;
+use fitcheck::session::{Command, Page};
 use fitcheck::words::Language;
 
 fn setup() -> Setup {
@@ -37,6 +37,11 @@ fn frames(criterion: &mut Criterion) {
     let mut harness = Harness::builder().with_size(size).build_eframe(|cc| App::new(cc, setup()));
     harness.run();
     criterion.bench_function("settled frame, Fitcheck", |bencher| bencher.iter(|| harness.step()));
+    let mut tables = Harness::builder().with_size(size).build_eframe(|cc| App::new(cc, setup()));
+    let ctx = tables.ctx.clone();
+    tables.state_mut().send(&ctx, Command::OpenPage(Page::Tables));
+    tables.run();
+    criterion.bench_function("settled frame, table page", |bencher| bencher.iter(|| tables.step()));
     let rows: Vec<String> = (0..10_000).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
     let rows = rows.concat();
     let now = (setup().clock)();

@@ -211,7 +211,7 @@ fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
     }
     if let Source::Table { instead_of: Some(shipped), name, .. } = &record.limits.source {
         let (upper, lower) = (shipped.upper(), shipped.lower());
-        io.tell(format_args!("warning: table {name} differs from the built-in one, which has {upper} and {lower} mm"))?;
+        io.tell(format_args!("warning: table {name} differs from ISO 286, which has {upper} and {lower} mm"))?;
     }
     Ok(())
 }

@@ -2,13 +2,13 @@
 //!
 //! Answers one by one, so that memory stays the same however many callouts come.
 
-mod lines;
+pub(super) mod lines;
 
 use std::io::{BufRead, Write};
 
 use lines::{Found, LONGEST_LINE, Line};
 
-use super::{CliError, Format, Io, Outcome, TableArgs};
+use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
 use crate::control::text::decode;
 use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
@@ -88,21 +88,6 @@ struct Row<'a> {
     error: Option<String>,
 }
 
-/// An exact decimal: as it is in CSV, a number in JSON.
-#[derive(Debug)]
-struct Figure(String);
-
-impl serde::Serialize for Figure {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match (self.0.parse::<i64>(), self.0.parse::<f64>()) {
-            (Ok(whole), _) => serializer.serialize_i64(whole),
-            // A length has at most 16 figures and none finer than a nanometre: its nearest float prints the same.
-            (_, Ok(number)) => serializer.serialize_f64(number),
-            _ => serializer.serialize_str(&self.0),
-        }
-    }
-}
-
 impl<'a> Row<'a> {
     fn of(callout: &'a str, limits: &Limits) -> Self {
         let mm = |length: Length, decimals| Some(Figure(length.exact(Unit::Millimetre, decimals)));
@@ -135,7 +120,7 @@ impl<'a> Row<'a> {
 }
 
 /// Where the limits come from, and what the shipped table says where the user's says something else.
-fn source(source: &Source) -> String {
+pub(super) fn source(source: &Source) -> String {
     match source {
         Source::Table { instead_of: Some(shipped), .. } => {
             format!("{source}, instead of {} µm in ISO 286", lower_and_upper(shipped))
@@ -145,7 +130,7 @@ fn source(source: &Source) -> String {
 }
 
 /// `0 / +21`
-fn lower_and_upper(deviations: &Deviations) -> String {
+pub(super) fn lower_and_upper(deviations: &Deviations) -> String {
     let signed = |length: Length| {
         let plus = if Length::ZERO < length { "+" } else { "" };
         format!("{plus}{}", length.exact(Unit::Micrometre, 0))
@@ -299,7 +284,7 @@ fn write_text(out: &mut dyn Write, callout: &Callout, limits: &Limits) -> std::i
 }
 
 /// The writer's own error: a closed pipe stays one.
-fn csv_error(error: csv::Error) -> CliError {
+pub(super) fn csv_error(error: csv::Error) -> CliError {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => CliError::Stream(error),
         other => CliError::Data(format!("{other:?}")),
@@ -307,6 +292,6 @@ fn csv_error(error: csv::Error) -> CliError {
 }
 
 /// A text without control characters: it goes to a terminal, and one line of input stays one line of output.
-fn printable(text: &str) -> String {
+pub(super) fn printable(text: &str) -> String {
     text.chars().map(|c| if c.is_control() && c != '\t' { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

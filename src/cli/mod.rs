@@ -5,9 +5,11 @@
 
 mod check;
 mod circle;
+mod fit;
 mod import;
 mod limits;
 mod report;
+mod table;
 
 use std::io::{BufRead, Read as _, Write};
 use std::path::{Path, PathBuf};
@@ -37,9 +39,11 @@ const EXIT_CODES: &str = "Exit codes: 0 done and good, 10 rework, 11 scrap, 12 r
 enum Command {
     Limits(limits::Args),
     Check(check::Args),
+    Fit(fit::Args),
     Import(import::Args),
     Circle(circle::Args),
     Report(report::Args),
+    Table(table::Args),
 }
 
 /// How a result is printed.
@@ -110,6 +114,21 @@ impl TableArgs {
             io.tell(format_args!("warning: {warning}"))?;
         }
         Ok(sources.with_own(own.tables))
+    }
+}
+
+/// An exact decimal: as it is in CSV, a number in JSON.
+#[derive(Debug)]
+struct Figure(String);
+
+impl serde::Serialize for Figure {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match (self.0.parse::<i64>(), self.0.parse::<f64>()) {
+            (Ok(whole), _) => serializer.serialize_i64(whole),
+            // A length has at most 16 figures and none finer than a nanometre: its nearest float prints the same.
+            (_, Ok(number)) => serializer.serialize_f64(number),
+            _ => serializer.serialize_str(&self.0),
+        }
     }
 }
 
@@ -187,9 +206,11 @@ impl Cli {
         let result = match &self.command {
             Some(Command::Limits(args)) => args.run(io),
             Some(Command::Check(args)) => args.run(io),
+            Some(Command::Fit(args)) => args.run(io),
             Some(Command::Import(args)) => args.run(io),
             Some(Command::Circle(args)) => args.run(io),
             Some(Command::Report(args)) => args.run(io),
+            Some(Command::Table(args)) => args.run(io),
             None => Ok(Outcome::Done),
         };
         let result = result.and_then(|outcome| heard_or_not(io.out.flush()).map(|()| outcome));

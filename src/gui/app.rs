@@ -57,6 +57,11 @@ impl App {
         if let Some(told) = told {
             session.tell(told);
         }
+        match setup.store.materials() {
+            Some(Ok(own)) => session.use_materials(own),
+            Some(Err(told)) => session.tell(told),
+            None => {}
+        }
         let app = Self {
             words: Words::new(session.language()),
             runner: Runner::new(setup.errands),

@@ -4,7 +4,7 @@ use eframe::egui::{ComboBox, Id, Sense, Ui, vec2};
 
 use super::shapes;
 use super::theme::{self, palette, space};
-use super::view::{View, heading};
+use super::view::{View, heading, list_height};
 use crate::session::Command;
 use crate::tolerance::Feature;
 
@@ -15,7 +15,7 @@ pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
     let response = ComboBox::from_id_salt("class-chooser")
         .selected_text(shown)
         .width(space(20.0))
-        .height(f32::INFINITY)
+        .height(list_height(ui))
         .show_ui(ui, |ui| {
             ui.set_min_width(space(132.0));
             for feature in [Feature::Hole, Feature::Shaft] {

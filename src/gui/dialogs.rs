@@ -7,13 +7,14 @@ use eframe::egui::{
 use super::field::select_all;
 use super::theme::{sizes, space};
 use super::view::{View, heading, problem, quiet};
-use crate::session::{Command, Dialog, Notice, Purpose};
+use crate::session::{Command, Dialog, Notice, Page, Purpose};
 
 /// Files dropped on the window are imported; Ctrl+O opens the import and Ctrl+S the report.
 fn shortcuts(ui: &Ui, view: &mut View<'_>) {
     let dropped = ui.input(|input| input.raw.dropped_files.clone());
     for file in dropped {
-        view.send(Command::OpenDialog(Purpose::Import));
+        let is_table = view.session.page() == Page::Tables;
+        view.send(Command::OpenDialog(if is_table { Purpose::OpenTable } else { Purpose::Import }));
         view.send(Command::Picked(Some(file.path().to_owned())));
     }
     let pressed = |key| ui.input_mut(|input| input.consume_shortcut(&KeyboardShortcut::new(Modifiers::COMMAND, key)));
@@ -54,13 +55,15 @@ const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::LoadTables => "dialog-tables",
         Purpose::Export(_) => "dialog-export",
         Purpose::ExportStatus => "dialog-export-status",
+        Purpose::OpenTable => "tables-dialog-open",
+        Purpose::SaveTable(_) => "tables-dialog-save",
     }
 }
 
 const fn confirm_id(purpose: Purpose) -> &'static str {
     match purpose {
-        Purpose::Import | Purpose::LoadMask | Purpose::LoadTables => "dialog-open",
-        Purpose::Export(_) | Purpose::ExportStatus => "dialog-save",
+        Purpose::Import | Purpose::LoadMask | Purpose::LoadTables | Purpose::OpenTable => "dialog-open",
+        Purpose::Export(_) | Purpose::ExportStatus | Purpose::SaveTable(_) => "dialog-save",
     }
 }
 

@@ -11,10 +11,10 @@ use jiff::civil::DateTime;
 
 use crate::control::deviations;
 use crate::control::mask::Mask;
-use crate::exchange;
+use crate::exchange::{self, tables::TABLE_FORMATS};
 use crate::files;
 use crate::report::RENDERINGS;
-use crate::session::{Command, Effect, Purpose};
+use crate::session::{Command, Effect, Purpose, TablesCommand};
 use crate::tolerance::{DeviationTable, Sources};
 use crate::words::{Message, Say as _};
 
@@ -80,6 +80,10 @@ fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) ->
             let result = read_tables(&folder);
             Command::TablesRead { folder, result }
         }
+        Effect::ReadTable(path) => {
+            let result = read_table(&path);
+            Command::Tables(TablesCommand::Read { name: name(&path), result })
+        }
         Effect::Save(path, bytes) => {
             let result = files::write(&path, &bytes);
             Command::Saved { path, result }
@@ -109,6 +113,18 @@ fn read_tables(folder: &Path) -> Result<(Vec<DeviationTable>, Vec<Message>), Mes
     Ok((own.tables, warnings))
 }
 
+fn read_table(path: &Path) -> Result<(Box<DeviationTable>, Vec<Message>), Message> {
+    let bytes = files::read(path).map_err(|error| error.message())?;
+    let (table, warnings) =
+        deviations::read_table(&bytes, &name(path), &path.display().to_string(), false).map_err(|e| e.message())?;
+    let mut warnings: Vec<_> = warnings.iter().map(crate::words::Say::message).collect();
+    match table {
+        Some(table) => Ok((Box::new(table), warnings)),
+        // The last warning says that the table holds no deviations.
+        None => Err(warnings.pop().unwrap_or_else(|| Message::new("tables-nothing-read"))),
+    }
+}
+
 /// The system's own dialog. `None` when it was left, or when there is none: the typed path remains.
 fn pick(purpose: Purpose) -> Option<PathBuf> {
     let dialog = rfd::FileDialog::new();
@@ -122,6 +138,11 @@ fn pick(purpose: Purpose) -> Option<PathBuf> {
         }
         Purpose::LoadMask => dialog.add_filter("Mask", &both(&["a"])).add_filter("*", &["*"]).pick_file(),
         Purpose::LoadTables => dialog.pick_folder(),
+        Purpose::OpenTable => dialog.add_filter("TAB", &both(&["tab"])).add_filter("*", &["*"]).pick_file(),
+        Purpose::SaveTable(number) => {
+            let format = TABLE_FORMATS.get(number)?;
+            dialog.add_filter(format.name, &both(format.endings)).save_file()
+        }
         Purpose::ExportStatus => dialog.set_file_name("fitcheck-status.txt").save_file(),
         Purpose::Export(number) => {
             let rendering = RENDERINGS.get(number)?;

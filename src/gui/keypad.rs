@@ -6,7 +6,7 @@ use eframe::egui::{Align2, Button, Grid, Id, RichText, Ui, Window, vec2};
 
 use super::theme::{self, sizes, space};
 use super::view::View;
-use crate::session::{Command, Field};
+use crate::session::{Command, Field, Page, TablesCommand};
 
 /// What a key does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,6 +79,9 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, key: Key) {
         Key::Type(figure) => text.push(figure),
         Key::Back => _ = text.pop(),
         Key::Clear => text.clear(),
+        Key::Measure if view.session.page() == Page::Tables => {
+            return view.send(Command::Tables(TablesCommand::SetCell));
+        }
         Key::Measure => return view.send(Command::Measure),
     }
     view.send(Command::Type(field, text));

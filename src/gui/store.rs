@@ -6,6 +6,7 @@ use etcetera::BaseStrategy as _;
 
 use crate::files::{self, FileError};
 use crate::session::Saved;
+use crate::tolerance::fit::materials::Materials;
 use crate::words::{Message, Say as _};
 
 /// Where the state is kept; `None` keeps nothing.
@@ -50,6 +51,22 @@ impl Store {
                 (None, Some(told))
             }
         }
+    }
+
+    /// The user's own materials, `materials.toml` beside the state file; `None` where there are none.
+    ///
+    /// # Errors
+    /// What is wrong with the file. It is the user's, so it is not set aside.
+    pub fn materials(&self) -> Option<Result<Materials, Message>> {
+        let path = self.path.as_ref()?.with_file_name("materials.toml");
+        let read = || {
+            let bytes = files::read(&path).map_err(|error| error.message())?;
+            let text = String::from_utf8_lossy(&bytes);
+            Materials::read(&text).map_err(|error| {
+                Message::new("materials-refused").text("path", path.display()).message("reason", error.message())
+            })
+        };
+        path.exists().then(read)
     }
 
     /// Keeps a state; a failure is logged, because losing the last inputs must not stop the work.

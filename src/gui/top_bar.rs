@@ -99,7 +99,7 @@ fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     };
     entry(ui, "load-tables", true, Command::OpenDialog(Purpose::LoadTables));
-    entry(ui, "no-own-tables", view.session.tables_folder().is_some(), Command::NoOwnTables);
+    entry(ui, "no-own-tables", !view.session.sources().own().is_empty(), Command::NoOwnTables);
     entry(ui, "load-mask", true, Command::OpenDialog(Purpose::LoadMask));
     ui.separator();
     entry(ui, "undo", view.session.can_undo(), Command::Undo);

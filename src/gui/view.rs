@@ -88,10 +88,21 @@ pub(super) fn quiet(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     ui.label(RichText::new(text).color(colour).size(theme::sizes().small))
 }
 
+/// The same in one line, cut where there is no room; the whole text shows under the pointer.
+pub(super) fn quiet_cut(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
+    let colour = theme::palette(ui.ctx()).quiet.0;
+    ui.add(egui::Label::new(RichText::new(text).color(colour).size(theme::sizes().small)).truncate())
+}
+
 /// Text that says what is wrong.
 pub(super) fn problem(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     let colour = theme::palette(ui.ctx()).error.0;
     ui.label(RichText::new(text).color(colour).size(theme::sizes().small))
+}
+
+/// How high a list that drops down may be: the rest scrolls, so that its end can always be reached.
+pub(super) fn list_height(ui: &Ui) -> f32 {
+    ui.ctx().content_rect().height() * 0.55
 }
 
 /// A plot that is only looked at: nothing moves it, and it does not eat the wheel.

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use super::fit::FitCommand;
 use super::inputs::{Field, MeasureBy};
+use super::tables::TablesCommand;
 use crate::control::mask::Mask;
 use crate::exchange::Imported;
 use crate::files::FileError;
@@ -95,6 +96,8 @@ pub enum Command {
     CopyStatus,
     /// Does something on the fit page.
     Fit(FitCommand),
+    /// Does something on the table page.
+    Tables(TablesCommand),
 }
 
 /// What a file dialog is for.
@@ -110,6 +113,10 @@ pub enum Purpose {
     Export(usize),
     /// Writing the status window's text.
     ExportStatus,
+    /// Reading one table for the table page.
+    OpenTable,
+    /// Writing the shown table in a format of the tables' list, by its number there.
+    SaveTable(usize),
 }
 
 /// A page of the window.
@@ -165,6 +172,8 @@ pub enum Effect {
     ReadMask(PathBuf),
     /// Read a folder of tables and send [`Command::TablesRead`].
     ReadTables(PathBuf),
+    /// Read one table and send [`TablesCommand::Read`].
+    ReadTable(PathBuf),
     /// Write a file and send [`Command::Saved`].
     Save(PathBuf, Vec<u8>),
     /// Put a text on the clipboard.

@@ -22,7 +22,8 @@ impl Session {
                 ending.map(|ending| format!("fitcheck.{ending}")).unwrap_or_default()
             }
             Purpose::ExportStatus => "fitcheck-status.txt".to_owned(),
-            Purpose::Import | Purpose::LoadMask | Purpose::LoadTables => String::new(),
+            Purpose::SaveTable(format) => self.table_file_name(format),
+            Purpose::Import | Purpose::LoadMask | Purpose::LoadTables | Purpose::OpenTable => String::new(),
         };
         self.dialog = Some(Dialog { purpose, path, problem: None, busy: false });
     }
@@ -41,10 +42,23 @@ impl Session {
             return Vec::new();
         }
         let path = PathBuf::from(text);
-        let effect = match dialog.purpose {
+        let purpose = dialog.purpose;
+        let effect = match purpose {
             Purpose::Import => Effect::Import(path),
             Purpose::LoadMask => Effect::ReadMask(path),
             Purpose::LoadTables => Effect::ReadTables(path),
+            Purpose::OpenTable if !self.settle_cell() => {
+                self.refuse_dialog(Message::new("tables-cell-unreadable"));
+                return Vec::new();
+            }
+            Purpose::OpenTable => Effect::ReadTable(path),
+            Purpose::SaveTable(format) => match self.table_bytes(format, &path) {
+                Ok(bytes) => Effect::Save(path, bytes),
+                Err(problem) => {
+                    self.refuse_dialog(problem);
+                    return Vec::new();
+                }
+            },
             Purpose::Export(format) => match self.export(format, now) {
                 Ok(bytes) => Effect::Save(path, bytes),
                 Err(problem) => {
@@ -78,14 +92,14 @@ impl Session {
     }
 
     /// The file that a dialog asked for is done.
-    fn file_done(&mut self) {
+    pub(super) fn file_done(&mut self) {
         if self.dialog_waits() {
             self.dialog = None;
         }
     }
 
     /// The file that a dialog asked for could not be read or written: told in any case.
-    fn file_failed(&mut self, problem: Message) {
+    pub(super) fn file_failed(&mut self, problem: Message) {
         if self.dialog_waits() { self.refuse_dialog(problem) } else { self.tell(problem) }
     }
 
@@ -168,12 +182,14 @@ impl Session {
     pub(super) fn use_sources(&mut self, sources: Sources) {
         self.sources = Arc::new(sources);
         self.callout_changed(true);
+        self.sources_of_tables_changed();
     }
 
     pub(super) fn saved_file(&mut self, path: &Path, result: Result<(), FileError>) {
         match result {
             Ok(()) => {
                 self.file_done();
+                self.table_saved(path);
                 let message = Message::new("file-written").text("path", path.display());
                 self.notices.push(Notice { message, details: Vec::new(), is_problem: false });
             }

@@ -64,11 +64,21 @@ pub enum Field {
     WantedMinimum,
     /// The largest clearance that is searched for, mm; negative is an interference.
     WantedMaximum,
+    /// Table page: which classes are shown, and which size is marked.
+    TableFilter,
+    /// Table page: upper deviation of the selected cell, µm.
+    CellUpper,
+    /// Table page: lower deviation of the selected cell, µm.
+    CellLower,
+    /// Table page: classes to add or to make a table of.
+    TableClasses,
+    /// Table page: largest size of a new table, mm.
+    TableTo,
 }
 
 impl Field {
     /// Every field in reading order.
-    pub const ALL: [Self; 27] = [
+    pub const ALL: [Self; 32] = [
         Self::Callout,
         Self::Measured,
         Self::Part,
@@ -96,12 +106,30 @@ impl Field {
         Self::ShaftExpansion,
         Self::WantedMinimum,
         Self::WantedMaximum,
+        Self::TableFilter,
+        Self::CellUpper,
+        Self::CellLower,
+        Self::TableClasses,
+        Self::TableTo,
     ];
 
     /// What stands in the field at the first start.
     const fn default_text(self) -> &'static str {
         match self {
-            Self::Callout | Self::Measured | Self::Part | Self::Nominal | Self::TrueDiameter => "",
+            Self::Callout
+            | Self::Measured
+            | Self::Part
+            | Self::Nominal
+            | Self::TrueDiameter
+            | Self::FitCallout
+            | Self::HoleMeasured
+            | Self::ShaftMeasured
+            | Self::WantedMinimum
+            | Self::WantedMaximum
+            | Self::TableFilter
+            | Self::CellUpper
+            | Self::CellLower
+            | Self::TableClasses => "",
             Self::CentreX | Self::CentreY | Self::FirstAngle | Self::CentreTolerance | Self::LobeHeight => "0",
             Self::Lobes => "3",
             Self::Height => "-5",
@@ -112,10 +140,9 @@ impl Field {
             Self::SurfaceScatter => "0.0003",
             Self::ProbeScatter => "0.0005",
             Self::Seed => "1",
-            Self::FitCallout | Self::HoleMeasured | Self::ShaftMeasured => "",
-            Self::WantedMinimum | Self::WantedMaximum => "",
             Self::Temperature => "20",
             Self::HoleExpansion | Self::ShaftExpansion => "11.5",
+            Self::TableTo => "500",
         }
     }
 }

@@ -12,6 +12,7 @@
 //! | `files` | dialogs, and what comes back from files |
 //! | `measuring` | from the fields to a measurement |
 //! | `saved` | what survives a restart |
+//! | `tables` | the table page |
 
 mod asked;
 mod command;
@@ -20,6 +21,7 @@ mod fit;
 mod inputs;
 mod measuring;
 mod saved;
+pub mod tables;
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -35,10 +37,12 @@ pub use fit::{
 };
 pub use inputs::{Field, Inputs, MeasureBy};
 pub use saved::{Saved, SavedError};
+pub use tables::{TablesCommand, TablesPage};
 
 use crate::control::mask::Mask;
 use crate::control::{shipped_tables, status};
 use crate::journal::Record;
+use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::{Base, Callout, Sources};
 use crate::words::{Language, Message, Say as _};
 
@@ -109,6 +113,7 @@ pub struct Session {
     inputs: Inputs,
     asked: Asked,
     fit: FitPage,
+    materials: Materials,
     sources: Arc<Sources>,
     tables_folder: Option<PathBuf>,
     mask: MaskChoice,
@@ -122,6 +127,7 @@ pub struct Session {
     undo: Vec<Snapshot>,
     dialog: Option<Dialog>,
     notices: Vec<Notice>,
+    tables: TablesPage,
 }
 
 /// The source that a choice stands for.
@@ -161,6 +167,8 @@ impl Session {
             undo: Vec::new(),
             dialog: None,
             notices: Vec::new(),
+            materials: Materials::shipped().clone(),
+            tables: TablesPage::default(),
         }
     }
 
@@ -257,10 +265,20 @@ impl Session {
         self.notices.push(Notice { message, details: Vec::new(), is_problem: true });
     }
 
+    /// Adds the user's own materials to the shipped ones; one of the same name takes its place.
+    pub fn use_materials(&mut self, own: Materials) {
+        self.materials = Materials::shipped().with_own(own);
+    }
+
+    /// What parts can be made of.
+    pub const fn materials(&self) -> &Materials {
+        &self.materials
+    }
+
     /// Does a command at a local date and time, and says what the world outside has to do.
     pub fn apply(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         match command {
-            Command::OpenPage(page) => self.page = page,
+            Command::OpenPage(page) => self.open_page(page),
             Command::Type(field, text) => self.type_text(field, text),
             Command::ChooseClass(class) => self.choose_class(class.as_str()),
             Command::ChooseFeature(feature) => {
@@ -304,6 +322,7 @@ impl Session {
             }
             Command::Saved { path, result } => self.saved_file(&path, result),
             Command::Fit(command) => self.apply_fit(&command),
+            Command::Tables(command) => self.apply_tables(command),
             Command::CopyStatus => return self.status_text().map(Effect::Copy).into_iter().collect(),
         }
         Vec::new()
@@ -325,7 +344,17 @@ impl Session {
                 self.measured_is_used = false;
                 self.read_fields();
             }
+            Field::TableFilter | Field::CellUpper | Field::CellLower | Field::TableClasses | Field::TableTo => {
+                self.table_field_changed(field);
+            }
             _ => self.read_fields(),
+        }
+    }
+
+    fn open_page(&mut self, page: Page) {
+        self.page = page;
+        if page == Page::Tables {
+            self.open_tables_page();
         }
     }
 
@@ -514,7 +543,7 @@ impl Session {
 
     /// What is wrong with a field, on whatever page it stands.
     pub fn error(&self, field: Field) -> Option<&Message> {
-        self.asked.error(field).or_else(|| self.fit.error(field))
+        self.asked.error(field).or_else(|| self.fit.error(field)).or_else(|| self.tables.error(field))
     }
 
     /// The callout of the part that is judged: one side of a fit.

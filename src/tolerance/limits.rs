@@ -60,6 +60,11 @@ impl Deviations {
         self.lower
     }
 
+    /// How far both deviations, upper and lower, lie above those of another pair.
+    pub fn minus(&self, other: &Self) -> (Length, Length) {
+        (self.upper.saturating_sub(other.upper), self.lower.saturating_sub(other.lower))
+    }
+
     /// Width of the tolerance zone, zero or more.
     pub fn width(&self) -> Length {
         self.upper.saturating_sub(self.lower)

@@ -7,6 +7,8 @@
 //! | `iso2768` | general tolerances: `10m` |
 //! | `limits` | deviations and limits of size, and where they come from |
 //! | `table` | size ranges and deviations as a control's table holds them |
+//! | `table_edit` | a table that is being edited, and tables made of the standard |
+//! | `compare` | a table against the standard, cell by cell |
 //! | `iso286` | the standard: every class, 0 to 3150 mm |
 //! | `sources` | from a callout to limits: the user's own tables first, then ISO 286 or the control's tables |
 //! | `fit` | a hole against a shaft: clearances, search, temperature |
@@ -15,6 +17,7 @@
 
 pub mod callout;
 pub mod class;
+pub mod compare;
 pub mod fit;
 pub mod iso2768;
 pub mod iso286;
@@ -22,6 +25,7 @@ pub mod limits;
 mod ranges;
 pub mod sources;
 pub mod table;
+pub mod table_edit;
 
 pub use callout::{Callout, CalloutError, CalloutErrorKind, CycleText, Tolerance};
 pub use class::{ClassError, Feature, ToleranceClass};

@@ -365,7 +365,7 @@ fn own_tables_come_first_and_add_their_classes() {
     let empty = run(&["3 U1", "--measured", "3", "--tables", &tables]);
     assert_eq!(empty.code, 1);
     assert!(empty.err.contains("U1 is not defined over 0 up to 3 mm in table generation1_plain.tab"), "{}", empty.err);
-    // What the user's tables do not cover is still asked of the built-in ones.
+    // What the user's tables do not cover is still asked of ISO 286.
     let beyond = json_of(&["100 H7", "--measured", "100", "--tables", &tables]);
     assert_eq!(beyond["max_mm"], json!(100.035));
 }

@@ -106,7 +106,8 @@ fn preferred_fits_are_the_tables_of_iso_286_1() {
                 before = base.to_string();
                 lines.push(format!("{base}:"));
             }
-            lines.last_mut().unwrap().push_str(&format!(" {other}"));
+            let line = lines.last_mut().unwrap();
+            *line = format!("{line} {other}");
         }
         lines.join("\n")
     };

@@ -5,6 +5,7 @@ use eframe::egui::{Key, Modifiers, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::{App, Errands, Setup, Store};
+use fitcheck::session::Command;
 use fitcheck::words::Language;
 
 /// The size that most tests look at.
@@ -42,6 +43,13 @@ impl Window {
             .with_theme(self.theme)
             .with_max_steps(16)
             .build_eframe(|cc| App::new(cc, setup));
+        // "As the system" would be the harness's own idea of a system.
+        let theme = match self.theme {
+            Theme::Light => fitcheck::session::Theme::Light,
+            Theme::Dark => fitcheck::session::Theme::Dark,
+        };
+        let ctx = harness.ctx.clone();
+        harness.state_mut().send(&ctx, Command::SetTheme(theme));
         harness.run();
         harness
     }

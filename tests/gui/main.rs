@@ -8,3 +8,4 @@ mod fit_page;
 mod harness;
 mod keyboard;
 mod pictures;
+mod table_page;

@@ -85,11 +85,13 @@ fit-function-locational-transition-tighter = locational transition, tighter
 fit-function-locational-interference = locational interference
 fit-function-medium-drive = medium drive
 fit-function-force = force
+fit-one-sided = { $callout } is no fit: write a size, a hole class and a shaft class, such as 25 H7/g6
 fit-not-a-hole = { $minimum-sign }{ $minimum } to { $maximum-sign }{ $maximum } mm are a shaft's limits, where a hole's are needed
 fit-not-a-shaft = { $minimum-sign }{ $minimum } to { $maximum-sign }{ $maximum } mm are a hole's limits, where a shaft's are needed
 fit-nominal-sizes = a fit has one nominal size: the hole has { $hole-sign }{ $hole } mm, the shaft { $shaft-sign }{ $shaft } mm
 fit-too-large = the clearance is too large
 fit-search-order = smallest clearance { $minimum-sign }{ $minimum } mm is above largest clearance { $maximum-sign }{ $maximum } mm
+fit-search-no-classes = the tables have no classes for both hole and shaft at { $nominal } mm
 fit-thermal-too-fine = { $text } has more than three decimals
 fit-thermal-temperature = a temperature of { $text } °C is out of range: from -273.15 to 1000 °C
 fit-thermal-expansion = an expansion of { $text } is out of range: from -20 to 500, in millionths a kelvin, such as 11.5 for steel
@@ -137,3 +139,8 @@ general-too-small = nominal size { $nominal-sign }{ $nominal } mm is below { $fi
 general-too-large = nominal size { $nominal } mm is beyond ISO 2768-1, which ends with { $last } mm
 general-not-defined = there is no class { $class } of ISO 2768-1 { $range }; it is defined { $defined }
 general-range-from = from { $over } up to { $to } mm
+
+## Tables made of the standard
+make-no-class = no class is named: name some, such as H7 H8 JS9
+make-both-features = { $hole } and { $shaft } cannot stand in one table: only the case tells them apart, so make one table for holes and one for shafts
+make-last-size = the last size is { $to-sign }{ $to } mm: it must be above 0 and at most 3150 mm

@@ -34,7 +34,7 @@ nominal-is = nominal size { $nominal } mm
 maximum = Maximum
 minimum = Minimum
 from-source = from { $source }
-source-overrides = Own table: the built-in table has { $upper } / { $lower } µm
+source-overrides = Own table: ISO 286 has { $upper } / { $lower } µm, so it differs by { $by-upper } / { $by-lower } µm
 measured-value = Measured value
 by-typing = Type
 by-simulating = Simulate
@@ -176,6 +176,81 @@ key-back = Delete last
 key-clear = Empty
 key-measure = Measure with Enter
 
+## Table page
+tables-choice = Table
+tables-kind-shipped = built in
+tables-kind-own = own
+tables-kind-file = from a file
+tables-kind-copy = copy
+tables-kind-made = from ISO 286
+tables-unsaved = not saved
+tables-open = Open…
+tables-save = Save as
+tables-redo = Redo
+tables-use = Use this table for limits
+tables-in-use = Used for limits
+tables-filter = Filter
+tables-filter-hint = Classes such as H7 g6, letters, grades, or a size in mm
+tables-shown = { $count ->
+    [one] { $shown } of 1 class
+   *[other] { $shown } of { $count } classes
+}
+tables-unmatched = nothing here for { $words }
+tables-agrees = { $count ->
+    [one] agrees with ISO 286 in its 1 cell
+   *[other] agrees with ISO 286 in all { $count } cells
+}
+tables-differs = { $count ->
+    [one] 1 of { $compared } cells differs from ISO 286
+   *[other] { $count } of { $compared } cells differ from ISO 286
+}
+tables-compared-nothing = nothing to compare with ISO 286
+tables-own-classes = { $count ->
+    [one] 1 own class
+   *[other] { $count } own classes
+}
+tables-own-class = own
+tables-previous = Previous difference
+tables-next = Next difference
+tables-not-saved = Changes are not saved
+tables-keys = Arrows walk, Enter edits, Delete empties, F8 goes to the next difference, Ctrl+F to the filter
+tables-grid = Deviations of { $name } in µm
+tables-range-head = over – up to, mm
+tables-pair = { $upper } / { $lower } µm
+tables-no-value = empty
+tables-cell = { $class }, over { $over } up to { $to } mm, { $figures }
+tables-cell-differs = { $class }, over { $over } up to { $to } mm, { $figures }, differs from ISO 286
+tables-no-columns = The table has no class
+tables-upper = Upper
+tables-lower = Lower
+tables-head-table = Table, µm
+tables-head-standard = ISO 286
+tables-head-by = by
+tables-cell-agrees = As in ISO 286
+tables-cell-off = ISO 286 has { $upper } / { $lower } µm; the table is off by { $upper-by } / { $lower-by } µm
+tables-more-differences = and { $count } more
+tables-cell-missing = Empty here; ISO 286 has { $upper } / { $lower } µm
+tables-cell-empty = Empty here, and not defined in ISO 286
+tables-defined = In ISO 286 the class is defined { $ranges }
+tables-shipped-hint = A built-in table stays as it is: an edit makes a copy and shows that.
+tables-set = Set
+tables-take-standard = Take ISO 286
+tables-empty-cell = Empty
+tables-remove-column = Remove { $class }
+tables-from-standard = From ISO 286
+tables-classes = Classes, such as H7 K7 P9
+tables-add-columns = Add to this table
+tables-up-to = Sizes up to
+tables-make = New table
+tables-order = upper deviation { $upper } µm is below lower deviation { $lower } µm
+tables-used = Limits are looked up in { $name } first, until the window is closed. Save it in the folder of own tables to keep it.
+tables-read-with-warnings = { $name } was read with warnings
+tables-nothing-read = The file holds no table of deviations
+tables-nothing-to-save = There is no table to save
+tables-cell-unreadable = The selected cell's fields cannot be read: correct them first
+tables-too-many = { $count } tables are open with changes: save one first
+tables-dialog-open = Open a table
+tables-dialog-save = Save the table
 ## Fit page
 fit-callout = Fit of hole and shaft
 fit-callout-hint = Type a nominal size and both classes, such as 25 H7/g6
@@ -214,7 +289,7 @@ fit-missed-by = { $below } µm too little, { $above } µm too much
 fit-is-preferred = preferred
 
 fit-picture = Hole and shaft zones
-fit-picture-legend = µm from { $nominal } mm; fundamental deviation in bold
+fit-picture-legend = µm from the zero line; fundamental deviation in bold
 fit-picture-empty = The zones appear with the fit
 fit-arrow-clearance = Actual clearance
 fit-arrow-interference = Actual interference
@@ -253,3 +328,6 @@ fit-with-good-hole = Clearance with a good hole
 fit-at-temperature = At { $degrees } °C
 fit-temperature-change = clearance changes by { $um } µm
 fit-these-parts = These parts: { $clearance }
+
+## Own materials
+materials-refused = Own materials cannot be used: { $path }, { $reason }

@@ -85,11 +85,13 @@ fit-function-locational-transition-tighter = plaatsbepalend, overgang, strakker
 fit-function-locational-interference = plaatsbepalend met overmaat
 fit-function-medium-drive = licht klemmend
 fit-function-force = zwaar klemmend
+fit-one-sided = { $callout } is geen passing: schrijf een maat, een klasse voor het gat en een voor de as, zoals 25 H7/g6
 fit-not-a-hole = { $minimum-sign }{ $minimum } tot { $maximum-sign }{ $maximum } mm zijn de grensmaten van een as, terwijl die van een gat nodig zijn
 fit-not-a-shaft = { $minimum-sign }{ $minimum } tot { $maximum-sign }{ $maximum } mm zijn de grensmaten van een gat, terwijl die van een as nodig zijn
 fit-nominal-sizes = een passing heeft één nominale maat: het gat heeft { $hole-sign }{ $hole } mm, de as { $shaft-sign }{ $shaft } mm
 fit-too-large = de speling is te groot
 fit-search-order = kleinste speling { $minimum-sign }{ $minimum } mm ligt boven grootste speling { $maximum-sign }{ $maximum } mm
+fit-search-no-classes = de tabellen hebben bij { $nominal } mm geen klassen voor zowel gat als as
 fit-thermal-too-fine = { $text } heeft meer dan drie decimalen
 fit-thermal-temperature = een temperatuur van { $text } °C valt buiten het bereik: van -273,15 tot 1000 °C
 fit-thermal-expansion = een uitzetting van { $text } valt buiten het bereik: van -20 tot 500, in miljoensten per kelvin, zoals 11,5 voor staal
@@ -137,3 +139,8 @@ general-too-small = nominale maat { $nominal-sign }{ $nominal } mm ligt onder { 
 general-too-large = nominale maat { $nominal } mm valt buiten ISO 2768-1, dat tot en met { $last } mm gaat
 general-not-defined = ISO 2768-1 heeft geen klasse { $class } { $range }; wel { $defined }
 general-range-from = van { $over } tot en met { $to } mm
+
+## Tables made of the standard
+make-no-class = er is geen klasse genoemd: noem er een of meer, zoals H7 H8 JS9
+make-both-features = { $hole } en { $shaft } kunnen niet in één tabel staan: alleen de hoofdletter onderscheidt ze, maak dus een tabel voor boringen en een voor assen
+make-last-size = de laatste maat is { $to-sign }{ $to } mm: die moet groter dan 0 en hoogstens 3150 mm zijn

@@ -34,7 +34,7 @@ nominal-is = nominale maat { $nominal } mm
 maximum = Maximaal
 minimum = Minimaal
 from-source = uit { $source }
-source-overrides = Eigen tabel: de ingebouwde tabel heeft { $upper } / { $lower } µm
+source-overrides = Eigen tabel: ISO 286 heeft { $upper } / { $lower } µm, dus een verschil van { $by-upper } / { $by-lower } µm
 measured-value = Gemeten waarde
 by-typing = Typen
 by-simulating = Simuleren
@@ -176,6 +176,81 @@ key-back = Laatste wissen
 key-clear = Leeg
 key-measure = Meten met Enter
 
+## Table page
+tables-choice = Tabel
+tables-kind-shipped = ingebouwd
+tables-kind-own = eigen
+tables-kind-file = uit een bestand
+tables-kind-copy = kopie
+tables-kind-made = uit ISO 286
+tables-unsaved = niet opgeslagen
+tables-open = Openen…
+tables-save = Opslaan als
+tables-redo = Opnieuw
+tables-use = Voor grensmaten gebruiken
+tables-in-use = Geldt voor grensmaten
+tables-filter = Filter
+tables-filter-hint = Klassen zoals H7 g6, letters, graden of een maat in mm
+tables-shown = { $count ->
+    [one] { $shown } van 1 klasse
+   *[other] { $shown } van { $count } klassen
+}
+tables-unmatched = niets hier voor { $words }
+tables-agrees = { $count ->
+    [one] komt in zijn ene cel overeen met ISO 286
+   *[other] komt in alle { $count } cellen overeen met ISO 286
+}
+tables-differs = { $count ->
+    [one] 1 van { $compared } cellen wijkt af van ISO 286
+   *[other] { $count } van { $compared } cellen wijken af van ISO 286
+}
+tables-compared-nothing = niets om met ISO 286 te vergelijken
+tables-own-classes = { $count ->
+    [one] 1 eigen klasse
+   *[other] { $count } eigen klassen
+}
+tables-own-class = eigen
+tables-previous = Vorig verschil
+tables-next = Volgend verschil
+tables-not-saved = Wijzigingen zijn niet opgeslagen
+tables-keys = Pijltjes lopen, Enter wijzigt, Delete leegt, F8 gaat naar het volgende verschil, Ctrl+F naar het filter
+tables-grid = Afwijkingen van { $name } in µm
+tables-range-head = boven – t/m, mm
+tables-pair = { $upper } / { $lower } µm
+tables-no-value = leeg
+tables-cell = { $class }, boven { $over } tot en met { $to } mm, { $figures }
+tables-cell-differs = { $class }, boven { $over } tot en met { $to } mm, { $figures }, wijkt af van ISO 286
+tables-no-columns = De tabel heeft geen klasse
+tables-upper = Boven
+tables-lower = Onder
+tables-head-table = Tabel, µm
+tables-head-standard = ISO 286
+tables-head-by = scheelt
+tables-cell-agrees = Zoals in ISO 286
+tables-cell-off = ISO 286 heeft { $upper } / { $lower } µm; de tabel scheelt { $upper-by } / { $lower-by } µm
+tables-more-differences = en nog { $count }
+tables-cell-missing = Hier leeg; ISO 286 heeft { $upper } / { $lower } µm
+tables-cell-empty = Hier leeg, en in ISO 286 niet gedefinieerd
+tables-defined = In ISO 286 is de klasse gedefinieerd { $ranges }
+tables-shipped-hint = Een ingebouwde tabel blijft zoals hij is: een wijziging maakt een kopie en toont die.
+tables-set = Invullen
+tables-take-standard = ISO 286 overnemen
+tables-empty-cell = Leegmaken
+tables-remove-column = { $class } verwijderen
+tables-from-standard = Uit ISO 286
+tables-classes = Klassen, zoals H7 K7 P9
+tables-add-columns = Aan deze tabel toevoegen
+tables-up-to = Maten tot en met
+tables-make = Nieuwe tabel
+tables-order = bovenafwijking { $upper } µm ligt onder onderafwijking { $lower } µm
+tables-used = Grensmaten komen eerst uit { $name }, tot het venster wordt gesloten. Sla de tabel op in de map met eigen tabellen om hem te houden.
+tables-read-with-warnings = { $name } is gelezen met waarschuwingen
+tables-nothing-read = Het bestand bevat geen tabel met afwijkingen
+tables-nothing-to-save = Er is geen tabel om op te slaan
+tables-cell-unreadable = De velden van de gekozen cel zijn niet te lezen: verbeter ze eerst
+tables-too-many = { $count } tabellen zijn open met wijzigingen: sla er eerst een op
+tables-dialog-open = Een tabel openen
+tables-dialog-save = De tabel opslaan
 ## Fit page
 fit-callout = Passing van boring en as
 fit-callout-hint = Typ een nominale maat en beide klassen, bijvoorbeeld 25 H7/g6
@@ -190,9 +265,9 @@ fit-parts = Werkelijke delen
 fit-hole-measured = Gemeten boring
 fit-shaft-measured = Gemeten as
 fit-temperature = Temperatuur
-fit-hole-material = Materiaal van de boring
+fit-hole-material = Materiaal boring
 fit-hole-expansion = Boring, µm/(m K)
-fit-shaft-material = Materiaal van de as
+fit-shaft-material = Materiaal as
 fit-shaft-expansion = As, µm/(m K)
 fit-own-value = Eigen waarde
 fit-search = Zoeken op speling
@@ -214,7 +289,7 @@ fit-missed-by = { $below } µm te weinig, { $above } µm te veel
 fit-is-preferred = voorkeur
 
 fit-picture = Tolerantievelden van boring en as
-fit-picture-legend = µm vanaf { $nominal } mm; fundamentele afwijking vet
+fit-picture-legend = µm vanaf de nullijn; fundamentele afwijking vet
 fit-picture-empty = De tolerantievelden verschijnen met de passing
 fit-arrow-clearance = Werkelijke speling
 fit-arrow-interference = Werkelijke overmaat
@@ -253,3 +328,6 @@ fit-with-good-hole = Speling met een goede boring
 fit-at-temperature = Bij { $degrees } °C
 fit-temperature-change = speling verandert { $um } µm
 fit-these-parts = Deze delen: { $clearance }
+
+## Own materials
+materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, { $reason }

@@ -75,10 +75,13 @@ fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
         row("minimum", limits.minimum(), limits.deviations.lower());
     });
     quiet(ui, view.words.say(&Message::new("from-source").message("source", limits.source.message())));
-    if let Source::Table { instead_of: Some(shipped), .. } = &limits.source {
+    if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
+        let by = limits.deviations.minus(standard);
         let instead = Message::new("source-overrides")
-            .text("upper", view.words.signed_um(shipped.upper()))
-            .text("lower", view.words.signed_um(shipped.lower()));
+            .text("upper", view.words.signed_um(standard.upper()))
+            .text("lower", view.words.signed_um(standard.lower()))
+            .text("by-upper", view.words.signed_um(by.0))
+            .text("by-lower", view.words.signed_um(by.1));
         ui.label(view.words.say(&instead));
     }
 }

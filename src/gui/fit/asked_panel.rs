@@ -4,7 +4,7 @@ use eframe::egui::{Button, ComboBox, Grid, Id, Ui, vec2};
 
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{sizes, space};
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, heading, list_height, quiet};
 use crate::session::{Command, Field, FitCommand};
 use crate::tolerance::ToleranceClass;
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
@@ -43,7 +43,7 @@ fn list_ui(ui: &mut Ui, (salt, name): (&str, Id), shown: String, width: f32, con
         .selected_text(shown)
         .width(width)
         .truncate()
-        .height(f32::INFINITY)
+        .height(list_height(ui))
         .show_ui(ui, content)
         .response
         .labelled_by(name);
@@ -54,7 +54,7 @@ fn preferred_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
     let chosen = pair(view).filter(|(hole, shaft)| preference(*hole, *shaft).is_some());
     let shown = chosen.map_or_else(|| view.text("class-none"), |(hole, shaft)| format!("{hole}/{shaft}"));
     list_ui(ui, ("fit-preferred", name), shown, width, |ui| {
-        ui.set_min_width(space(200.0));
+        ui.set_min_width(space(210.0));
         for (list, title) in
             [(Preference::HoleBasis, "fit-list-hole-basis"), (Preference::ShaftBasis, "fit-list-shaft-basis")]
         {
@@ -64,7 +64,7 @@ fn preferred_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
                 for (hole, shaft) in list.fits() {
                     let of_list = chosen.filter(|(hole, shaft)| preference(*hole, *shaft) == Some(list));
                     let button = Button::selectable(of_list == Some((hole, shaft)), format!("{hole}/{shaft}"));
-                    let button = button.min_size(vec2(space(19.0), space(7.0)));
+                    let button = button.min_size(vec2(space(19.0), sizes().field));
                     if ui.add_enabled(view.session.fit().is_defined(hole, shaft), button).clicked() {
                         view.send(Command::Fit(FitCommand::TakePair(hole, shaft)));
                         ui.close();

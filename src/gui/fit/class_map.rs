@@ -30,7 +30,7 @@ pub(super) struct Columns {
 impl Columns {
     fn of(rect: Rect) -> Self {
         let count = f32::from(u8::try_from(Letter::ALL.len()).unwrap_or(u8::MAX));
-        let left = rect.left() + space(8.0);
+        let left = rect.left() + space(9.0);
         Self { left, step: (rect.right() - left) / count }
     }
 
@@ -44,7 +44,8 @@ impl Columns {
     }
 }
 
-/// Heading, staircase, grid, and classes of own tables.
+/// Heading, staircase, grid, and classes of own tables, down to the end of a column of `height` where that is
+/// high enough.
 pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     let session = view.session;
     let side = session.fit().side();
@@ -68,15 +69,16 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
         quiet(ui, view.text("fit-classes-nowhere"));
         return;
     }
+    // Counted from the column's beginning, so that nothing changes its size while it is scrolled.
+    let left = |ui: &Ui| height - (ui.cursor().top() - ui.min_rect().top());
     let chosen = session.fit().class(side);
     let grade = chosen.and_then(iso286::parts).map(|(_, grade)| grade);
     let grade = grade.or_else(|| map.first().and_then(iso286::parts).map(|(_, grade)| grade));
-    let stairs = (height * 0.26).max(space(24.0));
     if let Some(grade) = grade {
-        staircase_ui(ui, view, map, grade, stairs, Columns::of);
+        staircase_ui(ui, view, map, grade, ((left(ui) - space(2.0)) * 0.28).max(space(22.0)), Columns::of);
     }
     let rows = f32::from(u8::try_from(map.grades().count()).unwrap_or(u8::MAX)) + 1.0;
-    let row = ((height - stairs) / rows).clamp(space(3.4), space(6.0));
+    let row = ((left(ui) - space(1.0)) / rows).clamp(space(3.0), space(5.5));
     grid_ui(ui, view, map, chosen, row);
     for class in map.others() {
         if ui.add(Button::selectable(chosen == Some(*class), class.as_str())).clicked() {
@@ -194,7 +196,7 @@ impl Table<'_> {
 
     fn grade(&self, left: f32, top: f32, grade: Grade) {
         let now = self.chosen.and_then(iso286::parts).map(|(_, grade)| grade);
-        let at = pos2(left + space(6.5), top + self.row / 2.0);
+        let at = pos2(left + space(7.5), top + self.row / 2.0);
         self.text(at, Align2::RIGHT_CENTER, &grade.to_string(), now == Some(grade));
     }
 

@@ -44,15 +44,14 @@ pub(super) fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
             search_panel::search_ui(ui, view);
         });
     });
-    let side = if narrow { space(66.0) } else { space(80.0).max(size.x * 0.25) };
+    let side = if narrow { space(72.0) } else { space(80.0).max(size.x * 0.25) };
     Panel::right("fit-answer").exact_size(side).show(ui, |ui| column_ui(ui, |ui| answer_panel::answer_ui(ui, view)));
     CentralPanel::default().show(ui, |ui| {
         let height = ui.available_height();
-        let picture = (height * 0.32).max(space(50.0));
         column_ui(ui, |ui| {
-            picture::picture_ui(ui, view, picture);
+            picture::picture_ui(ui, view, (height * 0.31).max(space(50.0)));
             ui.separator();
-            class_map::class_map_ui(ui, view, height - picture - space(23.0));
+            class_map::class_map_ui(ui, view, height);
         });
     });
 }

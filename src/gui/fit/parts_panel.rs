@@ -4,10 +4,9 @@ use eframe::egui::{ComboBox, Grid, Id, Ui, vec2};
 
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::space;
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, heading, list_height, quiet};
 use crate::session::{Command, Field, FitCommand, expansion_field};
 use crate::tolerance::Feature;
-use crate::tolerance::fit::materials::Materials;
 
 /// The measured diameters.
 pub(super) fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -82,19 +81,21 @@ pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn material_ui(ui: &mut Ui, view: &mut View<'_>, part: Feature, name: Id, width: f32) {
     let language = view.session.language();
     let now = view.session.fit().expansion(part);
-    let chosen = Materials::shipped().iter().find(|material| Some(material.expansion) == now);
+    let chosen = view.session.materials().iter().find(|material| Some(material.expansion) == now);
     let shown = chosen.map_or_else(|| view.text("fit-own-value"), |material| material.name_in(language).to_owned());
     let response = ComboBox::from_id_salt(("fit-material", part))
         .selected_text(shown)
         .width(width)
         .truncate()
-        .height(f32::INFINITY)
+        .height(list_height(ui))
         .show_ui(ui, |ui| {
-            for material in Materials::shipped().iter() {
+            for material in view.session.materials().iter() {
                 let value = view.words.number(&material.expansion.to_string());
                 let text = format!("{}  {value}", material.name_in(language));
                 let is = Some(material.expansion) == now;
-                let hint = view.words.told(&material.certainty);
+                let certainty = view.words.told(&material.certainty);
+                let source = material.source.as_deref().unwrap_or_default();
+                let hint = if source.is_empty() { certainty } else { format!("{certainty}: {source}") };
                 if ui.selectable_label(is, text).on_hover_text(hint).clicked() {
                     view.send(Command::Fit(FitCommand::ChooseExpansion(part, material.expansion)));
                     ui.close();

@@ -6,7 +6,7 @@ use eframe::egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Sense, Shape, S
 
 use crate::gui::shapes::{self, Hatch};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, heading, quiet, quiet_cut};
 use crate::length::Length;
 use crate::session::{Mark, Parts, Picture, PictureZone, extremes, measured_field};
 use crate::tolerance::fit::Fit;
@@ -19,8 +19,7 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     ui.horizontal(|ui| {
         heading(ui, view.text("fit-picture"));
         if page.fit().is_some() {
-            let legend = Message::new("fit-picture-legend").mm("nominal", page.nominal().unwrap_or_default());
-            quiet(ui, view.words.say(&legend));
+            quiet_cut(ui, view.text("fit-picture-legend"));
         }
     });
     let (Some(fit), Some(picture)) = (page.fit(), page.picture()) else {
@@ -113,7 +112,7 @@ impl<'a> Drawing<'a> {
     fn draw(&self, fit: &Fit) {
         let width = self.body.width();
         let column = (width * 0.15).max(space(14.0));
-        let left = self.body.left() + (width * 0.16).max(space(18.0));
+        let left = self.body.left() + (width * 0.14).max(space(15.0));
         let hole = Rangef::new(left, left + column);
         let shaft = Rangef::new(hole.max + space(4.0), hole.max + space(4.0) + column);
         let zero = self.y(0.0);
@@ -128,7 +127,15 @@ impl<'a> Drawing<'a> {
             self.mark(x, zone, limits);
             self.name(x, limits);
         }
-        self.label(pos2(self.body.left(), zero), Align2::LEFT_CENTER, "0", theme::bold(sizes().body));
+        let nominal = format!("{} mm", self.words.number(&fit.nominal().to_string()));
+        // On the side of the line where the shaft, and so the smallest clearance, is not.
+        let (anchor, off) = if self.picture.shaft.upper_um + self.picture.shaft.lower_um < 0.0 {
+            (Align2::RIGHT_BOTTOM, -3.0)
+        } else {
+            (Align2::RIGHT_TOP, 3.0)
+        };
+        let at = pos2(self.body.right() - 2.0, zero + off);
+        self.label(at, anchor, &nominal, theme::bold(sizes().small));
     }
 
     /// Text on a ground, so that lines do not cross it.
@@ -191,6 +198,11 @@ impl<'a> Drawing<'a> {
         let text = self.words.signed_um(measured.saturating_sub(limits.nominal));
         let colour = self.palette.text.0;
         let font = theme::bold(sizes().body);
+        // Towards the other zone: on the outer side stand the limit deviations.
+        let (side, beside) = match limits.feature {
+            Feature::Hole => (10.0, Align2::LEFT_CENTER),
+            Feature::Shaft => (-10.0, Align2::RIGHT_CENTER),
+        };
         match mark {
             Mark::InSight(um) => {
                 let y = self.y(um);
@@ -203,15 +215,17 @@ impl<'a> Drawing<'a> {
                 }
                 self.label(pos2(x.center(), y), Align2::CENTER_CENTER, &text, font);
             }
-            Mark::Above => self.beyond(pos2(x.center(), self.body.top() + 6.0), -1.0, &text, font),
-            Mark::Below => self.beyond(pos2(x.center(), self.body.bottom() - 6.0), 1.0, &text, font),
+            Mark::Above => {
+                let tip = pos2(x.center(), self.body.top() + 8.0);
+                shapes::arrow_head(&self.painter, tip, vec2(0.0, -1.0), 12.0, colour);
+                self.label(tip + vec2(side, 2.0), beside, &text, font);
+            }
+            Mark::Below => {
+                let tip = pos2(x.center(), self.body.bottom() - 8.0);
+                shapes::arrow_head(&self.painter, tip, vec2(0.0, 1.0), 12.0, colour);
+                self.label(tip + vec2(side, -2.0), beside, &text, font);
+            }
         }
-    }
-
-    /// An arrow at the edge, its number towards the middle.
-    fn beyond(&self, tip: Pos2, down: f32, text: &str, font: eframe::egui::FontId) {
-        shapes::arrow_head(&self.painter, tip, vec2(0.0, down), space(3.0), self.palette.text.0);
-        self.label(tip + vec2(space(3.0), 0.0), Align2::LEFT_CENTER, text, font);
     }
 
     fn name(&self, x: Rangef, limits: &Limits) {
@@ -252,8 +266,7 @@ impl<'a> Drawing<'a> {
             }
             self.arrow(x, from, to, Stroke::new(2.0, self.palette.text.0));
             // Beside the line's middle, but not on the zero line.
-            let middle = f32::midpoint(from, to);
-            let zero = self.y(0.0);
+            let (middle, zero) = (f32::midpoint(from, to), self.y(0.0));
             let middle = if (middle - zero).abs() < LINE / 2.0 { zero - LINE * 0.75 } else { middle };
             let at = pos2(x + space(2.0), middle);
             self.label(at, Align2::LEFT_CENTER, &self.words.um(amount), theme::bold(sizes().limits));

@@ -1,11 +1,22 @@
-//! Why two limits are no fit.
+//! Why a callout or two limits are no fit.
 
 use crate::length::{Length, signed_mm};
+use crate::tolerance::callout::Callout;
+use crate::tolerance::sources::LimitsError;
 use crate::words::{Message, Say};
 
-/// Why two limits are no fit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+/// Why a callout or two limits are no fit.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum FitError {
+    /// The callout has not two classes.
+    #[error("{callout} is no fit: write a size, a hole class and a shaft class, such as 25 H7/g6")]
+    OneSided {
+        /// What was given.
+        callout: Callout,
+    },
+    /// A part has no limits.
+    #[error("{0}")]
+    Limits(#[from] LimitsError),
     /// The first limits are those of a shaft.
     #[error("{minimum} to {maximum} mm are a shaft's limits, where a hole's are needed")]
     NotAHole {
@@ -42,6 +53,8 @@ impl Say for FitError {
             signed_mm(message, "maximum-sign", "maximum", maximum)
         };
         match *self {
+            Self::OneSided { callout } => Message::new("fit-one-sided").text("callout", callout),
+            Self::Limits(ref error) => error.message(),
             Self::NotAHole { minimum, maximum } => limits("fit-not-a-hole", minimum, maximum),
             Self::NotAShaft { minimum, maximum } => limits("fit-not-a-shaft", minimum, maximum),
             Self::NominalSizes { hole, shaft } => {

@@ -27,8 +27,10 @@ use std::fmt;
 pub use basis::{Basis, basis};
 pub use error::FitError;
 
+use super::callout::{Callout, Tolerance};
 use super::class::Feature;
 use super::limits::Limits;
+use super::sources::Sources;
 use crate::length::Length;
 use crate::verdict::{self, Status, Verdict};
 use crate::words::{Message, Say};
@@ -152,6 +154,27 @@ impl Fit {
         }
         let clearances = (hole.maximum().checked_sub(shaft.minimum()), hole.minimum().checked_sub(shaft.maximum()));
         if let (Some(_), Some(_)) = clearances { Ok(Self { hole, shaft }) } else { Err(FitError::TooLarge) }
+    }
+
+    /// The fit of a callout such as `25 H7/g6`, each part's limits by the same sources.
+    ///
+    /// ```
+    /// use fitcheck::tolerance::Sources;
+    /// use fitcheck::tolerance::fit::{Fit, Kind};
+    ///
+    /// let fit = Fit::of_callout(&"50 H7/p6".parse()?, &Sources::default())?;
+    /// assert_eq!((fit.minimum_clearance().to_string(), fit.kind()), ("-0.042".into(), Kind::Interference));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`FitError::OneSided`] for a callout that is no fit, [`FitError::Limits`] where a class is not defined.
+    pub fn of_callout(callout: &Callout, sources: &Sources) -> Result<Self, FitError> {
+        if !matches!(callout.tolerance(), Tolerance::Fit { .. }) {
+            return Err(FitError::OneSided { callout: *callout });
+        }
+        let limits = |feature| sources.limits(callout, Some(feature));
+        Self::new(limits(Feature::Hole)?, limits(Feature::Shaft)?)
     }
 
     /// The hole's limits.

@@ -1,16 +1,19 @@
 //! From a wanted clearance to the pairs of classes that give it.
 //!
-//! Looks at every pair of classes that ISO 286 defines at a size, exactly, to the nanometre. Two numbers decide a
+//! Looks at every pair of classes that the sources define at a size, exactly, to the nanometre. Two numbers decide a
 //! pair, so all quarter of a million pairs are looked at; only those that are shown are spelled out.
 
-use std::cmp::Reverse;
+mod ranking;
 
+use ranking::{Zone, fitting, nearest};
+
+use super::Kind;
 use super::basis::Basis;
 use super::preferred::{Function, Preference};
-use super::{Kind, preferred};
 use crate::length::{Length, signed_mm};
 use crate::tolerance::class::{Feature, ToleranceClass};
-use crate::tolerance::iso286::{self, Grade, Letter, Options};
+use crate::tolerance::iso286::Options;
+use crate::tolerance::sources::{Base, Sources};
 use crate::words::{Message, Say};
 
 /// A range of clearance; negative is an interference. The borders belong to it.
@@ -75,8 +78,8 @@ pub struct Miss {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Found {
     /// The best pairs, best first: preferred fits of the hole basis, of the shaft basis, pairs named in ANSI B4.2, then
-    /// hole basis, shaft basis, and the rest. Within each the widest tolerances first, which are the cheapest to make,
-    /// and then by letters.
+    /// hole basis, shaft basis, and the rest. Within each the widest tolerances first, which are the cheapest to make:
+    /// both together, then the narrower one; and then by letters.
     pub candidates: Vec<Candidate>,
     /// How many pairs fit altogether.
     pub total: usize,
@@ -107,6 +110,12 @@ pub enum SearchError {
         /// What was given.
         nominal: Length,
     },
+    /// The tables have no class for a hole or none for a shaft.
+    #[error("the tables have no classes for both hole and shaft at {nominal} mm")]
+    NoClasses {
+        /// What was given.
+        nominal: Length,
+    },
 }
 
 impl Say for SearchError {
@@ -120,11 +129,13 @@ impl Say for SearchError {
                 signed_mm(Message::new("callout-not-positive"), "nominal-sign", "nominal", nominal)
             }
             Self::TooLarge { nominal } => Message::new("iso286-too-large").mm("nominal", nominal),
+            Self::NoClasses { nominal } => Message::new("fit-search-no-classes").mm("nominal", nominal),
         }
     }
 }
 
-/// Finds the pairs whose whole range of clearance lies within the wanted one, and spells out the best `limit`.
+/// Finds the pairs of ISO 286 whose whole range of clearance lies within the wanted one, and spells out the best
+/// `limit`.
 ///
 /// # Errors
 /// [`SearchError`] for a range in the wrong order and for a size that ISO 286 does not have.
@@ -135,16 +146,31 @@ pub fn search(
     scope: Scope,
     limit: usize,
 ) -> Result<Found, SearchError> {
+    search_in(nominal, wanted, &Sources::default().with_options(options), scope, limit)
+}
+
+/// The same among the classes of any sources: where a user's own table has a class, its deviations count.
+///
+/// # Errors
+/// [`SearchError`], also where the sources have no class for a hole or none for a shaft.
+pub fn search_in(
+    nominal: Length,
+    wanted: Wanted,
+    sources: &Sources,
+    scope: Scope,
+    limit: usize,
+) -> Result<Found, SearchError> {
     if wanted.maximum < wanted.minimum {
         return Err(SearchError::Order { minimum: wanted.minimum, maximum: wanted.maximum });
     }
     if nominal <= Length::ZERO {
         return Err(SearchError::NotPositive { nominal });
     }
-    let holes = Zone::all(Feature::Hole, nominal, options);
-    let shafts = Zone::all(Feature::Shaft, nominal, options);
+    let holes = Zone::all(Feature::Hole, nominal, sources);
+    let shafts = Zone::all(Feature::Shaft, nominal, sources);
     if holes.is_empty() || shafts.is_empty() {
-        return Err(SearchError::TooLarge { nominal });
+        let is_standard = matches!(sources.base(), Base::Iso286);
+        return Err(if is_standard { SearchError::TooLarge { nominal } } else { SearchError::NoClasses { nominal } });
     }
     let mut ranked = fitting(&holes, &shafts, wanted, scope);
     let total = ranked.len();
@@ -156,126 +182,4 @@ pub fn search(
     ranked.sort_unstable();
     let candidates = ranked.iter().filter_map(|pair| pair.candidate(&holes, &shafts)).collect();
     Ok(Found { candidates, total, nearest })
-}
-
-/// A class at the size that is asked for, in nanometres.
-struct Zone {
-    class: ToleranceClass,
-    parts: (Letter, Grade),
-    upper: i64,
-    lower: i64,
-}
-
-impl Zone {
-    /// Every class, by letter and then by grade.
-    fn all(feature: Feature, nominal: Length, options: Options) -> Vec<Self> {
-        let classes = iso286::classes_at(feature, nominal, options);
-        let zone = |(class, deviations): (ToleranceClass, crate::tolerance::Deviations)| {
-            let (upper, lower) = (deviations.upper().nanometres(), deviations.lower().nanometres());
-            Some(Self { class, parts: iso286::parts(class)?, upper, lower })
-        };
-        classes.filter_map(zone).collect()
-    }
-}
-
-/// A pair by its rank: the order of the fields is the order of the answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Ranked {
-    group: Group,
-    /// The width of the range of clearance in nanometres: both tolerances together.
-    width: Reverse<i64>,
-    /// Places in the lists of zones, which are in the order of letters.
-    hole: usize,
-    shaft: usize,
-}
-
-/// The groups of candidates, best first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Group {
-    PreferredHole,
-    PreferredShaft,
-    Named,
-    HoleBasis,
-    ShaftBasis,
-    Rest,
-}
-
-impl Group {
-    fn of(hole: (Letter, Grade), shaft: (Letter, Grade)) -> Self {
-        if hole.0 != Letter::H && shaft.0 != Letter::H {
-            return Self::Rest;
-        }
-        match Preference::of_parts(hole, shaft) {
-            Some(Preference::HoleBasis) => Self::PreferredHole,
-            Some(Preference::ShaftBasis) => Self::PreferredShaft,
-            None if Function::of_parts(hole, shaft).is_some() => Self::Named,
-            None if hole.0 == Letter::H => Self::HoleBasis,
-            None => Self::ShaftBasis,
-        }
-    }
-
-    fn is_in(self, scope: Scope) -> bool {
-        match scope {
-            Scope::All => true,
-            Scope::Basis => self < Self::Rest,
-            Scope::Preferred => self < Self::HoleBasis,
-        }
-    }
-}
-
-impl Ranked {
-    fn of(hole: (usize, &Zone), shaft: (usize, &Zone)) -> Self {
-        let width = (hole.1.upper - hole.1.lower) + (shaft.1.upper - shaft.1.lower);
-        let group = Group::of(hole.1.parts, shaft.1.parts);
-        Self { group, width: Reverse(width), hole: hole.0, shaft: shaft.0 }
-    }
-
-    fn candidate(self, holes: &[Zone], shafts: &[Zone]) -> Option<Candidate> {
-        let (hole, shaft) = (holes.get(self.hole)?, shafts.get(self.shaft)?);
-        Some(Candidate {
-            hole: hole.class,
-            shaft: shaft.class,
-            minimum: Length::from_nanometres(hole.lower - shaft.upper).ok()?,
-            maximum: Length::from_nanometres(hole.upper - shaft.lower).ok()?,
-            preference: preferred::preference(hole.class, shaft.class),
-            function: preferred::function(hole.class, shaft.class),
-            basis: Basis::of_letters(hole.parts.0, shaft.parts.0),
-        })
-    }
-}
-
-/// Every pair within the wanted range.
-fn fitting(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Scope) -> Vec<Ranked> {
-    let (least, most) = (wanted.minimum.nanometres(), wanted.maximum.nanometres());
-    let mut found = Vec::new();
-    for hole in holes.iter().enumerate() {
-        // What the shaft's deviations may be, so that the inner loop compares and does nothing else.
-        let (highest, lowest) = (hole.1.lower - least, hole.1.upper - most);
-        let fits = |shaft: &(usize, &Zone)| shaft.1.upper <= highest && lowest <= shaft.1.lower;
-        let ranked = shafts.iter().enumerate().filter(fits).map(|shaft| Ranked::of(hole, shaft));
-        found.extend(ranked.filter(|pair| pair.group.is_in(scope)));
-    }
-    found
-}
-
-/// The pair with the smallest reach beyond the wanted range; among equals the one of the best rank.
-fn nearest(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Scope) -> Option<Miss> {
-    let (least, most) = (wanted.minimum.nanometres(), wanted.maximum.nanometres());
-    let mut best: Option<((i64, Ranked), (i64, i64))> = None;
-    for hole in holes.iter().enumerate() {
-        for shaft in shafts.iter().enumerate() {
-            let below = (least - (hole.1.lower - shaft.1.upper)).max(0);
-            let above = ((hole.1.upper - shaft.1.lower) - most).max(0);
-            if best.is_some_and(|((reach, _), _)| reach < below + above) {
-                continue;
-            }
-            let rank = (below + above, Ranked::of(hole, shaft));
-            if rank.1.group.is_in(scope) && best.is_none_or(|(before, _)| rank < before) {
-                best = Some((rank, (below, above)));
-            }
-        }
-    }
-    let ((_, pair), (below, above)) = best?;
-    let length = |nm| Length::from_nanometres(nm).ok();
-    Some(Miss { candidate: pair.candidate(holes, shafts)?, below: length(below)?, above: length(above)? })
 }

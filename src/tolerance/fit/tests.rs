@@ -57,6 +57,9 @@ fn what_is_no_fit_is_refused() {
     let far = limits(Feature::Hole, "25", "999999000", "0");
     let low = limits(Feature::Shaft, "25", "0", "-999999000");
     assert_eq!(error(far, low), "the clearance is too large");
+    for text in ["25 H7", "12 ±0.02", "600 H7/c9", "25 Q7/h6"] {
+        said(&Fit::of_callout(&text.parse().unwrap(), &Sources::default()).unwrap_err());
+    }
     said(&FitError::NotAHole { minimum: mm("-1.5"), maximum: mm("0.5") });
 }
 
@@ -226,6 +229,7 @@ fn every_word_is_said_in_english_and_in_dutch() {
         SearchError::Order { minimum: mm("0.5"), maximum: mm("-0.5") },
         SearchError::NotPositive { nominal: mm("-1") },
         SearchError::TooLarge { nominal: mm("3150.000001") },
+        SearchError::NoClasses { nominal: mm("400.5") },
     ];
     errors.iter().for_each(said);
 }

@@ -145,6 +145,15 @@ pub fn usual_classes(feature: Feature) -> impl Iterator<Item = ToleranceClass> {
     usual.split(' ').filter_map(|class| class.parse().ok())
 }
 
+/// The preferred classes of ISO 286-1.
+pub fn preferred_classes(feature: Feature) -> impl Iterator<Item = ToleranceClass> {
+    let preferred = match feature {
+        Feature::Hole => "A11 B11 C11 D10 E9 F8 G7 H7 H8 H9 H11 JS7 K7 N7 P7 R7 S7",
+        Feature::Shaft => "a11 b11 c11 d9 e8 f7 g6 h6 h7 h9 h11 js6 k6 n6 p6 r6 s6",
+    };
+    preferred.split(' ').filter_map(|class| class.parse().ok())
+}
+
 /// The upper, inclusive ends of all steps, ascending, 1 mm among them: within a step no class changes.
 pub fn step_ends() -> impl Iterator<Item = Length> {
     sizes()

@@ -1,0 +1,84 @@
+//! What there is to say about one fit: computed by the core, put together here.
+
+use super::Asked;
+use super::heat::{Heat, Heated};
+use crate::length::Length;
+use crate::tolerance::fit::equivalent::{Difference, equivalent};
+use crate::tolerance::fit::{Actual, Fit, Possible};
+use crate::tolerance::{Callout, Feature, Tolerance, ToleranceClass};
+use crate::verdict::Status;
+
+/// Everything about one fit.
+pub(super) struct Answer<'a> {
+    pub callout: Callout,
+    pub hole: ToleranceClass,
+    pub shaft: ToleranceClass,
+    pub fit: Fit,
+    pub equivalent: Option<Equivalent>,
+    pub measured: Measured,
+    pub heated: Option<(&'a Heat, Heated)>,
+}
+
+/// The fit in the other basis.
+pub(super) struct Equivalent {
+    pub callout: Callout,
+    /// Its fit and how far it is from the one that was asked for, or why it is not defined.
+    pub fit: Result<(Fit, Difference), String>,
+}
+
+/// The measured parts.
+#[derive(Clone, Copy)]
+pub(super) enum Measured {
+    None,
+    One(Possible),
+    Both(Actual),
+}
+
+impl Measured {
+    /// The worse of the measured parts.
+    pub(super) fn status(&self) -> Option<Status> {
+        match self {
+            Self::None => None,
+            Self::One(part) => Some(part.verdict.status()),
+            Self::Both(actual) => Some(actual.status()),
+        }
+    }
+
+    fn clearance(&self) -> Option<Length> {
+        match self {
+            Self::Both(actual) => Some(actual.clearance),
+            Self::None | Self::One(_) => None,
+        }
+    }
+}
+
+impl<'a> Answer<'a> {
+    /// The answer, or why there is none.
+    pub(super) fn of(callout: Callout, asked: &'a Asked<'_>) -> Result<Self, String> {
+        let fit = Fit::of_callout(&callout, asked.sources).map_err(|error| error.to_string())?;
+        let Tolerance::Fit { hole, shaft } = callout.tolerance() else { return Err(format!("{callout} is no fit")) };
+        let equivalent = equivalent(hole, shaft).and_then(|(hole, shaft)| {
+            let callout = Callout::fit(callout.nominal(), hole, shaft).ok()?;
+            let other = Fit::of_callout(&callout, asked.sources).map_err(|error| error.to_string());
+            let fit = other.map(|other| {
+                let difference = Difference::between(&fit, &other);
+                (other, difference)
+            });
+            Some(Equivalent { callout, fit })
+        });
+        let measured = match (asked.measured.hole, asked.measured.shaft) {
+            (Some(hole), Some(shaft)) => Measured::Both(fit.actual(hole, shaft)),
+            (Some(hole), None) => Measured::One(fit.possible(Feature::Hole, hole)),
+            (None, Some(shaft)) => Measured::One(fit.possible(Feature::Shaft, shaft)),
+            (None, None) => Measured::None,
+        };
+        let heated = match &asked.heat {
+            Some(heat) => {
+                let heated = heat.of(&fit, measured.clearance()).ok_or("the clearance is too large")?;
+                Some((heat, heated))
+            }
+            None => None,
+        };
+        Ok(Self { callout, hole, shaft, fit, equivalent, measured, heated })
+    }
+}

@@ -1,0 +1,160 @@
+//! Materials and temperatures: arguments, and what they make of a fit.
+
+use std::path::PathBuf;
+
+use crate::cli::CliError;
+use crate::control::text::decode;
+use crate::files;
+use crate::length::Length;
+use crate::tolerance::fit::materials::{Certainty, Materials};
+use crate::tolerance::fit::thermal::{Expansion, Temperature, ThermalError, Warm, clearance_change_apart};
+use crate::tolerance::fit::{Fit, Kind};
+
+/// Materials and temperatures.
+#[derive(Debug, clap::Args)]
+pub(super) struct HeatArgs {
+    /// The hole's material, or its expansion in millionths a kelvin such as 11.5
+    #[arg(long, value_name = "NAME", requires = "shaft_material", requires = "heat", allow_hyphen_values = true)]
+    hole_material: Option<String>,
+
+    /// The shaft's material, or its expansion
+    #[arg(long, value_name = "NAME", requires = "hole_material", allow_hyphen_values = true)]
+    shaft_material: Option<String>,
+
+    #[command(flatten)]
+    temperatures: TemperatureArgs,
+
+    /// Your own materials, a TOML file: they replace those of the same name and add others
+    #[arg(long, value_name = "FILE.toml", requires = "hole_material")]
+    materials: Option<PathBuf>,
+}
+
+/// One temperature for both parts, or one for each.
+#[derive(Debug, clap::Args)]
+#[group(id = "heat", multiple = true)]
+struct TemperatureArgs {
+    /// The temperature of both parts in °C
+    #[arg(
+        long,
+        value_name = "C",
+        requires = "hole_material",
+        conflicts_with_all = ["hole_temperature", "shaft_temperature"],
+        allow_hyphen_values = true
+    )]
+    temperature: Option<String>,
+
+    /// The hole's own temperature in °C; without it 20
+    #[arg(long, value_name = "C", requires = "hole_material", allow_hyphen_values = true)]
+    hole_temperature: Option<String>,
+
+    /// The shaft's own temperature in °C; without it 20
+    #[arg(long, value_name = "C", requires = "hole_material", allow_hyphen_values = true)]
+    shaft_temperature: Option<String>,
+}
+
+/// The material of a part.
+#[derive(Debug, Clone)]
+pub(super) struct Part {
+    /// Its English name, none where the expansion itself was given.
+    pub name: Option<String>,
+    pub certainty: Certainty,
+    pub source: Option<String>,
+    pub warm: Warm,
+}
+
+/// Both parts.
+#[derive(Debug, Clone)]
+pub(super) struct Heat {
+    pub hole: Part,
+    pub shaft: Part,
+}
+
+/// A fit at these temperatures.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Heated {
+    /// How much more clearance there is than at 20 °C.
+    pub change: Length,
+    pub minimum: Length,
+    pub maximum: Length,
+    pub actual: Option<Length>,
+}
+
+impl Heated {
+    pub(super) fn kind(&self) -> Kind {
+        Kind::of(self.minimum, self.maximum)
+    }
+}
+
+impl HeatArgs {
+    pub(super) const fn is_asked(&self) -> bool {
+        self.hole_material.is_some() || self.shaft_material.is_some()
+    }
+
+    pub(super) fn load(&self) -> Result<Option<Heat>, CliError> {
+        let (Some(hole), Some(shaft)) = (&self.hole_material, &self.shaft_material) else { return Ok(None) };
+        let shipped = Materials::shipped();
+        let materials = match &self.materials {
+            Some(path) => {
+                let read = Materials::read(&decode(&files::read(path)?));
+                let own = read.map_err(|error| CliError::Data(format!("{}: {error}", path.display())))?;
+                shipped.with_own(own)
+            }
+            None => shipped.clone(),
+        };
+        let part = |name: &str, own_temperature: Option<&String>, which: &str| {
+            let temperature = match self.temperatures.temperature.as_ref().or(own_temperature) {
+                Some(text) => text.parse().map_err(|error| bad("temperature", &error))?,
+                None => Temperature::REFERENCE,
+            };
+            Part::of(name, &materials, temperature).map_err(|error| bad(which, &error))
+        };
+        let hole = part(hole, self.temperatures.hole_temperature.as_ref(), "hole material")?;
+        let shaft = part(shaft, self.temperatures.shaft_temperature.as_ref(), "shaft material")?;
+        Ok(Some(Heat { hole, shaft }))
+    }
+}
+
+fn bad(what: &str, error: &dyn std::fmt::Display) -> CliError {
+    CliError::Data(format!("{what}: {error}"))
+}
+
+impl Part {
+    /// A material by its name, which may be a number such as 1.4301, or else an expansion.
+    fn of(text: &str, materials: &Materials, temperature: Temperature) -> Result<Self, String> {
+        let unknown = match materials.find(text) {
+            Ok(material) => {
+                return Ok(Self {
+                    name: Some(material.name.clone()),
+                    certainty: material.certainty,
+                    source: material.source.clone(),
+                    warm: Warm { expansion: material.expansion, temperature },
+                });
+            }
+            Err(error) => error,
+        };
+        match text.parse::<Expansion>() {
+            Ok(expansion) => {
+                let warm = Warm { expansion, temperature };
+                Ok(Self { name: None, certainty: Certainty::Own, source: None, warm })
+            }
+            Err(ThermalError::NotANumber { .. }) => Err(unknown.to_string()),
+            Err(error) => Err(error.to_string()),
+        }
+    }
+}
+
+impl Heat {
+    /// A fit at these temperatures; `None` beyond what a length holds.
+    pub(super) fn of(&self, fit: &Fit, actual: Option<Length>) -> Option<Heated> {
+        let change = clearance_change_apart(fit.nominal(), self.hole.warm, self.shaft.warm);
+        Some(Heated {
+            change,
+            minimum: fit.minimum_clearance().checked_add(change)?,
+            maximum: fit.maximum_clearance().checked_add(change)?,
+            actual: match actual {
+                Some(actual) => Some(actual.checked_add(change)?),
+                None => None,
+            },
+        })
+    }
+}

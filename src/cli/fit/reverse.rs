@@ -1,0 +1,236 @@
+//! The way back: from a wanted clearance, or a function such as sliding, to classes.
+
+mod figures;
+
+use clap::ValueEnum;
+use clap::builder::PossibleValuesParser;
+use figures::{COLUMNS, CandidateFigures, Figures, MissFigures};
+
+use super::figures::{nominal, um};
+use super::{csv_line, text};
+use crate::cli::limits::printable;
+use crate::cli::{CliError, Format, Io, Outcome};
+use crate::length::Length;
+use crate::tolerance::fit::preferred::{self, Function};
+use crate::tolerance::fit::search::{self, Candidate, Found, Miss, Scope, Wanted};
+use crate::tolerance::fit::{self, Fit};
+use crate::tolerance::{Callout, Sources};
+
+/// A wanted clearance or a function.
+#[derive(Debug, clap::Args)]
+pub(super) struct ReverseArgs {
+    /// Search: the smallest clearance in mm; negative is interference
+    #[arg(long, value_name = "MM", requires = "max_clearance", allow_hyphen_values = true)]
+    min_clearance: Option<String>,
+
+    /// Search: the largest clearance in mm
+    #[arg(long, value_name = "MM", requires = "min_clearance", allow_hyphen_values = true)]
+    max_clearance: Option<String>,
+
+    /// The pairs that ANSI B4.2 names for a function
+    #[arg(
+        long,
+        value_parser = PossibleValuesParser::new(Function::ALL.map(Function::word)),
+        conflicts_with_all = ["min_clearance", "max_clearance", "scope", "limit"]
+    )]
+    function: Option<String>,
+
+    /// Search: which pairs are looked at; all without it
+    #[arg(long, value_enum, requires = "min_clearance")]
+    scope: Option<ScopeChoice>,
+
+    /// Search: how many pairs are shown at most; 20 without it
+    #[arg(long, value_name = "N", requires = "min_clearance")]
+    limit: Option<usize>,
+}
+
+/// Which pairs are looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ScopeChoice {
+    /// The preferred fits of ISO 286-1 and the pairs that ANSI B4.2 names.
+    Preferred,
+    /// Pairs with an H or an h.
+    Basis,
+    /// Every pair.
+    All,
+}
+
+impl ScopeChoice {
+    const fn word(self) -> &'static str {
+        match self {
+            Self::Preferred => "preferred",
+            Self::Basis => "basis",
+            Self::All => "all",
+        }
+    }
+
+    const fn scope(self) -> Scope {
+        match self {
+            Self::Preferred => Scope::Preferred,
+            Self::Basis => Scope::Basis,
+            Self::All => Scope::All,
+        }
+    }
+}
+
+/// How many pairs are shown unless it is said.
+const SHOWN: usize = 20;
+
+impl ReverseArgs {
+    pub(super) const fn is_asked(&self) -> bool {
+        self.min_clearance.is_some() || self.max_clearance.is_some() || self.function.is_some()
+    }
+
+    pub(super) fn run(
+        &self,
+        callouts: &[String],
+        sources: &Sources,
+        format: Format,
+        io: &mut Io<'_>,
+    ) -> Result<Outcome, CliError> {
+        let [size] = callouts else {
+            return Err(CliError::Data("a search needs one nominal size, such as 25".to_owned()));
+        };
+        let size = nominal_size(size)?;
+        let function = self.function.as_ref();
+        if let Some(function) = function.and_then(|name| Function::ALL.into_iter().find(|one| one.word() == name)) {
+            return of_function(size, function, sources, format, io);
+        }
+        let (Some(minimum), Some(maximum)) = (&self.min_clearance, &self.max_clearance) else {
+            return Err(CliError::Data("a search needs --min-clearance and --max-clearance".to_owned()));
+        };
+        let length = |text: &str, which: &str| -> Result<Length, CliError> {
+            text.parse().map_err(|error| CliError::Data(format!("{which} clearance: {error}")))
+        };
+        let wanted = Wanted { minimum: length(minimum, "smallest")?, maximum: length(maximum, "largest")? };
+        let scope = self.scope.unwrap_or(ScopeChoice::All);
+        let found = search::search_in(size, wanted, sources, scope.scope(), self.limit.unwrap_or(SHOWN));
+        let found = found.map_err(|error| CliError::Data(error.to_string()))?;
+        print(format, &Searched { size, wanted: Some((wanted, scope)), function: None, found: &found }, io)?;
+        Ok(Outcome::Done)
+    }
+}
+
+/// `25`, `Ø25`, `25 mm`.
+fn nominal_size(text: &str) -> Result<Length, CliError> {
+    let shown = printable(text.trim());
+    let bare = text.trim().trim_start_matches(['Ø', 'ø', '⌀']);
+    bare.parse().map_err(|error| CliError::Data(format!("nominal size {shown}: {error}")))
+}
+
+/// The pairs of a function, hole basis first; one that is not defined at this size is refused by name.
+fn of_function(
+    size: Length,
+    function: Function,
+    sources: &Sources,
+    format: Format,
+    io: &mut Io<'_>,
+) -> Result<Outcome, CliError> {
+    let mut candidates = Vec::new();
+    let mut refused = Vec::new();
+    for named in function.fits() {
+        let callout = Callout::fit(size, named.hole, named.shaft).map_err(|error| CliError::Data(error.to_string()))?;
+        match Fit::of_callout(&callout, sources) {
+            Ok(fit) => candidates.push(Candidate {
+                hole: named.hole,
+                shaft: named.shaft,
+                minimum: fit.minimum_clearance(),
+                maximum: fit.maximum_clearance(),
+                preference: preferred::preference(named.hole, named.shaft),
+                function: Some(function),
+                basis: fit::basis(named.hole, named.shaft),
+            }),
+            Err(error) => refused.push(format!("{callout}: {error}")),
+        }
+    }
+    let found = Found { total: candidates.len(), candidates, nearest: None };
+    print(format, &Searched { size, wanted: None, function: Some(function), found: &found }, io)?;
+    io.out.flush()?;
+    for refusal in &refused {
+        io.tell(format_args!("{refusal}"))?;
+    }
+    Ok(if refused.is_empty() { Outcome::Done } else { Outcome::BadData })
+}
+
+/// What was asked and what was found.
+struct Searched<'a> {
+    size: Length,
+    wanted: Option<(Wanted, ScopeChoice)>,
+    function: Option<Function>,
+    found: &'a Found,
+}
+
+fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
+    match format {
+        Format::Text => Ok(print_text(searched, io)?),
+        Format::Csv => {
+            csv_line(COLUMNS, io)?;
+            for candidate in &searched.found.candidates {
+                csv_line(CandidateFigures::of(searched.size, candidate).cells(), io)?;
+            }
+            if let Some(miss) = &searched.found.nearest {
+                io.tell(format_args!("no pair fits; nearest is {}", nearest(miss)))?;
+            }
+            Ok(())
+        }
+        Format::Json => {
+            let size = searched.size;
+            let found = searched.found;
+            let figures = Figures {
+                nominal_mm: nominal(size),
+                minimum_clearance_um: searched.wanted.map(|(wanted, _)| um(wanted.minimum)),
+                maximum_clearance_um: searched.wanted.map(|(wanted, _)| um(wanted.maximum)),
+                scope: searched.wanted.map(|(_, scope)| scope.word()),
+                function: searched.function.map(Function::word),
+                total: found.total,
+                candidates: found.candidates.iter().map(|one| CandidateFigures::of(size, one)).collect(),
+                nearest: found.nearest.map(|miss| MissFigures {
+                    candidate: CandidateFigures::of(size, &miss.candidate),
+                    below_um: um(miss.below),
+                    above_um: um(miss.above),
+                }),
+            };
+            serde_json::to_writer_pretty(&mut *io.out, &figures).map_err(std::io::Error::from)?;
+            Ok(writeln!(io.out)?)
+        }
+    }
+}
+
+fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) -> std::io::Result<()> {
+    let Found { candidates, total, nearest: miss } = searched.found;
+    let size = searched.size;
+    match (&searched.wanted, searched.function) {
+        (Some((wanted, _)), _) => {
+            let range = text::range(wanted.minimum, wanted.maximum);
+            let negative = text::negative(wanted.minimum);
+            let shown =
+                if candidates.len() < *total { format!(", the best {}", candidates.len()) } else { String::new() };
+            let pairs = if *total == 1 { "pair" } else { "pairs" };
+            writeln!(io.out, "{size} mm, clearance {range}{negative}: {total} {pairs}{shown}")?;
+        }
+        (None, Some(function)) => writeln!(io.out, "{size} mm, {function}")?,
+        (None, None) => {}
+    }
+    for candidate in candidates {
+        let pair = format!("{}/{}", candidate.hole, candidate.shaft);
+        let range = text::range(candidate.minimum, candidate.maximum);
+        let remarks = text::with_remarks(&candidate.kind(), candidate.hole, candidate.shaft);
+        writeln!(io.out, "  {pair:<10} {range:<20}  {remarks}")?;
+    }
+    if let Some(miss) = miss {
+        writeln!(io.out, "  nearest is {}", nearest(miss))?;
+    }
+    Ok(())
+}
+
+/// `H7/g6 with +7 … +41 µm, 1 µm below`
+fn nearest(miss: &Miss) -> String {
+    let Candidate { hole, shaft, minimum, maximum, .. } = miss.candidate;
+    let beyond = [(miss.below, "below"), (miss.above, "above")];
+    let beyond: Vec<String> = beyond
+        .iter()
+        .filter(|(length, _)| Length::ZERO < *length)
+        .map(|(length, side)| format!("{} {side}", um(*length).0 + " µm"))
+        .collect();
+    format!("{hole}/{shaft} with {}, {}", text::range(minimum, maximum), beyond.join(" and "))
+}

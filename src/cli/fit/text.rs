@@ -1,0 +1,126 @@
+//! One fit for people: a few aligned lines.
+
+use std::fmt::Display;
+use std::io::{Result, Write};
+
+use super::answer::{Answer, Equivalent, Measured};
+use super::heat::{Heat, Heated, Part};
+use crate::cli::limits;
+use crate::length::{Length, Unit};
+use crate::tolerance::fit::basis;
+use crate::tolerance::fit::preferred::{function, preference};
+use crate::tolerance::{Limits, ToleranceClass};
+use crate::verdict::{Status, Verdict};
+
+pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
+    let Answer { callout, hole, shaft, fit, .. } = answer;
+    writeln!(out, "{callout}  {}", with_remarks(&fit.kind(), *hole, *shaft))?;
+    let (minimum, maximum) = (fit.minimum_clearance(), fit.maximum_clearance());
+    let range = range(minimum, maximum);
+    line(out, "clearance", format_args!("{range}, mean {} µm{}", um(fit.mean_clearance()), negative(minimum)))?;
+    part(out, "hole", *hole, fit.hole())?;
+    part(out, "shaft", *shaft, fit.shaft())?;
+    if let Some(other) = &answer.equivalent {
+        line(out, "other basis", equivalent(other))?;
+    }
+    measured(out, &answer.measured)?;
+    if let Some((heat, heated)) = &answer.heated {
+        temperature(out, heat, heated)?;
+    }
+    Ok(())
+}
+
+/// `clearance fit, hole basis, preferred fit of the hole basis, sliding`
+pub(super) fn with_remarks(kind: &dyn Display, hole: ToleranceClass, shaft: ToleranceClass) -> String {
+    let basis = basis(hole, shaft).map(|basis| basis.to_string());
+    let preferred = preference(hole, shaft).map(|preference| preference.to_string());
+    // "preferred fit of the hole basis" says the basis, too, unless it is both.
+    let basis = basis.filter(|basis| preferred.as_ref().is_none_or(|preferred| !preferred.ends_with(basis.as_str())));
+    let function = function(hole, shaft).map(|function| function.to_string());
+    let all = [Some(kind.to_string()), basis, preferred, function];
+    all.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// `+7 … +41 µm`
+pub(super) fn range(minimum: Length, maximum: Length) -> String {
+    format!("{} … {} µm", um(minimum), um(maximum))
+}
+
+/// Micrometres with a sign unless zero.
+pub(super) fn um(length: Length) -> String {
+    let plus = if Length::ZERO < length { "+" } else { "" };
+    format!("{plus}{}", length.exact(Unit::Micrometre, 0))
+}
+
+pub(super) const fn negative(minimum: Length) -> &'static str {
+    if minimum.nanometres() < 0 { " (negative is interference)" } else { "" }
+}
+
+fn line(out: &mut dyn Write, name: &str, text: impl Display) -> Result<()> {
+    writeln!(out, "  {name:<12} {text}")
+}
+
+fn mm(length: Length) -> String {
+    length.exact(Unit::Millimetre, 3)
+}
+
+fn part(out: &mut dyn Write, name: &str, class: ToleranceClass, limits: &Limits) -> Result<()> {
+    let range = format!("{} … {} mm", mm(limits.minimum()), mm(limits.maximum()));
+    let deviations = format!("({} µm)", limits::lower_and_upper(&limits.deviations));
+    let source = limits::source(&limits.source);
+    line(out, &format!("{name} {class}"), format_args!("{range:<22}  {deviations:<18}  from {source}"))
+}
+
+fn equivalent(other: &Equivalent) -> String {
+    let callout = &other.callout;
+    match &other.fit {
+        Ok((_, difference)) if difference.is_none() => format!("{callout}, exactly the same clearances"),
+        Ok((fit, _)) => {
+            let range = range(fit.minimum_clearance(), fit.maximum_clearance());
+            format!("{callout}, not the same: {range}, {}", fit.kind())
+        }
+        Err(error) => format!("{callout} does not exist: {error}"),
+    }
+}
+
+fn measured(out: &mut dyn Write, measured: &Measured) -> Result<()> {
+    let judged = |diameter: Length, verdict: &Verdict| {
+        let removal = verdict.size.removal.filter(|_| verdict.status() == Status::Rework);
+        let removal = removal.map(|removal| format!(", remove {} mm to the nearest limit", removal.to_limit));
+        format!("{} mm  {}{}", mm(diameter), verdict.status(), removal.unwrap_or_default())
+    };
+    match measured {
+        Measured::None => Ok(()),
+        Measured::One(part) => {
+            line(out, &format!("this {}", part.feature), judged(part.measured, &part.verdict))?;
+            let (range, other) = (range(part.minimum, part.maximum), part.feature.other());
+            line(out, "possible", format_args!("{range} with a {other} within its limits"))
+        }
+        Measured::Both(actual) => {
+            line(out, "this hole", judged(actual.hole, &actual.hole_verdict))?;
+            line(out, "this shaft", judged(actual.shaft, &actual.shaft_verdict))?;
+            let conforms = if actual.conforms { "within what the fit allows" } else { "outside what the fit allows" };
+            line(out, "actual", format_args!("{} µm, {conforms}", um(actual.clearance)))
+        }
+    }
+}
+
+fn temperature(out: &mut dyn Write, heat: &Heat, heated: &Heated) -> Result<()> {
+    let (hole, shaft) = (heat.hole.warm.temperature, heat.shaft.warm.temperature);
+    let name = if hole == shaft { format!("at {hole} °C") } else { "when warm".to_owned() };
+    let range = range(heated.minimum, heated.maximum);
+    let (kind, change) = (heated.kind(), um(heated.change));
+    line(out, &name, format_args!("{range}, {kind}, {change} µm against 20 °C"))?;
+    if let Some(actual) = heated.actual {
+        line(out, "", format_args!("actual {} µm", um(actual)))?;
+    }
+    line(out, "", format_args!("hole {}", material(&heat.hole)))?;
+    line(out, "", format_args!("shaft {}", material(&heat.shaft)))
+}
+
+/// `at 220 °C: steel, 11.5 millionths a kelvin (published value)`
+fn material(part: &Part) -> String {
+    let name = part.name.as_ref().map(|name| format!("{name}, ")).unwrap_or_default();
+    let (temperature, expansion) = (part.warm.temperature, part.warm.expansion);
+    format!("at {temperature} °C: {name}{expansion} millionths a kelvin ({})", part.certainty)
+}

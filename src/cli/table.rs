@@ -1,0 +1,32 @@
+//! `fitcheck table`: control tables against ISO 286, new ones, and tables for other tools.
+
+mod made;
+mod verify;
+
+use clap::Subcommand;
+
+use super::{CliError, Io, Outcome};
+
+/// Control tables: compare with ISO 286, make new ones, export
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Verify(verify::Args),
+    New(made::NewArgs),
+    Export(made::ExportArgs),
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        match &self.command {
+            Command::Verify(args) => args.run(io),
+            Command::New(args) => args.run(io),
+            Command::Export(args) => args.run(io),
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! A control's table for a chosen generation of controls: what each takes is in `docs/SOURCES.md`, tables.
+
+use super::{TableFormat, TableFormatError};
+use crate::control::deviations::to_control_table;
+use crate::control::table::Generation;
+use crate::tolerance::DeviationTable;
+
+/// iTNC 530: structure block, at most 30 columns and 200 characters a line.
+pub const ITNC530: TableFormat = TableFormat {
+    name: "itnc530",
+    endings: &["tab"],
+    description: "control table for iTNC 530",
+    description_id: "table-format-itnc530",
+    write: |table| Ok(to_control_table(table, Generation::Structure).write()?),
+};
+
+/// TNC 620, TNC 640: description block.
+pub const TNC640: TableFormat = TableFormat {
+    name: "tnc640",
+    endings: &["tab"],
+    description: "control table for TNC 620 and TNC 640",
+    description_id: "table-format-tnc640",
+    write: described,
+};
+
+/// TNC7: description block, and a name that begins with a letter.
+pub const TNC7: TableFormat = TableFormat {
+    name: "tnc7",
+    endings: &["tab"],
+    description: "control table for TNC7",
+    description_id: "table-format-tnc7",
+    write: for_tnc7,
+};
+
+fn described(table: &DeviationTable) -> Result<Vec<u8>, TableFormatError> {
+    Ok(to_control_table(table, Generation::Description).write()?)
+}
+
+fn for_tnc7(table: &DeviationTable) -> Result<Vec<u8>, TableFormatError> {
+    if !table.name().starts_with(|first: char| first.is_ascii_alphabetic()) {
+        return Err(TableFormatError::Name { name: table.name().to_owned() });
+    }
+    described(table)
+}

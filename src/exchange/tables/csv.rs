@@ -1,0 +1,34 @@
+//! Plain CSV: one line a cell that has a value, millimetres and micrometres as the names say, always a point.
+
+use super::{TableFormat, TableFormatError};
+use crate::length::{Length, Unit};
+use crate::tolerance::DeviationTable;
+
+/// This format.
+pub const FORMAT: TableFormat = TableFormat {
+    name: "csv",
+    endings: &["csv"],
+    description: "CSV, a line for every class and size range",
+    description_id: "table-format-plain-csv",
+    write,
+};
+
+fn write(table: &DeviationTable) -> Result<Vec<u8>, TableFormatError> {
+    let failed = |error: &dyn std::fmt::Display| TableFormatError::Csv { reason: error.to_string() };
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let names = ["class", "over_mm", "to_mm", "upper_um", "lower_um"];
+    writer.write_record(names).map_err(|error| failed(&error))?;
+    let um = |length: Length| length.exact(Unit::Micrometre, 0);
+    for column in table.columns() {
+        let mut over = Length::ZERO;
+        for (&to, cell) in table.ends().iter().zip(&column.cells) {
+            if let Some(pair) = cell {
+                let class = column.class.to_string();
+                let row = [class, over.to_string(), to.to_string(), um(pair.upper()), um(pair.lower())];
+                writer.write_record(row).map_err(|error| failed(&error))?;
+            }
+            over = to;
+        }
+    }
+    writer.into_inner().map_err(|error| failed(&error))
+}

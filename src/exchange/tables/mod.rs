@@ -1,0 +1,154 @@
+//! Tables of deviations as files of other tools and of controls.
+//!
+//! | file | what |
+//! |---|---|
+//! | `control` | a control's table, for a chosen generation of controls |
+//! | `csv` | plain CSV, one line a cell |
+//! | `pcdmis` | the CSV that PC-DMIS reads for ISO tolerances |
+//!
+//! A new format is one file here and one line in [`TABLE_FORMATS`]; command line and dialogs follow from the list.
+
+mod control;
+mod csv;
+mod pcdmis;
+
+use crate::control::table::WriteError;
+use crate::tolerance::DeviationTable;
+use crate::words::{Message, Say};
+
+/// A format that a table of deviations is written in.
+#[derive(Debug, Clone, Copy)]
+pub struct TableFormat {
+    /// The name on the command line.
+    pub name: &'static str,
+    /// File endings in lower case, without the point; the first is proposed.
+    pub endings: &'static [&'static str],
+    /// One line for people, in English.
+    pub description: &'static str,
+    /// The name of that line in the locale files.
+    pub description_id: &'static str,
+    /// Makes the file's bytes.
+    pub write: fn(&DeviationTable) -> Result<Vec<u8>, TableFormatError>,
+}
+
+/// Every format.
+pub const TABLE_FORMATS: &[TableFormat] =
+    &[control::ITNC530, control::TNC640, control::TNC7, csv::FORMAT, pcdmis::FORMAT];
+
+/// The format of a name on the command line.
+pub fn table_format(name: &str) -> Option<&'static TableFormat> {
+    TABLE_FORMATS.iter().find(|format| format.name == name)
+}
+
+/// Why a table cannot be written in a format.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum TableFormatError {
+    /// A control's table cannot be written.
+    #[error("{0}")]
+    Control(#[from] WriteError),
+    /// A TNC7 wants a letter first.
+    #[error("{name} does not begin with a letter: the names of tables on a TNC7 do")]
+    Name {
+        /// The table's name.
+        name: String,
+    },
+    /// The writer of CSV failed.
+    #[error("the CSV cannot be written: {reason}")]
+    Csv {
+        /// What it says.
+        reason: String,
+    },
+}
+
+impl Say for TableFormatError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Control(error) => error.message(),
+            Self::Name { name } => Message::new("table-format-name").text("name", name),
+            Self::Csv { reason } => Message::new("table-format-csv").text("reason", reason),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::deviations::read_table;
+    use crate::tolerance::iso286::Options;
+    use crate::tolerance::table_edit::standard_table;
+    use crate::words::{Language, Words};
+
+    fn table(name: &str, classes: &str, to: &str) -> DeviationTable {
+        let classes: Vec<_> = classes.split(' ').map(|class| class.parse().unwrap()).collect();
+        standard_table(name, &classes, to.parse().unwrap(), Options::default()).unwrap()
+    }
+
+    #[test]
+    fn what_is_written_for_a_control_reads_back() {
+        let table = table("own.tab", "H7 JS9 N9", "400");
+        for format in TABLE_FORMATS.iter().filter(|format| format.endings.contains(&"tab")) {
+            let bytes = (format.write)(&table).unwrap();
+            let (again, warnings) = read_table(&bytes, "own.tab", "own.tab", false).unwrap();
+            assert_eq!((again.as_ref(), warnings), (Some(&table), vec![]), "{}", format.name);
+        }
+    }
+
+    #[test]
+    fn the_limits_of_a_control_are_kept() {
+        let holes: Vec<String> =
+            (1..=18).flat_map(|grade| ["D", "H"].map(|letter| format!("{letter}{grade}"))).collect();
+        let wide = table("wide.tab", &holes.join(" "), "50");
+        let error = |name: &str, table: &DeviationTable| (table_format(name).unwrap().write)(table).unwrap_err();
+        let many = error("itnc530", &wide);
+        assert!(many.to_string().contains("an iTNC 530 takes at most 30"), "{many}");
+        assert!((table_format("tnc640").unwrap().write)(&wide).is_ok());
+        let digit = error("tnc7", &table("82553_hole.tab", "H7", "50"));
+        let why = "82553_hole.tab does not begin with a letter: the names of tables on a TNC7 do";
+        assert_eq!(digit.to_string(), why);
+        for error in [many, digit, TableFormatError::Csv { reason: "x".into() }] {
+            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+            assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
+        }
+    }
+
+    #[track_caller]
+    fn check(format: &str, classes: &str, to: &str, expected: &str) {
+        let bytes = (table_format(format).unwrap().write)(&table("own.tab", classes, to)).unwrap();
+        assert_eq!(String::from_utf8(bytes).unwrap(), expected);
+    }
+
+    #[test]
+    fn csv_has_a_line_for_every_cell_that_has_a_value() {
+        check(
+            "csv",
+            "JS7 N9",
+            "6",
+            "class,over_mm,to_mm,upper_um,lower_um\n\
+             JS7,0,1,5,-5\nJS7,1,3,5,-5\nJS7,3,6,6,-6\n\
+             N9,1,3,-4,-29\nN9,3,6,0,-30\n",
+        );
+    }
+
+    /// The sample of the manual, PC-DMIS Core, page "ISO Dimension Tolerances".
+    #[test]
+    fn pc_dmis_gets_two_lines_a_class() {
+        check(
+            "pcdmis",
+            "H7",
+            "500",
+            "H7, 0, 3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500\n\
+             0.010, 0, 0.012, 0, 0.015, 0, 0.018, 0, 0.021, 0, 0.025, 0, 0.030, 0, 0.035, 0, 0.040, 0, 0.046, 0, \
+             0.052, 0, 0.057, 0, 0.063, 0\n",
+        );
+        check("pcdmis", "js9", "6", "js9, 0, 3, 6\n0.0125, -0.0125, 0.015, -0.015\n");
+        check("pcdmis", "T7", "40", "T7, 24, 30, 40\n-0.033, -0.054, -0.039, -0.064\n");
+    }
+
+    #[test]
+    fn every_format_is_described_in_both_languages() {
+        for format in TABLE_FORMATS {
+            assert_eq!(Words::new(Language::En).get(format.description_id), format.description);
+            assert_ne!(Words::new(Language::Nl).get(format.description_id), format.description_id);
+        }
+    }
+}

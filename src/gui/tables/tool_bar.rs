@@ -1,0 +1,189 @@
+//! Above the cells: which table, filter, save as, and whether the table agrees with ISO 286.
+
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{Button, ComboBox, KeyboardShortcut, Label, RichText, Sense, Ui, WidgetInfo, vec2};
+
+use super::{NEXT, OPEN, PREVIOUS, REDO, SAVE, UNDO, paint};
+use crate::exchange::tables::TABLE_FORMATS;
+use crate::gui::field::{Look, field_ui};
+use crate::gui::shapes;
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::view::{View, list_height, quiet};
+use crate::session::tables::{Document, Origin, TableChoice};
+use crate::session::{Command, Field, Purpose, TablesCommand};
+use crate::verdict::Status;
+use crate::words::Message;
+
+/// Two rows: what is done with the table, and what is seen of it.
+pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.add_space(space(1.0));
+    ui.horizontal_wrapped(|ui| {
+        choice_ui(ui, view);
+        button(ui, view, "tables-open", true, Some(&OPEN), Command::OpenDialog(Purpose::OpenTable));
+        save_ui(ui, view);
+        ui.separator();
+        let document = view.session.tables().shown();
+        let (undo, redo) = (document.is_some_and(Document::can_undo), document.is_some_and(Document::can_redo));
+        button(ui, view, "undo", undo, Some(&UNDO), Command::Tables(TablesCommand::Undo));
+        button(ui, view, "tables-redo", redo, Some(&REDO), Command::Tables(TablesCommand::Redo));
+        ui.separator();
+        let can_use = !view.session.uses_shown_table();
+        let text = if can_use { "tables-use" } else { "tables-in-use" };
+        button(ui, view, text, can_use, None, Command::Tables(TablesCommand::Use));
+    });
+    ui.horizontal_wrapped(|ui| {
+        ui.set_min_height(sizes().field);
+        filter_ui(ui, view);
+        ui.separator();
+        summary_ui(ui, view);
+    });
+    ui.add_space(space(1.0));
+}
+
+fn button(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    id: &str,
+    enabled: bool,
+    shortcut: Option<&KeyboardShortcut>,
+    command: Command,
+) {
+    let button = Button::new(view.text(id)).min_size(vec2(0.0, sizes().field));
+    let mut response = ui.add_enabled(enabled, button);
+    if let Some(shortcut) = shortcut {
+        response = response.on_hover_text(ui.ctx().format_shortcut(shortcut));
+    }
+    if response.clicked() {
+        view.send(command);
+    }
+}
+
+/// The name of a table with what it is.
+fn told(view: &View<'_>, title: &str, origin: Origin) -> String {
+    let kind = match origin {
+        Origin::Shipped => "tables-kind-shipped",
+        Origin::Own => "tables-kind-own",
+        Origin::File => "tables-kind-file",
+        Origin::Copy => "tables-kind-copy",
+        Origin::Made => "tables-kind-made",
+    };
+    format!("{title}, {}", view.text(kind))
+}
+
+fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = ui.label(view.text("tables-choice"));
+    let shown = view.session.tables().shown().map(|document| told(view, document.title(), document.origin()));
+    let combo = ComboBox::from_id_salt("table-choice")
+        .selected_text(shown.unwrap_or_default())
+        .width(space(64.0))
+        .truncate()
+        .height(list_height(ui));
+    let response = combo.show_ui(ui, |ui| {
+        let open = view.session.tables().documents().iter().enumerate();
+        let open = open.map(|(number, document)| {
+            let mut text = told(view, document.title(), document.origin());
+            if document.is_unsaved() {
+                text = format!("{text}, {}", view.text("tables-unsaved"));
+            }
+            (TableChoice::Document(number), text)
+        });
+        let own = view.session.unopened_tables();
+        let own = own.map(|(number, table)| (TableChoice::Own(number), told(view, table.name(), Origin::Own)));
+        let entries: Vec<_> = open.chain(own).collect();
+        for (choice, text) in entries {
+            let chosen = choice == TableChoice::Document(view.session.tables().number());
+            if ui.selectable_label(chosen, text).clicked() {
+                view.send(Command::Tables(TablesCommand::Open(choice)));
+            }
+        }
+    });
+    response.response.labelled_by(name.id);
+}
+
+fn save_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.menu_button(view.text("tables-save"), |ui| {
+        for (number, format) in TABLE_FORMATS.iter().enumerate() {
+            let mut button = Button::new(capitalised(&format!("{}…", view.text(format.description_id))));
+            if number == 0 {
+                button = button.shortcut_text(ui.ctx().format_shortcut(&SAVE));
+            }
+            if ui.add(button).clicked() {
+                view.send(Command::OpenDialog(Purpose::SaveTable(number)));
+                ui.close();
+            }
+        }
+    });
+}
+
+/// With a capital at the beginning, as an entry of a menu.
+fn capitalised(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
+}
+
+fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = ui.label(view.text("tables-filter"));
+    let look = Look { font: theme::font(sizes().body), ..Look::large(space(40.0)) };
+    let field = field_ui(ui, view, Field::TableFilter, name.id, look);
+    field.on_hover_text(view.text("tables-filter-hint"));
+    let Some(document) = view.session.tables().shown() else { return };
+    let (filter, all) = (view.session.tables().filter(), document.table().columns().len());
+    if filter.unmatched().is_empty() {
+        let count = Message::new("tables-shown").text("shown", filter.columns().len()).count("count", all);
+        quiet(ui, view.words.say(&count));
+    } else {
+        let words = filter.unmatched().join(" ");
+        let text = view.words.say(&Message::new("tables-unmatched").text("words", words));
+        let text = RichText::new(text).color(palette(ui.ctx()).error.0).size(sizes().small);
+        ui.scope(|ui| {
+            ui.set_max_width(space(44.0));
+            ui.add(Label::new(text).truncate())
+        });
+    }
+}
+
+/// Whether the table agrees with ISO 286: mark and sentence, and the way from difference to difference.
+fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let Some(document) = view.session.tables().shown() else { return };
+    let comparison = document.comparison();
+    let (found, compared) = (document.differing(), comparison.compared);
+    let palette = palette(ui.ctx());
+    let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
+    let message = match (found, compared) {
+        (0, 0) => Message::new("tables-compared-nothing"),
+        (0, _) => Message::new("tables-agrees").count("count", compared),
+        _ => Message::new("tables-differs").count("count", found).text("compared", compared),
+    };
+    if 0 < found {
+        paint::unequal(ui.painter(), mark, palette.error.0);
+    } else {
+        shapes::status(ui.painter(), mark, (0 < compared).then_some(Status::Good), palette.text.0);
+    }
+    let mut said = view.words.say(&message);
+    if !comparison.unknown.is_empty() {
+        let own = Message::new("tables-own-classes").count("count", comparison.unknown.len());
+        said = format!("{said}; {}", view.words.say(&own));
+    }
+    let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));
+    label.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
+    ui.ctx().accesskit_node_builder(label.id, |node| node.set_live(Live::Polite));
+    if 0 < found {
+        for (id, shortcut, command) in [
+            ("tables-previous", &PREVIOUS, TablesCommand::PreviousDifference),
+            ("tables-next", &NEXT, TablesCommand::NextDifference),
+        ] {
+            button(ui, view, id, true, Some(shortcut), Command::Tables(command));
+        }
+    }
+}
+
+/// Below the cells: whether anything would be lost, and the keys.
+pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
+    let Some(document) = view.session.tables().shown() else { return };
+    ui.horizontal_centered(|ui| {
+        if document.is_unsaved() {
+            ui.label(RichText::new(view.text("tables-not-saved")).font(theme::bold(sizes().small)));
+        }
+        quiet(ui, view.text("tables-keys"));
+    });
+}

@@ -1,0 +1,167 @@
+//! Every pair of classes against the wanted clearance, in nanometres, and the order of the answer.
+
+use std::cmp::Reverse;
+
+use super::{Candidate, Miss, Scope, Wanted};
+use crate::length::Length;
+use crate::tolerance::callout::Callout;
+use crate::tolerance::class::{Feature, ToleranceClass};
+use crate::tolerance::fit::basis;
+use crate::tolerance::fit::preferred::{self, Function, Preference};
+use crate::tolerance::iso286::{self, Grade, Letter};
+use crate::tolerance::limits::Deviations;
+use crate::tolerance::sources::{Base, Sources};
+
+/// A class at the size that is asked for, in nanometres.
+pub(super) struct Zone {
+    class: ToleranceClass,
+    /// `None` for a class that ISO 286 does not know.
+    parts: Option<(Letter, Grade)>,
+    upper: i64,
+    lower: i64,
+}
+
+impl Zone {
+    /// Every class, by letter and then by grade; those that ISO 286 does not know follow by name.
+    pub(super) fn all(feature: Feature, nominal: Length, sources: &Sources) -> Vec<Self> {
+        let is_standard = matches!(sources.base(), Base::Iso286);
+        let standard = is_standard.then(|| iso286::classes_at(feature, nominal, sources.options()));
+        let standard = standard.into_iter().flatten();
+        if sources.tables().next().is_none() {
+            return standard.map(|(class, deviations)| Self::new(class, deviations)).collect();
+        }
+        let columns = sources.tables().flat_map(|table| table.columns().iter().map(|column| column.class));
+        let mut classes: Vec<_> =
+            standard.map(|(class, _)| class).chain(columns.filter(|class| class.feature() == feature)).collect();
+        classes.sort_unstable_by_key(|class| {
+            let parts = iso286::parts(*class);
+            (parts.is_none(), parts, *class)
+        });
+        classes.dedup();
+        // A class that its table does not define at this size is none to choose.
+        let zone = |class| {
+            let callout = Callout::new(nominal, class).ok()?;
+            Some(Self::new(class, sources.deviations(&callout, None).ok()?.0))
+        };
+        classes.into_iter().filter_map(zone).collect()
+    }
+
+    fn new(class: ToleranceClass, deviations: Deviations) -> Self {
+        let (upper, lower) = (deviations.upper().nanometres(), deviations.lower().nanometres());
+        Self { class, parts: iso286::parts(class), upper, lower }
+    }
+
+    const fn width(&self) -> i64 {
+        self.upper - self.lower
+    }
+
+    /// Whether it lies on the zero line by its letter.
+    fn is_h(&self) -> bool {
+        self.parts.is_some_and(|(letter, _)| letter == Letter::H)
+    }
+}
+
+/// A pair by its rank: the order of the fields is the order of the answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Ranked {
+    group: Group,
+    /// The width of the range of clearance in nanometres: both tolerances together.
+    width: Reverse<i64>,
+    /// The narrower of the two tolerances: among equals `H6/g7` before `H0/g8`.
+    narrower: Reverse<i64>,
+    /// Places in the lists of zones, which are in the order of letters.
+    hole: usize,
+    shaft: usize,
+}
+
+/// The groups of candidates, best first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Group {
+    PreferredHole,
+    PreferredShaft,
+    Named,
+    HoleBasis,
+    ShaftBasis,
+    Rest,
+}
+
+impl Group {
+    fn of(hole: &Zone, shaft: &Zone) -> Self {
+        if !hole.is_h() && !shaft.is_h() {
+            return Self::Rest;
+        }
+        let parts = hole.parts.zip(shaft.parts);
+        match parts.and_then(|(hole, shaft)| Preference::of_parts(hole, shaft)) {
+            Some(Preference::HoleBasis) => Self::PreferredHole,
+            Some(Preference::ShaftBasis) => Self::PreferredShaft,
+            None if parts.is_some_and(|(hole, shaft)| Function::of_parts(hole, shaft).is_some()) => Self::Named,
+            None if hole.is_h() => Self::HoleBasis,
+            None => Self::ShaftBasis,
+        }
+    }
+
+    fn is_in(self, scope: Scope) -> bool {
+        match scope {
+            Scope::All => true,
+            Scope::Basis => self < Self::Rest,
+            Scope::Preferred => self < Self::HoleBasis,
+        }
+    }
+}
+
+impl Ranked {
+    fn of((hole, hole_zone): (usize, &Zone), (shaft, shaft_zone): (usize, &Zone)) -> Self {
+        let (one, other) = (hole_zone.width(), shaft_zone.width());
+        let (width, narrower) = (Reverse(one + other), Reverse(one.min(other)));
+        Self { group: Group::of(hole_zone, shaft_zone), width, narrower, hole, shaft }
+    }
+
+    pub(super) fn candidate(self, holes: &[Zone], shafts: &[Zone]) -> Option<Candidate> {
+        let (hole, shaft) = (holes.get(self.hole)?, shafts.get(self.shaft)?);
+        Some(Candidate {
+            hole: hole.class,
+            shaft: shaft.class,
+            minimum: Length::from_nanometres(hole.lower - shaft.upper).ok()?,
+            maximum: Length::from_nanometres(hole.upper - shaft.lower).ok()?,
+            preference: preferred::preference(hole.class, shaft.class),
+            function: preferred::function(hole.class, shaft.class),
+            basis: basis(hole.class, shaft.class),
+        })
+    }
+}
+
+/// Every pair within the wanted range.
+pub(super) fn fitting(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Scope) -> Vec<Ranked> {
+    let (least, most) = (wanted.minimum.nanometres(), wanted.maximum.nanometres());
+    let mut found = Vec::new();
+    for hole in holes.iter().enumerate() {
+        // What the shaft's deviations may be, so that the inner loop compares and does nothing else.
+        let (highest, lowest) = (hole.1.lower - least, hole.1.upper - most);
+        let fits = |shaft: &(usize, &Zone)| shaft.1.upper <= highest && lowest <= shaft.1.lower;
+        let ranked = shafts.iter().enumerate().filter(fits).map(|shaft| Ranked::of(hole, shaft));
+        found.extend(ranked.filter(|pair| pair.group.is_in(scope)));
+    }
+    found
+}
+
+/// The pair with the smallest reach beyond the wanted range; among equals the one of the best rank.
+pub(super) fn nearest(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Scope) -> Option<Miss> {
+    let (least, most) = (wanted.minimum.nanometres(), wanted.maximum.nanometres());
+    let mut best: Option<((i64, Ranked), (i64, i64))> = None;
+    for hole in holes.iter().enumerate() {
+        for shaft in shafts.iter().enumerate() {
+            let below = (least - (hole.1.lower - shaft.1.upper)).max(0);
+            let above = ((hole.1.upper - shaft.1.lower) - most).max(0);
+            if best.is_some_and(|((reach, _), _)| reach < below + above) {
+                continue;
+            }
+            let rank = (below + above, Ranked::of(hole, shaft));
+            if rank.1.group.is_in(scope) && best.is_none_or(|(before, _)| rank < before) {
+                best = Some((rank, (below, above)));
+            }
+        }
+    }
+    let ((_, pair), (below, above)) = best?;
+    let length = |nm| Length::from_nanometres(nm).ok();
+    Some(Miss { candidate: pair.candidate(holes, shafts)?, below: length(below)?, above: length(above)? })
+}
