@@ -331,3 +331,9 @@ fit-these-parts = These parts: { $clearance }
 
 ## Own materials
 materials-refused = Own materials cannot be used: { $path }, { $reason }
+
+## Leaving
+leave = Close Fitcheck?
+leave-unsaved = Not saved: { $names }
+leave-stay = Go on working
+leave-anyway = Close without saving

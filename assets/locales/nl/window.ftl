@@ -331,3 +331,9 @@ fit-these-parts = Deze delen: { $clearance }
 
 ## Own materials
 materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, { $reason }
+
+## Leaving
+leave = Fitcheck afsluiten?
+leave-unsaved = Niet opgeslagen: { $names }
+leave-stay = Verder werken
+leave-anyway = Afsluiten zonder opslaan
