@@ -8,6 +8,7 @@ use rand_distr::{Distribution as _, StandardNormal};
 use serde::{Deserialize, Serialize};
 
 use super::contact::{Contact, NoContact, Prober, Touch};
+use crate::length::Length;
 use crate::tolerance::Feature;
 use crate::words::{Message, Say};
 
@@ -60,6 +61,9 @@ pub struct Probe {
 }
 
 impl Probe {
+    /// A perfect one.
+    pub const STILL: Self = Self { trigger_scatter: 0.0 };
+
     /// Half a micrometre of scatter, as touch probes in machines have.
     pub const USUAL: Self = Self { trigger_scatter: 0.0005 };
 }
@@ -230,7 +234,12 @@ impl Prober for Machine {
         if !self.is_free(touch) {
             return Err(NoContact::InMaterial { number: self.touches });
         }
-        let distance = self.distance(touch).ok_or(NoContact::Missed { number: self.touches })?;
+        let number = self.touches;
+        let distance = self.distance(touch).ok_or(NoContact::Missed { number })?;
+        if touch.longest < distance {
+            let longest = Length::from_mm_f64(touch.longest).unwrap_or_default();
+            return Err(NoContact::OutOfReach { number, longest });
+        }
         let scatter = self.scatter(self.workpiece.surface_scatter) + self.scatter(self.probe.trigger_scatter);
         let distance = distance + scatter;
         let [x, y, z] = touch.from;
@@ -286,7 +295,8 @@ mod tests {
 
     #[test]
     fn a_touch_that_begins_in_the_material_or_passes_by_meets_nothing() {
-        let touch = |x: f64, y: f64, along: f64| Touch { from: [x, y, 0.0], direction: [along, 0.0, 0.0] };
+        let touch =
+            |x: f64, y: f64, along: f64| Touch { from: [x, y, 0.0], direction: [along, 0.0, 0.0], longest: 50.0 };
         let still = Probe { trigger_scatter: 0.0 };
         let of = |feature| Machine::new(Workpiece::round(feature, [0.0, 0.0], 20.0), still, 0).unwrap();
         let (missed, in_material) = (Err(NoContact::Missed { number: 1 }), Err(NoContact::InMaterial { number: 1 }));
