@@ -88,3 +88,13 @@ deviations-none = no table of deviations, for it has no column BEREICH; skipped:
 deviations-range-alias = BEREIK was read as BEREICH
 deviations-no-numbers = column { $name } holds no numbers and was skipped
 deviations-mixed-case = column { $name } mixes upper and lower case, so it is no tolerance class and was skipped
+
+## The touch-probe table
+probe-table-no-column = the table has no column { $column }
+probe-table-no-probe = the table has no probe
+probe-table-no-length = { $column }: { $error }
+probe-table-too-small = { $column } = { $given } mm: it must be { $least }
+probe-table-zero-or-more = 0 or more
+probe-table-above-zero = above 0
+probe-table-not-whole = { $column } = { $given }: a whole number is needed
+probe-table-twice = probe { $number } occurs twice

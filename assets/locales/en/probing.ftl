@@ -86,3 +86,8 @@ remark-tool-left-alone = Q330 = { $tool }: the control would correct this tool; 
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap
 remark-nominal-outside-limits = nominal diameter { $nominal } mm is not between the limits: a TNC7 refuses that
 remark-variable-holds-diameter = #i99 holds one value, taken to be the diameter: the manual does not say which
+
+## The simulated machine
+bench-toml = line { $line }: { $said }
+bench-not-one = the file has { $found } of [bore], [stud], [face] and [point]: it needs exactly one
+bench-cannot-be = line { $line }: { $error }

@@ -88,3 +88,13 @@ deviations-none = geen tabel met afwijkingen, want de kolom BEREICH ontbreekt; o
 deviations-range-alias = BEREIK is gelezen als BEREICH
 deviations-no-numbers = kolom { $name } bevat geen getallen en is overgeslagen
 deviations-mixed-case = kolom { $name } mengt hoofdletters en kleine letters, is dus geen tolerantieklasse en is overgeslagen
+
+## The touch-probe table
+probe-table-no-column = de tabel heeft geen kolom { $column }
+probe-table-no-probe = de tabel heeft geen taster
+probe-table-no-length = { $column }: { $error }
+probe-table-too-small = { $column } = { $given } mm: dit moet { $least } zijn
+probe-table-zero-or-more = 0 of meer
+probe-table-above-zero = groter dan 0
+probe-table-not-whole = { $column } = { $given }: er is een geheel getal nodig
+probe-table-twice = taster { $number } komt twee keer voor

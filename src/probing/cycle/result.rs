@@ -83,6 +83,15 @@ pub enum Plane {
 }
 
 impl Plane {
+    /// The names of its axes.
+    pub const fn axes(self) -> [&'static str; 2] {
+        match self {
+            Self::Xy => ["X", "Y"],
+            Self::Zx => ["Z", "X"],
+            Self::Yz => ["Y", "Z"],
+        }
+    }
+
     /// A place in X, Y, Z as first axis, second axis and height above the plane.
     pub const fn within(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match self {
