@@ -279,7 +279,8 @@ mod tests {
         let bytes = format!("BEGIN TCHPROBE.TP MM\nNO   CAL_OF1   F       DIST      SET_UP\n{rows}[END]\n");
         let said = match ProbeTable::read(bytes.as_bytes(), "tchprobe.tp") {
             Ok(table) => {
-                table.probes.iter().map(|p| format!("{} {} {};", p.number, p.longest_path, p.set_up)).collect()
+                let row = |p: &TouchProbe| format!("{} {} {}", p.number, p.longest_path, p.set_up);
+                table.probes.iter().map(row).collect::<Vec<_>>().join("; ")
             }
             Err(error) => {
                 assert_eq!(Words::new(Language::En).told(&error), error.to_string());
@@ -298,7 +299,7 @@ mod tests {
 
     #[test]
     fn rows_are_probes_and_what_cannot_be_is_refused_with_its_place() {
-        check("1    +0.0042   100     10        2\n2                      6         1,5\n", "1 10 2;2 6 1.5;");
+        check("1    +0.0042   100     10        2\n2                      6         1,5\n", "1 10 2; 2 6 1.5");
         check("", "the table has no probe: tchprobe.tp, line 2, column 1");
         check(
             "1    +0        100     0         2\n",

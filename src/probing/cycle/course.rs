@@ -143,7 +143,7 @@ impl<'a> Course<'a> {
         let from = self.at.replace(to).unwrap_or(to);
         let touch = if phase == Phase::PrePosition { self.touches + 1 } else { self.touches };
         // The first place is where the way begins, and a move to where the ball is is none.
-        if from != to {
+        if from.iter().zip(&to).any(|(from, to)| 0.0 < (to - from).abs()) {
             self.moves.push(Move { phase, touch: Some(touch), from, to, about });
         }
     }

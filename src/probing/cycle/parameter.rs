@@ -127,8 +127,10 @@ impl Range {
     pub fn short(&self) -> String {
         match self {
             Self::Length { least, most } => format!("{least} … {most}"),
-            Self::Angle { most, smallest } if *smallest == Angle::default() => format!("-{most} … {most}"),
-            Self::Angle { most, smallest } => format!("±{smallest} … ±{most}"),
+            Self::Angle { most, smallest } => {
+                let [most, smallest] = [most, smallest].map(|angle| angle.to_string().trim_end_matches('°').to_owned());
+                if smallest == "0" { format!("-{most} … {most}") } else { format!("±{smallest} … ±{most}") }
+            }
             Self::OneOf(allowed) => listed(allowed),
             Self::Number { most } => format!("-{most} … {most}"),
             Self::Tool => format!("0 … {HIGHEST_TOOL}, or at most {LONGEST_TEXT} characters"),

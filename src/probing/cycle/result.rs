@@ -315,8 +315,10 @@ pub enum LogTarget {
     None,
     /// A file beside the program.
     File(&'static str),
-    /// On the screen.
+    /// On the screen, and the program stops until it is started again.
     Screen,
+    /// On the screen while the program goes on.
+    Shown,
 }
 
 impl LogTarget {

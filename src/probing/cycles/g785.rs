@@ -1,6 +1,6 @@
 //! G785 of lathe controls, circle measurement: three touches, centre and diameter, no limits.
 //!
-//! As in seed `003_a450c9437c7f7424.txt` (MANUALplus 620 and CNC PILOT 640). Our readings where the seed is silent: angles
+//! As in seed `003_a450c9437c7f7424.txt` (`MANUALplus` 620 and CNC PILOT 640). Our readings where the seed is silent: angles
 //! count from the first axis of the plane to the second; a positive K leads away from the centre, a negative one towards
 //! it; without D every touch begins at the present position, and that is the nominal centre where nothing else is said;
 //! I and J are 0 without input; `#i99` holds the diameter. Q, P and H stand in the example block only: they are accepted
@@ -14,7 +14,7 @@ use crate::probing::cycle::{
     Remark, along, nearest,
 };
 use crate::tolerance::Feature;
-use crate::words::Language::De;
+use crate::words::Language::{De, En};
 
 const PLANE: Key = Key::Word("R");
 const SIDE: Key = Key::Word("BR");
@@ -35,7 +35,7 @@ const TOUCHES: u8 = 3;
 pub(super) const CYCLE: Cycle = Cycle {
     number: 785,
     code: "G785",
-    names: &[(De, "Kreismessung")],
+    names: &[(En, "CIRCLE MEASUREMENT"), (De, "KREISMESSUNG")],
     parameters: &[
         Parameter::choice(PLANE, "PLANE", &[0, 1, 2]).asked(&[(De, "Nullpunkt-Verschiebung Art")]).or(0),
         Parameter::choice(SIDE, "INSIDE / OUTSIDE", &[0, 1]).asked(&[(De, "Innen / Aussen")]).or(0),
@@ -144,7 +144,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         ],
         circle: Some(found),
         stop: None,
-        log: LogTarget::Screen,
+        log: LogTarget::Shown,
         remarks: vec![Remark::VariableHoldsDiameter],
     })
 }
