@@ -133,7 +133,7 @@ impl Asked {
         match parameter.accept(text) {
             Ok(Value::Length(length)) => _ = self.lengths.insert(field, length),
             Ok(Value::Angle(angle)) => self.first_angle = Some(angle),
-            Ok(Value::Whole(_)) => {}
+            Ok(_) => {}
             Err(error) => _ = self.errors.insert(field, error.message()),
         }
     }
