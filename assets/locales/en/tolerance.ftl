@@ -144,3 +144,4 @@ general-range-from = from { $over } up to { $to } mm
 make-no-class = no class is named: name some, such as H7 H8 JS9
 make-both-features = { $hole } and { $shaft } cannot stand in one table: only the case tells them apart, so make one table for holes and one for shafts
 make-last-size = the last size is { $to-sign }{ $to } mm: it must be above 0 and at most 3150 mm
+make-changes = { $class } changes at { $at } mm, within the size range over { $over } up to { $to } mm: end a size range there

@@ -144,3 +144,4 @@ general-range-from = van { $over } tot en met { $to } mm
 make-no-class = er is geen klasse genoemd: noem er een of meer, zoals H7 H8 JS9
 make-both-features = { $hole } en { $shaft } kunnen niet in één tabel staan: alleen de hoofdletter onderscheidt ze, maak dus een tabel voor boringen en een voor assen
 make-last-size = de laatste maat is { $to-sign }{ $to } mm: die moet groter dan 0 en hoogstens 3150 mm zijn
+make-changes = { $class } verandert bij { $at } mm, binnen het maatbereik boven { $over } tot en met { $to } mm: laat daar een maatbereik eindigen
