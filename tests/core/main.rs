@@ -27,4 +27,5 @@ mod session;
 mod session_fit;
 mod session_tables;
 mod table_cli;
+mod table_compare;
 mod tables;
