@@ -5,6 +5,7 @@
 
 mod check;
 mod circle;
+mod cycle;
 mod fit;
 mod import;
 mod limits;
@@ -42,6 +43,7 @@ enum Command {
     Fit(fit::Args),
     Import(import::Args),
     Circle(circle::Args),
+    Cycle(Box<cycle::Args>),
     Report(report::Args),
     Table(table::Args),
 }
@@ -209,6 +211,7 @@ impl Cli {
             Some(Command::Fit(args)) => args.run(io),
             Some(Command::Import(args)) => args.run(io),
             Some(Command::Circle(args)) => args.run(io),
+            Some(Command::Cycle(args)) => args.run(io),
             Some(Command::Report(args)) => args.run(io),
             Some(Command::Table(args)) => args.run(io),
             None => Ok(Outcome::Done),

@@ -1,9 +1,10 @@
 //! One touch of the probe, and whoever makes it.
 
+use crate::length::Length;
 use crate::words::{Message, Say};
 
-/// A point on the workpiece's surface in millimetres, in the workpiece's coordinates (ball radius already taken into
-/// account).
+/// A point in millimetres, in the workpiece's coordinates: on the workpiece's surface, or the centre of the ball where a
+/// [`Prober`] has one that touches.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Contact {
     /// Reference axis.
@@ -21,6 +22,20 @@ pub struct Touch {
     pub from: [f64; 3],
     /// Unit vector of the movement.
     pub direction: [f64; 3],
+    /// The longest way from there, millimetres (DIST of the touch-probe table, K of G785).
+    pub longest: f64,
+}
+
+impl Contact {
+    /// The contact at X, Y, Z.
+    pub const fn at([x, y, z]: [f64; 3]) -> Self {
+        Self { x, y, z }
+    }
+
+    /// X, Y, Z.
+    pub const fn place(&self) -> [f64; 3] {
+        [self.x, self.y, self.z]
+    }
 }
 
 /// The probe met nothing on its way.
@@ -31,6 +46,14 @@ pub enum NoContact {
     Missed {
         /// Which touch of the cycle, from 1.
         number: usize,
+    },
+    /// Something is there, but farther away than the movement may go.
+    #[error("touch {number}: no contact within the probing path of {longest} mm")]
+    OutOfReach {
+        /// Which touch of the cycle, from 1.
+        number: usize,
+        /// The longest path.
+        longest: Length,
     },
     /// The movement begins where material is: a real probe would have collided on its way there.
     #[error("touch {number}: the probing path begins inside the material")]
@@ -52,6 +75,9 @@ impl Say for NoContact {
     fn message(&self) -> Message {
         match self {
             Self::Missed { number } => Message::new("contact-missed").text("number", number),
+            Self::OutOfReach { number, longest } => {
+                Message::new("contact-out-of-reach").text("number", number).text("longest", longest)
+            }
             Self::InMaterial { number } => Message::new("contact-in-material").text("number", number),
             Self::UsedUp { number, available } => {
                 Message::new("contact-used-up").text("number", number).text("available", available)
@@ -67,6 +93,12 @@ pub trait Prober {
     /// # Errors
     /// [`NoContact`] when nothing is met.
     fn touch(&mut self, touch: &Touch) -> Result<Contact, NoContact>;
+
+    /// The ball's radius as calibrated, millimetres. Above zero, contacts are where the ball's centre was; zero, they are
+    /// points of the surface.
+    fn ball_radius(&self) -> f64 {
+        0.0
+    }
 }
 
 /// Contacts recorded in a file, handed out in their order whatever the cycle asks for.
@@ -110,6 +142,8 @@ mod tests {
     #[test]
     fn every_missing_contact_has_its_words() {
         check(&NoContact::Missed { number: 2 }, "touch 2: no contact on the probing path");
+        let longest = Length::from_micrometres(2_000);
+        check(&NoContact::OutOfReach { number: 3, longest }, "touch 3: no contact within the probing path of 2 mm");
         check(&NoContact::InMaterial { number: 1 }, "touch 1: the probing path begins inside the material");
         check(&NoContact::UsedUp { number: 4, available: 3 }, "touch 4: the file has only 3 contacts");
     }
@@ -118,7 +152,7 @@ mod tests {
     fn a_record_is_handed_out_in_order_and_ends() {
         let contact = |x| Contact { x, y: 0.0, z: 0.0 };
         let mut recorded = Recorded::new(vec![contact(1.0), contact(2.0)]);
-        let touch = Touch { from: [0.0; 3], direction: [1.0, 0.0, 0.0] };
+        let touch = Touch { from: [0.0; 3], direction: [1.0, 0.0, 0.0], longest: 10.0 };
         assert_eq!(recorded.touch(&touch), Ok(contact(1.0)));
         assert_eq!(recorded.touch(&touch), Ok(contact(2.0)));
         assert_eq!(recorded.touch(&touch), Err(NoContact::UsedUp { number: 3, available: 2 }));

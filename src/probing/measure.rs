@@ -1,5 +1,6 @@
 //! From a fit and a position to a measurement: what the window and the command line ask for.
 
+use super::circle::CircleError;
 use super::contact::Prober;
 use super::cycle::{Angle, CycleError, Inputs, Value};
 use super::cycles::cycle;
@@ -58,8 +59,10 @@ pub fn measure(
         .with(minimum, Value::Length(limits.minimum()))
         .with(279, Value::Length(position.centre_tolerance))
         .with(280, Value::Length(position.centre_tolerance));
-    let cycle = cycle(number).ok_or(CycleError::NoSuchParameter { cycle: number, q: 0 })?;
-    let result = cycle.measure(&inputs, prober)?;
-    let measurement = Measurement::of_circle(result.circle, result.contacts, origin)?;
-    Ok((measurement, result.position))
+    let unknown = || CycleError::NoSuchParameter { cycle: "", parameter: number.to_string() };
+    let result = cycle(number).ok_or_else(unknown)?.measure(&inputs, prober)?;
+    // Both cycles measure a circle.
+    let found = result.circle.ok_or(CircleError::TooFew { contacts: 0 })?;
+    let measurement = Measurement::of_circle(found.circle, result.contacts, origin)?;
+    Ok((measurement, found.position))
 }

@@ -8,6 +8,7 @@
 //! | `cycle` | what a measuring cycle declares: parameters, ranges, results |
 //! | `cycles` | the cycles, one file each |
 //! | `measure` | from a fit and a position to a measurement |
+//! | `touch_probe` | what the touch-probe table says about a probe |
 //! | `simulated` | a workpiece and a probe that exist only here |
 //!
 //! A cycle gets limits, never tolerance classes, and asks a [`Prober`] for its contacts.
@@ -19,7 +20,9 @@ pub mod cycles;
 pub mod measure;
 pub mod measurement;
 pub mod simulated;
+pub mod touch_probe;
 
 pub use circle::Circle;
 pub use contact::{Contact, NoContact, Prober, Recorded, Touch};
 pub use measurement::{Caveat, Measurement, Origin, measure_contacts};
+pub use touch_probe::TouchProbe;

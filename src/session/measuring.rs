@@ -108,7 +108,7 @@ fn workpiece(asked: &Asked, limits: &Limits, position: &ProbePosition) -> Result
         lobes: Lobes { count, amplitude: mm(Field::LobeHeight)?, angle: 0.0 },
         surface_scatter: mm(Field::SurfaceScatter)?,
     };
-    Ok((workpiece, Probe { trigger_scatter: mm(Field::ProbeScatter)? }))
+    Ok((workpiece, Probe { trigger_scatter: mm(Field::ProbeScatter)?, ..Probe::STILL }))
 }
 
 /// Records as a file's bytes, in a format of the report's list.

@@ -1,15 +1,27 @@
-//! The declarations of cycles 421 and 422 against the control's manuals, and the range errors made from them.
+//! The declarations of all cycles against the control's manuals, and the range errors made from them.
 
 use fitcheck::length::Length;
-use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Parameter, Range, Value};
+use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Unset, Value};
 use fitcheck::probing::cycles::{CYCLES, cycle};
 use fitcheck::probing::simulated::{Machine, Probe, Workpiece};
 use fitcheck::probing::{Contact, Recorded};
-use fitcheck::tolerance::Feature;
+use fitcheck::tolerance::{Deviations, Feature};
 
-/// Inputs with the three parameters that have no default.
-fn asked() -> Inputs {
-    [273, 274, 262].into_iter().fold(Inputs::new(), |inputs, q| inputs.with(q, length("25")))
+/// A text that every cycle accepts for a parameter, out of its declaration.
+fn usual(parameter: &Parameter) -> Value {
+    match parameter.range {
+        Range::Length { .. } => length("25"),
+        Range::Angle { .. } => Value::Angle(Angle::from_degrees(60)),
+        Range::OneOf(allowed) => Value::Whole(allowed[0]),
+        Range::Number { .. } | Range::Tool => Value::Number(1.0),
+        Range::Band => Value::Band(None),
+    }
+}
+
+/// Inputs with the parameters that must be given.
+fn asked(cycle: &Cycle) -> Inputs {
+    let required = cycle.parameters.iter().filter(|parameter| parameter.unset == Unset::Refused);
+    required.fold(Inputs::new(), |inputs, parameter| inputs.with(parameter.key, usual(parameter)))
 }
 
 fn length(text: &str) -> Value {
@@ -22,22 +34,22 @@ fn error(cycle: &Cycle, inputs: &Inputs) -> CycleError {
 }
 
 #[track_caller]
-fn accepted(cycle: &Cycle, parameter: &Parameter, value: Value) {
-    match error(cycle, &asked().with(parameter.q, value)) {
+fn accepted(cycle: &Cycle, parameter: &Parameter, value: &Value) {
+    match error(cycle, &asked(cycle).with(parameter.key, value.clone())) {
         CycleError::NoContact(_) | CycleError::LimitsSwapped { .. } => {}
-        // The control's range begins at 0, a circle does not.
-        error if parameter.q == 262 && value == Value::Length(Length::ZERO) => {
-            assert_eq!(error.to_string(), "Q262 NOMINAL DIAMETER = 0 mm: a circle needs a diameter above 0");
+        // The control's range begins at 0, a circle, a path and a normal do not.
+        CycleError::NoDiameter { key, .. } | CycleError::NoPath { key, .. } => {
+            assert_eq!((key, value), (parameter.key, &Value::Length(Length::ZERO)));
         }
-        error => panic!("Q{} = {value}: {error}", parameter.q),
+        error => panic!("{} = {value}: {error}", parameter.key),
     }
 }
 
 #[track_caller]
-fn refused(cycle: &Cycle, parameter: &Parameter, value: Value) {
-    let said = error(cycle, &asked().with(parameter.q, value)).to_string();
-    let unit = if matches!(value, Value::Length(_)) { " mm" } else { "" };
-    assert_eq!(said, format!("Q{} {} = {value}{unit}: {}", parameter.q, parameter.name, parameter.range));
+fn refused(cycle: &Cycle, parameter: &Parameter, value: &Value) {
+    let said = error(cycle, &asked(cycle).with(parameter.key, value.clone())).to_string();
+    let given = value.with_unit();
+    assert_eq!(said, format!("{} {} = {given}: {}", parameter.key, parameter.name, parameter.range));
 }
 
 /// The values on the bounds of a range, and those one step outside.
@@ -62,7 +74,26 @@ fn bounds(range: Range) -> (Vec<Value>, Vec<Value>) {
             let outside = [allowed.iter().min().unwrap() - 1, allowed.iter().max().unwrap() + 1];
             (allowed.iter().copied().map(Value::Whole).collect(), outside.map(Value::Whole).to_vec())
         }
-        Range::Tool => (vec![Value::Whole(0), Value::Whole(99_999)], vec![Value::Whole(-1), Value::Whole(100_000)]),
+        Range::Number { most } => {
+            let most = f64::from(most);
+            let outside = [most.next_up(), -most.next_up(), f64::NAN, f64::INFINITY];
+            (vec![Value::Number(most), Value::Number(-most)], outside.map(Value::Number).to_vec())
+        }
+        Range::Tool => {
+            let name = |characters| Value::Text("ü".repeat(characters));
+            let inside = [0.0, 5.1, 99_999.9].map(Value::Number);
+            let outside = [-0.1, 5.01, 100_000.0, f64::NAN].map(Value::Number);
+            (
+                [inside.to_vec(), vec![name(1), name(255)]].concat(),
+                [outside.to_vec(), vec![name(0), name(256)]].concat(),
+            )
+        }
+        Range::Band => {
+            let band = |upper: &str, lower: &str| {
+                Value::Band(Some(Deviations::new(upper.parse().unwrap(), lower.parse().unwrap()).unwrap()))
+            };
+            (vec![band("0.4", "-0.1"), band("0", "-0.1"), Value::Band(None)], Vec::new())
+        }
     }
 }
 
@@ -72,10 +103,10 @@ fn every_parameter_is_accepted_on_its_bounds_and_refused_one_step_outside() {
         for parameter in cycle.parameters {
             let (inside, outside) = bounds(parameter.range);
             for value in inside {
-                accepted(cycle, parameter, value);
+                accepted(cycle, parameter, &value);
             }
             for value in outside {
-                refused(cycle, parameter, value);
+                refused(cycle, parameter, &value);
             }
         }
     }
@@ -83,56 +114,113 @@ fn every_parameter_is_accepted_on_its_bounds_and_refused_one_step_outside() {
 
 #[test]
 fn a_value_of_another_kind_is_refused_for_every_parameter() {
-    let values = [length("10"), Value::Angle(Angle::from_degrees(90)), Value::Whole(3)];
+    let values = [
+        length("10"),
+        Value::Angle(Angle::from_degrees(90)),
+        Value::Whole(1),
+        Value::Number(1.0),
+        Value::Text("T5".to_owned()),
+        Value::Band(None),
+    ];
     for cycle in CYCLES {
         for parameter in cycle.parameters {
-            let wanted = match parameter.range {
-                Range::Length { .. } => 0,
-                Range::Angle { .. } => 1,
-                Range::OneOf(_) | Range::Tool => 2,
+            let wanted: &[usize] = match parameter.range {
+                Range::Length { .. } => &[0],
+                Range::Angle { .. } => &[1],
+                Range::OneOf(_) => &[2],
+                Range::Number { .. } => &[3],
+                Range::Tool => &[3, 4],
+                Range::Band => &[5],
             };
-            let others = (0..).zip(values).filter(|(kind, _)| *kind != wanted);
+            let others = (0..).zip(&values).filter(|(kind, _)| !wanted.contains(kind));
             others.for_each(|(_, value)| refused(cycle, parameter, value));
         }
     }
 }
 
 #[test]
+fn a_text_that_is_no_value_is_refused_with_the_parameter_named() {
+    for cycle in CYCLES {
+        for parameter in cycle.parameters {
+            let text = match parameter.range {
+                // Any text may be the name of a tool.
+                Range::Tool => "",
+                Range::Band => "H7",
+                _ => "1.234,5",
+            };
+            let said = cycle.set(Inputs::new(), &parameter.key.to_string(), text).unwrap_err().to_string();
+            assert!(said.starts_with(&format!("{} {}: ", parameter.key, parameter.name)), "{said}");
+        }
+        let error = cycle.set(Inputs::new(), "Q999", "1").unwrap_err().to_string();
+        assert_eq!(error, format!("cycle {} has no parameter Q999", cycle.code));
+    }
+}
+
+#[test]
 fn every_parameter_without_a_default_must_be_given() {
     for cycle in CYCLES {
-        for parameter in cycle.parameters.iter().filter(|parameter| parameter.default.is_none()) {
-            let others = [273, 274, 262].into_iter().filter(|q| *q != parameter.q);
-            let inputs = others.fold(Inputs::new(), |inputs, q| inputs.with(q, length("25")));
-            let expected = format!("Q{} {} is missing", parameter.q, parameter.name);
+        for parameter in cycle.parameters.iter().filter(|parameter| parameter.unset == Unset::Refused) {
+            let others =
+                cycle.parameters.iter().filter(|other| other.unset == Unset::Refused && other.key != parameter.key);
+            let inputs = others.fold(Inputs::new(), |inputs, other| inputs.with(other.key, usual(other)));
+            let expected = format!("{} {} is missing", parameter.key, parameter.name);
             assert_eq!(error(cycle, &inputs).to_string(), expected);
         }
     }
 }
 
 #[test]
+fn predef_takes_the_value_of_global_def_and_nothing_else() {
+    for cycle in CYCLES {
+        for parameter in cycle.parameters {
+            let predef = asked(cycle).with(parameter.key, Value::Predef);
+            if !parameter.may_be_predef {
+                refused(cycle, parameter, &Value::Predef);
+                continue;
+            }
+            let said = error(cycle, &predef).to_string();
+            assert_eq!(said, format!("{} {} = PREDEF: no GLOBAL DEF has given a value", parameter.key, parameter.name));
+            let given = predef.with_global(parameter.key, usual(parameter));
+            assert_eq!(cycle.checked(&given).unwrap().value(parameter.key), Some(&usual(parameter)));
+        }
+    }
+}
+
+#[test]
+fn what_has_no_effect_is_kept_and_said() {
+    for cycle in CYCLES {
+        for parameter in cycle.parameters.iter().filter(|parameter| !parameter.has_effect) {
+            assert_ne!(parameter.unset, Unset::Refused, "{}", parameter.key);
+        }
+    }
+}
+
+#[test]
 fn order_numbers_and_defaults_are_those_of_the_control() {
-    // The order of the lines in NC programs: a public post-processor's, then the two of newer controls.
+    // The order of the lines in NC programs: a public post-processor's, then those of newer controls.
     for (number, maximum, minimum) in [(421, 275, 276), (422, 277, 278)] {
-        let declared: Vec<_> = cycle(number).unwrap().parameters.iter().map(|p| (p.q, p.name, p.default)).collect();
+        let declared: Vec<_> = cycle(number).unwrap().parameters.iter().map(|p| (p.key, p.name, p.unset)).collect();
         let expected = [
-            (273, "CENTER IN 1ST AXIS", None),
-            (274, "CENTER IN 2ND AXIS", None),
-            (262, "NOMINAL DIAMETER", None),
-            (325, "STARTING ANGLE", Some(0)),
-            (247, "STEPPING ANGLE", Some(900_000)),
-            (261, "MEASURING HEIGHT", Some(0)),
-            (320, "SET-UP CLEARANCE", Some(0)),
-            (260, "CLEARANCE HEIGHT", Some(50_000_000)),
-            (301, "MOVE TO CLEARANCE", Some(0)),
-            (maximum, "MAXIMUM DIMENSION", Some(0)),
-            (minimum, "MINIMUM DIMENSION", Some(0)),
-            (279, "TOLERANCE 1ST CENTER", Some(0)),
-            (280, "TOLERANCE 2ND CENTER", Some(0)),
-            (281, "MEASURING LOG", Some(0)),
-            (309, "PGM-STOP IF ERROR", Some(0)),
-            (330, "TOOL NUMBER", Some(0)),
-            (423, "NO. OF MEAS. POINTS", Some(4)),
-            (365, "TYPE OF TRAVERSE", Some(1)),
+            (Key::Q(273), "CENTER IN 1ST AXIS", Unset::Refused),
+            (Key::Q(274), "CENTER IN 2ND AXIS", Unset::Refused),
+            (Key::Q(262), "NOMINAL DIAMETER", Unset::Refused),
+            (Key::Q(325), "STARTING ANGLE", Unset::Value(0)),
+            (Key::Q(247), "STEPPING ANGLE", Unset::Value(900_000)),
+            (Key::Q(261), "MEASURING HEIGHT", Unset::Value(0)),
+            (Key::Q(320), "SET-UP CLEARANCE", Unset::Value(0)),
+            (Key::Q(260), "CLEARANCE HEIGHT", Unset::Value(50_000_000)),
+            (Key::Q(301), "MOVE TO CLEARANCE", Unset::Value(0)),
+            (Key::Q(maximum), "MAXIMUM DIMENSION", Unset::Value(0)),
+            (Key::Q(minimum), "MINIMUM DIMENSION", Unset::Value(0)),
+            (Key::Q(279), "TOLERANCE 1ST CENTER", Unset::Value(0)),
+            (Key::Q(280), "TOLERANCE 2ND CENTER", Unset::Value(0)),
+            (Key::Q(281), "MEASURING LOG", Unset::Value(0)),
+            (Key::Q(309), "PGM-STOP IF ERROR", Unset::Value(0)),
+            (Key::Q(330), "TOOL NUMBER", Unset::Value(0)),
+            (Key::Q(423), "NO. OF MEAS. POINTS", Unset::Value(4)),
+            (Key::Q(365), "TYPE OF TRAVERSE", Unset::Value(1)),
+            (Key::Q(498), "REVERSE TOOL", Unset::Value(0)),
+            (Key::Q(531), "ANGLE OF INCIDENCE", Unset::Value(0)),
         ];
         assert_eq!(declared, expected);
     }
@@ -142,8 +230,8 @@ fn order_numbers_and_defaults_are_those_of_the_control() {
 fn a_scatter_of_zero_leaves_the_numbers_of_the_other_alone() {
     let contacts = |surface_scatter, trigger_scatter| -> Vec<Contact> {
         let part = Workpiece { surface_scatter, ..Workpiece::round(Feature::Hole, [25.0, 25.0], 25.0) };
-        let mut machine = Machine::new(part, Probe { trigger_scatter }, 3).unwrap();
-        cycle(421).unwrap().measure(&asked(), &mut machine).unwrap().contacts
+        let mut machine = Machine::new(part, Probe { trigger_scatter, ..Probe::STILL }, 3).unwrap();
+        cycle(421).unwrap().measure(&asked(cycle(421).unwrap()), &mut machine).unwrap().contacts
     };
     let (both, surface, probe, none) =
         (contacts(0.0003, 0.0005), contacts(0.0003, 0.0), contacts(0.0, 0.0005), contacts(0.0, 0.0));

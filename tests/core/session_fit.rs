@@ -10,7 +10,8 @@ use fitcheck::session::{
 use fitcheck::tolerance::fit::Kind;
 use fitcheck::tolerance::fit::search::Scope;
 use fitcheck::tolerance::iso286::Letter;
-use fitcheck::tolerance::{Feature, ToleranceClass};
+use fitcheck::tolerance::table::Column;
+use fitcheck::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass};
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 use jiff::civil::date;
@@ -254,4 +255,28 @@ fn a_side_goes_to_the_check_page_and_enter_measures_only_there() {
     assert_eq!((session.page(), session.inputs().text(Field::Callout)), (Page::Check, "25,5 g6"));
     apply(&mut session, Command::Measure);
     assert_eq!(session.history().len(), 1);
+}
+
+#[test]
+fn a_search_follows_the_sources() {
+    let wanted = [(Field::WantedMinimum, "0.001"), (Field::WantedMaximum, "0.041")];
+    let mut session = with(&[&[(Field::FitCallout, "25 H7/g6")][..], &wanted].concat());
+    let total = |session: &Session| session.fit().found().unwrap().unwrap().total;
+    let all = total(&session);
+    apply(&mut session, Command::UseSource(SourceChoice::ControlTables));
+    assert!(total(&session) < all, "the control has 47 classes");
+    let pairs = session.fit().found().unwrap().unwrap().candidates.clone();
+    assert!(pairs.iter().all(|pair| session.fit().is_defined(pair.hole, pair.shaft)));
+    // The first column of the built-in table of holes in a table of the user's own, 4 µm higher.
+    let ends = vec!["400".parse().unwrap()];
+    let deviations = Deviations::new("0.025".parse().unwrap(), "0.004".parse().unwrap()).unwrap();
+    let column = Column { class: class("H7"), cells: vec![Some(deviations)] };
+    let own = DeviationTable::new("own.tab", false, ends, vec![column]).unwrap();
+    apply(&mut session, Command::TablesRead { folder: "own".into(), result: Ok((vec![own], Vec::new())) });
+    let found = session.fit().found().unwrap().unwrap();
+    let pair = found.candidates.iter().find(|pair| (pair.hole, pair.shaft) == (class("H7"), class("h5")));
+    assert_eq!(
+        pair.map(|pair| (pair.minimum.to_string(), pair.maximum.to_string())),
+        Some(("0.004".into(), "0.034".into()))
+    );
 }

@@ -110,3 +110,12 @@ log-444-along = deviation { $given-sign }{ $given } along the normal does not fo
 log-444-band = upper deviation { $upper-sign }{ $upper } is below lower deviation { $lower-sign }{ $lower }
 log-444-status = status { $given } does not follow from deviation and tolerance, { $status }
 log-444-page = the page cannot be made: { $what }
+## The touch-probe table
+probe-table-no-column = the table has no column { $column }
+probe-table-no-probe = the table has no probe
+probe-table-no-length = { $column }: { $error }
+probe-table-too-small = { $column } = { $given } mm: it must be { $least }
+probe-table-zero-or-more = 0 or more
+probe-table-above-zero = above 0
+probe-table-not-whole = { $column } = { $given }: a whole number is needed
+probe-table-twice = probe { $number } occurs twice

@@ -13,16 +13,16 @@ caveat-short-arc = contacts cover only { $arc }°: scatter is magnified in diame
 contact-missed = touch { $number }: no contact on the probing path
 contact-used-up = touch { $number }: the file has only { $available } contacts
 
-cycle-out-of-range = Q{ $q } { $name } = { $given }: { $allowed }
+cycle-out-of-range = { $key } { $name } = { $given }: { $allowed }
 cycle-length-range = at least { $least } mm, at most { $most } mm
 cycle-angle-range = at most { $most } either way
 cycle-angle-size-range = at least { $smallest } in size, at most { $most }
 cycle-one-of = not one of { $allowed }
-cycle-tool-range = a tool number is 0 to 99999
-cycle-not-a-value = Q{ $q } { $name }: { $error }
-cycle-no-diameter = Q{ $q } { $name } = 0 mm: a circle needs a diameter above 0
-cycle-missing = Q{ $q } { $name } is missing
-cycle-no-such-parameter = cycle { $cycle } has no parameter Q{ $q }
+cycle-tool-range = a tool is a number from 0 to 99999.9 or a name of at most 255 characters
+cycle-not-a-value = { $key } { $name }: { $error }
+cycle-no-diameter = { $key } { $name } = 0 mm: a circle needs a diameter above 0
+cycle-missing = { $key } { $name } is missing
+cycle-no-such-parameter = cycle { $cycle } has no parameter { $parameter }
 cycle-limits-swapped = minimum dimension { $minimum } mm is above maximum dimension { $maximum } mm
 cycle-too-large = the measured circle is too large: { $error }
 workpiece-cannot-be = { $what } = { $given }: at least { $least }, at most { $most }
@@ -48,3 +48,46 @@ circle-too-many-contacts = maximum inscribed circle and minimum zone are not com
 circle-short-chord = contacts { $first } and { $second } oppose each other beside the centre: this size is { $short } µm too small
 circle-more-of-a-kind = the same holds for { $more } more
 circle-apart = contact { $contact } lies { $apart } mm off the circle, far more than the others: dust or a false touch?
+
+## Measuring cycles: errors, results, remarks
+contact-out-of-reach = touch { $number }: no contact within the probing path of { $longest } mm
+cycle-number-range = a number, at most { $most } either way
+cycle-band-range = a tolerance is written as 0.4-0.1, 0.4 or -0.1, and 0 is none
+cycle-no-global = { $key } { $name } = PREDEF: no GLOBAL DEF has given a value
+cycle-no-path = { $key } { $name } = 0 mm: a probing path needs a length, its sign is the direction
+cycle-no-normal = { $first }, { $second } and { $third } are all 0: a normal needs a direction
+cycle-apart = contact { $contact }: its two touches lie { $difference } mm apart, { $key } permits { $most } mm
+cycle-too-far = the measured coordinate is too large: { $error }
+cycle-stop = program stop by Q309 = { $setting }: { $out }
+check-within = { $what } { $measured } mm is within { $minimum } to { $maximum } mm
+check-above = { $what } { $measured } mm is above its maximum { $maximum } mm: { $status }
+check-below = { $what } { $measured } mm is below its minimum { $minimum } mm: { $status }
+check-and = { $one }; { $other }
+found-centre-1 = measured centre, 1st axis
+found-centre-2 = measured centre, 2nd axis
+found-diameter = measured diameter
+found-centre-deviation-1 = deviation of the centre, 1st axis
+found-centre-deviation-2 = deviation of the centre, 2nd axis
+found-diameter-deviation = deviation of the diameter
+found-coordinate = measured coordinate
+found-position-1 = measured position, 1st axis
+found-position-2 = measured position, 2nd axis
+found-position-3 = measured position, 3rd axis
+found-deviation-1 = deviation, 1st axis
+found-deviation-2 = deviation, 2nd axis
+found-deviation-3 = deviation, 3rd axis
+found-deviation-along = deviation along the normal
+found-good = within tolerance
+found-rework = rework
+found-scrap = scrap
+found-status = status: -1 undefined, 0 good, 1 rework, 2 scrap
+remark-without-effect = { $key } is accepted and has no effect
+remark-tool-left-alone = Q330 = { $tool }: the control would correct this tool; no tool is corrected here
+remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap
+remark-nominal-outside-limits = nominal diameter { $nominal } mm is not between the limits: a TNC7 refuses that
+remark-variable-holds-diameter = #i99 holds one value, taken to be the diameter: the manual does not say which
+
+## The simulated machine
+bench-toml = line { $line }: { $said }
+bench-not-one = the file has { $found } of [bore], [stud], [face] and [point]: it needs exactly one
+bench-cannot-be = line { $line }: { $error }

@@ -110,3 +110,12 @@ log-444-along = afwijking { $given-sign }{ $given } langs de normaal volgt niet 
 log-444-band = bovenafwijking { $upper-sign }{ $upper } ligt onder onderafwijking { $lower-sign }{ $lower }
 log-444-status = status { $given } volgt niet uit afwijking en tolerantie, { $status }
 log-444-page = de pagina is niet te maken: { $what }
+## The touch-probe table
+probe-table-no-column = de tabel heeft geen kolom { $column }
+probe-table-no-probe = de tabel heeft geen taster
+probe-table-no-length = { $column }: { $error }
+probe-table-too-small = { $column } = { $given } mm: dit moet { $least } zijn
+probe-table-zero-or-more = 0 of meer
+probe-table-above-zero = groter dan 0
+probe-table-not-whole = { $column } = { $given }: er is een geheel getal nodig
+probe-table-twice = taster { $number } komt twee keer voor

@@ -12,16 +12,16 @@ caveat-short-arc = de meetpunten beslaan slechts { $arc }°: spreiding wordt ver
 contact-missed = aanraking { $number }: geen contact op de meetweg
 contact-used-up = aanraking { $number }: het bestand heeft maar { $available } meetpunten
 
-cycle-out-of-range = Q{ $q } { $name } = { $given }: { $allowed }
+cycle-out-of-range = { $key } { $name } = { $given }: { $allowed }
 cycle-length-range = minstens { $least } mm, hoogstens { $most } mm
 cycle-angle-range = hoogstens { $most } in beide richtingen
 cycle-angle-size-range = minstens { $smallest } groot, hoogstens { $most }
 cycle-one-of = geen van { $allowed }
-cycle-tool-range = een gereedschapsnummer is 0 tot 99999
-cycle-not-a-value = Q{ $q } { $name }: { $error }
-cycle-no-diameter = Q{ $q } { $name } = 0 mm: een cirkel heeft een diameter boven 0 nodig
-cycle-missing = Q{ $q } { $name } ontbreekt
-cycle-no-such-parameter = cyclus { $cycle } heeft geen parameter Q{ $q }
+cycle-tool-range = een gereedschap is een nummer van 0 tot 99999,9 of een naam van hoogstens 255 tekens
+cycle-not-a-value = { $key } { $name }: { $error }
+cycle-no-diameter = { $key } { $name } = 0 mm: een cirkel heeft een diameter boven 0 nodig
+cycle-missing = { $key } { $name } ontbreekt
+cycle-no-such-parameter = cyclus { $cycle } heeft geen parameter { $parameter }
 cycle-limits-swapped = de minimale maat { $minimum } mm is groter dan de maximale maat { $maximum } mm
 cycle-too-large = de gemeten cirkel is te groot: { $error }
 workpiece-cannot-be = { $what } = { $given }: minstens { $least }, hoogstens { $most }
@@ -48,3 +48,46 @@ circle-too-many-contacts = grootste ingeschreven cirkel en minimale zone worden 
 circle-short-chord = tastpunten { $first } en { $second } liggen tegenover elkaar naast het middelpunt: deze maat is { $short } µm te klein
 circle-more-of-a-kind = hetzelfde geldt voor nog { $more }
 circle-apart = tastpunt { $contact } ligt { $apart } mm naast de cirkel, veel verder dan de andere: vuil of een valse tasting?
+
+## Measuring cycles: errors, results, remarks
+contact-out-of-reach = tasting { $number }: geen contact binnen de tastweg van { $longest } mm
+cycle-number-range = een getal, hoogstens { $most } in beide richtingen
+cycle-band-range = een tolerantie schrijft u als 0.4-0.1, 0.4 of -0.1, en 0 is geen tolerantie
+cycle-no-global = { $key } { $name } = PREDEF: geen GLOBAL DEF heeft een waarde gegeven
+cycle-no-path = { $key } { $name } = 0 mm: een tastweg heeft een lengte nodig, het teken is de richting
+cycle-no-normal = { $first }, { $second } en { $third } zijn alle 0: een normaal heeft een richting nodig
+cycle-apart = tastpunt { $contact }: de twee tastingen liggen { $difference } mm uit elkaar, { $key } staat { $most } mm toe
+cycle-too-far = de gemeten coördinaat is te groot: { $error }
+cycle-stop = programmastop door Q309 = { $setting }: { $out }
+check-within = { $what } { $measured } mm ligt binnen { $minimum } tot { $maximum } mm
+check-above = { $what } { $measured } mm ligt boven het maximum { $maximum } mm: { $status }
+check-below = { $what } { $measured } mm ligt onder het minimum { $minimum } mm: { $status }
+check-and = { $one }; { $other }
+found-centre-1 = gemeten midden, 1e as
+found-centre-2 = gemeten midden, 2e as
+found-diameter = gemeten diameter
+found-centre-deviation-1 = afwijking van het midden, 1e as
+found-centre-deviation-2 = afwijking van het midden, 2e as
+found-diameter-deviation = afwijking van de diameter
+found-coordinate = gemeten coördinaat
+found-position-1 = gemeten positie, 1e as
+found-position-2 = gemeten positie, 2e as
+found-position-3 = gemeten positie, 3e as
+found-deviation-1 = afwijking, 1e as
+found-deviation-2 = afwijking, 2e as
+found-deviation-3 = afwijking, 3e as
+found-deviation-along = afwijking langs de normaal
+found-good = binnen tolerantie
+found-rework = nabewerking
+found-scrap = afkeur
+found-status = status: -1 onbekend, 0 goed, 1 nabewerking, 2 afkeur
+remark-without-effect = { $key } wordt aanvaard en heeft geen effect
+remark-tool-left-alone = Q330 = { $tool }: de besturing zou dit gereedschap corrigeren; hier wordt geen gereedschap gecorrigeerd
+remark-outside-dimension = een buitenmaat wordt aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
+remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grenzen: een TNC7 weigert dat
+remark-variable-holds-diameter = #i99 bevat één waarde, aangenomen is de diameter: het handboek zegt niet welke
+
+## The simulated machine
+bench-toml = regel { $line }: { $said }
+bench-not-one = het bestand heeft { $found } van [bore], [stud], [face] en [point]: er moet er precies één zijn
+bench-cannot-be = regel { $line }: { $error }

@@ -112,7 +112,7 @@ impl<'a> Drawing<'a> {
     fn draw(&self, fit: &Fit) {
         let width = self.body.width();
         let column = (width * 0.15).max(space(14.0));
-        let left = self.body.left() + (width * 0.14).max(space(15.0));
+        let left = self.body.left() + (width * 0.14).max(space(18.0));
         let hole = Rangef::new(left, left + column);
         let shaft = Rangef::new(hole.max + space(4.0), hole.max + space(4.0) + column);
         let zero = self.y(0.0);
@@ -128,12 +128,13 @@ impl<'a> Drawing<'a> {
             self.name(x, limits);
         }
         let nominal = format!("{} mm", self.words.number(&fit.nominal().to_string()));
-        // On the side of the line where the shaft, and so the smallest clearance, is not.
-        let (anchor, off) = if self.picture.shaft.upper_um + self.picture.shaft.lower_um < 0.0 {
-            (Align2::RIGHT_BOTTOM, -3.0)
-        } else {
-            (Align2::RIGHT_TOP, 3.0)
+        // On the side of the line where the last arrow, that of the parts or of the smallest clearance, is not.
+        let Picture { hole, shaft, .. } = self.picture;
+        let last = match (hole.mark, shaft.mark) {
+            (Some(Mark::InSight(hole)), Some(Mark::InSight(shaft))) => hole + shaft,
+            _ => hole.lower_um + shaft.upper_um,
         };
+        let (anchor, off) = if last < 0.0 { (Align2::RIGHT_BOTTOM, -3.0) } else { (Align2::RIGHT_TOP, 3.0) };
         let at = pos2(self.body.right() - 2.0, zero + off);
         self.label(at, anchor, &nominal, theme::bold(sizes().small));
     }
@@ -143,7 +144,9 @@ impl<'a> Drawing<'a> {
         let galley = self.painter.layout_no_wrap(text.to_owned(), font, self.palette.text.0);
         let rect = anchor.anchor_size(at, galley.size());
         let shift = (self.whole.top() - rect.top()).max(0.0) - (rect.bottom() - self.whole.bottom()).max(0.0);
-        let rect = rect.translate(vec2(0.0, shift));
+        // No figure is cut off at an edge of the picture.
+        let aside = (self.whole.left() - rect.left()).max(0.0) - (rect.right() - self.whole.right()).max(0.0);
+        let rect = rect.translate(vec2(aside, shift));
         self.painter.rect_filled(rect.expand2(vec2(3.0, -1.0)), 2.0, self.palette.panel.0);
         self.painter.galley(rect.min, galley, self.palette.text.0);
     }

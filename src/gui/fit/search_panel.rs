@@ -1,7 +1,7 @@
 //! Left, below: from a wanted clearance to the pairs of classes that give it. Only the rows in sight are drawn.
 
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{Atom, Button, ComboBox, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{Atom, AtomExt as _, Button, ComboBox, RichText, ScrollArea, Ui, vec2};
 
 use super::parts_panel::pair_ui;
 use crate::gui::theme::{self, Hex, palette, sizes, space};
@@ -107,7 +107,8 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, candidate: &Candidate) {
     if !remark.is_empty() {
         name = format!("{name}  {remark}");
     }
-    let remark = RichText::new(remark).size(sizes().small).color(palette.quiet.0);
+    // Where there is no room for all, the figures stay whole.
+    let remark = RichText::new(remark).size(sizes().small).color(palette.quiet.0).atom_shrink(true);
     let chosen = (view.session.fit().class(Feature::Hole), view.session.fit().class(Feature::Shaft));
     let button = Button::new((job, Atom::grow(), remark)).truncate().selected(chosen == (Some(hole), Some(shaft)));
     let size = vec2(ui.available_width(), sizes().field);

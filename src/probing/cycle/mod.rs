@@ -1,162 +1,123 @@
-//! What a measuring cycle declares: its parameters, once, with name, unit, range and default.
+//! What a measuring cycle declares: its parameters, once, with name, question, unit, range and default.
 //!
-//! Range errors, and later forms and NC blocks, are made from the declaration. Where contacts come from is not a
-//! cycle's business.
+//! Range errors, forms and NC blocks are made from the declaration. Where contacts come from is not a cycle's business.
 //!
 //! | file | what |
 //! |---|---|
-//! | `parameter` | one parameter: Q number, name, range, default |
-//! | `value` | what is put in: lengths, angles, whole numbers |
+//! | `key` | what programs call a parameter or a result |
+//! | `parameter` | one parameter: key, name, question, range, default |
+//! | `shared` | parameters that several cycles have |
+//! | `value` | what is put in and what comes out: lengths, angles, numbers, texts |
+//! | `inputs` | all values of a run, the probe, where the machine stands |
+//! | `course` | the way of the probe, move by move |
+//! | `result` | what a cycle found |
+//! | `error` | why it did not run |
 
+mod course;
+mod error;
+mod inputs;
+mod key;
 mod parameter;
+mod result;
+pub(in crate::probing) mod shared;
 mod value;
 
-pub use parameter::{Parameter, Range};
+pub use course::{Course, Move, Phase};
+pub(in crate::probing) use course::{along, nearest};
+pub use error::{CycleError, Reason};
+pub use inputs::Inputs;
+pub use key::Key;
+pub use parameter::{Parameter, Range, Texts, Unset};
+pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Remark, Stop};
 pub(in crate::probing) use value::QUARTER_TURN;
-pub use value::{Angle, Inputs, Value};
+pub use value::{Angle, Value};
 
-use super::circle::{Circle, CircleError};
-use super::contact::{Contact, NoContact, Prober};
-use crate::length::{Length, LengthError};
-use crate::verdict::{PositionVerdict, Status};
-use crate::words::{Language, Message, Say};
+use super::contact::{Contact, Prober};
+use crate::length::Length;
+use crate::tolerance::Feature;
+use crate::verdict::Status;
+use crate::words::Language;
 
-/// A measuring cycle of the control.
+/// A measuring cycle of a control.
 #[derive(Debug)]
 pub struct Cycle {
     /// Its number, 421.
     pub number: u16,
+    /// What programs call it: `421`, `G785`.
+    pub code: &'static str,
     /// Its name in NC programs, by dialogue language.
-    pub names: &'static [(Language, &'static str)],
+    pub names: Texts,
     /// Its parameters in the order of NC programs.
     pub parameters: &'static [Parameter],
-    /// Runs it.
-    pub run: fn(&Inputs, &mut dyn Prober) -> Result<CycleResult, CycleError>,
+    /// Runs it on checked inputs.
+    pub run: fn(&Inputs, &mut Course<'_>) -> Result<Measured, CycleError>,
+    /// The perfect workpiece that it would find nothing wrong with.
+    pub nominal: fn(&Inputs) -> Nominal,
 }
 
-/// What a cycle found.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CycleResult {
-    /// The contacts in probing order.
-    pub contacts: Vec<Contact>,
-    /// The least-squares circle, unrounded, mm.
-    pub circle: Circle,
-    /// The centre, at the nearest nanometre.
-    pub centre: [Length; 2],
-    /// The diameter, at the nearest nanometre.
-    pub diameter: Length,
-    /// The centre against its nominal position.
-    pub position: PositionVerdict,
-    /// The status that the markers tell; `Good` also where no limits were given, as on the control.
-    pub status: Status,
-    /// The result parameters by Q number: lengths in mm, markers 0 or 1.
-    pub results: Vec<(u16, Value)>,
+/// What a cycle makes of its contacts; the rest of a [`CycleResult`] is the same for all.
+#[derive(Debug)]
+pub struct Measured {
+    pub(in crate::probing) contacts: Vec<Contact>,
+    pub(in crate::probing) circle: Option<CircleFound>,
+    pub(in crate::probing) checks: Vec<Check>,
+    pub(in crate::probing) status: Option<Status>,
+    pub(in crate::probing) results: Vec<Found>,
+    pub(in crate::probing) stop: Option<Stop>,
+    pub(in crate::probing) log: LogTarget,
+    pub(in crate::probing) remarks: Vec<Remark>,
 }
 
-/// Why a cycle did not run, or not to its end.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum CycleError {
-    /// A parameter is outside its range.
-    #[error("Q{q} {name} = {given}: {range}")]
-    OutOfRange {
-        /// The parameter.
-        q: u16,
-        /// Its name.
-        name: &'static str,
-        /// What was given.
-        given: String,
-        /// What is allowed.
-        range: Range,
+/// The surface that a cycle expects, millimetres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Nominal {
+    /// A hole or a stud.
+    Circle {
+        /// Which of them.
+        feature: Feature,
+        /// The plane that it lies in.
+        plane: Plane,
+        /// Its centre in first and second axis.
+        centre: [f64; 2],
+        /// Its diameter.
+        diameter: f64,
     },
-    /// A text is no value for a parameter.
-    #[error("Q{q} {name}: {error}")]
-    NotAValue {
-        /// The parameter.
-        q: u16,
-        /// Its name.
-        name: &'static str,
-        /// What is wrong with the text.
-        error: LengthError,
+    /// A plane face.
+    Face {
+        /// A point of it.
+        point: [f64; 3],
+        /// Its normal, out of the material, of any length but zero.
+        normal: [f64; 3],
     },
-    /// A parameter without a default was not given.
-    #[error("Q{q} {name} is missing")]
-    Missing {
-        /// The parameter.
-        q: u16,
-        /// Its name.
-        name: &'static str,
-    },
-    /// A parameter that the cycle does not have.
-    #[error("cycle {cycle} has no parameter Q{q}")]
-    NoSuchParameter {
-        /// The cycle.
-        cycle: u16,
-        /// The parameter.
-        q: u16,
-    },
-    /// The minimum is above the maximum.
-    #[error("minimum dimension {minimum} mm is above maximum dimension {maximum} mm")]
-    LimitsSwapped {
-        /// The minimum.
-        minimum: Length,
-        /// The maximum.
-        maximum: Length,
-    },
-    /// A nominal diameter of zero.
-    #[error("Q{q} {name} = 0 mm: a circle needs a diameter above 0")]
-    NoDiameter {
-        /// The parameter.
-        q: u16,
-        /// Its name.
-        name: &'static str,
-    },
-    /// The probe met nothing.
-    #[error(transparent)]
-    NoContact(#[from] NoContact),
-    /// The contacts make no circle.
-    #[error(transparent)]
-    Circle(#[from] CircleError),
-    /// The result is beyond what a length can hold.
-    #[error("the measured circle is too large: {0}")]
-    TooLarge(LengthError),
-}
-
-impl Say for CycleError {
-    fn message(&self) -> Message {
-        match self {
-            Self::OutOfRange { q, name, given, range } => Message::new("cycle-out-of-range")
-                .text("q", q)
-                .text("name", name)
-                .text("given", given)
-                .message("allowed", range.message()),
-            Self::NotAValue { q, name, error } => {
-                Message::new("cycle-not-a-value").text("q", q).text("name", name).message("error", error.message())
-            }
-            Self::NoDiameter { q, name } => Message::new("cycle-no-diameter").text("q", q).text("name", name),
-            Self::Missing { q, name } => Message::new("cycle-missing").text("q", q).text("name", name),
-            Self::NoSuchParameter { cycle, q } => {
-                Message::new("cycle-no-such-parameter").text("cycle", cycle).text("q", q)
-            }
-            Self::LimitsSwapped { minimum, maximum } => {
-                Message::new("cycle-limits-swapped").mm("minimum", *minimum).mm("maximum", *maximum)
-            }
-            Self::NoContact(error) => error.message(),
-            Self::Circle(error) => error.message(),
-            Self::TooLarge(error) => Message::new("cycle-too-large").message("error", error.message()),
-        }
-    }
 }
 
 impl Cycle {
-    /// The name in a language; English where the language has none.
+    /// The name in a language; English where the language has none, else the first there is.
     pub fn name(&self, language: Language) -> &'static str {
         let of = |wanted| self.names.iter().find(|(language, _)| *language == wanted).map(|(_, name)| *name);
-        of(language).or_else(|| of(Language::En)).unwrap_or_default()
+        let first = || self.names.first().map(|(_, name)| *name);
+        of(language).or_else(|| of(Language::En)).or_else(first).unwrap_or_default()
     }
 
-    /// A parameter by its Q number.
-    pub fn parameter(&self, q: u16) -> Option<&'static Parameter> {
-        self.parameters.iter().find(|parameter| parameter.q == q)
+    /// A parameter by its key; a bare number is that of a Q parameter.
+    pub fn parameter(&self, key: impl Into<Key>) -> Option<&'static Parameter> {
+        let key = key.into();
+        self.parameters.iter().find(|parameter| parameter.key == key)
+    }
+
+    /// A parameter by the name that people type: `Q273`, `q273`, `QS400`, `br`. `QS330` is the text form of Q330.
+    pub fn parameter_named(&self, name: &str) -> Option<&'static Parameter> {
+        self.parameters.iter().find(|parameter| parameter.key.is_named(name))
+    }
+
+    /// Gives a parameter a value, both as people type them.
+    ///
+    /// # Errors
+    /// [`CycleError::NoSuchParameter`] or [`CycleError::NotAValue`]; the range is checked when the cycle runs.
+    pub fn set(&self, inputs: Inputs, name: &str, text: &str) -> Result<Inputs, CycleError> {
+        let unknown = || CycleError::NoSuchParameter { cycle: self.code, parameter: name.trim().to_owned() };
+        let parameter = self.parameter_named(name).ok_or_else(unknown)?;
+        Ok(inputs.with(parameter.key, parameter.read(text)?))
     }
 
     /// Checks the values against the declaration, fills in defaults and runs the cycle.
@@ -164,24 +125,106 @@ impl Cycle {
     /// # Errors
     /// [`CycleError`] names the parameter, the value and what is allowed, or what went wrong on the way.
     pub fn measure(&self, inputs: &Inputs, prober: &mut dyn Prober) -> Result<CycleResult, CycleError> {
-        (self.run)(&self.checked(inputs)?, prober)
+        self.measure_along(inputs, prober).1
     }
 
-    fn checked(&self, inputs: &Inputs) -> Result<Inputs, CycleError> {
-        if let Some(&q) = inputs.given.keys().find(|q| self.parameter(**q).is_none()) {
-            return Err(CycleError::NoSuchParameter { cycle: self.number, q });
+    /// The same, and the way of the probe also where the cycle did not come to its end.
+    pub fn measure_along(
+        &self,
+        inputs: &Inputs,
+        prober: &mut dyn Prober,
+    ) -> (Vec<Move>, Result<CycleResult, CycleError>) {
+        let inputs = match self.checked(inputs) {
+            Ok(inputs) => inputs,
+            Err(error) => return (Vec::new(), Err(error)),
+        };
+        let mut course = Course::new(prober, inputs.position);
+        let measured = (self.run)(&inputs, &mut course);
+        let path = course.into_moves();
+        let result = measured.map(|measured| {
+            let mut remarks = self.remarks(&inputs);
+            remarks.extend(measured.remarks);
+            CycleResult {
+                inputs,
+                path: path.clone(),
+                contacts: measured.contacts,
+                circle: measured.circle,
+                checks: measured.checks,
+                status: measured.status,
+                results: measured.results,
+                stop: measured.stop,
+                log: measured.log,
+                remarks,
+            }
+        });
+        (path, result)
+    }
+
+    /// The surface that the cycle expects by its inputs.
+    ///
+    /// # Errors
+    /// As [`Self::measure`], but for what only a touch can tell.
+    pub fn nominal(&self, inputs: &Inputs) -> Result<Nominal, CycleError> {
+        self.checked(inputs).map(|inputs| (self.nominal)(&inputs))
+    }
+
+    /// Checks the values against the declaration and fills in defaults.
+    ///
+    /// # Errors
+    /// [`CycleError`] names the parameter, the value and what is allowed.
+    pub fn checked(&self, inputs: &Inputs) -> Result<Inputs, CycleError> {
+        if let Some(key) = inputs.given.keys().find(|key| self.parameter(**key).is_none()) {
+            return Err(CycleError::NoSuchParameter { cycle: self.code, parameter: key.to_string() });
         }
         let mut checked = inputs.clone();
+        checked.filled.clear();
         for parameter in self.parameters {
-            let (q, name) = (parameter.q, parameter.name);
-            if let Some(default) = parameter.default_value() {
-                checked.defaults.insert(q, default);
+            let (key, name) = (parameter.key, parameter.name);
+            let value = match inputs.given.get(&key) {
+                Some(Value::Predef) if parameter.may_be_predef => {
+                    Some(inputs.globals.get(&key).cloned().ok_or(CycleError::NoGlobal { key, name })?)
+                }
+                Some(value) => Some(value.clone()),
+                None => parameter.default_value(),
+            };
+            let Some(value) = value else {
+                if parameter.unset == Unset::Refused {
+                    return Err(CycleError::Missing { key, name });
+                }
+                continue;
+            };
+            if !parameter.allows(&value) {
+                return Err(parameter.out_of_range(&value));
             }
-            let value = checked.value(q).ok_or(CycleError::Missing { q, name })?;
-            if !parameter.allows(value) {
-                return Err(parameter.out_of_range(value));
-            }
+            checked.filled.insert(key, value);
         }
         Ok(checked)
     }
+
+    /// What was given without effect, and a tool that stays as it is.
+    fn remarks(&self, inputs: &Inputs) -> Vec<Remark> {
+        let idle = self.parameters.iter().filter(|parameter| !parameter.has_effect && inputs.is_given(parameter.key));
+        let mut remarks: Vec<_> = idle.map(|parameter| Remark::WithoutEffect { key: parameter.key }).collect();
+        match inputs.value(330) {
+            Some(Value::Number(number)) if 0.0 < *number => {
+                remarks.push(Remark::ToolLeftAlone { tool: number.to_string() });
+            }
+            Some(Value::Text(name)) => remarks.push(Remark::ToolLeftAlone { tool: name.clone() }),
+            _ => {}
+        }
+        remarks
+    }
+}
+
+/// The limits of a cycle as two parameters: swapped is refused, both zero monitors nothing.
+pub(in crate::probing) fn limits(
+    inputs: &Inputs,
+    minimum: u16,
+    maximum: u16,
+) -> Result<Option<(Length, Length)>, CycleError> {
+    let (minimum, maximum) = (inputs.length(minimum), inputs.length(maximum));
+    if maximum < minimum {
+        return Err(CycleError::LimitsSwapped { minimum, maximum });
+    }
+    Ok((minimum != Length::ZERO || maximum != Length::ZERO).then_some((minimum, maximum)))
 }

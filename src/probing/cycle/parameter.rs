@@ -1,23 +1,47 @@
-//! The declaration of a parameter: Q number, name, range and default.
+//! The declaration of a parameter: key, name, question, range and what counts when it is not given.
 
 use std::fmt;
 
-use super::CycleError;
-use super::value::{Angle, Value};
+use super::error::{CycleError, Reason};
+use super::key::Key;
+use super::value::{Angle, PREDEF, Value};
 use crate::length::{Length, LengthError};
-use crate::words::{Message, Say};
+use crate::tolerance::callout::qs400;
+use crate::words::{Language, Message, Say};
+
+/// Words of the control by dialogue language.
+pub type Texts = &'static [(Language, &'static str)];
 
 /// One parameter of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Parameter {
-    /// Its Q number.
-    pub q: u16,
-    /// Its name in English NC programs.
+    /// What programs call it.
+    pub key: Key,
+    /// Its name in English NC programs, behind the semicolon of a block.
     pub name: &'static str,
+    /// The same in other dialogue languages, where a seed has it.
+    pub names: Texts,
+    /// The control's own question, where it is known.
+    pub questions: Texts,
     /// What it may be.
     pub range: Range,
-    /// What it is when nothing is given; `None` where it must be given.
-    pub default: Option<i64>,
+    /// What counts when nothing is given.
+    pub unset: Unset,
+    /// Whether PREDEF may stand for the value of GLOBAL DEF.
+    pub may_be_predef: bool,
+    /// Whether it does anything; the others are accepted and kept only, and a form need not ask for them.
+    pub has_effect: bool,
+}
+
+/// What counts when a parameter is not given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unset {
+    /// It must be given.
+    Refused,
+    /// It has no value, and the cycle does without.
+    Empty,
+    /// A value: nanometres, ten-thousandths of a degree, or the number itself.
+    Value(i64),
 }
 
 /// What a parameter may be; the bounds are allowed.
@@ -39,9 +63,22 @@ pub enum Range {
     },
     /// One of a few numbers.
     OneOf(&'static [i64]),
-    /// The number of a tool, 0 to 99999, or 0 for none.
+    /// A number without a unit, at most so much either way.
+    Number {
+        /// The most either way.
+        most: u16,
+    },
+    /// A tool by number, 0 to 99999.9 with 0 for none, or by name, at most 255 characters.
     Tool,
+    /// A tolerance band as QS400 has it, or none.
+    Band,
 }
+
+/// The highest number of a tool; the digit behind the point is its index.
+const HIGHEST_TOOL: f64 = 99_999.9;
+
+/// The most characters of a text parameter.
+const LONGEST_TEXT: usize = 255;
 
 /// What is allowed, as the second half of a range error.
 impl fmt::Display for Range {
@@ -51,7 +88,9 @@ impl fmt::Display for Range {
             Self::Angle { most, smallest } if *smallest == Angle::default() => write!(f, "at most {most} either way"),
             Self::Angle { most, smallest } => write!(f, "at least {smallest} in size, at most {most}"),
             Self::OneOf(allowed) => write!(f, "not one of {}", listed(allowed)),
-            Self::Tool => f.write_str("a tool number is 0 to 99999"),
+            Self::Number { most } => write!(f, "a number, at most {most} either way"),
+            Self::Tool => f.write_str("a tool is a number from 0 to 99999.9 or a name of at most 255 characters"),
+            Self::Band => f.write_str("a tolerance is written as 0.4-0.1, 0.4 or -0.1, and 0 is none"),
         }
     }
 }
@@ -67,7 +106,35 @@ impl Say for Range {
                 Message::new("cycle-angle-size-range").text("smallest", smallest).text("most", most)
             }
             Self::OneOf(allowed) => Message::new("cycle-one-of").text("allowed", listed(allowed)),
+            Self::Number { most } => Message::new("cycle-number-range").text("most", most),
             Self::Tool => Message::new("cycle-tool-range"),
+            Self::Band => Message::new("cycle-band-range"),
+        }
+    }
+}
+
+impl Range {
+    /// The unit of the value, where it has one.
+    pub const fn unit(&self) -> Option<&'static str> {
+        match self {
+            Self::Length { .. } | Self::Band => Some("mm"),
+            Self::Angle { .. } => Some("°"),
+            Self::OneOf(_) | Self::Number { .. } | Self::Tool => None,
+        }
+    }
+
+    /// The range as a table shows it: `-99999.9999 … 99999.9999`, `0, 1, 2`.
+    pub fn short(&self) -> String {
+        match self {
+            Self::Length { least, most } => format!("{least} … {most}"),
+            Self::Angle { most, smallest } => {
+                let [most, smallest] = [most, smallest].map(|angle| angle.to_string().trim_end_matches('°').to_owned());
+                if smallest == "0" { format!("-{most} … {most}") } else { format!("±{smallest} … ±{most}") }
+            }
+            Self::OneOf(allowed) => listed(allowed),
+            Self::Number { most } => format!("-{most} … {most}"),
+            Self::Tool => format!("0 … {HIGHEST_TOOL}, or at most {LONGEST_TEXT} characters"),
+            Self::Band => "0.4-0.1, 0.4, -0.1 or nothing".to_owned(),
         }
     }
 }
@@ -77,54 +144,126 @@ fn listed(numbers: &[i64]) -> String {
 }
 
 impl Parameter {
+    /// A parameter that must be given.
+    pub const fn new(key: Key, name: &'static str, range: Range) -> Self {
+        Self {
+            key,
+            name,
+            names: &[],
+            questions: &[],
+            range,
+            unset: Unset::Refused,
+            may_be_predef: false,
+            has_effect: true,
+        }
+    }
+
     /// A length within the control's ±99999.9999 mm.
-    pub const fn coordinate(q: u16, name: &'static str) -> Self {
+    pub const fn coordinate(key: Key, name: &'static str) -> Self {
         let most = Length::constant(99_999_999_900);
-        Self { q, name, range: Range::Length { least: most.negated(), most }, default: None }
+        Self::new(key, name, Range::Length { least: most.negated(), most })
     }
 
     /// A length from 0 to 99999.9999 mm.
-    pub const fn size(q: u16, name: &'static str) -> Self {
+    pub const fn size(key: Key, name: &'static str) -> Self {
         let most = Length::constant(99_999_999_900);
-        Self { q, name, range: Range::Length { least: Length::ZERO, most }, default: None }
+        Self::new(key, name, Range::Length { least: Length::ZERO, most })
     }
 
     /// One of a few numbers.
-    pub const fn choice(q: u16, name: &'static str, of: &'static [i64]) -> Self {
-        Self { q, name, range: Range::OneOf(of), default: None }
+    pub const fn choice(key: Key, name: &'static str, of: &'static [i64]) -> Self {
+        Self::new(key, name, Range::OneOf(of))
     }
 
-    /// An angle.
-    pub const fn angle(q: u16, name: &'static str, most: i32, smallest: i32) -> Self {
+    /// An angle in degrees, at most so many either way and at least so many in size.
+    pub const fn angle(key: Key, name: &'static str, most: i32, smallest: i32) -> Self {
         let range = Range::Angle { most: Angle::from_degrees(most), smallest: Angle::from_degrees(smallest) };
-        Self { q, name, range, default: None }
+        Self::new(key, name, range)
     }
 
     /// The same with a default: nanometres, ten-thousandths of a degree, or the number itself.
     #[must_use]
     pub const fn or(mut self, default: i64) -> Self {
-        self.default = Some(default);
+        self.unset = Unset::Value(default);
         self
     }
 
-    pub(super) fn default_value(&self) -> Option<Value> {
-        let default = self.default?;
+    /// The same, but it may be left out.
+    #[must_use]
+    pub const fn or_nothing(mut self) -> Self {
+        self.unset = Unset::Empty;
+        self
+    }
+
+    /// The same with the control's names in other languages.
+    #[must_use]
+    pub const fn named(mut self, names: Texts) -> Self {
+        self.names = names;
+        self
+    }
+
+    /// The same with the control's questions.
+    #[must_use]
+    pub const fn asked(mut self, questions: Texts) -> Self {
+        self.questions = questions;
+        self
+    }
+
+    /// The same with PREDEF allowed.
+    #[must_use]
+    pub const fn or_predef(mut self) -> Self {
+        self.may_be_predef = true;
+        self
+    }
+
+    /// The same, but accepted and kept only.
+    #[must_use]
+    pub const fn without_effect(mut self) -> Self {
+        self.has_effect = false;
+        self
+    }
+
+    /// The name in a dialogue language; English where the language has none.
+    pub fn name_in(&self, language: Language) -> &'static str {
+        in_language(self.names, language).unwrap_or(self.name)
+    }
+
+    /// The control's question in a dialogue language; else in English, else the name.
+    pub fn question(&self, language: Language) -> &'static str {
+        in_language(self.questions, language)
+            .or_else(|| in_language(self.questions, Language::En))
+            .unwrap_or_else(|| self.name_in(language))
+    }
+
+    /// The value that counts when none is given.
+    pub fn default_value(&self) -> Option<Value> {
+        let Unset::Value(default) = self.unset else { return None };
         Some(match self.range {
             Range::Length { .. } => Value::Length(Length::from_nanometres(default).ok()?),
             Range::Angle { .. } => Value::Angle(Angle(default)),
-            Range::OneOf(_) | Range::Tool => Value::Whole(default),
+            Range::OneOf(_) => Value::Whole(default),
+            Range::Number { .. } | Range::Tool => Value::Number(f64::from(i32::try_from(default).ok()?)),
+            Range::Band => Value::Band(None),
         })
     }
 
     /// Whether a value is one that this parameter may have.
-    pub fn allows(&self, value: Value) -> bool {
+    pub fn allows(&self, value: &Value) -> bool {
         match (self.range, value) {
-            (Range::Length { least, most }, Value::Length(length)) => least <= length && length <= most,
+            (_, Value::Predef) => self.may_be_predef,
+            (Range::Length { least, most }, Value::Length(length)) => least <= *length && *length <= most,
             (Range::Angle { most, smallest }, Value::Angle(angle)) => {
                 smallest.0 <= angle.0.saturating_abs() && angle.0.saturating_abs() <= most.0
             }
-            (Range::OneOf(allowed), Value::Whole(whole)) => allowed.contains(&whole),
-            (Range::Tool, Value::Whole(whole)) => (0..=99_999).contains(&whole),
+            (Range::OneOf(allowed), Value::Whole(whole)) => allowed.contains(whole),
+            // NaN is in no range.
+            (Range::Number { most }, Value::Number(number)) => number.abs() <= f64::from(most),
+            (Range::Tool, Value::Number(number)) => {
+                let decimals = number.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len());
+                (0.0..=HIGHEST_TOOL).contains(number) && decimals <= 1
+            }
+            (Range::Tool, Value::Text(name)) => !name.is_empty() && name.chars().count() <= LONGEST_TEXT,
+            (Range::Band, Value::Band(_)) => true,
             _ => false,
         }
     }
@@ -132,18 +271,27 @@ impl Parameter {
     /// Reads a value as people type it; the range is checked when the cycle runs.
     ///
     /// # Errors
-    /// [`CycleError::NotAValue`] for a text that is no number of the declared kind.
+    /// [`CycleError::NotAValue`] for a text that is no value of the declared kind.
     pub fn read(&self, text: &str) -> Result<Value, CycleError> {
+        if self.may_be_predef && text.trim().eq_ignore_ascii_case(PREDEF) {
+            return Ok(Value::Predef);
+        }
         let read = match self.range {
-            Range::Length { .. } => text.parse().map(Value::Length),
-            Range::Angle { .. } => text.parse().map(Value::Angle),
-            Range::OneOf(_) | Range::Tool => text
-                .trim()
-                .parse()
-                .map(Value::Whole)
-                .map_err(|_whole| LengthError::NotANumber { text: text.trim().to_owned() }),
+            Range::Length { .. } => text.parse().map(Value::Length).map_err(|error: LengthError| Reason::of(&error)),
+            Range::Angle { .. } => text.parse().map(Value::Angle).map_err(|error: LengthError| Reason::of(&error)),
+            Range::OneOf(_) => {
+                let whole = text.trim().parse().map(Value::Whole);
+                whole.map_err(|_whole| Reason::of(&no_number(text)))
+            }
+            Range::Number { .. } => number(text).map(Value::Number).ok_or_else(|| Reason::of(&no_number(text))),
+            Range::Tool if text.trim().is_empty() => Err(Reason::of(&LengthError::Empty)),
+            Range::Tool => {
+                let name = || Value::Text(text.trim().to_owned());
+                Ok(number(text).map_or_else(name, Value::Number))
+            }
+            Range::Band => qs400(text).map(Value::Band).map_err(|error| Reason::of(&error)),
         };
-        read.map_err(|error| CycleError::NotAValue { q: self.q, name: self.name, error })
+        read.map_err(|error| CycleError::NotAValue { key: self.key, name: self.name, error })
     }
 
     /// Reads a value and holds it against the range.
@@ -152,11 +300,28 @@ impl Parameter {
     /// [`CycleError::NotAValue`] or [`CycleError::OutOfRange`].
     pub fn accept(&self, text: &str) -> Result<Value, CycleError> {
         let value = self.read(text)?;
-        if self.allows(value) { Ok(value) } else { Err(self.out_of_range(value)) }
+        if self.allows(&value) { Ok(value) } else { Err(self.out_of_range(&value)) }
     }
 
     /// The error for a value outside the range.
-    pub(super) fn out_of_range(&self, value: Value) -> CycleError {
-        CycleError::OutOfRange { q: self.q, name: self.name, given: value.with_unit(), range: self.range }
+    pub(super) fn out_of_range(&self, value: &Value) -> CycleError {
+        CycleError::OutOfRange { key: self.key, name: self.name, given: value.with_unit(), range: self.range }
     }
+}
+
+fn in_language(texts: Texts, language: Language) -> Option<&'static str> {
+    texts.iter().find(|(known, _)| *known == language).map(|(_, text)| *text)
+}
+
+fn no_number(text: &str) -> LengthError {
+    let text = text.trim();
+    if text.is_empty() { LengthError::Empty } else { LengthError::NotANumber { text: text.to_owned() } }
+}
+
+/// A finite decimal number with point or comma. Words such as `nan` and `inf` are none.
+fn number(text: &str) -> Option<f64> {
+    let plain = text.trim().replace(',', ".").replace('\u{2212}', "-");
+    let begins = plain.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    let figures = plain.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
+    if begins && figures { plain.parse().ok().filter(|number: &f64| number.is_finite()) } else { None }
 }

@@ -1,10 +1,10 @@
-//! Values of parameters: lengths, angles, whole numbers.
+//! Values of parameters and results: lengths, angles, numbers, texts.
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::str::FromStr;
 
 use crate::length::{Length, LengthError};
+use crate::tolerance::Deviations;
 
 /// A quarter turn in ten-thousandths of a degree.
 pub(in crate::probing) const QUARTER_TURN: i64 = 900_000;
@@ -45,6 +45,15 @@ impl Angle {
             _ => [sin, -cos],
         }
     }
+
+    /// Degrees as a float, for output.
+    pub fn to_degrees_f64(self) -> f64 {
+        self.as_length().to_mm_f64()
+    }
+
+    fn as_length(self) -> Length {
+        Length::from_nanometres(self.0.saturating_mul(100)).unwrap_or(Length::MAX)
+    }
 }
 
 impl FromStr for Angle {
@@ -69,20 +78,27 @@ impl FromStr for Angle {
 /// Degrees with only the decimals they have.
 impl fmt::Display for Angle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let degrees = Length::from_nanometres(self.0.saturating_mul(100)).unwrap_or(Length::MAX);
-        write!(f, "{degrees}°")
+        write!(f, "{}°", self.as_length())
     }
 }
 
-/// The value of a parameter.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The value of a parameter or a result.
+#[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// Millimetres.
     Length(Length),
     /// Degrees.
     Angle(Angle),
-    /// A choice or a tool's number.
+    /// A choice or a marker.
     Whole(i64),
+    /// A number without a unit: a component of a normal, the number of a tool.
+    Number(f64),
+    /// A text: the name of a tool.
+    Text(String),
+    /// A tolerance band about a nominal coordinate (QS400); `None` for no tolerance.
+    Band(Option<Deviations>),
+    /// The word PREDEF: the value that GLOBAL DEF has given.
+    Predef,
 }
 
 impl fmt::Display for Value {
@@ -91,60 +107,35 @@ impl fmt::Display for Value {
             Self::Length(length) => length.fmt(f),
             Self::Angle(angle) => angle.fmt(f),
             Self::Whole(whole) => whole.fmt(f),
+            Self::Number(number) => number.fmt(f),
+            Self::Text(text) => f.pad(text),
+            Self::Band(band) => f.pad(&band.as_ref().map(band_text).unwrap_or_default()),
+            Self::Predef => f.pad(PREDEF),
         }
+    }
+}
+
+/// The word that stands for the value of GLOBAL DEF.
+pub(super) const PREDEF: &str = "PREDEF";
+
+/// A band as QS400 has it: `0.4-0.1`, `0.4`, `-0.1`.
+fn band_text(band: &Deviations) -> String {
+    let (upper, lower) = (band.upper(), band.lower());
+    let plus = if Length::ZERO <= lower { "+" } else { "" };
+    match (upper == Length::ZERO, lower == Length::ZERO) {
+        (_, true) => upper.to_string(),
+        (true, _) => lower.to_string(),
+        _ => format!("{upper}{plus}{lower}"),
     }
 }
 
 impl Value {
     /// The value with its unit, for errors.
-    pub(super) fn with_unit(self) -> String {
+    pub fn with_unit(&self) -> String {
         match self {
             Self::Length(length) => format!("{length} mm"),
-            Self::Angle(_) | Self::Whole(_) => self.to_string(),
+            Self::Band(None) => "no tolerance".to_owned(),
+            _ => self.to_string(),
         }
-    }
-}
-
-/// The values that a cycle is run with, by Q number.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Inputs {
-    pub(super) given: BTreeMap<u16, Value>,
-    pub(super) defaults: BTreeMap<u16, Value>,
-}
-
-impl Inputs {
-    /// Nothing given.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Gives a parameter a value; it is checked when the cycle runs.
-    #[must_use]
-    pub fn with(mut self, q: u16, value: Value) -> Self {
-        self.given.insert(q, value);
-        self
-    }
-
-    /// The value that was given, or the default that [`Cycle::checked`] has put in.
-    pub(in crate::probing) fn value(&self, q: u16) -> Option<Value> {
-        self.given.get(&q).or_else(|| self.defaults.get(&q)).copied()
-    }
-
-    /// Whether a value was given, so that no default is taken.
-    pub(in crate::probing) fn is_given(&self, q: u16) -> bool {
-        self.given.contains_key(&q)
-    }
-
-    /// A length that [`Cycle::checked`] has put in.
-    pub(in crate::probing) fn length(&self, q: u16) -> Length {
-        if let Some(Value::Length(length)) = self.value(q) { length } else { Length::ZERO }
-    }
-
-    pub(in crate::probing) fn angle(&self, q: u16) -> Angle {
-        if let Some(Value::Angle(angle)) = self.value(q) { angle } else { Angle::default() }
-    }
-
-    pub(in crate::probing) fn whole(&self, q: u16) -> i64 {
-        if let Some(Value::Whole(whole)) = self.value(q) { whole } else { 0 }
     }
 }

@@ -1,18 +1,27 @@
 //! Cycle 422, measure circle outside: limits in Q277 and Q278.
 
-use super::circle_cycle::{Side, parameters, run};
+use super::circle_cycle::{Side, nominal, parameters, run};
 use crate::probing::cycle::{Cycle, Parameter};
 use crate::tolerance::Feature;
-use crate::words::Language;
+use crate::words::Language::{En, Nl};
 
-const SIDE: Side = Side { feature: Feature::Shaft, maximum: 277, minimum: 278 };
+const SIDE: Side = Side {
+    feature: Feature::Shaft,
+    maximum: 277,
+    maximum_question: &[(En, "Maximum limit of size for stud?")],
+    minimum: 278,
+    minimum_question: &[(En, "Minimum limit of size for stud?")],
+    log: "TCHPR422.TXT",
+};
 
 /// The declaration. The Dutch name is that of seed `000_2e707c2d138629e0.txt`.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 422,
-    names: &[(Language::En, "MEAS. CIRCLE OUTSIDE"), (Language::Nl, "MET. CIRKEL BUITEN")],
+    code: "422",
+    names: &[(En, "MEAS. CIRCLE OUTSIDE"), (Nl, "MET. CIRKEL BUITEN")],
     parameters: &PARAMETERS,
-    run: |inputs, prober| run(&SIDE, inputs, prober),
+    run: |inputs, course| run(&SIDE, inputs, course),
+    nominal: |inputs| nominal(&SIDE, inputs),
 };
 
-const PARAMETERS: [Parameter; 18] = parameters(&SIDE);
+const PARAMETERS: [Parameter; 20] = parameters(&SIDE);

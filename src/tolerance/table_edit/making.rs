@@ -28,19 +28,7 @@ pub enum MakeError {
         /// What was given.
         to: Length,
     },
-    /// A size range in which a class has more than one value.
-    #[error("{class} changes at {at} mm, within the size range over {over} up to {to} mm: end a size range there")]
-    Changes {
-        /// The class.
-        class: ToleranceClass,
-        /// The size range: above this,
-        over: Length,
-        /// up to and including this.
-        to: Length,
-        /// Where it changes.
-        at: Length,
-    },
-    /// A class that is defined for none of the sizes, or not for the whole of any size range.
+    /// A class that is defined for none of the sizes.
     #[error("{0}")]
     Undefined(Undefined),
     /// A class is named twice, or sizes do not ascend.
@@ -56,9 +44,6 @@ impl Say for MakeError {
                 Message::new("make-both-features").text("hole", hole).text("shaft", shaft)
             }
             Self::LastSize { to } => signed_mm(Message::new("make-last-size"), "to-sign", "to", *to),
-            Self::Changes { class, over, to, at } => {
-                Message::new("make-changes").text("class", class).mm("at", *at).mm("over", *over).mm("to", *to)
-            }
             Self::Undefined(error) => error.message(),
             Self::Shape(error) => error.message(),
         }
@@ -96,11 +81,13 @@ pub fn standard_table(
     table_of_standard(name, classes, ends, options)
 }
 
-/// The same for given ends of size ranges, ascending. A cell is empty where the standard does not define the class in
-/// the whole range.
+/// The same for given ends of size ranges, ascending; cells are empty as [`standard_column`] says, and [`compare`] names
+/// those that hide something.
 ///
 /// # Errors
-/// [`MakeError`] names the class or the size that cannot be; a class that changes within a range is one of these.
+/// [`MakeError`] names the class or the size that cannot be.
+///
+/// [`compare`]: crate::tolerance::compare::compare
 pub fn table_of_standard(
     name: &str,
     classes: &[ToleranceClass],
@@ -116,8 +103,8 @@ pub fn table_of_standard(
     let columns: Vec<Column> = classes.iter().map(|class| standard_column(*class, &ends, options)).collect();
     let table = DeviationTable::new(name, false, ends, columns)?;
     check_last(table.last_end())?;
-    for &class in classes {
-        check_class(class, &table, options)?;
+    for empty in table.columns().iter().filter(|column| column.cells.iter().all(Option::is_none)) {
+        iso286::deviations(empty.class, table.last_end(), options).map_err(MakeError::Undefined)?;
     }
     Ok(table)
 }
@@ -125,37 +112,6 @@ pub fn table_of_standard(
 fn check_last(to: Length) -> Result<(), MakeError> {
     let largest = iso286::step_ends().last().unwrap_or_default();
     if to <= Length::ZERO || largest < to { Err(MakeError::LastSize { to }) } else { Ok(()) }
-}
-
-/// A column must hold something, and an empty cell must not hide that the class has several values there.
-fn check_class(class: ToleranceClass, table: &DeviationTable, options: iso286::Options) -> Result<(), MakeError> {
-    // The whole table may be no place for the class: that is the better reason.
-    let last = iso286::deviations(class, table.last_end(), options).err();
-    let mut refused = last;
-    let mut is_empty = true;
-    for (over, to) in ranges(table.ends()) {
-        let mut before: Option<(Length, Deviations)> = None;
-        let mut is_whole = true;
-        for end in steps(over, to) {
-            match iso286::deviations(class, end, options) {
-                Ok(cell) => match before {
-                    Some((at, value)) if value != cell.deviations => {
-                        return Err(MakeError::Changes { class, over, to, at });
-                    }
-                    _ => before = Some((end, cell.deviations)),
-                },
-                Err(undefined) => {
-                    is_whole = false;
-                    refused.get_or_insert(undefined);
-                }
-            }
-        }
-        is_empty &= !(is_whole && before.is_some());
-    }
-    match refused {
-        Some(undefined) if is_empty => Err(MakeError::Undefined(undefined)),
-        _ => Ok(()),
-    }
 }
 
 /// Above and up to, for ends of size ranges.
@@ -226,36 +182,23 @@ mod tests {
     }
 
     #[test]
-    fn given_ranges_are_refused_where_they_would_leave_a_class_without_a_word() {
-        use crate::words::{Language, Words};
+    fn given_ranges_end_with_the_standard_and_leave_a_cell_empty_that_has_no_one_value() {
         let made = |text: &str, ends: &str| {
             let ends = ends.split(' ').map(|end| end.parse().unwrap()).collect();
             table_of_standard("own.tab", &classes(text), ends, iso286::Options::default())
         };
-        for (text, ends, expected) in [
-            ("R6", "50 80", "R6 changes at 3 mm, within the size range over 0 up to 50 mm: end a size range there"),
-            (
-                "H7 R6",
-                "3 6 10 18 30 50 80",
-                "R6 changes at 65 mm, within the size range over 50 up to 80 mm: end a size range there",
-            ),
-            // Over 24 it is defined, and changes at 30 mm.
-            ("T7", "40", "T7 changes at 30 mm, within the size range over 0 up to 40 mm: end a size range there"),
-            // Not defined up to 1 mm, so there is no value for all of the range.
-            ("A11", "3", "A11 is not defined at 1 mm in ISO 286; it is defined over 1 up to 500 mm"),
-            ("H7", "3 3150.000001", "the last size is 3150.000001 mm: it must be above 0 and at most 3150 mm"),
-            ("H7", "0 3", "size range up to 0 mm does not end above the one before it, 0 mm"),
-        ] {
-            let error = made(text, ends).unwrap_err();
-            assert_eq!(error.to_string(), expected);
-            assert_eq!(Words::new(Language::En).told(&error), expected);
-            assert_ne!(Words::new(Language::Nl).told(&error), expected);
-        }
+        let refused = |text: &str, ends: &str| made(text, ends).unwrap_err().to_string();
+        let why = "the last size is 3150.000001 mm: it must be above 0 and at most 3150 mm";
+        assert_eq!(refused("H7", "3 3150.000001"), why);
+        assert_eq!(refused("H7", "0 3"), "size range up to 0 mm does not end above the one before it, 0 mm");
+        let why = "T6 is not defined at 20 mm in ISO 286; it is defined over 24 up to 3150 mm";
+        assert_eq!(refused("R6 T6", "20"), why, "R6 is defined and merely has no one value");
         let cells = |text: &str, ends: &str| -> Vec<_> {
             made(text, ends).unwrap().columns()[0].cells.iter().map(Option::is_some).collect()
         };
+        assert_eq!(cells("H7", "0.5 1 2.5 3"), [true; 4]);
         assert_eq!(cells("A11", "1 3"), [false, true]);
         assert_eq!(cells("A11", "3 6"), [false, true], "not for the whole of the first range");
-        assert_eq!(cells("H7", "0.5 1 2.5 3"), [true; 4]);
+        assert_eq!(cells("R6", "3 50 80"), [true, false, false], "more than one value");
     }
 }

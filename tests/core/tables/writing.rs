@@ -29,7 +29,7 @@ fn reading_writing_and_reading_again_gives_the_same_table() {
         }
         count += 1;
     }
-    assert_eq!(count, 8);
+    assert_eq!(count, 9);
 }
 
 #[test]

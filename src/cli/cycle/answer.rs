@@ -1,0 +1,179 @@
+//! What a cycle found, for programs: JSON and CSV.
+
+use serde::Serialize;
+use serde_json::{Map, Value as Json, json};
+
+use super::super::limits::csv_error;
+use super::{CliError, Io, Run, Source};
+use crate::length::Length;
+use crate::probing::circle::{Evaluation, evaluate};
+use crate::probing::cycle::{Check, LogTarget, Move, Value};
+use crate::words::Language;
+
+/// The evaluation of a circle's contacts; `None` for cycles without a circle.
+pub(super) fn evaluation(run: &Run<'_>) -> Option<Evaluation> {
+    run.result.circle.as_ref()?;
+    evaluate(&run.result.plane_contacts()).ok()
+}
+
+/// What the contacts cannot tell.
+pub(super) fn warnings(run: &Run<'_>) -> Vec<String> {
+    evaluation(run).into_iter().flat_map(|found| found.warnings).map(|warning| warning.to_string()).collect()
+}
+
+/// The answer; the names are a contract.
+#[derive(Debug, Serialize)]
+struct Answer<'a> {
+    cycle: &'a str,
+    name: &'a str,
+    source: Json,
+    probe: Json,
+    inputs: Map<String, Json>,
+    contacts: &'a [crate::probing::Contact],
+    circle: Option<Json>,
+    results: Vec<Json>,
+    checks: Vec<Json>,
+    status: Option<&'a str>,
+    stop: Option<String>,
+    log: Option<&'a str>,
+    remarks: Vec<String>,
+    warnings: Vec<String>,
+    path: Vec<Json>,
+}
+
+pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
+    let result = run.result;
+    let answer = Answer {
+        cycle: run.cycle.code,
+        name: run.cycle.name(Language::En),
+        source: source(run),
+        probe: probe(run),
+        inputs: inputs(run),
+        contacts: &result.contacts,
+        circle: circle(run),
+        results: result
+            .results
+            .iter()
+            .map(|found| json!({"key": found.key.to_string(), "name": found.name.to_string(), "value": value(&found.value)}))
+            .collect(),
+        checks: result.checks.iter().map(check).collect(),
+        status: result.status.map(crate::verdict::Status::word),
+        stop: result.stop.as_ref().map(ToString::to_string),
+        log: match result.log {
+            LogTarget::None => None,
+            LogTarget::File(name) => Some(name),
+            LogTarget::Screen | LogTarget::Shown => Some("screen"),
+        },
+        remarks: result.remarks.iter().map(ToString::to_string).collect(),
+        warnings: warnings(run),
+        path: result.path.iter().map(step).collect(),
+    };
+    let text = serde_json::to_string_pretty(&answer).map_err(|error| CliError::Data(error.to_string()))?;
+    writeln!(io.out, "{text}")?;
+    Ok(())
+}
+
+/// A length has at most 16 figures and none finer than a nanometre: its nearest float prints the same.
+fn mm(length: Length) -> f64 {
+    length.to_mm_f64()
+}
+
+fn value(value: &Value) -> Json {
+    match value {
+        Value::Length(length) => json!(mm(*length)),
+        Value::Angle(angle) => json!(angle.to_degrees_f64()),
+        Value::Whole(whole) => json!(whole),
+        Value::Number(number) => json!(number),
+        Value::Text(_) | Value::Band(_) | Value::Predef => json!(value.to_string()),
+    }
+}
+
+fn inputs(run: &Run<'_>) -> Map<String, Json> {
+    let given = run.cycle.parameters.iter().filter_map(|parameter| {
+        let given = run.result.inputs.value(parameter.key)?;
+        Some((parameter.key.to_string(), value(given)))
+    });
+    given.collect()
+}
+
+fn source(run: &Run<'_>) -> Json {
+    match run.source {
+        Source::Perfect => json!({"kind": "perfect"}),
+        Source::Workpiece { file, bench } => json!({
+            "kind": "simulated", "file": file, "seed": bench.seed, "temperature_c": bench.temperature,
+        }),
+        Source::Contacts { file, .. } => json!({"kind": "contacts", "file": file}),
+    }
+}
+
+fn probe(run: &Run<'_>) -> Json {
+    let probe = run.result.inputs.probe();
+    json!({
+        "number": probe.number,
+        "ball_radius_mm": run.ball_radius,
+        "set_up_mm": mm(probe.set_up),
+        "dist_mm": mm(probe.longest_path),
+        "cal_of_mm": probe.offset.map(mm),
+        "f_mm_min": probe.feed,
+        "fmax_mm_min": probe.rapid,
+    })
+}
+
+fn circle(run: &Run<'_>) -> Option<Json> {
+    let found = run.result.circle.as_ref()?;
+    let evaluation = evaluation(run);
+    let [axis_1, axis_2] = found.position.axes;
+    Some(json!({
+        "plane": found.plane,
+        "centre_mm": found.centre.map(mm),
+        "diameter_mm": mm(found.diameter),
+        "centre_deviation_mm": [mm(axis_1.deviation), mm(axis_2.deviation)],
+        "is_in_position": found.position.is_monitored().then(|| !found.position.is_out()),
+        "residuals_mm": evaluation.as_ref().map(|evaluation| &evaluation.residuals),
+        "arc_deg": evaluation.as_ref().map(|evaluation| evaluation.arc_deg),
+        "uncertainty": evaluation.as_ref().map(|evaluation| evaluation.uncertainty),
+    }))
+}
+
+fn check(check: &Check) -> Json {
+    json!({
+        "what": check.what.to_string(),
+        "measured_mm": mm(check.measured),
+        "minimum_mm": mm(check.minimum),
+        "maximum_mm": mm(check.maximum),
+        "status": check.status.word(),
+    })
+}
+
+fn step(step: &Move) -> Json {
+    json!({"phase": step.phase.word(), "touch": step.touch, "from": step.from, "to": step.to, "about": step.about})
+}
+
+pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
+    let mut writer = csv::Writer::from_writer(&mut *io.out);
+    writer.write_record(["key", "name", "value", "unit"]).map_err(csv_error)?;
+    for found in &run.result.results {
+        let unit = if matches!(found.value, Value::Length(_)) { "mm" } else { "" };
+        let (key, name, value) = (found.key.to_string(), found.name.to_string(), found.value.to_string());
+        writer.write_record([key.as_str(), &name, &value, unit]).map_err(csv_error)?;
+    }
+    let status = run.result.status.map_or("", crate::verdict::Status::word);
+    writer.write_record(["status", "status", status, ""]).map_err(csv_error)?;
+    writer.flush()?;
+    Ok(())
+}
+
+pub(super) fn print_path_csv(path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
+    let mut writer = csv::Writer::from_writer(&mut *io.out);
+    let names = ["step", "phase", "touch", "from_x", "from_y", "from_z", "to_x", "to_y", "to_z"];
+    writer.write_record(names).map_err(csv_error)?;
+    for (number, step) in (1_usize..).zip(path) {
+        let places = step.from.iter().chain(&step.to).map(ToString::to_string);
+        let touch = step.touch.map(|touch| touch.to_string()).unwrap_or_default();
+        let row: Vec<String> =
+            [number.to_string(), step.phase.word().to_owned(), touch].into_iter().chain(places).collect();
+        writer.write_record(&row).map_err(csv_error)?;
+    }
+    writer.flush()?;
+    Ok(())
+}

@@ -1,0 +1,77 @@
+//! `fitcheck cycle 427 --list`: the declaration of a cycle.
+
+use serde::Serialize;
+
+use super::super::limits::csv_error;
+use super::{CliError, Format, Io};
+use crate::probing::cycle::{Cycle, Parameter, Unset};
+use crate::words::Language;
+
+/// One parameter; the names are a contract.
+#[derive(Debug, Serialize)]
+struct Row {
+    key: String,
+    name: &'static str,
+    question: &'static str,
+    unit: Option<&'static str>,
+    range: String,
+    default: Option<String>,
+    required: bool,
+    predef: bool,
+    effect: bool,
+}
+
+impl Row {
+    fn of(parameter: &Parameter, language: Language) -> Self {
+        Self {
+            key: parameter.key.to_string(),
+            name: parameter.name_in(language),
+            question: parameter.question(language),
+            unit: parameter.range.unit(),
+            range: parameter.range.short(),
+            default: parameter.default_value().map(|value| value.to_string()),
+            required: parameter.unset == Unset::Refused,
+            predef: parameter.may_be_predef,
+            effect: parameter.has_effect,
+        }
+    }
+
+    /// What counts when it is not given.
+    fn unset(&self) -> &str {
+        match &self.default {
+            Some(default) => default,
+            None if self.required => "required",
+            None => "may be left out",
+        }
+    }
+}
+
+pub(super) fn print(cycle: &Cycle, language: Language, format: Format, io: &mut Io<'_>) -> Result<(), CliError> {
+    let rows: Vec<_> = cycle.parameters.iter().map(|parameter| Row::of(parameter, language)).collect();
+    match format {
+        Format::Json => {
+            let text = serde_json::to_string_pretty(&rows).map_err(|error| CliError::Data(error.to_string()))?;
+            writeln!(io.out, "{text}")?;
+        }
+        Format::Csv => {
+            let mut writer = csv::Writer::from_writer(&mut *io.out);
+            for row in &rows {
+                writer.serialize(row).map_err(csv_error)?;
+            }
+            writer.flush()?;
+        }
+        Format::Text => {
+            writeln!(io.out, "{} {}", cycle.code, cycle.name(language))?;
+            let width = rows.iter().map(|row| row.question.chars().count()).max().unwrap_or_default();
+            for row in &rows {
+                let unit = row.unit.unwrap_or_default();
+                let predef = if row.predef { ", or PREDEF" } else { "" };
+                let effect = if row.effect { "" } else { "   no effect" };
+                let (key, question, range, unset) = (&row.key, row.question, &row.range, row.unset());
+                let line = format!("  {key:<6} {question:<width$}  {unset:<16} {range} {unit}");
+                writeln!(io.out, "{}{predef}{effect}", line.trim_end())?;
+            }
+        }
+    }
+    Ok(())
+}

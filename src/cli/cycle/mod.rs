@@ -1,0 +1,291 @@
+//! `fitcheck cycle`: one measuring cycle on a simulated workpiece or on recorded contacts.
+//!
+//! | file | what |
+//! |---|---|
+//! | `list` | the declaration of a cycle |
+//! | `answer` | what the cycle found, for programs |
+//! | `text` | the same for people |
+
+mod answer;
+mod list;
+mod text;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use clap::builder::PossibleValuesParser;
+
+use super::{CliError, Format, Io, Outcome, read_input};
+use crate::control::probe_table::ProbeTable;
+use crate::control::text::decode;
+use crate::exchange::contacts;
+use crate::length::Length;
+use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase};
+use crate::probing::cycles::{CYCLES, cycle_named};
+use crate::probing::simulated::Bench;
+use crate::probing::{Prober, Recorded, TouchProbe};
+use crate::words::Language;
+
+const EXAMPLES: &str = "\
+Examples:
+  fitcheck cycle 427 --list                                    the parameters, their ranges and defaults
+  fitcheck cycle 421 --set Q273=50 Q274=50 Q262=25 Q275=25.021 Q276=25
+  fitcheck cycle 427 --inputs block.json --workpiece face.toml --format json
+  fitcheck cycle 444 --set Q263=0 Q264=0 Q294=0 Q581=0 Q582=0 Q583=1 QS400=0.4-0.1 --path
+  fitcheck cycle G785 --set K=2 RC=60 --contacts bore.csv
+
+Inputs are a JSON object such as {\"Q263\": 35, \"QS400\": \"0.4-0.1\"}; --set comes after it. Without
+--workpiece and --contacts a perfect workpiece at nominal is measured.
+
+A workpiece is a TOML file with exactly one of [bore], [stud], [face], [point], and perhaps [probe],
+seed, temperature, expansion (millionths per kelvin); lengths in mm, angles in degrees:
+  [bore] [stud]  centre = [x, y], diameter, plane (\"XY\", \"ZX\", \"YZ\"), ovality and lobes =
+                 { count, amplitude, angle }, surface_scatter
+  [face]         point = [x, y, z], normal, wave = { amplitude, length, direction }, surface_scatter
+  [point]        point, normal, deviation, radius, surface_scatter
+  [probe]        ball_radius, trigger_scatter, calibration_error, offset = [x, y],
+                 lobing = { count, amplitude, angle }
+
+JSON: cycle, name, source, probe, inputs, contacts, circle, results, checks, status, stop, log,
+remarks, warnings, path. CSV: key, name, value, unit of every result; with --path the moves instead.
+
+Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage.";
+
+/// Run a measuring cycle: 421, 422, 427, 444 or G785
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    /// The cycle: 421, 422, 427, 444, G785
+    #[arg(value_name = "CYCLE", value_parser = known)]
+    cycle: &'static Cycle,
+    /// Parameters such as Q263=35, QS400=0.4-0.1 or BR=1
+    #[arg(long = "set", value_name = "NAME=VALUE", num_args = 1..)]
+    settings: Vec<String>,
+    /// What PREDEF stands for, as GLOBAL DEF gives it, such as Q320=2
+    #[arg(long = "predef", value_name = "NAME=VALUE", num_args = 1..)]
+    globals: Vec<String>,
+    /// Parameters as a JSON object; - reads standard input
+    #[arg(long, value_name = "FILE.json")]
+    inputs: Option<PathBuf>,
+    /// The simulated workpiece and probe
+    #[arg(long, value_name = "FILE.toml", conflicts_with = "contacts")]
+    workpiece: Option<PathBuf>,
+    /// Recorded contacts in probing order: x, y, z in mm, points of the surface; - reads standard input
+    #[arg(long, value_name = "FILE.csv")]
+    contacts: Option<PathBuf>,
+    /// Seed of the scatter, instead of the workpiece file's
+    #[arg(long, value_name = "N", conflicts_with = "contacts")]
+    seed: Option<u64>,
+    /// Touch-probe table of a control, instead of the built-in one
+    #[arg(long, value_name = "FILE.tp")]
+    probe_table: Option<PathBuf>,
+    /// Number of the probe in the table; without it the first one
+    #[arg(long, value_name = "N")]
+    probe: Option<u32>,
+    /// Where the ball stands before the cycle, mm (G785)
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    position: Option<String>,
+    /// Show the way of the probe, move by move
+    #[arg(long)]
+    path: bool,
+    /// Show the parameters of the cycle and run nothing
+    #[arg(long)]
+    list: bool,
+    /// Language of the control's questions and names, as far as they are known
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
+    language: String,
+    /// How the result is printed
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// Where the contacts come from.
+#[derive(Debug)]
+enum Source {
+    /// A workpiece without faults and a point as probe.
+    Perfect,
+    /// A file of a simulated machine.
+    Workpiece { file: String, bench: Bench },
+    /// A file of contacts.
+    Contacts { file: String, count: usize },
+}
+
+/// Everything that is printed.
+struct Run<'a> {
+    cycle: &'static Cycle,
+    language: Language,
+    source: &'a Source,
+    ball_radius: f64,
+    result: &'a CycleResult,
+}
+
+fn known(text: &str) -> Result<&'static Cycle, String> {
+    cycle_named(text).ok_or_else(|| {
+        let codes: Vec<_> = CYCLES.iter().map(|cycle| cycle.code).collect();
+        format!("the cycles are {}", codes.join(", "))
+    })
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let language = Language::from_code(&self.language).unwrap_or_default();
+        if self.list {
+            list::print(self.cycle, language, self.format, io)?;
+            return Ok(Outcome::Done);
+        }
+        let inputs = self.read_inputs(io)?;
+        let (source, mut prober) = self.source(&inputs, io)?;
+        let (path, result) = self.cycle.measure_along(&inputs, &mut *prober);
+        let result = match result {
+            Ok(result) => result,
+            Err(error) => {
+                if self.path && self.format == Format::Text {
+                    text::print_path(&path, io)?;
+                }
+                return Err(CliError::Data(format!("cycle {}: {error}", self.cycle.code)));
+            }
+        };
+        warn_of_unused(&source, &path, io)?;
+        let ball_radius = prober.ball_radius();
+        let run = Run { cycle: self.cycle, language, source: &source, ball_radius, result: &result };
+        match self.format {
+            Format::Text => text::print(&run, self.path, io)?,
+            Format::Csv if self.path => answer::print_path_csv(&path, io)?,
+            Format::Csv => answer::print_csv(&run, io)?,
+            Format::Json => answer::print_json(&run, io)?,
+        }
+        if let (Some(stop), Format::Csv) = (&result.stop, self.format) {
+            io.tell(format_args!("{stop}"))?;
+        }
+        Ok(result.status.map_or(Outcome::Done, Outcome::Judged))
+    }
+
+    fn read_inputs(&self, io: &mut Io<'_>) -> Result<Inputs, CliError> {
+        let mut inputs = Inputs::new().with_probe(self.touch_probe(io)?);
+        if let Some(path) = &self.inputs {
+            inputs = self.with_json(inputs, path, io)?;
+        }
+        let mut names = BTreeSet::new();
+        for (name, value) in pairs(&self.settings)? {
+            inputs = self.cycle.set(inputs, name, value).map_err(|error| CliError::Data(error.to_string()))?;
+            if !names.insert(self.cycle.parameter_named(name).map(|parameter| parameter.key)) {
+                return Err(CliError::Data(format!("{name} is set twice")));
+            }
+        }
+        for (name, value) in pairs(&self.globals)? {
+            let unknown = || CliError::Data(format!("{name} is no parameter that may be PREDEF"));
+            let parameter = self.cycle.parameter_named(name).filter(|parameter| parameter.may_be_predef);
+            let parameter = parameter.ok_or_else(unknown)?;
+            let value = parameter.accept(value).map_err(|error| CliError::Data(error.to_string()))?;
+            inputs = inputs.with_global(parameter.key, value);
+        }
+        if let Some(text) = &self.position {
+            inputs = inputs.with_position(position(text)?);
+        }
+        Ok(inputs)
+    }
+
+    fn with_json(&self, mut inputs: Inputs, path: &Path, io: &mut Io<'_>) -> Result<Inputs, CliError> {
+        use serde_json::Value;
+        let (name, bytes) = read_input(path, io)?;
+        let object: serde_json::Map<String, Value> =
+            serde_json::from_slice(&bytes).map_err(|error| data(&name, &error))?;
+        let mut given: BTreeSet<Key> = BTreeSet::new();
+        for (key, value) in &object {
+            let text = match value {
+                Value::Number(number) => number.to_string(),
+                Value::String(text) => text.clone(),
+                other => {
+                    return Err(CliError::Data(format!("{name}: {key} = {other}: a number or a text is needed")));
+                }
+            };
+            inputs = self.cycle.set(inputs, key, &text).map_err(|error| data(&name, &error))?;
+            if self.cycle.parameter_named(key).is_some_and(|parameter| !given.insert(parameter.key)) {
+                return Err(CliError::Data(format!("{name}: {key} is given twice")));
+            }
+        }
+        Ok(inputs)
+    }
+
+    fn touch_probe(&self, io: &mut Io<'_>) -> Result<TouchProbe, CliError> {
+        let own = match &self.probe_table {
+            Some(path) => {
+                let (name, bytes) = read_input(path, io)?;
+                Some(ProbeTable::read(&bytes, &name).map_err(|error| CliError::Data(error.to_string()))?)
+            }
+            None => None,
+        };
+        for warning in own.iter().flat_map(|table| &table.warnings) {
+            io.tell(format_args!("warning: {warning}"))?;
+        }
+        let table = own.as_ref().unwrap_or_else(|| ProbeTable::shipped());
+        let missing = || CliError::Data(format!("the touch-probe table has no probe {}", self.probe.unwrap_or(1)));
+        table.probe(self.probe).copied().ok_or_else(missing)
+    }
+
+    fn source(&self, inputs: &Inputs, io: &mut Io<'_>) -> Result<(Source, Box<dyn Prober>), CliError> {
+        if let Some(path) = &self.contacts {
+            let (file, bytes) = read_input(path, io)?;
+            let read = contacts::read(&bytes).map_err(|error| data(&file, &error))?;
+            for column in &read.ignored {
+                io.tell(format_args!("warning: {file}: column {column} is not used"))?;
+            }
+            let count = read.contacts.len();
+            return Ok((Source::Contacts { file, count }, Box::new(Recorded::new(read.contacts))));
+        }
+        let (file, mut bench) = if let Some(path) = &self.workpiece {
+            let (file, bytes) = read_input(path, io)?;
+            let bench = Bench::read(&decode(&bytes)).map_err(|error| data(&file, &error))?;
+            (Some(file), bench)
+        } else {
+            let nominal = self.cycle.nominal(inputs).map_err(|error| self.refused(&error))?;
+            (None, Bench::perfect(nominal.into()))
+        };
+        bench.seed = self.seed.unwrap_or(bench.seed);
+        let machine = bench.machine().map(|machine| machine.calibrated(inputs.probe()));
+        match (file, machine) {
+            (Some(file), Ok(machine)) => Ok((Source::Workpiece { file, bench }, Box::new(machine))),
+            (Some(file), Err(error)) => Err(data(&file, &error)),
+            (None, Ok(machine)) => Ok((Source::Perfect, Box::new(machine))),
+            // The cycle itself says better what is wrong with its inputs.
+            (None, Err(error)) => match self.cycle.measure(inputs, &mut Recorded::new(Vec::new())) {
+                Err(refused) if !matches!(refused, CycleError::NoContact(_)) => Err(self.refused(&refused)),
+                _ => Err(data("workpiece at nominal", &error)),
+            },
+        }
+    }
+
+    fn refused(&self, error: &CycleError) -> CliError {
+        CliError::Data(format!("cycle {}: {error}", self.cycle.code))
+    }
+}
+
+/// Contacts that the cycle did not ask for.
+fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
+    let Source::Contacts { file, count } = source else { return Ok(()) };
+    let used = path.iter().filter(|step| step.phase == Phase::Contact).count();
+    if used < *count {
+        io.tell(format_args!("warning: {file}: the cycle took {used} of {count} contacts"))?;
+    }
+    Ok(())
+}
+
+fn pairs(texts: &[String]) -> Result<Vec<(&str, &str)>, CliError> {
+    let no_pair = |text: &str| CliError::Data(format!("{text}: a parameter is given as NAME=VALUE"));
+    texts.iter().map(|text| text.split_once('=').ok_or_else(|| no_pair(text))).collect()
+}
+
+/// `X,Y,Z` in millimetres.
+fn position(text: &str) -> Result<[f64; 3], CliError> {
+    let wrong = || CliError::Data(format!("position {text}: three numbers X,Y,Z in mm are needed"));
+    let parts: Vec<f64> = text
+        .split(',')
+        .map(|part| part.trim().parse().map(Length::to_mm_f64))
+        .collect::<Result<_, _>>()
+        .map_err(|_number| wrong())?;
+    parts.try_into().map_err(|_count| wrong())
+}
+
+fn data(what: &str, error: &impl std::fmt::Display) -> CliError {
+    CliError::Data(format!("{what}: {error}"))
+}

@@ -1,0 +1,324 @@
+//! The touch-probe table `tchprobe.tp`: from rows of a control's table to probes, and the shipped one.
+//!
+//! Used are NO, `CAL_OF1`, `CAL_OF2`, F, FMAX, DIST and `SET_UP`; other columns are left alone. `SET_UP` and DIST as in
+//! seeds `001_58657798a27ebc5f.txt` and `004_5791de5c83bc5f1a.txt`; the list of columns is from memory.
+
+use std::sync::LazyLock;
+
+use super::table::{ControlTable, Located, Place, TableError, TableFile, TableUnit, TableWarning, is_blank};
+use crate::length::{Length, LengthError, Unit};
+use crate::probing::TouchProbe;
+use crate::words::{Message, Say};
+
+/// The shipped table.
+const SHIPPED: &[u8] = include_bytes!("../../tables/tchprobe.tp");
+
+/// A touch-probe table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ProbeTable {
+    /// The probes in the table's order, at least one; no number occurs twice.
+    pub probes: Vec<TouchProbe>,
+    /// What was odd but readable.
+    pub warnings: Vec<TableWarning>,
+}
+
+/// Why a file is no touch-probe table.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ProbeTableError {
+    /// It is no table of a control.
+    #[error("{0}")]
+    Table(#[from] TableError),
+    /// A cell or a column that cannot be used.
+    #[error("{0}")]
+    Cell(#[from] Located<ProbeFault>),
+}
+
+/// What is wrong with a cell or a column.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ProbeFault {
+    /// A column that must be there is missing.
+    #[error("the table has no column {column}")]
+    NoColumn {
+        /// Its name.
+        column: &'static str,
+    },
+    /// There are no rows.
+    #[error("the table has no probe")]
+    NoProbe,
+    /// A cell is no length.
+    #[error("{column}: {error}")]
+    NoLength {
+        /// The column's name.
+        column: &'static str,
+        /// What is wrong.
+        error: LengthError,
+    },
+    /// A length that cannot be.
+    #[error("{column} = {given} mm: it must be {least}")]
+    TooSmall {
+        /// The column's name.
+        column: &'static str,
+        /// What was given.
+        given: Length,
+        /// What is allowed.
+        least: Least,
+    },
+    /// A cell is no whole number.
+    #[error("{column} = {given}: a whole number is needed")]
+    NotWhole {
+        /// The column's name.
+        column: &'static str,
+        /// What stands there.
+        given: String,
+    },
+    /// A number occurs twice.
+    #[error("probe {number} occurs twice")]
+    Twice {
+        /// The number.
+        number: u32,
+    },
+}
+
+/// The least of a length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Least {
+    /// Zero itself is allowed.
+    Zero,
+    /// Zero is not.
+    AboveZero,
+}
+
+impl std::fmt::Display for Least {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            Self::Zero => "0 or more",
+            Self::AboveZero => "above 0",
+        })
+    }
+}
+
+impl Say for Least {
+    fn message(&self) -> Message {
+        Message::new(match self {
+            Self::Zero => "probe-table-zero-or-more",
+            Self::AboveZero => "probe-table-above-zero",
+        })
+    }
+}
+
+impl Say for ProbeTableError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Table(error) => error.message(),
+            Self::Cell(error) => error.message(),
+        }
+    }
+}
+
+impl Say for ProbeFault {
+    fn message(&self) -> Message {
+        match self {
+            Self::NoColumn { column } => Message::new("probe-table-no-column").text("column", column),
+            Self::NoProbe => Message::new("probe-table-no-probe"),
+            Self::NoLength { column, error } => {
+                Message::new("probe-table-no-length").text("column", column).message("error", error.message())
+            }
+            Self::TooSmall { column, given, least } => Message::new("probe-table-too-small")
+                .text("column", column)
+                .text("given", given)
+                .message("least", least.message()),
+            Self::NotWhole { column, given } => {
+                Message::new("probe-table-not-whole").text("column", column).text("given", given)
+            }
+            Self::Twice { number } => Message::new("probe-table-twice").text("number", number),
+        }
+    }
+}
+
+impl ProbeTable {
+    /// The table that is embedded in the program.
+    pub fn shipped() -> &'static Self {
+        static TABLE: LazyLock<ProbeTable> = LazyLock::new(|| match ProbeTable::read(SHIPPED, "tchprobe.tp") {
+            Ok(table) => table,
+            // A test proves that it can be read.
+            Err(error) => {
+                log::error!("shipped table: {error}");
+                ProbeTable { probes: vec![TouchProbe::default()], warnings: Vec::new() }
+            }
+        });
+        &TABLE
+    }
+
+    /// Reads a table; `file` is what messages call it. Lengths are those of the unit in the BEGIN line, else millimetres.
+    ///
+    /// # Errors
+    /// [`ProbeTableError`] with file, line and column.
+    pub fn read(bytes: &[u8], file: &str) -> Result<Self, ProbeTableError> {
+        let file = ControlTable::read(bytes, file)?;
+        let columns = Columns::of(&file)?;
+        let mut probes: Vec<TouchProbe> = Vec::new();
+        for row in 0..file.table.rows.len() {
+            let probe = columns.probe(&file, row)?;
+            if probes.iter().any(|known| known.number == probe.number) {
+                let what = ProbeFault::Twice { number: probe.number };
+                return Err(Located { what, place: file.cell_place(row, columns.number) }.into());
+            }
+            probes.push(probe);
+        }
+        if probes.is_empty() {
+            return Err(Located { what: ProbeFault::NoProbe, place: file.name_place(columns.number) }.into());
+        }
+        Ok(Self { probes, warnings: file.warnings })
+    }
+
+    /// A probe by its number; the first one for `None`.
+    pub fn probe(&self, number: Option<u32>) -> Option<&TouchProbe> {
+        match number {
+            Some(number) => self.probes.iter().find(|probe| probe.number == number),
+            None => self.probes.first(),
+        }
+    }
+}
+
+/// Where the columns stand.
+struct Columns {
+    number: usize,
+    set_up: usize,
+    longest_path: usize,
+    offset: [Option<usize>; 2],
+    feed: Option<usize>,
+    rapid: Option<usize>,
+}
+
+impl Columns {
+    fn of(file: &TableFile) -> Result<Self, ProbeTableError> {
+        let column = |name| {
+            let missing = || Located { what: ProbeFault::NoColumn { column: name }, place: file.name_place(0) };
+            file.table.column(name).ok_or_else(missing)
+        };
+        Ok(Self {
+            number: column("NO")?,
+            set_up: column("SET_UP")?,
+            longest_path: column("DIST")?,
+            offset: ["CAL_OF1", "CAL_OF2"].map(|name| file.table.column(name)),
+            feed: file.table.column("F"),
+            rapid: file.table.column("FMAX"),
+        })
+    }
+
+    fn probe(&self, file: &TableFile, row: usize) -> Result<TouchProbe, ProbeTableError> {
+        let usual = TouchProbe::default();
+        let optional = |column: Option<usize>, name, otherwise| {
+            column.map_or(Ok(otherwise), |column| whole(file, row, column, name, Some(otherwise)))
+        };
+        let offset = |column: Option<usize>, name| {
+            column.map_or(Ok(Length::ZERO), |column| {
+                if is_blank(cell(file, row, column)) { Ok(Length::ZERO) } else { length(file, row, column, name) }
+            })
+        };
+        let [offset_1, offset_2] = self.offset;
+        let set_up = length(file, row, self.set_up, "SET_UP")?;
+        if set_up < Length::ZERO {
+            let what = ProbeFault::TooSmall { column: "SET_UP", given: set_up, least: Least::Zero };
+            return Err(Located { what, place: file.cell_place(row, self.set_up) }.into());
+        }
+        let longest_path = length(file, row, self.longest_path, "DIST")?;
+        if longest_path <= Length::ZERO {
+            let what = ProbeFault::TooSmall { column: "DIST", given: longest_path, least: Least::AboveZero };
+            return Err(Located { what, place: file.cell_place(row, self.longest_path) }.into());
+        }
+        Ok(TouchProbe {
+            number: whole(file, row, self.number, "NO", None)?,
+            offset: [offset(offset_1, "CAL_OF1")?, offset(offset_2, "CAL_OF2")?],
+            feed: optional(self.feed, "F", usual.feed)?,
+            rapid: optional(self.rapid, "FMAX", usual.rapid)?,
+            longest_path,
+            set_up,
+        })
+    }
+}
+
+fn cell(file: &TableFile, row: usize, column: usize) -> &str {
+    file.table.rows.get(row).and_then(|cells| cells.get(column)).map_or("", String::as_str)
+}
+
+fn length(file: &TableFile, row: usize, column: usize, name: &'static str) -> Result<Length, ProbeTableError> {
+    let unit = if file.table.unit == Some(TableUnit::Inch) { Unit::Inch } else { Unit::Millimetre };
+    let read = Length::parse_in(cell(file, row, column), unit);
+    Ok(read.map_err(|error| located(file, row, column, ProbeFault::NoLength { column: name, error }))?)
+}
+
+/// A whole number; a blank cell is `otherwise`, where there is such a number.
+fn whole(
+    file: &TableFile,
+    row: usize,
+    column: usize,
+    name: &'static str,
+    otherwise: Option<u32>,
+) -> Result<u32, ProbeTableError> {
+    let text = cell(file, row, column);
+    let given = || ProbeFault::NotWhole { column: name, given: text.to_owned() };
+    match otherwise {
+        Some(number) if is_blank(text) => Ok(number),
+        _ => Ok(text.parse().map_err(|_whole| located(file, row, column, given()))?),
+    }
+}
+
+fn located(file: &TableFile, row: usize, column: usize, what: ProbeFault) -> Located<ProbeFault> {
+    let place: Place = file.cell_place(row, column);
+    Located { what, place }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{Language, Words};
+
+    #[track_caller]
+    fn check(rows: &str, expected: &str) {
+        let bytes = format!("BEGIN TCHPROBE.TP MM\nNO   CAL_OF1   F       DIST      SET_UP\n{rows}[END]\n");
+        let said = match ProbeTable::read(bytes.as_bytes(), "tchprobe.tp") {
+            Ok(table) => {
+                let row = |p: &TouchProbe| format!("{} {} {}", p.number, p.longest_path, p.set_up);
+                table.probes.iter().map(row).collect::<Vec<_>>().join("; ")
+            }
+            Err(error) => {
+                assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+                assert_ne!(Words::new(Language::Nl).told(&error), error.to_string());
+                error.to_string()
+            }
+        };
+        assert_eq!(said, expected);
+    }
+
+    #[test]
+    fn the_shipped_table_is_the_default_probe() {
+        assert_eq!(ProbeTable::read(SHIPPED, "tchprobe.tp").unwrap().probes, [TouchProbe::default()]);
+        assert_eq!(ProbeTable::shipped().probe(None), Some(&TouchProbe::default()));
+    }
+
+    #[test]
+    fn rows_are_probes_and_what_cannot_be_is_refused_with_its_place() {
+        check("1    +0.0042   100     10        2\n2                      6         1,5\n", "1 10 2; 2 6 1.5");
+        check("", "the table has no probe: tchprobe.tp, line 2, column 1");
+        check(
+            "1    +0        100     0         2\n",
+            "DIST = 0 mm: it must be above 0: tchprobe.tp, line 3, column 24",
+        );
+        check(
+            "1    +0        100     9         -1\n",
+            "SET_UP = -1 mm: it must be 0 or more: tchprobe.tp, line 3, column 34",
+        );
+        check("1    +0        100     ?         2\n", "DIST: ? is not a number: tchprobe.tp, line 3, column 24");
+        check(
+            "1    +0        1.5     9         2\n",
+            "F = 1.5: a whole number is needed: tchprobe.tp, line 3, column 16",
+        );
+        check(
+            "1    +0        100     9         2\n1    +0        100     9         2\n",
+            "probe 1 occurs twice: tchprobe.tp, line 4, column 1",
+        );
+        let error = ProbeTable::read(b"BEGIN A.TP MM\nNO   DIST\n1    10\n[END]\n", "a.tp").unwrap_err();
+        assert_eq!(error.to_string(), "the table has no column SET_UP: a.tp, line 2, column 1");
+    }
+}

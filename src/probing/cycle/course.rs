@@ -1,0 +1,162 @@
+//! The way of the probe through a cycle: moves as values that can be listed and stepped, and the touches on it.
+//!
+//! All places are those of the ball's centre in workpiece coordinates, millimetres.
+
+use super::error::CycleError;
+use crate::length::Length;
+use crate::probing::contact::{Contact, Prober, Touch};
+
+/// What a move is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Phase {
+    /// To where a touch begins, at rapid traverse.
+    PrePosition,
+    /// Towards the workpiece, at probing feed.
+    Approach,
+    /// The ball touches: a move of no length.
+    Contact,
+    /// Back from the workpiece.
+    Retract,
+    /// Up to the clearance height.
+    Leave,
+}
+
+impl Phase {
+    /// The word for machines.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::PrePosition => "pre-position",
+            Self::Approach => "approach",
+            Self::Contact => "contact",
+            Self::Retract => "retract",
+            Self::Leave => "leave",
+        }
+    }
+}
+
+/// One move of the ball's centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Move {
+    /// What it is for.
+    pub phase: Phase,
+    /// The touch that it belongs to, from 1; `None` for leaving.
+    pub touch: Option<usize>,
+    /// Where it begins, mm.
+    pub from: [f64; 3],
+    /// Where it ends, mm.
+    pub to: [f64; 3],
+    /// The centre where it is an arc about it, mm; the shorter way round.
+    pub about: Option<[f64; 3]>,
+}
+
+/// Asks for touches and writes down the way between them.
+pub struct Course<'a> {
+    prober: &'a mut dyn Prober,
+    moves: Vec<Move>,
+    at: Option<[f64; 3]>,
+    touches: usize,
+}
+
+impl<'a> Course<'a> {
+    pub(super) fn new(prober: &'a mut dyn Prober, position: Option<[f64; 3]>) -> Self {
+        Self { prober, moves: Vec::new(), at: position, touches: 0 }
+    }
+
+    /// The ball's radius, mm; zero where contacts are points of the surface already.
+    pub(in crate::probing) fn ball_radius(&self) -> f64 {
+        self.prober.ball_radius()
+    }
+
+    pub(super) fn into_moves(self) -> Vec<Move> {
+        self.moves
+    }
+
+    /// Moves in a straight line on the way to the next touch.
+    pub(in crate::probing) fn pre_position(&mut self, to: [f64; 3]) {
+        self.go(Phase::PrePosition, to, None);
+    }
+
+    /// Moves to above a place and down to it: over the clearance height where the way there is not at that height.
+    pub(in crate::probing) fn pre_position_from_above(&mut self, to: [f64; 3], height: f64) {
+        let [x, y, z] = to;
+        let above = height.max(z);
+        if let Some([from_x, from_y, from_z]) = self.at {
+            self.pre_position([from_x, from_y, above.max(from_z)]);
+        }
+        self.pre_position([x, y, above]);
+        self.pre_position(to);
+    }
+
+    /// Moves on an arc on the way to the next touch.
+    pub(in crate::probing) fn pre_position_about(&mut self, to: [f64; 3], centre: [f64; 3]) {
+        self.go(Phase::PrePosition, to, Some(centre));
+    }
+
+    /// Touches from where the touch begins; the ball stays where it met the workpiece.
+    pub(in crate::probing) fn touch(&mut self, touch: &Touch) -> Result<Contact, CycleError> {
+        self.touches += 1;
+        match self.prober.touch(touch) {
+            Ok(contact) => {
+                let met = contact.place();
+                self.at = Some(touch.from);
+                self.go(Phase::Approach, met, None);
+                self.moves.push(Move {
+                    phase: Phase::Contact,
+                    touch: Some(self.touches),
+                    from: met,
+                    to: met,
+                    about: None,
+                });
+                Ok(contact)
+            }
+            Err(error) => {
+                // The way that was probed in vain is shown as well, where it has an end.
+                if touch.longest.is_finite() && !matches!(error, crate::probing::NoContact::InMaterial { .. }) {
+                    self.at = Some(touch.from);
+                    self.go(Phase::Approach, along(touch.from, touch.direction, touch.longest), None);
+                }
+                Err(error.into())
+            }
+        }
+    }
+
+    /// Moves back from the workpiece.
+    pub(in crate::probing) fn retract(&mut self, to: [f64; 3]) {
+        self.go(Phase::Retract, to, None);
+    }
+
+    /// Ends the cycle at the clearance height above where the ball is.
+    pub(in crate::probing) fn leave(&mut self, height: f64) {
+        if let Some([x, y, z]) = self.at.filter(|[_, _, z]| *z < height) {
+            self.moves.push(Move {
+                phase: Phase::Leave,
+                touch: None,
+                from: [x, y, z],
+                to: [x, y, height],
+                about: None,
+            });
+            self.at = Some([x, y, height]);
+        }
+    }
+
+    fn go(&mut self, phase: Phase, to: [f64; 3], about: Option<[f64; 3]>) {
+        let from = self.at.replace(to).unwrap_or(to);
+        let touch = if phase == Phase::PrePosition { self.touches + 1 } else { self.touches };
+        // The first place is where the way begins, and a move to where the ball is is none.
+        if from.iter().zip(&to).any(|(from, to)| 0.0 < (to - from).abs()) {
+            self.moves.push(Move { phase, touch: Some(touch), from, to, about });
+        }
+    }
+}
+
+/// The place so far along a direction.
+pub(in crate::probing) fn along(from: [f64; 3], direction: [f64; 3], distance: f64) -> [f64; 3] {
+    let [x, y, z] = from;
+    let [along_x, along_y, along_z] = direction;
+    [x + distance * along_x, y + distance * along_y, z + distance * along_z]
+}
+
+/// A measured coordinate at the nearest nanometre.
+pub(in crate::probing) fn nearest(mm: f64) -> Result<Length, CycleError> {
+    Length::from_mm_f64(mm).map_err(CycleError::TooFar)
+}

@@ -1,0 +1,101 @@
+//! What a cycle is run with: values of parameters, the probe, where the machine stands.
+
+use std::collections::BTreeMap;
+
+use super::key::Key;
+use super::value::{Angle, Value};
+use crate::length::Length;
+use crate::probing::touch_probe::TouchProbe;
+use crate::tolerance::Deviations;
+
+/// The values that a cycle is run with.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Inputs {
+    pub(super) given: BTreeMap<Key, Value>,
+    pub(super) filled: BTreeMap<Key, Value>,
+    pub(super) globals: BTreeMap<Key, Value>,
+    pub(super) probe: TouchProbe,
+    pub(super) position: Option<[f64; 3]>,
+}
+
+impl Inputs {
+    /// Nothing given, and the probe of the shipped table.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Gives a parameter a value; it is checked when the cycle runs.
+    #[must_use]
+    pub fn with(mut self, key: impl Into<Key>, value: Value) -> Self {
+        self.given.insert(key.into(), value);
+        self
+    }
+
+    /// Gives a parameter the value that PREDEF stands for: what GLOBAL DEF does in a program.
+    #[must_use]
+    pub fn with_global(mut self, key: impl Into<Key>, value: Value) -> Self {
+        self.globals.insert(key.into(), value);
+        self
+    }
+
+    /// Takes another row of the touch-probe table.
+    #[must_use]
+    pub const fn with_probe(mut self, probe: TouchProbe) -> Self {
+        self.probe = probe;
+        self
+    }
+
+    /// Says where the ball's centre stands before the cycle, mm. Only G785 without D and WB asks for it.
+    #[must_use]
+    pub const fn with_position(mut self, position: [f64; 3]) -> Self {
+        self.position = Some(position);
+        self
+    }
+
+    /// The probe.
+    pub const fn probe(&self) -> &TouchProbe {
+        &self.probe
+    }
+
+    /// Where the ball's centre stands before the cycle, mm, if it was said.
+    pub const fn position(&self) -> Option<[f64; 3]> {
+        self.position
+    }
+
+    /// The value of a parameter: what was given or, in the inputs of a result, its default.
+    pub fn value(&self, key: impl Into<Key>) -> Option<&Value> {
+        let key = key.into();
+        self.filled.get(&key).or_else(|| self.given.get(&key))
+    }
+
+    /// Whether a value was given, so that no default is taken.
+    pub fn is_given(&self, key: impl Into<Key>) -> bool {
+        self.given.contains_key(&key.into())
+    }
+
+    /// A length of checked inputs; zero where there is none.
+    pub(in crate::probing) fn length(&self, key: impl Into<Key>) -> Length {
+        if let Some(Value::Length(length)) = self.value(key) { *length } else { Length::ZERO }
+    }
+
+    /// The same in millimetres.
+    pub(in crate::probing) fn mm(&self, key: impl Into<Key>) -> f64 {
+        self.length(key).to_mm_f64()
+    }
+
+    pub(in crate::probing) fn angle(&self, key: impl Into<Key>) -> Angle {
+        if let Some(Value::Angle(angle)) = self.value(key) { *angle } else { Angle::default() }
+    }
+
+    pub(in crate::probing) fn whole(&self, key: impl Into<Key>) -> i64 {
+        if let Some(Value::Whole(whole)) = self.value(key) { *whole } else { 0 }
+    }
+
+    pub(in crate::probing) fn number(&self, key: impl Into<Key>) -> f64 {
+        if let Some(Value::Number(number)) = self.value(key) { *number } else { 0.0 }
+    }
+
+    pub(in crate::probing) fn band(&self, key: impl Into<Key>) -> Option<Deviations> {
+        if let Some(Value::Band(band)) = self.value(key) { *band } else { None }
+    }
+}

@@ -1,0 +1,39 @@
+//! How programs name a parameter or a result: `Q273`, `QS400`, `BR`, `#i99`.
+
+use std::fmt;
+
+/// The name of a parameter or a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Key {
+    /// A number parameter of a milling control, `Q273`.
+    Q(u16),
+    /// A text parameter of a milling control, `QS400`.
+    Qs(u16),
+    /// An address letter or a variable of a lathe control, `BR` or `#i99`.
+    Word(&'static str),
+}
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Q(number) => f.pad(&format!("Q{number}")),
+            Self::Qs(number) => f.pad(&format!("QS{number}")),
+            Self::Word(word) => f.pad(word),
+        }
+    }
+}
+
+impl From<u16> for Key {
+    /// A Q parameter by its number.
+    fn from(number: u16) -> Self {
+        Self::Q(number)
+    }
+}
+
+impl Key {
+    /// Whether a text names this key: `q273` is Q273, and QS330 the text form of Q330.
+    pub(super) fn is_named(self, text: &str) -> bool {
+        let same = |key: Self| key.to_string().eq_ignore_ascii_case(text.trim());
+        same(self) || matches!(self, Self::Q(number) if same(Self::Qs(number)))
+    }
+}

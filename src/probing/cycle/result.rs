@@ -1,0 +1,391 @@
+//! What a cycle found: one type for all cycles.
+
+use std::fmt;
+
+use super::course::Move;
+use super::inputs::Inputs;
+use super::key::Key;
+use super::value::Value;
+use crate::length::Length;
+use crate::probing::circle::Circle;
+use crate::probing::contact::Contact;
+use crate::verdict::{PositionVerdict, Status};
+use crate::words::{Message, Say};
+
+/// What a cycle found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CycleResult {
+    /// What it was run with, defaults filled in.
+    pub inputs: Inputs,
+    /// The way of the ball's centre, move by move.
+    pub path: Vec<Move>,
+    /// Points of the surface in probing order, the ball's radius taken into account, mm.
+    pub contacts: Vec<Contact>,
+    /// What cycles that measure a circle found.
+    pub circle: Option<CircleFound>,
+    /// What was compared with limits, each on its own; nothing that was not monitored.
+    pub checks: Vec<Check>,
+    /// The status that the markers tell: `Good` also where no limits were given, as on the control. `None` where the
+    /// cycle has no limits at all, or has none now and says so (Q183 = −1).
+    pub status: Option<Status>,
+    /// The result parameters as the control lists them.
+    pub results: Vec<Found>,
+    /// The program stop with an error message that Q309 asks for.
+    pub stop: Option<Stop>,
+    /// Where the control would put its log.
+    pub log: LogTarget,
+    /// What is worth knowing about the run.
+    pub remarks: Vec<Remark>,
+}
+
+impl CycleResult {
+    /// A result parameter.
+    pub fn value(&self, key: impl Into<Key>) -> Option<&Value> {
+        let key = key.into();
+        self.results.iter().find(|found| found.key == key).map(|found| &found.value)
+    }
+
+    /// The contacts in the coordinates of the plane that was probed: first axis, second axis, height.
+    pub fn plane_contacts(&self) -> Vec<Contact> {
+        let plane = self.circle.as_ref().map_or(Plane::Xy, |circle| circle.plane);
+        self.contacts.iter().map(|contact| Contact::at(plane.within(contact.place()))).collect()
+    }
+}
+
+/// What a cycle that measures a circle found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CircleFound {
+    /// The plane that it lies in.
+    pub plane: Plane,
+    /// The least-squares circle in that plane, unrounded, mm.
+    pub circle: Circle,
+    /// The centre in first and second axis, at the nearest nanometre.
+    pub centre: [Length; 2],
+    /// The diameter, at the nearest nanometre.
+    pub diameter: Length,
+    /// The centre against its nominal position.
+    pub position: PositionVerdict,
+}
+
+/// A plane of the machine.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+pub enum Plane {
+    /// X/Y, G17.
+    #[default]
+    #[serde(rename = "XY")]
+    Xy,
+    /// Z/X, G18.
+    #[serde(rename = "ZX")]
+    Zx,
+    /// Y/Z, G19.
+    #[serde(rename = "YZ")]
+    Yz,
+}
+
+impl Plane {
+    /// The names of its axes.
+    pub const fn axes(self) -> [&'static str; 2] {
+        match self {
+            Self::Xy => ["X", "Y"],
+            Self::Zx => ["Z", "X"],
+            Self::Yz => ["Y", "Z"],
+        }
+    }
+
+    /// A place in X, Y, Z as first axis, second axis and height above the plane.
+    pub const fn within(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        match self {
+            Self::Xy => [x, y, z],
+            Self::Zx => [z, x, y],
+            Self::Yz => [y, z, x],
+        }
+    }
+
+    /// A place in first axis, second axis and height as X, Y, Z.
+    pub const fn place(self, [first, second, height]: [f64; 3]) -> [f64; 3] {
+        match self {
+            Self::Xy => [first, second, height],
+            Self::Zx => [second, height, first],
+            Self::Yz => [height, first, second],
+        }
+    }
+}
+
+/// A result parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// What the control calls it.
+    pub key: Key,
+    /// What it is.
+    pub name: FoundName,
+    /// Its value.
+    pub value: Value,
+}
+
+impl Found {
+    pub(in crate::probing) fn length(key: impl Into<Key>, name: FoundName, value: Length) -> Self {
+        Self { key: key.into(), name, value: Value::Length(value) }
+    }
+
+    /// Q180 to Q182, of which exactly one is 1.
+    pub(in crate::probing) fn markers(status: Status) -> [Self; 3] {
+        let marker =
+            |key, name, marked| Self { key: Key::Q(key), name, value: Value::Whole(i64::from(status == marked)) };
+        [
+            marker(180, FoundName::Good, Status::Good),
+            marker(181, FoundName::Rework, Status::Rework),
+            marker(182, FoundName::Scrap, Status::Scrap),
+        ]
+    }
+}
+
+/// What a result parameter is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FoundName {
+    /// Measured centre, first axis.
+    Centre1,
+    /// Measured centre, second axis.
+    Centre2,
+    /// Measured diameter.
+    Diameter,
+    /// Deviation of the centre, first axis.
+    CentreDeviation1,
+    /// Deviation of the centre, second axis.
+    CentreDeviation2,
+    /// Deviation of the diameter.
+    DiameterDeviation,
+    /// A coordinate in the measured axis.
+    Coordinate,
+    /// Measured position, first axis.
+    Position1,
+    /// Measured position, second axis.
+    Position2,
+    /// Measured position, third axis.
+    Position3,
+    /// Deviation, first axis.
+    Deviation1,
+    /// Deviation, second axis.
+    Deviation2,
+    /// Deviation, third axis.
+    Deviation3,
+    /// Deviation along the normal.
+    DeviationAlong,
+    /// Marker of a good part.
+    Good,
+    /// Marker of rework.
+    Rework,
+    /// Marker of scrap.
+    Scrap,
+    /// Status in one number.
+    Status,
+}
+
+impl FoundName {
+    const fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Centre1 => ("found-centre-1", "measured centre, 1st axis"),
+            Self::Centre2 => ("found-centre-2", "measured centre, 2nd axis"),
+            Self::Diameter => ("found-diameter", "measured diameter"),
+            Self::CentreDeviation1 => ("found-centre-deviation-1", "deviation of the centre, 1st axis"),
+            Self::CentreDeviation2 => ("found-centre-deviation-2", "deviation of the centre, 2nd axis"),
+            Self::DiameterDeviation => ("found-diameter-deviation", "deviation of the diameter"),
+            Self::Coordinate => ("found-coordinate", "measured coordinate"),
+            Self::Position1 => ("found-position-1", "measured position, 1st axis"),
+            Self::Position2 => ("found-position-2", "measured position, 2nd axis"),
+            Self::Position3 => ("found-position-3", "measured position, 3rd axis"),
+            Self::Deviation1 => ("found-deviation-1", "deviation, 1st axis"),
+            Self::Deviation2 => ("found-deviation-2", "deviation, 2nd axis"),
+            Self::Deviation3 => ("found-deviation-3", "deviation, 3rd axis"),
+            Self::DeviationAlong => ("found-deviation-along", "deviation along the normal"),
+            Self::Good => ("found-good", "within tolerance"),
+            Self::Rework => ("found-rework", "rework"),
+            Self::Scrap => ("found-scrap", "scrap"),
+            Self::Status => ("found-status", "status: -1 undefined, 0 good, 1 rework, 2 scrap"),
+        }
+    }
+}
+
+impl fmt::Display for FoundName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.words().1)
+    }
+}
+
+impl Say for FoundName {
+    fn message(&self) -> Message {
+        Message::new(self.words().0)
+    }
+}
+
+/// A measured value that was compared with its limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Check {
+    /// What was compared.
+    pub what: FoundName,
+    /// The measured value.
+    pub measured: Length,
+    /// The smallest permitted value.
+    pub minimum: Length,
+    /// The largest permitted value.
+    pub maximum: Length,
+    /// Good, rework or scrap by this value alone.
+    pub status: Status,
+}
+
+impl Check {
+    /// Whether the value is outside its limits.
+    pub fn is_out(&self) -> bool {
+        self.status != Status::Good
+    }
+}
+
+impl fmt::Display for Check {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { what, measured, minimum, maximum, status } = self;
+        if !self.is_out() {
+            write!(f, "{what} {measured} mm is within {minimum} to {maximum} mm")
+        } else if maximum < measured {
+            write!(f, "{what} {measured} mm is above its maximum {maximum} mm: {status}")
+        } else {
+            write!(f, "{what} {measured} mm is below its minimum {minimum} mm: {status}")
+        }
+    }
+}
+
+impl Say for Check {
+    fn message(&self) -> Message {
+        let id = match () {
+            () if !self.is_out() => "check-within",
+            () if self.maximum < self.measured => "check-above",
+            () => "check-below",
+        };
+        let status = Message::new(match self.status {
+            Status::Good => "report-status-good",
+            Status::Rework => "report-status-rework",
+            Status::ReMeasure => "report-status-remeasure",
+            Status::Scrap => "report-status-scrap",
+        });
+        let message = Message::new(id)
+            .message("what", self.what.message())
+            .text("measured", self.measured)
+            .text("minimum", self.minimum)
+            .text("maximum", self.maximum);
+        message.message("status", status)
+    }
+}
+
+/// A program stop because something is out of tolerance.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Stop {
+    /// The value of Q309.
+    pub setting: i64,
+    /// The first value that is out.
+    pub out: Check,
+    /// The others that are out.
+    pub more: Vec<Check>,
+}
+
+impl Stop {
+    /// The stop for what is out of tolerance, if anything is.
+    pub(in crate::probing) fn of(setting: i64, checks: &[Check]) -> Option<Self> {
+        let mut out = checks.iter().copied().filter(Check::is_out);
+        out.next().map(|first| Self { setting, out: first, more: out.collect() })
+    }
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "program stop by Q309 = {}: {}", self.setting, self.out)?;
+        self.more.iter().try_for_each(|check| write!(f, "; {check}"))
+    }
+}
+
+impl Say for Stop {
+    fn message(&self) -> Message {
+        let both = |one: Message, other: Message| Message::new("check-and").message("one", one).message("other", other);
+        let out = self.more.iter().fold(self.out.message(), |out, check| both(out, check.message()));
+        Message::new("cycle-stop").text("setting", self.setting).message("out", out)
+    }
+}
+
+/// Where the control puts the log of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LogTarget {
+    /// There is none.
+    None,
+    /// A file beside the program.
+    File(&'static str),
+    /// On the screen, and the program stops until it is started again.
+    Screen,
+    /// On the screen while the program goes on.
+    Shown,
+}
+
+impl LogTarget {
+    /// What Q281 asks for.
+    pub(in crate::probing) const fn of_q281(q281: i64, file: &'static str) -> Self {
+        match q281 {
+            1 => Self::File(file),
+            2 => Self::Screen,
+            _ => Self::None,
+        }
+    }
+}
+
+/// Something worth knowing about a run.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Remark {
+    /// A parameter was given that does nothing.
+    WithoutEffect {
+        /// The parameter.
+        key: Key,
+    },
+    /// A tool was named (Q330) that a control would correct.
+    ToolLeftAlone {
+        /// Its number or name.
+        tool: String,
+    },
+    /// Rework and scrap are those of an outside dimension.
+    OutsideDimension,
+    /// The nominal diameter does not lie between the limits, which a TNC7 asks for.
+    NominalOutsideLimits {
+        /// The nominal diameter.
+        nominal: Length,
+    },
+    /// What `#i99` holds is not documented.
+    VariableHoldsDiameter,
+}
+
+impl fmt::Display for Remark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::WithoutEffect { key } => write!(f, "{key} is accepted and has no effect"),
+            Self::ToolLeftAlone { tool } => {
+                write!(f, "Q330 = {tool}: the control would correct this tool; no tool is corrected here")
+            }
+            Self::OutsideDimension => {
+                f.write_str("an outside dimension is assumed: above the maximum is rework, below the minimum is scrap")
+            }
+            Self::NominalOutsideLimits { nominal } => {
+                write!(f, "nominal diameter {nominal} mm is not between the limits: a TNC7 refuses that")
+            }
+            Self::VariableHoldsDiameter => {
+                f.write_str("#i99 holds one value, taken to be the diameter: the manual does not say which")
+            }
+        }
+    }
+}
+
+impl Say for Remark {
+    fn message(&self) -> Message {
+        match self {
+            Self::WithoutEffect { key } => Message::new("remark-without-effect").text("key", key),
+            Self::ToolLeftAlone { tool } => Message::new("remark-tool-left-alone").text("tool", tool),
+            Self::OutsideDimension => Message::new("remark-outside-dimension"),
+            Self::NominalOutsideLimits { nominal } => {
+                Message::new("remark-nominal-outside-limits").text("nominal", nominal)
+            }
+            Self::VariableHoldsDiameter => Message::new("remark-variable-holds-diameter"),
+        }
+    }
+}

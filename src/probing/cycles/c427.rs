@@ -1,0 +1,113 @@
+//! Cycle 427, measure coordinate: one touch along one axis, limits in Q288 and Q289.
+//!
+//! Parameters, ranges, result and notes as in seed `004_5791de5c83bc5f1a.txt`. Rework and scrap are those of an outside
+//! dimension, as the cycle manual of the TNC 320 says: too large is rework, too small is scrap. The control's note that
+//! Q261 lies between Q276 and Q275 is left over from cycle 421 and does not hold here. That limits of 0 and 0 monitor
+//! nothing is our reading: 0 may be a real coordinate.
+
+use crate::probing::contact::{Contact, Touch};
+use crate::probing::cycle::shared::{
+    CLEARANCE_HEIGHT, INCIDENCE_ANGLE, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2, REVERSED, SET_UP_CLEARANCE,
+    STOP_IF_ERROR, TOOL,
+};
+use crate::probing::cycle::{
+    Check, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, LogTarget, Measured, Nominal, Parameter, Remark,
+    Stop, along, limits, nearest,
+};
+use crate::tolerance::Feature;
+use crate::verdict::{Status, classify};
+use crate::words::Language::{En, It};
+
+/// The declaration, in the order of the seed's example.
+pub(super) const CYCLE: Cycle = Cycle {
+    number: 427,
+    code: "427",
+    names: &[(En, "MEASURE COORDINATE"), (It, "MISURAZ. COORDINATA")],
+    parameters: &[
+        POINT_1,
+        POINT_2,
+        MEASURING_HEIGHT,
+        SET_UP_CLEARANCE,
+        Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2, 3])
+            .named(&[(It, "ASSE MISURATO")])
+            .asked(&[(En, "Meas. axis (1...3: 1=ref. axis)?"), (It, "Asse mis. (1..3: 1=asse princ.)?")]),
+        Parameter::choice(Key::Q(267), "TRAVERSE DIRECTION", &[-1, 1])
+            .named(&[(It, "DIREZIONE ATTRAVERS.")])
+            .asked(&[(En, "Trav. direction 1 (+1=+ / -1=-)?"), (It, "Direz. attravers. 1 (+1=+/-1=-)?")]),
+        CLEARANCE_HEIGHT,
+        MEASURING_LOG,
+        Parameter::coordinate(Key::Q(288), "MAXIMUM LIMIT")
+            .named(&[(It, "LIMITE MASSIMO")])
+            .asked(&[(En, "Maximum limit of size?"), (It, "Limite max dimensione?")])
+            .or(0),
+        Parameter::coordinate(Key::Q(289), "MINIMUM LIMIT")
+            .named(&[(It, "LIMITE MINIMO")])
+            .asked(&[(En, "Minimum limit of size?"), (It, "Limite minimo dimensione?")])
+            .or(0),
+        STOP_IF_ERROR,
+        TOOL,
+        REVERSED,
+        INCIDENCE_ANGLE,
+    ],
+    run,
+    nominal: |inputs| Nominal::Face { point: point(inputs), normal: direction(inputs).map(|part| -part) },
+};
+
+/// The programmed point.
+fn point(inputs: &Inputs) -> [f64; 3] {
+    [inputs.mm(263), inputs.mm(264), inputs.mm(261)]
+}
+
+/// The unit vector of the approach.
+fn direction(inputs: &Inputs) -> [f64; 3] {
+    let sign = if inputs.whole(267) < 0 { -1.0 } else { 1.0 };
+    [1, 2, 3].map(|axis| if inputs.whole(272) == axis { sign } else { 0.0 })
+}
+
+/// Runs the cycle on checked inputs.
+///
+/// Axis 1 and 2 take the ball's radius into account, axis 3 the probe's length: for a ball whose lowest point is the
+/// probe's length that is the same, the surface lies a radius ahead of the ball's centre.
+fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
+    let limits = limits(inputs, 289, 288)?;
+    let ball_radius = course.ball_radius();
+    let clearance = inputs.mm(320) + inputs.probe().set_up.to_mm_f64() + ball_radius;
+    let direction = direction(inputs);
+    let longest = inputs.probe().longest_path.to_mm_f64();
+    let touch = Touch { from: along(point(inputs), direction, -clearance), direction, longest };
+    let height = inputs.mm(260);
+    course.pre_position_from_above(touch.from, height);
+    let ball = course.touch(&touch)?;
+    course.retract(touch.from);
+    course.leave(height);
+    let contact = Contact::at(along(ball.place(), direction, ball_radius));
+    let measured = nearest(match inputs.whole(272) {
+        1 => contact.x,
+        2 => contact.y,
+        _ => contact.z,
+    })?;
+    let checks: Vec<_> = limits
+        .map(|(minimum, maximum)| Check {
+            what: FoundName::Coordinate,
+            measured,
+            minimum,
+            maximum,
+            status: classify(Feature::Shaft, minimum, maximum, measured),
+        })
+        .into_iter()
+        .collect();
+    // Without limits the markers are set all the same.
+    let status = checks.first().map_or(Status::Good, |check| check.status);
+    let mut results = vec![Found::length(160, FoundName::Coordinate, measured)];
+    results.extend(Found::markers(status));
+    Ok(Measured {
+        contacts: vec![contact],
+        circle: None,
+        status: Some(status),
+        results,
+        stop: if inputs.whole(309) == 1 { Stop::of(1, &checks) } else { None },
+        log: LogTarget::of_q281(inputs.whole(281), "TCHPR427.TXT"),
+        remarks: if checks.is_empty() { Vec::new() } else { vec![Remark::OutsideDimension] },
+        checks,
+    })
+}

@@ -1,0 +1,148 @@
+//! Cycle 444, probing in 3-D: one point of a free surface, its deviation along the normal.
+//!
+//! Course and principle as in seed `001_58657798a27ebc5f.txt`; parameters, QS400 and Q309 as in the cycle manual of the
+//! TNC 320. The ranges of the normal's components and the numbers of the results are from memory and may differ on a
+//! control.
+
+use crate::length::Length;
+use crate::probing::contact::{Contact, Touch};
+use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, POINT_1, POINT_2, SET_UP_CLEARANCE};
+use crate::probing::cycle::{
+    Check, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, LogTarget, Measured, Nominal, Parameter, Range,
+    Stop, Value, along, nearest,
+};
+use crate::tolerance::{Deviations, Feature};
+use crate::verdict::{Status, classify};
+use crate::words::Language::{En, Nl};
+
+/// The retraction after the touch; without it the ball goes back to where the touch began.
+const RETRACT: Key = Key::Word("MB");
+
+/// The declaration.
+pub(super) const CYCLE: Cycle = Cycle {
+    number: 444,
+    code: "444",
+    names: &[(En, "PROBING IN 3-D"), (Nl, "TASTEN 3D")],
+    parameters: &[
+        POINT_1,
+        POINT_2,
+        Parameter::coordinate(Key::Q(294), "1ST POINT 3RD AXIS").asked(&[(En, "1st meas. point 3rd axis?")]),
+        component(581, "SURFACE NORMAL 1ST AXIS").asked(&[(En, "Surface-normal in ref. axis?")]),
+        component(582, "SURFACE NORMAL 2ND AXIS").asked(&[(En, "Surface-normal in minor axis?")]),
+        component(583, "SURFACE NORMAL 3RD AXIS").asked(&[(En, "Surface-normal in tool axis?")]),
+        SET_UP_CLEARANCE,
+        CLEARANCE_HEIGHT,
+        Parameter::new(Key::Qs(400), "TOLERANCE", Range::Band).asked(&[(En, "Tolerance value?")]).or_nothing(),
+        Parameter::choice(Key::Q(309), "ERROR REACTION", &[0, 1, 2])
+            .asked(&[(En, "Reaction to tolerance error?")])
+            .or(0),
+        Parameter::size(RETRACT, "RETRACTION").or_nothing(),
+    ],
+    run,
+    nominal: |inputs| Nominal::Face { point: point(inputs), normal: given_normal(inputs) },
+};
+
+/// A component of the normal: what counts is the direction of all three, so any length will do.
+const fn component(number: u16, name: &'static str) -> Parameter {
+    Parameter::new(Key::Q(number), name, Range::Number { most: 10 })
+}
+
+/// The nominal point.
+fn point(inputs: &Inputs) -> [f64; 3] {
+    [inputs.mm(263), inputs.mm(264), inputs.mm(294)]
+}
+
+fn given_normal(inputs: &Inputs) -> [f64; 3] {
+    [581, 582, 583].map(|q: u16| inputs.number(q))
+}
+
+/// The unit vector out of the material.
+fn normal(inputs: &Inputs) -> Result<[f64; 3], CycleError> {
+    let given = given_normal(inputs);
+    // Divided by the largest part first: the square of a tiny one would be zero.
+    let largest = given.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
+    if largest <= 0.0 {
+        return Err(CycleError::NoNormal { first: Key::Q(581), second: Key::Q(582), third: Key::Q(583) });
+    }
+    let scaled = given.map(|part| part / largest);
+    let length = dot(scaled, scaled).sqrt();
+    Ok(scaled.map(|part| part / length))
+}
+
+fn dot([x, y, z]: [f64; 3], [with_x, with_y, with_z]: [f64; 3]) -> f64 {
+    x * with_x + y * with_y + z * with_z
+}
+
+/// Runs the cycle on checked inputs.
+///
+/// The touch goes from a point on the normal to the nominal point; the ball's radius is taken into account along the
+/// normal that was given, so a wrong normal gives a wrong deviation, as on the control.
+fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
+    let normal = normal(inputs)?;
+    let inwards = normal.map(|part| -part);
+    let ball_radius = course.ball_radius();
+    let distance = ball_radius + inputs.probe().set_up.to_mm_f64() + inputs.mm(320);
+    let longest = inputs.probe().longest_path.to_mm_f64();
+    let touch = Touch { from: along(point(inputs), normal, distance), direction: inwards, longest };
+    course.pre_position_from_above(touch.from, inputs.mm(260));
+    let ball = course.touch(&touch)?;
+    let back =
+        if inputs.value(RETRACT).is_some() { along(ball.place(), normal, inputs.mm(RETRACT)) } else { touch.from };
+    course.retract(back);
+    let contact = Contact::at(along(ball.place(), normal, -ball_radius));
+    let (results, deviation) = measured(&contact, point(inputs), normal)?;
+    let check = inputs.band(Key::Qs(400)).map(|band| check(band, deviation));
+    let checks: Vec<_> = check.into_iter().collect();
+    let status = check.map(|check| check.status);
+    let stops = match inputs.whole(309) {
+        1 => true,
+        // Only undersize stops.
+        2 => deviation < Length::ZERO,
+        _ => false,
+    };
+    Ok(Measured {
+        contacts: vec![contact],
+        circle: None,
+        results: results.into_iter().chain([status_result(status)]).collect(),
+        status,
+        stop: if stops { Stop::of(inputs.whole(309), &checks) } else { None },
+        checks,
+        log: LogTarget::File("TCHPR444.html"),
+        remarks: Vec::new(),
+    })
+}
+
+/// Q151 to Q153 measured, Q161 to Q163 deviations, Q164 the deviation along the normal.
+fn measured(contact: &Contact, [x, y, z]: [f64; 3], normal: [f64; 3]) -> Result<([Found; 7], Length), CycleError> {
+    let deviation = [contact.x - x, contact.y - y, contact.z - z];
+    let [off_x, off_y, off_z] = deviation;
+    let off = nearest(dot(deviation, normal))?;
+    let found = [
+        Found::length(151, FoundName::Position1, nearest(contact.x)?),
+        Found::length(152, FoundName::Position2, nearest(contact.y)?),
+        Found::length(153, FoundName::Position3, nearest(contact.z)?),
+        Found::length(161, FoundName::Deviation1, nearest(off_x)?),
+        Found::length(162, FoundName::Deviation2, nearest(off_y)?),
+        Found::length(163, FoundName::Deviation3, nearest(off_z)?),
+        Found::length(164, FoundName::DeviationAlong, off),
+    ];
+    Ok((found, off))
+}
+
+/// Above the band there is material to take off, below it too much is gone.
+fn check(band: Deviations, deviation: Length) -> Check {
+    let (minimum, maximum) = (band.lower(), band.upper());
+    let status = classify(Feature::Shaft, minimum, maximum, deviation);
+    Check { what: FoundName::DeviationAlong, measured: deviation, minimum, maximum, status }
+}
+
+/// Q183: −1 without a tolerance, 0 good, 1 rework, 2 scrap.
+fn status_result(status: Option<Status>) -> Found {
+    let number = match status {
+        Some(Status::Good) => 0,
+        Some(Status::Rework) => 1,
+        Some(Status::Scrap) => 2,
+        None | Some(Status::ReMeasure) => -1,
+    };
+    Found { key: Key::Q(183), name: FoundName::Status, value: Value::Whole(number) }
+}

@@ -1,0 +1,171 @@
+//! G785 of lathe controls, circle measurement: three touches, centre and diameter, no limits.
+//!
+//! As in seed `003_a450c9437c7f7424.txt` (`MANUALplus` 620 and CNC PILOT 640). Our readings where the seed is silent: angles
+//! count from the first axis of the plane to the second; a positive K leads away from the centre, a negative one towards
+//! it; without D every touch begins at the present position, and that is the nominal centre where nothing else is said;
+//! I and J are 0 without input; `#i99` holds the diameter. Q, P and H stand in the example block only: they are accepted
+//! without effect.
+
+use super::round;
+use crate::length::Length;
+use crate::probing::contact::{Contact, Touch};
+use crate::probing::cycle::{
+    Angle, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, LogTarget, Measured, Nominal, Parameter, Plane,
+    Remark, along, nearest,
+};
+use crate::tolerance::Feature;
+use crate::words::Language::{De, En};
+
+const PLANE: Key = Key::Word("R");
+const SIDE: Key = Key::Word("BR");
+const PATH: Key = Key::Word("K");
+const PATH_NAME: &str = "MEASURING PATH";
+const FIRST_ANGLE: Key = Key::Word("C");
+const STEP: Key = Key::Word("RC");
+const START_DIAMETER: Key = Key::Word("D");
+const HEIGHT: Key = Key::Word("WB");
+const CENTRE_1: Key = Key::Word("I");
+const CENTRE_2: Key = Key::Word("J");
+const PERMITTED: Key = Key::Word("WE");
+
+/// How many touches there are round the circle.
+const TOUCHES: u8 = 3;
+
+/// The declaration, in the order of the seed's list.
+pub(super) const CYCLE: Cycle = Cycle {
+    number: 785,
+    code: "G785",
+    names: &[(En, "CIRCLE MEASUREMENT"), (De, "KREISMESSUNG")],
+    parameters: &[
+        Parameter::choice(PLANE, "PLANE", &[0, 1, 2]).asked(&[(De, "Nullpunkt-Verschiebung Art")]).or(0),
+        Parameter::choice(SIDE, "INSIDE / OUTSIDE", &[0, 1]).asked(&[(De, "Innen / Aussen")]).or(0),
+        Parameter::coordinate(PATH, PATH_NAME).asked(&[(De, "Messweg inkremental (Vorzeichen)")]),
+        Parameter::angle(FIRST_ANGLE, "ANGLE OF 1ST TOUCH", 360, 0).asked(&[(De, "Winkel 1. Messung")]).or(0),
+        Parameter::angle(STEP, "ANGLE STEP", 360, 0).asked(&[(De, "Winkel inkremental")]),
+        Parameter::size(START_DIAMETER, "START DIAMETER").asked(&[(De, "Startdurchmesser")]).or_nothing(),
+        Parameter::coordinate(HEIGHT, "MEASURING HEIGHT").asked(&[(De, "Position Zustellrichtung")]).or_nothing(),
+        Parameter::coordinate(CENTRE_1, "CENTER IN 1ST AXIS").asked(&[(De, "Kreismittelpunkt Achse 1")]).or(0),
+        Parameter::coordinate(CENTRE_2, "CENTER IN 2ND AXIS").asked(&[(De, "Kreismittelpunkt Achse 2")]).or(0),
+        Parameter::size(PERMITTED, "MAXIMUM DIFFERENCE").asked(&[(De, "Maximale Abweichung")]).or_nothing(),
+        Parameter::coordinate(Key::Word("Q"), "Q").or(0).without_effect(),
+        Parameter::coordinate(Key::Word("P"), "P").or(0).without_effect(),
+        Parameter::coordinate(Key::Word("H"), "H").or(0).without_effect(),
+    ],
+    run,
+    nominal,
+};
+
+fn plane(inputs: &Inputs) -> Plane {
+    match inputs.whole(PLANE) {
+        1 => Plane::Zx,
+        2 => Plane::Yz,
+        _ => Plane::Xy,
+    }
+}
+
+fn feature(inputs: &Inputs) -> Feature {
+    if inputs.whole(SIDE) == 1 { Feature::Shaft } else { Feature::Hole }
+}
+
+fn centre(inputs: &Inputs) -> [f64; 2] {
+    [inputs.mm(CENTRE_1), inputs.mm(CENTRE_2)]
+}
+
+/// The circle that is met half-way along K by a ball without a radius: the cycle knows no nominal diameter.
+fn nominal(inputs: &Inputs) -> Nominal {
+    let reached = inputs.mm(START_DIAMETER) / 2.0 + inputs.mm(PATH) / 2.0;
+    Nominal::Circle {
+        feature: feature(inputs),
+        plane: plane(inputs),
+        centre: centre(inputs),
+        diameter: 2.0 * reached.abs(),
+    }
+}
+
+/// Where the touches begin and where they lead, in plane coordinates.
+fn touches(inputs: &Inputs) -> Vec<Touch> {
+    let plane = plane(inputs);
+    let [first, second] = centre(inputs);
+    // The present position; nominal centre and height 0 where nobody said it.
+    let present = inputs.position().map_or([first, second, 0.0], |place| plane.within(place));
+    let [present_1, present_2, present_height] = present;
+    let height = if inputs.value(HEIGHT).is_some() { inputs.mm(HEIGHT) } else { present_height };
+    let path = inputs.mm(PATH);
+    let sign = path.signum();
+    let radius = inputs.value(START_DIAMETER).map(|_diameter| inputs.mm(START_DIAMETER) / 2.0);
+    (0..TOUCHES)
+        .map(|number| {
+            let angle: Angle = inputs.angle(FIRST_ANGLE).stepped(inputs.angle(STEP), number);
+            let [cos, sin] = angle.direction();
+            let from = match radius {
+                Some(radius) => [first + radius * cos, second + radius * sin, height],
+                None => [present_1, present_2, height],
+            };
+            Touch {
+                from: plane.place(from),
+                direction: plane.place([sign * cos, sign * sin, 0.0]),
+                longest: path.abs(),
+            }
+        })
+        .collect()
+}
+
+/// Runs the cycle on checked inputs.
+fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
+    if inputs.length(PATH) == Length::ZERO {
+        return Err(CycleError::NoPath { key: PATH, name: PATH_NAME });
+    }
+    let plane = plane(inputs);
+    let [first, second] = centre(inputs);
+    let mut contacts = Vec::new();
+    for touch in touches(inputs) {
+        let [_, _, height] = plane.within(touch.from);
+        if contacts.is_empty() || inputs.value(START_DIAMETER).is_none() {
+            course.pre_position(touch.from);
+        } else {
+            course.pre_position_about(touch.from, plane.place([first, second, height]));
+        }
+        contacts.push(contact(&touch, contacts.len() + 1, inputs, course)?);
+    }
+    let round = round::fit(contacts, feature(inputs), plane, course.ball_radius())?;
+    let nominal = [inputs.length(CENTRE_1), inputs.length(CENTRE_2)];
+    let found = round.found(nominal, [Length::ZERO; 2])?;
+    let [centre_1, centre_2] = found.centre;
+    // The screen shows the centre; by which name is not documented.
+    let [axis_1, axis_2] = plane.axes().map(Key::Word);
+    Ok(Measured {
+        contacts: round.contacts,
+        checks: Vec::new(),
+        status: None,
+        results: vec![
+            Found::length(Key::Word("#i99"), FoundName::Diameter, found.diameter),
+            Found::length(axis_1, FoundName::Centre1, centre_1),
+            Found::length(axis_2, FoundName::Centre2, centre_2),
+        ],
+        circle: Some(found),
+        stop: None,
+        log: LogTarget::Shown,
+        remarks: vec![Remark::VariableHoldsDiameter],
+    })
+}
+
+/// One contact; with WE the mean of two touches, which must agree.
+fn contact(touch: &Touch, number: usize, inputs: &Inputs, course: &mut Course<'_>) -> Result<Contact, CycleError> {
+    let one = course.touch(touch)?;
+    course.retract(touch.from);
+    if inputs.value(PERMITTED).is_none() {
+        return Ok(one);
+    }
+    let other = course.touch(touch)?;
+    course.retract(touch.from);
+    let (one, other) = (one.place(), other.place());
+    // Both lie on the line of the touch.
+    let apart = along(one, other, -1.0).iter().map(|part| part * part).sum::<f64>().sqrt();
+    let (difference, most) = (nearest(apart)?, inputs.length(PERMITTED));
+    if most < difference {
+        return Err(CycleError::Apart { contact: number, difference, key: PERMITTED, most });
+    }
+    // The mean, without rounding anything away where both are the same.
+    let [x, y, z] = along(other, one, -1.0);
+    Ok(Contact::at(along(one, [x, y, z], 0.5)))
+}

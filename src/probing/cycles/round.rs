@@ -1,0 +1,70 @@
+//! From contacts to a circle, for every cycle that measures one.
+//!
+//! The circle goes through the ball's centres and is then widened or narrowed by the ball: so the ball's radius is taken
+//! into account exactly, wherever the circle lies. How the control itself fits contacts is not published; geometric least
+//! squares is our choice.
+
+use crate::length::Length;
+use crate::probing::circle::{Circle, least_squares};
+use crate::probing::contact::Contact;
+use crate::probing::cycle::{CircleFound, CycleError, Plane};
+use crate::tolerance::Feature;
+use crate::verdict::{AxisPosition, PositionVerdict};
+
+/// A circle and the points of the surface that it goes through, in X, Y, Z.
+pub(super) struct Round {
+    pub(super) circle: Circle,
+    pub(super) contacts: Vec<Contact>,
+    plane: Plane,
+}
+
+/// The circle through contacts in X, Y, Z.
+pub(super) fn fit(
+    contacts: Vec<Contact>,
+    feature: Feature,
+    plane: Plane,
+    ball_radius: f64,
+) -> Result<Round, CycleError> {
+    let in_plane: Vec<_> = contacts.iter().map(|contact| Contact::at(plane.within(contact.place()))).collect();
+    let circle = least_squares(&in_plane)?;
+    if ball_radius <= 0.0 {
+        return Ok(Round { circle, contacts, plane });
+    }
+    let outward = match feature {
+        Feature::Hole => ball_radius,
+        Feature::Shaft => -ball_radius,
+    };
+    let on_surface = |contact: &Contact| {
+        let (off_x, off_y) = (contact.x - circle.x, contact.y - circle.y);
+        // Three contacts of one circle are never all at its centre; one that is stays there.
+        let distance = off_x.hypot(off_y);
+        let share = if distance <= 0.0 { 0.0 } else { outward / distance };
+        Contact::at(plane.place([contact.x + off_x * share, contact.y + off_y * share, contact.z]))
+    };
+    let contacts = in_plane.iter().map(on_surface).collect();
+    let circle = Circle { diameter: circle.diameter + 2.0 * outward, ..circle };
+    Ok(Round { circle, contacts, plane })
+}
+
+impl Round {
+    /// The circle in whole nanometres, against a nominal centre; a tolerance of zero is not monitored.
+    pub(super) fn found(&self, nominal: [Length; 2], tolerances: [Length; 2]) -> Result<CircleFound, CycleError> {
+        let nearest = |mm: f64| Length::from_mm_f64(mm).map_err(CycleError::TooLarge);
+        let centre = [nearest(self.circle.x)?, nearest(self.circle.y)?];
+        let [centre_1, centre_2] = centre;
+        let ([nominal_1, nominal_2], [tolerance_1, tolerance_2]) = (nominal, tolerances);
+        let axis = |measured: Length, nominal, tolerance: Length| AxisPosition {
+            deviation: measured.saturating_sub(nominal),
+            tolerance: (Length::ZERO < tolerance).then_some(tolerance),
+        };
+        Ok(CircleFound {
+            plane: self.plane,
+            circle: self.circle,
+            centre,
+            diameter: nearest(self.circle.diameter)?,
+            position: PositionVerdict {
+                axes: [axis(centre_1, nominal_1, tolerance_1), axis(centre_2, nominal_2, tolerance_2)],
+            },
+        })
+    }
+}

@@ -1,0 +1,233 @@
+//! The simulated machine as one TOML file: a surface, its temperature, the probe and a seed.
+//!
+//! ```toml
+//! seed = 7                   # of all scatter; 1 without it
+//! temperature = 23.7         # of the workpiece, °C; 20 without it
+//! expansion = 11.5           # millionths per kelvin; steel without it
+//!
+//! [bore]                     # or [stud], [face], [point]: exactly one
+//! centre = [50.0, 20.0]
+//! diameter = 25.012
+//! plane = "XY"               # "ZX" or "YZ" for G785
+//! ovality = { count = 2, amplitude = 0.001, angle = 30.0 }
+//! lobes = { count = 3, amplitude = 0.0005 }
+//! surface_scatter = 0.0003
+//!
+//! [probe]
+//! ball_radius = 3.0
+//! trigger_scatter = 0.0005
+//! calibration_error = 0.0002
+//! offset = [0.0, 0.0]
+//! lobing = { count = 3, amplitude = 0.0004 }
+//! ```
+//!
+//! `[face]` has point, normal, wave and `surface_scatter`; `[point]` has point, normal, deviation, radius and
+//! `surface_scatter`. Lengths are millimetres. A key that is not known is refused.
+
+use serde::Deserialize;
+
+use super::{Face, FreePoint, Lobes, Machine, Probe, Surface, Workpiece, WorkpieceError, in_range};
+use crate::probing::cycle::Plane;
+use crate::tolerance::Feature;
+use crate::words::{Message, Say};
+
+/// Steel, millionths per kelvin.
+const STEEL: f64 = 11.5;
+
+/// The temperature that sizes refer to (ISO 1), °C.
+const REFERENCE: f64 = 20.0;
+
+/// A simulated machine before it is switched on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bench {
+    /// The surface at 20 °C.
+    pub surface: Surface,
+    /// The probe.
+    pub probe: Probe,
+    /// The seed of all scatter.
+    pub seed: u64,
+    /// Temperature of the workpiece, °C.
+    pub temperature: f64,
+    /// How much the workpiece grows, millionths per kelvin.
+    pub expansion: f64,
+}
+
+/// Why a file is no machine.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BenchError {
+    /// It is no TOML, or has other keys.
+    #[error("line {line}: {said}")]
+    Toml {
+        /// Where.
+        line: usize,
+        /// What the reader of TOML says, in English.
+        said: String,
+    },
+    /// Not exactly one surface.
+    #[error("the file has {found} of [bore], [stud], [face] and [point]: it needs exactly one")]
+    NotOne {
+        /// How many there are.
+        found: usize,
+    },
+    /// A figure that cannot be.
+    #[error("line {line}: {error}")]
+    CannotBe {
+        /// Where.
+        line: usize,
+        /// Which figure, and what is allowed.
+        error: WorkpieceError,
+    },
+}
+
+impl Say for BenchError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Toml { line, said } => Message::new("bench-toml").text("line", line).text("said", said),
+            Self::NotOne { found } => Message::new("bench-not-one").text("found", found),
+            Self::CannotBe { line, error } => {
+                Message::new("bench-cannot-be").text("line", line).message("error", error.message())
+            }
+        }
+    }
+}
+
+/// The file as it is written.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    #[serde(default = "first_seed")]
+    seed: u64,
+    #[serde(default = "reference")]
+    temperature: f64,
+    #[serde(default = "steel")]
+    expansion: f64,
+    bore: Option<Round>,
+    stud: Option<Round>,
+    face: Option<Face>,
+    point: Option<FreePoint>,
+    #[serde(default)]
+    probe: Probe,
+}
+
+const fn first_seed() -> u64 {
+    1
+}
+
+const fn reference() -> f64 {
+    REFERENCE
+}
+
+const fn steel() -> f64 {
+    STEEL
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Round {
+    centre: [f64; 2],
+    diameter: f64,
+    #[serde(default)]
+    plane: Plane,
+    #[serde(default)]
+    ovality: Lobes,
+    #[serde(default)]
+    lobes: Lobes,
+    #[serde(default)]
+    surface_scatter: f64,
+}
+
+impl Round {
+    const fn surface(&self, feature: Feature) -> Surface {
+        let Self { centre, diameter, plane, ovality, lobes, surface_scatter } = *self;
+        Surface::Round(Workpiece { feature, centre, diameter, ovality, lobes, surface_scatter }, plane)
+    }
+}
+
+impl Bench {
+    /// A perfect machine with a surface at 20 °C.
+    pub const fn perfect(surface: Surface) -> Self {
+        Self { surface, probe: Probe::STILL, seed: 1, temperature: REFERENCE, expansion: STEEL }
+    }
+
+    /// Reads a file.
+    ///
+    /// ```
+    /// use fitcheck::probing::simulated::Bench;
+    ///
+    /// let bench = Bench::read("[bore]\ncentre = [50, 20]\ndiameter = 25.012\n")?;
+    /// assert_eq!(bench.temperature, 20.0);
+    /// # Ok::<(), fitcheck::probing::simulated::BenchError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BenchError`] with the line.
+    pub fn read(text: &str) -> Result<Self, BenchError> {
+        let file: File = toml::from_str(text).map_err(|error| BenchError::Toml {
+            line: line_at(text, error.span().map_or(0, |span| span.start)),
+            said: error.message().to_owned(),
+        })?;
+        let surfaces = [
+            file.bore.map(|bore| ("bore", bore.surface(Feature::Hole))),
+            file.stud.map(|stud| ("stud", stud.surface(Feature::Shaft))),
+            file.face.map(|face| ("face", Surface::Face(face))),
+            file.point.map(|point| ("point", Surface::Point(point))),
+        ];
+        let found: Vec<_> = surfaces.into_iter().flatten().collect();
+        let &[(kind, surface)] = found.as_slice() else { return Err(BenchError::NotOne { found: found.len() }) };
+        let (seed, temperature, expansion) = (file.seed, file.temperature, file.expansion);
+        let bench = Self { surface, probe: file.probe, seed, temperature, expansion };
+        bench.check().map_err(|error| BenchError::CannotBe { line: line_of(text, kind, error.what), error })?;
+        Ok(bench)
+    }
+
+    fn check(&self) -> Result<(), WorkpieceError> {
+        in_range("temperature", self.temperature, -100.0, 200.0)?;
+        in_range("expansion", self.expansion, 0.0, 200.0)?;
+        self.probe.check()?;
+        self.surface.check(self.probe.trigger_scatter)
+    }
+
+    /// Switches the machine on: the workpiece grows about its zero with its temperature, the scales do not.
+    ///
+    /// # Errors
+    /// [`WorkpieceError`] names the figure that cannot be.
+    pub fn machine(&self) -> Result<Machine, WorkpieceError> {
+        self.check()?;
+        let factor = 1.0 + self.expansion * 1e-6 * (self.temperature - REFERENCE);
+        Machine::with(self.surface.grown(factor), self.probe, self.seed)
+    }
+}
+
+/// The line of a place in a text, from 1.
+fn line_at(text: &str, offset: usize) -> usize {
+    1 + text.bytes().take(offset).filter(|byte| *byte == b'\n').count()
+}
+
+/// The line of the key that a figure was given by; the first line of the table where it was not given.
+fn line_of(text: &str, kind: &str, what: &str) -> usize {
+    let (table, key) = match what {
+        "temperature" | "expansion" => (None, what),
+        "probe scatter" => (Some("probe"), "trigger_scatter"),
+        "ball radius" => (Some("probe"), "ball_radius"),
+        "calibration error" => (Some("probe"), "calibration_error"),
+        "offset" => (Some("probe"), "offset"),
+        "lobing" | "lobing angle" | "lobing count" => (Some("probe"), "lobing"),
+        "centre x" | "centre y" => (Some(kind), "centre"),
+        "surface scatter" => (Some(kind), "surface_scatter"),
+        "ovality" | "ovality angle" | "ovality count" => (Some(kind), "ovality"),
+        "lobes" | "lobe height" | "lobe angle" => (Some(kind), "lobes"),
+        "wave length" | "wave amplitude" | "wave direction" => (Some(kind), "wave"),
+        "length of the normal" => (Some(kind), "normal"),
+        _ => (Some(kind), what),
+    };
+    let Ok(root) = toml::de::DeTable::parse(text) else { return 1 };
+    let root = root.get_ref();
+    let place = match table {
+        None => root.get(key).map(|value| value.span().start),
+        Some(table) => root.get(table).map(|value| {
+            let own = value.get_ref().as_table().and_then(|table| table.get(key)).map(|value| value.span().start);
+            own.unwrap_or_else(|| value.span().start)
+        }),
+    };
+    line_at(text, place.unwrap_or_default())
+}

@@ -1,0 +1,61 @@
+//! The simulated probe: its ball, its scatter, and what calibration did not find.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Lobes, WorkpieceError, in_range};
+
+/// The largest ball and offset, mm.
+const LARGEST: f64 = 100.0;
+
+/// The probe.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Probe {
+    /// Scatter of the trigger point along the probing direction, one sigma, millimetres.
+    #[serde(default)]
+    pub trigger_scatter: f64,
+    /// Radius of the ball, millimetres; zero is a point.
+    #[serde(default)]
+    pub ball_radius: f64,
+    /// How much too large the control takes that radius, millimetres.
+    #[serde(default)]
+    pub calibration_error: f64,
+    /// How far the ball really lies off the spindle's axis, millimetres; without it calibration found it exactly.
+    #[serde(default)]
+    pub offset: Option<[f64; 2]>,
+    /// Pre-travel by direction in the plane X/Y: the contact is told so much later, millimetres.
+    #[serde(default)]
+    pub lobing: Lobes,
+}
+
+impl Probe {
+    /// A perfect point.
+    pub const STILL: Self = Self {
+        trigger_scatter: 0.0,
+        ball_radius: 0.0,
+        calibration_error: 0.0,
+        offset: None,
+        lobing: Lobes { count: 0, amplitude: 0.0, angle: 0.0 },
+    };
+
+    /// Half a micrometre of scatter, as touch probes in machines have.
+    pub const USUAL: Self = Self { trigger_scatter: 0.0005, ..Self::STILL };
+
+    pub(super) fn check(&self) -> Result<(), WorkpieceError> {
+        in_range("probe scatter", self.trigger_scatter, 0.0, 1.0)?;
+        in_range("ball radius", self.ball_radius, 0.0, LARGEST)?;
+        // The control's radius is never below zero.
+        in_range("calibration error", self.calibration_error, -self.ball_radius, 1.0)?;
+        for offset in self.offset.unwrap_or_default() {
+            in_range("offset", offset, -LARGEST, LARGEST)?;
+        }
+        in_range("lobing", self.lobing.amplitude, 0.0, 1.0)?;
+        in_range("lobing angle", self.lobing.angle, -360.0, 360.0)?;
+        in_range("lobing count", f64::from(self.lobing.count), 0.0, 100.0)
+    }
+
+    /// How much later a contact is told in this direction: the share of it that lies in X/Y.
+    pub(super) fn pre_travel(&self, [x, y, _]: [f64; 3]) -> f64 {
+        if self.lobing.amplitude <= 0.0 { 0.0 } else { self.lobing.height(y.atan2(x)) * x.hypot(y) }
+    }
+}

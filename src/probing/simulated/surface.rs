@@ -1,0 +1,273 @@
+//! The surfaces that a simulated probe can touch: round features, plane faces, points of free surfaces.
+
+use serde::{Deserialize, Serialize};
+
+use super::nearest::{least, trace};
+use super::{FARTHEST, Workpiece, WorkpieceError, in_range};
+use crate::probing::cycle::{Nominal, Plane};
+
+/// A surface of the workpiece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Surface {
+    /// A hole or a stud in a plane of the machine; its axis has no end.
+    Round(Workpiece, Plane),
+    /// A plane face without borders.
+    Face(Face),
+    /// The neighbourhood of a point of a free surface.
+    Point(FreePoint),
+}
+
+/// A plane face, millimetres.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Face {
+    /// A point of it; a wave has its crest there.
+    pub point: [f64; 3],
+    /// Its normal out of the material, of any length but zero.
+    pub normal: [f64; 3],
+    /// Waviness.
+    #[serde(default)]
+    pub wave: Option<Wave>,
+    /// Scatter of the surface along the probing direction, one sigma.
+    #[serde(default)]
+    pub surface_scatter: f64,
+}
+
+/// Waves of a face, millimetres.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Wave {
+    /// Half the height from trough to crest.
+    pub amplitude: f64,
+    /// From crest to crest.
+    pub length: f64,
+    /// The direction in which they follow each other; its share along the normal does not count.
+    pub direction: [f64; 3],
+}
+
+/// A point of a free surface, millimetres.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FreePoint {
+    /// Where the point should be.
+    pub point: [f64; 3],
+    /// The normal there out of the material, of any length but zero.
+    pub normal: [f64; 3],
+    /// How far the surface really lies out along the normal; below zero material is missing.
+    #[serde(default)]
+    pub deviation: f64,
+    /// Radius of the surface there: above zero it bulges out, below zero it is hollow; without it the surface is flat.
+    #[serde(default)]
+    pub radius: Option<f64>,
+    /// Scatter of the surface along the probing direction, one sigma.
+    #[serde(default)]
+    pub surface_scatter: f64,
+}
+
+impl From<Nominal> for Surface {
+    /// The perfect surface that a cycle expects.
+    fn from(nominal: Nominal) -> Self {
+        match nominal {
+            Nominal::Circle { feature, plane, centre, diameter } => {
+                Self::Round(Workpiece::round(feature, centre, diameter), plane)
+            }
+            Nominal::Face { point, normal } => Self::Face(Face { point, normal, wave: None, surface_scatter: 0.0 }),
+        }
+    }
+}
+
+impl Surface {
+    pub(super) fn check(&self, trigger_scatter: f64) -> Result<(), WorkpieceError> {
+        match self {
+            Self::Round(workpiece, _) => workpiece.check(trigger_scatter),
+            Self::Face(face) => face.check(),
+            Self::Point(point) => point.check(),
+        }
+    }
+
+    pub(super) const fn scatter(&self) -> f64 {
+        match self {
+            Self::Round(workpiece, _) => workpiece.surface_scatter,
+            Self::Face(face) => face.surface_scatter,
+            Self::Point(point) => point.surface_scatter,
+        }
+    }
+
+    /// The same surface grown by a factor about the workpiece's zero; waves and deviations stay.
+    #[must_use]
+    pub(super) fn grown(self, factor: f64) -> Self {
+        match self {
+            Self::Round(workpiece, plane) => {
+                let centre = workpiece.centre.map(|part| part * factor);
+                Self::Round(Workpiece { centre, diameter: workpiece.diameter * factor, ..workpiece }, plane)
+            }
+            Self::Face(face) => Self::Face(Face { point: face.point.map(|part| part * factor), ..face }),
+            Self::Point(point) => Self::Point(FreePoint {
+                point: point.point.map(|part| part * factor),
+                radius: point.radius.map(|radius| radius * factor),
+                ..point
+            }),
+        }
+    }
+
+    /// Whether a ball there is not in the material.
+    pub(super) fn is_free(&self, from: [f64; 3], ball_radius: f64) -> bool {
+        match self {
+            Self::Round(workpiece, plane) => {
+                let [first, second, _] = plane.within(from);
+                workpiece.is_free([first, second], ball_radius)
+            }
+            Self::Face(face) => 0.0 <= face.gap(from, ball_radius),
+            Self::Point(point) => 0.0 <= point.gap(from, ball_radius),
+        }
+    }
+
+    /// How far along a unit vector a ball meets the surface.
+    pub(super) fn distance(&self, from: [f64; 3], direction: [f64; 3], ball_radius: f64) -> Option<f64> {
+        match self {
+            Self::Round(workpiece, plane) => {
+                let ([first, second, _], [along_1, along_2, up]) = (plane.within(from), plane.within(direction));
+                if up.abs() <= 0.0 {
+                    return workpiece.distance([first, second], [along_1, along_2], ball_radius);
+                }
+                // Only the share across the axis leads towards the wall.
+                let share = along_1.hypot(along_2);
+                if share <= 0.0 {
+                    return None;
+                }
+                let across = [along_1 / share, along_2 / share];
+                workpiece.distance([first, second], across, ball_radius).map(|distance| distance / share)
+            }
+            Self::Face(face) => face.distance(from, direction, ball_radius),
+            Self::Point(point) => point.distance(from, direction, ball_radius),
+        }
+    }
+}
+
+impl Face {
+    fn check(&self) -> Result<(), WorkpieceError> {
+        check_place(self.point, self.normal, self.surface_scatter)?;
+        let Some(wave) = &self.wave else { return Ok(()) };
+        in_range("wave length", wave.length, 0.001, FARTHEST)?;
+        in_range("wave amplitude", wave.amplitude, 0.0, wave.length)?;
+        in_range("wave direction", norm(self.across(wave)), 1e-6, FARTHEST)
+    }
+
+    /// The share of the wave's direction that lies in the face.
+    fn across(&self, wave: &Wave) -> [f64; 3] {
+        let normal = unit(self.normal);
+        let share = dot(wave.direction, normal);
+        sum(wave.direction, normal, -share)
+    }
+
+    fn gap(&self, from: [f64; 3], ball_radius: f64) -> f64 {
+        let off = sum(from, self.point, -1.0);
+        let height = dot(off, unit(self.normal));
+        let Some(wave) = self.wave.filter(|wave| 0.0 < wave.amplitude) else { return height - ball_radius };
+        // Far above the crests the exact gap does not matter, only that it is not too large.
+        let above = height - wave.amplitude;
+        if wave.length < above - ball_radius {
+            return above - ball_radius;
+        }
+        let place = dot(off, unit(self.across(&wave)));
+        let number = std::f64::consts::TAU / wave.length;
+        let crest = |along: f64| wave.amplitude * (number * along).cos();
+        if height < crest(place) {
+            // Below the surface: the depth is enough.
+            return height - crest(place) - ball_radius;
+        }
+        let distance = |along: f64| (along - place).hypot(height - crest(along));
+        // No point farther along than the one straight below can be nearer.
+        let reach = height - crest(place);
+        let samples = whole((64.0 * reach / wave.length).clamp(16.0, 20_000.0));
+        least(distance, place - reach, place + reach, samples) - ball_radius
+    }
+
+    fn distance(&self, from: [f64; 3], direction: [f64; 3], ball_radius: f64) -> Option<f64> {
+        let towards = -dot(direction, unit(self.normal));
+        if self.wave.is_none_or(|wave| wave.amplitude <= 0.0) {
+            return (0.0 < towards).then(|| self.gap(from, ball_radius) / towards);
+        }
+        trace(|gone| self.gap(sum(from, direction, gone), ball_radius), FARTHEST)
+    }
+}
+
+impl FreePoint {
+    fn check(&self) -> Result<(), WorkpieceError> {
+        check_place(self.point, self.normal, self.surface_scatter)?;
+        in_range("deviation", self.deviation, -1_000.0, 1_000.0)?;
+        in_range("radius", self.radius.map_or(1.0, f64::abs), 0.001, FARTHEST)
+    }
+
+    /// The point of the surface that the deviation leads to.
+    fn real(&self) -> [f64; 3] {
+        sum(self.point, unit(self.normal), self.deviation)
+    }
+
+    fn gap(&self, from: [f64; 3], ball_radius: f64) -> f64 {
+        let Some(radius) = self.radius else {
+            return dot(sum(from, self.real(), -1.0), unit(self.normal)) - ball_radius;
+        };
+        let centre = sum(self.real(), unit(self.normal), -radius);
+        let distance = norm(sum(from, centre, -1.0));
+        if 0.0 < radius { distance - radius - ball_radius } else { -radius - ball_radius - distance }
+    }
+
+    fn distance(&self, from: [f64; 3], direction: [f64; 3], ball_radius: f64) -> Option<f64> {
+        let Some(radius) = self.radius else {
+            let towards = -dot(direction, unit(self.normal));
+            return (0.0 < towards).then(|| self.gap(from, ball_radius) / towards);
+        };
+        let centre = sum(self.real(), unit(self.normal), -radius);
+        let to = sum(centre, from, -1.0);
+        let along = dot(to, direction);
+        let across = norm(sum(to, direction, -along));
+        // The ball's centre meets a sphere that is a ball's radius larger, or smaller inside a hollow.
+        let reach = if 0.0 < radius { radius + ball_radius } else { -radius - ball_radius };
+        let square = (reach - across) * (reach + across);
+        if square < 0.0 {
+            return None;
+        }
+        let distance = if 0.0 < radius { along - square.sqrt() } else { along + square.sqrt() };
+        (0.0 <= distance).then_some(distance)
+    }
+}
+
+fn check_place(point: [f64; 3], normal: [f64; 3], surface_scatter: f64) -> Result<(), WorkpieceError> {
+    for part in point {
+        in_range("point", part, -FARTHEST, FARTHEST)?;
+    }
+    for part in normal {
+        in_range("normal", part, -FARTHEST, FARTHEST)?;
+    }
+    in_range("length of the normal", norm(normal), 1e-6, 2.0 * FARTHEST)?;
+    in_range("surface scatter", surface_scatter, 0.0, 1.0)
+}
+
+fn dot([x, y, z]: [f64; 3], [with_x, with_y, with_z]: [f64; 3]) -> f64 {
+    x * with_x + y * with_y + z * with_z
+}
+
+fn norm(vector: [f64; 3]) -> f64 {
+    dot(vector, vector).sqrt()
+}
+
+fn unit(vector: [f64; 3]) -> [f64; 3] {
+    let length = norm(vector);
+    vector.map(|part| part / length)
+}
+
+/// One vector and another times a factor.
+fn sum([x, y, z]: [f64; 3], [with_x, with_y, with_z]: [f64; 3], factor: f64) -> [f64; 3] {
+    [x + factor * with_x, y + factor * with_y, z + factor * with_z]
+}
+
+#[expect(
+    clippy::as_conversions,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a cast from float saturates, and the caller gives 16 to 20000"
+)]
+const fn whole(number: f64) -> u32 {
+    number as u32
+}

@@ -1,0 +1,175 @@
+//! A round feature with its form, and where a touch meets it.
+
+use serde::{Deserialize, Serialize};
+
+use super::nearest::{least, trace};
+use super::{FARTHEST, WorkpieceError, in_range};
+use crate::tolerance::Feature;
+
+/// The most lobes: steps in which a contour is followed are so small that none is missed.
+const MOST_LOBES: f64 = 100.0;
+
+/// The steps in which a smooth contour is followed.
+const STEPS: u32 = 512;
+
+/// A circular feature with its form, millimetres and degrees.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Workpiece {
+    /// Hole or shaft.
+    pub feature: Feature,
+    /// Where the centre really is.
+    pub centre: [f64; 2],
+    /// Mean diameter, above zero.
+    pub diameter: f64,
+    /// Ovality: two lobes.
+    #[serde(default)]
+    pub ovality: Lobes,
+    /// Any other lobes.
+    #[serde(default)]
+    pub lobes: Lobes,
+    /// Scatter of the surface along the probing direction, one sigma.
+    #[serde(default)]
+    pub surface_scatter: f64,
+}
+
+/// A regular wave of the radius.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Lobes {
+    /// How many round the circle; two for ovality.
+    pub count: u32,
+    /// Amplitude in the radius, zero or more.
+    pub amplitude: f64,
+    /// Direction of the first crest, degrees.
+    #[serde(default)]
+    pub angle: f64,
+}
+
+impl Workpiece {
+    /// A perfectly round one.
+    pub const fn round(feature: Feature, centre: [f64; 2], diameter: f64) -> Self {
+        let none = Lobes { count: 0, amplitude: 0.0, angle: 0.0 };
+        Self { feature, centre, diameter, ovality: none, lobes: none, surface_scatter: 0.0 }
+    }
+
+    /// One as a shop makes it: a micrometre oval, three tenths of a micrometre rough.
+    pub const fn usual(feature: Feature, diameter: f64) -> Self {
+        Self {
+            ovality: Lobes { count: 2, amplitude: 0.001, angle: 0.0 },
+            surface_scatter: 0.0003,
+            ..Self::round(feature, [0.0, 0.0], diameter)
+        }
+    }
+
+    /// The radius in a direction seen from the centre, radians.
+    fn radius(&self, angle: f64) -> f64 {
+        self.diameter / 2.0 + self.ovality.height(angle) + self.lobes.height(angle)
+    }
+
+    pub(super) fn check(&self, trigger_scatter: f64) -> Result<(), WorkpieceError> {
+        let [x, y] = self.centre;
+        in_range("diameter", self.diameter, 0.001, FARTHEST)?;
+        in_range("centre x", x, -FARTHEST, FARTHEST)?;
+        in_range("centre y", y, -FARTHEST, FARTHEST)?;
+        // Contour and scatter must stay in the range where a contour is a curve about its centre.
+        let highest = self.diameter / 20.0;
+        in_range("surface scatter", self.surface_scatter, 0.0, highest)?;
+        in_range("probe scatter", trigger_scatter, 0.0, highest)?;
+        in_range("ovality", self.ovality.amplitude, 0.0, highest)?;
+        in_range("lobe height", self.lobes.amplitude, 0.0, highest)?;
+        in_range("ovality angle", self.ovality.angle, -360.0, 360.0)?;
+        in_range("lobe angle", self.lobes.angle, -360.0, 360.0)?;
+        // A wave that does not wave, or hardly, would only move or widen the circle.
+        let fewest = |wave: &Lobes| if 0.0 < wave.amplitude { 2.0 } else { 0.0 };
+        in_range("ovality count", f64::from(self.ovality.count), fewest(&self.ovality), 2.0)?;
+        in_range("lobes", f64::from(self.lobes.count), fewest(&self.lobes), MOST_LOBES)
+    }
+
+    fn is_round(&self) -> bool {
+        self.ovality.amplitude.max(self.lobes.amplitude) <= 0.0
+    }
+
+    /// Whether a ball there is not in the material, nor touching it from behind.
+    pub(super) fn is_free(&self, [x, y]: [f64; 2], ball_radius: f64) -> bool {
+        let [centre_x, centre_y] = self.centre;
+        let (off_x, off_y) = (x - centre_x, y - centre_y);
+        let radius = self.radius(off_y.atan2(off_x));
+        let off = off_x.hypot(off_y);
+        let is_outside_material = match self.feature {
+            Feature::Hole => off + ball_radius <= radius || (!self.is_round() && off <= radius),
+            Feature::Shaft => radius + ball_radius <= off || (!self.is_round() && radius <= off),
+        };
+        // A point needs no room; of a wavy contour a neighbouring crest may be nearer.
+        is_outside_material && (self.is_round() || ball_radius <= 0.0 || 0.0 <= self.gap([off_x, off_y], ball_radius))
+    }
+
+    /// How far along a unit vector a ball meets the contour.
+    pub(super) fn distance(&self, from: [f64; 2], direction: [f64; 2], ball_radius: f64) -> Option<f64> {
+        let ([x, y], [along_x, along_y]) = (from, direction);
+        let [centre_x, centre_y] = self.centre;
+        let (to_x, to_y) = (centre_x - x, centre_y - y);
+        let (along, across) = (to_x * along_x + to_y * along_y, to_x * along_y - to_y * along_x);
+        let half_chord = |radius: f64| {
+            let square = (radius - across) * (radius + across);
+            (0.0 <= square).then(|| square.sqrt())
+        };
+        let feature = self.feature;
+        if self.is_round() {
+            let radius = match feature {
+                Feature::Hole => self.diameter / 2.0 - ball_radius,
+                Feature::Shaft => self.diameter / 2.0 + ball_radius,
+            };
+            let half = half_chord(radius)?;
+            // Out of a hole the far side is met, onto a shaft the near one.
+            let distance = if feature == Feature::Hole { along + half } else { along - half };
+            return (0.0 <= distance).then_some(distance);
+        }
+        // Any other contour lies within a circle a little wider than its highest crest.
+        let (ovality, lobes) = (self.ovality.amplitude, self.lobes.amplitude);
+        let widest = (self.diameter / 2.0 + ovality + lobes) * (1.0 + 1e-9);
+        if 0.0 < ball_radius {
+            let half = half_chord(widest + ball_radius)?;
+            let gap = |gone: f64| self.gap([gone * along_x - to_x, gone * along_y - to_y], ball_radius);
+            return trace(gap, along + half);
+        }
+        // A point: on the way through that circle the first crossing is looked for in small steps and then halved to
+        // the last bit.
+        let half = half_chord(widest)?;
+        let (first, last) = ((along - half).max(0.0), along + half);
+        let crossed = |distance: f64| {
+            let (off_x, off_y) = (distance * along_x - to_x, distance * along_y - to_y);
+            let outside = off_x.hypot(off_y) - self.radius(off_y.atan2(off_x));
+            if feature == Feature::Hole { 0.0 <= outside } else { outside <= 0.0 }
+        };
+        if last < first {
+            return None;
+        }
+        let steps = STEPS + 64 * self.lobes.count;
+        let place = |step: u32| first + (last - first) * (f64::from(step) / f64::from(steps));
+        let beyond = (0..=steps).find(|&step| crossed(place(step)))?;
+        let (mut before, mut after) = (place(beyond.saturating_sub(1)), place(beyond));
+        for _ in 0..60 {
+            let middle = f64::midpoint(before, after);
+            if crossed(middle) { after = middle } else { before = middle }
+        }
+        Some(after)
+    }
+
+    /// The gap between a ball, seen from the centre, and the nearest point of the contour.
+    fn gap(&self, [x, y]: [f64; 2], ball_radius: f64) -> f64 {
+        let distance = |angle: f64| {
+            let radius = self.radius(angle);
+            let (sin, cos) = angle.sin_cos();
+            (x - radius * cos).hypot(y - radius * sin)
+        };
+        let turn = std::f64::consts::TAU;
+        least(distance, 0.0, turn, (STEPS / 2).max(32 * self.lobes.count)) - ball_radius
+    }
+}
+
+impl Lobes {
+    pub(super) fn height(&self, angle: f64) -> f64 {
+        self.amplitude * (f64::from(self.count) * (angle - self.angle.to_radians())).cos()
+    }
+}
