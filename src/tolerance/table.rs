@@ -24,9 +24,9 @@ pub struct Column {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DeviationTable {
     pub(super) name: Arc<str>,
-    shipped: bool,
+    pub(super) shipped: bool,
     pub(super) ends: Vec<Length>,
-    columns: Vec<Column>,
+    pub(super) columns: Vec<Column>,
 }
 
 /// What is wrong with the parts of a [`DeviationTable`]; readers of files name the line, too.
@@ -108,6 +108,12 @@ impl DeviationTable {
     /// The table's name, `82553_hole.tab`.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// The same table under another name: none of the shipped ones any more.
+    #[must_use]
+    pub fn named(&self, name: &str) -> Self {
+        Self { name: name.into(), shipped: false, ..self.clone() }
     }
 
     /// Whether it is one of the two shipped tables.

@@ -29,4 +29,5 @@ mod session;
 mod session_fit;
 mod session_tables;
 mod table_cli;
+mod table_compare;
 mod tables;

@@ -88,13 +88,16 @@ fn lower_values_empty_cells_and_values_that_should_not_be_are_found() {
     let line = line_of("30");
     let lower = table(&["verify", &changed(folder.path(), line + 1, "+65", "+64")]);
     assert!(lower.out.contains("+149 / +64 µm, ISO 286 has +149 / +65 µm: lower 1 µm less"), "{}", lower.out);
+    // The place is that of the lower value.
+    assert!(lower.out.starts_with(&format!("own_hole.tab:{}:17: D10", line + 1)), "{}", lower.out);
     // Both rows of a cell emptied.
     let text = std::fs::read_to_string(shipped("82553_hole.tab")).unwrap();
     let emptied = text.replacen("+149", "    ", 1).replacen("+65", "   ", 1);
     let path = folder.path().join("empty.tab");
     std::fs::write(&path, emptied).unwrap();
     let empty = table(&["verify", path.to_str().unwrap()]);
-    assert!(empty.out.contains("D10 over 18 up to 30 mm: no value, ISO 286 has +149 / +65 µm"), "{}", empty.out);
+    let told = format!("empty.tab:{line}:17: D10 over 18 up to 30 mm: no value, ISO 286 has +149 / +65 µm\n");
+    assert!(empty.out.starts_with(&told), "{}", empty.out);
     // A value for N9 up to 1 mm, which the standard refuses, in a table whose first range ends at 3 mm.
     let path = folder.path().join("n9.tab");
     std::fs::write(&path, "BEGIN n9.tab\nNR BEREICH N9 U1Z1\n0  3       -4 +1\n1          -29 0\n[END]\n").unwrap();
@@ -105,6 +108,54 @@ fn lower_values_empty_cells_and_values_that_should_not_be_are_found() {
         refused.out,
         refused.err
     );
+}
+
+#[test]
+fn a_shifted_size_range_is_found_in_all_classes_that_change_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = line_of("30");
+    let answer = table(&["verify", &changed(folder.path(), line, "30 ", "31 ")]);
+    assert_eq!(answer.code, Some(1));
+    // The cells of the range up to 30 mm now also speak for sizes up to 31 mm.
+    let first = format!(
+        "own_hole.tab:{line}:17: D10 over 30 up to 31 mm: +149 / +65 µm, ISO 286 has +180 / +80 µm: upper 31 µm less, \
+         lower 15 µm less"
+    );
+    assert_eq!(answer.out.lines().next(), Some(&*first));
+    assert!(answer.out.ends_with("504 cells compared: 24 differ from ISO 286\n"), "{}", answer.out);
+}
+
+#[test]
+fn own_columns_are_named_and_a_table_of_them_alone_is_not_said_to_agree() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.tab");
+    let own = "BEGIN own.tab\nNR BEREICH H7   OWN1 \n0  3       +10  +1   \n1          +0   0    \n[END]\n";
+    std::fs::write(&path, own).unwrap();
+    let name = path.to_str().unwrap();
+    let answer = table(&["verify", name]);
+    let said = "own.tab: 1 class, 1 size range, 1 cell compared: all agree with ISO 286; not compared, no class of \
+                ISO 286: OWN1\n";
+    assert_eq!((answer.code, &*answer.out), (Some(0), said));
+    let json: serde_json::Value = serde_json::from_str(&table(&["verify", name, "--format", "json"]).out).unwrap();
+    assert_eq!((&json[0]["classes"], &json[0]["own_columns"]), (&1.into(), &serde_json::json!(["OWN1"])));
+    std::fs::write(&path, own.replace("H7  ", "OWN2")).unwrap();
+    let answer = table(&["verify", name]);
+    assert!(answer.out.contains("0 cells compared: nothing to compare with ISO 286"), "{}", answer.out);
+}
+
+#[test]
+fn the_options_of_the_standard_change_what_is_compared() {
+    let answer = table(&["verify", "--js-rounded"]);
+    assert_eq!(answer.code, Some(1));
+    let told = "82553_hole.tab: JS7 over 6 up to 10 mm: +7.5 / -7.5 µm, ISO 286 has +7 / -7 µm: upper 0.5 µm more, \
+                lower 0.5 µm less";
+    assert_eq!(answer.out.lines().next(), Some(told));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rounded.tab");
+    let name = path.to_str().unwrap();
+    assert_eq!(table(&["new", "--classes", "JS7 JS9 EF7", "--js-rounded", "-o", name]).code, Some(0));
+    assert_eq!(table(&["verify", name, "--js-rounded"]).code, Some(0));
+    assert_eq!(table(&["verify", name]).code, Some(1));
 }
 
 #[test]
@@ -163,6 +214,7 @@ fn what_cannot_be_made_is_refused_and_nothing_is_written() {
         (vec!["--classes", "T7", "--to", "24"], "T7 is not defined at 24 mm in ISO 286"),
         (vec!["--classes", "H7", "--to", "3151"], "the last size is 3151 mm: it must be above 0 and at most 3150 mm"),
         (vec!["--classes", "H7", "--ends", "6 3"], "size range up to 3 mm does not end above the one before it, 6 mm"),
+        (vec!["--classes", "H7", "--ends", "3 4000"], "the last size is 4000 mm"),
         (vec!["--classes", "H7 H7"], "column H7 occurs twice"),
         (vec!["--classes", " "], "no class is named"),
         (vec!["--classes", "H7", "--to", "x"], "x is not a number"),
@@ -173,6 +225,8 @@ fn what_cannot_be_made_is_refused_and_nothing_is_written() {
     }
     let digit = table(&["new", "--classes", "H7", "--generation", "tnc7", "-o", &path("82553_hole.tab")]);
     assert!(digit.err.contains("does not begin with a letter"), "{}", digit.err);
+    let operator = table(&["new", "--classes", "H7", "--generation", "tnc7", "-o", &path("my-hole.tab")]);
+    assert!(operator.err.contains("my-hole.tab has - in it"), "{}", operator.err);
     let ending = table(&["new", "--classes", "H7", "-o", &path("own.csv")]);
     assert!(ending.err.contains("the name of a control table ends in .tab"), "{}", ending.err);
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
@@ -195,6 +249,39 @@ fn the_built_in_tables_export_as_csv_has_the_published_figures() {
     assert!(700 < found, "{found} rows with the same ranges");
 }
 
+/// The classes and sizes of the shipped tables give the shipped tables.
+#[test]
+fn the_shipped_tables_can_be_made_anew() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("82553.tab");
+    assert_eq!(table(&["new", "--classes", "control", "-o", path.to_str().unwrap()]).code, Some(0));
+    for name in ["82553_hole.tab", "82553_shaft.tab"] {
+        let made = std::fs::read(folder.path().join(name)).unwrap();
+        assert!(made == std::fs::read(shipped(name)).unwrap(), "{name}");
+    }
+}
+
+#[test]
+fn an_exported_control_table_is_called_as_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("hole640.tab");
+    let name = path.to_str().unwrap();
+    let answer = table(&["export", &shipped("82553_hole.tab"), "--format", "tnc7", "-o", name]);
+    assert_eq!((answer.code, answer.err), (Some(0), format!("wrote {name}\n")));
+    assert!(std::fs::read_to_string(&path).unwrap().starts_with("BEGIN hole640.tab\r\nTableDescription ("));
+    assert_eq!(table(&["verify", name]).code, Some(0));
+}
+
+#[test]
+fn an_export_never_lands_in_a_file_of_another_kind() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.tab");
+    let answer = table(&["export", "--format", "csv", "-o", path.to_str().unwrap()]);
+    assert_eq!(answer.code, Some(1));
+    assert!(answer.err.contains("own.tab: a file of format csv ends in .csv"), "{}", answer.err);
+    assert!(!path.exists());
+}
+
 #[test]
 fn pc_dmis_gets_classes_of_holes_and_shafts_in_one_file() {
     let answer = table(&["export", "--classes", "H7 g6", "--to", "10", "--format", "pcdmis"]);
@@ -204,6 +291,8 @@ fn pc_dmis_gets_classes_of_holes_and_shafts_in_one_file() {
         "H7, 0, 3, 6, 10\n0.010, 0, 0.012, 0, 0.015, 0\n\
          g6, 0, 3, 6, 10\n-0.002, -0.008, -0.004, -0.012, -0.005, -0.014\n"
     );
+    assert!(answer.err.starts_with("warning: the manual of PC-DMIS shows no lower deviation but 0: check g6"));
+    assert_eq!(table(&["export", "--classes", "H7", "--to", "10", "--format", "pcdmis"]).err, "");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("iso.csv");
     let name = path.to_str().unwrap();

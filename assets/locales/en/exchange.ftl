@@ -52,6 +52,8 @@ contacts-mixed-signs = line { $line }, column { $column }: { $given } has anothe
 
 ## Tables of deviations
 table-format-name = { $name } does not begin with a letter: the names of tables on a TNC7 do
+table-format-operator = { $name } has { $sign } in it: the names of tables on a TNC7 have no arithmetic operator
+table-caution-lower-sign = the manual of PC-DMIS shows no lower deviation but 0: check { $class } there before relying on it, the signs above all
 table-format-csv = the CSV cannot be written: { $reason }
 table-format-itnc530 = control table for iTNC 530
 table-format-tnc640 = control table for TNC 620 and TNC 640

@@ -21,8 +21,9 @@ Examples:
   fitcheck table new --classes \"H7 g6 h6\" --to 1000 --generation tnc640 -o my.tab
   fitcheck table new --classes preferred --ends \"3 6 10 18 30 50\" --generation tnc7 -o shop.tab
 
-Holes and shafts never share a table: with classes of both, my.tab becomes my_hole.tab and my_shaft.tab. A cell is empty
-where ISO 286 does not define the class, and where a range of --ends has more than one value of it: a warning says so.";
+Holes and shafts never share a table: with classes of both, my.tab becomes my_hole.tab and
+my_shaft.tab. A cell is empty where ISO 286 does not define the class, and where a range of --ends
+has more than one value of it: a warning says so.";
 
 const EXPORT_EXAMPLES: &str = "\
 Examples:
@@ -30,8 +31,10 @@ Examples:
   fitcheck table export my_hole.tab --format pcdmis -o iso.csv
   fitcheck table export --classes \"H7 h6 g6\" --to 3150 --format pcdmis -o iso.csv
 
-Columns of CSV: class, over_mm, to_mm, upper_um, lower_um. pcdmis: two lines a class, its size bounds and its pairs of upper
-and lower deviation in mm.";
+Columns of CSV: class, over_mm, to_mm, upper_um, lower_um. pcdmis: two lines a class, its size
+bounds and its pairs of upper and lower deviation in mm. The manual of PC-DMIS shows H7 alone:
+check a class with another lower deviation than 0 there before relying on it. A control table is
+called as its file is.";
 
 /// Which classes and sizes of ISO 286.
 #[derive(Debug, clap::Args)]
@@ -143,6 +146,11 @@ impl Choice {
 impl ExportArgs {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let format = format(&self.format)?;
+        let output = self.output.as_deref().filter(|path| *path != Path::new("-"));
+        if let Some(path) = output.filter(|path| !format.fits(path)) {
+            let (name, endings) = (format.name, format.endings.join(", ."));
+            return Err(CliError::Data(format!("{}: a file of format {name} ends in .{endings}", path.display())));
+        }
         let tables = self.tables(io)?;
         if format.endings.contains(&"tab") && 1 < tables.len() {
             return Err(CliError::Data(
@@ -151,15 +159,22 @@ impl ExportArgs {
         }
         let mut bytes = Vec::new();
         for (number, table) in tables.iter().enumerate() {
+            // A control finds a table by its file's name.
+            let file = output.and_then(Path::file_name).filter(|_| format.endings.contains(&"tab"));
+            let renamed = file.map(|file| table.named(&file.to_string_lossy()));
+            let table = renamed.as_ref().unwrap_or(table);
             let part = (format.write)(table).map_err(|error| CliError::Data(format!("{}: {error}", table.name())))?;
             // One header, however many tables.
             let header =
                 if format.name == "csv" && 0 < number { part.iter().position(|byte| *byte == b'\n') } else { None };
             bytes.extend(part.into_iter().skip(header.map_or(0, |end| end + 1)));
         }
-        match self.output.as_deref().filter(|path| *path != Path::new("-")) {
+        match output {
             Some(path) => save(path, &bytes, io)?,
             None => heard_or_not(io.out.write_all(&bytes))?,
+        }
+        if let Some(caution) = tables.iter().find_map(|table| (format.caution)(table)) {
+            io.tell(format_args!("warning: {caution}"))?;
         }
         Ok(Outcome::Done)
     }

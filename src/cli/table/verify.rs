@@ -11,7 +11,7 @@ use crate::control::shipped_tables;
 use crate::control::table::{ControlTable, Place, TableFile};
 use crate::length::{Length, Unit};
 use crate::tolerance::compare::{Comparison, Difference, compare};
-use crate::tolerance::{DeviationTable, Deviations, ToleranceClass};
+use crate::tolerance::{DeviationTable, Deviations};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -19,10 +19,12 @@ Examples:
   fitcheck table verify tables/*.tab --format csv
   fitcheck table verify                         the two built-in tables
 
-Columns of CSV and names in JSON: file, class, over_mm, to_mm, table_upper_um, table_lower_um, standard_upper_um,
-standard_lower_um, upper_by_um, lower_by_um, line, column, reason. An empty figure: the table has no value there, or ISO 286
-does not define the class (reason says why). line and column: the cell's upper value in the file. JSON is an array with
-one object a file: file, classes, size_ranges, cells, own_columns, differences.
+Columns of CSV and names in JSON: file, class, over_mm, to_mm, table_upper_um, table_lower_um,
+standard_upper_um, standard_lower_um, upper_by_um, lower_by_um, line, column, reason. An empty
+figure: the table has no value there, or ISO 286 does not define the class (reason says why).
+line and column: the first of the cell's two values that differs in the file, the upper one for an
+empty cell. JSON is an array with one object a file: file, classes, size_ranges, cells (compared),
+own_columns (no class of ISO 286, so not compared), differences.
 Exit code 1 when a cell differs or a file cannot be read.";
 
 /// Compare control tables with ISO 286, cell by cell
@@ -121,16 +123,22 @@ impl Args {
 }
 
 impl Verified {
-    /// Where a cell's upper value stands in the file.
-    fn place(&self, class: ToleranceClass, range: usize) -> Option<Place> {
+    /// Where the value that differs stands in the file: the upper one, unless the lower one differs alone.
+    fn place(&self, difference: &Difference) -> Option<Place> {
         let file = self.file.as_ref()?;
-        let column = file.table.column(class.as_str())?;
-        Some(file.cell_place(range.saturating_mul(2), column))
+        let column = file.table.column(difference.class.as_str())?;
+        let is_lower = difference.upper_by() == Some(Length::ZERO);
+        Some(file.cell_place(difference.range.saturating_mul(2).saturating_add(usize::from(is_lower)), column))
+    }
+
+    /// The columns that are classes of ISO 286.
+    fn classes(&self) -> usize {
+        self.table.columns().len().saturating_sub(self.found.unknown.len())
     }
 
     fn row<'a>(&'a self, difference: &Difference) -> Row<'a> {
         let um = |length: Length| Figure(length.exact(Unit::Micrometre, 0));
-        let place = self.place(difference.class, difference.range);
+        let place = self.place(difference);
         let standard = difference.standard.as_ref();
         Row {
             file: self.table.name(),
@@ -156,16 +164,26 @@ fn write_text(one: &Verified, io: &mut Io<'_>) -> Result<(), CliError> {
         heard_or_not(writeln!(io.out, "{}", sentence(one, difference)))?;
     }
     let own: Vec<String> = found.unknown.iter().map(ToString::to_string).collect();
-    let own = if own.is_empty() { String::new() } else { format!("; not in ISO 286: {}", own.join(" ")) };
-    let (name, cells) = (table.name(), found.compared);
-    let (classes, ranges) = (table.columns().len() - found.unknown.len(), table.ends().len());
+    let own =
+        if own.is_empty() { String::new() } else { format!("; not compared, no class of ISO 286: {}", own.join(" ")) };
+    let (name, cells) = (table.name(), counted(found.compared, "cell"));
+    let (classes, ranges) = (counted_as(one.classes(), "class", "classes"), counted(table.ends().len(), "size range"));
     let result = match cells_that_differ(found) {
+        0 if found.compared == 0 => "nothing to compare with ISO 286".to_owned(),
         0 => "all agree with ISO 286".to_owned(),
         1 => "1 differs from ISO 286".to_owned(),
         count => format!("{count} differ from ISO 286"),
     };
-    let line = format!("{name}: {classes} classes, {ranges} size ranges, {cells} cells compared: {result}{own}");
-    heard_or_not(writeln!(io.out, "{line}"))
+    heard_or_not(writeln!(io.out, "{name}: {classes}, {ranges}, {cells} compared: {result}{own}"))
+}
+
+/// `1 cell`, `504 cells`
+fn counted(count: usize, noun: &str) -> String {
+    counted_as(count, noun, &format!("{noun}s"))
+}
+
+fn counted_as(count: usize, one: &str, several: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
 }
 
 /// Cells, not differences: a range that covers several steps may differ in more than one of them.
@@ -177,7 +195,7 @@ fn cells_that_differ(found: &Comparison) -> usize {
 
 /// `own.tab:12:8: H7 over 18 up to 30 mm: +22 / 0 µm, ISO 286 has +21 / 0 µm: upper 1 µm more`
 fn sentence(one: &Verified, difference: &Difference) -> String {
-    let place = one.place(difference.class, difference.range);
+    let place = one.place(difference);
     let place = place.map_or_else(|| one.table.name().to_owned(), |p| format!("{}:{}:{}", p.file, p.line, p.column));
     let Difference { class, over, to, table, standard, .. } = difference;
     let here = format!("{place}: {class} over {over} up to {to} mm");
@@ -240,7 +258,7 @@ fn write_json(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {
         .iter()
         .map(|one| FileAnswer {
             file: one.table.name(),
-            classes: one.table.columns().len(),
+            classes: one.classes(),
             size_ranges: one.table.ends().len(),
             cells: one.found.compared,
             own_columns: one.found.unknown.iter().map(ToString::to_string).collect(),

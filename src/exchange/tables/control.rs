@@ -5,12 +5,16 @@ use crate::control::deviations::to_control_table;
 use crate::control::table::Generation;
 use crate::tolerance::DeviationTable;
 
+/// The manual names none of the operators; these are those of the control's formulas.
+const OPERATORS: [char; 6] = ['+', '-', '*', '/', '^', '%'];
+
 /// iTNC 530: structure block, at most 30 columns and 200 characters a line.
 pub const ITNC530: TableFormat = TableFormat {
     name: "itnc530",
     endings: &["tab"],
     description: "control table for iTNC 530",
     description_id: "table-format-itnc530",
+    caution: |_| None,
     write: |table| Ok(to_control_table(table, Generation::Structure).write()?),
 };
 
@@ -20,15 +24,17 @@ pub const TNC640: TableFormat = TableFormat {
     endings: &["tab"],
     description: "control table for TNC 620 and TNC 640",
     description_id: "table-format-tnc640",
+    caution: |_| None,
     write: described,
 };
 
-/// TNC7: description block, and a name that begins with a letter.
+/// TNC7: description block, and a name that begins with a letter and has no arithmetic operator (TNC7 manual 81762x-19).
 pub const TNC7: TableFormat = TableFormat {
     name: "tnc7",
     endings: &["tab"],
     description: "control table for TNC7",
     description_id: "table-format-tnc7",
+    caution: |_| None,
     write: for_tnc7,
 };
 
@@ -37,8 +43,12 @@ fn described(table: &DeviationTable) -> Result<Vec<u8>, TableFormatError> {
 }
 
 fn for_tnc7(table: &DeviationTable) -> Result<Vec<u8>, TableFormatError> {
+    let name = || table.name().to_owned();
     if !table.name().starts_with(|first: char| first.is_ascii_alphabetic()) {
-        return Err(TableFormatError::Name { name: table.name().to_owned() });
+        return Err(TableFormatError::Name { name: name() });
     }
-    described(table)
+    match table.name().chars().find(|sign| OPERATORS.contains(sign)) {
+        Some(sign) => Err(TableFormatError::Operator { name: name(), sign }),
+        None => described(table),
+    }
 }

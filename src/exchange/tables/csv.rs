@@ -10,6 +10,7 @@ pub const FORMAT: TableFormat = TableFormat {
     endings: &["csv"],
     description: "CSV, a line for every class and size range",
     description_id: "table-format-plain-csv",
+    caution: |_| None,
     write,
 };
 

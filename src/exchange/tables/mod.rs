@@ -12,8 +12,10 @@ mod control;
 mod csv;
 mod pcdmis;
 
+use std::path::Path;
+
 use crate::control::table::WriteError;
-use crate::tolerance::DeviationTable;
+use crate::tolerance::{DeviationTable, ToleranceClass};
 use crate::words::{Message, Say};
 
 /// A format that a table of deviations is written in.
@@ -27,6 +29,8 @@ pub struct TableFormat {
     pub description: &'static str,
     /// The name of that line in the locale files.
     pub description_id: &'static str,
+    /// What to look at before the file is relied on.
+    pub caution: fn(&DeviationTable) -> Option<TableCaution>,
     /// Makes the file's bytes.
     pub write: fn(&DeviationTable) -> Result<Vec<u8>, TableFormatError>,
 }
@@ -38,6 +42,35 @@ pub const TABLE_FORMATS: &[TableFormat] =
 /// The format of a name on the command line.
 pub fn table_format(name: &str) -> Option<&'static TableFormat> {
     TABLE_FORMATS.iter().find(|format| format.name == name)
+}
+
+impl TableFormat {
+    /// Whether a file of this name can be of this format.
+    pub fn fits(&self, file: &Path) -> bool {
+        let ending = file.extension().unwrap_or_default();
+        self.endings.iter().any(|own| ending.eq_ignore_ascii_case(own))
+    }
+}
+
+/// What the other tool's documents leave open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum TableCaution {
+    /// How PC-DMIS takes the sign of a lower deviation.
+    #[error(
+        "the manual of PC-DMIS shows no lower deviation but 0: check {class} there before relying on it, the signs above all"
+    )]
+    LowerSign {
+        /// The first class with another lower deviation.
+        class: ToleranceClass,
+    },
+}
+
+impl Say for TableCaution {
+    fn message(&self) -> Message {
+        match self {
+            Self::LowerSign { class } => Message::new("table-caution-lower-sign").text("class", class),
+        }
+    }
 }
 
 /// Why a table cannot be written in a format.
@@ -52,6 +85,14 @@ pub enum TableFormatError {
         /// The table's name.
         name: String,
     },
+    /// A TNC7 would calculate with it.
+    #[error("{name} has {sign} in it: the names of tables on a TNC7 have no arithmetic operator")]
+    Operator {
+        /// The table's name.
+        name: String,
+        /// The operator.
+        sign: char,
+    },
     /// The writer of CSV failed.
     #[error("the CSV cannot be written: {reason}")]
     Csv {
@@ -65,6 +106,9 @@ impl Say for TableFormatError {
         match self {
             Self::Control(error) => error.message(),
             Self::Name { name } => Message::new("table-format-name").text("name", name),
+            Self::Operator { name, sign } => {
+                Message::new("table-format-operator").text("name", name).text("sign", sign)
+            }
             Self::Csv { reason } => Message::new("table-format-csv").text("reason", reason),
         }
     }
@@ -105,7 +149,11 @@ mod tests {
         let digit = error("tnc7", &table("82553_hole.tab", "H7", "50"));
         let why = "82553_hole.tab does not begin with a letter: the names of tables on a TNC7 do";
         assert_eq!(digit.to_string(), why);
-        for error in [many, digit, TableFormatError::Csv { reason: "x".into() }] {
+        let operator = error("tnc7", &table("my-hole.tab", "H7", "50"));
+        let why = "my-hole.tab has - in it: the names of tables on a TNC7 have no arithmetic operator";
+        assert_eq!(operator.to_string(), why);
+        assert!((table_format("tnc7").unwrap().write)(&table("my_hole.tab", "H7", "50")).is_ok());
+        for error in [many, digit, operator, TableFormatError::Csv { reason: "x".into() }] {
             assert_eq!(Words::new(Language::En).told(&error), error.to_string());
             assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
         }
@@ -142,6 +190,26 @@ mod tests {
         );
         check("pcdmis", "js9", "6", "js9, 0, 3, 6\n0.0125, -0.0125, 0.015, -0.015\n");
         check("pcdmis", "T7", "40", "T7, 24, 30, 40\n-0.033, -0.054, -0.039, -0.064\n");
+    }
+
+    #[test]
+    fn pc_dmis_is_not_trusted_with_signs_that_its_manual_does_not_show() {
+        let caution = |classes: &str| (table_format("pcdmis").unwrap().caution)(&table("own.tab", classes, "50"));
+        assert_eq!(caution("H7 H8"), None);
+        let said = caution("H7 F8 G7").unwrap();
+        assert_eq!(
+            said.to_string(),
+            "the manual of PC-DMIS shows no lower deviation but 0: check F8 there before relying on it, the signs above all"
+        );
+        assert_eq!(Words::new(Language::En).told(&said), said.to_string());
+        assert_ne!(Words::new(Language::Nl).told(&said), said.message().id);
+    }
+
+    #[test]
+    fn a_format_knows_its_files_by_their_ending() {
+        let fits = |format: &str, file: &str| table_format(format).unwrap().fits(Path::new(file));
+        assert!(fits("csv", "iso.csv") && fits("pcdmis", "a/iso.CSV") && fits("tnc7", "own.TAB"));
+        assert!(!fits("csv", "own.tab") && !fits("itnc530", "own") && !fits("tnc640", "tab"));
     }
 
     #[test]

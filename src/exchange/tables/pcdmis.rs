@@ -1,11 +1,14 @@
 //! The CSV that PC-DMIS reads for ISO tolerances (PC-DMIS Core, page "ISO Dimension Tolerances").
 //!
 //! Two lines a class: the class and the bounds of its size ranges, then a pair of deviations for each range, in
-//! millimetres. Sure are the two lines and that case tells hole from shaft. The manual shows one class, and the lower
-//! deviation 0 only: several classes one after the other, and a lower deviation with its sign, are our reading. Where
-//! a class is not defined in the middle of its sizes, it gets two lines for each part.
+//! millimetres. Sure from that page (2020.2, 2023.1): the two lines, bounds above and up to, that the lines count for
+//! this class alone, and that case tells hole from shaft. The page shows H7 as a part of a file, so several classes one
+//! after the other are very likely. Not sure: the sign of a lower deviation, for the page shows 0 only and calls the
+//! pair plus and minus tolerance, and elsewhere in PC-DMIS a minus tolerance is typed without its sign. It is written
+//! with its sign here, and [`TableCaution::LowerSign`] says so. Nor is it sure that a class may come twice: where one is
+//! not defined in the middle of its sizes, it gets two lines for each part.
 
-use super::TableFormat;
+use super::{TableCaution, TableFormat};
 use crate::length::{Length, Unit};
 use crate::tolerance::table::Column;
 use crate::tolerance::{DeviationTable, Deviations};
@@ -16,8 +19,17 @@ pub const FORMAT: TableFormat = TableFormat {
     endings: &["csv"],
     description: "CSV of ISO tolerances for PC-DMIS",
     description_id: "table-format-pcdmis",
+    caution,
     write: |table| Ok(write(table)),
 };
+
+fn caution(table: &DeviationTable) -> Option<TableCaution> {
+    let class = |column: &Column| {
+        let is_signed = column.cells.iter().flatten().any(|pair| pair.lower() != Length::ZERO);
+        is_signed.then_some(column.class)
+    };
+    table.columns().iter().find_map(class).map(|class| TableCaution::LowerSign { class })
+}
 
 fn write(table: &DeviationTable) -> Vec<u8> {
     let mut lines = Vec::new();
