@@ -6,7 +6,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use eframe::egui::{CentralPanel, Ui};
 use egui_kittest::Harness;
 use fitcheck::gui::{App, Errands, Setup, Store};
-use fitcheck::session::{Command, Page};
+use fitcheck::session::{Command, Field, Page};
 use fitcheck::words::Language;
 
 fn setup() -> Setup {
@@ -42,6 +42,12 @@ fn frames(criterion: &mut Criterion) {
     tables.state_mut().send(&ctx, Command::OpenPage(Page::Tables));
     tables.run();
     criterion.bench_function("settled frame, table page", |bencher| bencher.iter(|| tables.step()));
+    let mut fits = Harness::builder().with_size(size).build_eframe(|cc| App::new(cc, setup()));
+    let ctx = fits.ctx.clone();
+    fits.state_mut().send(&ctx, Command::OpenPage(Page::Fit));
+    fits.state_mut().send(&ctx, Command::Type(Field::FitCallout, "50 H7/p6".to_owned()));
+    fits.run();
+    criterion.bench_function("settled frame, fit page", |bencher| bencher.iter(|| fits.step()));
     let rows: Vec<String> = (0..10_000).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
     let rows = rows.concat();
     let now = (setup().clock)();

@@ -8,7 +8,7 @@ use std::io::{BufRead, Write};
 
 use lines::{Found, LONGEST_LINE, Line};
 
-use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
+use super::{CliError, Figure, Format, Io, Outcome, TableArgs, heard_or_not};
 use crate::control::text::decode;
 use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
@@ -214,11 +214,11 @@ impl<'a> Answers<'a> {
             Printer::Text(out) => {
                 // What was answered before stands before it on a screen, too.
                 out.flush()?;
-                match line {
-                    Some(line) if callout.is_empty() => writeln!(self.err, "line {line}: {error}")?,
-                    _ if callout.is_empty() => writeln!(self.err, "\"\": {error}")?,
-                    _ => writeln!(self.err, "{callout}: {error}")?,
-                }
+                heard_or_not(match line {
+                    Some(line) if callout.is_empty() => writeln!(self.err, "line {line}: {error}"),
+                    _ if callout.is_empty() => writeln!(self.err, "\"\": {error}"),
+                    _ => writeln!(self.err, "{callout}: {error}"),
+                })?;
             }
             printer => {
                 let row = Row { callout, error: Some(error), ..Row::default() };
@@ -237,7 +237,7 @@ impl<'a> Answers<'a> {
             return Ok(Outcome::Done);
         }
         if !is_text {
-            writeln!(self.err, "{} of {} callouts refused", self.refused, self.answered)?;
+            heard_or_not(writeln!(self.err, "{} of {} callouts refused", self.refused, self.answered))?;
         }
         Ok(Outcome::BadData)
     }

@@ -260,6 +260,5 @@ fn now() -> jiff::civil::DateTime {
 /// Writes an output file and says its name on standard error.
 fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), CliError> {
     files::write(path, bytes)?;
-    writeln!(io.err, "wrote {}", path.display())?;
-    Ok(())
+    io.tell(format_args!("wrote {}", path.display()))
 }

@@ -8,10 +8,12 @@
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
 //! | `deviations` | such a table as a table of deviations; the two shipped ones |
 //! | `mask` | FN 16 masks, read and rendered |
-//! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT` |
+//! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT`, read and written |
+//! | `log444` | the log of cycle 444 as HTML, read and written |
 
 pub mod deviations;
 pub mod log;
+pub mod log444;
 pub mod mask;
 pub mod probe_table;
 pub mod status;

@@ -62,6 +62,10 @@ pub enum WhyUnjudged {
     },
     /// A coordinate of cycle 427 is no feature of size, but its log has limits.
     Coordinate(Coordinate),
+    /// A point on a surface that cycle 444 probed: the measured value is its deviation along the normal, nominal 0.
+    Point(Coordinate),
+    /// Such a point without a tolerance.
+    PointWithoutTolerance,
     /// Contacts, and nothing else.
     Contacts {
         /// How many.
@@ -69,7 +73,7 @@ pub enum WhyUnjudged {
     },
 }
 
-/// A coordinate that cycle 427 measured. As on the control, above the maximum is rework and below the minimum scrap.
+/// A coordinate that cycle 427 measured, or a deviation that cycle 444 did. As on the control, above the maximum is rework and below the minimum scrap.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Coordinate {
     /// The nominal value, where the log has one.
@@ -90,6 +94,8 @@ impl Say for WhyUnjudged {
             Self::NoCallout => Message::new("exchange-no-callout"),
             Self::NoLimits { .. } => Message::new("exchange-no-limits"),
             Self::Coordinate(_) => Message::new("exchange-coordinate"),
+            Self::Point(_) => Message::new("exchange-point"),
+            Self::PointWithoutTolerance => Message::new("exchange-point-without-tolerance"),
             Self::Contacts { count } => Message::new("exchange-only-contacts").text("count", count),
         }
     }
@@ -103,6 +109,8 @@ impl fmt::Display for WhyUnjudged {
                 f.pad("not judged: the log's limits of size are 0, so the diameter was not monitored")
             }
             Self::Coordinate(_) => f.pad("a coordinate of cycle 427, not a hole or shaft"),
+            Self::Point(_) => f.pad("a point on a surface of cycle 444: its deviation along the normal, not a size"),
+            Self::PointWithoutTolerance => f.pad("not judged: the point was probed without a tolerance"),
             Self::Contacts { count } => write!(f, "not judged: {count} contacts without a callout"),
         }
     }

@@ -5,6 +5,7 @@
 //! | `imported` | what came out of a file: records, and everything that made none |
 //! | `problem` | what is wrong or odd, and where |
 //! | `logs` | HEIDENHAIN measuring logs as records |
+//! | `log444` | logs of cycle 444 as deviations along the normal |
 //! | `contacts` | CSV of x, y and perhaps z |
 //! | `measurements` | CSV of id, callout and measured value |
 //! | `columns`, `words` | which column of a CSV is which, by header or content |
@@ -18,6 +19,7 @@ mod columns;
 pub mod contacts;
 mod delimited;
 pub mod imported;
+mod log444;
 mod logs;
 mod measurements;
 pub mod problem;
@@ -53,7 +55,7 @@ pub struct Format {
 }
 
 /// Every format, in the order in which they are asked whether they know a file.
-pub const FORMATS: &[Format] = &[logs::FORMAT, CONTACTS, measurements::FORMAT];
+pub const FORMATS: &[Format] = &[log444::FORMAT, logs::FORMAT, CONTACTS, measurements::FORMAT];
 
 /// Contacts of a probe: recognised here, read by their own file.
 const CONTACTS: Format = Format {

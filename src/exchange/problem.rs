@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::contacts::ContactsError;
 use crate::control::log::{LogReason, LogWarning};
+use crate::control::log444::PointFault;
 use crate::length::{Length, LengthError};
 
 use crate::tolerance::{Callout, CalloutError, LimitsError};
@@ -51,6 +52,9 @@ pub enum Reason {
     /// A log that cannot be used.
     #[error("{0}")]
     Log(LogReason),
+    /// A measurement of cycle 444 that cannot be used.
+    #[error("{0}")]
+    Point(PointFault),
     /// Contacts that cannot be used.
     #[error("{0}")]
     Contacts(ContactsError),
@@ -186,6 +190,7 @@ impl Say for Reason {
             Self::NotRecognised => Message::new("exchange-not-recognised"),
             Self::NoRows => Message::new("exchange-no-rows"),
             Self::Log(reason) => reason.message(),
+            Self::Point(fault) => fault.message(),
             Self::Contacts(error) => error.message(),
             Self::NoMeasuredColumn => Message::new("exchange-no-measured-column"),
             Self::SeveralColumns { role, columns } => Message::new("exchange-several-columns")
@@ -328,6 +333,7 @@ mod tests {
             Reason::NotRecognised,
             Reason::NoRows,
             Reason::Log(LogReason::NoTitle),
+            Reason::Point(PointFault::NoLog),
             Reason::Contacts(super::super::contacts::ContactsError::Empty),
             Reason::NoMeasuredColumn,
             Reason::SeveralColumns { role: Role::Id, columns: text() },
@@ -379,6 +385,8 @@ mod tests {
             WhyUnjudged::NoCallout,
             WhyUnjudged::NoLimits { nominal: length },
             WhyUnjudged::Coordinate(coordinate),
+            WhyUnjudged::Point(coordinate),
+            WhyUnjudged::PointWithoutTolerance,
             WhyUnjudged::Contacts { count: 4 },
         ] {
             check(&why);

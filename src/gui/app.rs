@@ -1,6 +1,6 @@
 //! One frame: draw the panels, apply their commands, run the effects.
 
-use eframe::egui::{Context, ThemePreference, Ui};
+use eframe::egui::{Context, ThemePreference, Ui, ViewportCommand};
 use jiff::civil::DateTime;
 
 use super::effects::{Errands, Runner};
@@ -43,6 +43,8 @@ pub struct App {
     clock: fn() -> DateTime,
     saved: Saved,
     first_frame: bool,
+    /// The user was asked and closes the window.
+    leaves: bool,
 }
 
 impl App {
@@ -70,6 +72,7 @@ impl App {
             store: setup.store,
             clock: setup.clock,
             first_frame: true,
+            leaves: false,
         };
         app.prefer_theme(&cc.egui_ctx);
         for effect in effects {
@@ -106,6 +109,7 @@ impl App {
         }
         for command in commands {
             for effect in self.session.apply(command, (self.clock)()) {
+                self.leaves |= effect == Effect::Leave;
                 self.run(ctx, effect);
             }
         }
@@ -130,6 +134,12 @@ impl eframe::App for App {
     fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
         let answers = self.runner.answers();
         self.apply(ctx, answers);
+        // Nothing is lost without a question.
+        let closing = ctx.input(|input| input.viewport().close_requested());
+        if closing && !self.leaves && !self.session.unsaved_tables().is_empty() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.apply(ctx, vec![Command::AskToLeave]);
+        }
     }
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {

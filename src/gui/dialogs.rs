@@ -8,6 +8,7 @@ use super::field::select_all;
 use super::theme::{sizes, space};
 use super::view::{View, heading, problem, quiet};
 use crate::session::{Command, Dialog, Notice, Page, Purpose};
+use crate::words::Message;
 
 /// Files dropped on the window are imported; Ctrl+O opens the import and Ctrl+S the report.
 fn shortcuts(ui: &Ui, view: &mut View<'_>) {
@@ -32,7 +33,9 @@ fn shortcuts(ui: &Ui, view: &mut View<'_>) {
 /// Draws the open dialog, or the oldest notice.
 pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
     shortcuts(ui, view);
-    if let Some(dialog) = view.session.dialog().cloned() {
+    if view.session.is_leaving() {
+        Modal::new(Id::unique("leaving")).show(ui, |ui| leaving_ui(ui, view));
+    } else if let Some(dialog) = view.session.dialog().cloned() {
         Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, &dialog));
     } else if let Some(notice) = view.session.notices().first().cloned() {
         let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
@@ -44,8 +47,29 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
             .show(ui, |ui| notice_ui(ui, view, &notice));
     }
     if ui.input(|input| input.key_pressed(Key::Escape)) && !ui.ctx().text_edit_focused() {
-        view.send(Command::Close);
+        view.send(if view.session.is_leaving() { Command::Leave(false) } else { Command::Close });
     }
+}
+
+/// Nothing is lost without a question.
+fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.set_width(space(110.0));
+    heading(ui, view.text("leave"));
+    let names = view.session.unsaved_tables().join(", ");
+    ui.label(view.words.say(&Message::new("leave-unsaved").text("names", names)));
+    ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = sizes().touch;
+        let stay = ui.button(view.text("leave-stay"));
+        if just_opened(ui, Id::unique("leaving")) {
+            stay.request_focus();
+        }
+        if stay.clicked() {
+            view.send(Command::Leave(false));
+        }
+        if ui.button(view.text("leave-anyway")).clicked() {
+            view.send(Command::Leave(true));
+        }
+    });
 }
 
 const fn title_id(purpose: Purpose) -> &'static str {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-use eframe::egui::Context;
+use eframe::egui::{Context, ViewportCommand};
 use jiff::civil::DateTime;
 
 use crate::control::deviations;
@@ -50,6 +50,7 @@ impl Runner {
     pub fn run(&self, ctx: &Context, effect: Effect, sources: &Arc<Sources>, now: DateTime) {
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
+            Effect::Leave => return ctx.send_viewport_cmd(ViewportCommand::Close),
             effect => effect,
         };
         let (sender, ctx, sources) = (self.sender.clone(), ctx.clone(), Arc::clone(sources));
@@ -88,7 +89,7 @@ fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) ->
             let result = files::write(&path, &bytes);
             Command::Saved { path, result }
         }
-        Effect::Copy(_) => Command::Picked(None),
+        Effect::Copy(_) | Effect::Leave => Command::Picked(None),
     }
 }
 

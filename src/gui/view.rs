@@ -88,6 +88,12 @@ pub(super) fn quiet(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     ui.label(RichText::new(text).color(colour).size(theme::sizes().small))
 }
 
+/// The same in one line, cut where there is no room; the whole text shows under the pointer.
+pub(super) fn quiet_cut(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
+    let colour = theme::palette(ui.ctx()).quiet.0;
+    ui.add(egui::Label::new(RichText::new(text).color(colour).size(theme::sizes().small)).truncate())
+}
+
 /// Text that says what is wrong.
 pub(super) fn problem(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     let colour = theme::palette(ui.ctx()).error.0;

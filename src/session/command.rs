@@ -58,6 +58,10 @@ pub enum Command {
     Confirm,
     /// Closes the dialog or the oldest notice.
     Close,
+    /// Asks whether the window may be closed: at once, unless a table has unsaved changes.
+    AskToLeave,
+    /// Closes the window whatever is unsaved, or goes on.
+    Leave(bool),
     /// A file was read and understood, or not.
     Imported {
         /// Its name without the folder.
@@ -176,6 +180,8 @@ pub enum Effect {
     ReadTable(PathBuf),
     /// Write a file and send [`Command::Saved`].
     Save(PathBuf, Vec<u8>),
+    /// Close the window.
+    Leave,
     /// Put a text on the clipboard.
     Copy(String),
 }

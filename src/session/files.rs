@@ -176,6 +176,7 @@ impl Session {
         self.tables_folder = folder;
         let sources = self.sources.as_ref().clone().with_own(own);
         self.use_sources(sources);
+        self.folder_of_tables_changed();
     }
 
     /// Limits from elsewhere: no verdict stays beside limits that it was not made with.

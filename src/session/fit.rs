@@ -19,10 +19,10 @@ use super::inputs::{Field, Inputs};
 use super::{Page, Session, asked};
 use crate::length::Length;
 use crate::tolerance::fit::equivalent::{self, Difference};
-use crate::tolerance::fit::search::{Found, Scope, Wanted, search};
+use crate::tolerance::fit::search::{Found, Scope, Wanted, search_in};
 use crate::tolerance::fit::thermal::{Expansion, Temperature, clearance_change};
 use crate::tolerance::fit::{Actual, Fit, Kind, Possible};
-use crate::tolerance::{Callout, Feature, Limits, Sources, ToleranceClass, iso286};
+use crate::tolerance::{Callout, Feature, Limits, Sources, ToleranceClass};
 use crate::words::{Message, Say as _};
 
 pub use class_map::{ClassMap, Direction, MapCell};
@@ -84,12 +84,12 @@ pub struct WarmFit {
 }
 
 /// What a search was made with: while that is the same, so is the answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 struct Asking {
     nominal: Length,
     wanted: Wanted,
     scope: Scope,
-    options: iso286::Options,
+    sources: Arc<Sources>,
 }
 
 /// Every class at a size, holes and shafts.
@@ -183,7 +183,7 @@ impl FitPage {
         self.read_lengths(inputs);
         self.read_temperature(inputs);
         self.read_maps(sources);
-        self.search(sources.options());
+        self.search(sources);
     }
 
     fn read_callout(&mut self, text: &str, sources: &Sources) {
@@ -287,22 +287,22 @@ impl FitPage {
         self.maps = Some(Maps { nominal, sources: Arc::clone(sources), hole, shaft });
     }
 
-    fn search(&mut self, options: iso286::Options) {
+    fn search(&mut self, sources: &Arc<Sources>) {
         let (minimum, maximum) = (self.length(Field::WantedMinimum), self.length(Field::WantedMaximum));
         let asking = self.nominal.zip(minimum.zip(maximum)).map(|(nominal, (minimum, maximum))| Asking {
             nominal,
             wanted: Wanted { minimum, maximum },
             scope: self.scope,
-            options,
+            sources: Arc::clone(sources),
         });
         if asking == self.asking {
             return;
         }
-        self.asking = asking;
-        self.found = asking.map(|asking| {
-            search(asking.nominal, asking.wanted, asking.options, asking.scope, MOST_FOUND)
+        self.found = asking.as_ref().map(|asking| {
+            search_in(asking.nominal, asking.wanted, &asking.sources, asking.scope, MOST_FOUND)
                 .map_err(|error| error.message())
         });
+        self.asking = asking;
     }
 
     /// The nominal size, also of a callout that is not finished.

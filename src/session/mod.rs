@@ -127,6 +127,7 @@ pub struct Session {
     undo: Vec<Snapshot>,
     dialog: Option<Dialog>,
     notices: Vec<Notice>,
+    leaving: bool,
     tables: TablesPage,
 }
 
@@ -167,6 +168,7 @@ impl Session {
             undo: Vec::new(),
             dialog: None,
             notices: Vec::new(),
+            leaving: false,
             materials: Materials::shipped().clone(),
             tables: TablesPage::default(),
         }
@@ -265,6 +267,16 @@ impl Session {
         self.notices.push(Notice { message, details: Vec::new(), is_problem: true });
     }
 
+    /// The names of tables with unsaved changes.
+    pub fn unsaved_tables(&self) -> Vec<&str> {
+        self.tables.documents().iter().filter(|table| table.is_unsaved()).map(tables::Document::title).collect()
+    }
+
+    /// Whether the user wants to close the window and something is unsaved.
+    pub const fn is_leaving(&self) -> bool {
+        self.leaving
+    }
+
     /// Adds the user's own materials to the shipped ones; one of the same name takes its place.
     pub fn use_materials(&mut self, own: Materials) {
         self.materials = Materials::shipped().with_own(own);
@@ -310,6 +322,10 @@ impl Session {
             Command::Picked(path) => return self.picked(path, now),
             Command::Confirm => return self.confirm(now),
             Command::Close => self.close(),
+            Command::AskToLeave if self.unsaved_tables().is_empty() => return vec![Effect::Leave],
+            Command::AskToLeave => self.leaving = true,
+            Command::Leave(false) => self.leaving = false,
+            Command::Leave(true) => return vec![Effect::Leave],
             Command::Imported { name, result } => self.imported(&name, result, now),
             Command::MaskRead { name, result } => self.mask_read(name, result),
             Command::TablesRead { folder, result } => self.tables_read(folder, result),

@@ -316,3 +316,19 @@ fn every_notation_of_drawings_is_answered() {
         "",
     );
 }
+
+#[test]
+#[cfg(unix)]
+fn nobody_listening_to_refusals_leaves_the_answers_and_the_exit_code() {
+    for (format, lines) in [("text", 2), ("csv", 4)] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = Command::new(assert_cmd::cargo::cargo_bin!("fitcheck"))
+            .args(["limits", "25 H7", "bad", "25 g6", "--format", format])
+            .stderr(Stdio::from(writer))
+            .output()
+            .unwrap();
+        let said = String::from_utf8(output.stdout).unwrap();
+        assert_eq!((said.lines().count(), output.status.code()), (lines, Some(1)), "{format}");
+    }
+}

@@ -252,3 +252,18 @@ fn the_same_report_has_the_same_bytes() {
     let once = || written("report.html", &THREE, 11);
     assert_eq!(once(), once());
 }
+
+#[test]
+#[cfg(unix)]
+fn nobody_listening_leaves_the_verdict() {
+    let folder = tempfile::tempdir().unwrap();
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let status = std::process::Command::new(assert_cmd::cargo::cargo_bin!("fitcheck"))
+        .args(["report", "--time", TIME, "--check", "25 H7=25.5", "-o"])
+        .arg(folder.path().join("bore.html"))
+        .stderr(std::process::Stdio::from(writer))
+        .status()
+        .unwrap();
+    assert_eq!(status.code(), Some(11));
+}

@@ -10,6 +10,7 @@ use fitcheck::exchange::import;
 use fitcheck::files::FileError;
 use fitcheck::report::RENDERINGS;
 use fitcheck::session::{Command, Effect, Field, MeasureBy, Purpose, Session};
+use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Message, Say as _, Words};
 use jiff::civil::{DateTime, date};
@@ -381,4 +382,21 @@ fn only_chosen_checks_are_exported() {
     session.tell(Message::new("dialog-no-path"));
     run(&mut session, [Command::Close]);
     assert_eq!(session.notices().len(), 1);
+}
+
+#[test]
+fn the_other_part_of_a_fit_can_be_chosen_after_a_verdict() {
+    let mut session = session();
+    run(&mut session, [typed(Field::Callout, "25 H7/g6"), Command::ChooseFeature(Feature::Hole)]);
+    run(&mut session, [typed(Field::Measured, "25.01"), Command::Measure]);
+    assert_eq!((status(&session), session.asked().needs_feature()), (Some(Status::Good), true));
+    assert_eq!(session.shown().unwrap().record.callout.unwrap().to_string(), "25 H7");
+    run(&mut session, [typed(Field::Part, "Bush")]);
+    assert!(session.asked().needs_feature());
+    check_limits_belong_to_the_verdict(&session);
+    run(&mut session, [Command::ChooseFeature(Feature::Shaft)]);
+    assert_eq!((status(&session), limits(&session)), (None, Some(mm("24.98", "24.993"))));
+    run(&mut session, [typed(Field::Measured, "24.99"), Command::Measure, Command::Show(0)]);
+    assert_eq!((session.inputs().text(Field::Callout), session.asked().needs_feature()), ("25 H7", false));
+    check_limits_belong_to_the_verdict(&session);
 }

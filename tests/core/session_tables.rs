@@ -433,3 +433,23 @@ fn a_table_written_over_the_file_of_another_one_leaves_that_one_unsaved() {
     let titles: Vec<_> = session.tables().documents()[2..].iter().map(|one| (one.title(), one.is_unsaved())).collect();
     assert_eq!(titles, [("one_2.tab", true), ("one.tab", false)]);
 }
+
+#[test]
+fn another_source_takes_nothing_from_an_open_table() {
+    let options = Options { js: JsHalves::Rounded, ..Options::default() };
+    let mut session = session();
+    made(&mut session, "H7", "30");
+    save(&mut session, 0, "/shop/own.tab").unwrap();
+    let as_saved = shown(&session).table().columns().to_vec();
+    // A used edit that is taken back is not in the file, and does not come again.
+    select(&mut session, "H7", 4);
+    type_text(&mut session, Field::CellUpper, "25");
+    send(&mut session, TablesCommand::Use);
+    send(&mut session, TablesCommand::Undo);
+    session.apply(Command::SetStandard(options), now());
+    assert_eq!((shown(&session).table().columns(), shown(&session).is_unsaved()), (&as_saved[..], false));
+    // What was typed into the cell stays.
+    type_text(&mut session, Field::CellUpper, "26");
+    session.apply(Command::SetStandard(Options::default()), now());
+    assert_eq!(selected(&session), "H7 18 30 +26/0");
+}

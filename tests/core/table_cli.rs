@@ -212,3 +212,37 @@ fn pc_dmis_gets_classes_of_holes_and_shafts_in_one_file() {
     let two = table(&["export", "--format", "itnc530"]);
     assert!(two.code == Some(1) && two.err.contains("a control table is one file"), "{}", two.err);
 }
+
+#[test]
+#[cfg(unix)]
+fn nobody_listening_is_no_reason_to_leave_a_table_unwritten() {
+    let folder = tempfile::tempdir().unwrap();
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let status = std::process::Command::new(assert_cmd::cargo::cargo_bin!("fitcheck"))
+        .args(["table", "new", "--classes", "H7 h6", "-o"])
+        .arg(folder.path().join("own.tab"))
+        .stderr(std::process::Stdio::from(writer))
+        .status()
+        .unwrap();
+    assert_eq!((status.code(), std::fs::read_dir(folder.path()).unwrap().count()), (Some(0), 2));
+}
+
+#[test]
+fn a_cell_that_stays_empty_though_the_class_is_defined_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.tab");
+    let path = path.to_str().unwrap();
+    let new = |classes, ends| table(&["new", "--classes", classes, "--ends", ends, "-o", path]);
+    let answer = new("C11 T7", "18 30 50");
+    assert_eq!(answer.code, Some(0), "{}", answer.err);
+    let empty =
+        |cell: &str| format!("warning: own.tab: {cell} is left empty: ISO 286 has no single value for all of it\n");
+    let warnings =
+        ["C11 over 0 up to 18 mm", "C11 over 30 up to 50 mm", "T7 over 18 up to 30 mm", "T7 over 30 up to 50 mm"];
+    assert_eq!(answer.err, format!("{}wrote {path}\n", warnings.map(empty).concat()));
+    // Where the class is not defined at all, an empty cell is what ISO 286 says.
+    assert_eq!(new("T7", "10 18 24 30").err, format!("wrote {path}\n"));
+    let exported = table(&["export", "--classes", "r6", "--ends", "80", "--format", "csv"]);
+    assert!(exported.err.contains("r6 over 0 up to 80 mm is left empty"), "{}", exported.err);
+}

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Theme, ViewportId, vec2};
+use eframe::egui::{Key, Modifiers, Theme, ViewportCommand, ViewportEvent, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::control::deviations::read_table;
@@ -402,4 +402,37 @@ fn a_table_that_differs_in_light() {
 #[test]
 fn the_built_in_holes_in_dark() {
     picture("table_holes_dark", Theme::Dark);
+}
+
+/// What the window manager asks when the cross is clicked, and what the window answers.
+fn close(page: &mut Page) -> Vec<ViewportCommand> {
+    let root = page.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+    root.events.push(ViewportEvent::Close);
+    page.step();
+    let answer = page.output().viewport_output.get(&ViewportId::ROOT).map(|output| output.commands.clone());
+    if let Some(root) = page.input_mut().viewports.get_mut(&ViewportId::ROOT) {
+        root.events.clear();
+    }
+    page.run();
+    answer.unwrap_or_default()
+}
+
+#[test]
+fn closing_the_window_with_unsaved_changes_asks_first() {
+    let mut page = page();
+    type_into(&mut page, "Filter", "H7");
+    assert!(!close(&mut page).contains(&ViewportCommand::CancelClose), "nothing is unsaved");
+    assert!(page.query_by_label("Close Fitcheck?").is_none());
+    choose(&mut page, "H7, over 18 up to 30 mm");
+    type_into(&mut page, "Upper", "22,5");
+    key(&mut page, Modifiers::NONE, Key::Enter);
+    assert!(close(&mut page).contains(&ViewportCommand::CancelClose));
+    page.get_by_label("Not saved: 82553_hole_copy.tab");
+    page.key_press(Key::Enter);
+    page.run();
+    assert!(page.query_by_label("Close Fitcheck?").is_none(), "Enter goes on working");
+    close(&mut page);
+    page.get_by_role_and_label(Role::Button, "Close without saving").click();
+    page.run();
+    assert!(!close(&mut page).contains(&ViewportCommand::CancelClose), "asked once, answered once");
 }

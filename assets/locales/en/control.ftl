@@ -89,6 +89,27 @@ deviations-range-alias = BEREIK was read as BEREICH
 deviations-no-numbers = column { $name } holds no numbers and was skipped
 deviations-mixed-case = column { $name } mixes upper and lower case, so it is no tolerance class and was skipped
 
+## Writing measuring logs
+log-write-cycle = cycle { $cycle } does not write these values: they are those of cycle { $expected }
+log-write-unit = a log is in mm or inch, not in µm
+log-write-character = { $given } cannot be written: a log holds no character U+{ $code }
+log-write-program = { $given } would not be read back as the path of a program: write it as in TNC:\PART\CHECK.H
+log-write-unfinished = the file ends within a line: it may be cut off, so nothing is added to it
+log-write-reads-otherwise = the log cannot be written so that it reads back the same: check date, time and further results
+
+## Log of cycle 444
+log-444-at-line = line { $line }: { $fault }
+log-444-no-log = no log of cycle 444 here: the page holds no measurement for programs
+log-444-count = the page says that it holds { $expected } measurements, but it holds { $found }: it is cut off or was changed
+log-444-cut-off = the measurement has no end: the page is cut off
+log-444-json = the measurement cannot be read: { $what }
+log-444-version = version { $version } of the log is not known, only up to { $known }
+log-444-normal = normal { $given } has no direction: it needs three numbers that are not all 0
+log-444-deviation = deviation { $given-sign }{ $given } in { $axis } is not measured minus nominal coordinate, { $difference-sign }{ $difference }
+log-444-along = deviation { $given-sign }{ $given } along the normal does not follow from those of the axes, { $along-sign }{ $along }
+log-444-band = upper deviation { $upper-sign }{ $upper } is below lower deviation { $lower-sign }{ $lower }
+log-444-status = status { $given } does not follow from deviation and tolerance, { $status }
+log-444-page = the page cannot be made: { $what }
 ## The touch-probe table
 probe-table-no-column = the table has no column { $column }
 probe-table-no-probe = the table has no probe

@@ -103,6 +103,7 @@ material-own = own value
 material-toml = line { $line }, column { $column }: { $reason }
 material-version = version { $found } of a file of materials is not known, only version { $known }
 material-too-many = there are { $count } materials: at most { $most }
+material-too-large = a file of materials has at most { $most } bytes
 material-name = line { $line }: a material's name has 1 to { $longest } characters and no control characters
 material-twice = line { $line }: there are two materials called { $name }
 material-unknown = no material is called { $name }; there are { $known }, or give the expansion itself, such as 11.5

@@ -274,7 +274,7 @@ fit-search = Search by clearance
 fit-wanted-minimum = Minimum
 fit-wanted-maximum = Maximum
 fit-scope = Among
-fit-scope-all = All classes of ISO 286
+fit-scope-all = All classes
 fit-scope-basis = Hole and shaft basis
 fit-scope-preferred = Preferred and named fits
 fit-search-hint = The smallest and the largest clearance; a negative one is an interference. 7 µm is read, too
@@ -331,3 +331,9 @@ fit-these-parts = These parts: { $clearance }
 
 ## Own materials
 materials-refused = Own materials cannot be used: { $path }, { $reason }
+
+## Leaving
+leave = Close Fitcheck?
+leave-unsaved = Not saved: { $names }
+leave-stay = Go on working
+leave-anyway = Close without saving

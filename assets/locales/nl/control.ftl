@@ -89,6 +89,27 @@ deviations-range-alias = BEREIK is gelezen als BEREICH
 deviations-no-numbers = kolom { $name } bevat geen getallen en is overgeslagen
 deviations-mixed-case = kolom { $name } mengt hoofdletters en kleine letters, is dus geen tolerantieklasse en is overgeslagen
 
+## Meetprotocollen schrijven
+log-write-cycle = cyclus { $cycle } schrijft deze waarden niet: ze horen bij cyclus { $expected }
+log-write-unit = een protocol is in mm of inch, niet in µm
+log-write-character = { $given } is niet te schrijven: een protocol bevat geen teken U+{ $code }
+log-write-program = { $given } wordt niet teruggelezen als pad van een programma: schrijf het zoals TNC:\PART\CHECK.H
+log-write-unfinished = het bestand eindigt midden in een regel: misschien is het afgebroken, dus er wordt niets aan toegevoegd
+log-write-reads-otherwise = het protocol is niet zo te schrijven dat het gelijk teruggelezen wordt: controleer datum, tijd en overige resultaten
+
+## Protocol van cyclus 444
+log-444-at-line = regel { $line }: { $fault }
+log-444-no-log = hier staat geen protocol van cyclus 444: de pagina bevat geen meting voor programma's
+log-444-count = volgens de pagina zelf staan er { $expected } metingen in, maar het zijn er { $found }: hij is afgebroken of veranderd
+log-444-cut-off = de meting heeft geen einde: de pagina is afgebroken
+log-444-json = de meting is niet te lezen: { $what }
+log-444-version = versie { $version } van het protocol is onbekend, bekend is alles tot en met { $known }
+log-444-normal = normaal { $given } heeft geen richting: er zijn drie getallen nodig die niet alle 0 zijn
+log-444-deviation = afwijking { $given-sign }{ $given } in { $axis } is niet gemeten min nominale coördinaat, { $difference-sign }{ $difference }
+log-444-along = afwijking { $given-sign }{ $given } langs de normaal volgt niet uit die van de assen, { $along-sign }{ $along }
+log-444-band = bovenafwijking { $upper-sign }{ $upper } ligt onder onderafwijking { $lower-sign }{ $lower }
+log-444-status = status { $given } volgt niet uit afwijking en tolerantie, { $status }
+log-444-page = de pagina is niet te maken: { $what }
 ## The touch-probe table
 probe-table-no-column = de tabel heeft geen kolom { $column }
 probe-table-no-probe = de tabel heeft geen taster

@@ -2,6 +2,7 @@
 
 # Metingen uit bestanden
 exchange-format-logs = HEIDENHAIN-meetprotocollen van cyclus 421, 422 en 427
+exchange-format-log-444 = protocollen van cyclus 444, geschreven door Fitcheck
 exchange-format-contacts = tastpunten van één cirkel: x, y en eventueel z
 exchange-format-measurements = metingen als CSV: naam, passing, gemeten
 exchange-at-line = regel { $line }: { $reason }
@@ -32,6 +33,8 @@ exchange-too-many-rows = alleen de eerste { $most } regels zijn gelezen: splits 
 exchange-no-callout = niet beoordeeld: er is geen passing
 exchange-no-limits = niet beoordeeld: de grensmaten in het protocol zijn 0, de diameter is dus niet bewaakt
 exchange-coordinate = een coördinaat van cyclus 427, geen gat of as
+exchange-point = een punt op een oppervlak van cyclus 444: de afwijking langs de normaal, geen maat
+exchange-point-without-tolerance = niet beoordeeld: het punt is zonder tolerantie getast
 exchange-only-contacts = niet beoordeeld: { $count } tastpunten zonder passing
 exchange-ignored-columns = niet gebruikte kolommen: { $columns }
 exchange-not-used = geen meting en niet gebruikt: { $text }

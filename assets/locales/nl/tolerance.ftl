@@ -103,6 +103,7 @@ material-own = eigen waarde
 material-toml = regel { $line }, kolom { $column }: { $reason }
 material-version = versie { $found } van een materialenbestand is onbekend, alleen versie { $known } wordt gelezen
 material-too-many = er zijn { $count } materialen: hoogstens { $most }
+material-too-large = een materialenbestand heeft hoogstens { $most } bytes
 material-name = regel { $line }: de naam van een materiaal heeft 1 tot { $longest } tekens en geen stuurtekens
 material-twice = regel { $line }: er zijn twee materialen met de naam { $name }
 material-unknown = geen materiaal heet { $name }; er zijn { $known }, of geef de uitzetting zelf op, zoals 11,5

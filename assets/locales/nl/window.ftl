@@ -265,16 +265,16 @@ fit-parts = Werkelijke delen
 fit-hole-measured = Gemeten boring
 fit-shaft-measured = Gemeten as
 fit-temperature = Temperatuur
-fit-hole-material = Materiaal van de boring
+fit-hole-material = Materiaal boring
 fit-hole-expansion = Boring, µm/(m K)
-fit-shaft-material = Materiaal van de as
+fit-shaft-material = Materiaal as
 fit-shaft-expansion = As, µm/(m K)
 fit-own-value = Eigen waarde
 fit-search = Zoeken op speling
 fit-wanted-minimum = Kleinste
 fit-wanted-maximum = Grootste
 fit-scope = In
-fit-scope-all = Alle klassen van ISO 286
+fit-scope-all = Alle klassen
 fit-scope-basis = Eenheidsboring en eenheidsas
 fit-scope-preferred = Voorkeurs- en benoemde passingen
 fit-search-hint = De kleinste en de grootste speling; een negatieve is een overmaat. 7 µm wordt ook gelezen
@@ -331,3 +331,9 @@ fit-these-parts = Deze delen: { $clearance }
 
 ## Own materials
 materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, { $reason }
+
+## Leaving
+leave = Fitcheck afsluiten?
+leave-unsaved = Niet opgeslagen: { $names }
+leave-stay = Verder werken
+leave-anyway = Afsluiten zonder opslaan

@@ -135,7 +135,7 @@ impl Row {
             ..Self::default()
         };
         match &unjudged.why {
-            WhyUnjudged::Coordinate(coordinate) => Self {
+            WhyUnjudged::Coordinate(coordinate) | WhyUnjudged::Point(coordinate) => Self {
                 nominal: coordinate.nominal,
                 minimum: Some(coordinate.minimum),
                 maximum: Some(coordinate.maximum),
@@ -151,7 +151,7 @@ impl Row {
                 error: Some(unjudged.why.to_string()),
                 ..row
             },
-            WhyUnjudged::NoCallout | WhyUnjudged::Contacts { .. } => {
+            WhyUnjudged::NoCallout | WhyUnjudged::PointWithoutTolerance | WhyUnjudged::Contacts { .. } => {
                 Self { error: Some(unjudged.why.to_string()), ..row }
             }
         }

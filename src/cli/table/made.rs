@@ -10,6 +10,7 @@ use crate::control::deviations::read_table;
 use crate::control::shipped_tables;
 use crate::exchange::tables::{TABLE_FORMATS, TableFormat, table_format};
 use crate::length::Length;
+use crate::tolerance::compare::compare;
 use crate::tolerance::iso286;
 use crate::tolerance::table_edit::{MakeError, standard_table, table_of_standard};
 use crate::tolerance::{DeviationTable, Feature, ToleranceClass};
@@ -21,7 +22,7 @@ Examples:
   fitcheck table new --classes preferred --ends \"3 6 10 18 30 50\" --generation tnc7 -o shop.tab
 
 Holes and shafts never share a table: with classes of both, my.tab becomes my_hole.tab and my_shaft.tab. A cell is empty
-where ISO 286 does not define the class.";
+where ISO 286 does not define the class, and where a range of --ends has more than one value of it: a warning says so.";
 
 const EXPORT_EXAMPLES: &str = "\
 Examples:
@@ -94,7 +95,7 @@ impl NewArgs {
         let mut files = Vec::new();
         for (path, classes) in self.parts(&classes) {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let table = self.choice.table(&name, &classes)?;
+            let table = self.choice.table(&name, &classes, io)?;
             files.push((path, (format.write)(&table).map_err(|error| CliError::Data(format!("{name}: {error}")))?));
         }
         for (path, bytes) in files {
@@ -117,7 +118,7 @@ impl NewArgs {
 }
 
 impl Choice {
-    fn table(&self, name: &str, classes: &[ToleranceClass]) -> Result<DeviationTable, CliError> {
+    fn table(&self, name: &str, classes: &[ToleranceClass], io: &mut Io<'_>) -> Result<DeviationTable, CliError> {
         let options = self.standard.options();
         let made = match &self.ends {
             Some(ends) => {
@@ -126,7 +127,16 @@ impl Choice {
             }
             None => standard_table(name, classes, size(&self.to)?, options),
         };
-        made.map_err(|error: MakeError| CliError::Data(error.to_string()))
+        let table = made.map_err(|error: MakeError| CliError::Data(error.to_string()))?;
+        let mut empty: Vec<_> = compare(&table, options).differences.into_iter().map(|d| (d.class, d.range)).collect();
+        empty.dedup();
+        for (class, range) in empty {
+            let over = range.checked_sub(1).and_then(|before| table.ends().get(before)).copied().unwrap_or_default();
+            let to = table.ends().get(range).copied().unwrap_or_default();
+            let why = "is left empty: ISO 286 has no single value for all of it";
+            io.tell(format_args!("warning: {name}: {class} over {over} up to {to} mm {why}"))?;
+        }
+        Ok(table)
     }
 }
 
@@ -161,7 +171,7 @@ impl ExportArgs {
             for (feature, name) in [(Feature::Hole, "iso286_hole.tab"), (Feature::Shaft, "iso286_shaft.tab")] {
                 let part: Vec<_> = classes.iter().copied().filter(|class| class.feature() == feature).collect();
                 if !part.is_empty() {
-                    tables.push(Arc::new(self.choice.table(name, &part)?));
+                    tables.push(Arc::new(self.choice.table(name, &part, io)?));
                 }
             }
             return Ok(tables);

@@ -5,18 +5,25 @@
 //! | `lines` | a log's lines as header, sections and pairs of label and number |
 //! | `values` | the pairs as nominal values, limits, actual values and deviations, and whether they agree |
 //! | `error` | what is wrong or odd with a log |
+//! | `write` | a log as a control writes it; several in one file |
+//! | `model` | values on the way to a log: differences, limits about a nominal value, figures as they are printed |
+//! | `labels` | a log's words in the control's dialogue languages |
 //!
 //! The words of a log follow the control's dialogue language, so a log is read by order and numbers alone. A log holds no
 //! status and no tolerance class: the verdict is computed elsewhere from its limits and actual values.
 
 mod error;
+pub(super) mod labels;
 mod lines;
+mod model;
 mod values;
+mod write;
 
 use jiff::civil::{Date, DateTime, Time};
 
 pub use error::{LogError, LogReason, LogWarning, Section};
 pub use values::{Circle, Coordinate, LimitPair, Place, Values};
+pub use write::{LogWriteError, append, write};
 
 use super::text;
 use crate::length::Unit;

@@ -90,7 +90,9 @@ fn figures_ui(ui: &mut Ui, view: &View<'_>, fit: &Fit) -> Vec<String> {
     let [upper, lower] = extremes(fit.minimum_clearance(), fit.maximum_clearance());
     let mean = fit.mean_clearance();
     let mean_id = if mean < Length::ZERO { "fit-mean-interference" } else { "fit-mean-clearance" };
-    let rows = [upper, lower, (mean_id, mean.abs())];
+    // The maximum comes first, also where it is the largest interference.
+    let (first, second) = if fit.kind() == Kind::Interference { (lower, upper) } else { (upper, lower) };
+    let rows = [first, second, (mean_id, mean.abs())];
     let mut said = Vec::new();
     Grid::new("fit-figures").num_columns(2).min_row_height(0.0).spacing(vec2(space(4.0), 0.0)).show(ui, |ui| {
         for (id, amount) in rows {
@@ -113,7 +115,7 @@ fn said_of_ui(ui: &mut Ui, view: &View<'_>) {
     let name = function(hole, shaft).map(|function| Message::new("fit-ansi").message("name", function.message()));
     let lines: Vec<String> = first.iter().chain(&name).map(|message| view.words.say(message)).collect();
     if !lines.is_empty() {
-        quiet(ui, lines.join("; "));
+        quiet(ui, format!("{hole}/{shaft}: {}", lines.join("; ")));
     }
 }
 

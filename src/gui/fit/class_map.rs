@@ -44,8 +44,9 @@ impl Columns {
     }
 }
 
-/// Heading, staircase, grid, and classes of own tables, down to `bottom` where the window is high enough.
-pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, bottom: f32) {
+/// Heading, staircase, grid, and classes of own tables, down to the end of a column of `height` where that is
+/// high enough.
+pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     let session = view.session;
     let side = session.fit().side();
     ui.horizontal(|ui| {
@@ -68,15 +69,16 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, bottom: f32) {
         quiet(ui, view.text("fit-classes-nowhere"));
         return;
     }
-    let height = bottom - ui.cursor().top() - space(2.0);
+    // Counted from the column's beginning, so that nothing changes its size while it is scrolled.
+    let left = |ui: &Ui| height - (ui.cursor().top() - ui.min_rect().top());
     let chosen = session.fit().class(side);
     let grade = chosen.and_then(iso286::parts).map(|(_, grade)| grade);
     let grade = grade.or_else(|| map.first().and_then(iso286::parts).map(|(_, grade)| grade));
     if let Some(grade) = grade {
-        staircase_ui(ui, view, map, grade, (height * 0.28).max(space(22.0)), Columns::of);
+        staircase_ui(ui, view, map, grade, ((left(ui) - space(2.0)) * 0.28).max(space(22.0)), Columns::of);
     }
     let rows = f32::from(u8::try_from(map.grades().count()).unwrap_or(u8::MAX)) + 1.0;
-    let row = ((bottom - ui.cursor().top() - space(1.0)) / rows).clamp(space(3.0), space(5.5));
+    let row = ((left(ui) - space(1.0)) / rows).clamp(space(3.0), space(5.5));
     grid_ui(ui, view, map, chosen, row);
     for class in map.others() {
         if ui.add(Button::selectable(chosen == Some(*class), class.as_str())).clicked() {

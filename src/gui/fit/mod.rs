@@ -48,11 +48,10 @@ pub(super) fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
     Panel::right("fit-answer").exact_size(side).show(ui, |ui| column_ui(ui, |ui| answer_panel::answer_ui(ui, view)));
     CentralPanel::default().show(ui, |ui| {
         let height = ui.available_height();
-        let bottom = ui.max_rect().bottom();
         column_ui(ui, |ui| {
             picture::picture_ui(ui, view, (height * 0.31).max(space(50.0)));
             ui.separator();
-            class_map::class_map_ui(ui, view, bottom);
+            class_map::class_map_ui(ui, view, height);
         });
     });
 }

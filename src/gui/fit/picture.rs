@@ -6,7 +6,7 @@ use eframe::egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Sense, Shape, S
 
 use crate::gui::shapes::{self, Hatch};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, heading, quiet, quiet_cut};
 use crate::length::Length;
 use crate::session::{Mark, Parts, Picture, PictureZone, extremes, measured_field};
 use crate::tolerance::fit::Fit;
@@ -19,7 +19,7 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     ui.horizontal(|ui| {
         heading(ui, view.text("fit-picture"));
         if page.fit().is_some() {
-            quiet(ui, view.text("fit-picture-legend"));
+            quiet_cut(ui, view.text("fit-picture-legend"));
         }
     });
     let (Some(fit), Some(picture)) = (page.fit(), page.picture()) else {
@@ -112,7 +112,7 @@ impl<'a> Drawing<'a> {
     fn draw(&self, fit: &Fit) {
         let width = self.body.width();
         let column = (width * 0.15).max(space(14.0));
-        let left = self.body.left() + (width * 0.14).max(space(15.0));
+        let left = self.body.left() + (width * 0.14).max(space(18.0));
         let hole = Rangef::new(left, left + column);
         let shaft = Rangef::new(hole.max + space(4.0), hole.max + space(4.0) + column);
         let zero = self.y(0.0);
@@ -128,12 +128,13 @@ impl<'a> Drawing<'a> {
             self.name(x, limits);
         }
         let nominal = format!("{} mm", self.words.number(&fit.nominal().to_string()));
-        // On the side of the line where the shaft, and so the smallest clearance, is not.
-        let (anchor, off) = if self.picture.shaft.upper_um + self.picture.shaft.lower_um < 0.0 {
-            (Align2::RIGHT_BOTTOM, -3.0)
-        } else {
-            (Align2::RIGHT_TOP, 3.0)
+        // On the side of the line where the last arrow, that of the parts or of the smallest clearance, is not.
+        let Picture { hole, shaft, .. } = self.picture;
+        let last = match (hole.mark, shaft.mark) {
+            (Some(Mark::InSight(hole)), Some(Mark::InSight(shaft))) => hole + shaft,
+            _ => hole.lower_um + shaft.upper_um,
         };
+        let (anchor, off) = if last < 0.0 { (Align2::RIGHT_BOTTOM, -3.0) } else { (Align2::RIGHT_TOP, 3.0) };
         let at = pos2(self.body.right() - 2.0, zero + off);
         self.label(at, anchor, &nominal, theme::bold(sizes().small));
     }
@@ -143,7 +144,9 @@ impl<'a> Drawing<'a> {
         let galley = self.painter.layout_no_wrap(text.to_owned(), font, self.palette.text.0);
         let rect = anchor.anchor_size(at, galley.size());
         let shift = (self.whole.top() - rect.top()).max(0.0) - (rect.bottom() - self.whole.bottom()).max(0.0);
-        let rect = rect.translate(vec2(0.0, shift));
+        // No figure is cut off at an edge of the picture.
+        let aside = (self.whole.left() - rect.left()).max(0.0) - (rect.right() - self.whole.right()).max(0.0);
+        let rect = rect.translate(vec2(aside, shift));
         self.painter.rect_filled(rect.expand2(vec2(3.0, -1.0)), 2.0, self.palette.panel.0);
         self.painter.galley(rect.min, galley, self.palette.text.0);
     }
@@ -265,7 +268,10 @@ impl<'a> Drawing<'a> {
                 self.painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, self.palette.quiet.0), 3.0, 3.0));
             }
             self.arrow(x, from, to, Stroke::new(2.0, self.palette.text.0));
-            let at = pos2(x + space(2.0), f32::midpoint(from, to));
+            // Beside the line's middle, but not on the zero line.
+            let (middle, zero) = (f32::midpoint(from, to), self.y(0.0));
+            let middle = if (middle - zero).abs() < LINE / 2.0 { zero - LINE * 0.75 } else { middle };
+            let at = pos2(x + space(2.0), middle);
             self.label(at, Align2::LEFT_CENTER, &self.words.um(amount), theme::bold(sizes().limits));
             self.below(x, &name, step - space(1.0));
             x += step;
@@ -279,7 +285,7 @@ impl<'a> Drawing<'a> {
             return;
         }
         self.painter.vline(x, top..=bottom, stroke);
-        let size = 9.0_f32.min((bottom - top) / 2.0);
+        let size = space(2.25).min((bottom - top) / 3.0);
         self.head(pos2(x, top), vec2(0.0, -1.0), size, stroke.color);
         self.head(pos2(x, bottom), vec2(0.0, 1.0), size, stroke.color);
     }

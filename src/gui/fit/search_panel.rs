@@ -1,7 +1,7 @@
 //! Left, below: from a wanted clearance to the pairs of classes that give it. Only the rows in sight are drawn.
 
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{Button, ComboBox, ScrollArea, Ui, vec2};
+use eframe::egui::{Atom, AtomExt as _, Button, ComboBox, RichText, ScrollArea, Ui, vec2};
 
 use super::parts_panel::pair_ui;
 use crate::gui::theme::{self, Hex, palette, sizes, space};
@@ -95,17 +95,22 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, candidate: &Candidate) {
     let Candidate { hole, shaft, minimum, maximum, .. } = *candidate;
     let pair = format!("{hole}/{shaft}");
     let range = format!("{} … {} µm", view.words.signed_um(minimum), view.words.signed_um(maximum));
-    let mut job = LayoutJob::default();
     let text = |font, colour: Hex| TextFormat::simple(font, colour.0);
-    job.append(&pair, 0.0, text(theme::bold(sizes().body), palette.text));
-    job.append(&range, space(3.0), text(theme::font(sizes().body), palette.text));
+    // The clearances stand below each other.
+    let bold = theme::bold(sizes().body);
+    let width = ui.painter().layout_no_wrap(pair.clone(), bold.clone(), palette.text.0).size().x;
+    let mut job = LayoutJob::default();
+    job.append(&pair, 0.0, text(bold, palette.text));
+    job.append(&range, (space(16.0) - width).max(space(2.0)), text(theme::font(sizes().body), palette.text));
     let mut name = format!("{pair}  {range}");
-    if let Some(remark) = remark(view, candidate) {
-        job.append(&remark, space(3.0), text(theme::font(sizes().small), palette.quiet));
+    let remark = remark(view, candidate).unwrap_or_default();
+    if !remark.is_empty() {
         name = format!("{name}  {remark}");
     }
+    // Where there is no room for all, the figures stay whole.
+    let remark = RichText::new(remark).size(sizes().small).color(palette.quiet.0).atom_shrink(true);
     let chosen = (view.session.fit().class(Feature::Hole), view.session.fit().class(Feature::Shaft));
-    let button = Button::new(job).truncate().selected(chosen == (Some(hole), Some(shaft)));
+    let button = Button::new((job, Atom::grow(), remark)).truncate().selected(chosen == (Some(hole), Some(shaft)));
     let size = vec2(ui.available_width(), sizes().field);
     if ui.add_sized(size, button).accessible_name(name).clicked() {
         view.send(Command::Fit(FitCommand::TakePair(hole, shaft)));

@@ -49,6 +49,8 @@ pub struct Picture {
 const MARGIN: f64 = 0.12;
 /// How far beyond zones and zero line, as a share of their height, a measured part is still brought into sight.
 const REACH: f64 = 0.6;
+/// Kept free for the arrow of a part beyond the axis, as a share of the height.
+const ROOM: f64 = 0.16;
 /// Stands for the height of a picture that has none, micrometres.
 const HEIGHT_OF_NONE: f64 = 10.0;
 
@@ -81,7 +83,12 @@ impl Picture {
         let marks = [hole.map(|hole| of(fit.hole(), hole)), shaft.map(|shaft| of(fit.shaft(), shaft))];
         let (mut top, mut bottom) = (highest, lowest);
         for mark in marks.into_iter().flatten() {
-            if lowest - REACH * height <= mark && mark <= highest + REACH * height {
+            let (least, most) = (lowest - REACH * height, highest + REACH * height);
+            if mark < least {
+                bottom = bottom.min(lowest - ROOM * height);
+            } else if most < mark {
+                top = top.max(highest + ROOM * height);
+            } else {
                 (top, bottom) = (top.max(mark), bottom.min(mark));
             }
         }

@@ -65,14 +65,23 @@ impl Session {
         }
     }
 
-    /// Other options of ISO 286, or other tables of the user's own: what is open follows, unless it has edits.
+    /// Other options of ISO 286 count at once. What was typed into the cell counts before.
     pub(in crate::session) fn sources_of_tables_changed(&mut self) {
+        self.settle_cell();
+        let options = self.sources.options();
+        for document in &mut self.tables.documents {
+            document.compare(options);
+        }
+        self.shown_changed();
+    }
+
+    /// The tables of a folder were read: what is open follows, unless it has edits.
+    pub(in crate::session) fn folder_of_tables_changed(&mut self) {
         let options = self.sources.options();
         for document in &mut self.tables.documents {
             let own = self.sources.own().iter().find(|own| own.name().eq_ignore_ascii_case(document.title()));
-            match own.filter(|own| document.is_replaceable() && !document.holds_what(own)) {
-                Some(own) => *document = Document::kept(own.as_ref().clone(), Origin::Own, options),
-                None => document.compare(options),
+            if let Some(own) = own.filter(|own| document.is_replaceable() && !document.holds_what(own)) {
+                *document = Document::kept(own.as_ref().clone(), Origin::Own, options);
             }
         }
         self.shown_changed();

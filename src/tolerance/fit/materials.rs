@@ -18,6 +18,8 @@ use crate::words::{Language, Message, Say};
 const VERSION: u32 = 1;
 /// The most materials in a file.
 pub const MOST: usize = 1000;
+/// The most bytes of a file: enough for so many materials, and read in no time.
+const LARGEST: usize = 1 << 20;
 /// The longest name in characters.
 const LONGEST_NAME: usize = 60;
 
@@ -118,6 +120,9 @@ pub enum MaterialsError {
         /// What was given.
         found: u32,
     },
+    /// A file that is too large to be read.
+    #[error("a file of materials has at most {LARGEST} bytes")]
+    TooLarge,
     /// More than [`MOST`] materials.
     #[error("there are {count} materials: at most {MOST}")]
     TooMany {
@@ -156,6 +161,7 @@ impl Say for MaterialsError {
                 Message::new("material-toml").text("line", line).text("column", column).text("reason", reason)
             }
             Self::Version { found } => Message::new("material-version").text("found", found).text("known", VERSION),
+            Self::TooLarge => Message::new("material-too-large").text("most", LARGEST),
             Self::TooMany { count } => Message::new("material-too-many").text("count", count).text("most", MOST),
             Self::Name { line } => Message::new("material-name").text("line", line).text("longest", LONGEST_NAME),
             Self::Twice { line, name } => Message::new("material-twice").text("line", line).text("name", name),
@@ -180,6 +186,9 @@ impl Materials {
     /// # Errors
     /// [`MaterialsError`] with the line; a file is taken whole or not at all.
     pub fn read(text: &str) -> Result<Self, MaterialsError> {
+        if LARGEST < text.len() {
+            return Err(MaterialsError::TooLarge);
+        }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let file: File = toml::from_str(text).map_err(|error| toml_error(text, &error))?;
         if file.version != VERSION {
@@ -192,13 +201,13 @@ impl Materials {
         for entry in file.material {
             let (line, _) = place(text, entry.name.span().start);
             let material = entry.material();
-            let mut names =
-                std::iter::once(&material.name).chain(Language::ALL.iter().filter_map(|l| material.names.get(l)));
-            if !names.all(|name| is_name(name)) {
+            let names =
+                || std::iter::once(&material.name).chain(Language::ALL.iter().filter_map(|l| material.names.get(l)));
+            if !names().all(|name| is_name(name)) {
                 return Err(MaterialsError::Name { line });
             }
-            if list.iter().any(|other| other.is_called(&material.name)) {
-                return Err(MaterialsError::Twice { line, name: material.name });
+            if let Some(name) = names().find(|name| list.iter().any(|other| other.is_called(name))) {
+                return Err(MaterialsError::Twice { line, name: name.clone() });
             }
             list.push(material);
         }

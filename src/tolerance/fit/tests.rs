@@ -193,6 +193,12 @@ fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
         &format!("{steel}[[material]]\nname = \"STEEL\"\nexpansion = 1\n"),
         "line 7: there are two materials called STEEL",
     );
+    // A name in another language would hide the other material.
+    check(
+        &format!("{steel}[[material]]\nname = \"stainless\"\nnames = {{ nl = \"Steel\" }}\nexpansion = 16\n"),
+        "line 7: there are two materials called Steel",
+    );
+    check(&" ".repeat((1 << 20) + 1), "a file of materials has at most 1048576 bytes");
     check(
         "version = 1\n[[material]]\nname = \" \"\nexpansion = 1",
         "line 3: a material's name has 1 to 60 characters and no control characters",

@@ -1,0 +1,129 @@
+//! Values on the way to a log: differences, limits about a nominal value, figures as they are printed.
+
+use jiff::civil::Time;
+
+use super::labels::Labels;
+use super::{Circle, Coordinate, Further, LimitPair, Log, Place, Values};
+use crate::length::{Length, Unit};
+use crate::tolerance::Feature;
+use crate::words::Language;
+
+/// Decimals of a log's figures, in millimetres as in inches: those of the maker's published log; for inches our rule.
+pub(super) const DECIMALS: usize = 4;
+
+impl Log {
+    /// A log to be written: no day, time, program or further results yet; these fields are public.
+    pub const fn new(values: Values, unit: Unit) -> Self {
+        Self {
+            line: 1,
+            cycle: values.cycle(),
+            title: String::new(),
+            date: None,
+            time: None,
+            program: None,
+            unit,
+            values,
+            further: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+
+    /// The log that is read back when this one is written in a language: every figure rounded half away from zero to
+    /// four decimals of its unit (0.1 µm, or 0.0001 inch = 2.54 µm), whole seconds, the language's own title.
+    ///
+    /// The log's own limits decide what the log says: where a figure is finer than the log prints, its verdict may
+    /// be another than that of the measurement. Compare the two before relying on the file.
+    #[must_use]
+    pub fn printed(&self, language: Language) -> Self {
+        let labels = Labels::of(language);
+        let round = |length: Length| on_grid(length, self.unit);
+        let pair = |pair: LimitPair| LimitPair { maximum: round(pair.maximum), minimum: round(pair.minimum) };
+        let place = |place: Place| Place { centre: place.centre.map(round), diameter: round(place.diameter) };
+        let values = match &self.values {
+            Values::Circle(circle) => Values::Circle(Circle {
+                feature: circle.feature,
+                nominal: place(circle.nominal),
+                centre_limits: circle.centre_limits.map(pair),
+                diameter_limits: circle.diameter_limits.map(pair),
+                actual: place(circle.actual),
+                deviations: circle.deviations.map(place),
+            }),
+            Values::Coordinate(coordinate) => Values::Coordinate(Coordinate {
+                nominal: coordinate.nominal.map(round),
+                limits: pair(coordinate.limits),
+                actual: round(coordinate.actual),
+            }),
+        };
+        Self {
+            line: 1,
+            cycle: self.cycle,
+            title: labels.sort(&values).title.clone(),
+            date: self.date,
+            time: self.time.map(whole_seconds),
+            program: self.program.clone(),
+            unit: self.unit,
+            values,
+            further: self.further.iter().map(|further| further.printed(labels)).collect(),
+            warnings: Vec::new(),
+        }
+    }
+}
+
+impl Values {
+    /// The cycle that measures these values: 421 a hole, 422 a shaft or stud, 427 a coordinate.
+    pub const fn cycle(&self) -> u16 {
+        match self {
+            Self::Circle(circle) => match circle.feature {
+                Feature::Hole => 421,
+                Feature::Shaft => 422,
+            },
+            Self::Coordinate(_) => 427,
+        }
+    }
+}
+
+impl Place {
+    /// What this place is off another one; `None` beyond [`Length::MAX`].
+    pub fn checked_sub(self, nominal: Self) -> Option<Self> {
+        let ([first, second], [nominal_1, nominal_2]) = (self.centre, nominal.centre);
+        let centre = [first.checked_sub(nominal_1)?, second.checked_sub(nominal_2)?];
+        Some(Self { centre, diameter: self.diameter.checked_sub(nominal.diameter)? })
+    }
+}
+
+impl LimitPair {
+    /// Limits evenly about a nominal value, as Q279 and Q280 give them for the centre: a tolerance of 0 means that the
+    /// axis is not monitored. `None` for a negative tolerance and beyond [`Length::MAX`].
+    pub fn about(nominal: Length, tolerance: Length) -> Option<Self> {
+        if tolerance < Length::ZERO {
+            return None;
+        }
+        Some(Self { maximum: nominal.checked_add(tolerance)?, minimum: nominal.checked_sub(tolerance)? })
+    }
+}
+
+impl Further {
+    /// The measuring height, which every log ends with.
+    pub fn measuring_height(height: Length, unit: Unit, language: Language) -> Self {
+        let label = Labels::of(language).measuring_height.clone();
+        Self { label, value: height.rounded(unit, DECIMALS) }
+    }
+
+    /// The result as it is printed: the measuring height is named in the log's language, a number has a point.
+    pub(super) fn printed(&self, labels: &Labels) -> Self {
+        let known = Language::ALL.map(|language| &Labels::of(language).measuring_height);
+        let label = if known.contains(&&self.label) { &labels.measuring_height } else { &self.label };
+        let is_number = Length::parse_in(&self.value, Unit::Millimetre).is_ok();
+        let value = if is_number { self.value.replace(',', ".") } else { self.value.clone() };
+        Self { label: label.clone(), value }
+    }
+}
+
+/// The length that the printed figure says. One beyond [`Length::MAX`] stays as it is, and is refused when read back.
+fn on_grid(length: Length, unit: Unit) -> Length {
+    Length::parse_in(&length.rounded(unit, DECIMALS), unit).unwrap_or(length)
+}
+
+fn whole_seconds(time: Time) -> Time {
+    Time::new(time.hour(), time.minute(), time.second(), 0).unwrap_or(time)
+}

@@ -1,0 +1,314 @@
+//! A log as a control writes it.
+//!
+//! Title, header, sections, their order and four decimals of a millimetre are the maker's for cycle 421
+//! (`docs/SOURCES.md`). Our rule are the columns (label and colon left aligned in 46 characters, the value right aligned
+//! in 12), CRLF, ASCII or, where the words need it, Latin-1, four decimals of an inch, the lines behind the deviations, all
+//! of cycle 427's sections, and other languages' words. The documented layout has no line for a status, a tolerance class
+//! or a tool: a log has the same lines whether the part is good, rework or scrap.
+//!
+//! What is written reads back as the same log ([`Log::printed`]), or it is an error. What a log lacks is left out and
+//! never made up. Nothing here opens a file.
+
+use super::labels::Labels;
+use super::model::DECIMALS;
+use super::{Circle, Coordinate, LimitPair, Log, LogError, LogReason, Place, Values, read};
+use crate::length::{Length, Unit};
+use crate::words::{Language, Message, Say};
+
+/// Characters of a label and its colon (our rule).
+const LABEL_WIDTH: usize = 46;
+/// Characters of a value (our rule).
+const VALUE_WIDTH: usize = 12;
+/// Between lines (our rule).
+const LINE_END: &str = "\r\n";
+
+/// Why a log cannot be written.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum LogWriteError {
+    /// The cycle does not measure such values.
+    #[error("cycle {cycle} does not write these values: they are those of cycle {expected}")]
+    Cycle {
+        /// The log's cycle.
+        cycle: u16,
+        /// The cycle of its values.
+        expected: u16,
+    },
+    /// The control knows millimetres and inches.
+    #[error("a log is in mm or inch, not in µm")]
+    Unit,
+    /// A character that the file cannot hold.
+    #[error("{given} cannot be written: a log holds no character U+{code}")]
+    Character {
+        /// The text that holds it.
+        given: String,
+        /// Its code, four to six hexadecimal figures.
+        code: String,
+    },
+    /// The program would not be read as one.
+    #[error("{given} would not be read back as the path of a program: write it as in TNC:\\PART\\CHECK.H")]
+    Program {
+        /// What was given.
+        given: String,
+    },
+    /// The log contradicts itself.
+    #[error("{0}")]
+    Contradiction(LogReason),
+    /// The file that a log is to be added to does not end at the end of a line.
+    #[error("the file ends within a line: it may be cut off, so nothing is added to it")]
+    Unfinished,
+    /// Something in the log would be read as something else, such as a further result that looks like a date.
+    #[error("the log cannot be written so that it reads back the same: check date, time and further results")]
+    ReadsOtherwise,
+}
+
+impl Say for LogWriteError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Cycle { cycle, expected } => {
+                Message::new("log-write-cycle").text("cycle", cycle).text("expected", expected)
+            }
+            Self::Unit => Message::new("log-write-unit"),
+            Self::Character { given, code } => {
+                Message::new("log-write-character").text("given", given).text("code", code)
+            }
+            Self::Program { given } => Message::new("log-write-program").text("given", given),
+            Self::Contradiction(reason) => reason.message(),
+            Self::Unfinished => Message::new("log-write-unfinished"),
+            Self::ReadsOtherwise => Message::new("log-write-reads-otherwise"),
+        }
+    }
+}
+
+/// A log as a file of its own, in the words of a language.
+///
+/// The log's own title, line and warnings are not used. Figures finer than the last decimal are rounded half away from
+/// zero ([`Log::printed`] gives the log that this leads to).
+///
+/// ```
+/// use fitcheck::control::log::{self, Coordinate, Further, LimitPair, Log, Values};
+/// use fitcheck::length::Unit;
+/// use fitcheck::words::Language;
+///
+/// let limits = LimitPair { maximum: "5.1".parse()?, minimum: "4.95".parse()? };
+/// let values = Values::Coordinate(Coordinate { nominal: None, limits, actual: "5.0231".parse()? });
+/// let log = Log {
+///     date: Some(jiff::civil::date(2024, 3, 14)),
+///     time: Some(jiff::civil::time(8, 5, 9, 0)),
+///     program: Some(r"TNC:\PART1.H".to_owned()),
+///     further: vec![Further::measuring_height("-3".parse()?, Unit::Millimetre, Language::En)],
+///     ..Log::new(values, Unit::Millimetre)
+/// };
+/// let bytes = log::write(&log, Language::En)?;
+/// assert!(bytes.starts_with(b"Measuring log for touch probe cycle 427"));
+/// assert_eq!(log::read(&bytes), [Ok(log.printed(Language::En))]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`LogWriteError`]: whatever would not be read back as the same log.
+pub fn write(log: &Log, language: Language) -> Result<Vec<u8>, LogWriteError> {
+    let bytes = encode(&text(log, language)?);
+    reads_back(&read(&bytes), log, language)?;
+    Ok(bytes)
+}
+
+/// A file of logs with one more at its end, behind a blank line; an empty file gets its first log.
+///
+/// Whether a control overwrites or adds to a file of the same name is not documented: both can be had here.
+///
+/// # Errors
+/// As for [`write()`]; [`LogWriteError::Unfinished`] where the file ends within a line, because a figure that was cut
+/// off would look whole with something behind it.
+pub fn append(file: &[u8], log: &Log, language: Language) -> Result<Vec<u8>, LogWriteError> {
+    if file.is_empty() {
+        return write(log, language);
+    }
+    if !file.ends_with(b"\n") && !file.ends_with(b"\r") && !file.ends_with(b"\0") {
+        return Err(LogWriteError::Unfinished);
+    }
+    let text = text(log, language)?;
+    let mut bytes = file.to_vec();
+    bytes.extend_from_slice(LINE_END.as_bytes());
+    // Two encodings in one file would damage the words of one of them.
+    if !file.is_ascii() && std::str::from_utf8(file).is_ok() {
+        bytes.extend_from_slice(text.as_bytes());
+    } else {
+        bytes.extend(encode(&text));
+    }
+    let mut before = read(file);
+    before.retain(|log| !matches!(log, Err(LogError { reason: LogReason::Empty | LogReason::NoLog, .. })));
+    let logs = read(&bytes);
+    let (old, new) = logs.split_at_checked(before.len()).unwrap_or_default();
+    if old != before {
+        return Err(LogWriteError::ReadsOtherwise);
+    }
+    reads_back(new, log, language)?;
+    Ok(bytes)
+}
+
+/// Whether the one log that was read is the one that was written.
+fn reads_back(read: &[Result<Log, LogError>], log: &Log, language: Language) -> Result<(), LogWriteError> {
+    let read = match read {
+        [Ok(read)] => read,
+        [Err(error)] => return Err(LogWriteError::Contradiction(error.reason.clone())),
+        _ => return Err(LogWriteError::ReadsOtherwise),
+    };
+    let printed = Log { line: read.line, warnings: read.warnings.clone(), ..log.printed(language) };
+    if read.program != printed.program {
+        return Err(LogWriteError::Program { given: printed.program.unwrap_or_default() });
+    }
+    if *read != printed {
+        return Err(LogWriteError::ReadsOtherwise);
+    }
+    Ok(())
+}
+
+fn text(log: &Log, language: Language) -> Result<String, LogWriteError> {
+    let labels = Labels::of(language);
+    if log.cycle != log.values.cycle() {
+        return Err(LogWriteError::Cycle { cycle: log.cycle, expected: log.values.cycle() });
+    }
+    if log.unit == Unit::Micrometre {
+        return Err(LogWriteError::Unit);
+    }
+    let mut page = Page { text: String::new(), unit: log.unit };
+    page.line(&labels.sort(&log.values).title);
+    page.line("");
+    page.header(log, labels)?;
+    match &log.values {
+        Values::Circle(circle) => page.circle(circle, &log.values, labels),
+        Values::Coordinate(coordinate) => page.coordinate(coordinate, &log.values, labels),
+    }
+    if !log.further.is_empty() {
+        page.heading(&labels.further);
+        for further in &log.further {
+            let further = further.printed(labels);
+            page.value(sound(&further.label)?, sound(&further.value)?);
+        }
+        page.line("");
+    }
+    page.line(&labels.end);
+    Ok(page.text)
+}
+
+/// A log's lines.
+struct Page {
+    text: String,
+    unit: Unit,
+}
+
+impl Page {
+    fn line(&mut self, line: &str) {
+        self.text.push_str(line);
+        self.text.push_str(LINE_END);
+    }
+
+    fn heading(&mut self, heading: &str) {
+        self.line(&format!("{heading}:"));
+    }
+
+    /// A value in its column; one that is wider than its column moves to the right.
+    fn value(&mut self, label: &str, value: &str) {
+        let label = format!("{label}:");
+        self.line(&format!("{label:<LABEL_WIDTH$}{value:>VALUE_WIDTH$}"));
+    }
+
+    /// A section and the blank line behind it.
+    fn section<'a>(&mut self, heading: &str, figures: impl IntoIterator<Item = (&'a String, Length)>) {
+        self.heading(heading);
+        for (label, length) in figures {
+            self.value(label, &length.rounded(self.unit, DECIMALS));
+        }
+        self.line("");
+    }
+
+    fn header(&mut self, log: &Log, labels: &Labels) -> Result<(), LogWriteError> {
+        if let Some(date) = log.date {
+            // Day, month and year as in the maker's log.
+            self.line(&format!("{}: {:02}-{:02}-{:04}", labels.date, date.day(), date.month(), date.year()));
+        }
+        if let Some(time) = log.time {
+            // The hour without a leading zero, as in the maker's log.
+            self.line(&format!("{}: {}:{:02}:{:02}", labels.time, time.hour(), time.minute(), time.second()));
+        }
+        if let Some(program) = &log.program {
+            self.line(&format!("{}: {}", labels.program, sound(program)?));
+        }
+        self.line(&format!("{}: {}", labels.unit, u8::from(log.unit == Unit::Inch)));
+        self.line("");
+        Ok(())
+    }
+
+    fn circle(&mut self, circle: &Circle, values: &Values, labels: &Labels) {
+        let place = |place: Place| {
+            let [first, second] = place.centre;
+            labels.place.iter().zip([first, second, place.diameter])
+        };
+        self.section(&labels.nominal, place(circle.nominal));
+        let limits = circle.centre_limits.into_iter().flat_map(|pair| [pair.maximum, pair.minimum]);
+        let not_monitored = LimitPair { maximum: Length::ZERO, minimum: Length::ZERO };
+        let size = circle.diameter_limits.unwrap_or(not_monitored);
+        let sort = labels.sort(values);
+        let size = [(&sort.maximum, size.maximum), (&sort.minimum, size.minimum)];
+        self.section(&labels.limits, labels.centre_limits.iter().zip(limits).chain(size));
+        self.section(&labels.actual, place(circle.actual));
+        if let Some(deviations) = circle.deviations {
+            self.section(&labels.deviations, place(deviations));
+        }
+    }
+
+    /// Limits and actual value as assumed for cycle 427; a nominal value comes with its deviation (our rule).
+    fn coordinate(&mut self, coordinate: &Coordinate, values: &Values, labels: &Labels) {
+        let name = &labels.coordinate;
+        let sort = labels.sort(values);
+        let limits = [(&sort.maximum, coordinate.limits.maximum), (&sort.minimum, coordinate.limits.minimum)];
+        if let Some(nominal) = coordinate.nominal {
+            self.section(&labels.nominal, [(name, nominal)]);
+        }
+        self.section(&labels.limits, limits);
+        self.section(&labels.actual, [(name, coordinate.actual)]);
+        if let Some(nominal) = coordinate.nominal {
+            self.section(&labels.deviations, [(name, coordinate.actual.saturating_sub(nominal))]);
+        }
+    }
+}
+
+/// A text that came from outside and fits on a line in Latin-1.
+fn sound(text: &str) -> Result<&str, LogWriteError> {
+    match text.chars().find(|&c| c.is_control() || u8::try_from(c).is_err()) {
+        None => Ok(text),
+        Some(character) => Err(LogWriteError::Character {
+            given: text.replace(char::is_control, "\u{fffd}"),
+            code: format!("{:04X}", u32::from(character)),
+        }),
+    }
+}
+
+/// Latin-1. Every text in a log is [`sound`]; a test proves that the words are, too.
+fn encode(text: &str) -> Vec<u8> {
+    text.chars().map(|c| u8::try_from(c).unwrap_or(b'?')).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::Words;
+
+    #[test]
+    fn every_error_is_said_in_english_and_dutch() {
+        let given = || "TNC:\\".to_owned();
+        for error in [
+            LogWriteError::Cycle { cycle: 421, expected: 422 },
+            LogWriteError::Unit,
+            LogWriteError::Character { given: given(), code: "20AC".to_owned() },
+            LogWriteError::Program { given: given() },
+            LogWriteError::Contradiction(LogReason::NotPositive { given: "0.0000".to_owned() }),
+            LogWriteError::Unfinished,
+            LogWriteError::ReadsOtherwise,
+        ] {
+            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+            let dutch = Words::new(Language::Nl).told(&error);
+            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
+        }
+    }
+}

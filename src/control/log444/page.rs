@@ -1,0 +1,178 @@
+//! Measurements of cycle 444 as a page: one table, three lines a measurement, coloured by status.
+//!
+//! The template is `assets/logs/444.html`, its look `444.css`, its words `assets/logs/*.toml`; the template escapes
+//! every value. Nothing here decides anything.
+
+use askama::Template;
+
+use super::error::{PointFault, PointLogError};
+use super::point::PointLog;
+use super::read::read;
+use super::stored;
+use crate::control::log::labels::{Labels, Surface};
+use crate::control::status::status_word;
+use crate::length::{Length, Unit};
+use crate::verdict::Status;
+use crate::words::Language;
+
+/// How dates are written: as in the report.
+const DATE: &str = "%Y-%m-%d %H:%M:%S";
+
+/// Decimals of figures at least: those of the control's logs. Finer figures are shown whole.
+const DECIMALS: usize = 4;
+
+#[derive(Template)]
+#[template(path = "444.html", config = "assets/logs/askama.toml")]
+struct Page {
+    language: Language,
+    words: &'static Surface,
+    count_name: &'static str,
+    rows: Vec<Row>,
+}
+
+/// One measurement.
+struct Row {
+    number: usize,
+    /// The block for programs, already escaped.
+    stored: String,
+    class: &'static str,
+    time: String,
+    program: String,
+    axes: [Axis; 3],
+    along: String,
+    unit: &'static str,
+    tolerance: Vec<String>,
+    tolerance_text: String,
+    status: String,
+}
+
+struct Axis {
+    name: &'static str,
+    nominal: String,
+    normal: String,
+    measured: String,
+    deviation: String,
+}
+
+/// Measurements as one page, in the words of a language.
+///
+/// What is written reads back as the same measurements, exactly. Whole lengths are kept for programs; the table shows
+/// at least four decimals, inches rounded to seven.
+///
+/// ```
+/// use fitcheck::control::log444::{self, Band, PointLog};
+/// use fitcheck::length::{Length, Unit};
+/// use fitcheck::words::Language;
+///
+/// let band = Band { upper: "0.4".parse()?, lower: "-0.1".parse()? };
+/// let deviation = "0.0123".parse()?;
+/// let log = PointLog {
+///     date_time: Some(jiff::civil::date(2024, 3, 14).at(8, 5, 9, 0)),
+///     program: Some(r"TNC:\PART1.H".to_owned()),
+///     unit: Unit::Millimetre,
+///     nominal: ["10".parse()?, "20".parse()?, "5".parse()?],
+///     normal: [0.0, 0.0, 1.0],
+///     measured: ["10".parse()?, "20".parse()?, "5.0123".parse()?],
+///     deviations: [Length::ZERO, Length::ZERO, deviation],
+///     deviation,
+///     tolerance: "0.4-0.1".to_owned(),
+///     band: Some(band),
+///     status: Some(band.status(deviation)),
+/// };
+/// let page = log444::write(std::slice::from_ref(&log), Language::En)?;
+/// let both = log444::append(&page, &log, Language::En)?;
+/// let read: Vec<_> = log444::read(&both).into_iter().flatten().map(|(_, log)| log).collect();
+/// assert_eq!(read, [log.clone(), log]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`PointLogError`] with the number of the first measurement that contradicts itself.
+pub fn write(logs: &[PointLog], language: Language) -> Result<Vec<u8>, PointLogError> {
+    let words = &Labels::of(language).surface;
+    let rows = logs.iter().zip(1..).map(|(log, number)| {
+        log.check().and_then(|()| row(log, number, words, language)).map_err(|fault| fault.at(number))
+    });
+    let page = Page { language, words, count_name: stored::COUNT, rows: rows.collect::<Result<_, _>>()? };
+    let page = page.render().map_err(|error| PointFault::Page { what: error.to_string() }.at(1))?;
+    Ok(page.into_bytes())
+}
+
+/// A page with one more measurement at its end; an empty file becomes a page of one. The whole page is made anew in
+/// the words of the language.
+///
+/// # Errors
+/// As for [`write()`]; [`PointLogError`] of the page where it is not one of these or is damaged: nothing is added to it
+/// then.
+pub fn append(page: &[u8], log: &PointLog, language: Language) -> Result<Vec<u8>, PointLogError> {
+    let mut logs = Vec::new();
+    if !page.is_empty() {
+        for answer in read(page) {
+            logs.push(answer?.1);
+        }
+    }
+    logs.push(log.clone());
+    write(&logs, language)
+}
+
+fn row(log: &PointLog, number: usize, words: &Surface, language: Language) -> Result<Row, PointFault> {
+    let unit = log.unit;
+    let plain = |length: Length| people(&length.exact(unit, DECIMALS), language);
+    let signed = |length: Length| {
+        let plus = if Length::ZERO < length { "+" } else { "" };
+        format!("{plus}{}", plain(length))
+    };
+    let axes = [("X", 0), ("Y", 1), ("Z", 2)].map(|(name, at)| {
+        let of = |lengths: &[Length; 3]| lengths.get(at).copied().unwrap_or_default();
+        Axis {
+            name,
+            nominal: plain(of(&log.nominal)),
+            normal: people(&log.normal.get(at).copied().unwrap_or_default().to_string(), language),
+            measured: plain(of(&log.measured)),
+            deviation: signed(of(&log.deviations)),
+        }
+    });
+    Ok(Row {
+        number,
+        stored: stored::block(log)?,
+        class: class(log.status),
+        time: log.date_time.map(|time| time.strftime(DATE).to_string()).unwrap_or_default(),
+        program: visible(log.program.as_deref().unwrap_or_default()),
+        axes,
+        along: signed(log.deviation),
+        unit: if unit == Unit::Inch { "inch" } else { "mm" },
+        tolerance: match log.band {
+            Some(band) => vec![signed(band.upper), signed(band.lower)],
+            None => vec![words.no_tolerance.clone()],
+        },
+        tolerance_text: visible(&log.tolerance),
+        status: log
+            .status
+            .map_or_else(|| words.not_judged.clone(), |status| status_word(status, language).to_uppercase()),
+    })
+}
+
+const fn class(status: Option<Status>) -> &'static str {
+    match status {
+        Some(Status::Good) => "good",
+        Some(Status::Rework) => "rework",
+        Some(Status::ReMeasure) => "remeasure",
+        Some(Status::Scrap) => "scrap",
+        None => "none",
+    }
+}
+
+/// A plain number as people of the language read it.
+fn people(plain: &str, language: Language) -> String {
+    let sign = language.decimal_sign().to_string();
+    plain.replace('.', &sign).replace('-', "\u{2212}")
+}
+
+/// The text without what no page may show: control characters, and marks that turn the direction of writing. Each
+/// becomes a replacement character, so that it is seen.
+fn visible(text: &str) -> String {
+    let hidden = |c: char| {
+        c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}')
+    };
+    text.replace(hidden, "\u{fffd}")
+}

@@ -1,0 +1,105 @@
+//! One measurement of cycle 444, and whether its figures agree.
+
+use jiff::civil::DateTime;
+
+use super::error::PointFault;
+use crate::length::{Length, Unit};
+use crate::tolerance::Feature;
+use crate::verdict::{self, Status};
+
+/// How far figures of one measurement may be apart: the last figure of the control's logs, 0.1 µm.
+pub(super) const LAST_FIGURE: Length = Length::constant(100);
+
+/// One measurement: a point on a surface. Coordinates are in the order X, Y, Z.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PointLog {
+    /// When it was measured.
+    pub date_time: Option<DateTime>,
+    /// Path of the NC program on the control.
+    pub program: Option<String>,
+    /// Millimetres or inches: what the page shows. The figures themselves are exact lengths.
+    pub unit: Unit,
+    /// The nominal point (Q263, Q264, Q294).
+    pub nominal: [Length; 3],
+    /// The surface's normal as it was programmed (Q581 to Q583): of any length but zero.
+    pub normal: [f64; 3],
+    /// The measured point (Q151 to Q153).
+    pub measured: [Length; 3],
+    /// Measured minus nominal point (Q161 to Q163).
+    pub deviations: [Length; 3],
+    /// The deviation along the normal (Q164): oversize above zero, undersize below.
+    pub deviation: Length,
+    /// The text of the tolerance (QS400) as it was programmed.
+    pub tolerance: String,
+    /// What the tolerance permits; `None` where it is one of the documented forms without a tolerance.
+    pub band: Option<Band>,
+    /// The status (Q183); `None` for -1, not judged.
+    pub status: Option<Status>,
+}
+
+/// Permitted deviations along the normal; both limits belong to the band.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Band {
+    /// The largest.
+    pub upper: Length,
+    /// The smallest.
+    pub lower: Length,
+}
+
+impl Band {
+    /// Good on or between the limits; above there is material left, rework; below it is missing, scrap.
+    pub fn status(&self, deviation: Length) -> Status {
+        verdict::classify(Feature::Shaft, self.lower, self.upper, deviation)
+    }
+}
+
+impl PointLog {
+    /// The normal with a length of one.
+    ///
+    /// # Errors
+    /// [`PointFault::Normal`] where it has no direction or is not finite.
+    pub fn unit_normal(&self) -> Result<[f64; 3], PointFault> {
+        let longest = self.normal.iter().map(|part| part.abs()).fold(0.0, f64::max);
+        if !self.normal.iter().all(|part| part.is_finite()) || longest <= 0.0 {
+            return Err(PointFault::Normal { given: self.normal.map(|part| part.to_string()).join(", ") });
+        }
+        // The longest part first brought to 1: the squares of very small and very large parts would be lost.
+        let scaled = self.normal.map(|part| part / longest);
+        let length = scaled.iter().map(|part| part * part).sum::<f64>().sqrt();
+        Ok(scaled.map(|part| part / length))
+    }
+
+    /// Whether the figures agree: each deviation with its points, the deviation along the normal with those of the
+    /// axes, both to the last figure of 0.1 µm; the status with the band, exactly.
+    ///
+    /// # Errors
+    /// [`PointFault`]: the first contradiction.
+    pub fn check(&self) -> Result<(), PointFault> {
+        if self.unit == Unit::Micrometre {
+            return Err(PointFault::Unit);
+        }
+        for (axis, ((deviation, measured), nominal)) in
+            ["X", "Y", "Z"].into_iter().zip(self.deviations.iter().zip(self.measured).zip(self.nominal))
+        {
+            let difference = measured.saturating_sub(nominal);
+            if LAST_FIGURE < deviation.saturating_sub(difference).abs() {
+                return Err(PointFault::Deviation { axis, given: *deviation, difference });
+            }
+        }
+        let along: f64 = self.unit_normal()?.iter().zip(self.deviations).map(|(part, d)| part * d.to_mm_f64()).sum();
+        let along = Length::from_mm_f64(along).unwrap_or(Length::MAX);
+        if LAST_FIGURE < self.deviation.saturating_sub(along).abs() {
+            return Err(PointFault::Along { given: self.deviation, along });
+        }
+        if let Some(Band { upper, lower }) = self.band
+            && upper < lower
+        {
+            return Err(PointFault::Band { upper, lower });
+        }
+        let status = self.band.map(|band| band.status(self.deviation));
+        if self.status != status {
+            return Err(PointFault::Status { given: self.status, status });
+        }
+        Ok(())
+    }
+}

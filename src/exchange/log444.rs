@@ -1,0 +1,70 @@
+//! Logs of cycle 444 as deviations along the normal: no feature of size, so none of them makes a record.
+//!
+//! The status is computed from deviation and tolerance; a log whose own status is another is refused when it is read.
+
+use std::sync::Arc;
+
+use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
+use super::problem::{Problem, Reason};
+use super::{Format, Source};
+use crate::control::log444::{self, Band, PointLog};
+use crate::length::Length;
+use crate::tolerance::{Deviations, Feature, Limits, LimitsError, Source as LimitSource};
+use crate::verdict::judge_size;
+
+pub(super) const FORMAT: Format = Format {
+    name: "log-444",
+    endings: &["html", "htm"],
+    description: "logs of cycle 444 as written by Fitcheck",
+    description_id: "exchange-format-log-444",
+    recognises: |source| log444::is_log(&source.head()),
+    read,
+};
+
+fn read(source: &Source<'_>) -> Imported {
+    let mut imported = Imported::default();
+    for answer in log444::read(source.bytes) {
+        match answer {
+            Ok((line, log)) => add(&mut imported, line, &log, source),
+            Err(error) => {
+                let given = error.fault.given();
+                imported.refuse(Problem { line: error.line, column: None, reason: Reason::Point(error.fault), given });
+            }
+        }
+    }
+    imported
+}
+
+fn add(imported: &mut Imported, line: usize, log: &PointLog, source: &Source<'_>) {
+    let why = match log.band.map(|band| judged(log, band, source)) {
+        None => WhyUnjudged::PointWithoutTolerance,
+        Some(Some(coordinate)) => WhyUnjudged::Point(coordinate),
+        Some(None) => {
+            let reason = Reason::Limits(LimitsError::TooLarge { nominal: Length::ZERO });
+            return imported.refuse(Problem { line, column: None, reason, given: log.tolerance.clone() });
+        }
+    };
+    imported.set_aside(Unjudged {
+        line,
+        id: String::new(),
+        time: log.date_time.unwrap_or(source.now),
+        measured: Some(log.deviation),
+        position: None,
+        why,
+    });
+}
+
+/// The deviation is judged as a shaft is: oversize can be machined off, undersize cannot be put back.
+fn judged(log: &PointLog, band: Band, source: &Source<'_>) -> Option<Coordinate> {
+    let deviations = Deviations::new(band.upper, band.lower).ok()?;
+    let from = LimitSource::File(Arc::clone(&source.file));
+    let limits = Limits::new(Feature::Shaft, Length::ZERO, deviations, from)?;
+    let verdict = judge_size(&limits, log.deviation);
+    Some(Coordinate {
+        nominal: Some(Length::ZERO),
+        maximum: limits.maximum(),
+        minimum: limits.minimum(),
+        status: verdict.status,
+        removal: verdict.removal,
+    })
+}
