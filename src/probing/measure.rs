@@ -5,6 +5,7 @@ use super::contact::Prober;
 use super::cycle::{Angle, CycleError, Inputs, Value};
 use super::cycles::cycle;
 use super::measurement::{Measurement, Origin};
+use super::touch_probe::TouchProbe;
 use crate::length::Length;
 use crate::tolerance::{Feature, Limits};
 use crate::verdict::PositionVerdict;
@@ -48,7 +49,10 @@ pub fn measure(
         Feature::Shaft => (277, 278),
     };
     let [x, y] = position.centre;
+    // The program sets no longest path: the probe goes on until it meets something.
+    let probe = TouchProbe { longest_path: Length::MAX, ..TouchProbe::default() };
     let inputs = Inputs::new()
+        .with_probe(probe)
         .with(273, Value::Length(x))
         .with(274, Value::Length(y))
         .with(262, Value::Length(limits.nominal))

@@ -1,11 +1,13 @@
 //! The declarations of all cycles against the control's manuals, and the range errors made from them.
 
 use fitcheck::length::Length;
-use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Unset, Value};
+use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Remark, Unset, Value};
 use fitcheck::probing::cycles::{CYCLES, cycle};
-use fitcheck::probing::simulated::{Machine, Probe, Workpiece};
+use fitcheck::probing::simulated::{Bench, Machine, Probe, Workpiece};
 use fitcheck::probing::{Contact, Recorded};
 use fitcheck::tolerance::{Deviations, Feature};
+use fitcheck::verdict::Status;
+use fitcheck::words::{Language, Say, Words};
 
 /// A text that every cycle accepts for a parameter, out of its declaration.
 fn usual(parameter: &Parameter) -> Value {
@@ -189,8 +191,60 @@ fn predef_takes_the_value_of_global_def_and_nothing_else() {
 #[test]
 fn what_has_no_effect_is_kept_and_said() {
     for cycle in CYCLES {
+        let required = asked(cycle);
+        let run = |inputs: &Inputs| {
+            let mut machine = Bench::perfect(cycle.nominal(inputs).unwrap().into()).machine().unwrap();
+            cycle.measure(inputs, &mut machine).unwrap()
+        };
+        // What must be given is enough, and the workpiece at nominal is good.
+        let plain = run(&required);
+        assert!(plain.stop.is_none() && matches!(plain.status, None | Some(Status::Good)), "{}", cycle.code);
         for parameter in cycle.parameters.iter().filter(|parameter| !parameter.has_effect) {
-            assert_ne!(parameter.unset, Unset::Refused, "{}", parameter.key);
+            let given = run(&required.clone().with(parameter.key, usual(parameter)));
+            assert!(given.remarks.contains(&Remark::WithoutEffect { key: parameter.key }), "{}", parameter.key);
+            assert_eq!(given.results, plain.results, "{}", parameter.key);
+            assert_eq!(given.inputs.value(parameter.key), Some(&usual(parameter)));
+        }
+    }
+}
+
+#[test]
+fn every_error_and_remark_is_said_in_english_and_in_dutch() {
+    fn check(what: &(impl std::fmt::Display + Say)) {
+        let english = what.to_string();
+        assert_eq!(Words::new(Language::En).told(what), english);
+        let dutch = Words::new(Language::Nl).told(what);
+        assert!(dutch != english && dutch != what.message().id, "{dutch}");
+    }
+    let (key, name) = (Key::Q(320), "SET-UP CLEARANCE");
+    let mm = |text: &str| text.parse::<Length>().unwrap();
+    let far = Length::from_mm_f64(2e9).unwrap_err();
+    for error in [
+        CycleError::Missing { key, name },
+        CycleError::NoGlobal { key, name },
+        CycleError::NoDiameter { key, name },
+        CycleError::NoPath { key, name },
+        CycleError::NoNormal { first: key, second: key, third: key },
+        CycleError::NoSuchParameter { cycle: "427", parameter: "Q1".to_owned() },
+        CycleError::LimitsSwapped { minimum: mm("2"), maximum: mm("1") },
+        CycleError::Apart { contact: 2, difference: mm("0.1"), key, most: mm("0.01") },
+        CycleError::TooLarge(far.clone()),
+        CycleError::TooFar(far),
+    ] {
+        check(&error);
+    }
+    for remark in [
+        Remark::WithoutEffect { key },
+        Remark::ToolLeftAlone { tool: "5.1".to_owned() },
+        Remark::OutsideDimension,
+        Remark::NominalOutsideLimits { nominal: mm("25") },
+        Remark::VariableHoldsDiameter,
+    ] {
+        check(&remark);
+    }
+    for cycle in CYCLES {
+        for parameter in cycle.parameters {
+            check(&parameter.range);
         }
     }
 }

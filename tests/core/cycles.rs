@@ -2,7 +2,7 @@
 
 use fitcheck::length::Length;
 use fitcheck::probing::circle::evaluate;
-use fitcheck::probing::cycle::{Angle, CircleFound, Cycle, CycleError, CycleResult, Inputs, Value};
+use fitcheck::probing::cycle::{Angle, CircleFound, Cycle, CycleError, CycleResult, Inputs, Move, Phase, Value};
 use fitcheck::probing::cycles::{CYCLES, cycle};
 use fitcheck::probing::simulated::{Lobes, Machine, Probe, Workpiece};
 use fitcheck::probing::{Contact, NoContact, Prober, Recorded, Touch};
@@ -399,4 +399,41 @@ fn an_angle_is_read_in_degrees_and_never_in_a_unit_of_length() {
     for text in ["45 mm", "90 µm", "90um", "90°°"] {
         assert_eq!(read(text), Err(format!("{text} is not a number")));
     }
+}
+
+/// The moves of a run as people would list them: the phase's first letter, an arc marked.
+fn moves(changes: &str) -> String {
+    let mut prober = machine(at(Feature::Hole, 25.0));
+    let found = run(hole(), changes, &mut prober).unwrap();
+    let letter = |step: &Move| match (step.phase, step.about) {
+        (Phase::PrePosition, Some(_)) => "arc",
+        (phase, _) => phase.word(),
+    };
+    found.path.iter().map(|step| format!("{} {:.0}", letter(step), step.to[2])).collect::<Vec<_>>().join(", ")
+}
+
+#[test]
+fn the_way_between_touches_is_that_of_q301_and_q365() {
+    // Ends of the moves in the probe axis; measuring height -5, clearance height 20.
+    let touch = "approach -5, contact -5, retract -5";
+    let (down, up) = ("pre-position -5", "leave 20");
+    assert_eq!(moves("Q423=3"), format!("{down}, {touch}, arc -5, {touch}, arc -5, {touch}, {up}"));
+    assert_eq!(moves("Q423=3 Q365=0"), format!("{down}, {touch}, {down}, {touch}, {down}, {touch}, {up}"));
+    let over = "pre-position 20, pre-position 20, pre-position -5";
+    assert_eq!(moves("Q423=3 Q301=1"), format!("{down}, {touch}, {over}, {touch}, {over}, {touch}, {up}"));
+}
+
+#[test]
+fn a_touch_starts_the_ball_s_radius_farther_away() {
+    let start = |feature, ball_radius| {
+        let number = if feature == Feature::Hole { 421 } else { 422 };
+        let probe = Probe { ball_radius, ..Probe::STILL };
+        let mut prober = Machine::new(at(feature, 25.0), probe, 1).unwrap();
+        run(cycle(number).unwrap(), "Q320=1", &mut prober).unwrap().path[0].to[0]
+    };
+    assert!((start(Feature::Hole, 2.0) - (50.0 + 12.5 - 3.0 - 2.0)).abs() < 1e-12);
+    assert!((start(Feature::Shaft, 2.0) - (50.0 + 12.5 + 3.0 + 2.0)).abs() < 1e-12);
+    // A ball that does not fit is in the material before it moves.
+    let mut prober = Machine::new(at(Feature::Hole, 25.0), Probe { ball_radius: 13.0, ..Probe::STILL }, 1).unwrap();
+    assert_eq!(run(hole(), "", &mut prober).unwrap_err(), "touch 1: the probing path begins inside the material");
 }

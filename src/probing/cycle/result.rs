@@ -132,88 +132,73 @@ impl Found {
         let marker =
             |key, name, marked| Self { key: Key::Q(key), name, value: Value::Whole(i64::from(status == marked)) };
         [
-            marker(180, FoundName::Good, Status::Good),
-            marker(181, FoundName::Rework, Status::Rework),
-            marker(182, FoundName::Scrap, Status::Scrap),
+            marker(180, FoundName::GOOD, Status::Good),
+            marker(181, FoundName::REWORK, Status::Rework),
+            marker(182, FoundName::SCRAP, Status::Scrap),
         ]
     }
 }
 
-/// What a result parameter is.
+/// What a result parameter is: a name in English, and its text in the locale files. A cycle may bring its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum FoundName {
-    /// Measured centre, first axis.
-    Centre1,
-    /// Measured centre, second axis.
-    Centre2,
-    /// Measured diameter.
-    Diameter,
-    /// Deviation of the centre, first axis.
-    CentreDeviation1,
-    /// Deviation of the centre, second axis.
-    CentreDeviation2,
-    /// Deviation of the diameter.
-    DiameterDeviation,
-    /// A coordinate in the measured axis.
-    Coordinate,
-    /// Measured position, first axis.
-    Position1,
-    /// Measured position, second axis.
-    Position2,
-    /// Measured position, third axis.
-    Position3,
-    /// Deviation, first axis.
-    Deviation1,
-    /// Deviation, second axis.
-    Deviation2,
-    /// Deviation, third axis.
-    Deviation3,
-    /// Deviation along the normal.
-    DeviationAlong,
-    /// Marker of a good part.
-    Good,
-    /// Marker of rework.
-    Rework,
-    /// Marker of scrap.
-    Scrap,
-    /// Status in one number.
-    Status,
+pub struct FoundName {
+    id: &'static str,
+    english: &'static str,
 }
 
 impl FoundName {
-    const fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Centre1 => ("found-centre-1", "measured centre, 1st axis"),
-            Self::Centre2 => ("found-centre-2", "measured centre, 2nd axis"),
-            Self::Diameter => ("found-diameter", "measured diameter"),
-            Self::CentreDeviation1 => ("found-centre-deviation-1", "deviation of the centre, 1st axis"),
-            Self::CentreDeviation2 => ("found-centre-deviation-2", "deviation of the centre, 2nd axis"),
-            Self::DiameterDeviation => ("found-diameter-deviation", "deviation of the diameter"),
-            Self::Coordinate => ("found-coordinate", "measured coordinate"),
-            Self::Position1 => ("found-position-1", "measured position, 1st axis"),
-            Self::Position2 => ("found-position-2", "measured position, 2nd axis"),
-            Self::Position3 => ("found-position-3", "measured position, 3rd axis"),
-            Self::Deviation1 => ("found-deviation-1", "deviation, 1st axis"),
-            Self::Deviation2 => ("found-deviation-2", "deviation, 2nd axis"),
-            Self::Deviation3 => ("found-deviation-3", "deviation, 3rd axis"),
-            Self::DeviationAlong => ("found-deviation-along", "deviation along the normal"),
-            Self::Good => ("found-good", "within tolerance"),
-            Self::Rework => ("found-rework", "rework"),
-            Self::Scrap => ("found-scrap", "scrap"),
-            Self::Status => ("found-status", "status: -1 undefined, 0 good, 1 rework, 2 scrap"),
-        }
+    /// Measured centre, first axis.
+    pub const CENTRE_1: Self = Self::new("found-centre-1", "measured centre, 1st axis");
+    /// Measured centre, second axis.
+    pub const CENTRE_2: Self = Self::new("found-centre-2", "measured centre, 2nd axis");
+    /// Measured diameter.
+    pub const DIAMETER: Self = Self::new("found-diameter", "measured diameter");
+    /// Deviation of the centre, first axis.
+    pub const CENTRE_DEVIATION_1: Self = Self::new("found-centre-deviation-1", "deviation of the centre, 1st axis");
+    /// Deviation of the centre, second axis.
+    pub const CENTRE_DEVIATION_2: Self = Self::new("found-centre-deviation-2", "deviation of the centre, 2nd axis");
+    /// Deviation of the diameter.
+    pub const DIAMETER_DEVIATION: Self = Self::new("found-diameter-deviation", "deviation of the diameter");
+    /// A coordinate in the measured axis.
+    pub const COORDINATE: Self = Self::new("found-coordinate", "measured coordinate");
+    /// Measured position, first axis.
+    pub const POSITION_1: Self = Self::new("found-position-1", "measured position, 1st axis");
+    /// Measured position, second axis.
+    pub const POSITION_2: Self = Self::new("found-position-2", "measured position, 2nd axis");
+    /// Measured position, third axis.
+    pub const POSITION_3: Self = Self::new("found-position-3", "measured position, 3rd axis");
+    /// Deviation, first axis.
+    pub const DEVIATION_1: Self = Self::new("found-deviation-1", "deviation, 1st axis");
+    /// Deviation, second axis.
+    pub const DEVIATION_2: Self = Self::new("found-deviation-2", "deviation, 2nd axis");
+    /// Deviation, third axis.
+    pub const DEVIATION_3: Self = Self::new("found-deviation-3", "deviation, 3rd axis");
+    /// Deviation along the normal.
+    pub const DEVIATION_ALONG: Self = Self::new("found-deviation-along", "deviation along the normal");
+    /// Marker of a good part.
+    pub const GOOD: Self = Self::new("found-good", "within tolerance");
+    /// Marker of rework.
+    pub const REWORK: Self = Self::new("found-rework", "rework");
+    /// Marker of scrap.
+    pub const SCRAP: Self = Self::new("found-scrap", "scrap");
+    /// Status in one number.
+    pub const STATUS: Self = Self::new("found-status", "status: -1 undefined, 0 good, 1 rework, 2 scrap");
+
+    /// A name by the id of its text and that text in English.
+    pub const fn new(id: &'static str, english: &'static str) -> Self {
+        Self { id, english }
     }
 }
 
 impl fmt::Display for FoundName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.words().1)
+        f.pad(self.english)
     }
 }
 
 impl Say for FoundName {
     fn message(&self) -> Message {
-        Message::new(self.words().0)
+        Message::new(self.id)
     }
 }
 

@@ -88,7 +88,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     })?;
     let checks: Vec<_> = limits
         .map(|(minimum, maximum)| Check {
-            what: FoundName::Coordinate,
+            what: FoundName::COORDINATE,
             measured,
             minimum,
             maximum,
@@ -98,7 +98,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         .collect();
     // Without limits the markers are set all the same.
     let status = checks.first().map_or(Status::Good, |check| check.status);
-    let mut results = vec![Found::length(160, FoundName::Coordinate, measured)];
+    let mut results = vec![Found::length(160, FoundName::COORDINATE, measured)];
     results.extend(Found::markers(status));
     Ok(Measured {
         contacts: vec![contact],

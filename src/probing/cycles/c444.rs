@@ -118,13 +118,13 @@ fn measured(contact: &Contact, [x, y, z]: [f64; 3], normal: [f64; 3]) -> Result<
     let [off_x, off_y, off_z] = deviation;
     let off = nearest(dot(deviation, normal))?;
     let found = [
-        Found::length(151, FoundName::Position1, nearest(contact.x)?),
-        Found::length(152, FoundName::Position2, nearest(contact.y)?),
-        Found::length(153, FoundName::Position3, nearest(contact.z)?),
-        Found::length(161, FoundName::Deviation1, nearest(off_x)?),
-        Found::length(162, FoundName::Deviation2, nearest(off_y)?),
-        Found::length(163, FoundName::Deviation3, nearest(off_z)?),
-        Found::length(164, FoundName::DeviationAlong, off),
+        Found::length(151, FoundName::POSITION_1, nearest(contact.x)?),
+        Found::length(152, FoundName::POSITION_2, nearest(contact.y)?),
+        Found::length(153, FoundName::POSITION_3, nearest(contact.z)?),
+        Found::length(161, FoundName::DEVIATION_1, nearest(off_x)?),
+        Found::length(162, FoundName::DEVIATION_2, nearest(off_y)?),
+        Found::length(163, FoundName::DEVIATION_3, nearest(off_z)?),
+        Found::length(164, FoundName::DEVIATION_ALONG, off),
     ];
     Ok((found, off))
 }
@@ -133,7 +133,7 @@ fn measured(contact: &Contact, [x, y, z]: [f64; 3], normal: [f64; 3]) -> Result<
 fn check(band: Deviations, deviation: Length) -> Check {
     let (minimum, maximum) = (band.lower(), band.upper());
     let status = classify(Feature::Shaft, minimum, maximum, deviation);
-    Check { what: FoundName::DeviationAlong, measured: deviation, minimum, maximum, status }
+    Check { what: FoundName::DEVIATION_ALONG, measured: deviation, minimum, maximum, status }
 }
 
 /// Q183: −1 without a tolerance, 0 good, 1 rework, 2 scrap.
@@ -144,5 +144,5 @@ fn status_result(status: Option<Status>) -> Found {
         Some(Status::Scrap) => 2,
         None | Some(Status::ReMeasure) => -1,
     };
-    Found { key: Key::Q(183), name: FoundName::Status, value: Value::Whole(number) }
+    Found { key: Key::Q(183), name: FoundName::STATUS, value: Value::Whole(number) }
 }

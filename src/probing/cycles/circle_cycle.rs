@@ -160,13 +160,13 @@ fn pre_position(inputs: &Inputs, touch: &Touch, is_first: bool, course: &mut Cou
 fn checks(side: &Side, found: &CircleFound, limits: Option<(Length, Length)>, nominal: [Length; 2]) -> Vec<Check> {
     let measured = found.diameter;
     let diameter = limits.map(|(minimum, maximum)| Check {
-        what: FoundName::Diameter,
+        what: FoundName::DIAMETER,
         measured,
         minimum,
         maximum,
         status: classify(side.feature, minimum, maximum, measured),
     });
-    let names = [FoundName::Centre1, FoundName::Centre2];
+    let names = [FoundName::CENTRE_1, FoundName::CENTRE_2];
     let axes = names.into_iter().zip(found.centre).zip(nominal.into_iter().zip(found.position.axes));
     let centre = axes.filter_map(|((what, measured), (nominal, axis))| {
         let tolerance = axis.tolerance?;
@@ -186,12 +186,12 @@ fn results(found: &CircleFound, deviation: Length, status: Status) -> Vec<Found>
     let [centre_1, centre_2] = found.centre;
     let [axis_1, axis_2] = found.position.axes;
     let mut results = vec![
-        Found::length(151, FoundName::Centre1, centre_1),
-        Found::length(152, FoundName::Centre2, centre_2),
-        Found::length(153, FoundName::Diameter, found.diameter),
-        Found::length(161, FoundName::CentreDeviation1, axis_1.deviation),
-        Found::length(162, FoundName::CentreDeviation2, axis_2.deviation),
-        Found::length(163, FoundName::DiameterDeviation, deviation),
+        Found::length(151, FoundName::CENTRE_1, centre_1),
+        Found::length(152, FoundName::CENTRE_2, centre_2),
+        Found::length(153, FoundName::DIAMETER, found.diameter),
+        Found::length(161, FoundName::CENTRE_DEVIATION_1, axis_1.deviation),
+        Found::length(162, FoundName::CENTRE_DEVIATION_2, axis_2.deviation),
+        Found::length(163, FoundName::DIAMETER_DEVIATION, deviation),
     ];
     results.extend(Found::markers(status));
     results

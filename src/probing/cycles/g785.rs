@@ -138,9 +138,9 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         checks: Vec::new(),
         status: None,
         results: vec![
-            Found::length(Key::Word("#i99"), FoundName::Diameter, found.diameter),
-            Found::length(axis_1, FoundName::Centre1, centre_1),
-            Found::length(axis_2, FoundName::Centre2, centre_2),
+            Found::length(Key::Word("#i99"), FoundName::DIAMETER, found.diameter),
+            Found::length(axis_1, FoundName::CENTRE_1, centre_1),
+            Found::length(axis_2, FoundName::CENTRE_2, centre_2),
         ],
         circle: Some(found),
         stop: None,
