@@ -1,0 +1,1 @@
+//! The drawings, by what they say.
