@@ -119,9 +119,9 @@ impl<'a> Canvas<'a> {
         self.label(at, anchor, text, theme::bold(sizes().body), self.palette.accent.0);
     }
 
-    /// A word or a number beside something, without weight.
+    /// A word or a number beside something, without weight and without a ground.
     pub(super) fn note(&self, at: Pos2, anchor: Align2, text: &str) {
-        self.label(at, anchor, text, theme::font(sizes().small), self.palette.quiet.0);
+        self.painter.text(at, anchor, text, theme::font(sizes().small), self.palette.quiet.0);
     }
 
     /// Text on a ground, so that lines do not cross it, and within the drawing.

@@ -3,7 +3,7 @@
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Color32, Pos2, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
 
-use super::canvas::{Canvas, arc, polar};
+use super::canvas::{Canvas, polar};
 use super::meaning::{Meaning, Scene};
 
 /// Of more numbers only so many are drawn.
@@ -85,17 +85,17 @@ impl Choice<'_> {
             (pos2(left + BALL + 1.0, top + 24.0), pos2(right - BALL - 1.0, top + 24.0))
         };
         let high = panel.top() + 12.0;
-        let way = if is_over {
-            vec![from, pos2(from.x, high), pos2(to.x, high), to]
-        } else if self.scene == Scene::Stud {
-            // Round the stud: seen from the side, behind it.
-            vec![from, to]
-        } else {
-            vec![from, to]
-        };
         self.canvas.ghost(from, BALL);
         self.canvas.ghost(to, BALL);
-        self.canvas.polyline(way, self.canvas.strong());
+        if is_over {
+            let way = vec![from, pos2(from.x, high), pos2(to.x, high), to];
+            self.canvas.polyline(way, self.canvas.strong());
+        } else if self.scene == Scene::Stud {
+            // Round the stud: seen from the side, behind it.
+            self.canvas.dashed(&[from, to], self.canvas.strong(), 4.0, 4.0);
+        } else {
+            self.canvas.line(from, to, self.canvas.strong());
+        }
         let along = if is_over { Vec2::Y } else { Vec2::X };
         self.canvas.head(to, along, self.canvas.palette.accent.0);
     }
@@ -140,14 +140,12 @@ impl Choice<'_> {
     fn side(&self, is_outside: bool) {
         let radius = if is_outside { 24.0 } else { 38.0 };
         self.circle(radius, is_outside);
-        let (ball, from) = if is_outside { (radius + BALL, radius + 24.0) } else { (radius - BALL, 4.0) };
+        let (ball, from) = if is_outside { (radius + BALL, radius + 34.0) } else { (radius - BALL, 4.0) };
         let ball = polar(self.middle, ball, 20.0);
         let from = polar(self.middle, from, 20.0);
         self.canvas.ball(ball, BALL);
         self.canvas.contact(polar(self.middle, radius, 20.0), self.canvas.palette.accent.0);
-        if !is_outside {
-            self.canvas.arrow(from, ball - (ball - from).normalized() * BALL, self.canvas.strong());
-        }
+        self.canvas.arrow(from, ball - (ball - from).normalized() * BALL, self.canvas.strong());
     }
 
     /// Three axes in space: first to the right, second into the drawing, third upwards.
@@ -195,6 +193,7 @@ impl Choice<'_> {
         self.canvas.arrow(ball + vec2(BALL * sign, 0.0), pos2(wall, middle.y), self.canvas.strong());
         let below = self.panel.bottom() - 14.0;
         self.canvas.arrow(pos2(middle.x - 40.0, below), pos2(middle.x + 40.0, below), self.canvas.thin());
+        self.canvas.note(pos2(middle.x + 44.0, below), Align2::LEFT_CENTER, "+");
     }
 
     fn log(&self, number: i64) {
@@ -272,11 +271,9 @@ impl Choice<'_> {
         for part in [shank, flutes] {
             self.canvas.painter.rect(part, 1.0, fill, self.canvas.edge(), StrokeKind::Middle);
         }
-        for share in [0.0, 0.5] {
-            let y = flutes.top() + flutes.height() * share;
-            let curve = arc(pos2(flutes.left(), y), 28.0, 0.0, -52.0);
-            self.canvas
-                .polyline(curve.into_iter().filter(|place| flutes.contains(*place)).collect(), self.canvas.edge());
+        for share in [0.45, 0.95] {
+            let left = flutes.left_top() + vec2(0.0, flutes.height() * share);
+            self.canvas.line(left, left + vec2(flutes.width(), -flutes.height() * 0.4), self.canvas.edge());
         }
     }
 }

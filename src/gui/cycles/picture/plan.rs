@@ -3,7 +3,7 @@
 
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
-use super::canvas::{BESIDE, Canvas, arc, polar};
+use super::canvas::{BESIDE, Canvas, polar};
 use super::meaning::{Axis, Meaning, Scene};
 
 /// The datum.
@@ -14,7 +14,7 @@ const RADIUS: f32 = 42.0;
 /// The ball.
 const BALL: f32 = 9.0;
 /// The angle of the first contact, and the step to the next.
-const FIRST: f32 = 35.0;
+const FIRST: f32 = 50.0;
 const STEP: f32 = 80.0;
 /// The face that is touched, from above.
 const FACE: Rect = Rect { min: pos2(72.0, 20.0), max: pos2(168.0, 112.0) };
@@ -36,7 +36,7 @@ pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &st
         Meaning::Diameter => plan.diameter(),
         Meaning::StartDiameter => plan.start_diameter(),
         Meaning::MaximumSize => plan.limit(RADIUS + 10.0),
-        Meaning::MinimumSize => plan.limit(RADIUS - 10.0),
+        Meaning::MinimumSize => plan.limit(RADIUS - 8.0),
         Meaning::FirstAngle => plan.first_angle(),
         Meaning::Step => plan.step(),
         Meaning::Path => plan.path(),
@@ -147,28 +147,18 @@ impl Plan<'_> {
     fn across(&self, radius: f32, degrees: f32) {
         let centre = self.at(CENTRE);
         self.canvas.dimension(polar(centre, radius, degrees + 180.0), polar(centre, radius, degrees));
-        self.canvas.key(centre, Align2::CENTER_CENTER, &format!("Ø {}", self.key));
+        self.canvas.key(centre, Align2::CENTER_CENTER, self.key);
     }
 
     fn start_diameter(&self) {
         self.circle();
         self.axes();
-        let centre = self.at(CENTRE);
-        self.canvas.painter.add(eframe::egui::Shape::dashed_line(
-            &arc(centre, RADIUS * 0.6, 0.0, 360.0),
-            self.canvas.strong(),
-            6.0,
-            4.0,
-        ));
+        let (centre, radius) = (self.at(CENTRE), RADIUS * 0.7);
+        self.canvas.ring(centre, radius, self.canvas.strong());
         for step in 0..3_u8 {
-            let degrees = 60.0 + 120.0 * f32::from(step);
-            self.canvas.ball(polar(centre, RADIUS * 0.6, degrees), BALL * 0.7);
-            let from = polar(centre, RADIUS * 0.6 + BALL * 0.7, degrees);
-            self.canvas.arrow(from, polar(centre, RADIUS, degrees), self.canvas.thin());
+            self.canvas.ball(polar(centre, radius, 60.0 + 120.0 * f32::from(step)), BALL * 0.6);
         }
-        let (left, right) = (polar(centre, RADIUS * 0.6, 180.0), polar(centre, RADIUS * 0.6, 0.0));
-        self.canvas.dimension(left, right);
-        self.canvas.key(centre, Align2::CENTER_CENTER, &format!("Ø {}", self.key));
+        self.across(radius, -25.0);
     }
 
     /// A limit of size, beside the edge.
@@ -184,14 +174,16 @@ impl Plan<'_> {
         self.circle();
         self.axes();
         let centre = self.at(CENTRE);
-        let end = if self.scene == Scene::Stud { RADIUS + 30.0 } else { RADIUS };
-        self.canvas.line(centre, polar(centre, end, 0.0), self.canvas.thin());
-        self.canvas.line(centre, polar(centre, end, FIRST), self.canvas.thin());
+        // On the side where the ball is not.
+        let radius = if self.scene == Scene::Stud { RADIUS * 0.65 } else { RADIUS + 14.0 };
+        for degrees in [0.0, FIRST] {
+            self.canvas.line(centre, polar(centre, radius.max(RADIUS) + 6.0, degrees), self.canvas.thin());
+        }
         self.canvas.ball(self.touching(FIRST), BALL);
         self.canvas.contact(polar(centre, RADIUS, FIRST), self.canvas.palette.accent.0);
-        self.canvas.arc_arrow(centre, RADIUS * 0.55, [0.0, FIRST], self.canvas.strong());
-        let beside = if self.scene == Scene::Stud { vec2(RADIUS + 6.0, 9.0) } else { vec2(RADIUS + 6.0, -2.0) };
-        self.canvas.key(centre + beside, Align2::LEFT_CENTER, self.key);
+        self.canvas.arc_arrow(centre, radius, [0.0, FIRST], self.canvas.strong());
+        let beside = polar(centre, radius.max(RADIUS) + 4.0, FIRST * 0.4);
+        self.canvas.key(beside, Align2::LEFT_CENTER, self.key);
     }
 
     fn step(&self) {
@@ -224,7 +216,7 @@ impl Plan<'_> {
         let back = polar(centre, 30.0, 200.0);
         self.canvas.dashed(&[polar(centre, 2.0, 200.0), back], self.canvas.strong(), 4.0, 3.0);
         self.canvas.head(back, polar(Pos2::ZERO, 1.0, 200.0).to_vec2(), self.canvas.palette.accent.0);
-        self.canvas.key(polar(centre, RADIUS + 4.0, 200.0), Align2::RIGHT_CENTER, &format!("−{}", self.key));
+        self.canvas.key(polar(centre, RADIUS + 8.0, 200.0), Align2::RIGHT_CENTER, &format!("−{}", self.key));
     }
 
     /// The block with the point on its face.
@@ -264,8 +256,8 @@ impl Plan<'_> {
     /// The normal of a surface in space, and one component of it.
     fn normal(&self, axis: Axis) {
         // Second axis into the drawing.
-        let (x, y, z) = (vec2(64.0, 0.0), vec2(34.0, -22.0), vec2(0.0, -72.0));
-        let point = self.at(pos2(104.0, 124.0));
+        let (x, y, z) = (vec2(62.0, 0.0), vec2(46.0, -28.0), vec2(0.0, -66.0));
+        let point = self.at(pos2(92.0, 126.0));
         let tip = point + x + y + z;
         self.patch(point, tip - point);
         for (axis, name) in [(x, "X"), (y, "Y"), (z, "Z")] {
@@ -282,8 +274,8 @@ impl Plan<'_> {
         }
         self.canvas.arrow(point, tip, self.canvas.edge());
         let (along, off, anchor) = match axis {
-            Axis::First => (x, vec2(0.0, 6.0), Align2::CENTER_TOP),
-            Axis::Second => (y, vec2(BESIDE, 4.0), Align2::LEFT_CENTER),
+            Axis::First => (x, vec2(BESIDE, 4.0), Align2::CENTER_TOP),
+            Axis::Second => (y, vec2(BESIDE, BESIDE), Align2::LEFT_CENTER),
             Axis::Third => (z, vec2(-BESIDE, 0.0), Align2::RIGHT_CENTER),
         };
         self.canvas.arrow(point, point + along, self.canvas.strong());

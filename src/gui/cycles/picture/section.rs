@@ -27,7 +27,7 @@ const SURFACE_CENTRE: Pos2 = pos2(120.0, 194.0);
 const SURFACE_RADIUS: f32 = 130.0;
 const SURFACE_POINT: f32 = 62.0;
 /// Half the band about it.
-const HALF_BAND: f32 = 12.0;
+const HALF_BAND: f32 = 15.0;
 
 struct Section<'a> {
     canvas: &'a Canvas<'a>,
@@ -146,10 +146,10 @@ impl Section<'_> {
             self.canvas.ghost(below, BALL);
             self.canvas.dashed(&[ball, below - vec2(0.0, BALL)], self.canvas.thin(), 3.0, 3.0);
         }
-        let line = [pos2(datum.x, ball.y), pos2(self.canvas.rect.right(), ball.y)];
+        let line = [pos2(self.at(pos2(ASIDE, 0.0)).x, ball.y), pos2(self.canvas.rect.right(), ball.y)];
         self.canvas.dashed(&line, self.canvas.strong(), 6.0, 4.0);
         self.canvas.probe(ball, BALL);
-        self.height(datum, ball);
+        self.height(datum, line_start(line));
     }
 
     /// From the touch: what the table gives, what the parameter adds, the ball.
@@ -205,7 +205,7 @@ impl Section<'_> {
         // Of a plane face the band is drawn as of a free surface.
         let (_, point, normal) = Section { scene: Scene::Surface, ..*self }.workpiece("X");
         let centre = self.at(SURFACE_CENTRE);
-        let (from, to) = (SURFACE_POINT - 24.0, SURFACE_POINT + 24.0);
+        let (from, to) = (SURFACE_POINT - 20.0, SURFACE_POINT + 24.0);
         let fill = Stroke::new(2.0 * HALF_BAND, self.canvas.palette.zone.0);
         self.canvas.polyline(arc(centre, SURFACE_RADIUS, from, to), fill);
         for off in [-HALF_BAND, HALF_BAND] {
@@ -236,4 +236,8 @@ impl Section<'_> {
         self.canvas.key(middle + vec2(BESIDE, 4.0), Align2::LEFT_CENTER, self.key);
         self.canvas.contact(point, self.canvas.palette.text.0);
     }
+}
+
+const fn line_start([start, _]: [Pos2; 2]) -> Pos2 {
+    start
 }
