@@ -124,3 +124,78 @@ fn the_block_of_seed_004_is_typed_run_and_read_back() {
     window.get_by_label("The control writes TCHPR427.TXT");
     window.get_by_label_contains("an outside dimension is assumed");
 }
+
+/// Runs the cycle and compares the picture.
+fn picture(name: &str, open: fn(Window) -> Harness<'static, App>, theme: Theme, size: Vec2) {
+    if can_paint(name) {
+        let mut window = open(Window { theme, size, ..Window::default() });
+        key(&mut window, Modifiers::NONE, Key::Enter);
+        window.remove_cursor();
+        window.snapshot(name);
+    }
+}
+
+#[test]
+fn a_coordinate_in_light() {
+    picture("cycle_427_light", coordinate, Theme::Light, DESK);
+}
+
+#[test]
+fn a_stud_to_rework_in_dark() {
+    picture("cycle_422_dark", stud, Theme::Dark, DESK);
+}
+
+#[test]
+fn a_stud_in_a_small_window() {
+    picture("cycle_422_small", stud, Theme::Light, vec2(1024.0, 600.0));
+}
+
+#[test]
+fn a_simulated_bore_in_light() {
+    picture("cycle_421_light", hole, Theme::Light, DESK);
+}
+
+#[test]
+fn a_point_in_dark() {
+    picture("cycle_444_dark", point, Theme::Dark, DESK);
+}
+
+#[test]
+fn a_circle_of_a_lathe_in_light() {
+    picture("cycle_g785_light", lathe, Theme::Light, DESK);
+}
+
+/// The page with cycle 421 on a bore that is a little oval and lies a little off.
+fn hole(window: Window) -> Harness<'static, App> {
+    let mut window = open(window);
+    let block =
+        [("Q273", "50"), ("Q274", "20"), ("Q262", "25"), ("Q261", "-5"), ("Q275", "25.021"), ("Q276", "25"), ("Q281", "1")];
+    fill(&mut window, &block);
+    click(&mut window, Role::RadioButton, "Simulated");
+    click(&mut window, Role::Button, "Fit to cycle");
+    click(&mut window, Role::Button, "Workpiece…");
+    for (name, text) in [("True diameter", "25.012"), ("Centre, 1st axis", "50.003")] {
+        type_into(&mut window, name, text);
+    }
+    click(&mut window, Role::Button, "Close");
+    fill(&mut window, &[("Q273", "50")]);
+    window
+}
+
+/// The page with cycle 444 on a slanted surface.
+fn point(window: Window) -> Harness<'static, App> {
+    let mut window = open(window);
+    choose(&mut window, "444  PROBING IN 3-D");
+    let block =
+        [("Q263", "1"), ("Q264", "2"), ("Q294", "3"), ("Q581", "0"), ("Q582", "1"), ("Q583", "1"), ("QS400", "0.4-0.1")];
+    fill(&mut window, &block);
+    window
+}
+
+/// The page with the block of seed 003.
+fn lathe(window: Window) -> Harness<'static, App> {
+    let mut window = open(window);
+    choose(&mut window, "G785  CIRCLE MEASUREMENT");
+    fill(&mut window, &[("R", "0"), ("BR", "0"), ("K", "2"), ("C", "0"), ("RC", "60"), ("I", "0"), ("J", "0")]);
+    window
+}

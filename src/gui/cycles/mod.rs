@@ -15,11 +15,10 @@ mod bench_window;
 mod block_window;
 mod form_panel;
 mod parameter_row;
-mod placeholder;
+mod picture;
 mod seen_panel;
 
 use eframe::egui::{CentralPanel, Id, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
-use placeholder as picture;
 
 use super::dialogs::just_opened;
 use super::field;

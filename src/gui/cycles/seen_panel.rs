@@ -19,14 +19,16 @@ pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.separator();
     }
     let session = view.session;
+    // Path and contacts share what is left; criteria follow below.
+    let height = ((ui.available_height() - space(38.0)) / 2.0).max(space(50.0));
     column_ui(ui, |ui| match session.cycles().run() {
         None => _ = quiet(ui, view.text("cycles-nothing-seen")),
         Some(run) => {
-            path_ui(ui, view, run);
+            path_ui(ui, view, run, height);
             if let Some(result) = run.found() {
                 ui.separator();
                 heading(ui, view.text("contacts"));
-                picture::contacts_picture(ui, view, result, run.evaluation.as_ref());
+                of_height(ui, height, |ui| picture::contacts_picture(ui, view, result, run.evaluation.as_ref()));
             }
             if let Some(evaluation) = &run.evaluation {
                 ui.separator();
@@ -37,16 +39,20 @@ pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
+/// A part of the column with a height of its own.
+fn of_height(ui: &mut Ui, height: f32, content: impl FnOnce(&mut Ui)) {
+    let size = vec2(ui.available_width(), height);
+    ui.allocate_ui(size, |ui| {
+        ui.set_max_height(height);
+        content(ui);
+    });
+}
+
 /// What the parameter is, drawn and in words: question, range, default.
 fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
     let cycle = view.session.cycles().cycle();
-    let height = space(34.0);
-    ui.horizontal(|ui| {
-        let width = (ui.available_width() * 0.5).min(space(64.0));
-        ui.allocate_ui(vec2(width, height), |ui| {
-            ui.set_min_size(vec2(width, height));
-            picture::parameter_picture(ui, view, cycle, parameter.key);
-        });
+    ui.horizontal_top(|ui| {
+        picture::parameter_picture(ui, view, cycle, parameter.key);
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             heading(ui, parameter.key.to_string());
@@ -75,7 +81,7 @@ fn default(view: &View<'_>, parameter: &Parameter) -> String {
 }
 
 /// The path up to a move, the buttons that step along it, and the move in words.
-fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun) {
+fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
     heading(ui, view.text("cycles-path"));
     if let Err(error) = &run.result {
         problem(ui, view.words.say(error));
@@ -84,7 +90,7 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun) {
     let step = view.session.cycles().step();
     steps_ui(ui, view, run.path.len(), step);
     ui.label(said(view.words, now, step, run.path.len()));
-    picture::path_picture(ui, view, &run.path, step, run.nominal, run.ball_radius);
+    of_height(ui, height, |ui| picture::path_picture(ui, view, &run.path, step + 1, run.nominal, run.ball_radius));
 }
 
 fn steps_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
