@@ -26,6 +26,7 @@ mod point_cycles;
 mod report;
 mod report_cli;
 mod session;
+mod session_cycles;
 mod session_fit;
 mod session_tables;
 mod table_cli;
