@@ -6,7 +6,7 @@ use eframe::egui::{Align2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2
 use super::canvas::{Canvas, screen};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
-use crate::length::Length;
+use crate::length::{Length, Unit};
 use crate::probing::cycle::{CycleResult, FoundName, Value};
 use crate::words::{Message, Words};
 
@@ -103,14 +103,14 @@ impl Bar<'_> {
                 self.canvas.note(line_top(line), Align2::CENTER_BOTTOM, "0");
             }
         }
-        self.marker(measured, band);
+        self.marker(measured, limits, band);
     }
 
     /// The value, or an arrow at the edge that it is beyond; always with its figure.
-    fn marker(&self, measured: Length, band: Rect) {
+    fn marker(&self, measured: Length, limits: Option<[Length; 2]>, band: Rect) {
         let colour = self.canvas.palette.text.0;
         let (share, x, y) = (self.share(measured), self.x(measured), band.center().y);
-        let text = format!("{} mm", self.words.mm(measured, 4));
+        let text = format!("{} mm", figure(self.words, measured, limits));
         let along = match share {
             share if share < 0.0 => -Vec2::X,
             share if 1.0 < share => Vec2::X,
@@ -125,6 +125,16 @@ impl Bar<'_> {
         self.canvas.head(pos2(x, y), along, colour);
         let anchor = if along.x < 0.0 { Align2::LEFT_TOP } else { Align2::RIGHT_TOP };
         self.canvas.label(pos2(x, band.bottom() + space(1.0)), anchor, &text, theme::bold(sizes().body), colour);
+    }
+}
+
+/// To 0.1 µm, but exactly where that could hide on which side of a limit it lies.
+fn figure(words: &Words, measured: Length, limits: Option<[Length; 2]>) -> String {
+    let is_near = |limit: Length| measured.saturating_sub(limit).abs() < Length::from_micrometres(1);
+    if limits.is_some_and(|limits| limits.into_iter().any(is_near)) {
+        words.mm(measured, 4)
+    } else {
+        words.number(&measured.rounded(Unit::Millimetre, 4))
     }
 }
 

@@ -80,7 +80,7 @@ fn run(code: &str, settings: &str, surface: Surface, ball_radius: f64) -> (Cycle
 
 fn bore() -> (CycleResult, Nominal) {
     let hole = Workpiece {
-        ovality: Lobes { count: 3, amplitude: 0.004, angle: 10.0 },
+        lobes: Lobes { count: 3, amplitude: 0.004, angle: 10.0 },
         ..Workpiece::round(Feature::Hole, [50.01, 20.004], 25.012)
     };
     let settings = "Q273=50 Q274=20 Q262=25 Q325=20 Q261=-5 Q260=20 Q275=25.021 Q276=25";
