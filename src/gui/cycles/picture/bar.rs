@@ -148,11 +148,15 @@ mod tests {
 
     #[test]
     fn the_zone_takes_the_middle_half_and_no_zone_is_never_nothing() {
-        let um = Length::from_micrometres;
-        assert_eq!(span(um(5), Some([um(-100), um(100)])), [-200_000.0, 200_000.0]);
+        fn check(measured: i32, limits: Option<[i32; 2]>, expected: [f64; 2]) {
+            let span =
+                span(Length::from_micrometres(measured), limits.map(|limits| limits.map(Length::from_micrometres)));
+            assert!(span.iter().zip(expected).all(|(nm, expected)| (nm - expected).abs() < 1e-6), "{span:?}");
+        }
+        check(5, Some([-100, 100]), [-200_000.0, 200_000.0]);
         // A zone of no width, and a value on it.
-        assert_eq!(span(um(7), Some([um(7), um(7)])), [6_000.0, 8_000.0]);
-        assert_eq!(span(um(0), None), [-1_000.0, 1_000.0]);
-        assert_eq!(span(um(-40), None), [-80_000.0, 80_000.0]);
+        check(7, Some([7, 7]), [6_000.0, 8_000.0]);
+        check(0, None, [-1_000.0, 1_000.0]);
+        check(-40, None, [-80_000.0, 80_000.0]);
     }
 }

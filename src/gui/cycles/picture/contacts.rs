@@ -205,7 +205,6 @@ impl Drawing<'_> {
             let place = self.at(*contact);
             let out = (place - self.at([0.0; 2])).normalized();
             let text = numbered(self.words, number, *residual);
-            let [x, _] = *contact;
             let side = |part: f32, before, after| match part {
                 part if part < -0.38 => before,
                 part if 0.38 < part => after,
