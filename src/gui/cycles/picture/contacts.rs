@@ -211,7 +211,7 @@ impl Drawing<'_> {
                 _ => Align::Center,
             };
             let anchor = Align2([side(out.x, Align::Max, Align::Min), side(out.y, Align::Max, Align::Min)]);
-            let rect = free(&taken, label_rect(&self.canvas.painter, place + out * 12.0, anchor, &text));
+            let rect = free(&taken, label_rect(&self.canvas.painter, place + out * 15.0, anchor, &text));
             taken.push(label(self.canvas, rect, &text));
         }
     }
