@@ -115,10 +115,7 @@ fn the_block_of_seed_004_is_typed_run_and_read_back() {
     let mut window = coordinate(Window::default());
     assert_eq!(verdict(&window), "No result");
     key(&mut window, Modifiers::NONE, Key::Enter);
-    assert_eq!(
-        verdict(&window),
-        "GOOD. 5.0000 mm. measured coordinate. 50.0 µm above minimum. 100.0 µm below maximum"
-    );
+    assert_eq!(verdict(&window), "GOOD. 5.0000 mm. measured coordinate. 50.0 µm above minimum. 100.0 µm below maximum");
     assert_eq!((result(&window, "Q160"), result(&window, "Q180")), ("5".to_owned(), "1".to_owned()));
     window.get_by_label_contains("COORDINATE STATUS: GOOD");
     window.get_by_label("The control writes TCHPR427.TXT");
@@ -168,8 +165,15 @@ fn a_circle_of_a_lathe_in_light() {
 /// The page with cycle 421 on a bore that is a little oval and lies a little off.
 fn hole(window: Window) -> Harness<'static, App> {
     let mut window = open(window);
-    let block =
-        [("Q273", "50"), ("Q274", "20"), ("Q262", "25"), ("Q261", "-5"), ("Q275", "25.021"), ("Q276", "25"), ("Q281", "1")];
+    let block = [
+        ("Q273", "50"),
+        ("Q274", "20"),
+        ("Q262", "25"),
+        ("Q261", "-5"),
+        ("Q275", "25.021"),
+        ("Q276", "25"),
+        ("Q281", "1"),
+    ];
     fill(&mut window, &block);
     click(&mut window, Role::RadioButton, "Simulated");
     click(&mut window, Role::Button, "Fit to cycle");
@@ -186,8 +190,15 @@ fn hole(window: Window) -> Harness<'static, App> {
 fn point(window: Window) -> Harness<'static, App> {
     let mut window = open(window);
     choose(&mut window, "444  PROBING IN 3-D");
-    let block =
-        [("Q263", "1"), ("Q264", "2"), ("Q294", "3"), ("Q581", "0"), ("Q582", "1"), ("Q583", "1"), ("QS400", "0.4-0.1")];
+    let block = [
+        ("Q263", "1"),
+        ("Q264", "2"),
+        ("Q294", "3"),
+        ("Q581", "0"),
+        ("Q582", "1"),
+        ("Q583", "1"),
+        ("QS400", "0.4-0.1"),
+    ];
     fill(&mut window, &block);
     window
 }

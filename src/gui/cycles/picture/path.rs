@@ -406,11 +406,15 @@ impl Scale {
         let mm = round_below(f64::from(self.rect.width()) * 0.25 / self.points_per_mm);
         let right = inner.right_bottom();
         let left = right - vec2(self.length(mm), 0.0);
+        let text = format!("{} mm", words.number(&format!("{mm}")));
+        // On a ground of its own: material may be behind it.
+        let top = right - vec2(self.length(mm).max(space(11.0)), sizes().small + space(2.0));
+        let ground = Rect::from_two_pos(top, right).expand(space(1.0));
+        canvas.painter.rect_filled(ground, 2.0, canvas.palette.panel.0);
         canvas.line(left, right, canvas.edge());
         for end in [left, right] {
             canvas.line(end - vec2(0.0, 3.0), end + vec2(0.0, 3.0), canvas.edge());
         }
-        let text = format!("{} mm", words.number(&format!("{mm}")));
         canvas.note(left + (right - left) / 2.0 - vec2(0.0, 4.0), Align2::CENTER_BOTTOM, &text);
     }
 }
