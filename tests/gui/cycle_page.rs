@@ -373,7 +373,7 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
     click(&mut window, Role::Button, "Save…");
     type_into(&mut window, "File", &path.display().to_string());
     key(&mut window, Modifiers::NONE, Key::Enter);
-    click_first(&mut window, "Close");
+    click_last(&mut window, "Close");
     type_into(&mut window, "True diameter", "24.9");
     click(&mut window, Role::Button, "Open…");
     type_into(&mut window, "File", &path.display().to_string());
@@ -392,9 +392,9 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
     assert_eq!(window.state().session().cycles().bench().plane(), fitcheck::probing::cycle::Plane::Zx);
 }
 
-/// Presses the first of several buttons of the same name.
-fn click_first(window: &mut Harness<'_, App>, label: &str) {
-    window.get_all_by_role_and_label(Role::Button, label).next().unwrap().click_accesskit();
+/// Presses the last of several buttons of the same name: that of what lies on top.
+fn click_last(window: &mut Harness<'_, App>, label: &str) {
+    window.get_all_by_role_and_label(Role::Button, label).last().unwrap().click_accesskit();
     window.run();
 }
 
