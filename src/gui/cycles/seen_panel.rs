@@ -5,7 +5,7 @@ use eframe::egui::{Button, Slider, Ui, vec2};
 use super::form_panel::last_focused;
 use super::{column_ui, picture};
 use crate::gui::theme::{sizes, space};
-use crate::gui::view::{View, heading, problem, quiet};
+use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::{Move, Parameter, Phase, Range, Unset, Value};
 use crate::session::{Command, CycleRun, CyclesCommand, Step};
 use crate::words::{Message, Words};
@@ -90,12 +90,9 @@ fn default(view: &View<'_>, parameter: &Parameter) -> String {
 
 /// The path up to a move, the buttons that step along it, and the move in words.
 fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
-    heading(ui, view.text("cycles-path"));
-    if let Err(error) = &run.result {
-        problem(ui, view.words.say(error));
-    }
-    let Some(now) = run.path.get(view.session.cycles().step()) else { return };
     let step = view.session.cycles().step();
+    let Some(now) = run.path.get(step) else { return };
+    heading(ui, view.text("cycles-path"));
     steps_ui(ui, view, run.path.len(), step);
     ui.label(said(view.words, now, step, run.path.len()));
     of_height(ui, height, |ui| picture::path_picture(ui, view, &run.path, step + 1, run.nominal, run.ball_radius));

@@ -47,9 +47,9 @@ impl BenchKind {
                 F::NormalX,
                 F::NormalY,
                 F::NormalZ,
+                F::SurfaceScatter,
                 F::WaveHeight,
                 F::WaveLength,
-                F::SurfaceScatter,
                 F::WaveX,
                 F::WaveY,
                 F::WaveZ,
@@ -157,7 +157,7 @@ impl BenchField {
     pub const MACHINE: &'static [Self] = &[Self::Seed, Self::Temperature, Self::Expansion];
 
     /// Whether nothing is an answer.
-    const fn is_optional(self) -> bool {
+    pub const fn is_optional(self) -> bool {
         matches!(self, Self::WaveHeight | Self::Radius | Self::OffsetX | Self::OffsetY)
     }
 
@@ -165,8 +165,15 @@ impl BenchField {
     pub const fn unit(self) -> &'static str {
         match self {
             Self::OvalityAngle | Self::LobeAngle | Self::LobingAngle => "°",
-            Self::LobeCount | Self::LobingCount | Self::Seed => "",
-            Self::NormalX | Self::NormalY | Self::NormalZ | Self::WaveX | Self::WaveY | Self::WaveZ => "",
+            Self::LobeCount
+            | Self::LobingCount
+            | Self::Seed
+            | Self::NormalX
+            | Self::NormalY
+            | Self::NormalZ
+            | Self::WaveX
+            | Self::WaveY
+            | Self::WaveZ => "",
             Self::Temperature => "°C",
             Self::Expansion => "µm/(m K)",
             _ => "mm",
