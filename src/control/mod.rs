@@ -10,7 +10,9 @@
 //! | `mask` | FN 16 masks, read and rendered |
 //! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT`, read and written |
 //! | `log444` | the log of cycle 444 as HTML, read and written |
+//! | `cycle_log` | from a cycle's result to its log |
 
+pub mod cycle_log;
 pub mod deviations;
 pub mod log;
 pub mod log444;

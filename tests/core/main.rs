@@ -9,6 +9,7 @@ mod circle_cli;
 mod circles;
 mod cycle_cli;
 mod cycle_declaration;
+mod cycle_logs;
 mod cycles;
 mod fit_cli;
 mod fit_search;

@@ -119,3 +119,6 @@ probe-table-zero-or-more = 0 or more
 probe-table-above-zero = above 0
 probe-table-not-whole = { $column } = { $given }: a whole number is needed
 probe-table-twice = probe { $number } occurs twice
+
+## The log of a cycle's result
+cycle-log-other-verdict = the log's figures, rounded to 0.0001 { $unit }, say { $log } where the cycle said { $cycle }

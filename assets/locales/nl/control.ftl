@@ -119,3 +119,6 @@ probe-table-zero-or-more = 0 of meer
 probe-table-above-zero = groter dan 0
 probe-table-not-whole = { $column } = { $given }: er is een geheel getal nodig
 probe-table-twice = taster { $number } komt twee keer voor
+
+## The log of a cycle's result
+cycle-log-other-verdict = de getallen in het protocol, afgerond op 0,0001 { $unit }, geven { $log } waar de cyclus { $cycle } gaf

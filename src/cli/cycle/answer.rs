@@ -16,9 +16,10 @@ pub(super) fn evaluation(run: &Run<'_>) -> Option<Evaluation> {
     evaluate(&run.result.plane_contacts()).ok()
 }
 
-/// What the contacts cannot tell.
+/// What the contacts cannot tell, and where the log says something else.
 pub(super) fn warnings(run: &Run<'_>) -> Vec<String> {
-    evaluation(run).into_iter().flat_map(|found| found.warnings).map(|warning| warning.to_string()).collect()
+    let contacts = evaluation(run).into_iter().flat_map(|found| found.warnings).map(|warning| warning.to_string());
+    contacts.chain(run.log.other.map(|other| other.to_string())).collect()
 }
 
 /// The answer; the names are a contract.
@@ -36,6 +37,7 @@ struct Answer<'a> {
     status: Option<&'a str>,
     stop: Option<String>,
     log: Option<&'a str>,
+    log_text: Option<&'a str>,
     remarks: Vec<String>,
     warnings: Vec<String>,
     path: Vec<Json>,
@@ -64,6 +66,7 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
             LogTarget::File(name) => Some(name),
             LogTarget::Screen | LogTarget::Shown => Some("screen"),
         },
+        log_text: run.log.shown.as_deref(),
         remarks: result.remarks.iter().map(ToString::to_string).collect(),
         warnings: warnings(run),
         path: result.path.iter().map(step).collect(),

@@ -5,9 +5,11 @@
 //! | `list` | the declaration of a cycle |
 //! | `answer` | what the cycle found, for programs |
 //! | `text` | the same for people |
+//! | `log` | its measuring log |
 
 mod answer;
 mod list;
+mod log;
 mod text;
 
 use std::collections::BTreeSet;
@@ -91,7 +93,9 @@ pub(super) struct Args {
     /// Show the parameters of the cycle and run nothing
     #[arg(long)]
     list: bool,
-    /// Language of the control's questions and names, as far as they are known
+    #[command(flatten)]
+    log: log::LogArgs,
+    /// Language of the log, and of the control's questions and names as far as they are known
     #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
     language: String,
     /// How the result is printed
@@ -117,6 +121,7 @@ struct Run<'a> {
     source: &'a Source,
     ball_radius: f64,
     result: &'a CycleResult,
+    log: &'a log::Kept,
 }
 
 fn known(text: &str) -> Result<&'static Cycle, String> {
@@ -147,7 +152,8 @@ impl Args {
         };
         warn_of_unused(&source, &path, io)?;
         let ball_radius = prober.ball_radius();
-        let run = Run { cycle: self.cycle, language, source: &source, ball_radius, result: &result };
+        let log = self.log.keep(self.cycle, &result, language, io)?;
+        let run = Run { cycle: self.cycle, language, source: &source, ball_radius, result: &result, log: &log };
         match self.format {
             Format::Text => text::print(&run, self.path, io)?,
             Format::Csv if self.path => answer::print_path_csv(&path, io)?,
