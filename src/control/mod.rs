@@ -10,6 +10,7 @@
 //! | `mask` | FN 16 masks, read and rendered |
 //! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT`, read and written |
 //! | `log444` | the log of cycle 444 as HTML, read and written |
+//! | `probe_block` | the block of a probing cycle in an NC program, read and written |
 //! | `cycle_log` | from a cycle's result to its log |
 
 pub mod cycle_log;
@@ -17,6 +18,7 @@ pub mod deviations;
 pub mod log;
 pub mod log444;
 pub mod mask;
+pub mod probe_block;
 pub mod probe_table;
 pub mod status;
 pub mod table;

@@ -24,6 +24,7 @@ mod log_writing;
 mod logs;
 mod masks;
 mod point_cycles;
+mod probe_blocks;
 mod report;
 mod report_cli;
 mod session;
