@@ -3,7 +3,6 @@
 //! | file | what |
 //! |---|---|
 //! | `text` | bytes to lines: encodings and line ends |
-//! | `cycle_block` | one measuring cycle as a block of an NC program, read and written |
 //! | `cycle_status` | the status window of a measuring cycle |
 //! | `variables` | Q, QL, QR and QS parameters |
 //! | `table` | freely definable tables `.TAB`, three header generations, read and written |
@@ -12,13 +11,16 @@
 //! | `mask` | FN 16 masks, read and rendered |
 //! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT`, read and written |
 //! | `log444` | the log of cycle 444 as HTML, read and written |
+//! | `probe_block` | the block of a probing cycle in an NC program, read and written |
+//! | `cycle_log` | from a cycle's result to its log |
 
-pub mod cycle_block;
+pub mod cycle_log;
 pub mod cycle_status;
 pub mod deviations;
 pub mod log;
 pub mod log444;
 pub mod mask;
+pub mod probe_block;
 pub mod probe_table;
 pub mod status;
 pub mod table;

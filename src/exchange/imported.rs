@@ -62,6 +62,8 @@ pub enum WhyUnjudged {
     },
     /// A coordinate of cycle 427 is no feature of size, but its log has limits.
     Coordinate(Coordinate),
+    /// A coordinate of cycle 427 whose limits are both 0: the control did not monitor it.
+    CoordinateWithoutLimits,
     /// A point on a surface that cycle 444 probed: the measured value is its deviation along the normal, nominal 0.
     Point(Coordinate),
     /// Such a point without a tolerance.
@@ -94,6 +96,7 @@ impl Say for WhyUnjudged {
             Self::NoCallout => Message::new("exchange-no-callout"),
             Self::NoLimits { .. } => Message::new("exchange-no-limits"),
             Self::Coordinate(_) => Message::new("exchange-coordinate"),
+            Self::CoordinateWithoutLimits => Message::new("exchange-coordinate-without-limits"),
             Self::Point(_) => Message::new("exchange-point"),
             Self::PointWithoutTolerance => Message::new("exchange-point-without-tolerance"),
             Self::Contacts { count } => Message::new("exchange-only-contacts").text("count", count),
@@ -109,6 +112,9 @@ impl fmt::Display for WhyUnjudged {
                 f.pad("not judged: the log's limits of size are 0, so the diameter was not monitored")
             }
             Self::Coordinate(_) => f.pad("a coordinate of cycle 427, not a hole or shaft"),
+            Self::CoordinateWithoutLimits => {
+                f.pad("not judged: the log's limits are 0, so the coordinate was not monitored")
+            }
             Self::Point(_) => f.pad("a point on a surface of cycle 444: its deviation along the normal, not a size"),
             Self::PointWithoutTolerance => f.pad("not judged: the point was probed without a tolerance"),
             Self::Contacts { count } => write!(f, "not judged: {count} contacts without a callout"),

@@ -82,6 +82,14 @@ fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
             finish(imported, log.warnings, line, |imported| imported.keep(line, record));
         }
         Values::Coordinate(values) => {
+            let measured = Some(values.actual);
+            if values.limits.minimum == Length::ZERO && values.limits.maximum == Length::ZERO {
+                // As in the cycle itself: limits of 0 monitor nothing.
+                let why = WhyUnjudged::CoordinateWithoutLimits;
+                return finish(imported, log.warnings, line, |imported| {
+                    imported.set_aside(Unjudged { line, id, time, measured, position: None, why });
+                });
+            }
             // Cycle 427 assumes an outside dimension, so it is judged as a shaft is.
             let Some(limits) = limits(Feature::Shaft, values.limits.minimum, values.limits, &source.file) else {
                 let given = values.limits.maximum.to_string();
@@ -96,7 +104,6 @@ fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
                 status: verdict.status,
                 removal: verdict.removal,
             });
-            let measured = Some(values.actual);
             finish(imported, log.warnings, line, |imported| {
                 imported.set_aside(Unjudged { line, id, time, measured, position: None, why });
             });

@@ -385,6 +385,7 @@ mod tests {
             WhyUnjudged::NoCallout,
             WhyUnjudged::NoLimits { nominal: length },
             WhyUnjudged::Coordinate(coordinate),
+            WhyUnjudged::CoordinateWithoutLimits,
             WhyUnjudged::Point(coordinate),
             WhyUnjudged::PointWithoutTolerance,
             WhyUnjudged::Contacts { count: 4 },

@@ -327,7 +327,10 @@ impl Session {
             }
             CyclesCommand::TypeBlock(text) => (page.block, page.block_problem) = (Some(text), None),
             CyclesCommand::TakeBlock => page.take_block(),
-            CyclesCommand::CopyBlock => return vec![Effect::Copy(page.written(self.language))],
+            CyclesCommand::CopyBlock => match page.written(self.language) {
+                Ok(block) => return vec![Effect::Copy(block)],
+                Err(error) => self.tell(error.message()),
+            },
             CyclesCommand::CopyResults => return page.results_text().map(Effect::Copy).into_iter().collect(),
             CyclesCommand::CopyStatus => {
                 return self.cycle_window().and_then(Result::ok).map(Effect::Copy).into_iter().collect();

@@ -260,7 +260,7 @@ fn a_block_fills_the_form_or_changes_nothing() {
     send(&mut session, CyclesCommand::TypeBlock(block.into()));
     send(&mut session, CyclesCommand::TakeBlock);
     let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
-    assert_eq!(said.as_deref(), Some("cycle 427 has no parameter Q999"));
+    assert_eq!(said.as_deref(), Some("line 4: cycle 427 has no parameter Q999"));
     assert_eq!(session.cycles().cycle().number, 421);
     send(&mut session, CyclesCommand::TypeBlock(block.replace("Q999=+1 ;? ~\n", "")));
     send(&mut session, CyclesCommand::TakeBlock);

@@ -120,9 +120,21 @@ probe-table-above-zero = above 0
 probe-table-not-whole = { $column } = { $given }: a whole number is needed
 probe-table-twice = probe { $number } occurs twice
 
-## A cycle as a block of an NC program
-block-empty = the block sets no parameter
-block-too-long = the block is longer than { $most } characters
-block-unknown-cycle = cycle { $code } is not known
-block-no-setting = { $piece } is no setting such as Q263=+35
-block-twice = { $key } stands there twice
+## The log of a cycle's result
+cycle-log-other-verdict = the log's figures, rounded to 0.0001 { $unit }, say { $log } where the cycle said { $cycle }
+
+## The block of a probing cycle
+block-at-line = line { $line }: { $fault }
+block-none = no probing cycle here: a block begins with TCH PROBE and a number, or with G785
+block-second = a second probing cycle: one at a time, the first begins on line { $first }
+block-unknown-cycle = TCH PROBE { $given }: the cycles are { $known }
+block-not-a-parameter = { $given } is no parameter: one is written as { $example }
+block-no-value = { $key } has no value
+block-twice = { $key } is given twice, first on line { $first }
+block-unclosed-quote = a quotation mark is not closed
+block-behind-end = { $given } stands behind the end of the block: every line but the last ends with ~
+block-cut-off = the block ends with ~, so a line is missing: it may be cut off
+block-reference = { $key } = { $given }: only a running program knows what is in { $given }
+block-not-writable = { $key } = { $given }: a text in a block holds no quotation mark and no line end
+block-unused = line { $line }: { $text } is not part of the probing cycle and was not used
+block-unused-more = line { $line }: { $text } is not part of the probing cycle and was not used, and { $more } more

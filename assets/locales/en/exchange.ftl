@@ -33,6 +33,7 @@ exchange-too-many-rows = only the first { $most } rows were read: split the file
 exchange-no-callout = not judged: there is no callout
 exchange-no-limits = not judged: the log's limits of size are 0, so the diameter was not monitored
 exchange-coordinate = a coordinate of cycle 427, not a hole or shaft
+exchange-coordinate-without-limits = not judged: the log's limits are 0, so the coordinate was not monitored
 exchange-point = a point on a surface of cycle 444: its deviation along the normal, not a size
 exchange-point-without-tolerance = not judged: the point was probed without a tolerance
 exchange-only-contacts = not judged: { $count } contacts without a callout

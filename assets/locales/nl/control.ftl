@@ -120,9 +120,21 @@ probe-table-above-zero = groter dan 0
 probe-table-not-whole = { $column } = { $given }: er is een geheel getal nodig
 probe-table-twice = taster { $number } komt twee keer voor
 
-## A cycle as a block of an NC program
-block-empty = het blok zet geen enkele parameter
-block-too-long = het blok is langer dan { $most } tekens
-block-unknown-cycle = cyclus { $code } is niet bekend
-block-no-setting = { $piece } is geen instelling zoals Q263=+35
-block-twice = { $key } staat er twee keer
+## The log of a cycle's result
+cycle-log-other-verdict = de getallen in het protocol, afgerond op 0,0001 { $unit }, geven { $log } waar de cyclus { $cycle } gaf
+
+## The block of a probing cycle
+block-at-line = regel { $line }: { $fault }
+block-none = hier staat geen tastcyclus: een regel begint met TCH PROBE en een nummer, of met G785
+block-second = een tweede tastcyclus: één tegelijk, de eerste begint op regel { $first }
+block-unknown-cycle = TCH PROBE { $given }: de cycli zijn { $known }
+block-not-a-parameter = { $given } is geen parameter: die schrijf je als { $example }
+block-no-value = { $key } heeft geen waarde
+block-twice = { $key } is twee keer gegeven, eerst op regel { $first }
+block-unclosed-quote = een aanhalingsteken is niet gesloten
+block-behind-end = { $given } staat achter het einde van de cyclus: elke regel behalve de laatste eindigt op ~
+block-cut-off = de cyclus eindigt op ~, dus er ontbreekt een regel: het bestand is misschien afgebroken
+block-reference = { $key } = { $given }: alleen een lopend programma weet wat er in { $given } staat
+block-not-writable = { $key } = { $given }: een tekst in een cyclus bevat geen aanhalingsteken en geen regeleinde
+block-unused = regel { $line }: { $text } hoort niet bij de tastcyclus en is niet gebruikt
+block-unused-more = regel { $line }: { $text } hoort niet bij de tastcyclus en is niet gebruikt, en nog { $more }

@@ -33,6 +33,7 @@ exchange-too-many-rows = alleen de eerste { $most } regels zijn gelezen: splits 
 exchange-no-callout = niet beoordeeld: er is geen passing
 exchange-no-limits = niet beoordeeld: de grensmaten in het protocol zijn 0, de diameter is dus niet bewaakt
 exchange-coordinate = een coördinaat van cyclus 427, geen gat of as
+exchange-coordinate-without-limits = niet beoordeeld: de grenzen in het protocol zijn 0, dus de coördinaat is niet bewaakt
 exchange-point = een punt op een oppervlak van cyclus 444: de afwijking langs de normaal, geen maat
 exchange-point-without-tolerance = niet beoordeeld: het punt is zonder tolerantie getast
 exchange-only-contacts = niet beoordeeld: { $count } tastpunten zonder passing

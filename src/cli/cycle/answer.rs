@@ -9,9 +9,10 @@ use crate::length::Length;
 use crate::probing::cycle::{Check, LogTarget, Move, Value};
 use crate::words::Language;
 
-/// What the contacts cannot tell.
+/// What the contacts cannot tell, and where the log says something else.
 pub(super) fn warnings(run: &Run<'_>) -> Vec<String> {
-    run.result.evaluation().into_iter().flat_map(|found| found.warnings).map(|warning| warning.to_string()).collect()
+    let contacts = run.result.evaluation().into_iter().flat_map(|found| found.warnings);
+    contacts.map(|warning| warning.to_string()).chain(run.log.other.map(|other| other.to_string())).collect()
 }
 
 /// The answer; the names are a contract.
@@ -29,6 +30,7 @@ struct Answer<'a> {
     status: Option<&'a str>,
     stop: Option<String>,
     log: Option<&'a str>,
+    log_text: Option<&'a str>,
     remarks: Vec<String>,
     warnings: Vec<String>,
     path: Vec<Json>,
@@ -57,6 +59,7 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
             LogTarget::File(name) => Some(name),
             LogTarget::Screen | LogTarget::Shown => Some("screen"),
         },
+        log_text: run.log.shown.as_deref(),
         remarks: result.remarks.iter().map(ToString::to_string).collect(),
         warnings: warnings(run),
         path: result.path.iter().map(step).collect(),

@@ -5,9 +5,11 @@
 //! | `list` | the declaration of a cycle |
 //! | `answer` | what the cycle found, for programs |
 //! | `text` | the same for people |
+//! | `log` | its measuring log |
 
 mod answer;
 mod list;
+mod log;
 mod text;
 
 use std::collections::BTreeSet;
@@ -16,6 +18,7 @@ use std::path::{Path, PathBuf};
 use clap::builder::PossibleValuesParser;
 
 use super::{CliError, Format, Io, Outcome, read_input};
+use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
 use crate::exchange::contacts;
@@ -33,9 +36,16 @@ Examples:
   fitcheck cycle 427 --inputs block.json --workpiece face.toml --format json
   fitcheck cycle 444 --set Q263=0 Q264=0 Q294=0 Q581=0 Q582=0 Q583=1 QS400=0.4-0.1 --path
   fitcheck cycle G785 --set K=2 RC=60 --contacts bore.csv
+  fitcheck cycle 427 --block part.h --log-folder logs --program 'TNC:\\PART1.H' --language de
+  fitcheck cycle 427 --inputs block.json --as-block --language it
 
-Inputs are a JSON object such as {\"Q263\": 35, \"QS400\": \"0.4-0.1\"}; --set comes after it. Without
---workpiece and --contacts a perfect workpiece at nominal is measured.
+Inputs are a JSON object such as {\"Q263\": 35, \"QS400\": \"0.4-0.1\"}, or the one TCH PROBE or G785 block
+of an NC program, with names in any language; --set comes after either. Without --workpiece and
+--contacts a perfect workpiece at nominal is measured.
+
+Logs: Q281 = 1 and cycle 444 ask for a file. With --log-folder it is written there as TCHPR421.TXT,
+TCHPR422.TXT, TCHPR427.TXT or TCHPR444.html; where one is there already, the log is added at its end.
+Q281 = 2 shows the log.
 
 A workpiece is a TOML file with exactly one of [bore], [stud], [face], [point], and perhaps [probe],
 seed, temperature, expansion (millionths per kelvin); lengths in mm, angles in degrees:
@@ -47,7 +57,7 @@ seed, temperature, expansion (millionths per kelvin); lengths in mm, angles in d
                  lobing = { count, amplitude, angle }
 
 JSON: cycle, name, source, probe, inputs, contacts, circle, results, checks, status, stop, log,
-remarks, warnings, path. CSV: key, name, value, unit of every result; with --path the moves instead.
+log_text (Q281 = 2), remarks, warnings, path. CSV: key, name, value, unit of every result; with --path the moves instead.
 
 Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage.";
 
@@ -67,6 +77,9 @@ pub(super) struct Args {
     /// Parameters as a JSON object; - reads standard input
     #[arg(long, value_name = "FILE.json")]
     inputs: Option<PathBuf>,
+    /// The cycle's block in an NC program, in any dialogue language; - reads standard input
+    #[arg(long, value_name = "FILE.h", conflicts_with = "inputs")]
+    block: Option<PathBuf>,
     /// The simulated workpiece and probe
     #[arg(long, value_name = "FILE.toml", conflicts_with = "contacts")]
     workpiece: Option<PathBuf>,
@@ -91,7 +104,12 @@ pub(super) struct Args {
     /// Show the parameters of the cycle and run nothing
     #[arg(long)]
     list: bool,
-    /// Language of the control's questions and names, as far as they are known
+    /// Print the cycle's block for an NC program, in the language, and run nothing
+    #[arg(long, conflicts_with = "list")]
+    as_block: bool,
+    #[command(flatten)]
+    log: log::LogArgs,
+    /// Language of the log, and of the control's questions and names as far as they are known
     #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
     language: String,
     /// How the result is printed
@@ -117,6 +135,7 @@ struct Run<'a> {
     source: &'a Source,
     ball_radius: f64,
     result: &'a CycleResult,
+    log: &'a log::Kept,
 }
 
 fn known(text: &str) -> Result<&'static Cycle, String> {
@@ -134,6 +153,13 @@ impl Args {
             return Ok(Outcome::Done);
         }
         let inputs = self.read_inputs(io)?;
+        if self.as_block {
+            // A block that the control would refuse is not written.
+            self.cycle.checked(&inputs).map_err(|error| self.refused(&error))?;
+            let block = probe_block::write(self.cycle, &inputs, language);
+            write!(io.out, "{}", block.map_err(|error| CliError::Data(error.to_string()))?)?;
+            return Ok(Outcome::Done);
+        }
         let (source, mut prober) = self.source(&inputs, io)?;
         let (path, result) = self.cycle.measure_along(&inputs, &mut *prober);
         let result = match result {
@@ -147,7 +173,8 @@ impl Args {
         };
         warn_of_unused(&source, &path, io)?;
         let ball_radius = prober.ball_radius();
-        let run = Run { cycle: self.cycle, language, source: &source, ball_radius, result: &result };
+        let log = self.log.keep(self.cycle, &result, language, io)?;
+        let run = Run { cycle: self.cycle, language, source: &source, ball_radius, result: &result, log: &log };
         match self.format {
             Format::Text => text::print(&run, self.path, io)?,
             Format::Csv if self.path => answer::print_path_csv(&path, io)?,
@@ -164,6 +191,9 @@ impl Args {
         let mut inputs = Inputs::new().with_probe(self.touch_probe(io)?);
         if let Some(path) = &self.inputs {
             inputs = self.with_json(inputs, path, io)?;
+        }
+        if let Some(path) = &self.block {
+            inputs = self.with_block(inputs, path, io)?;
         }
         let mut names = BTreeSet::new();
         for (name, value) in pairs(&self.settings)? {
@@ -183,6 +213,19 @@ impl Args {
             inputs = inputs.with_position(position(text)?);
         }
         Ok(inputs)
+    }
+
+    fn with_block(&self, inputs: Inputs, path: &Path, io: &mut Io<'_>) -> Result<Inputs, CliError> {
+        let (name, bytes) = read_input(path, io)?;
+        let block = probe_block::read(&decode(&bytes)).map_err(|error| data(&name, &error))?;
+        if block.cycle.number != self.cycle.number {
+            let (line, given, wanted) = (block.line, block.cycle.code, self.cycle.code);
+            return Err(CliError::Data(format!("{name}: line {line}: this is cycle {given}, not {wanted}")));
+        }
+        if let Some(unused) = &block.unused {
+            io.tell(format_args!("warning: {name}: {unused}"))?;
+        }
+        block.put_into(inputs).map_err(|error| data(&name, &error))
     }
 
     fn with_json(&self, mut inputs: Inputs, path: &Path, io: &mut Io<'_>) -> Result<Inputs, CliError> {

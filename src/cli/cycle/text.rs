@@ -65,6 +65,9 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
     for warning in warnings(run) {
         writeln!(io.out, "note: {warning}")?;
     }
+    if let Some(log) = &run.log.shown {
+        write!(io.out, "\n{log}")?;
+    }
     Ok(())
 }
 

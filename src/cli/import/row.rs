@@ -151,9 +151,10 @@ impl Row {
                 error: Some(unjudged.why.to_string()),
                 ..row
             },
-            WhyUnjudged::NoCallout | WhyUnjudged::PointWithoutTolerance | WhyUnjudged::Contacts { .. } => {
-                Self { error: Some(unjudged.why.to_string()), ..row }
-            }
+            WhyUnjudged::NoCallout
+            | WhyUnjudged::CoordinateWithoutLimits
+            | WhyUnjudged::PointWithoutTolerance
+            | WhyUnjudged::Contacts { .. } => Self { error: Some(unjudged.why.to_string()), ..row },
         }
     }
 

@@ -33,7 +33,11 @@ impl From<u16> for Key {
 impl Key {
     /// Whether a text names this key: `q273` is Q273, and QS330 the text form of Q330.
     pub(super) fn is_named(self, text: &str) -> bool {
-        let same = |key: Self| key.to_string().eq_ignore_ascii_case(text.trim());
-        same(self) || matches!(self, Self::Q(number) if same(Self::Qs(number)))
+        self.is_exactly(text) || matches!(self, Self::Q(number) if Self::Qs(number).is_exactly(text))
+    }
+
+    /// Whether a text is this key and not the text form of its number.
+    pub(super) fn is_exactly(self, text: &str) -> bool {
+        self.to_string().eq_ignore_ascii_case(text.trim())
     }
 }

@@ -28,7 +28,7 @@ pub use error::{CycleError, Reason};
 pub use inputs::Inputs;
 pub use key::Key;
 pub(crate) use parameter::number;
-pub use parameter::{Parameter, Range, Texts, Unset};
+pub use parameter::{Parameter, Range, Texts, Unset, UnsetWhere};
 pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Remark, Stop};
 pub(in crate::probing) use value::QUARTER_TURN;
 pub use value::{Angle, Value};
@@ -118,7 +118,14 @@ impl Cycle {
     pub fn set(&self, inputs: Inputs, name: &str, text: &str) -> Result<Inputs, CycleError> {
         let unknown = || CycleError::NoSuchParameter { cycle: self.code, parameter: name.trim().to_owned() };
         let parameter = self.parameter_named(name).ok_or_else(unknown)?;
-        Ok(inputs.with(parameter.key, parameter.read(text)?))
+        let value = match parameter.read(text)? {
+            // QS330 = "5" is the tool named 5, Q330 = 5 the tool with that number.
+            Value::Number(_) if parameter.range == Range::Tool && !parameter.key.is_exactly(name) => {
+                Value::Text(text.trim().to_owned())
+            }
+            value => value,
+        };
+        Ok(inputs.with(parameter.key, value))
     }
 
     /// Checks the values against the declaration, fills in defaults and runs the cycle.
@@ -186,7 +193,7 @@ impl Cycle {
                     Some(inputs.globals.get(&key).cloned().ok_or(CycleError::NoGlobal { key, name })?)
                 }
                 Some(value) => Some(value.clone()),
-                None => parameter.default_value(),
+                None => parameter.default_with(inputs),
             };
             let Some(value) = value else {
                 if parameter.unset == Unset::Refused {

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::error::{CycleError, Reason};
+use super::inputs::Inputs;
 use super::key::Key;
 use super::value::{Angle, PREDEF, Value};
 use crate::length::{Length, LengthError};
@@ -27,6 +28,8 @@ pub struct Parameter {
     pub range: Range,
     /// What counts when nothing is given.
     pub unset: Unset,
+    /// Another default, where another parameter has a certain value.
+    pub unset_where: Option<UnsetWhere>,
     /// Whether PREDEF may stand for the value of GLOBAL DEF.
     pub may_be_predef: bool,
     /// Whether it does anything; the others are accepted and kept only, and a form need not ask for them.
@@ -42,6 +45,17 @@ pub enum Unset {
     Empty,
     /// A value: nanometres, ten-thousandths of a degree, or the number itself.
     Value(i64),
+}
+
+/// The default of a parameter where another one, a choice, has a certain value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UnsetWhere {
+    /// The other parameter.
+    pub key: Key,
+    /// Its value.
+    pub is: i64,
+    /// The default then, as in [`Unset::Value`].
+    pub default: i64,
 }
 
 /// What a parameter may be; the bounds are allowed.
@@ -153,6 +167,7 @@ impl Parameter {
             questions: &[],
             range,
             unset: Unset::Refused,
+            unset_where: None,
             may_be_predef: false,
             has_effect: true,
         }
@@ -185,6 +200,13 @@ impl Parameter {
     #[must_use]
     pub const fn or(mut self, default: i64) -> Self {
         self.unset = Unset::Value(default);
+        self
+    }
+
+    /// The same with another default where another parameter, a choice, has a certain value.
+    #[must_use]
+    pub const fn or_where(mut self, key: Key, is: i64, default: i64) -> Self {
+        self.unset_where = Some(UnsetWhere { key, is, default });
         self
     }
 
@@ -235,9 +257,22 @@ impl Parameter {
             .unwrap_or_else(|| self.name_in(language))
     }
 
-    /// The value that counts when none is given.
+    /// The value that counts when none is given, wherever no other parameter says otherwise.
     pub fn default_value(&self) -> Option<Value> {
-        let Unset::Value(default) = self.unset else { return None };
+        if let Unset::Value(default) = self.unset { self.value_of(default) } else { None }
+    }
+
+    /// The value that counts when none is given, by the values of the other parameters.
+    pub fn default_with(&self, inputs: &Inputs) -> Option<Value> {
+        match self.unset_where {
+            Some(UnsetWhere { key, is, default }) if inputs.value(key) == Some(&Value::Whole(is)) => {
+                self.value_of(default)
+            }
+            _ => self.default_value(),
+        }
+    }
+
+    fn value_of(&self, default: i64) -> Option<Value> {
         Some(match self.range {
             Range::Length { .. } => Value::Length(Length::from_nanometres(default).ok()?),
             Range::Angle { .. } => Value::Angle(Angle(default)),

@@ -20,7 +20,7 @@ use crate::words::Language::En;
 const NOMINAL_DIAMETER: &str = "NOMINAL DIAMETER";
 
 /// The step between three contacts when Q247 is not given: 90 degrees would leave half the circle unseen.
-const STEP_OF_THREE: Angle = Angle::from_degrees(120);
+const STEP_OF_THREE: i64 = Angle::from_degrees(120).ten_thousandths();
 
 /// What differs between hole and stud.
 pub(super) struct Side {
@@ -49,7 +49,8 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
         Parameter::angle(q(325), "STARTING ANGLE", 360, 0).asked(&[(En, "Starting angle?")]).or(0),
         Parameter::angle(q(247), "STEPPING ANGLE", 120, 5)
             .asked(&[(En, "Intermediate stepping angle?")])
-            .or(QUARTER_TURN),
+            .or(QUARTER_TURN)
+            .or_where(q(423), 3, STEP_OF_THREE),
         MEASURING_HEIGHT.or(0),
         SET_UP_CLEARANCE,
         CLEARANCE_HEIGHT,
@@ -118,8 +119,7 @@ pub(super) fn nominal(side: &Side, inputs: &Inputs) -> Nominal {
     }
 }
 
-/// The touches in order: at Q325 + k · Q247, from inside a hole or from outside a stud. Three contacts without a given
-/// Q247 lie 120 degrees apart.
+/// The touches in order: at Q325 + k · Q247, from inside a hole or from outside a stud.
 fn touches(side: &Side, inputs: &Inputs, ball_radius: f64) -> Vec<Touch> {
     let (x, y, height) = (inputs.mm(273), inputs.mm(274), inputs.mm(261));
     let radius = inputs.mm(262) / 2.0;
@@ -130,7 +130,7 @@ fn touches(side: &Side, inputs: &Inputs, ball_radius: f64) -> Vec<Touch> {
         Feature::Shaft => (radius + clearance + ball_radius, -1.0),
     };
     let count = inputs.whole(423);
-    let step = if count == 3 && !inputs.is_given(247) { STEP_OF_THREE } else { inputs.angle(247) };
+    let step = inputs.angle(247);
     // Q423 is 3 or 4.
     (0..4_u8)
         .take(usize::try_from(count).unwrap_or(4))

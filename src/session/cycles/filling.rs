@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use super::{BenchForm, ContactsFrom, CyclesPage, RecordedContacts};
-use crate::control::cycle_block::{Block, BlockError, write_block};
+use crate::control::probe_block::{self, ProbeBlockError};
 use crate::control::probe_table::ProbeTable;
+use crate::probing::cycle::Inputs;
 use crate::probing::cycles::cycle;
 use crate::probing::simulated::{Bench, Probe};
 use crate::probing::{Contact, Source};
@@ -56,20 +57,25 @@ impl CyclesPage {
         }
     }
 
-    fn taken(&mut self, text: &str) -> Result<(), BlockError> {
-        let block = Block::read(text)?;
-        let cycle = block.cycle.unwrap_or(self.cycle);
-        let settings = block.parameters(cycle)?;
+    fn taken(&mut self, text: &str) -> Result<(), ProbeBlockError> {
+        let block = probe_block::read(text)?;
+        // Names and values are checked here, with their lines; ranges beside the fields.
+        block.put_into(Inputs::new())?;
+        let cycle = block.cycle;
         self.texts.retain(|(number, _), _| *number != cycle.number);
-        for (parameter, value) in settings {
-            self.texts.insert((cycle.number, parameter.key), value.to_owned());
+        for setting in &block.settings {
+            if let Some(parameter) = cycle.parameter_named(&setting.key) {
+                let value = setting.text.trim_start_matches('+').to_owned();
+                self.texts.insert((cycle.number, parameter.key), value);
+            }
         }
         self.choose(cycle.number);
         Ok(())
     }
 
-    pub(super) fn written(&self, language: Language) -> String {
-        write_block(self.cycle, &self.inputs, language)
+    /// The inputs as a block for the clipboard, which other programs break into lines by themselves.
+    pub(super) fn written(&self, language: Language) -> Result<String, ProbeBlockError> {
+        probe_block::write(self.cycle, &self.inputs, language).map(|block| block.replace("\r\n", "\n"))
     }
 
     /// A workpiece that suits the cycle: where the ball does not go into it, a point measures.

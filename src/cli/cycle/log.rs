@@ -1,0 +1,86 @@
+//! The measuring log of a run: written into a folder (Q281 = 1, cycle 444) or shown (Q281 = 2).
+
+use std::path::{Path, PathBuf};
+
+use super::{CliError, Io};
+use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
+use crate::control::text::decode;
+use crate::files::{self, FileError};
+use crate::length::Unit;
+use crate::probing::cycle::{Cycle, CycleResult, LogTarget};
+use crate::words::Language;
+
+/// Where and how the log is kept.
+#[derive(Debug, clap::Args)]
+pub(super) struct LogArgs {
+    /// Folder for the log that Q281 = 1 and cycle 444 ask for; an existing log gets this one at its end
+    #[arg(long, value_name = "FOLDER")]
+    log_folder: Option<PathBuf>,
+    /// Path of the NC program on the control, as the log names it, such as TNC:\PART1.H
+    #[arg(long, value_name = "PATH")]
+    program: Option<String>,
+    /// Date and time of the measurement in the log; now when not given
+    #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
+    time: Option<jiff::civil::DateTime>,
+}
+
+/// What became of the log.
+#[derive(Debug, Default)]
+pub(super) struct Kept {
+    /// The text, where it goes on the screen.
+    pub(super) shown: Option<String>,
+    /// Where the log says something else than the cycle.
+    pub(super) other: Option<OtherVerdict>,
+}
+
+impl LogArgs {
+    /// Writes the log where the cycle asks for a file and a folder was given, and makes the text for the screen.
+    pub(super) fn keep(
+        &self,
+        cycle: &Cycle,
+        result: &CycleResult,
+        language: Language,
+        io: &mut Io<'_>,
+    ) -> Result<Kept, CliError> {
+        let date_time = Some(self.time.unwrap_or_else(super::super::now));
+        let heading = Heading { date_time, program: self.program.clone(), unit: Unit::Millimetre };
+        let log = match result.log {
+            LogTarget::None | LogTarget::Shown => None,
+            LogTarget::File(_) | LogTarget::Screen => CycleLog::of(cycle, result, &heading, language),
+        };
+        let refused = |error: &dyn std::fmt::Display| CliError::Data(format!("log: {error}"));
+        let Some(log) = log else {
+            if self.log_folder.is_some() {
+                let why = if cycle.parameter(281).is_some() { "Q281 = 0" } else { "the cycle has none" };
+                io.tell(format_args!("warning: no log is written: {why}"))?;
+            }
+            return Ok(Kept::default());
+        };
+        let mut kept = Kept { shown: None, other: log.other_verdict(result, language) };
+        match (result.log, &self.log_folder) {
+            (LogTarget::File(name), Some(folder)) => add(&log, &folder.join(name), language, io)?,
+            (LogTarget::Screen, _) => {
+                let bytes = log.write(language).map_err(|error| refused(&error))?;
+                kept.shown = Some(decode(&bytes).replace("\r\n", "\n"));
+            }
+            // Nothing is written, so nothing differs.
+            _ => kept.other = None,
+        }
+        if let (LogTarget::Screen, Some(_)) = (result.log, &self.log_folder) {
+            io.tell(format_args!("warning: no log is written: Q281 = 2 shows it on screen"))?;
+        }
+        Ok(kept)
+    }
+}
+
+/// Adds the log to the file, which may not be there yet.
+fn add(log: &CycleLog, path: &Path, language: Language, io: &mut Io<'_>) -> Result<(), CliError> {
+    let before = match files::read(path) {
+        Ok(bytes) => bytes,
+        Err(FileError::Missing { .. }) => Vec::new(),
+        Err(error) => return Err(error.into()),
+    };
+    let refused = |error| CliError::Data(format!("log: {error}: {}", path.display()));
+    let bytes = log.append(&before, language).map_err(refused)?;
+    super::super::save(path, &bytes, io)
+}

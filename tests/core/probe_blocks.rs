@@ -1,0 +1,291 @@
+//! The block of a probing cycle: the seeds' examples read, every cycle written and read back.
+
+use fitcheck::control::probe_block::{ProbeBlockError, ProbeBlockFault, read, write};
+use fitcheck::length::Length;
+use fitcheck::probing::Recorded;
+use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Unset, Value};
+use fitcheck::probing::cycles::{CYCLES, cycle_named};
+use fitcheck::tolerance::Deviations;
+use fitcheck::words::{Language, Say as _, Words};
+use proptest::prelude::*;
+
+/// The example of seed 004 as it is printed: comments on lines of their own, no `~` behind the values.
+const SEED_004: &str = "11 TCH PROBE 427 MISURAZ. COORDINATA ~\n\nQ263=+35\n\n;1. PUNTO 1. ASSE ~\n\nQ264=+45\n\n;1. PUNTO 2. ASSE ~\n\n\
+    Q261=+5\n\n;ALTEZZA MISURATA ~\n\nQ320=+0\n\n;DISTANZA SICUREZZA ~\n\nQ272=+3\n\n;ASSE MISURATO ~\n\nQ267=-1\n\n\
+    ;DIREZIONE ATTRAVERS. ~\n\nQ260=+20\n\n;ALTEZZA DI SICUREZZA ~\n\nQ281=+1\n\n;PROTOCOLLO DI MIS. ~\n\nQ288=+5.1\n\n\
+    ;LIMITE MASSIMO ~\n\nQ289=+4.95\n\n;LIMITE MINIMO ~\n\nQ309=+0\n\n;STOP PGM SE ERRORE ~\n\nQ330=+0\n\n;UTENSILE ~\n\n\
+    Q498=+0\n\n;INVERSIONE UTENSILE ~\n\nQ531=+0\n\n;ANGOLO DI INCLINAZ.";
+
+/// The same as a control has it.
+const WRITTEN_004: &str = "TCH PROBE 427 MISURAZ. COORDINATA ~
+    Q263=+35   ;1. PUNTO 1. ASSE ~
+    Q264=+45   ;1. PUNTO 2. ASSE ~
+    Q261=+5    ;ALTEZZA MISURATA ~
+    Q320=+0    ;DISTANZA SICUREZZA ~
+    Q272=+3    ;ASSE MISURATO ~
+    Q267=-1    ;DIREZIONE ATTRAVERS. ~
+    Q260=+20   ;ALTEZZA DI SICUREZZA ~
+    Q281=+1    ;PROTOCOLLO DI MIS. ~
+    Q288=+5.1  ;LIMITE MASSIMO ~
+    Q289=+4.95 ;LIMITE MINIMO ~
+    Q309=+0    ;STOP PGM SE ERRORE ~
+    Q330=+0    ;UTENSILE ~
+    Q498=+0    ;INVERSIONE UTENSILE ~
+    Q531=+0    ;ANGOLO DI INCLINAZ.
+";
+
+/// The example of seed 003.
+const SEED_003: &str = "N3 G785 R0 BR0 K2 C0 RC60 I0 J0 Q0 P0 H0";
+
+/// The pairs of a block, and what was not used, or the error.
+fn pairs(text: &str) -> String {
+    match read(text) {
+        Ok(block) => {
+            let pairs: Vec<_> = block.settings.iter().map(|pair| format!("{}={}", pair.key, pair.text)).collect();
+            let unused = block.unused.map(|unused| {
+                let english = unused.to_string();
+                assert_eq!(Words::new(Language::En).told(&unused), english);
+                assert_ne!(Words::new(Language::Nl).told(&unused), english);
+                format!(" | {english}")
+            });
+            format!("{}: {}{}", block.cycle.code, pairs.join(" "), unused.unwrap_or_default())
+        }
+        Err(error) => told(&error),
+    }
+}
+
+fn told(error: &ProbeBlockError) -> String {
+    let english = error.to_string();
+    assert_eq!(Words::new(Language::En).told(error), english);
+    let dutch = Words::new(Language::Nl).told(error);
+    assert!(dutch != english && dutch != error.message().id, "{dutch}");
+    english
+}
+
+#[track_caller]
+fn check(text: &str, expected: &str) {
+    assert_eq!(pairs(text), expected);
+}
+
+#[test]
+fn the_example_of_seed_004_is_read_as_printed_and_written_as_a_control_does() {
+    let block = read(SEED_004).unwrap();
+    assert_eq!((block.line, block.cycle.code, block.settings.len(), &block.unused), (1, "427", 14, &None));
+    let inputs = block.put_into(Inputs::new()).unwrap();
+    assert_eq!(write(block.cycle, &inputs, Language::It).unwrap().replace("\r\n", "\n"), WRITTEN_004);
+    assert_eq!(pairs(SEED_004), pairs(WRITTEN_004));
+    assert_eq!(pairs(SEED_004), pairs(&SEED_004.replace('\n', "\r\n")));
+}
+
+#[test]
+fn the_example_of_seed_003_is_read_and_written_again() {
+    check(SEED_003, "G785: R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0");
+    let block = read(SEED_003).unwrap();
+    let inputs = block.put_into(Inputs::new()).unwrap();
+    let written = write(block.cycle, &inputs, Language::De).unwrap();
+    assert_eq!(written, format!("{}\r\n", &SEED_003[3..]));
+}
+
+#[test]
+fn a_block_is_found_in_a_program_and_the_rest_of_it_is_named() {
+    let program = include_str!("../data/samples/programs/cycle_427_italian.h");
+    check(
+        program,
+        "427: Q263=+20 Q264=+12,5 Q261=-3 Q320=+0 Q272=+1 Q267=+1 Q260=+30 Q281=+1 Q288=+20.05 Q289=+19.95 Q309=+1 \
+         Q330=+0 Q498=+0 Q531=+0 | line 2: 1  TOOL CALL 9 Z is not part of the probing cycle and was not used, and 1 more",
+    );
+    check("; only a comment\nTCH PROBE 427\n\n* - heading\n", "427: ");
+}
+
+#[test]
+fn numbers_names_order_case_blanks_and_comments_are_the_writer_s_own_business() {
+    for text in [
+        "TCH PROBE 427 ANYTHING ~\nQ267=-1 ~\nQ272=+3",
+        "tch probe 427~\n  q267 = -1 ;~\n\n ; a line of comment ~\n\n  Q272=+3 ; the end",
+        "/7 TCH PROBE 427 X ~\r\nQ267=-1 ;Richtung ~\r\nQ272=+3 ;Achse\r\n8 M30",
+        "12 / TCH PROBE 427 Y ~ Q267=-1 ;A ~ Q272=+3 ;B",
+        "TCH PROBE 427 ;\"quotes\" in a comment ~\nQ267=-1 ~\0Q272=+3",
+    ] {
+        let found = pairs(text).to_uppercase();
+        assert!(found.starts_with("427: Q267=-1 Q272=+3"), "{text:?}: {found}");
+    }
+    check("TCH PROBE 444 ~\nQS400=\"0.4-0.1\" ;A;B ~\nMB=+10", "444: QS400=0.4-0.1 MB=+10");
+    check("TCH PROBE 427 ~\nQS330=\"DRILL ~ 5;\" ;TOOL NAME", "427: QS330=DRILL ~ 5;");
+    check("N30 G427 Q263=+35 Q272=+3 *", "427: Q263=+35 Q272=+3");
+    check("g785 k-2.5 rc120 ; comment", "G785: k=-2.5 rc=120");
+}
+
+#[test]
+fn what_is_wrong_with_a_block_is_named_with_its_line() {
+    check("", "line 1: no probing cycle here: a block begins with TCH PROBE and a number, or with G785");
+    check(
+        "L X+5 R0 FMAX\nG1 X5",
+        "line 1: no probing cycle here: a block begins with TCH PROBE and a number, or with G785",
+    );
+    check("\nTCH PROBE 412 DATUM ~\nQ1=2", "line 2: TCH PROBE 412: the cycles are 421, 422, 427, 444");
+    check("TCH PROBE\n", "line 1: TCH PROBE : the cycles are 421, 422, 427, 444");
+    check(
+        "TCH PROBE 427 ~\nQ263=+1\n\nTCH PROBE 427 ~\nQ263=+2",
+        "line 4: a second probing cycle: one at a time, the first begins on line 1",
+    );
+    check("TCH PROBE 427 ~\n12 L Z+50", "line 2: 12 L Z+50 is no parameter: one is written as Q263=+35");
+    check("TCH PROBE 427 ~\n=5", "line 2: =5 is no parameter: one is written as Q263=+35");
+    check("TCH PROBE 427 ~\nQ263= ;EMPTY ~\nQ264=+1", "line 2: Q263 has no value");
+    check("TCH PROBE 427 ~\nQ263=+1 ~\nq263=+1", "line 3: Q263 is given twice, first on line 2");
+    check("TCH PROBE 427 ~\nQ330=+1 ~\nQS330=\"A\"", "line 3: Q330 is given twice, first on line 2");
+    check("TCH PROBE 427 ~\nQS330=\"A", "line 2: a quotation mark is not closed");
+    check("TCH PROBE 427 ~\nQ275=+1", "line 2: cycle 427 has no parameter Q275");
+    check(
+        "TCH PROBE 427 ~\nQ263=+1 ;NO MORE\nQ264=+2",
+        "line 3: Q264=+2 stands behind the end of the block: every line but the last ends with ~",
+    );
+    check(
+        "TCH PROBE 427 ~\nQ263=+1\n;NO MORE\n\nQ264=+2",
+        "line 5: Q264=+2 stands behind the end of the block: every line but the last ends with ~",
+    );
+    // Any other assignment behind it is another block of the program.
+    check(
+        "TCH PROBE 427 ~\nQ263=+1\nQ5=+2",
+        "427: Q263=+1 | line 3: Q5=+2 is not part of the probing cycle and was not used",
+    );
+    check("TCH PROBE 427 ~\nQ263=+1 ~\n", "line 2: the block ends with ~, so a line is missing: it may be cut off");
+    check("G785 K2 =3", "line 1: =3 is no parameter: one is written as Q263=+35");
+    check("G785 K2 3", "line 1: 3 is no parameter: one is written as K2");
+    check("G785 K RC60", "line 1: K has no value");
+    check("G785 K2 X3", "line 1: cycle G785 has no parameter X");
+    let long = format!("TCH PROBE 427 ~\n{}", "x".repeat(100_000));
+    check(&long, &format!("line 2: {}… is no parameter: one is written as Q263=+35", "x".repeat(80)));
+}
+
+#[test]
+fn a_value_that_is_none_is_named_with_its_line_and_a_program_s_parameter_as_such() {
+    let said = |text: &str| told(&read(text).unwrap().put_into(Inputs::new()).unwrap_err());
+    assert_eq!(said("TCH PROBE 427 ~\nQ263=+x"), "line 2: Q263 1ST POINT 1ST AXIS: +x is not a number");
+    for (given, name) in [("+Q1", "Q1"), ("-QL12", "QL12"), ("QR3", "QR3")] {
+        let said = said(&format!("TCH PROBE 427 ~\n\nQ263={given}"));
+        assert_eq!(said, format!("line 3: Q263 = {name}: only a running program knows what is in {name}"));
+    }
+    assert_eq!(said("TCH PROBE 444 ~\nQS400=QS5"), "line 2: QS400 = QS5: only a running program knows what is in QS5");
+    // A tool may be called anything.
+    assert!(read("TCH PROBE 427 ~\nQS330=\"Q1\"").unwrap().put_into(Inputs::new()).unwrap().is_given(330));
+}
+
+#[test]
+fn a_text_that_no_block_can_hold_is_not_written() {
+    let cycle = cycle_named("427").unwrap();
+    for name in ["A\"B", "A\nB"] {
+        let inputs = Inputs::new().with(330, Value::Text(name.to_owned()));
+        let error = write(cycle, &inputs, Language::En).unwrap_err();
+        assert!(matches!(&error.fault, ProbeBlockFault::NotWritable { key: Key::Q(330), .. }));
+        assert!(told(&error).ends_with("a text in a block holds no quotation mark and no line end"), "{error}");
+    }
+}
+
+#[test]
+fn three_contacts_without_a_step_are_written_with_the_step_that_they_get() {
+    let cycle = cycle_named("421").unwrap();
+    let inputs = cycle.set(Inputs::new(), "Q423", "3").unwrap();
+    assert!(write(cycle, &inputs, Language::En).unwrap().contains("Q247=+120  ;STEPPING ANGLE ~"));
+    assert!(write(cycle, &Inputs::new(), Language::En).unwrap().contains("Q247=+90   ;STEPPING ANGLE ~"));
+}
+
+/// Any value that a parameter may have.
+fn value(parameter: &'static Parameter) -> BoxedStrategy<Value> {
+    let length = |nm: i64| Value::Length(Length::from_nanometres(nm).unwrap());
+    let plain = match parameter.range {
+        Range::Length { least, most } => (least.nanometres()..=most.nanometres()).prop_map(length).boxed(),
+        Range::Angle { most, smallest } => {
+            let sizes = smallest.ten_thousandths()..=most.ten_thousandths();
+            let angle = |(size, sign): (i64, &str)| {
+                let text = format!("{sign}{}.{:04}", size / 10_000, size % 10_000);
+                Value::Angle(text.parse::<Angle>().unwrap())
+            };
+            (sizes, prop_oneof![Just(""), Just("-")]).prop_map(angle).boxed()
+        }
+        Range::OneOf(allowed) => proptest::sample::select(allowed).prop_map(Value::Whole).boxed(),
+        Range::Number { most } => (-f64::from(most)..=f64::from(most)).prop_map(Value::Number).boxed(),
+        Range::Tool => prop_oneof![
+            (0..=999_999_u32).prop_map(|tenths| Value::Number(f64::from(tenths) / 10.0)),
+            "[A-Zäé0-9_;~=][A-Z 0-9_;~=]{0,20}[A-Z0-9_;~]".prop_map(Value::Text),
+            "[0-9]{1,4}".prop_map(Value::Text),
+        ]
+        .boxed(),
+        Range::Band => {
+            let band = |(upper, lower): (i64, i64)| {
+                let [upper, lower] = [upper, -lower].map(|nm| Length::from_nanometres(nm).unwrap());
+                Value::Band((upper != lower).then(|| Deviations::new(upper, lower).unwrap()))
+            };
+            (0..5_000_000_i64, 0..5_000_000_i64).prop_map(band).boxed()
+        }
+    };
+    if parameter.may_be_predef { prop_oneof![4 => plain, 1 => Just(Value::Predef)].boxed() } else { plain }
+}
+
+/// A cycle and inputs for it: what must be given, and some of the rest.
+fn any_inputs() -> impl Strategy<Value = (&'static Cycle, Inputs)> {
+    proptest::sample::select(CYCLES).prop_flat_map(|cycle| {
+        let given: Vec<_> = cycle
+            .parameters
+            .iter()
+            .map(|parameter| {
+                let some = value(parameter).prop_map(Some).boxed();
+                if parameter.unset == Unset::Refused { some } else { prop_oneof![some, Just(None)].boxed() }
+            })
+            .collect();
+        given.prop_map(move |values| {
+            let pairs = cycle.parameters.iter().zip(values);
+            let inputs = pairs.fold(Inputs::new(), |inputs, (parameter, value)| match value {
+                Some(value) => inputs.with(parameter.key, value),
+                None => inputs,
+            });
+            (cycle, inputs)
+        })
+    })
+}
+
+/// What a cycle runs with, PREDEF taken as 7.
+fn effective(cycle: &Cycle, inputs: &Inputs) -> Vec<(Key, Option<Value>)> {
+    let seven = Value::Length("7".parse().unwrap());
+    let inputs = [260, 320].into_iter().fold(inputs.clone(), |inputs, key: u16| inputs.with_global(key, seven.clone()));
+    let checked = cycle.checked(&inputs.with_global(301, Value::Whole(1))).unwrap();
+    cycle.parameters.iter().map(|parameter| (parameter.key, checked.value(parameter.key).cloned())).collect()
+}
+
+proptest! {
+    #[test]
+    fn every_block_reads_back_as_the_same_inputs(
+        (cycle, inputs) in any_inputs(),
+        language in proptest::sample::select(Language::ALL.to_vec()),
+    ) {
+        let text = write(cycle, &inputs, language).unwrap();
+        let block = read(&text).unwrap();
+        prop_assert_eq!(block.cycle.code, cycle.code);
+        prop_assert_eq!(&block.unused, &None);
+        let back = block.put_into(Inputs::new()).unwrap();
+        prop_assert_eq!(effective(cycle, &back), effective(cycle, &inputs), "{}", text);
+        // And once more it is the same text.
+        prop_assert_eq!(write(cycle, &back, language).unwrap(), text);
+    }
+
+    #[test]
+    fn no_text_makes_the_reader_fail_otherwise_than_with_an_error(
+        lines in prop::collection::vec(
+            prop_oneof![
+                Just("TCH PROBE 427 X ~".to_owned()), Just("N1 G785 K2".to_owned()), Just("Q263=+35 ;A ~".to_owned()),
+                Just("Q272=+3".to_owned()), Just(";B ~".to_owned()), Just("\"".to_owned()), ".{0,20}",
+                "(TCH PROBE |G)[0-9]{0,4}[ ~;=]{0,3}Q?[0-9]{0,3}=?",
+            ],
+            0..12,
+        ),
+    ) {
+        let text = lines.join("\n");
+        if let Ok(block) = read(&text) {
+            prop_assert!(block.settings.len() <= block.cycle.parameters.len());
+            let inputs = block.put_into(Inputs::new());
+            if let Ok(inputs) = inputs {
+                let ran: Result<_, CycleError> = block.cycle.measure(&inputs, &mut Recorded::new(Vec::new()));
+                prop_assert!(ran.is_err());
+            }
+        }
+    }
+}
