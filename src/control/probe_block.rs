@@ -220,9 +220,8 @@ impl Reader {
 
     fn outside(&mut self, segment: &Segment<'_>, line: usize) -> Result<(), ProbeBlockError> {
         let body = body(segment.code);
-        let (cycle, words) = match head(body).map_err(|fault| fault.at(line))? {
-            Some(head) => head,
-            None => return self.beside(segment, line),
+        let Some((cycle, words)) = head(body).map_err(|fault| fault.at(line))? else {
+            return self.beside(segment, line);
         };
         if let Some(first) = &self.block {
             return Err(ProbeBlockFault::SecondBlock { first: first.line }.at(line));
@@ -392,7 +391,7 @@ pub fn write(cycle: &Cycle, inputs: &Inputs, language: Language) -> Result<Strin
             (Key::Q(number), Some(Value::Text(_))) => format!("QS{number}={text}"),
             (key, _) => format!("{key}={text}"),
         };
-        block.push_str(&format!(" ~{LINE_END}    {pair:<10} ;{}", parameter.name_in(language)));
+        block.extend([" ~", LINE_END, "    ", &format!("{pair:<10} ;"), parameter.name_in(language)]);
     }
     block.push_str(LINE_END);
     Ok(block)

@@ -407,7 +407,7 @@ fn a_block_is_pasted_and_copied() {
     window.get_by(|node| node.role() == Role::MultilineTextInput).type_text(block);
     window.run();
     click(&mut window, Role::Button, "Fill the form");
-    window.get_by_label("cycle 427 has no parameter Q9");
+    window.get_by_label("line 1: cycle 427 has no parameter Q9");
     for _ in 0.." ~ Q9=+1".len() {
         window.key_press(Key::Backspace);
     }
