@@ -2,7 +2,9 @@
 
 use eframe::egui::{Align2, Button, Id, Key, ScrollArea, Ui, Window, vec2};
 
+use super::follow_focus;
 use super::parameter_row::figure_ui;
+use crate::gui::dialogs::just_opened;
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
@@ -14,17 +16,26 @@ pub(super) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
         return;
     }
     let size = ui.ctx().content_rect().size();
-    Window::new(view.text("simulated-workpiece"))
+    let window = Window::new(view.text("simulated-workpiece"))
         .id(Id::unique("bench"))
         .anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0))
         .collapsible(false)
         .resizable(false)
         .show(ui, |ui| {
             ui.set_width((size.x * 0.9).min(space(200.0)));
-            ScrollArea::vertical().max_height(size.y - space(50.0)).show(ui, |ui| content_ui(ui, view));
+            ScrollArea::vertical().max_height(size.y - space(50.0)).show(ui, |ui| {
+                content_ui(ui, view);
+                follow_focus(ui);
+            });
             ui.separator();
             buttons_ui(ui, view);
         });
+    // A window takes the size of its content one frame late.
+    let rect = window.map(|window| window.response.rect);
+    let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(Id::unique("bench-size")), rect));
+    if last != rect {
+        ui.ctx().request_repaint();
+    }
     // What lies above is closed first.
     let is_top = view.session.dialog().is_none() && view.session.notices().is_empty();
     if is_top && ui.input(|input| input.key_pressed(Key::Escape)) && !ui.ctx().text_edit_focused() {
@@ -44,9 +55,14 @@ const fn kind_id(kind: BenchKind) -> &'static str {
 fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     let kind = view.session.cycles().bench().kind();
+    let is_new = just_opened(ui, Id::unique("bench-kind"));
     ui.horizontal(|ui| {
         for choice in BenchKind::ALL {
-            if ui.radio(kind == choice, view.text(kind_id(choice))).clicked() {
+            let radio = ui.radio(kind == choice, view.text(kind_id(choice)));
+            if is_new && kind == choice {
+                radio.request_focus();
+            }
+            if radio.clicked() {
                 view.send(Command::Cycles(CyclesCommand::ChooseKind(choice)));
             }
         }
