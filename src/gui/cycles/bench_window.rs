@@ -98,7 +98,7 @@ fn plane_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[BenchField]) {
     for field in fields {
-        figure_ui(ui, view, CycleField::Bench(*field), view.text(name_id(*field)), field.unit());
+        figure_ui(ui, view, CycleField::Bench(*field), view.text(field.name_id()), field.unit());
     }
 }
 
@@ -120,42 +120,4 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
             view.send(Command::Cycles(CyclesCommand::ShowBench(false)));
         }
     });
-}
-
-const fn name_id(field: BenchField) -> &'static str {
-    match field {
-        BenchField::CentreX => "cycles-bench-centre-1",
-        BenchField::CentreY => "cycles-bench-centre-2",
-        BenchField::Diameter => "true-diameter",
-        BenchField::Ovality => "ovality",
-        BenchField::OvalityAngle => "cycles-bench-ovality-angle",
-        BenchField::LobeCount => "lobes",
-        BenchField::LobeHeight => "lobe-height",
-        BenchField::LobeAngle => "cycles-bench-lobe-angle",
-        BenchField::PointX => "cycles-bench-point-x",
-        BenchField::PointY => "cycles-bench-point-y",
-        BenchField::PointZ => "cycles-bench-point-z",
-        BenchField::NormalX => "cycles-bench-normal-x",
-        BenchField::NormalY => "cycles-bench-normal-y",
-        BenchField::NormalZ => "cycles-bench-normal-z",
-        BenchField::WaveHeight => "cycles-bench-wave-height",
-        BenchField::WaveLength => "cycles-bench-wave-length",
-        BenchField::WaveX => "cycles-bench-wave-x",
-        BenchField::WaveY => "cycles-bench-wave-y",
-        BenchField::WaveZ => "cycles-bench-wave-z",
-        BenchField::Deviation => "cycles-bench-deviation",
-        BenchField::Radius => "cycles-bench-radius",
-        BenchField::SurfaceScatter => "surface-scatter",
-        BenchField::BallRadius => "cycles-bench-ball",
-        BenchField::TriggerScatter => "cycles-bench-trigger",
-        BenchField::CalibrationError => "cycles-bench-calibration",
-        BenchField::OffsetX => "cycles-bench-offset-x",
-        BenchField::OffsetY => "cycles-bench-offset-y",
-        BenchField::LobingCount => "cycles-bench-lobing-count",
-        BenchField::LobingHeight => "cycles-bench-lobing",
-        BenchField::LobingAngle => "cycles-bench-lobing-angle",
-        BenchField::Seed => "seed",
-        BenchField::Temperature => "cycles-bench-temperature",
-        BenchField::Expansion => "cycles-bench-expansion",
-    }
 }

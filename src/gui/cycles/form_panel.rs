@@ -82,7 +82,7 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
             // The dialog says it beside the field.
             let page = view.session.cycles();
             if let Some(error) = page.bench().problem().filter(|_| !page.bench_is_open()) {
-                problem(ui, view.words.say(error));
+                problem(ui, view.words.say(&error));
             }
         }
         ContactsFrom::Recorded => _ = ui.horizontal(|ui| recorded_ui(ui, view)),
