@@ -136,6 +136,15 @@ impl CyclesPage {
         self.errors.is_empty() && self.missing().next().is_none()
     }
 
+    /// The first field, in the order of the form, that keeps the cycle from running.
+    pub fn first_wrong(&self) -> Option<CycleField> {
+        let of_parameter =
+            |parameter: &Parameter| [CycleField::Parameter(parameter.key), CycleField::Global(parameter.key)];
+        let parameters = self.cycle.parameters.iter().flat_map(of_parameter);
+        let mut fields = parameters.chain(Axis::ALL.map(CycleField::Position));
+        fields.find(|field| self.errors.contains_key(field))
+    }
+
     /// The parameters that must be given and are not.
     fn missing(&self) -> impl Iterator<Item = &'static Parameter> {
         let is_missing = |parameter: &&Parameter| {

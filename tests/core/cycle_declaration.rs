@@ -239,6 +239,7 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         Remark::OutsideDimension,
         Remark::NominalOutsideLimits { nominal: mm("25") },
         Remark::VariableHoldsDiameter,
+        Remark::NoTolerance { key: Key::Qs(400) },
     ] {
         check(&remark);
     }

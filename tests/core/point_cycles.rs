@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use fitcheck::length::Length;
-use fitcheck::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Key, LogTarget, Phase, Plane, Value};
+use fitcheck::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Key, LogTarget, Phase, Plane, Remark, Value};
 use fitcheck::probing::cycles::cycle_named;
 use fitcheck::probing::simulated::{Bench, Face, FreePoint, Lobes, Machine, Probe, Surface, Workpiece};
 use fitcheck::probing::{Contact, NoContact, Prober, Recorded, Touch, TouchProbe};
@@ -206,6 +206,18 @@ fn cycle_444_gives_position_deviations_and_a_status() {
         (1.5, "0.1+0.1", -1),
     ] {
         assert_eq!(status(deviation, band), Some(Value::Whole(expected)), "{deviation} in {band:?}");
+    }
+}
+
+#[test]
+fn a_tolerance_text_that_is_none_is_remarked() {
+    for (given, is_remarked) in
+        [("", false), ("QS400=0.4-0.1", false), ("QS400=0.1+0.2", true), ("QS400=-0.1-0.2", true)]
+    {
+        let settings = format!("Q263=0 Q264=0 Q294=0 Q581=0 Q582=0 Q583=1 {given}");
+        let found = run("444", &settings, &mut machine(raised(0.3), 1.0)).unwrap();
+        let remark = Remark::NoTolerance { key: Key::Qs(400) };
+        assert_eq!(found.remarks.contains(&remark), is_remarked, "{given:?}");
     }
 }
 
@@ -550,6 +562,9 @@ fn a_machine_file_that_cannot_be_is_refused_with_its_line() {
     refused("[bore]\ncentre = [0, nan]\ndiameter = 25\n", "line 2: centre y = NaN: at least -100000, at most 100000");
     let odd = Bench::read("[bore]\ncentre = [0, 0]\ndiameter = 25\ncolour = 'red'\n").unwrap_err().to_string();
     assert!(odd.starts_with("line 4: unknown field `colour`"), "{odd}");
+    let long = Bench::read(&format!("[bore]\n{}=1\n", "a".repeat(300_000))).unwrap_err().to_string();
+    assert!(long.starts_with("line 2: unknown field `aaa") && long.ends_with('…'), "{}", long.len());
+    assert!(long.chars().count() < 400, "{}", long.len());
     let broken = Bench::read("[bore\n").unwrap_err().to_string();
     assert!(broken.starts_with("line 1: "), "{broken}");
 }

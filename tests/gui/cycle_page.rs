@@ -509,3 +509,81 @@ fn choices_are_made_by_typing_their_number_too() {
         assert_eq!(window.state().session().cycles().text(CycleField::Parameter(key)), chosen, "{parameter} {typed}");
     }
 }
+
+#[test]
+fn the_workpiece_s_dialog_takes_the_focus_and_is_whole_at_once() {
+    let mut window = page();
+    click(&mut window, Role::RadioButton, "Simulated");
+    click(&mut window, Role::Button, "Workpiece…");
+    assert_eq!(focused(&window), "Bore");
+    let close = |window: &Harness<'_, App>| window.get_by_role_and_label(Role::Button, "Close").rect();
+    let settled = close(&window);
+    window.step();
+    assert_eq!(close(&window), settled);
+    key(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(!window.state().session().cycles().bench_is_open());
+    // Back to where it was opened from.
+    assert_eq!(focused(&window), "Workpiece…");
+}
+
+#[test]
+fn a_choice_by_key_keeps_the_focus_on_its_list() {
+    let mut window = page();
+    for (list, downs) in [("Cycle", 1), ("Q301  Move to clearance height (0/1)?", 1), ("Probe", 0)] {
+        window.get_by_role_and_label(Role::ComboBox, list).focus();
+        window.run();
+        key(&mut window, Modifiers::NONE, Key::Space);
+        for _ in 0..=downs {
+            key(&mut window, Modifiers::NONE, Key::Tab);
+        }
+        key(&mut window, Modifiers::NONE, Key::Space);
+        assert_eq!(focused(&window), list);
+    }
+    assert_eq!(window.state().session().cycles().cycle().code, "422");
+    assert_eq!(window.state().session().cycles().text(CycleField::Parameter(301.into())), "1");
+}
+
+#[test]
+fn what_gets_the_focus_is_scrolled_into_view() {
+    let mut window = open(Window { size: vec2(1024.0, 600.0), ..Window::default() });
+    let bottom = "Q365  Type of traverse? Line=0/arc=1";
+    let mut tabs = 0;
+    while focused(&window) != bottom {
+        key(&mut window, Modifiers::NONE, Key::Tab);
+        tabs += 1;
+        assert!(tabs < 30, "{}", focused(&window));
+        #[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone is not general over lifetimes")]
+        let rect = window.get_by(|node| node.is_focused()).rect();
+        assert!(rect.bottom() <= 600.0, "{} at {rect}", focused(&window));
+    }
+}
+
+#[test]
+fn predef_can_be_chosen_where_there_is_a_list() {
+    let mut window = hole(Window::default());
+    let name = name(&window, "Q301");
+    click(&mut window, Role::ComboBox, &name);
+    click(&mut window, Role::Button, "PREDEF");
+    let cycles = window.state().session().cycles();
+    assert_eq!(cycles.text(CycleField::Parameter(301.into())), "PREDEF");
+    assert!(cycles.is_predef(301.into()));
+    assert!(cycles.error(CycleField::Global(301.into())).is_some());
+    type_into(&mut window, "Q301  PREDEF stands for", "1");
+    assert!(window.state().session().cycles().is_complete());
+}
+
+#[test]
+fn a_run_that_cannot_begin_leads_to_the_first_field_that_is_wrong() {
+    let mut window = open(Window { size: vec2(1024.0, 600.0), ..Window::default() });
+    fill(&mut window, &[("Q273", "50"), ("Q262", "75"), ("Q280", "x"), ("Q275", "75")]);
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(focused(&window), name(&window, "Q274"));
+    window.get_by_role_and_label(Role::TextInput, &name(&window, "Q274")).type_text("50");
+    key(&mut window, Modifiers::NONE, Key::F5);
+    assert_eq!(focused(&window), name(&window, "Q280"));
+    // What stands there is replaced by typing.
+    window.get_by_role_and_label(Role::TextInput, &name(&window, "Q280")).type_text("0,1");
+    click(&mut window, Role::Button, "Run");
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    assert_eq!(window.state().session().cycles().text(CycleField::Parameter(280.into())), "0,1");
+}

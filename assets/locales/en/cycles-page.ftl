@@ -74,6 +74,7 @@ cycles-fields-wrong = { $count ->
     } cannot be used: see the form
 cycles-no-bench = the simulated workpiece is not complete
 cycles-bench-wrong = simulated workpiece: { $problem }
+cycles-bench-field = { $name }: { $problem }
 cycles-no-contacts = no file of contacts was opened yet
 cycles-cannot-suit = No workpiece suits yet: { $problem }
 cycles-not-written = the workpiece cannot be written: { $reason }

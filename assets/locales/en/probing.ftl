@@ -86,6 +86,7 @@ remark-tool-left-alone = Q330 = { $tool }: the control would correct this tool; 
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap
 remark-nominal-outside-limits = nominal diameter { $nominal } mm is not between the limits: a TNC7 refuses that
 remark-variable-holds-diameter = #i99 holds one value, taken to be the diameter: the manual does not say which
+remark-no-tolerance = { $key } as it is given is no tolerance: nothing is judged
 
 ## The simulated machine
 bench-toml = line { $line }: { $said }

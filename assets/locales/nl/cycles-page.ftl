@@ -74,6 +74,7 @@ cycles-fields-wrong = { $count ->
     } niet bruikbaar: zie het formulier
 cycles-no-bench = het gesimuleerde werkstuk is niet volledig
 cycles-bench-wrong = gesimuleerd werkstuk: { $problem }
+cycles-bench-field = { $name }: { $problem }
 cycles-no-contacts = er is nog geen bestand met contacten geopend
 cycles-cannot-suit = Nog geen passend werkstuk: { $problem }
 cycles-not-written = het werkstuk kan niet worden geschreven: { $reason }

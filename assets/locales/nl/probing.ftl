@@ -86,6 +86,7 @@ remark-tool-left-alone = Q330 = { $tool }: de besturing zou dit gereedschap corr
 remark-outside-dimension = een buitenmaat wordt aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
 remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grenzen: een TNC7 weigert dat
 remark-variable-holds-diameter = #i99 bevat één waarde, aangenomen is de diameter: het handboek zegt niet welke
+remark-no-tolerance = { $key } zoals opgegeven is geen tolerantie: er wordt niets beoordeeld
 
 ## The simulated machine
 bench-toml = regel { $line }: { $said }

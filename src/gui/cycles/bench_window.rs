@@ -2,7 +2,9 @@
 
 use eframe::egui::{Align2, Button, Id, Key, ScrollArea, Ui, Window, vec2};
 
+use super::follow_focus;
 use super::parameter_row::figure_ui;
+use crate::gui::dialogs::just_opened;
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
@@ -14,17 +16,26 @@ pub(super) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
         return;
     }
     let size = ui.ctx().content_rect().size();
-    Window::new(view.text("simulated-workpiece"))
+    let window = Window::new(view.text("simulated-workpiece"))
         .id(Id::unique("bench"))
         .anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0))
         .collapsible(false)
         .resizable(false)
         .show(ui, |ui| {
             ui.set_width((size.x * 0.9).min(space(200.0)));
-            ScrollArea::vertical().max_height(size.y - space(50.0)).show(ui, |ui| content_ui(ui, view));
+            ScrollArea::vertical().max_height(size.y - space(50.0)).show(ui, |ui| {
+                content_ui(ui, view);
+                follow_focus(ui);
+            });
             ui.separator();
             buttons_ui(ui, view);
         });
+    // A window takes the size of its content one frame late.
+    let rect = window.map(|window| window.response.rect);
+    let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(Id::unique("bench-size")), rect));
+    if last != rect {
+        ui.ctx().request_repaint();
+    }
     // What lies above is closed first.
     let is_top = view.session.dialog().is_none() && view.session.notices().is_empty();
     if is_top && ui.input(|input| input.key_pressed(Key::Escape)) && !ui.ctx().text_edit_focused() {
@@ -44,9 +55,14 @@ const fn kind_id(kind: BenchKind) -> &'static str {
 fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     let kind = view.session.cycles().bench().kind();
+    let is_new = just_opened(ui, Id::unique("bench-kind"));
     ui.horizontal(|ui| {
         for choice in BenchKind::ALL {
-            if ui.radio(kind == choice, view.text(kind_id(choice))).clicked() {
+            let radio = ui.radio(kind == choice, view.text(kind_id(choice)));
+            if is_new && kind == choice {
+                radio.request_focus();
+            }
+            if radio.clicked() {
                 view.send(Command::Cycles(CyclesCommand::ChooseKind(choice)));
             }
         }
@@ -82,7 +98,7 @@ fn plane_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[BenchField]) {
     for field in fields {
-        figure_ui(ui, view, CycleField::Bench(*field), view.text(name_id(*field)), field.unit());
+        figure_ui(ui, view, CycleField::Bench(*field), view.text(field.name_id()), field.unit());
     }
 }
 
@@ -104,42 +120,4 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
             view.send(Command::Cycles(CyclesCommand::ShowBench(false)));
         }
     });
-}
-
-const fn name_id(field: BenchField) -> &'static str {
-    match field {
-        BenchField::CentreX => "cycles-bench-centre-1",
-        BenchField::CentreY => "cycles-bench-centre-2",
-        BenchField::Diameter => "true-diameter",
-        BenchField::Ovality => "ovality",
-        BenchField::OvalityAngle => "cycles-bench-ovality-angle",
-        BenchField::LobeCount => "lobes",
-        BenchField::LobeHeight => "lobe-height",
-        BenchField::LobeAngle => "cycles-bench-lobe-angle",
-        BenchField::PointX => "cycles-bench-point-x",
-        BenchField::PointY => "cycles-bench-point-y",
-        BenchField::PointZ => "cycles-bench-point-z",
-        BenchField::NormalX => "cycles-bench-normal-x",
-        BenchField::NormalY => "cycles-bench-normal-y",
-        BenchField::NormalZ => "cycles-bench-normal-z",
-        BenchField::WaveHeight => "cycles-bench-wave-height",
-        BenchField::WaveLength => "cycles-bench-wave-length",
-        BenchField::WaveX => "cycles-bench-wave-x",
-        BenchField::WaveY => "cycles-bench-wave-y",
-        BenchField::WaveZ => "cycles-bench-wave-z",
-        BenchField::Deviation => "cycles-bench-deviation",
-        BenchField::Radius => "cycles-bench-radius",
-        BenchField::SurfaceScatter => "surface-scatter",
-        BenchField::BallRadius => "cycles-bench-ball",
-        BenchField::TriggerScatter => "cycles-bench-trigger",
-        BenchField::CalibrationError => "cycles-bench-calibration",
-        BenchField::OffsetX => "cycles-bench-offset-x",
-        BenchField::OffsetY => "cycles-bench-offset-y",
-        BenchField::LobingCount => "cycles-bench-lobing-count",
-        BenchField::LobingHeight => "cycles-bench-lobing",
-        BenchField::LobingAngle => "cycles-bench-lobing-angle",
-        BenchField::Seed => "seed",
-        BenchField::Temperature => "cycles-bench-temperature",
-        BenchField::Expansion => "cycles-bench-expansion",
-    }
 }

@@ -2,8 +2,8 @@
 
 use eframe::egui::{Button, CollapsingHeader, ComboBox, Id, RichText, Ui, vec2};
 
-use super::column_ui;
 use super::parameter_row::{figure_ui, parameter_ui};
+use super::{column_ui, keep_focus, opener_ui};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
 use crate::probing::cycle::{Cycle, Key};
@@ -34,7 +34,8 @@ fn title(view: &View<'_>, cycle: &Cycle) -> String {
 fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("cycles-cycle"));
     let chosen = view.session.cycles().cycle();
-    ComboBox::from_id_salt("cycle")
+    let mut is_picked = false;
+    let list = ComboBox::from_id_salt("cycle")
         .selected_text(title(view, chosen))
         .width(ui.available_width() - space(2.5))
         .truncate()
@@ -43,12 +44,16 @@ fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
             for cycle in CYCLES {
                 if ui.selectable_label(cycle.number == chosen.number, title(view, cycle)).clicked() {
                     view.send(Command::Cycles(CyclesCommand::Choose(cycle.number)));
+                    is_picked = true;
                     ui.close();
                 }
             }
         })
         .response
         .labelled_by(name.id);
+    if is_picked {
+        keep_focus(ui, &list);
+    }
 }
 
 pub(super) const fn from_id(from: ContactsFrom) -> &'static str {
@@ -77,7 +82,7 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
             // The dialog says it beside the field.
             let page = view.session.cycles();
             if let Some(error) = page.bench().problem().filter(|_| !page.bench_is_open()) {
-                problem(ui, view.words.say(error));
+                problem(ui, view.words.say(&error));
             }
         }
         ContactsFrom::Recorded => _ = ui.horizontal(|ui| recorded_ui(ui, view)),
@@ -86,7 +91,7 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn simulated_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if ui.button(view.text("cycles-workpiece")).clicked() {
+    if opener_ui(ui, view.text("cycles-workpiece"), view.session.cycles().bench_is_open()) {
         view.send(Command::Cycles(CyclesCommand::ShowBench(true)));
     }
     if ui.button(view.text("cycles-suit")).clicked() {
@@ -113,7 +118,8 @@ fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
         let page = view.session.cycles();
         let name = quiet(ui, view.text("cycles-probe"));
         let probe = page.probe();
-        ComboBox::from_id_salt("cycle-probe")
+        let mut is_picked = false;
+        let list = ComboBox::from_id_salt("cycle-probe")
             .selected_text(probe.number.to_string())
             .width(space(14.0))
             .height(list_height(ui))
@@ -121,6 +127,7 @@ fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
                 for row in page.probes() {
                     if ui.selectable_label(row.number == probe.number, row.number.to_string()).clicked() {
                         view.send(Command::Cycles(CyclesCommand::ChooseProbe(row.number)));
+                        is_picked = true;
                         ui.close();
                     }
                 }
@@ -130,11 +137,15 @@ fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
                 }
                 if page.probes_name().is_some() && ui.button(view.text("cycles-shipped-probes")).clicked() {
                     view.send(Command::Cycles(CyclesCommand::ShippedProbes));
+                    is_picked = true;
                     ui.close();
                 }
             })
             .response
             .labelled_by(name.id);
+        if is_picked {
+            keep_focus(ui, &list);
+        }
         let said = Message::new("cycles-probe-is").mm("set-up", probe.set_up).mm("dist", probe.longest_path);
         quiet_cut(ui, view.words.say(&said));
     });
@@ -187,7 +198,10 @@ fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let idle = || cycle.parameters.iter().filter(|parameter| !parameter.has_effect);
     if idle().next().is_some() {
-        CollapsingHeader::new(view.text("cycles-without-effect")).id_salt("without-effect").show_unindented(ui, |ui| {
+        let page = view.session.cycles();
+        let is_wrong = idle().any(|parameter| page.error(CycleField::Parameter(parameter.key)).is_some());
+        let header = CollapsingHeader::new(view.text("cycles-without-effect")).id_salt("without-effect");
+        header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
             for parameter in idle() {
                 if parameter_ui(ui, view, parameter) {
                     focused = Some(parameter.key);
@@ -202,7 +216,11 @@ fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// Where the ball stands before the cycle.
 fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
-    CollapsingHeader::new(view.text("cycles-position")).id_salt("cycle-position").show_unindented(ui, |ui| {
+    let page = view.session.cycles();
+    let is_wrong = Axis::ALL.iter().any(|axis| page.error(CycleField::Position(*axis)).is_some());
+    // What is wrong is never folded away.
+    let header = CollapsingHeader::new(view.text("cycles-position")).id_salt("cycle-position");
+    header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
         for axis in Axis::ALL {
             let name = format!("{} {}", view.text("cycles-ball-stands"), axis.letter());
             figure_ui(ui, view, CycleField::Position(axis), name, "mm");
@@ -213,7 +231,7 @@ fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn block_buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal(|ui| {
-        if ui.button(view.text("cycles-paste-block")).clicked() {
+        if opener_ui(ui, view.text("cycles-paste-block"), view.session.cycles().block().is_some()) {
             view.send(Command::Cycles(CyclesCommand::ShowBlock(true)));
         }
         let copy = Button::new(view.text("cycles-copy-block"));

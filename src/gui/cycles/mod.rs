@@ -18,7 +18,7 @@ mod parameter_row;
 mod picture;
 mod seen_panel;
 
-use eframe::egui::{CentralPanel, Id, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
+use eframe::egui::{CentralPanel, Id, Key, KeyboardShortcut, Modifiers, Panel, Response, ScrollArea, Ui};
 
 use super::dialogs::just_opened;
 use super::field;
@@ -45,6 +45,26 @@ pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     CentralPanel::default().show(ui, |ui| seen_panel::seen_ui(ui, view));
     bench_window::bench_ui(ui, view);
     block_window::block_ui(ui, view);
+    // A run that cannot begin leads to what is wrong, once it was tried.
+    let is_run = |command: &Command| matches!(command, Command::Measure | Command::Cycles(CyclesCommand::Run));
+    let has_run = view.commands.iter().any(is_run);
+    ui.data_mut(|data| data.insert_temp(asked_id(), has_run));
+}
+
+fn asked_id() -> Id {
+    Id::unique("cycle-run-asked")
+}
+
+/// The field that gets the focus because the run that was just asked for cannot begin with it: the one that had it last,
+/// where that is wrong, else the first.
+fn wrong_field(ui: &Ui, view: &View<'_>) -> Option<CycleField> {
+    let has_run = ui.data(|data| data.get_temp(asked_id()).unwrap_or(false));
+    if !has_run {
+        return None;
+    }
+    let page = view.session.cycles();
+    let last = form_panel::last_focused(ui).map(CycleField::Parameter);
+    last.filter(|field| page.error(*field).is_some()).or_else(|| page.first_wrong())
 }
 
 /// Run and step from the keyboard, wherever the focus is.
@@ -76,5 +96,34 @@ fn column_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
         ui.set_max_width(ui.available_width() - space(2.5));
         ui.spacing_mut().item_spacing.y = space(1.0);
         content(ui);
+        follow_focus(ui);
     });
+}
+
+/// Scrolls to what has got the focus among what was just drawn.
+fn follow_focus(ui: &Ui) {
+    let focused = ui.memory(|memory| memory.focused());
+    let last =
+        ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(ui.unique_id().with("focused")), focused));
+    let Some(rect) = focused.filter(|_| focused != last).and_then(|id| ui.ctx().read_response(id)) else { return };
+    if rect.layer_id == ui.layer_id() && ui.min_rect().contains(rect.rect.center()) {
+        ui.scroll_to_rect(rect.rect, None);
+    }
+}
+
+/// Keeps the focus on a list after a choice by key; after one by hand Enter runs, as before it.
+fn keep_focus(ui: &Ui, list: &Response) {
+    if ui.input(|input| input.key_pressed(Key::Space) || input.key_pressed(Key::Enter)) {
+        list.request_focus();
+    }
+}
+
+/// A button that opens a dialog; it gets the focus back when the dialog is closed.
+fn opener_ui(ui: &mut Ui, text: String, is_open: bool) -> bool {
+    let button = ui.button(text);
+    let was_open = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(button.id.with("open")), is_open));
+    if was_open && !is_open {
+        button.request_focus();
+    }
+    button.clicked()
 }

@@ -1,8 +1,9 @@
 //! One parameter of a cycle: the control's question, a field or a choice, the unit, and an error below.
 
-use eframe::egui::{Align, ComboBox, Event, Id, Layout, RichText, Ui, vec2};
+use eframe::egui::{Align, ComboBox, Event, Id, Layout, Response, RichText, Ui, vec2};
 
-use crate::gui::field::{Look, error_ui, field_ui};
+use super::{keep_focus, wrong_field};
+use crate::gui::field::{Look, error_ui, field_ui, select_all};
 use crate::gui::theme::{palette, sizes, space};
 use crate::gui::view::{View, list_height, quiet, quiet_cut};
 use crate::probing::cycle::{Key, Parameter, Range, Unset, Value};
@@ -60,6 +61,14 @@ fn hint(view: &View<'_>, parameter: &Parameter) -> String {
     }
 }
 
+/// Gives the focus to a field that keeps a run from beginning.
+fn lead_here(ui: &Ui, view: &View<'_>, field: CycleField, response: &Response) {
+    if wrong_field(ui, view) == Some(field) {
+        response.request_focus();
+        select_all(ui, response.id, view.session.cycles().text(field));
+    }
+}
+
 fn number_ui(
     ui: &mut Ui,
     view: &mut View<'_>,
@@ -70,9 +79,7 @@ fn number_ui(
     let look = Look { hint: hint.to_owned(), ..Look::number(space(FIELD)) };
     let response = field_ui(ui, view, of, name, look);
     quiet(ui, parameter.range.unit().unwrap_or_default());
-    if response.gained_focus() {
-        response.scroll_to_me(None);
-    }
+    lead_here(ui, view, of, &response);
     response.has_focus()
 }
 
@@ -117,20 +124,28 @@ fn choice_ui(
             ui.set_min_width(space(60.0));
             for number in allowed.iter().copied() {
                 if ui.selectable_label(chosen == Some(number), said(number)).clicked() {
-                    choice = Some(number);
+                    choice = Some(number.to_string());
                     ui.close();
                 }
+            }
+            let predef = Value::Predef.to_string();
+            if parameter.may_be_predef && ui.selectable_label(typed == predef, predef.as_str()).clicked() {
+                choice = Some(predef);
+                ui.close();
             }
         })
         .response
         .labelled_by(name);
-    if response.has_focus() {
-        choice = choice.or_else(|| typed_number(ui, allowed));
+    if choice.is_some() {
+        keep_focus(ui, &response);
+    } else if response.has_focus() {
+        choice = typed_number(ui, allowed).map(|number| number.to_string());
     }
-    if let Some(number) = choice {
-        let field = CycleField::Parameter(key);
-        view.send(Command::Cycles(CyclesCommand::Type(field, number.to_string())));
+    let field = CycleField::Parameter(key);
+    if let Some(text) = choice {
+        view.send(Command::Cycles(CyclesCommand::Type(field, text)));
     }
+    lead_here(ui, view, field, &response);
     response.has_focus()
 }
 
@@ -153,7 +168,8 @@ pub(super) fn figure_ui(ui: &mut Ui, view: &mut View<'_>, of: CycleField, name: 
     };
     let hint = if is_optional { view.text("cycles-none") } else { String::new() };
     row_ui(ui, name, |ui, name| {
-        field_ui(ui, view, of, name, Look { hint, ..Look::number(space(FIELD)) });
+        let response = field_ui(ui, view, of, name, Look { hint, ..Look::number(space(FIELD)) });
+        lead_here(ui, view, of, &response);
         quiet(ui, unit);
     });
     error_ui(ui, view, of);

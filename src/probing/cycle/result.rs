@@ -363,6 +363,11 @@ pub enum Remark {
     },
     /// What `#i99` holds is not documented.
     VariableHoldsDiameter,
+    /// A tolerance text was given that is none, such as `0.1+0.1`.
+    NoTolerance {
+        /// The parameter.
+        key: Key,
+    },
 }
 
 impl fmt::Display for Remark {
@@ -381,6 +386,7 @@ impl fmt::Display for Remark {
             Self::VariableHoldsDiameter => {
                 f.write_str("#i99 holds one value, taken to be the diameter: the manual does not say which")
             }
+            Self::NoTolerance { key } => write!(f, "{key} as it is given is no tolerance: nothing is judged"),
         }
     }
 }
@@ -395,6 +401,7 @@ impl Say for Remark {
                 Message::new("remark-nominal-outside-limits").text("nominal", nominal)
             }
             Self::VariableHoldsDiameter => Message::new("remark-variable-holds-diameter"),
+            Self::NoTolerance { key } => Message::new("remark-no-tolerance").text("key", key),
         }
     }
 }

@@ -9,11 +9,14 @@ use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, POINT_1, POINT_2, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
     Check, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, LogTarget, Measured, Nominal, Parameter, Range,
-    Stop, Value, along, nearest,
+    Remark, Stop, Value, along, nearest,
 };
 use crate::tolerance::{Deviations, Feature};
 use crate::verdict::{Status, classify};
 use crate::words::Language::{En, Nl};
+
+/// The permitted deviation along the normal, as a text.
+const TOLERANCE: Key = Key::Qs(400);
 
 /// The retraction after the touch; without it the ball goes back to where the touch began.
 const RETRACT: Key = Key::Word("MB");
@@ -32,7 +35,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         component(583, "SURFACE NORMAL 3RD AXIS").asked(&[(En, "Surface-normal in tool axis?")]),
         SET_UP_CLEARANCE,
         CLEARANCE_HEIGHT,
-        Parameter::new(Key::Qs(400), "TOLERANCE", Range::Band).asked(&[(En, "Tolerance value?")]).or_nothing(),
+        Parameter::new(TOLERANCE, "TOLERANCE", Range::Band).asked(&[(En, "Tolerance value?")]).or_nothing(),
         Parameter::choice(Key::Q(309), "ERROR REACTION", &[0, 1, 2])
             .asked(&[(En, "Reaction to tolerance error?")])
             .or(0),
@@ -91,8 +94,11 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     course.retract(back);
     let contact = Contact::at(along(ball.place(), normal, -ball_radius));
     let (results, deviation) = measured(&contact, point(inputs), normal)?;
-    let check = inputs.band(Key::Qs(400)).map(|band| check(band, deviation));
+    let check = inputs.band(TOLERANCE).map(|band| check(band, deviation));
     let checks: Vec<_> = check.into_iter().collect();
+    // A slip such as 0.1+0.2 for 0.1-0.2 shall not switch the monitoring off unseen.
+    let is_none = checks.is_empty() && inputs.is_given(TOLERANCE);
+    let remarks = if is_none { vec![Remark::NoTolerance { key: TOLERANCE }] } else { Vec::new() };
     let status = check.map(|check| check.status);
     let stops = match inputs.whole(309) {
         1 => true,
@@ -108,7 +114,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         stop: if stops { Stop::of(inputs.whole(309), &checks) } else { None },
         checks,
         log: LogTarget::File("TCHPR444.html"),
-        remarks: Vec::new(),
+        remarks,
     })
 }
 

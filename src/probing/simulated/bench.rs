@@ -37,6 +37,9 @@ const STEEL: f64 = 11.5;
 /// The temperature that sizes refer to (ISO 1), °C.
 const REFERENCE: f64 = 20.0;
 
+/// The most characters of what the reader of TOML says.
+const LONGEST: usize = 300;
+
 /// A simulated machine before it is switched on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bench {
@@ -173,7 +176,7 @@ impl Bench {
     pub fn read(text: &str) -> Result<Self, BenchError> {
         let file: File = toml::from_str(text).map_err(|error| BenchError::Toml {
             line: line_at(text, error.span().map_or(0, |span| span.start)),
-            said: error.message().to_owned(),
+            said: bounded(error.message()),
         })?;
         let surfaces = [
             file.bore.map(|bore| ("bore", bore.surface(Feature::Hole))),
@@ -222,6 +225,14 @@ impl Bench {
         self.check()?;
         let factor = 1.0 + self.expansion * 1e-6 * (self.temperature - REFERENCE);
         Machine::with(self.surface.grown(factor), self.probe, self.seed)
+    }
+}
+
+/// What the reader of TOML says, without the whole of a very long key.
+fn bounded(said: &str) -> String {
+    match said.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", said.get(..end).unwrap_or_default()),
+        None => said.to_owned(),
     }
 }
 

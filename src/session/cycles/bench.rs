@@ -140,9 +140,11 @@ impl BenchForm {
         self.errors.get(&field)
     }
 
-    /// The first thing that is wrong.
-    pub fn problem(&self) -> Option<&Message> {
-        self.errors.values().next()
+    /// The first thing that is wrong, with the name of its field.
+    pub fn problem(&self) -> Option<Message> {
+        let (field, error) = self.errors.first_key_value()?;
+        let name = Message::new(field.name_id());
+        Some(Message::new("cycles-bench-field").message("name", name).message("problem", error.clone()))
     }
 
     /// The machine, where every field can be used.
@@ -252,9 +254,21 @@ impl BenchForm {
         let [ball_radius, trigger_scatter, calibration_error] =
             self.figures([F::BallRadius, F::TriggerScatter, F::CalibrationError])?;
         let is_known = [F::OffsetX, F::OffsetY].iter().all(|field| self.text(*field).trim().is_empty());
-        let offset = if is_known { None } else { Some([self.figure(F::OffsetX)?, self.figure(F::OffsetY)?]) };
+        let offset = if is_known { None } else { Some(self.both([F::OffsetX, F::OffsetY])?) };
         let lobing = self.lobes([F::LobingCount, F::LobingHeight, F::LobingAngle])?;
         Some(Probe { trigger_scatter, ball_radius, calibration_error, offset, lobing })
+    }
+
+    /// Two figures that may only be left out together: one alone would be guessed.
+    fn both(&mut self, fields: [BenchField; 2]) -> Option<[f64; 2]> {
+        for field in fields {
+            if self.text(field).trim().is_empty() {
+                self.errors.insert(field, LengthError::Empty.message());
+                return None;
+            }
+        }
+        let [one, two] = fields.map(|field| self.figure(field));
+        Some([one?, two?])
     }
 
     fn lobes(&mut self, [count, height, angle]: [BenchField; 3]) -> Option<Lobes> {
@@ -351,6 +365,12 @@ mod tests {
             form.set(field, before);
             assert!(form.bench().is_some(), "{field:?}");
         }
+        // Half an offset would be guessed.
+        form.set(BenchField::OffsetX, "0,01".to_owned());
+        assert!(form.error(BenchField::OffsetY).is_some() && form.bench().is_none());
+        let said = form.problem().map(|problem| crate::words::Words::new(crate::words::Language::En).say(&problem));
+        assert_eq!(said.as_deref(), Some("Offset of the ball Y: a length is missing"));
+        form.set(BenchField::OffsetX, String::new());
         form.set(BenchField::Ovality, "2 µm".to_owned());
         let Surface::Round(round, _) = form.bench().unwrap().surface else { panic!("no bore") };
         assert!((round.ovality.amplitude - 0.002).abs() < 1e-12);

@@ -174,6 +174,45 @@ impl BenchField {
         }
     }
 
+    /// The id of its name in the locale files.
+    pub const fn name_id(self) -> &'static str {
+        match self {
+            Self::CentreX => "cycles-bench-centre-1",
+            Self::CentreY => "cycles-bench-centre-2",
+            Self::Diameter => "true-diameter",
+            Self::Ovality => "ovality",
+            Self::OvalityAngle => "cycles-bench-ovality-angle",
+            Self::LobeCount => "lobes",
+            Self::LobeHeight => "lobe-height",
+            Self::LobeAngle => "cycles-bench-lobe-angle",
+            Self::PointX => "cycles-bench-point-x",
+            Self::PointY => "cycles-bench-point-y",
+            Self::PointZ => "cycles-bench-point-z",
+            Self::NormalX => "cycles-bench-normal-x",
+            Self::NormalY => "cycles-bench-normal-y",
+            Self::NormalZ => "cycles-bench-normal-z",
+            Self::WaveHeight => "cycles-bench-wave-height",
+            Self::WaveLength => "cycles-bench-wave-length",
+            Self::WaveX => "cycles-bench-wave-x",
+            Self::WaveY => "cycles-bench-wave-y",
+            Self::WaveZ => "cycles-bench-wave-z",
+            Self::Deviation => "cycles-bench-deviation",
+            Self::Radius => "cycles-bench-radius",
+            Self::SurfaceScatter => "surface-scatter",
+            Self::BallRadius => "cycles-bench-ball",
+            Self::TriggerScatter => "cycles-bench-trigger",
+            Self::CalibrationError => "cycles-bench-calibration",
+            Self::OffsetX => "cycles-bench-offset-x",
+            Self::OffsetY => "cycles-bench-offset-y",
+            Self::LobingCount => "cycles-bench-lobing-count",
+            Self::LobingHeight => "cycles-bench-lobing",
+            Self::LobingAngle => "cycles-bench-lobing-angle",
+            Self::Seed => "seed",
+            Self::Temperature => "cycles-bench-temperature",
+            Self::Expansion => "cycles-bench-expansion",
+        }
+    }
+
     /// The field of a figure that the simulated machine refuses by this name.
     pub(super) fn named(error: &WorkpieceError, kind: BenchKind) -> Self {
         match error.what {

@@ -146,7 +146,7 @@ impl Session {
     /// The simulated machine as a file's bytes.
     pub(in crate::session) fn bench_bytes(&self) -> Result<Vec<u8>, Message> {
         let form = self.cycles.bench();
-        let wrong = || form.problem().cloned().unwrap_or_else(|| Message::new("cycles-no-bench"));
+        let wrong = || form.problem().unwrap_or_else(|| Message::new("cycles-no-bench"));
         let bench = form.bench().ok_or_else(wrong)?;
         let refused = |error: toml::ser::Error| Message::new("cycles-not-written").text("reason", error);
         bench.write().map(String::into_bytes).map_err(refused)

@@ -135,7 +135,7 @@ impl CyclesPage {
             ContactsFrom::Perfect => Ok((Source::Perfect, Message::new("cycles-from-perfect"))),
             ContactsFrom::Simulated => {
                 let bench = self.bench.bench().ok_or_else(|| {
-                    let problem = self.bench.problem().cloned().unwrap_or_else(|| Message::new("cycles-no-bench"));
+                    let problem = self.bench.problem().unwrap_or_else(|| Message::new("cycles-no-bench"));
                     Message::new("cycles-bench-wrong").message("problem", problem)
                 })?;
                 let said = Message::new("cycles-from-simulated").text("seed", bench.seed);
