@@ -70,6 +70,86 @@ fn every_reference_set_is_met_by_every_criterion() {
     }
 }
 
+/// Centres and sizes by every criterion: least squares, circumscribed, inscribed, zone; then form and uncertainties.
+fn answers(contacts: &[Contact]) -> (Vec<[f64; 2]>, Vec<f64>) {
+    let found = evaluate(contacts).unwrap();
+    let circles = [Some(found.least_squares), Some(found.minimum_circumscribed), found.maximum_inscribed];
+    let zone = found.minimum_zone.unwrap();
+    let centres = circles.into_iter().flatten().map(|circle| [circle.x, circle.y]).chain([[zone.x, zone.y]]);
+    let sizes = circles.into_iter().flatten().map(|circle| circle.diameter);
+    let more =
+        [zone.width, zone.outer_diameter, zone.inner_diameter, found.form(), found.residual_rms(), found.arc_deg];
+    let two_point = found.two_point.iter().map(|size| size.size);
+    let uncertainty = [found.uncertainty.diameter, found.uncertainty.centre_along, found.uncertainty.centre_across];
+    (centres.collect(), sizes.chain(more).chain(two_point).chain(uncertainty).collect())
+}
+
+#[test]
+fn every_reference_set_a_thousand_metres_away_has_the_same_answers_by_every_criterion() {
+    // 2^20 mm, with contacts on a grid of 2^-32 mm: both places hold them without rounding, so nothing may be lost.
+    let (far, grid) = (1_048_576.0, 4_294_967_296.0_f64);
+    let mut worst = 0.0_f64;
+    for (id, contacts, _) in sets() {
+        let on_grid = |mm: f64| (mm * grid).round() / grid;
+        let near: Vec<_> = contacts.iter().map(|at| contact([on_grid(at.x), on_grid(at.y)])).collect();
+        let (centres, sizes) = answers(&near);
+        for [x, y] in [[far, far], [-far, far], [-far, -far]] {
+            let moved: Vec<_> = near.iter().map(|at| contact([at.x + x, at.y + y])).collect();
+            assert!(
+                moved.iter().zip(&near).all(|(moved, near)| { moved.x - x == near.x && moved.y - y == near.y }),
+                "{id} is rounded"
+            );
+            let (moved_centres, moved_sizes) = answers(&moved);
+            assert_eq!((moved_centres.len(), moved_sizes.len()), (centres.len(), sizes.len()), "{id}");
+            for (moved, near) in moved_centres.iter().zip(&centres) {
+                // A centre there is rounded to 2^-33.
+                let error = (moved[0] - x - near[0]).abs().max((moved[1] - y - near[1]).abs());
+                worst = worst.max(error);
+                assert!(error <= 3e-10, "{id}: centre off by {error:e}");
+            }
+            for (moved, near) in moved_sizes.iter().zip(&sizes) {
+                let error = (moved - near).abs() / near.abs().max(1.0);
+                worst = worst.max(error);
+                assert!(error <= 1e-12, "{id}: {near} became {moved}");
+            }
+        }
+    }
+    assert!(worst <= 3e-10, "{worst:e}");
+}
+
+#[test]
+fn uncertainties_are_those_of_a_computation_with_sixty_digits() {
+    // u(D)/s, against 3 x 120, u(centre)/s along and across: (JᵀJ)⁻¹ inverted in decimals, sines by their series.
+    for (count, step, [diameter, against, along, across]) in [
+        (3, 120.0, [1.154_700_538_379, 1.000_000_000_000, 0.816_496_580_928, 0.816_496_580_928]),
+        (3, 90.0, [1.414_213_562_373, 1.224_744_871_392, 1.224_744_871_392, 0.707_106_781_187]),
+        (3, 75.0, [2.031_853_583_392, 1.759_636_819_988, 1.652_423_559_050, 0.732_050_807_569]),
+        (3, 60.0, [3.464_101_615_138, 3.000_000_000_000, 2.449_489_742_783, 0.816_496_580_928]),
+        (3, 45.0, [6.828_427_124_746, 5.913_591_357_921, 4.181_540_550_352, 1.000_000_000_000]),
+        (3, 30.0, [16.690_238_602_414, 14.454_170_624_914, 9.141_620_172_686, 1.414_213_562_373]),
+        (3, 20.0, [39.000_854_196_781, 33.775_730_503_706, 20.308_374_984_158, 2.067_441_918_218]),
+        (3, 15.0, [70.263_484_341_022, 60.849_962_397_736, 35.943_494_383_216, 2.732_050_807_569]),
+        (3, 10.0, [159.604_064_374_417, 138.221_174_295_492, 80.616_440_239_272, 4.072_065_659_928]),
+        (4, 90.0, [1.000_000_000_000, 0.866_025_403_784, 0.707_106_781_187, 0.707_106_781_187]),
+        (4, 60.0, [1.414_213_562_373, 1.224_744_871_392, 1.154_700_538_379, 0.632_455_532_034]),
+        (4, 45.0, [2.613_125_929_753, 2.263_033_438_454, 1.847_759_065_023, 0.707_106_781_187]),
+        (4, 30.0, [6.540_994_549_060, 5.664_667_445_501, 3.863_703_305_156, 0.939_070_801_588]),
+        (4, 20.0, [15.613_774_651_055, 13.521_925_496_779, 8.418_759_239_072, 1.335_939_616_941]),
+        (5, 72.0, [0.894_427_191_000, 0.774_596_669_241, 0.632_455_532_034, 0.632_455_532_034]),
+        (6, 60.0, [0.816_496_580_928, 0.707_106_781_187, 0.577_350_269_190, 0.577_350_269_190]),
+        (8, 45.0, [0.707_106_781_187, 0.612_372_435_696, 0.500_000_000_000, 0.500_000_000_000]),
+        (8, 22.5, [1.671_628_314_059, 1.447_672_585_661, 1.182_019_716_495, 0.500_000_000_000]),
+        (12, 30.0, [0.577_350_269_190, 0.500_000_000_000, 0.408_248_290_464, 0.408_248_290_464]),
+    ] {
+        let contacts = on_circle([30.0, -70.0], 12.5, &evenly(17.0, step, count));
+        let found = evaluate(&contacts).unwrap().uncertainty;
+        let all = [found.diameter, found.against_three_by_120(), found.centre_along, found.centre_across];
+        for (found, exact) in all.into_iter().zip([diameter, against, along, across]) {
+            assert!((found / exact - 1.0_f64).abs() < 1e-11, "{count} x {step}: {found} instead of {exact}");
+        }
+    }
+}
+
 fn on_circle(centre: [f64; 2], radius: f64, angles_deg: &[f64]) -> Vec<Contact> {
     let [x, y] = centre;
     let place = |angle: &f64| {
