@@ -125,7 +125,12 @@ fn is_reference(text: &str) -> bool {
 pub fn read(text: &str) -> Result<ProbeBlock, ProbeBlockError> {
     let mut reader = Reader::default();
     for (number, line) in lines(text) {
-        for segment in segments(line).map_err(|fault| fault.at(number))? {
+        let (segments, is_closed) = segments(line);
+        // Any other block of a program may hold what it likes.
+        if !is_closed && reader.state == State::Promised {
+            return Err(ProbeBlockFault::UnclosedQuote.at(number));
+        }
+        for segment in segments {
             reader.take(&segment, number)?;
         }
         reader.last = number;
@@ -142,8 +147,8 @@ struct Segment<'a> {
     goes_on: bool,
 }
 
-/// A line cut at every `~` outside quotation marks; a blank rest is none.
-fn segments(line: &str) -> Result<Vec<Segment<'_>>, ProbeBlockFault> {
+/// A line cut at every `~` outside quotation marks, a blank rest is none; and whether every mark has its partner.
+fn segments(line: &str) -> (Vec<Segment<'_>>, bool) {
     let mut found = Vec::new();
     let (mut start, mut comment, mut quoted) = (0, None, false);
     let segment = |start: usize, end: usize, comment: Option<usize>, goes_on: bool| {
@@ -165,7 +170,7 @@ fn segments(line: &str) -> Result<Vec<Segment<'_>>, ProbeBlockFault> {
     if !rest.code.is_empty() || rest.has_comment {
         found.push(rest);
     }
-    if quoted { Err(ProbeBlockFault::UnclosedQuote) } else { Ok(found) }
+    (found, !quoted)
 }
 
 /// Where the reader is.

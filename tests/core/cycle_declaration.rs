@@ -73,8 +73,10 @@ fn bounds(range: Range) -> (Vec<Value>, Vec<Value>) {
             (["", "-"].map(|sign| [turned(most, sign, 0), turned(smallest, sign, 0)]).concat(), outside)
         }
         Range::OneOf(allowed) => {
-            let outside = [allowed.iter().min().unwrap() - 1, allowed.iter().max().unwrap() + 1];
-            (allowed.iter().copied().map(Value::Whole).collect(), outside.map(Value::Whole).to_vec())
+            // Everything beside the choices that is near them, and what no number can hold.
+            let near = allowed.iter().min().unwrap() - 1..=allowed.iter().max().unwrap() + 1;
+            let outside = near.filter(|whole| !allowed.contains(whole)).chain([i64::MIN, i64::MAX]);
+            (allowed.iter().copied().map(Value::Whole).collect(), outside.map(Value::Whole).collect())
         }
         Range::Number { most } => {
             let most = f64::from(most);
@@ -111,6 +113,135 @@ fn every_parameter_is_accepted_on_its_bounds_and_refused_one_step_outside() {
                 refused(cycle, parameter, &value);
             }
         }
+    }
+}
+
+/// A value as people type it.
+fn typed(value: &Value) -> String {
+    match value {
+        Value::Text(name) => name.clone(),
+        value => value.to_string().trim_end_matches('°').to_owned(),
+    }
+}
+
+#[test]
+fn every_parameter_is_accepted_and_refused_alike_when_it_is_typed() {
+    for cycle in CYCLES {
+        for parameter in cycle.parameters {
+            let (inside, outside) = bounds(parameter.range);
+            for value in inside {
+                for text in [typed(&value), format!("  {}\t", typed(&value)), typed(&value).replace('.', ",")] {
+                    let said = parameter.accept(&text);
+                    assert_eq!(said.as_ref().ok(), Some(&value), "{} = {text:?}: {said:?}", parameter.key);
+                }
+            }
+            // Typed, NaN is the name of a tool.
+            let is_name = |value: &Value| parameter.range == Range::Tool && typed(value) == "NaN";
+            for value in outside.into_iter().filter(|value| !is_name(value)) {
+                let text = typed(&value);
+                let said = parameter.accept(&text).unwrap_err();
+                let begins = format!("{} {}", parameter.key, parameter.name);
+                assert!(said.to_string().starts_with(&begins), "{text}: {said}");
+                // What can be read at all is refused for its range, with the range in the sentence.
+                let is_number = text.parse::<f64>().is_ok_and(f64::is_finite);
+                if is_number {
+                    assert_eq!(
+                        said,
+                        CycleError::OutOfRange {
+                            key: parameter.key,
+                            name: parameter.name,
+                            given: value.with_unit(),
+                            range: parameter.range,
+                        }
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_ranges_are_those_of_the_seeds_and_manuals() {
+    let coordinate = "-99999.9999 … 99999.9999";
+    let size = "0 … 99999.9999";
+    let tool = "0 … 99999.9, or at most 255 characters";
+    let shared_421 = |maximum, minimum| {
+        vec![
+            ("Q273", coordinate, false),
+            ("Q274", coordinate, false),
+            ("Q262", size, false),
+            ("Q325", "-360 … 360", false),
+            ("Q247", "±5 … ±120", false),
+            ("Q261", coordinate, false),
+            ("Q320", size, true),
+            ("Q260", coordinate, true),
+            ("Q301", "0, 1", true),
+            (maximum, size, false),
+            (minimum, size, false),
+            ("Q279", size, false),
+            ("Q280", size, false),
+            ("Q281", "0, 1, 2", false),
+            ("Q309", "0, 1", false),
+            ("Q330", tool, false),
+            ("Q423", "3, 4", false),
+            ("Q365", "0, 1", false),
+            ("Q498", "0, 1", false),
+            ("Q531", "-180 … 180", false),
+        ]
+    };
+    // Seed 004 line by line.
+    let of_427 = vec![
+        ("Q263", coordinate, false),
+        ("Q264", coordinate, false),
+        ("Q261", coordinate, false),
+        ("Q320", size, true),
+        ("Q272", "1, 2, 3", false),
+        ("Q267", "-1, 1", false),
+        ("Q260", coordinate, true),
+        ("Q281", "0, 1, 2", false),
+        ("Q288", coordinate, false),
+        ("Q289", coordinate, false),
+        ("Q309", "0, 1", false),
+        ("Q330", tool, false),
+        ("Q498", "0, 1", false),
+        ("Q531", "-180 … 180", false),
+    ];
+    let of_444 = vec![
+        ("Q263", coordinate, false),
+        ("Q264", coordinate, false),
+        ("Q294", coordinate, false),
+        ("Q581", "-10 … 10", false),
+        ("Q582", "-10 … 10", false),
+        ("Q583", "-10 … 10", false),
+        ("Q320", size, true),
+        ("Q260", coordinate, true),
+        ("QS400", "0.4-0.1, 0.4, -0.1 or nothing", false),
+        ("Q309", "0, 1, 2", false),
+        ("MB", size, false),
+    ];
+    // Seed 003 gives no ranges but those of the choices.
+    let of_785 = vec![
+        ("R", "0, 1, 2", false),
+        ("BR", "0, 1", false),
+        ("K", coordinate, false),
+        ("C", "-360 … 360", false),
+        ("RC", "-360 … 360", false),
+        ("D", size, false),
+        ("WB", coordinate, false),
+        ("I", coordinate, false),
+        ("J", coordinate, false),
+        ("WE", size, false),
+        ("Q", coordinate, false),
+        ("P", coordinate, false),
+        ("H", coordinate, false),
+    ];
+    let expected = [shared_421("Q275", "Q276"), shared_421("Q277", "Q278"), of_427, of_444, of_785];
+    for (cycle, expected) in CYCLES.iter().zip(expected) {
+        let declared: Vec<_> =
+            cycle.parameters.iter().map(|p| (p.key.to_string(), p.range.short(), p.may_be_predef)).collect();
+        let expected: Vec<_> =
+            expected.into_iter().map(|(key, range, predef)| (key.to_owned(), range.to_owned(), predef)).collect();
+        assert_eq!(declared, expected, "{}", cycle.code);
     }
 }
 
@@ -154,7 +285,8 @@ fn a_text_that_is_no_value_is_refused_with_the_parameter_named() {
             assert!(said.starts_with(&format!("{} {}: ", parameter.key, parameter.name)), "{said}");
         }
         let error = cycle.set(Inputs::new(), "Q999", "1").unwrap_err().to_string();
-        assert_eq!(error, format!("cycle {} has no parameter Q999", cycle.code));
+        let known: Vec<_> = cycle.parameters.iter().map(|parameter| parameter.key.to_string()).collect();
+        assert_eq!(error, format!("cycle {} has no parameter Q999: it has {}", cycle.code, known.join(", ")));
     }
 }
 
@@ -225,8 +357,8 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         CycleError::NoDiameter { key, name },
         CycleError::NoPath { key, name },
         CycleError::NoNormal { first: key, second: key, third: key },
-        CycleError::NoSuchParameter { cycle: "427", parameter: "Q1".to_owned() },
-        CycleError::LimitsSwapped { minimum: mm("2"), maximum: mm("1") },
+        CycleError::NoSuchParameter { cycle: "427", parameter: "Q1".to_owned(), known: "Q263".to_owned() },
+        CycleError::LimitsSwapped { minimum_key: key, minimum: mm("2"), maximum_key: key, maximum: mm("1") },
         CycleError::Apart { contact: 2, difference: mm("0.1"), key, most: mm("0.01") },
         CycleError::TooLarge(far.clone()),
         CycleError::TooFar(far),
