@@ -2,7 +2,7 @@
 
 use fitcheck::length::Length;
 use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Remark, Unset, Value};
-use fitcheck::probing::cycles::{CYCLES, cycle};
+use fitcheck::probing::cycles::{CYCLES, cycle, cycle_named};
 use fitcheck::probing::simulated::{Bench, Machine, Probe, Workpiece};
 use fitcheck::probing::{Contact, Recorded};
 use fitcheck::tolerance::{Deviations, Feature};
@@ -160,83 +160,100 @@ fn every_parameter_is_accepted_and_refused_alike_when_it_is_typed() {
     }
 }
 
-#[test]
-fn the_ranges_are_those_of_the_seeds_and_manuals() {
-    let coordinate = "-99999.9999 … 99999.9999";
-    let size = "0 … 99999.9999";
-    let tool = "0 … 99999.9, or at most 255 characters";
-    let shared_421 = |maximum, minimum| {
-        vec![
-            ("Q273", coordinate, false),
-            ("Q274", coordinate, false),
-            ("Q262", size, false),
-            ("Q325", "-360 … 360", false),
-            ("Q247", "±5 … ±120", false),
-            ("Q261", coordinate, false),
-            ("Q320", size, true),
-            ("Q260", coordinate, true),
-            ("Q301", "0, 1", true),
-            (maximum, size, false),
-            (minimum, size, false),
-            ("Q279", size, false),
-            ("Q280", size, false),
-            ("Q281", "0, 1, 2", false),
-            ("Q309", "0, 1", false),
-            ("Q330", tool, false),
-            ("Q423", "3, 4", false),
-            ("Q365", "0, 1", false),
-            ("Q498", "0, 1", false),
-            ("Q531", "-180 … 180", false),
-        ]
-    };
-    // Seed 004 line by line.
-    let of_427 = vec![
-        ("Q263", coordinate, false),
-        ("Q264", coordinate, false),
-        ("Q261", coordinate, false),
-        ("Q320", size, true),
-        ("Q272", "1, 2, 3", false),
-        ("Q267", "-1, 1", false),
-        ("Q260", coordinate, true),
+const COORDINATE: &str = "-99999.9999 … 99999.9999";
+const SIZE: &str = "0 … 99999.9999";
+const TOOL: &str = "0 … 99999.9, or at most 255 characters";
+
+/// Name, range, and whether PREDEF is allowed.
+type Documented = (&'static str, &'static str, bool);
+
+/// 421 and 422: manuals of the TNC 320 and TNC7.
+fn round_ranges(maximum: &'static str, minimum: &'static str) -> Vec<Documented> {
+    vec![
+        ("Q273", COORDINATE, false),
+        ("Q274", COORDINATE, false),
+        ("Q262", SIZE, false),
+        ("Q325", "-360 … 360", false),
+        ("Q247", "±5 … ±120", false),
+        ("Q261", COORDINATE, false),
+        ("Q320", SIZE, true),
+        ("Q260", COORDINATE, true),
+        ("Q301", "0, 1", true),
+        (maximum, SIZE, false),
+        (minimum, SIZE, false),
+        ("Q279", SIZE, false),
+        ("Q280", SIZE, false),
         ("Q281", "0, 1, 2", false),
-        ("Q288", coordinate, false),
-        ("Q289", coordinate, false),
         ("Q309", "0, 1", false),
-        ("Q330", tool, false),
+        ("Q330", TOOL, false),
+        ("Q423", "3, 4", false),
+        ("Q365", "0, 1", false),
         ("Q498", "0, 1", false),
         ("Q531", "-180 … 180", false),
+    ]
+}
+
+/// Seed 004 line by line.
+const OF_427: &[Documented] = &[
+    ("Q263", COORDINATE, false),
+    ("Q264", COORDINATE, false),
+    ("Q261", COORDINATE, false),
+    ("Q320", SIZE, true),
+    ("Q272", "1, 2, 3", false),
+    ("Q267", "-1, 1", false),
+    ("Q260", COORDINATE, true),
+    ("Q281", "0, 1, 2", false),
+    ("Q288", COORDINATE, false),
+    ("Q289", COORDINATE, false),
+    ("Q309", "0, 1", false),
+    ("Q330", TOOL, false),
+    ("Q498", "0, 1", false),
+    ("Q531", "-180 … 180", false),
+];
+
+/// Seed 001 and the manual of the TNC 320; those of the normal, QS400 and MB are general knowledge.
+const OF_444: &[Documented] = &[
+    ("Q263", COORDINATE, false),
+    ("Q264", COORDINATE, false),
+    ("Q294", COORDINATE, false),
+    ("Q581", "-10 … 10", false),
+    ("Q582", "-10 … 10", false),
+    ("Q583", "-10 … 10", false),
+    ("Q320", SIZE, true),
+    ("Q260", COORDINATE, true),
+    ("QS400", "0.4-0.1, 0.4, -0.1 or nothing", false),
+    ("Q309", "0, 1, 2", false),
+    ("MB", SIZE, false),
+];
+
+/// Seed 003 gives no ranges but those of the choices.
+const OF_785: &[Documented] = &[
+    ("R", "0, 1, 2", false),
+    ("BR", "0, 1", false),
+    ("K", COORDINATE, false),
+    ("C", "-360 … 360", false),
+    ("RC", "-360 … 360", false),
+    ("D", SIZE, false),
+    ("WB", COORDINATE, false),
+    ("I", COORDINATE, false),
+    ("J", COORDINATE, false),
+    ("WE", SIZE, false),
+    ("Q", COORDINATE, false),
+    ("P", COORDINATE, false),
+    ("H", COORDINATE, false),
+];
+
+#[test]
+fn the_ranges_are_those_of_the_seeds_and_manuals() {
+    let documented = [
+        ("421", round_ranges("Q275", "Q276")),
+        ("422", round_ranges("Q277", "Q278")),
+        ("427", OF_427.to_vec()),
+        ("444", OF_444.to_vec()),
+        ("G785", OF_785.to_vec()),
     ];
-    let of_444 = vec![
-        ("Q263", coordinate, false),
-        ("Q264", coordinate, false),
-        ("Q294", coordinate, false),
-        ("Q581", "-10 … 10", false),
-        ("Q582", "-10 … 10", false),
-        ("Q583", "-10 … 10", false),
-        ("Q320", size, true),
-        ("Q260", coordinate, true),
-        ("QS400", "0.4-0.1, 0.4, -0.1 or nothing", false),
-        ("Q309", "0, 1, 2", false),
-        ("MB", size, false),
-    ];
-    // Seed 003 gives no ranges but those of the choices.
-    let of_785 = vec![
-        ("R", "0, 1, 2", false),
-        ("BR", "0, 1", false),
-        ("K", coordinate, false),
-        ("C", "-360 … 360", false),
-        ("RC", "-360 … 360", false),
-        ("D", size, false),
-        ("WB", coordinate, false),
-        ("I", coordinate, false),
-        ("J", coordinate, false),
-        ("WE", size, false),
-        ("Q", coordinate, false),
-        ("P", coordinate, false),
-        ("H", coordinate, false),
-    ];
-    let expected = [shared_421("Q275", "Q276"), shared_421("Q277", "Q278"), of_427, of_444, of_785];
-    for (cycle, expected) in CYCLES.iter().zip(expected) {
+    for (code, expected) in documented {
+        let cycle = cycle_named(code).unwrap();
         let declared: Vec<_> =
             cycle.parameters.iter().map(|p| (p.key.to_string(), p.range.short(), p.may_be_predef)).collect();
         let expected: Vec<_> =
@@ -331,6 +348,10 @@ fn what_has_no_effect_is_kept_and_said() {
         // What must be given is enough, and the workpiece at nominal is good.
         let plain = run(&required);
         assert!(plain.stop.is_none() && matches!(plain.status, None | Some(Status::Good)), "{}", cycle.code);
+        for found in &plain.results {
+            assert_eq!(Words::new(Language::En).told(&found.name), found.name.to_string());
+            assert_ne!(Words::new(Language::Nl).told(&found.name), found.name.message().id);
+        }
         for parameter in cycle.parameters.iter().filter(|parameter| !parameter.has_effect) {
             let given = run(&required.clone().with(parameter.key, usual(parameter)));
             assert!(given.remarks.contains(&Remark::WithoutEffect { key: parameter.key }), "{}", parameter.key);

@@ -172,7 +172,7 @@ proptest! {
             let cycle = cycle_named("427").unwrap();
             let inputs = [263, 264, 261].into_iter().zip(nominal)
                 .fold(Inputs::new(), |inputs, (key, part)| inputs.with(key, length(part)))
-                .with(272, Value::Whole(axis as i64 + 1))
+                .with(272, Value::Whole(i64::try_from(axis).unwrap() + 1))
                 .with(267, Value::Whole(direction));
             let mut normal = [0.0; 3];
             normal[axis] = if direction < 0 { 1.0 } else { -1.0 };

@@ -83,7 +83,7 @@ fn the_example_of_seed_003_is_read_and_written_again() {
     let block = read(SEED_003).unwrap();
     let inputs = block.put_into(Inputs::new()).unwrap();
     let written = write(block.cycle, &inputs, Language::De).unwrap();
-    assert_eq!(written, format!("{}\r\n", &SEED_003[3..]));
+    assert_eq!(written, format!("{}\r\n", SEED_003.trim_start_matches("N3 ")));
 }
 
 #[test]
@@ -122,8 +122,10 @@ fn what_is_wrong_with_a_block_is_named_with_its_line() {
         "L X+5 R0 FMAX\nG1 X5",
         "line 1: no probing cycle here: a block begins with TCH PROBE and a number, or with G785",
     );
-    check("\nTCH PROBE 412 DATUM ~\nQ1=2", "line 2: TCH PROBE 412: the cycles are 421, 422, 427, 444");
-    check("TCH PROBE\n", "line 1: TCH PROBE : the cycles are 421, 422, 427, 444");
+    let known: Vec<_> = CYCLES.iter().map(|cycle| cycle.code).filter(|code| !code.starts_with('G')).collect();
+    let known = format!("the cycles are {}", known.join(", "));
+    check("\nTCH PROBE 412 DATUM ~\nQ1=2", &format!("line 2: TCH PROBE 412: {known}"));
+    check("TCH PROBE\n", &format!("line 1: TCH PROBE : {known}"));
     check(
         "TCH PROBE 427 ~\nQ263=+1\n\nTCH PROBE 427 ~\nQ263=+2",
         "line 4: a second probing cycle: one at a time, the first begins on line 1",
