@@ -63,7 +63,7 @@ pub fn measure(
         .with(minimum, Value::Length(limits.minimum()))
         .with(279, Value::Length(position.centre_tolerance))
         .with(280, Value::Length(position.centre_tolerance));
-    let unknown = || CycleError::NoSuchParameter { cycle: "", parameter: number.to_string() };
+    let unknown = || CycleError::NoSuchParameter { cycle: "", parameter: number.to_string(), known: String::new() };
     let result = cycle(number).ok_or_else(unknown)?.measure(&inputs, prober)?;
     // Both cycles measure a circle.
     let found = result.circle.ok_or(CircleError::TooFew { contacts: 0 })?;

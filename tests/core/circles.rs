@@ -70,6 +70,85 @@ fn every_reference_set_is_met_by_every_criterion() {
     }
 }
 
+/// Centres and sizes by every criterion: least squares, circumscribed, inscribed, zone; then form and uncertainties.
+fn answers(contacts: &[Contact]) -> (Vec<[f64; 2]>, Vec<f64>) {
+    let found = evaluate(contacts).unwrap();
+    let circles = [Some(found.least_squares), Some(found.minimum_circumscribed), found.maximum_inscribed];
+    let zone = found.minimum_zone.unwrap();
+    let centres = circles.into_iter().flatten().map(|circle| [circle.x, circle.y]).chain([[zone.x, zone.y]]);
+    let sizes = circles.into_iter().flatten().map(|circle| circle.diameter);
+    let more =
+        [zone.width, zone.outer_diameter, zone.inner_diameter, found.form(), found.residual_rms(), found.arc_deg];
+    let two_point = found.two_point.iter().map(|size| size.size);
+    let uncertainty = [found.uncertainty.diameter, found.uncertainty.centre_along, found.uncertainty.centre_across];
+    (centres.collect(), sizes.chain(more).chain(two_point).chain(uncertainty).collect())
+}
+
+#[test]
+fn every_reference_set_a_thousand_metres_away_has_the_same_answers_by_every_criterion() {
+    // 2^20 mm, with contacts on a grid of 2^-32 mm: both places hold them without rounding, so nothing may be lost.
+    let (far, grid) = (1_048_576.0, 4_294_967_296.0_f64);
+    let mut worst = 0.0_f64;
+    for (id, contacts, _) in sets() {
+        let on_grid = |mm: f64| (mm * grid).round() / grid;
+        let near: Vec<_> = contacts.iter().map(|at| contact([on_grid(at.x), on_grid(at.y)])).collect();
+        let (centres, sizes) = answers(&near);
+        for [x, y] in [[far, far], [-far, far], [-far, -far]] {
+            let moved: Vec<_> = near.iter().map(|at| contact([at.x + x, at.y + y])).collect();
+            let back: Vec<_> = moved.iter().map(|at| contact([at.x - x, at.y - y])).collect();
+            assert_eq!(back, near, "{id} is rounded");
+            let (moved_centres, moved_sizes) = answers(&moved);
+            assert_eq!((moved_centres.len(), moved_sizes.len()), (centres.len(), sizes.len()), "{id}");
+            for (moved, near) in moved_centres.iter().zip(&centres) {
+                // A centre there is rounded to 2^-33.
+                let error = (moved[0] - x - near[0]).abs().max((moved[1] - y - near[1]).abs());
+                worst = worst.max(error);
+                assert!(error <= 3e-10, "{id}: centre off by {error:e}");
+            }
+            for (moved, near) in moved_sizes.iter().zip(&sizes) {
+                let error = (moved - near).abs() / near.abs().max(1.0);
+                worst = worst.max(error);
+                assert!(error <= 1e-12, "{id}: {near} became {moved}");
+            }
+        }
+    }
+    assert!(worst <= 3e-10, "{worst:e}");
+}
+
+#[test]
+fn uncertainties_are_those_of_a_computation_with_sixty_digits() {
+    // u(D)/s, against 3 x 120, u(centre)/s along and across: (JᵀJ)⁻¹ inverted in decimals, sines by their series.
+    for (count, step, exact) in [
+        (3, 120.0, "1.154700538379 1.000000000000 0.816496580928 0.816496580928"),
+        (3, 90.0, "1.414213562373 1.224744871392 1.224744871392 0.707106781187"),
+        (3, 75.0, "2.031853583392 1.759636819988 1.652423559050 0.732050807569"),
+        (3, 60.0, "3.464101615138 3.000000000000 2.449489742783 0.816496580928"),
+        (3, 45.0, "6.828427124746 5.913591357921 4.181540550352 1.000000000000"),
+        (3, 30.0, "16.690238602414 14.454170624914 9.141620172686 1.414213562373"),
+        (3, 20.0, "39.000854196781 33.775730503706 20.308374984158 2.067441918218"),
+        (3, 15.0, "70.263484341022 60.849962397736 35.943494383216 2.732050807569"),
+        (3, 10.0, "159.604064374417 138.221174295492 80.616440239272 4.072065659928"),
+        (4, 90.0, "1.000000000000 0.866025403784 0.707106781187 0.707106781187"),
+        (4, 60.0, "1.414213562373 1.224744871392 1.154700538379 0.632455532034"),
+        (4, 45.0, "2.613125929753 2.263033438454 1.847759065023 0.707106781187"),
+        (4, 30.0, "6.540994549060 5.664667445501 3.863703305156 0.939070801588"),
+        (4, 20.0, "15.613774651055 13.521925496779 8.418759239072 1.335939616941"),
+        (5, 72.0, "0.894427191000 0.774596669241 0.632455532034 0.632455532034"),
+        (6, 60.0, "0.816496580928 0.707106781187 0.577350269190 0.577350269190"),
+        (8, 45.0, "0.707106781187 0.612372435696 0.500000000000 0.500000000000"),
+        (8, 22.5, "1.671628314059 1.447672585661 1.182019716495 0.500000000000"),
+        (12, 30.0, "0.577350269190 0.500000000000 0.408248290464 0.408248290464"),
+    ] {
+        let contacts = on_circle([30.0, -70.0], 12.5, &evenly(17.0, step, count));
+        let found = evaluate(&contacts).unwrap().uncertainty;
+        let all = [found.diameter, found.against_three_by_120(), found.centre_along, found.centre_across];
+        for (found, exact) in all.into_iter().zip(exact.split(' ')) {
+            let exact: f64 = exact.parse().unwrap();
+            assert!((found / exact - 1.0_f64).abs() < 1e-11, "{count} x {step}: {found} instead of {exact}");
+        }
+    }
+}
+
 fn on_circle(centre: [f64; 2], radius: f64, angles_deg: &[f64]) -> Vec<Contact> {
     let [x, y] = centre;
     let place = |angle: &f64| {

@@ -65,9 +65,11 @@ fn the_block_of_seed_004_runs_typed_or_as_json() {
         .map(|setting| setting.split_once('=').unwrap())
         .map(|(name, number)| (name.to_owned(), number.parse::<f64>().unwrap().into()))
         .collect();
-    // 3.0 is no choice, 3 is.
-    let block = Value::from(block).to_string().replace(".0,", ",").replace(".0}", "}");
-    let (_, given) = json(&["427", "--inputs", "-"], &block);
+    let (_, given) = json(&["427", "--inputs", "-"], &Value::from(block).to_string());
+    assert_eq!(given, typed);
+    // And as a block of an NC program.
+    let lines = BLOCK_427.join(" ;COMMENT ~\n    ");
+    let (_, given) = json(&["427", "--block", "-"], &format!("11 TCH PROBE 427 MISURAZ. COORDINATA ~\n    {lines}"));
     assert_eq!(given, typed);
 }
 
@@ -209,7 +211,8 @@ fn what_cannot_be_used_is_refused_with_its_reason() {
         assert!(said.err.contains(reason), "{args:?}: {}", said.err);
         assert!(said.out.is_empty(), "{args:?}: {}", said.out);
     };
-    refused(&["431"], "", 2, "the cycles are 421, 422, 427, 444, G785");
+    let codes: Vec<_> = fitcheck::probing::cycles::CYCLES.iter().map(|cycle| cycle.code).collect();
+    refused(&["431"], "", 2, &format!("the cycles are {}", codes.join(", ")));
     refused(&["427"], "", 1, "cycle 427: Q263 1ST POINT 1ST AXIS is missing");
     refused(&["427", "--set", "Q999=1"], "", 1, "cycle 427 has no parameter Q999");
     refused(&["427", "--set", "Q263"], "", 1, "Q263: a parameter is given as NAME=VALUE");
@@ -228,9 +231,162 @@ fn what_cannot_be_used_is_refused_with_its_reason() {
 }
 
 #[test]
+fn inputs_that_are_no_object_of_values_are_refused() {
+    let refused = |input: &str, reason: &str| {
+        let said = fitcheck(&["427", "--inputs", "-"], input);
+        assert_eq!((said.code, said.out.as_str()), (Some(1), ""), "{input}");
+        assert!(said.err.contains(reason), "{input}: {}", said.err);
+    };
+    refused("[]", "inputs are a JSON object such as {\"Q263\": 35}: invalid type: sequence, expected an object");
+    refused("{\"Q263\": 1", "inputs are a JSON object such as {\"Q263\": 35}: EOF while parsing");
+    refused("{\"Q263\": 1e999}", "number out of range");
+    // The same name twice, letter by letter.
+    refused("{\"Q263\": 1, \"Q263\": 2}", "Q263 is given twice");
+    refused("{\"Q272\": 3.5}", "Q272 MEASURING AXIS = 3.5: not one of 1, 2, 3");
+    refused("{\"Q263\": \"NaN\"}", "Q263 1ST POINT 1ST AXIS: NaN is not a number");
+    refused("{\"Q999\": 1}", "cycle 427 has no parameter Q999: it has Q263, Q264, Q261, Q320, Q272, Q267, Q260, Q281");
+}
+
+#[test]
+fn a_machine_file_names_what_is_needed_in_a_user_s_words() {
+    let refused = |text: &str, reason: &str| {
+        let said = fitcheck(&["421", "--workpiece", "-", "--set", "Q273=0", "Q274=0", "Q262=25"], text);
+        assert_eq!((said.code, said.out.as_str()), (Some(1), ""), "{text}");
+        assert_eq!(said.err, format!("fitcheck: standard input: {reason}\n"));
+    };
+    let bore = "[bore]\ncentre = [0, 0]\n";
+    refused(&format!("{bore}diameter = \"25\"\n"), "line 3: invalid type: string \"25\", expected a number");
+    refused(&format!("{bore}diameter = 25\ndiameter = 26\n"), "line 4: duplicate key diameter");
+    refused(
+        &format!("seed = -1\n{bore}diameter = 25\n"),
+        "line 1: invalid value: integer `-1`, expected a whole number from 0 to 9223372036854775807",
+    );
+    refused(&format!("{bore}diameter = inf\n"), "line 3: diameter = inf: at least 0.001, at most 100000");
+    refused("[bore]\ncentre = [0]\ndiameter = 25\n", "line 2: invalid length 1, expected an array of length 2");
+}
+
+#[test]
+fn a_normal_of_any_length_but_zero_is_a_direction() {
+    let args = ["444", "--set", "Q263=0", "Q264=0", "Q294=0", "Q581=0", "Q582=0", "Q583=1e-320"];
+    let (code, answer) = json(&args, "");
+    assert_eq!((code, result(&answer, "Q164")), (Some(0), &Value::from(0.0)));
+}
+
+/// A log of cycle 427 in this folder, with these further arguments.
+fn logged(folder: &tempfile::TempDir, more: &[&str]) -> Said {
+    let path = folder.path().display().to_string();
+    let log = ["--log-folder", &path, "--time", "2026-03-14T06:55:04", "--program", "TNC:\\PART1.H"];
+    fitcheck(&[&["427"], &log[..], more, &["--set"], &BLOCK_427].concat(), "")
+}
+
+#[test]
+fn a_log_is_written_beside_others_and_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("TCHPR427.TXT");
+    let said = logged(&folder, &[]);
+    assert_eq!((said.code, said.err), (Some(0), format!("wrote {}\n", path.display())));
+    let one = fitcheck::files::read(&path).unwrap();
+    let text = String::from_utf8(one.clone()).unwrap();
+    assert!(text.starts_with("Measuring log for touch probe cycle 427 Coordinate measuring\r\n"), "{text}");
+    assert!(text.contains("Date: 14-03-2026\r\nTime: 6:55:04\r\nMeasuring program: TNC:\\PART1.H\r\n"), "{text}");
+    assert!(text.contains("Measured coordinate:                                5.0000\r\n"), "{text}");
+    // The second one stands behind the first, in another language.
+    assert_eq!(logged(&folder, &["--language", "de"]).code, Some(0));
+    let two = fitcheck::files::read(&path).unwrap();
+    assert!(two.starts_with(&one) && one.len() < two.len());
+    let import = Command::new(env!("CARGO_BIN_EXE_fitcheck")).arg("import").arg(&path).output().unwrap();
+    let import = String::from_utf8(import.stdout).unwrap();
+    assert!(import.contains("\n2 rows: 2 GOOD\n"), "{import}");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    // Nothing is added to a file that is cut off, and nothing of it is lost.
+    fitcheck::files::write(&path, &one[..100]).unwrap();
+    let said = logged(&folder, &[]);
+    let refused = "fitcheck: log: the file ends within a line: it may be cut off, so nothing is added to it: ";
+    assert_eq!((said.code, said.err), (Some(1), format!("{refused}{}\n", path.display())));
+    assert_eq!(fitcheck::files::read(&path).unwrap(), one[..100]);
+}
+
+#[test]
+fn the_log_of_cycle_444_is_a_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().display().to_string();
+    let args = ["444", "--log-folder", &path, "--language", "nl", "--time", "2026-03-14T06:55", "--set", "Q263=1"];
+    let args = [&args[..], &["Q264=2", "Q294=3", "Q581=0", "Q582=1", "Q583=1", "QS400=0.4-0.1"]].concat();
+    for count in 1..=2 {
+        assert_eq!(fitcheck(&args, "").code, Some(0));
+        let page = fitcheck::files::read(&folder.path().join("TCHPR444.html")).unwrap();
+        let logs = fitcheck::control::log444::read(&page);
+        assert!(logs.len() == count && logs.iter().all(Result::is_ok), "{logs:?}");
+        assert!(String::from_utf8(page).unwrap().contains("GOED"));
+    }
+}
+
+#[test]
+fn q281_says_whether_there_is_a_log_and_where() {
+    let set = |value: &'static str| {
+        let block = BLOCK_427.map(|setting| if setting.starts_with("Q281") { value } else { setting });
+        [&["427", "--time", "2026-03-14T06:55", "--set"][..], &block].concat()
+    };
+    let shown = fitcheck(&set("Q281=2"), "");
+    let log = "\nMeasuring log for touch probe cycle 427 Coordinate measuring\n\nDate: 14-03-2026\nTime: 6:55:00\n";
+    assert!(shown.out.contains(log) && shown.out.ends_with("\nMeasuring log end\n"), "{}", shown.out);
+    let (_, answer) = json(&set("Q281=2"), "");
+    assert!(answer["log_text"].as_str().unwrap().ends_with("Measuring log end\n"));
+    assert_eq!(answer["log"], "screen");
+    let (_, answer) = json(&set("Q281=1"), "");
+    assert_eq!((&answer["log"], &answer["log_text"]), (&Value::from("TCHPR427.TXT"), &Value::Null));
+    assert!(fitcheck(&set("Q281=1"), "").out.contains("\nthe control writes TCHPR427.TXT\n"));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().display().to_string();
+    for (value, why) in [("Q281=0", "Q281 = 0"), ("Q281=2", "Q281 = 2 shows it on screen")] {
+        let said = fitcheck(&[&set(value)[..], &["--log-folder", &path]].concat(), "");
+        assert_eq!((said.code, said.err), (Some(0), format!("warning: no log is written: {why}\n")));
+    }
+    let lathe = fitcheck(&["G785", "--log-folder", &path, "--set", "K=2", "RC=120"], "");
+    assert_eq!(lathe.err, "warning: no log is written: the cycle has none\n");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn a_log_that_says_something_else_than_the_cycle_is_noted() {
+    let folder = tempfile::tempdir().unwrap();
+    let face = file(&folder, "face.toml", "[face]\npoint = [0, 0, 5.100001]\nnormal = [0, 0, 1]\n");
+    let said = logged(&folder, &["--workpiece", &face]);
+    let note = "note: the log's figures, rounded to 0.0001 mm, say GOOD where the cycle said REWORK\n";
+    assert_eq!(said.code, Some(10));
+    assert!(said.out.contains(note), "{}", said.out);
+}
+
+#[test]
+fn a_block_is_printed_and_read_again() {
+    let inputs = [&["427", "--as-block", "--language", "it", "--set"][..], &BLOCK_427].concat();
+    let block = fitcheck(&inputs, "").out;
+    assert!(
+        block.starts_with("TCH PROBE 427 MISURAZ. COORDINATA ~\r\n    Q263=+35   ;1. PUNTO 1. ASSE ~\r\n"),
+        "{block}"
+    );
+    assert_eq!(fitcheck(&["427", "--block", "-", "--as-block", "--language", "it"], &block).out, block);
+    // What the control would refuse is not printed.
+    let said = fitcheck(&["427", "--as-block", "--set", "Q263=1"], "");
+    assert_eq!((said.code, said.out.as_str()), (Some(1), ""));
+    assert_eq!(said.err, "fitcheck: cycle 427: Q264 1ST POINT 2ND AXIS is missing\n");
+    let other = fitcheck(&["421", "--block", "-"], &block);
+    assert_eq!(other.err, "fitcheck: standard input: line 1: this is cycle 427, not 421\n");
+    let program = format!("L Z+50\n{block}L Z+100\n");
+    let said = fitcheck(&["427", "--block", "-", "--set", "Q263=99"], &program);
+    assert_eq!(said.code, Some(0));
+    assert!(said.out.contains("99 mm"), "{}", said.out);
+    let warning =
+        "warning: standard input: line 1: L Z+50 is not part of the probing cycle and was not used, and 1 more\n";
+    assert_eq!(said.err, warning);
+}
+
+#[test]
 fn help_tells_the_keys_of_all_files() {
     let help = fitcheck(&["--help"], "").out;
-    for word in ["surface_scatter", "calibration_error", "--probe-table", "Q263=35", "10 rework"] {
+    for word in
+        ["surface_scatter", "calibration_error", "--probe-table", "Q263=35", "10 rework", "--as-block", "TCHPR444.html"]
+    {
         assert!(help.contains(word), "{word}: {help}");
     }
 }

@@ -2,7 +2,7 @@
 
 use fitcheck::length::Length;
 use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Remark, Unset, Value};
-use fitcheck::probing::cycles::{CYCLES, cycle};
+use fitcheck::probing::cycles::{CYCLES, cycle, cycle_named};
 use fitcheck::probing::simulated::{Bench, Machine, Probe, Workpiece};
 use fitcheck::probing::{Contact, Recorded};
 use fitcheck::tolerance::{Deviations, Feature};
@@ -73,8 +73,10 @@ fn bounds(range: Range) -> (Vec<Value>, Vec<Value>) {
             (["", "-"].map(|sign| [turned(most, sign, 0), turned(smallest, sign, 0)]).concat(), outside)
         }
         Range::OneOf(allowed) => {
-            let outside = [allowed.iter().min().unwrap() - 1, allowed.iter().max().unwrap() + 1];
-            (allowed.iter().copied().map(Value::Whole).collect(), outside.map(Value::Whole).to_vec())
+            // Everything beside the choices that is near them, and what no number can hold.
+            let near = allowed.iter().min().unwrap() - 1..=allowed.iter().max().unwrap() + 1;
+            let outside = near.filter(|whole| !allowed.contains(whole)).chain([i64::MIN, i64::MAX]);
+            (allowed.iter().copied().map(Value::Whole).collect(), outside.map(Value::Whole).collect())
         }
         Range::Number { most } => {
             let most = f64::from(most);
@@ -111,6 +113,152 @@ fn every_parameter_is_accepted_on_its_bounds_and_refused_one_step_outside() {
                 refused(cycle, parameter, &value);
             }
         }
+    }
+}
+
+/// A value as people type it.
+fn typed(value: &Value) -> String {
+    match value {
+        Value::Text(name) => name.clone(),
+        value => value.to_string().trim_end_matches('°').to_owned(),
+    }
+}
+
+#[test]
+fn every_parameter_is_accepted_and_refused_alike_when_it_is_typed() {
+    for cycle in CYCLES {
+        for parameter in cycle.parameters {
+            let (inside, outside) = bounds(parameter.range);
+            for value in inside {
+                for text in [typed(&value), format!("  {}\t", typed(&value)), typed(&value).replace('.', ",")] {
+                    let said = parameter.accept(&text);
+                    assert_eq!(said.as_ref().ok(), Some(&value), "{} = {text:?}: {said:?}", parameter.key);
+                }
+            }
+            // Typed, NaN is the name of a tool.
+            let is_name = |value: &Value| parameter.range == Range::Tool && typed(value) == "NaN";
+            for value in outside.into_iter().filter(|value| !is_name(value)) {
+                let text = typed(&value);
+                let said = parameter.accept(&text).unwrap_err();
+                let begins = format!("{} {}", parameter.key, parameter.name);
+                assert!(said.to_string().starts_with(&begins), "{text}: {said}");
+                // What can be read at all is refused for its range, with the range in the sentence.
+                let is_number = text.parse::<f64>().is_ok_and(f64::is_finite);
+                if is_number {
+                    assert_eq!(
+                        said,
+                        CycleError::OutOfRange {
+                            key: parameter.key,
+                            name: parameter.name,
+                            given: value.with_unit(),
+                            range: parameter.range,
+                        }
+                    );
+                }
+            }
+        }
+    }
+}
+
+const COORDINATE: &str = "-99999.9999 … 99999.9999";
+const SIZE: &str = "0 … 99999.9999";
+const TOOL: &str = "0 … 99999.9, or at most 255 characters";
+
+/// Name, range, and whether PREDEF is allowed.
+type Documented = (&'static str, &'static str, bool);
+
+/// 421 and 422: manuals of the TNC 320 and TNC7.
+fn round_ranges(maximum: &'static str, minimum: &'static str) -> Vec<Documented> {
+    vec![
+        ("Q273", COORDINATE, false),
+        ("Q274", COORDINATE, false),
+        ("Q262", SIZE, false),
+        ("Q325", "-360 … 360", false),
+        ("Q247", "±5 … ±120", false),
+        ("Q261", COORDINATE, false),
+        ("Q320", SIZE, true),
+        ("Q260", COORDINATE, true),
+        ("Q301", "0, 1", true),
+        (maximum, SIZE, false),
+        (minimum, SIZE, false),
+        ("Q279", SIZE, false),
+        ("Q280", SIZE, false),
+        ("Q281", "0, 1, 2", false),
+        ("Q309", "0, 1", false),
+        ("Q330", TOOL, false),
+        ("Q423", "3, 4", false),
+        ("Q365", "0, 1", false),
+        ("Q498", "0, 1", false),
+        ("Q531", "-180 … 180", false),
+    ]
+}
+
+/// Seed 004 line by line.
+const OF_427: &[Documented] = &[
+    ("Q263", COORDINATE, false),
+    ("Q264", COORDINATE, false),
+    ("Q261", COORDINATE, false),
+    ("Q320", SIZE, true),
+    ("Q272", "1, 2, 3", false),
+    ("Q267", "-1, 1", false),
+    ("Q260", COORDINATE, true),
+    ("Q281", "0, 1, 2", false),
+    ("Q288", COORDINATE, false),
+    ("Q289", COORDINATE, false),
+    ("Q309", "0, 1", false),
+    ("Q330", TOOL, false),
+    ("Q498", "0, 1", false),
+    ("Q531", "-180 … 180", false),
+];
+
+/// Seed 001 and the manual of the TNC 320; those of the normal, QS400 and MB are general knowledge.
+const OF_444: &[Documented] = &[
+    ("Q263", COORDINATE, false),
+    ("Q264", COORDINATE, false),
+    ("Q294", COORDINATE, false),
+    ("Q581", "-10 … 10", false),
+    ("Q582", "-10 … 10", false),
+    ("Q583", "-10 … 10", false),
+    ("Q320", SIZE, true),
+    ("Q260", COORDINATE, true),
+    ("QS400", "0.4-0.1, 0.4, -0.1 or nothing", false),
+    ("Q309", "0, 1, 2", false),
+    ("MB", SIZE, false),
+];
+
+/// Seed 003 gives no ranges but those of the choices.
+const OF_785: &[Documented] = &[
+    ("R", "0, 1, 2", false),
+    ("BR", "0, 1", false),
+    ("K", COORDINATE, false),
+    ("C", "-360 … 360", false),
+    ("RC", "-360 … 360", false),
+    ("D", SIZE, false),
+    ("WB", COORDINATE, false),
+    ("I", COORDINATE, false),
+    ("J", COORDINATE, false),
+    ("WE", SIZE, false),
+    ("Q", COORDINATE, false),
+    ("P", COORDINATE, false),
+    ("H", COORDINATE, false),
+];
+
+#[test]
+fn the_ranges_are_those_of_the_seeds_and_manuals() {
+    let documented = [
+        ("421", round_ranges("Q275", "Q276")),
+        ("422", round_ranges("Q277", "Q278")),
+        ("427", OF_427.to_vec()),
+        ("444", OF_444.to_vec()),
+        ("G785", OF_785.to_vec()),
+    ];
+    for (code, expected) in documented {
+        let cycle = cycle_named(code).unwrap();
+        let declared: Vec<_> =
+            cycle.parameters.iter().map(|p| (p.key.to_string(), p.range.short(), p.may_be_predef)).collect();
+        let expected: Vec<_> =
+            expected.into_iter().map(|(key, range, predef)| (key.to_owned(), range.to_owned(), predef)).collect();
+        assert_eq!(declared, expected, "{}", cycle.code);
     }
 }
 
@@ -154,7 +302,8 @@ fn a_text_that_is_no_value_is_refused_with_the_parameter_named() {
             assert!(said.starts_with(&format!("{} {}: ", parameter.key, parameter.name)), "{said}");
         }
         let error = cycle.set(Inputs::new(), "Q999", "1").unwrap_err().to_string();
-        assert_eq!(error, format!("cycle {} has no parameter Q999", cycle.code));
+        let known: Vec<_> = cycle.parameters.iter().map(|parameter| parameter.key.to_string()).collect();
+        assert_eq!(error, format!("cycle {} has no parameter Q999: it has {}", cycle.code, known.join(", ")));
     }
 }
 
@@ -199,6 +348,10 @@ fn what_has_no_effect_is_kept_and_said() {
         // What must be given is enough, and the workpiece at nominal is good.
         let plain = run(&required);
         assert!(plain.stop.is_none() && matches!(plain.status, None | Some(Status::Good)), "{}", cycle.code);
+        for found in &plain.results {
+            assert_eq!(Words::new(Language::En).told(&found.name), found.name.to_string());
+            assert_ne!(Words::new(Language::Nl).told(&found.name), found.name.message().id);
+        }
         for parameter in cycle.parameters.iter().filter(|parameter| !parameter.has_effect) {
             let given = run(&required.clone().with(parameter.key, usual(parameter)));
             assert!(given.remarks.contains(&Remark::WithoutEffect { key: parameter.key }), "{}", parameter.key);
@@ -225,8 +378,8 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         CycleError::NoDiameter { key, name },
         CycleError::NoPath { key, name },
         CycleError::NoNormal { first: key, second: key, third: key },
-        CycleError::NoSuchParameter { cycle: "427", parameter: "Q1".to_owned() },
-        CycleError::LimitsSwapped { minimum: mm("2"), maximum: mm("1") },
+        CycleError::NoSuchParameter { cycle: "427", parameter: "Q1".to_owned(), known: "Q263".to_owned() },
+        CycleError::LimitsSwapped { minimum_key: key, minimum: mm("2"), maximum_key: key, maximum: mm("1") },
         CycleError::Apart { contact: 2, difference: mm("0.1"), key, most: mm("0.01") },
         CycleError::TooLarge(far.clone()),
         CycleError::TooFar(far),

@@ -10,7 +10,7 @@ use fitcheck::probing::cycles::{CYCLES, cycle_named};
 use fitcheck::probing::simulated::{Face, FreePoint, Machine, Probe, Surface, Workpiece};
 use fitcheck::probing::{Recorded, cycle::Plane};
 use fitcheck::tolerance::{Base, Deviations, Feature, Sources};
-use fitcheck::verdict::Status;
+use fitcheck::verdict::{PositionVerdict, Status};
 use fitcheck::words::Language;
 use jiff::civil::{DateTime, date};
 use proptest::prelude::*;
@@ -25,6 +25,11 @@ fn heading(unit: Unit) -> Heading {
 
 fn nm(length: i64) -> Value {
     Value::Length(Length::from_nanometres(length).unwrap())
+}
+
+/// Nanometres as millimetres.
+fn mm(nm: i64) -> f64 {
+    Length::from_nanometres(nm).unwrap().to_mm_f64()
 }
 
 fn still(surface: Surface) -> Machine {
@@ -47,7 +52,7 @@ fn import_says(file: &str, bytes: &[u8]) -> Option<Status> {
     match &unjudged.why {
         WhyUnjudged::Coordinate(coordinate) | WhyUnjudged::Point(coordinate) => Some(coordinate.status),
         WhyUnjudged::NoLimits { .. } => {
-            let position = unjudged.position.filter(|position| position.is_monitored())?;
+            let position = unjudged.position.filter(PositionVerdict::is_monitored)?;
             Some(if position.is_out() { Status::Scrap } else { Status::Good })
         }
         _ => None,
@@ -94,7 +99,7 @@ fn circle(
         .chain([(minimum, min), (279, tolerances[0]), (280, tolerances[1])])
         .fold(Inputs::new(), |inputs, (key, value)| inputs.with(key, nm(value)));
     // Four contacts of the circle, so that no rounding of a simulated path is in the way.
-    let [x, y, diameter] = actual.map(|part| part as f64 / 1e6);
+    let [x, y, diameter] = actual.map(mm);
     let part = Workpiece::round(feature, [x, y], diameter);
     let result = cycle.measure(&inputs, &mut still(Surface::Round(part, Plane::Xy))).unwrap();
     let found = result.circle.as_ref().unwrap();
@@ -109,8 +114,7 @@ fn coordinate(actual: i64, limits: [i64; 2]) -> (&'static Cycle, CycleResult) {
         .into_iter()
         .fold(Inputs::new(), |inputs, (key, value)| inputs.with(key, nm(value)));
     let inputs = inputs.with(272, Value::Whole(3)).with(267, Value::Whole(-1));
-    let face =
-        Face { point: [0.0, 0.0, actual as f64 / 1e6], normal: [0.0, 0.0, 1.0], wave: None, surface_scatter: 0.0 };
+    let face = Face { point: [0.0, 0.0, mm(actual)], normal: [0.0, 0.0, 1.0], wave: None, surface_scatter: 0.0 };
     let result = cycle.measure(&inputs, &mut still(Surface::Face(face))).unwrap();
     assert_eq!(result.value(160), Some(&nm(actual)));
     (cycle, result)
@@ -374,7 +378,7 @@ proptest! {
         prop_assume!(0.01 < normal.iter().map(|part| part * part).sum::<f64>());
         let band = band.map(|[upper, lower]| [upper, -lower]);
         let deviation = band.filter(|_| on_limit).map_or(deviation, |[upper, _]| upper);
-        let (cycle, result) = point(normal, deviation as f64 / 1e6, band);
+        let (cycle, result) = point(normal, mm(deviation), band);
         let (log, says) = there_and_back(cycle, &result, unit, language);
         prop_assert_eq!(says, result.status);
         let CycleLog::Page(page) = log else { panic!() };

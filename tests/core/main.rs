@@ -11,6 +11,7 @@ mod cycle_cli;
 mod cycle_declaration;
 mod cycle_logs;
 mod cycles;
+mod exact_cycles;
 mod fit_cli;
 mod fit_search;
 mod fits;

@@ -127,7 +127,7 @@ fn q309_stops_and_names_what_is_out() {
 #[test]
 fn limits_that_are_swapped_are_refused() {
     let refused = run("427", &format!("{SEED_427} Q288=4"), &mut machine(top(5.0), 0.0)).unwrap_err();
-    assert_eq!(refused, "minimum dimension 4.95 mm is above maximum dimension 4 mm");
+    assert_eq!(refused, "Q289 = 4.95 mm is above Q288 = 4 mm: the minimum dimension is above the maximum");
 }
 
 #[test]

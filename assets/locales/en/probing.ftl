@@ -22,8 +22,8 @@ cycle-tool-range = a tool is a number from 0 to 99999.9 or a name of at most 255
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-no-diameter = { $key } { $name } = 0 mm: a circle needs a diameter above 0
 cycle-missing = { $key } { $name } is missing
-cycle-no-such-parameter = cycle { $cycle } has no parameter { $parameter }
-cycle-limits-swapped = minimum dimension { $minimum } mm is above maximum dimension { $maximum } mm
+cycle-no-such-parameter = cycle { $cycle } has no parameter { $parameter }: it has { $known }
+cycle-limits-swapped = { $minimum-key } = { $minimum } mm is above { $maximum-key } = { $maximum } mm: the minimum dimension is above the maximum
 cycle-too-large = the measured circle is too large: { $error }
 workpiece-cannot-be = { $what } = { $given }: at least { $least }, at most { $most }
 

@@ -21,8 +21,8 @@ cycle-tool-range = een gereedschap is een nummer van 0 tot 99999,9 of een naam v
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-no-diameter = { $key } { $name } = 0 mm: een cirkel heeft een diameter boven 0 nodig
 cycle-missing = { $key } { $name } ontbreekt
-cycle-no-such-parameter = cyclus { $cycle } heeft geen parameter { $parameter }
-cycle-limits-swapped = de minimale maat { $minimum } mm is groter dan de maximale maat { $maximum } mm
+cycle-no-such-parameter = cyclus { $cycle } heeft geen parameter { $parameter }: hij heeft { $known }
+cycle-limits-swapped = { $minimum-key } = { $minimum } mm is groter dan { $maximum-key } = { $maximum } mm: de minimale maat is groter dan de maximale
 cycle-too-large = de gemeten cirkel is te groot: { $error }
 workpiece-cannot-be = { $what } = { $given }: minstens { $least }, hoogstens { $most }
 # Where a measurement comes from, and what it cannot tell.

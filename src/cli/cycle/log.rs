@@ -50,9 +50,17 @@ impl LogArgs {
         };
         let refused = |error: &dyn std::fmt::Display| CliError::Data(format!("log: {error}"));
         let Some(log) = log else {
-            if self.log_folder.is_some() {
-                let why = if cycle.parameter(281).is_some() { "Q281 = 0" } else { "the cycle has none" };
-                io.tell(format_args!("warning: no log is written: {why}"))?;
+            match result.log {
+                LogTarget::File(_) | LogTarget::Screen => {
+                    io.tell(format_args!("warning: no log is made: that of cycle {} is not known", cycle.code))?;
+                }
+                LogTarget::None if self.log_folder.is_some() => {
+                    io.tell(format_args!("warning: no log is written: Q281 = 0"))?;
+                }
+                LogTarget::Shown if self.log_folder.is_some() => {
+                    io.tell(format_args!("warning: no log is written: the cycle has none"))?;
+                }
+                LogTarget::None | LogTarget::Shown => {}
             }
             return Ok(Kept::default());
         };

@@ -3,11 +3,13 @@
 //! | file | what |
 //! |---|---|
 //! | `list` | the declaration of a cycle |
+//! | `json` | a JSON object, names that stand twice among it |
 //! | `answer` | what the cycle found, for programs |
 //! | `text` | the same for people |
 //! | `log` | its measuring log |
 
 mod answer;
+mod json;
 mod list;
 mod log;
 mod text;
@@ -231,8 +233,9 @@ impl Args {
     fn with_json(&self, mut inputs: Inputs, path: &Path, io: &mut Io<'_>) -> Result<Inputs, CliError> {
         use serde_json::Value;
         let (name, bytes) = read_input(path, io)?;
-        let object: serde_json::Map<String, Value> =
-            serde_json::from_slice(&bytes).map_err(|error| data(&name, &error))?;
+        let json::Pairs(object) = serde_json::from_slice(&bytes).map_err(|error| {
+            CliError::Data(format!("{name}: inputs are a JSON object such as {{\"Q263\": 35}}: {error}"))
+        })?;
         let mut given: BTreeSet<Key> = BTreeSet::new();
         for (key, value) in &object {
             let text = match value {

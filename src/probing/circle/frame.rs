@@ -57,7 +57,7 @@ pub enum CircleError {
         value: f64,
     },
     /// A coordinate or a diameter is beyond [`Length::MAX`].
-    #[error("{what} = {value} mm is too large: at most {} mm either way", Length::MAX)]
+    #[error("{what} = {} mm is too large: at most {} mm either way", brief(*value), Length::MAX)]
     TooLarge {
         /// `contact 3: x`, or `diameter`.
         what: String,
@@ -79,10 +79,16 @@ impl Say for CircleError {
                 Message::new("circle-not-finite").text("contact", contact).text("axis", axis).text("value", value)
             }
             Self::TooLarge { what, value } => {
+                let value = brief(*value);
                 Message::new("circle-too-large").text("what", what).text("value", value).text("most", Length::MAX)
             }
         }
     }
+}
+
+/// A number as errors show it: 1e300 without its three hundred zeros.
+fn brief(value: f64) -> String {
+    if value.abs() < 1e15 { value.to_string() } else { format!("{value:e}") }
 }
 
 /// A number of things as a factor. Exact up to 2^32, more than a file of the largest size can hold.

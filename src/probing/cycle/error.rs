@@ -51,18 +51,26 @@ pub enum CycleError {
         name: &'static str,
     },
     /// A parameter that the cycle does not have.
-    #[error("cycle {cycle} has no parameter {parameter}")]
+    #[error("cycle {cycle} has no parameter {parameter}: it has {known}")]
     NoSuchParameter {
         /// The cycle.
         cycle: &'static str,
         /// The parameter as it was given.
         parameter: String,
+        /// The parameters that the cycle has.
+        known: String,
     },
     /// The minimum is above the maximum.
-    #[error("minimum dimension {minimum} mm is above maximum dimension {maximum} mm")]
+    #[error(
+        "{minimum_key} = {minimum} mm is above {maximum_key} = {maximum} mm: the minimum dimension is above the maximum"
+    )]
     LimitsSwapped {
+        /// The parameter of the minimum.
+        minimum_key: Key,
         /// The minimum.
         minimum: Length,
+        /// The parameter of the maximum.
+        maximum_key: Key,
         /// The maximum.
         maximum: Length,
     },
@@ -132,12 +140,15 @@ impl Say for CycleError {
             Self::NoPath { key, name } => of("cycle-no-path", key, name),
             Self::Missing { key, name } => of("cycle-missing", key, name),
             Self::NoGlobal { key, name } => of("cycle-no-global", key, name),
-            Self::NoSuchParameter { cycle, parameter } => {
-                Message::new("cycle-no-such-parameter").text("cycle", cycle).text("parameter", parameter)
-            }
-            Self::LimitsSwapped { minimum, maximum } => {
-                Message::new("cycle-limits-swapped").mm("minimum", *minimum).mm("maximum", *maximum)
-            }
+            Self::NoSuchParameter { cycle, parameter, known } => Message::new("cycle-no-such-parameter")
+                .text("cycle", cycle)
+                .text("parameter", parameter)
+                .text("known", known),
+            Self::LimitsSwapped { minimum_key, minimum, maximum_key, maximum } => Message::new("cycle-limits-swapped")
+                .text("minimum-key", minimum_key)
+                .mm("minimum", *minimum)
+                .text("maximum-key", maximum_key)
+                .mm("maximum", *maximum),
             Self::NoNormal { first, second, third } => {
                 Message::new("cycle-no-normal").text("first", first).text("second", second).text("third", third)
             }

@@ -116,7 +116,7 @@ impl Cycle {
     /// # Errors
     /// [`CycleError::NoSuchParameter`] or [`CycleError::NotAValue`]; the range is checked when the cycle runs.
     pub fn set(&self, inputs: Inputs, name: &str, text: &str) -> Result<Inputs, CycleError> {
-        let unknown = || CycleError::NoSuchParameter { cycle: self.code, parameter: name.trim().to_owned() };
+        let unknown = || self.no_such(name.trim());
         let parameter = self.parameter_named(name).ok_or_else(unknown)?;
         let value = match parameter.read(text)? {
             // QS330 = "5" is the tool named 5, Q330 = 5 the tool with that number.
@@ -182,7 +182,7 @@ impl Cycle {
     /// [`CycleError`] names the parameter, the value and what is allowed.
     pub fn checked(&self, inputs: &Inputs) -> Result<Inputs, CycleError> {
         if let Some(key) = inputs.given.keys().find(|key| self.parameter(**key).is_none()) {
-            return Err(CycleError::NoSuchParameter { cycle: self.code, parameter: key.to_string() });
+            return Err(self.no_such(&key.to_string()));
         }
         let mut checked = inputs.clone();
         checked.filled.clear();
@@ -209,6 +209,11 @@ impl Cycle {
         Ok(checked)
     }
 
+    fn no_such(&self, parameter: &str) -> CycleError {
+        let known = self.parameters.iter().map(|known| known.key.to_string()).collect::<Vec<_>>().join(", ");
+        CycleError::NoSuchParameter { cycle: self.code, parameter: parameter.to_owned(), known }
+    }
+
     /// What was given without effect, and a tool that stays as it is.
     fn remarks(&self, inputs: &Inputs) -> Vec<Remark> {
         let idle = self.parameters.iter().filter(|parameter| !parameter.has_effect && inputs.is_given(parameter.key));
@@ -230,9 +235,11 @@ pub(in crate::probing) fn limits(
     minimum: u16,
     maximum: u16,
 ) -> Result<Option<(Length, Length)>, CycleError> {
+    let keys = [Key::Q(minimum), Key::Q(maximum)];
     let (minimum, maximum) = (inputs.length(minimum), inputs.length(maximum));
     if maximum < minimum {
-        return Err(CycleError::LimitsSwapped { minimum, maximum });
+        let [minimum_key, maximum_key] = keys;
+        return Err(CycleError::LimitsSwapped { minimum_key, minimum, maximum_key, maximum });
     }
     Ok((minimum != Length::ZERO || maximum != Length::ZERO).then_some((minimum, maximum)))
 }

@@ -306,7 +306,8 @@ impl Parameter {
     /// Reads a value as people type it; the range is checked when the cycle runs.
     ///
     /// # Errors
-    /// [`CycleError::NotAValue`] for a text that is no value of the declared kind.
+    /// [`CycleError::NotAValue`] for a text that is no value of the declared kind, [`CycleError::OutOfRange`] for a
+    /// choice that is no whole number.
     pub fn read(&self, text: &str) -> Result<Value, CycleError> {
         if self.may_be_predef && text.trim().eq_ignore_ascii_case(PREDEF) {
             return Ok(Value::Predef);
@@ -314,10 +315,14 @@ impl Parameter {
         let read = match self.range {
             Range::Length { .. } => text.parse().map(Value::Length).map_err(|error: LengthError| Reason::of(&error)),
             Range::Angle { .. } => text.parse().map(Value::Angle).map_err(|error: LengthError| Reason::of(&error)),
-            Range::OneOf(_) => {
-                let whole = text.trim().parse().map(Value::Whole);
-                whole.map_err(|_whole| Reason::of(&no_number(text)))
-            }
+            Range::OneOf(_) => match (whole(text), number(text)) {
+                (Some(whole), _) => Ok(Value::Whole(whole)),
+                (None, Some(_)) => {
+                    let (given, range) = (text.trim().to_owned(), self.range);
+                    return Err(CycleError::OutOfRange { key: self.key, name: self.name, given, range });
+                }
+                (None, None) => Err(Reason::of(&no_number(text))),
+            },
             Range::Number { .. } => number(text).map(Value::Number).ok_or_else(|| Reason::of(&no_number(text))),
             Range::Tool if text.trim().is_empty() => Err(Reason::of(&LengthError::Empty)),
             Range::Tool => {
@@ -351,6 +356,13 @@ fn in_language(texts: Texts, language: Language) -> Option<&'static str> {
 fn no_number(text: &str) -> LengthError {
     let text = text.trim();
     if text.is_empty() { LengthError::Empty } else { LengthError::NotANumber { text: text.to_owned() } }
+}
+
+/// A whole number; one whose decimals are all zero is one as well, because programs write 3 as 3.0.
+fn whole(text: &str) -> Option<i64> {
+    let text = text.trim().replace('\u{2212}', "-");
+    let (whole, decimals) = text.split_once(['.', ',']).unwrap_or((&text, ""));
+    if decimals.bytes().all(|byte| byte == b'0') { whole.parse().ok() } else { None }
 }
 
 /// A finite decimal number with point or comma. Words such as `nan` and `inf` are none.

@@ -42,7 +42,8 @@ pub(super) const CYCLE: Cycle = Cycle {
         Parameter::size(RETRACT, "RETRACTION").or_nothing(),
     ],
     run,
-    nominal: |inputs| Nominal::Face { point: point(inputs), normal: given_normal(inputs) },
+    // One without a direction is named by the cycle itself.
+    nominal: |inputs| Nominal::Face { point: point(inputs), normal: normal(inputs).unwrap_or_default() },
 };
 
 /// A component of the normal: what counts is the direction of all three, so any length will do.

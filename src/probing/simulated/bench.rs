@@ -176,7 +176,7 @@ impl Bench {
     pub fn read(text: &str) -> Result<Self, BenchError> {
         let file: File = toml::from_str(text).map_err(|error| BenchError::Toml {
             line: line_at(text, error.span().map_or(0, |span| span.start)),
-            said: bounded(error.message()),
+            said: bounded(&plain(&error, text)),
         })?;
         let surfaces = [
             file.bore.map(|bore| ("bore", bore.surface(Feature::Hole))),
@@ -233,6 +233,17 @@ fn bounded(said: &str) -> String {
     match said.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", said.get(..end).unwrap_or_default()),
         None => said.to_owned(),
+    }
+}
+
+/// What the reader of TOML says, in a user's words: numbers instead of their types, and which key stands twice.
+fn plain(error: &toml::de::Error, text: &str) -> String {
+    let said = error.message().replace("expected f64", "expected a number");
+    let said = said.replace("expected u64", "expected a whole number from 0 to 9223372036854775807");
+    let said = said.replace(" as i128", "").replace("expected u32", "expected a whole number from 0");
+    match error.span().and_then(|span| text.get(span)) {
+        Some(key) if said == "duplicate key" => format!("{said} {key}"),
+        _ => said,
     }
 }
 

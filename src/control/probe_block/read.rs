@@ -1,0 +1,253 @@
+//! A block as pairs of name and text: a line at a time, cut at every `~`.
+
+use super::fault::{ProbeBlockError, ProbeBlockFault};
+use super::{ProbeBlock, Setting, Unused, is_lathe, shown};
+use crate::control::text::lines;
+use crate::probing::cycle::{Cycle, Inputs};
+use crate::probing::cycles::{CYCLES, cycle_named};
+
+/// How a parameter of a milling control is written, for errors.
+const EXAMPLE: &str = "Q263=+35";
+
+/// Reads the one block of a probing cycle in a text: the block alone, or a program with one.
+///
+/// Block numbers and names are not looked at, blank lines and comments are passed over, `~` at the end of a line takes
+/// the next one in. Other blocks of a program are not used, and named in [`ProbeBlock::unused`].
+///
+/// ```
+/// use fitcheck::control::probe_block::read;
+/// use fitcheck::probing::cycle::Inputs;
+///
+/// let block = read("5 TCH PROBE 427 MEASURE COORDINATE ~\n  Q272=+3 ;MEASURING AXIS ~\n  Q263=+35 ;1ST POINT 1ST AXIS")?;
+/// assert_eq!((block.cycle.code, block.settings.len()), ("427", 2));
+/// assert!(block.put_into(Inputs::new())?.is_given(272));
+/// # Ok::<(), fitcheck::control::probe_block::ProbeBlockError>(())
+/// ```
+///
+/// # Errors
+/// [`ProbeBlockError`]: no block or two, a cycle that is not known, a line that is no parameter, a parameter twice, a
+/// block that is cut off.
+pub fn read(text: &str) -> Result<ProbeBlock, ProbeBlockError> {
+    let mut reader = Reader::default();
+    for (number, line) in lines(text) {
+        let (segments, is_closed) = segments(line);
+        // Any other block of a program may hold what it likes.
+        if !is_closed && reader.state == State::Promised {
+            return Err(ProbeBlockFault::UnclosedQuote.at(number));
+        }
+        for segment in segments {
+            reader.take(&segment, number)?;
+        }
+        reader.last = number;
+    }
+    reader.end()
+}
+
+/// What stands between two `~`, or a line without one.
+#[derive(Debug)]
+struct Segment<'a> {
+    code: &'a str,
+    has_comment: bool,
+    /// Whether a `~` stands behind it.
+    goes_on: bool,
+}
+
+/// A line cut at every `~` outside quotation marks, a blank rest is none; and whether every mark has its partner.
+fn segments(line: &str) -> (Vec<Segment<'_>>, bool) {
+    let mut found = Vec::new();
+    let (mut start, mut comment, mut quoted) = (0, None, false);
+    let segment = |start: usize, end: usize, comment: Option<usize>, goes_on: bool| {
+        let code = line.get(start..comment.unwrap_or(end)).unwrap_or_default().trim();
+        Segment { code, has_comment: comment.is_some(), goes_on }
+    };
+    for (at, character) in line.char_indices() {
+        match character {
+            '"' if comment.is_none() => quoted = !quoted,
+            ';' if !quoted && comment.is_none() => comment = Some(at),
+            '~' if !quoted => {
+                found.push(segment(start, at, comment, true));
+                (start, comment) = (at + 1, None);
+            }
+            _ => {}
+        }
+    }
+    let rest = segment(start, line.len(), comment, false);
+    if !rest.code.is_empty() || rest.has_comment {
+        found.push(rest);
+    }
+    (found, !quoted)
+}
+
+/// Where the reader is.
+#[derive(Debug, Default, PartialEq, Eq)]
+enum State {
+    /// Before the block, or well behind it.
+    #[default]
+    Outside,
+    /// A `~` has promised another line.
+    Promised,
+    /// The last line had neither `~` nor comment: as the seed is printed, its comment and its `~` may follow.
+    Open,
+    /// Behind the last line of the block.
+    Behind,
+}
+
+#[derive(Debug, Default)]
+struct Reader {
+    state: State,
+    block: Option<ProbeBlock>,
+    unused: Option<Unused>,
+    last: usize,
+}
+
+impl Reader {
+    fn take(&mut self, segment: &Segment<'_>, line: usize) -> Result<(), ProbeBlockError> {
+        if segment.code.is_empty() {
+            if self.state == State::Open || self.state == State::Promised {
+                self.state = match (segment.goes_on, &self.state) {
+                    (true, _) | (false, State::Promised) => State::Promised,
+                    _ => State::Behind,
+                };
+            }
+            return Ok(());
+        }
+        if self.state == State::Promised {
+            self.setting(segment.code, line)?;
+            self.follow(segment);
+            return Ok(());
+        }
+        self.outside(segment, line)
+    }
+
+    /// What comes behind a line of the block.
+    const fn follow(&mut self, segment: &Segment<'_>) {
+        self.state = match (segment.goes_on, segment.has_comment) {
+            (true, _) => State::Promised,
+            (false, true) => State::Behind,
+            (false, false) => State::Open,
+        };
+    }
+
+    fn outside(&mut self, segment: &Segment<'_>, line: usize) -> Result<(), ProbeBlockError> {
+        let body = body(segment.code);
+        let Some((cycle, words)) = head(body).map_err(|fault| fault.at(line))? else {
+            return self.beside(segment, line);
+        };
+        if let Some(first) = &self.block {
+            return Err(ProbeBlockFault::SecondBlock { first: first.line }.at(line));
+        }
+        self.block = Some(ProbeBlock { line, cycle, settings: Vec::new(), unused: None });
+        let Some(words) = words else {
+            self.follow(segment);
+            return Ok(());
+        };
+        for word in words.split_whitespace().filter(|word| *word != "*") {
+            self.word(word, line)?;
+        }
+        self.state = State::Outside;
+        Ok(())
+    }
+
+    /// A line that begins no block.
+    fn beside(&mut self, segment: &Segment<'_>, line: usize) -> Result<(), ProbeBlockError> {
+        let is_behind = matches!(self.state, State::Open | State::Behind);
+        let key = segment.code.split_once('=').map(|(key, _)| key.trim());
+        let cycle = self.block.as_ref().map(|block| block.cycle);
+        if is_behind && key.zip(cycle).is_some_and(|(key, cycle)| cycle.parameter_named(key).is_some()) {
+            return Err(ProbeBlockFault::BehindEnd { given: shown(segment.code) }.at(line));
+        }
+        self.state = State::Outside;
+        let upper = body(segment.code).to_ascii_uppercase();
+        if upper.starts_with("BEGIN PGM") || upper.starts_with("END PGM") || upper.starts_with('*') || upper == "%" {
+            return Ok(());
+        }
+        match &mut self.unused {
+            Some(unused) => unused.more += 1,
+            None => self.unused = Some(Unused { line, text: shown(segment.code), more: 0 }),
+        }
+        Ok(())
+    }
+
+    /// `Q263=+35`
+    fn setting(&mut self, code: &str, line: usize) -> Result<(), ProbeBlockError> {
+        let none = || ProbeBlockFault::NotAParameter { given: shown(code), example: EXAMPLE }.at(line);
+        let (key, text) = code.split_once('=').ok_or_else(none)?;
+        let key = key.trim();
+        if key.is_empty() {
+            return Err(none());
+        }
+        self.pair(key, text.trim(), line)
+    }
+
+    /// `K2`, `RC60`, `Q263=+35`: letters, then the value.
+    fn word(&mut self, word: &str, line: usize) -> Result<(), ProbeBlockError> {
+        if word.contains('=') {
+            return self.setting(word, line);
+        }
+        let end = word.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(word.len());
+        match word.split_at_checked(end) {
+            Some((key, text)) if !key.is_empty() => self.pair(key, text, line),
+            _ => Err(ProbeBlockFault::NotAParameter { given: shown(word), example: "K2" }.at(line)),
+        }
+    }
+
+    fn pair(&mut self, key: &str, text: &str, line: usize) -> Result<(), ProbeBlockError> {
+        let quoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+        if text.is_empty() {
+            return Err(ProbeBlockFault::NoValue { key: shown(key) }.at(line));
+        }
+        let Some(block) = &mut self.block else { return Ok(()) };
+        let same = |other: &Setting| match (block.cycle.parameter_named(key), block.cycle.parameter_named(&other.key)) {
+            (Some(one), Some(other)) => (one.key == other.key).then_some(one.key),
+            _ => None,
+        };
+        if let Some((first, key)) = block.settings.iter().find_map(|other| Some((other.line, same(other)?))) {
+            return Err(ProbeBlockFault::Twice { key, first }.at(line));
+        }
+        // More names than a cycle has parameters would be refused later; here they would only fill the memory.
+        if block.cycle.parameter_named(key).is_none() {
+            let error = block.cycle.set(Inputs::new(), key, text).map(drop);
+            return error.map_err(|error| ProbeBlockFault::Cycle(error).at(line));
+        }
+        block.settings.push(Setting { line, key: key.to_owned(), text: quoted.unwrap_or(text).to_owned() });
+        Ok(())
+    }
+
+    fn end(self) -> Result<ProbeBlock, ProbeBlockError> {
+        if self.state == State::Promised {
+            return Err(ProbeBlockFault::CutOff.at(self.last.max(1)));
+        }
+        let block = self.block.ok_or_else(|| ProbeBlockFault::NoBlock.at(1))?;
+        Ok(ProbeBlock { unused: self.unused, ..block })
+    }
+}
+
+/// A block without its number and its mark for skipping, `/12`, `12 /`, `N3`.
+fn body(code: &str) -> &str {
+    let bare = code.trim_start_matches(|c: char| c == '/' || c.is_ascii_digit() || c.is_whitespace());
+    let numbered = bare.strip_prefix(['N', 'n']).and_then(|rest| {
+        let body = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+        (body.len() < rest.len()).then_some(body)
+    });
+    numbered.unwrap_or(bare).trim_start_matches(|c: char| c == '/' || c.is_whitespace())
+}
+
+/// The cycle that a block calls, and the words of its line where they stand on it: `G785 R0 BR0`. `None` for any other
+/// block.
+fn head(body: &str) -> Result<Option<(&'static Cycle, Option<&str>)>, ProbeBlockFault> {
+    let (first, rest) = body.split_once(char::is_whitespace).unwrap_or((body, ""));
+    if first.strip_prefix(['G', 'g']).is_some_and(|number| !number.is_empty()) {
+        return Ok(cycle_named(first).map(|cycle| (cycle, Some(rest))));
+    }
+    let (second, rest) = rest.trim_start().split_once(char::is_whitespace).unwrap_or((rest.trim_start(), ""));
+    if !first.eq_ignore_ascii_case("TCH") || !second.eq_ignore_ascii_case("PROBE") {
+        return Ok(None);
+    }
+    let number = rest.split_whitespace().next().unwrap_or_default();
+    let known = || CYCLES.iter().filter(|cycle| !is_lathe(cycle));
+    let Some(cycle) = known().find(|cycle| cycle.code == number) else {
+        let known = known().map(|cycle| cycle.code).collect::<Vec<_>>().join(", ");
+        return Err(ProbeBlockFault::UnknownCycle { given: shown(number), known });
+    };
+    Ok(Some((cycle, None)))
+}
