@@ -6,6 +6,7 @@
 //! | `variables` | Q, QL, QR and QS parameters |
 //! | `table` | freely definable tables `.TAB`, three header generations, read and written |
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
+//! | `program` | NC programs in Klartext, read and written |
 //! | `deviations` | such a table as a table of deviations; the two shipped ones |
 //! | `mask` | FN 16 masks, read and rendered |
 //! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT`, read and written |
@@ -16,6 +17,7 @@ pub mod log;
 pub mod log444;
 pub mod mask;
 pub mod probe_table;
+pub mod program;
 pub mod status;
 pub mod table;
 pub mod text;
