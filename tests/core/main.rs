@@ -23,6 +23,7 @@ mod log_writing;
 mod logs;
 mod masks;
 mod point_cycles;
+mod programs;
 mod report;
 mod report_cli;
 mod session;

@@ -1,5 +1,6 @@
 //! What the blocks of a program say.
 
+use std::fmt;
 use std::ops::Range;
 
 use super::expression::{Expression, TextExpression};
@@ -34,6 +35,16 @@ pub enum Unit {
     Mm,
     /// Inches.
     Inch,
+}
+
+/// As it is written behind the name of the program.
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Mm => "MM",
+            Self::Inch => "INCH",
+        })
+    }
 }
 
 /// What a block says.
@@ -182,6 +193,17 @@ pub enum Target {
     Parameter(Parameter),
 }
 
+/// As it is written behind `LBL`: `5`, `"LOOP"`, `QS5`.
+impl fmt::Display for Target {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Name(name) => write!(f, "\"{name}\""),
+            Self::Parameter(parameter) => write!(f, "{parameter}"),
+        }
+    }
+}
+
 /// When a jump is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Condition {
@@ -303,6 +325,8 @@ pub struct CycleLine {
     pub value: CycleValue,
     /// Where the parameter stands.
     pub place: Place,
+    /// The comment behind it, which names the parameter in the language of the control.
+    pub comment: String,
 }
 
 /// What a cycle's parameter is set to.
