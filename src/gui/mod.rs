@@ -15,6 +15,7 @@
 mod app;
 mod check;
 mod class_chooser;
+mod cycles;
 mod dialogs;
 mod effects;
 mod field;
