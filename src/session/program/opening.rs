@@ -1,0 +1,154 @@
+//! Programs and workpieces from files, and what is typed into the page's fields.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::inputs::{assigned, length};
+use super::{Document, Origin, ProgramField, ProgramPage, WorkpieceFrom};
+use crate::control::machine::{NcPath, Shipped};
+use crate::control::program::{Program, ProgramWarning};
+use crate::probing::Contact;
+use crate::probing::simulated::Bench;
+use crate::session::{ProgramFile, Purpose, Session};
+use crate::words::{Language, Message, Say as _};
+
+/// How many files are remembered.
+const MOST_RECENT: usize = 8;
+
+/// The main programs that are shipped, one a language.
+pub const SHIPPED: [(Language, &str); 4] = [
+    (Language::En, "8255_en.h"),
+    (Language::Nl, "8255_nl.h"),
+    (Language::De, "8255_de.h"),
+    (Language::It, "8255_it.h"),
+];
+
+impl Session {
+    /// The page is opened: the first time with the shipped program of the window's language.
+    pub(in crate::session) fn open_program_page(&mut self) {
+        if self.program.origin.is_some() {
+            return;
+        }
+        let shipped = SHIPPED.iter().find(|(language, _)| *language == self.language);
+        if let Some((_, name)) = shipped.or_else(|| SHIPPED.first()) {
+            self.open_shipped(name);
+        }
+    }
+
+    pub(super) fn open_shipped(&mut self, name: &'static str) {
+        let Some(bytes) = Shipped::file(name) else {
+            return self.tell(Message::new("program-page-not-shipped").text("name", name));
+        };
+        match Program::read(bytes) {
+            Ok((program, warnings)) => self.open_program(Origin::Shipped(name), name, Arc::new(program), warnings),
+            Err(error) => self.tell(error.message()),
+        }
+    }
+
+    pub(super) fn program_read(&mut self, path: PathBuf, result: Result<(Arc<Program>, Vec<ProgramWarning>), Message>) {
+        match result {
+            Ok((program, warnings)) => {
+                self.file_done();
+                let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                let recent = &mut self.program.recent;
+                recent.retain(|known| *known != path);
+                recent.insert(0, path.clone());
+                recent.truncate(MOST_RECENT);
+                self.open_program(Origin::File(path), &name, program, warnings);
+            }
+            Err(problem) => self.file_failed(problem),
+        }
+    }
+
+    fn open_program(&mut self, origin: Origin, name: &str, program: Arc<Program>, warnings: Vec<ProgramWarning>) {
+        // A name that no control takes is no reason not to read the program.
+        let Ok(path) = NcPath::new(name).or_else(|_no_path| NcPath::new("program.h")) else { return };
+        let page = &mut self.program;
+        let assigned = assigned(&program);
+        let sign = self.language.decimal_sign().to_string();
+        page.texts.retain(|field, _| !matches!(field, ProgramField::Input(_)));
+        for (input, text) in &assigned {
+            let text = if input.unit().is_empty() { text.clone() } else { text.replace('.', &sign) };
+            page.texts.insert(ProgramField::Input(*input), text);
+        }
+        page.assigned = assigned;
+        page.breakpoints.retain(|_| false);
+        page.given.clear();
+        page.documents.clear();
+        page.documents.insert(path.clone(), Document::new(path.clone(), program));
+        (page.main, page.shown, page.origin) = (Some(path.clone()), Some(path), Some(origin));
+        page.warnings = warnings;
+        (page.looks, page.look) = (page.looks.wrapping_add(1), 0);
+        page.check_inputs();
+        self.reset_program();
+    }
+
+    pub(super) fn program_bench_read(&mut self, name: String, result: Result<Box<Bench>, Message>) {
+        match result {
+            Ok(bench) => {
+                self.file_done();
+                self.program.bench = Some((name, bench));
+                self.program.workpiece = WorkpieceFrom::File;
+                self.reset_program();
+            }
+            Err(problem) => self.file_failed(problem),
+        }
+    }
+
+    pub(super) fn program_contacts_read(&mut self, name: String, result: Result<Vec<Contact>, Message>) {
+        match result {
+            Ok(contacts) => {
+                self.file_done();
+                self.program.contacts = Some((name, contacts.into()));
+                self.program.workpiece = WorkpieceFrom::Recorded;
+                self.reset_program();
+            }
+            Err(problem) => self.file_failed(problem),
+        }
+    }
+
+    pub(super) fn choose_workpiece(&mut self, from: WorkpieceFrom) {
+        let wanted = match from {
+            WorkpieceFrom::File if self.program.bench.is_none() => Some(ProgramFile::Bench),
+            WorkpieceFrom::Recorded if self.program.contacts.is_none() => Some(ProgramFile::Contacts),
+            _ => None,
+        };
+        if let Some(file) = wanted {
+            return self.open_dialog(Purpose::OpenProgramFile(file));
+        }
+        self.program.workpiece = from;
+        self.program.check_workpiece();
+        self.reset_program();
+    }
+
+    pub(super) fn type_program_field(&mut self, field: ProgramField, text: String) {
+        let page = &mut self.program;
+        page.texts.insert(field, text);
+        match field {
+            ProgramField::Input(_) => {
+                page.check_inputs();
+                self.reset_program();
+            }
+            ProgramField::Diameter | ProgramField::WorkpieceX | ProgramField::WorkpieceY => {
+                page.workpiece = WorkpieceFrom::Given;
+                page.check_workpiece();
+                self.reset_program();
+            }
+            ProgramField::Filter => {}
+            ProgramField::Name | ProgramField::Value => _ = page.errors.remove(&field),
+        }
+    }
+}
+
+impl ProgramPage {
+    /// Reads the fields of the workpiece anew; what is empty is no error until it is needed.
+    fn check_workpiece(&mut self) {
+        for field in [ProgramField::Diameter, ProgramField::WorkpieceX, ProgramField::WorkpieceY] {
+            self.errors.remove(&field);
+            let text = self.text(field);
+            if !text.trim().is_empty() && let Err(problem) = length(text) {
+                self.errors.insert(field, problem);
+            }
+        }
+    }
+}
