@@ -3,6 +3,8 @@
 //! | file | what |
 //! |---|---|
 //! | `text` | bytes to lines: encodings and line ends |
+//! | `cycle_block` | one measuring cycle as a block of an NC program, read and written |
+//! | `cycle_status` | the status window of a measuring cycle |
 //! | `variables` | Q, QL, QR and QS parameters |
 //! | `table` | freely definable tables `.TAB`, three header generations, read and written |
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
@@ -12,6 +14,8 @@
 //! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT`, read and written |
 //! | `log444` | the log of cycle 444 as HTML, read and written |
 
+pub mod cycle_block;
+pub mod cycle_status;
 pub mod deviations;
 pub mod log;
 pub mod log444;

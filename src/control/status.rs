@@ -95,7 +95,7 @@ pub fn shipped_mask(language: Language) -> &'static Mask {
 }
 
 /// A mask that is part of the program; tests read and render all of them.
-fn shipped(bytes: &[u8]) -> Mask {
+pub(super) fn shipped(bytes: &[u8]) -> Mask {
     #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
     Mask::read(bytes).expect("a shipped mask can be read").0
 }

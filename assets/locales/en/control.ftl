@@ -119,3 +119,10 @@ probe-table-zero-or-more = 0 or more
 probe-table-above-zero = above 0
 probe-table-not-whole = { $column } = { $given }: a whole number is needed
 probe-table-twice = probe { $number } occurs twice
+
+## A cycle as a block of an NC program
+block-empty = the block sets no parameter
+block-too-long = the block is longer than { $most } characters
+block-unknown-cycle = cycle { $code } is not known
+block-no-setting = { $piece } is no setting such as Q263=+35
+block-twice = { $key } stands there twice

@@ -119,3 +119,10 @@ probe-table-zero-or-more = 0 of meer
 probe-table-above-zero = groter dan 0
 probe-table-not-whole = { $column } = { $given }: er is een geheel getal nodig
 probe-table-twice = taster { $number } komt twee keer voor
+
+## A cycle as a block of an NC program
+block-empty = het blok zet geen enkele parameter
+block-too-long = het blok is langer dan { $most } tekens
+block-unknown-cycle = cyclus { $code } is niet bekend
+block-no-setting = { $piece } is geen instelling zoals Q263=+35
+block-twice = { $key } staat er twee keer

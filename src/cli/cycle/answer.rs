@@ -6,19 +6,12 @@ use serde_json::{Map, Value as Json, json};
 use super::super::limits::csv_error;
 use super::{CliError, Io, Run, Source};
 use crate::length::Length;
-use crate::probing::circle::{Evaluation, evaluate};
 use crate::probing::cycle::{Check, LogTarget, Move, Value};
 use crate::words::Language;
 
-/// The evaluation of a circle's contacts; `None` for cycles without a circle.
-pub(super) fn evaluation(run: &Run<'_>) -> Option<Evaluation> {
-    run.result.circle.as_ref()?;
-    evaluate(&run.result.plane_contacts()).ok()
-}
-
 /// What the contacts cannot tell.
 pub(super) fn warnings(run: &Run<'_>) -> Vec<String> {
-    evaluation(run).into_iter().flat_map(|found| found.warnings).map(|warning| warning.to_string()).collect()
+    run.result.evaluation().into_iter().flat_map(|found| found.warnings).map(|warning| warning.to_string()).collect()
 }
 
 /// The answer; the names are a contract.
@@ -121,7 +114,7 @@ fn probe(run: &Run<'_>) -> Json {
 
 fn circle(run: &Run<'_>) -> Option<Json> {
     let found = run.result.circle.as_ref()?;
-    let evaluation = evaluation(run);
+    let evaluation = run.result.evaluation();
     let [axis_1, axis_2] = found.position.axes;
     Some(json!({
         "plane": found.plane,
