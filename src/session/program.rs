@@ -32,17 +32,16 @@ use jiff::civil::DateTime;
 
 pub use document::{Document, Entry, EntryKind};
 pub use inputs::{Agreement, Input};
+pub use opening::SHIPPED;
 pub use problems::{Problem, ProblemKind};
 pub use running::{Run, Speed, State};
 pub use tokens::{Token, tokens};
-pub use watching::Watched;
+pub use watching::{Name, Watched};
 
 use super::{Effect, Session};
 use crate::control::machine::{BlockPlace, NcPath};
 use crate::control::program::{Program, ProgramWarning};
 use crate::control::variables::{Parameter, Value};
-use crate::probing::Contact;
-use crate::probing::simulated::Bench;
 use crate::words::Message;
 
 /// What can be done on the program page.
@@ -57,23 +56,9 @@ pub enum ProgramCommand {
         /// The program, and what is odd about it.
         result: Result<(Arc<Program>, Vec<ProgramWarning>), Message>,
     },
-    /// A file of a simulated machine was read, or not.
-    BenchRead {
-        /// Its name without the folder.
-        name: String,
-        /// The machine.
-        result: Result<Box<Bench>, Message>,
-    },
-    /// A file of contacts was read, or not.
-    ContactsRead {
-        /// Its name without the folder.
-        name: String,
-        /// The contacts in probing order.
-        result: Result<Vec<Contact>, Message>,
-    },
     /// Replaces the text of a field.
     Type(ProgramField, String),
-    /// Chooses what is measured. A file is asked for where there was none.
+    /// Chooses what is measured. Contacts are asked for where there are none.
     ChooseWorkpiece(WorkpieceFrom),
     /// Runs until a stop, a breakpoint, a fault or the end; goes on where it paused.
     Run,
@@ -98,7 +83,7 @@ pub enum ProgramCommand {
     /// Selects a block of the shown program.
     Select(usize),
     /// Selects a block near the selected one.
-    Move(Step),
+    Move(BlockStep),
     /// Shows a program of the call stack by its path.
     ShowProgram(NcPath),
     /// Shows a block of any program of the run and selects it.
@@ -113,7 +98,7 @@ pub enum ProgramCommand {
 
 /// A step from block to block; it ends at the program's ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Step {
+pub enum BlockStep {
     /// To the block before.
     Up,
     /// To the next block.
@@ -171,15 +156,15 @@ pub enum WorkpieceFrom {
     Perfect,
     /// A perfect one with the diameter and the centre of the fields.
     Given,
-    /// A file of a simulated machine.
-    File,
-    /// Contacts of a file.
+    /// The simulated workpiece, the same as on the cycles page.
+    Simulated,
+    /// Recorded contacts, the same as on the cycles page.
     Recorded,
 }
 
 impl WorkpieceFrom {
     /// Every source.
-    pub const ALL: [Self; 4] = [Self::Perfect, Self::Given, Self::File, Self::Recorded];
+    pub const ALL: [Self; 4] = [Self::Perfect, Self::Given, Self::Simulated, Self::Recorded];
 }
 
 /// Where the open program came from.
@@ -207,8 +192,6 @@ pub struct ProgramPage {
     /// The inputs as the program assigns them.
     assigned: BTreeMap<Input, String>,
     workpiece: WorkpieceFrom,
-    bench: Option<(String, Box<Bench>)>,
-    contacts: Option<(String, Arc<[Contact]>)>,
     /// Values that were given beforehand.
     given: BTreeMap<Parameter, Value>,
     pinned: BTreeSet<Parameter>,
@@ -275,16 +258,6 @@ impl ProgramPage {
         self.workpiece
     }
 
-    /// The file of the simulated machine.
-    pub fn bench_name(&self) -> Option<&str> {
-        self.bench.as_ref().map(|(name, _)| name.as_str())
-    }
-
-    /// The file of contacts, and how many there are.
-    pub fn contacts_name(&self) -> Option<(&str, usize)> {
-        self.contacts.as_ref().map(|(name, contacts)| (name.as_str(), contacts.len()))
-    }
-
     /// How fast a run goes.
     pub const fn speed(&self) -> Speed {
         self.speed
@@ -342,8 +315,6 @@ impl Session {
         match command {
             ProgramCommand::OpenShipped(name) => self.open_shipped(name),
             ProgramCommand::Read { path, result } => self.program_read(path, result),
-            ProgramCommand::BenchRead { name, result } => self.program_bench_read(name, result),
-            ProgramCommand::ContactsRead { name, result } => self.program_contacts_read(name, result),
             ProgramCommand::Type(field, text) => self.type_program_field(field, text),
             ProgramCommand::ChooseWorkpiece(from) => self.choose_workpiece(from),
             ProgramCommand::Run => self.start_or_go_on(now, running::Mode::Running),
@@ -400,16 +371,16 @@ impl Session {
         }
     }
 
-    fn move_in_program(&mut self, step: Step) {
+    fn move_in_program(&mut self, step: BlockStep) {
         let Some(document) = self.program.shown() else { return };
         let (here, last) = (document.selected(), document.program().blocks().len().saturating_sub(1));
         let block = match step {
-            Step::Up => here.saturating_sub(1),
-            Step::Down => here + 1,
-            Step::PageUp => here.saturating_sub(PAGE),
-            Step::PageDown => here + PAGE,
-            Step::First => 0,
-            Step::Last => last,
+            BlockStep::Up => here.saturating_sub(1),
+            BlockStep::Down => here + 1,
+            BlockStep::PageUp => here.saturating_sub(PAGE),
+            BlockStep::PageDown => here + PAGE,
+            BlockStep::First => 0,
+            BlockStep::Last => last,
         };
         let place = BlockPlace { program: document.path().clone(), block: block.min(last) };
         self.program.look_at(&place, true);

@@ -3,13 +3,16 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::inputs::{assigned, length};
+use jiff::civil::DateTime;
+
+use super::inputs::{Input, assigned, length};
 use super::{Document, Origin, ProgramField, ProgramPage, WorkpieceFrom};
 use crate::control::machine::{NcPath, Shipped};
 use crate::control::program::{Program, ProgramWarning};
-use crate::probing::Contact;
-use crate::probing::simulated::Bench;
-use crate::session::{ProgramFile, Purpose, Session};
+use crate::length::Length;
+use crate::probing::cycle::Plane;
+use crate::probing::simulated::{Bench, Surface, Workpiece};
+use crate::session::{CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Session};
 use crate::words::{Language, Message, Say as _};
 
 /// How many files are remembered.
@@ -83,42 +86,57 @@ impl Session {
         self.reset_program();
     }
 
-    pub(super) fn program_bench_read(&mut self, name: String, result: Result<Box<Bench>, Message>) {
-        match result {
-            Ok(bench) => {
-                self.file_done();
-                self.program.bench = Some((name, bench));
-                self.program.workpiece = WorkpieceFrom::File;
-                self.reset_program();
-            }
-            Err(problem) => self.file_failed(problem),
-        }
-    }
-
-    pub(super) fn program_contacts_read(&mut self, name: String, result: Result<Vec<Contact>, Message>) {
-        match result {
-            Ok(contacts) => {
-                self.file_done();
-                self.program.contacts = Some((name, contacts.into()));
-                self.program.workpiece = WorkpieceFrom::Recorded;
-                self.reset_program();
-            }
-            Err(problem) => self.file_failed(problem),
-        }
-    }
-
     pub(super) fn choose_workpiece(&mut self, from: WorkpieceFrom) {
-        let wanted = match from {
-            WorkpieceFrom::File if self.program.bench.is_none() => Some(ProgramFile::Bench),
-            WorkpieceFrom::Recorded if self.program.contacts.is_none() => Some(ProgramFile::Contacts),
-            _ => None,
-        };
-        if let Some(file) = wanted {
-            return self.open_dialog(Purpose::OpenProgramFile(file));
+        if from == WorkpieceFrom::Recorded && self.cycles.recorded().is_none() {
+            return self.open_dialog(Purpose::OpenCycleFile(CycleFile::Contacts));
         }
         self.program.workpiece = from;
         self.program.check_workpiece();
         self.reset_program();
+    }
+
+    /// The simulated workpiece that suits is that of the program's inputs, as a shop makes it.
+    fn suited_to_program(&self) -> Option<Bench> {
+        let limits = self.program_limits()?.ok()?;
+        let centre = [Input::CentreX, Input::CentreY].map(|input| self.program.input_length(input).unwrap_or_default());
+        let usual = Workpiece::usual(limits.feature, limits.middle().to_mm_f64());
+        let surface = Surface::Round(Workpiece { centre: centre.map(Length::to_mm_f64), ..usual }, Plane::Xy);
+        let machine = self.cycles.bench().bench().copied().unwrap_or_else(|| Bench::perfect(surface));
+        Some(Bench { surface, ..machine })
+    }
+
+    /// Does a command of the workpiece's dialog, which the cycles page has as well.
+    pub(in crate::session) fn apply_cycles_for_page(&mut self, command: CyclesCommand, now: DateTime) -> Vec<Effect> {
+        let command = match command {
+            CyclesCommand::SuitBench if self.page == Page::Program => match self.suited_to_program() {
+                Some(bench) => CyclesCommand::BenchRead(Ok(Box::new(bench))),
+                None => return Vec::new(),
+            },
+            command => command,
+        };
+        let now_used = match &command {
+            CyclesCommand::Type(CycleField::Bench(_), _)
+            | CyclesCommand::ChooseKind(_)
+            | CyclesCommand::ChoosePlane(_)
+            | CyclesCommand::BenchRead(Ok(_)) => Some(WorkpieceFrom::Simulated),
+            CyclesCommand::ContactsRead { result: Ok(_), .. } => Some(WorkpieceFrom::Recorded),
+            _ => None,
+        };
+        let effects = self.apply_cycles(command, now);
+        if let Some(from) = now_used {
+            self.workpiece_changed(from);
+        }
+        effects
+    }
+
+    /// The workpiece that both pages share was changed: a run on it is cleared. One that was read here is used here.
+    fn workpiece_changed(&mut self, from: WorkpieceFrom) {
+        if self.page == Page::Program {
+            self.program.workpiece = from;
+        }
+        if matches!(self.program.workpiece, WorkpieceFrom::Simulated | WorkpieceFrom::Recorded) {
+            self.reset_program();
+        }
     }
 
     pub(super) fn type_program_field(&mut self, field: ProgramField, text: String) {

@@ -10,13 +10,14 @@ use super::inputs::{Input, length};
 use super::store::Dry;
 use super::{Origin, ProgramField, ProgramPage, WorkpieceFrom};
 use crate::control::machine::{
-    BlockPlace, Contacts, CycleRun, Fault, Folders, Machine, NcPath, Pause, Remark, Settings, Step, Window, Written,
+    BlockPlace, Contacts, CycleRun, Fault, Folders, Machine, NcPath, Pause, Remark, Settings, Step, Travel, TravelKind,
+    Window, Written,
 };
 use crate::control::program::Program;
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::length::Length;
-use crate::probing::cycle::{Move, Plane};
-use crate::probing::simulated::{Bench, Probe, Surface, Workpiece};
+use crate::probing::cycle::{Move, Phase, Plane};
+use crate::probing::simulated::{Bench, Surface, Workpiece};
 use crate::session::Session;
 use crate::tolerance::Feature;
 use crate::verdict::Status;
@@ -196,7 +197,7 @@ impl Run {
 
     /// The way of the ball's centre.
     pub fn path(&self) -> Vec<Move> {
-        self.machine.path().iter().map(|travel| travel.step).collect()
+        self.machine.path().iter().map(as_move).collect()
     }
 
     /// What is worth knowing about the run.
@@ -276,6 +277,15 @@ impl Run {
     }
 }
 
+/// A move as it is drawn: a block of the program is one on the way to the next touch.
+fn as_move(travel: &Travel) -> Move {
+    let (phase, touch) = match travel.kind {
+        TravelKind::Cycle(phase) => (phase, None),
+        TravelKind::Rapid | TravelKind::Feed => (Phase::PrePosition, None),
+    };
+    Move { phase, touch, from: travel.from, to: travel.to, about: travel.about }
+}
+
 fn reason(pause: &Pause) -> Message {
     match pause {
         Pause::Stop => Message::new("program-page-state-stop"),
@@ -316,10 +326,10 @@ impl ProgramPage {
     }
 
     /// A hole's or a shaft's workpiece at the inputs' centre.
-    fn round(&self, feature: Feature, centre: [Length; 2], diameter: Length) -> Contacts {
+    fn round(feature: Feature, centre: [Length; 2], diameter: Length) -> Contacts {
         let workpiece = Workpiece::round(feature, centre.map(Length::to_mm_f64), diameter.to_mm_f64());
         let surface = Surface::Round(workpiece, Plane::Xy);
-        Contacts::Workpiece(Bench { surface, probe: Probe::STILL, seed: 1, temperature: 20.0, expansion: 11.5 })
+        Contacts::Workpiece(Bench::perfect(surface))
     }
 
     fn field_length(&self, field: ProgramField) -> Result<Length, Message> {
@@ -380,7 +390,7 @@ impl Session {
         let centre = [Input::CentreX, Input::CentreY].map(|input| page.input_length(input).unwrap_or_default());
         match page.workpiece {
             WorkpieceFrom::Perfect => Ok(limits.map_or(Contacts::Perfect, |limits| {
-                page.round(limits.feature, centre, limits.middle())
+                ProgramPage::round(limits.feature, centre, limits.middle())
             })),
             WorkpieceFrom::Given => {
                 let mut read = |field| {
@@ -393,14 +403,14 @@ impl Session {
                 let diameter = read(ProgramField::Diameter)?;
                 let centre = [read(ProgramField::WorkpieceX)?, read(ProgramField::WorkpieceY)?];
                 let feature = limits.map_or(Feature::Hole, |limits| limits.feature);
-                Ok(page.round(feature, centre, diameter))
+                Ok(ProgramPage::round(feature, centre, diameter))
             }
-            WorkpieceFrom::File => match &page.bench {
-                Some((_, bench)) => Ok(Contacts::Workpiece(**bench)),
-                None => Err(Message::new("program-page-refused-no-bench")),
+            WorkpieceFrom::Simulated => match self.cycles.bench().bench() {
+                Some(bench) => Ok(Contacts::Workpiece(*bench)),
+                None => Err(Message::new("program-page-refused-workpiece")),
             },
-            WorkpieceFrom::Recorded => match &page.contacts {
-                Some((_, contacts)) => Ok(Contacts::Recorded(contacts.to_vec())),
+            WorkpieceFrom::Recorded => match self.cycles.recorded() {
+                Some(recorded) => Ok(Contacts::Recorded(recorded.contacts.clone())),
                 None => Err(Message::new("program-page-refused-no-contacts")),
             },
         }
