@@ -88,11 +88,11 @@ macro_rules! files {
     };
 }
 
-const EN: [(&str, &str); 9] = files!(
-    "en": "tolerance" "probing" "control" "program" "exchange" "report" "window" "cycles-page" "program-page"
+const EN: [(&str, &str); 10] = files!(
+    "en": "tolerance" "probing" "control" "program" "machine" "exchange" "report" "window" "cycles-page" "program-page"
 );
-const NL: [(&str, &str); 9] = files!(
-    "nl": "tolerance" "probing" "control" "program" "exchange" "report" "window" "cycles-page" "program-page"
+const NL: [(&str, &str); 10] = files!(
+    "nl": "tolerance" "probing" "control" "program" "machine" "exchange" "report" "window" "cycles-page" "program-page"
 );
 
 /// A sentence without its language: the name of a text and what is put into it.

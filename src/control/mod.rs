@@ -8,6 +8,7 @@
 //! | `variables` | Q, QL, QR and QS parameters |
 //! | `table` | freely definable tables `.TAB`, three header generations, read and written |
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
+//! | `machine` | runs NC programs, within bounds |
 //! | `program` | NC programs in Klartext, read and written |
 //! | `deviations` | such a table as a table of deviations; the two shipped ones |
 //! | `mask` | FN 16 masks, read and rendered |
@@ -19,6 +20,7 @@ pub mod cycle_status;
 pub mod deviations;
 pub mod log;
 pub mod log444;
+pub mod machine;
 pub mod mask;
 pub mod probe_table;
 pub mod program;

@@ -82,6 +82,17 @@ impl Variables {
         self.0.get(&parameter)
     }
 
+    /// Makes a parameter undefined.
+    pub fn unset(&mut self, parameter: Parameter) {
+        self.0.remove(&parameter);
+    }
+
+    /// Makes all parameters of a family undefined and says what they were.
+    pub fn take(&mut self, family: Family) -> Vec<(Parameter, Value)> {
+        let of = |number| Parameter { family, number };
+        self.0.extract_if(of(0)..=of(u16::MAX), |_, _| true).collect()
+    }
+
     /// All defined parameters in order.
     pub fn iter(&self) -> impl Iterator<Item = (Parameter, &Value)> {
         self.0.iter().map(|(&parameter, value)| (parameter, value))

@@ -21,6 +21,7 @@ mod locales;
 mod log_444;
 mod log_writing;
 mod logs;
+mod machine;
 mod masks;
 mod point_cycles;
 mod programs;
