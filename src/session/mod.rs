@@ -45,7 +45,7 @@ pub use fit::{
 };
 pub use inputs::{Field, Inputs, MeasureBy};
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
-pub use saved::{Saved, SavedError};
+pub use saved::{Saved, SavedCycles, SavedError};
 pub use tables::{TablesCommand, TablesPage};
 
 use crate::control::mask::Mask;
@@ -555,6 +555,7 @@ impl Session {
             source: self.source_choice(),
             standard: self.sources.options(),
             inputs: self.inputs.clone(),
+            cycles: self.cycles.saved(),
             ..Saved::default()
         }
     }
@@ -565,6 +566,7 @@ impl Session {
         let mut session = Self { keypad: saved.keypad, ..Self::with(saved.language, saved.theme, saved.inputs) };
         let sources = Sources::default().with_base(base(saved.source)).with_options(saved.standard);
         session.sources = Arc::new(sources);
+        session.cycles.restore(&saved.cycles);
         session.read_fields();
         (session, effects)
     }

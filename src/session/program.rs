@@ -7,7 +7,6 @@
 //! | `tokens` | what a line is made of, so that it can be told apart |
 //! | `inputs` | the seven inputs of 8255 as fields, and Fitcheck's own answer |
 //! | `running` | run, pause, single block, to the selected block |
-//! | `store` | where a run reads, and what it would have written |
 //! | `watching` | parameters with their names, changes and values given beforehand |
 //! | `opening` | programs and workpieces from files |
 //! | `problems` | what is wrong, block by block |
@@ -20,7 +19,6 @@ mod inputs;
 mod opening;
 mod problems;
 mod running;
-mod store;
 mod tokens;
 mod watching;
 

@@ -28,6 +28,7 @@ mod programs;
 mod report;
 mod report_cli;
 mod session;
+mod session_cycles;
 mod session_fit;
 mod session_tables;
 mod table_cli;

@@ -63,7 +63,10 @@ cycles-log-shown = The control shows the result on screen
 cycles-from-perfect = Measured on a perfect workpiece at nominal, with a point as probe
 cycles-from-simulated = Measured on the simulated workpiece, seed { $seed }
 cycles-from-recorded = Contacts from { $file }
-cycles-unused = The cycle left { $count } contacts of the file unused
+cycles-unused = The cycle left { $count ->
+    [one] one contact
+   *[other] { $count } contacts
+    } of the file unused
 
 cycles-fields-wrong = { $count ->
     [one] one field

@@ -63,7 +63,10 @@ cycles-log-shown = De besturing toont het resultaat op het scherm
 cycles-from-perfect = Gemeten op een perfect werkstuk op nominale maat, met een punt als taster
 cycles-from-simulated = Gemeten op het gesimuleerde werkstuk, toevalsgetal { $seed }
 cycles-from-recorded = Contacten uit { $file }
-cycles-unused = De cyclus heeft { $count } contacten van het bestand niet gebruikt
+cycles-unused = De cyclus heeft { $count ->
+    [one] één contact
+   *[other] { $count } contacten
+    } van het bestand niet gebruikt
 
 cycles-fields-wrong = { $count ->
     [one] een veld is

@@ -1,12 +1,12 @@
 //! Right: the verdict, the status window, the result parameters as the control lists them, and what is worth knowing.
 
-use eframe::egui::{Align, Button, Grid, Label, Layout, RichText, Ui, vec2};
+use eframe::egui::{Align, Button, Label, Layout, RichText, Sense, Ui, vec2};
 
 use crate::gui::check::mask_chooser_ui;
 use crate::gui::popup::popup_ui;
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::verdict_card::{card_ui, half_um, status_id};
-use crate::gui::view::{Digits, View, heading, quiet};
+use crate::gui::view::{Digits, View, heading, quiet, quiet_cut};
 use crate::length::Length;
 use crate::probing::cycle::{Check, CycleResult, FoundName, LogTarget, Value};
 use crate::session::{Command, CycleRun, CyclesCommand};
@@ -17,6 +17,9 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let run = session.cycles().run();
     verdict_ui(ui, view, run);
+    if let Some(stop) = run.and_then(|run| run.found()?.stop.as_ref()) {
+        ui.label(RichText::new(view.words.told(stop)).font(theme::bold(sizes().body)));
+    }
     ui.add_space(space(1.0));
     let window = session.cycle_window();
     let is_measured = run.is_some_and(|run| run.found().is_some());
@@ -119,32 +122,26 @@ fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
             }
         });
     });
-    let width = ui.available_width();
-    Grid::new("cycle-results").num_columns(3).min_row_height(0.0).spacing(vec2(space(2.0), space(0.5))).show(
-        ui,
-        |ui| {
-            for found in &result.results {
-                ui.label(RichText::new(found.key.to_string()).font(theme::bold(sizes().body)));
-                let name = view.words.told(&found.name);
-                ui.scope(|ui| {
-                    ui.set_max_width(width * 0.48);
-                    quiet(ui, name);
-                });
-                let text = RichText::new(value(view.words, &found.value)).font(theme::mono(sizes().mono));
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.add(Label::new(text).selectable(true)));
-                ui.end_row();
-            }
-        },
-    );
+    for found in &result.results {
+        let text = RichText::new(value(view.words, &found.value)).font(theme::mono(sizes().mono));
+        let row = vec2(ui.available_width(), sizes().body + space(1.0));
+        ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+            let (key, _) = ui.allocate_exact_size(vec2(space(11.0), row.y), Sense::hover());
+            let text_of_key = RichText::new(found.key.to_string()).font(theme::bold(sizes().body));
+            ui.put(key, Label::new(text_of_key).halign(Align::LEFT));
+            let name = view.words.told(&found.name);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.add(Label::new(text).selectable(true));
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| quiet_cut(ui, name));
+            });
+        });
+    }
 }
 
-/// The stop, the log, where contacts came from, remarks and warnings.
+/// The log, where contacts came from, remarks and warnings.
 fn notes_ui(ui: &mut Ui, view: &View<'_>, run: &CycleRun, result: &CycleResult) {
     ui.separator();
     let words = view.words;
-    if let Some(stop) = &result.stop {
-        ui.label(RichText::new(words.told(stop)).font(theme::bold(sizes().body)));
-    }
     let log = match result.log {
         LogTarget::None => None,
         LogTarget::File(name) => Some(words.say(&Message::new("cycles-log-file").text("name", name))),

@@ -25,8 +25,9 @@ pub(in crate::gui) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
             ui.separator();
             buttons_ui(ui, view);
         });
-    let escaped = ui.input(|input| input.key_pressed(Key::Escape)) && view.session.dialog().is_none();
-    if escaped && !ui.ctx().text_edit_focused() {
+    // What lies above is closed first.
+    let is_top = view.session.dialog().is_none() && view.session.notices().is_empty();
+    if is_top && ui.input(|input| input.key_pressed(Key::Escape)) && !ui.ctx().text_edit_focused() {
         view.send(Command::Cycles(CyclesCommand::ShowBench(false)));
     }
 }

@@ -36,7 +36,7 @@ fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
     let chosen = view.session.cycles().cycle();
     ComboBox::from_id_salt("cycle")
         .selected_text(title(view, chosen))
-        .width(ui.available_width() - space(1.0))
+        .width(ui.available_width() - space(2.5))
         .truncate()
         .height(list_height(ui))
         .show_ui(ui, |ui| {
@@ -72,7 +72,14 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     match from {
         ContactsFrom::Perfect => {}
-        ContactsFrom::Simulated => _ = ui.horizontal(|ui| simulated_ui(ui, view)),
+        ContactsFrom::Simulated => {
+            ui.horizontal(|ui| simulated_ui(ui, view));
+            // The dialog says it beside the field.
+            let page = view.session.cycles();
+            if let Some(error) = page.bench().problem().filter(|_| !page.bench_is_open()) {
+                problem(ui, view.words.say(error));
+            }
+        }
         ContactsFrom::Recorded => _ = ui.horizontal(|ui| recorded_ui(ui, view)),
     }
     probe_ui(ui, view);
@@ -84,9 +91,6 @@ fn simulated_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     if ui.button(view.text("cycles-suit")).clicked() {
         view.send(Command::Cycles(CyclesCommand::SuitBench));
-    }
-    if let Some(error) = view.session.cycles().bench().problem() {
-        problem(ui, view.words.say(error));
     }
 }
 
@@ -139,7 +143,14 @@ fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let palette = palette(ui.ctx());
-        let width = ui.available_width() * 0.6;
+        ui.spacing_mut().item_spacing.x = space(1.5);
+        // The two small buttons keep their words whole.
+        let small = |ui: &Ui, id: &str| {
+            let galley = ui.painter().layout_no_wrap(view.words.get(id), theme::font(sizes().body), palette.text.0);
+            galley.size().x + 2.0 * ui.spacing().button_padding.x + space(1.0)
+        };
+        let widths = [small(ui, "clear"), small(ui, "keypad")];
+        let width = ui.available_width() - widths.iter().sum::<f32>() - space(5.0);
         let text = RichText::new(view.text("cycles-run")).color(palette.on_accent.0).font(theme::bold(sizes().body));
         let button = Button::new(text).fill(palette.accent.0).min_size(vec2(width, sizes().touch));
         if ui.add(button).on_hover_text("F5").clicked() {

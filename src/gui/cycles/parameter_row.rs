@@ -110,7 +110,7 @@ fn choice_ui(
     let mut choice = None;
     let response = ComboBox::from_id_salt(("cycle-choice", key))
         .selected_text(shown)
-        .width(space(FIELD + UNIT))
+        .width(space(FIELD + UNIT - 1.0))
         .truncate()
         .height(list_height(ui))
         .show_ui(ui, |ui| {

@@ -6,7 +6,7 @@ use super::form_panel::last_focused;
 use super::{column_ui, picture};
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
-use crate::probing::cycle::{Move, Parameter, Phase, Unset, Value};
+use crate::probing::cycle::{Move, Parameter, Phase, Range, Unset, Value};
 use crate::session::{Command, CycleRun, CyclesCommand, Step};
 use crate::words::{Message, Words};
 
@@ -57,15 +57,23 @@ fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
             ui.spacing_mut().item_spacing.y = 0.0;
             heading(ui, parameter.key.to_string());
             ui.label(parameter.question(view.words.language()));
-            let range = view.words.number(&parameter.range.short());
-            let unit = parameter.range.unit().unwrap_or_default();
-            quiet(ui, view.words.say(&Message::new("cycles-allowed").text("range", range).text("unit", unit)));
+            quiet(ui, allowed(view, parameter));
             quiet(ui, default(view, parameter));
             if parameter.may_be_predef {
                 quiet(ui, view.text("cycles-may-be-predef"));
             }
         });
     });
+}
+
+/// What the parameter may be.
+fn allowed(view: &View<'_>, parameter: &Parameter) -> String {
+    if matches!(parameter.range, Range::Tool | Range::Band) {
+        return view.words.told(&parameter.range);
+    }
+    let range = view.words.number(&parameter.range.short());
+    let unit = parameter.range.unit().unwrap_or_default();
+    view.words.say(&Message::new("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
 }
 
 /// What counts when nothing is typed.

@@ -122,20 +122,20 @@ fn native_ui(ui: &mut Ui, view: &View<'_>) {
 
 fn agreement_ui(ui: &mut Ui, view: &View<'_>) {
     let Some(agreement) = view.session.program_agreement() else { return };
-    let (agrees, said) = match agreement {
-        Agreement::Agrees => (true, view.text("program-page-agrees")),
+    let (shape, said) = match agreement {
+        Agreement::Agrees => (Some(Status::Good), view.text("program-page-agrees")),
+        Agreement::BothRefuse => (None, view.text("program-page-both-refuse")),
         Agreement::Differs(differences) => {
             let differences: Vec<_> = differences.iter().map(|message| view.words.say(message)).collect();
             let message = Message::new("program-page-differs").text("what", differences.join("; "));
-            (false, view.words.say(&message))
+            (Some(Status::Scrap), view.words.say(&message))
         }
     };
     ui.horizontal_top(|ui| {
         let palette = palette(ui.ctx());
         let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(5.0)), Sense::hover());
-        let (shape, colour) =
-            if agrees { (Status::Good, palette.text.0) } else { (Status::Scrap, palette.error.0) };
-        shapes::status(ui.painter(), mark, Some(shape), colour);
+        let colour = if shape == Some(Status::Scrap) { palette.error.0 } else { palette.text.0 };
+        shapes::status(ui.painter(), mark, shape, colour);
         let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));
         label.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
         ui.ctx().accesskit_node_builder(label.id, |node| node.set_live(Live::Polite));

@@ -54,7 +54,7 @@ pub(super) fn listing_ui(ui: &mut Ui, view: &mut View<'_>) {
     let rect = ui.available_rect_before_wrap();
     let listing = ui.interact(rect, id(), Sense::focusable_noninteractive());
     let name = Message::new("program-page-listing").text("name", document.title());
-    let name = view.words.say(&name.count("blocks", document.program().blocks().len()));
+    let name = view.words.say(&name.count("count", document.program().blocks().len()));
     listing.widget_info(|| WidgetInfo::labeled(Role::List, true, &name));
     if listing.has_focus() {
         keys(ui, view);

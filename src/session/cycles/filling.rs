@@ -8,7 +8,7 @@ use crate::control::probe_table::ProbeTable;
 use crate::probing::cycles::cycle;
 use crate::probing::simulated::{Bench, Probe};
 use crate::probing::{Contact, Source};
-use crate::session::{Notice, Session};
+use crate::session::{Notice, SavedCycles, Session};
 use crate::words::{Language, Message, Say as _};
 
 impl CyclesPage {
@@ -17,6 +17,27 @@ impl CyclesPage {
             self.cycle = cycle;
             self.changed();
         }
+    }
+
+    /// What survives a restart.
+    pub(in crate::session) fn saved(&self) -> SavedCycles {
+        let typed = self.texts.iter().filter(|(_, text)| !text.is_empty());
+        let texts = typed.map(|((number, key), text)| (format!("{number} {key}"), text.clone()));
+        SavedCycles { cycle: Some(self.cycle.number), texts: texts.collect() }
+    }
+
+    /// Takes what was saved; what no cycle knows any more is left out.
+    pub(in crate::session) fn restore(&mut self, saved: &SavedCycles) {
+        for (name, text) in &saved.texts {
+            let known = name.split_once(' ').and_then(|(number, key)| {
+                let cycle = cycle(number.parse().ok()?)?;
+                Some((cycle.number, cycle.parameter_named(key)?.key))
+            });
+            if let Some(place) = known {
+                self.texts.insert(place, text.clone());
+            }
+        }
+        self.choose(saved.cycle.unwrap_or(self.cycle.number));
     }
 
     pub(super) fn change_bench(&mut self, change: impl FnOnce(&mut BenchForm)) {

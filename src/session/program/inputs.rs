@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{ProgramField, ProgramPage};
-use crate::control::program::{Body, Expression, Operand, Program, TextExpression, TextOperand};
+use crate::control::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
 use crate::probing::cycle;
@@ -111,12 +111,14 @@ pub(super) fn assigned(program: &Program) -> BTreeMap<Input, String> {
     let mut found = BTreeMap::new();
     for block in program.blocks() {
         let (to, text) = match &block.body {
-            Body::Assign { to, value: Expression::Value(Operand::Number(number)) } => (*to, number.to_string()),
+            Body::Assign { to, value } => match plain(value) {
+                Some(number) => (*to, number.to_string()),
+                None => continue,
+            },
             Body::AssignText { to, value: TextExpression::Value(TextOperand::Text(text)) } => (*to, text.clone()),
             Body::Begin { .. }
             | Body::Nothing
             | Body::Heading { .. }
-            | Body::Assign { .. }
             | Body::AssignText { .. }
             | Body::ToolCall { .. }
             | Body::Move(_)
@@ -130,11 +132,22 @@ pub(super) fn assigned(program: &Program) -> BTreeMap<Input, String> {
     found
 }
 
+/// A number, perhaps with a minus sign before it.
+fn plain(value: &Expression) -> Option<f64> {
+    match value {
+        Expression::Value(Operand::Number(number)) => Some(*number),
+        Expression::Function(NumberFunction::Negative, number) => plain(number).map(|number| -number),
+        _ => None,
+    }
+}
+
 /// Whether program and native answer say the same.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Agreement {
     /// They do.
     Agrees,
+    /// Neither has an answer, each for its own reason.
+    BothRefuse,
     /// They do not; what differs, one sentence each.
     Differs(Vec<Message>),
 }
@@ -217,7 +230,7 @@ impl Session {
         let Ok(limits) = native else {
             // Both refuse, each in its own words: that is no difference.
             return match (run.fault(), run.status()) {
-                (Some(_), _) => Some(Agreement::Agrees),
+                (Some(_), _) => Some(Agreement::BothRefuse),
                 (None, Some(_)) => Some(Agreement::Differs(vec![Message::new("program-page-differs-native-refuses")])),
                 (None, None) => None,
             };
@@ -262,7 +275,7 @@ mod tests {
     #[test]
     fn only_plain_values_before_the_first_call_are_inputs() {
         let text = "0 BEGIN PGM x MM\n1 * - Head\n2 Q1 = 25\n3 DECLARE STRING QS1 = \"H7\"\n4 Q11 = Q1 + 1\n\
-            5 Q31 = -5.5\n6 Q1 = 30\n7 CALL PGM y.h\n8 Q41 = 0\n9 END PGM x MM\n";
+            5 Q31 = - 5.5\n6 Q1 = 30\n7 CALL PGM y.h\n8 Q41 = 0\n9 END PGM x MM\n";
         let (program, _) = Program::read(text.as_bytes()).unwrap();
         let found: Vec<_> = assigned(&program).into_iter().collect();
         let expected = [(Input::Size, "25"), (Input::Class, "H7"), (Input::Height, "-5.5")];

@@ -7,7 +7,6 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::inputs::{Input, length};
-use super::store::Dry;
 use super::{Origin, ProgramField, ProgramPage, WorkpieceFrom};
 use crate::control::machine::{
     BlockPlace, Contacts, CycleRun, Fault, Folders, Machine, NcPath, Pause, Remark, Settings, Step, Travel, TravelKind,
@@ -259,8 +258,8 @@ impl Run {
             left -= most;
             let result = self.machine.run(most);
             self.take(result);
-            if self.state == State::Running && self.is_at_goal() {
-                return self.pause("program-page-state-goal");
+            if self.state == State::Running && let Some(reason) = self.goal_reached() {
+                return self.pause(reason);
             }
             if measured + MOST_CYCLES <= self.machine.cycles().len() {
                 return;
@@ -268,12 +267,14 @@ impl Run {
         }
     }
 
-    fn is_at_goal(&self) -> bool {
-        match &self.goal {
-            Goal::None => false,
-            Goal::Depth(depth) => self.machine.calls().len() <= *depth,
-            Goal::Block(place) => self.machine.place() == *place,
-        }
+    /// Why the run pauses here, where it has come as far as it should.
+    fn goal_reached(&self) -> Option<&'static str> {
+        let (reached, reason) = match &self.goal {
+            Goal::None => (false, ""),
+            Goal::Depth(depth) => (self.machine.calls().len() <= *depth, "program-page-state-over"),
+            Goal::Block(place) => (self.machine.place() == *place, "program-page-state-goal"),
+        };
+        reached.then_some(reason)
     }
 }
 
@@ -371,7 +372,7 @@ impl Session {
         settings.skip_unknown = page.switches.skip_unknown;
         settings.block_skip = page.switches.block_skip;
         settings.optional_stop = page.switches.optional_stop;
-        let mut machine = Machine::new(&path, program, Dry::reading(folders), contacts, settings);
+        let mut machine = Machine::new(&path, program, folders, contacts, settings);
         for (parameter, value) in page.changed_inputs() {
             machine.set(parameter, value);
         }

@@ -29,7 +29,7 @@ pub enum Name<'a> {
 }
 
 /// What the control itself puts into parameters, by the ids of their texts.
-const CONTROL: [(u16, &str); 17] = [
+const CONTROL: [(u16, &str); 16] = [
     (113, "program-page-q113"),
     (115, "program-page-q115"),
     (116, "program-page-q116"),
@@ -46,7 +46,6 @@ const CONTROL: [(u16, &str); 17] = [
     (181, "found-rework"),
     (182, "found-scrap"),
     (183, "found-status"),
-    (199, "program-page-q199"),
 ];
 
 impl ProgramPage {

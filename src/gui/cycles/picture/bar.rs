@@ -6,7 +6,7 @@ use eframe::egui::{Align2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2
 use super::canvas::{Canvas, screen};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
-use crate::length::Length;
+use crate::length::{Length, Unit};
 use crate::probing::cycle::{CycleResult, FoundName, Value};
 use crate::words::{Message, Words};
 
@@ -103,14 +103,14 @@ impl Bar<'_> {
                 self.canvas.note(line_top(line), Align2::CENTER_BOTTOM, "0");
             }
         }
-        self.marker(measured, band);
+        self.marker(measured, limits, band);
     }
 
     /// The value, or an arrow at the edge that it is beyond; always with its figure.
-    fn marker(&self, measured: Length, band: Rect) {
+    fn marker(&self, measured: Length, limits: Option<[Length; 2]>, band: Rect) {
         let colour = self.canvas.palette.text.0;
         let (share, x, y) = (self.share(measured), self.x(measured), band.center().y);
-        let text = format!("{} mm", self.words.mm(measured, 4));
+        let text = format!("{} mm", figure(self.words, measured, limits));
         let along = match share {
             share if share < 0.0 => -Vec2::X,
             share if 1.0 < share => Vec2::X,
@@ -128,6 +128,16 @@ impl Bar<'_> {
     }
 }
 
+/// To 0.1 µm, but exactly where that could hide on which side of a limit it lies.
+fn figure(words: &Words, measured: Length, limits: Option<[Length; 2]>) -> String {
+    let is_near = |limit: Length| measured.saturating_sub(limit).abs() < Length::from_micrometres(1);
+    if limits.is_some_and(|limits| limits.into_iter().any(is_near)) {
+        words.mm(measured, 4)
+    } else {
+        words.number(&measured.rounded(Unit::Millimetre, 4))
+    }
+}
+
 const fn line_top([top, _]: [eframe::egui::Pos2; 2]) -> eframe::egui::Pos2 {
     top
 }
@@ -138,11 +148,15 @@ mod tests {
 
     #[test]
     fn the_zone_takes_the_middle_half_and_no_zone_is_never_nothing() {
-        let um = Length::from_micrometres;
-        assert_eq!(span(um(5), Some([um(-100), um(100)])), [-200_000.0, 200_000.0]);
+        fn check(measured: i32, limits: Option<[i32; 2]>, expected: [f64; 2]) {
+            let span =
+                span(Length::from_micrometres(measured), limits.map(|limits| limits.map(Length::from_micrometres)));
+            assert!(span.iter().zip(expected).all(|(nm, expected)| (nm - expected).abs() < 1e-6), "{span:?}");
+        }
+        check(5, Some([-100, 100]), [-200_000.0, 200_000.0]);
         // A zone of no width, and a value on it.
-        assert_eq!(span(um(7), Some([um(7), um(7)])), [6_000.0, 8_000.0]);
-        assert_eq!(span(um(0), None), [-1_000.0, 1_000.0]);
-        assert_eq!(span(um(-40), None), [-80_000.0, 80_000.0]);
+        check(7, Some([7, 7]), [6_000.0, 8_000.0]);
+        check(0, None, [-1_000.0, 1_000.0]);
+        check(-40, None, [-80_000.0, 80_000.0]);
     }
 }

@@ -124,6 +124,11 @@ impl<'a> Canvas<'a> {
         self.painter.text(at, anchor, text, theme::font(sizes().small), self.palette.quiet.0);
     }
 
+    /// The same where lines or material are behind it.
+    pub(super) fn note_on_ground(&self, at: Pos2, anchor: Align2, text: &str) {
+        self.label(at, anchor, text, theme::font(sizes().small), self.palette.quiet.0);
+    }
+
     /// Text on a ground, so that lines do not cross it, and within the drawing.
     pub(super) fn label(&self, at: Pos2, anchor: Align2, text: &str, font: FontId, colour: Color32) -> Rect {
         let galley = self.painter.layout_no_wrap(text.to_owned(), font, colour);

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Painter, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, vec2};
+use eframe::egui::{Align, Align2, Painter, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, vec2};
 
 use super::bar;
 use super::canvas::{Canvas, screen};
@@ -205,14 +205,13 @@ impl Drawing<'_> {
             let place = self.at(*contact);
             let out = (place - self.at([0.0; 2])).normalized();
             let text = numbered(self.words, number, *residual);
-            let [x, _] = *contact;
-            let anchor = match () {
-                () if x < -0.1 => Align2::RIGHT_CENTER,
-                () if x <= 0.1 && out.y < 0.0 => Align2::CENTER_BOTTOM,
-                () if x <= 0.1 => Align2::CENTER_TOP,
-                () => Align2::LEFT_CENTER,
+            let side = |part: f32, before, after| match part {
+                part if part < -0.38 => before,
+                part if 0.38 < part => after,
+                _ => Align::Center,
             };
-            let rect = free(&taken, label_rect(&self.canvas.painter, place + out * 12.0, anchor, &text));
+            let anchor = Align2([side(out.x, Align::Max, Align::Min), side(out.y, Align::Max, Align::Min)]);
+            let rect = free(&taken, label_rect(&self.canvas.painter, place + out * 15.0, anchor, &text));
             taken.push(label(self.canvas, rect, &text));
         }
     }

@@ -1,7 +1,7 @@
 //! Every criterion of a circle side by side, what scatter does to it, and what the contacts cannot tell.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Grid, RichText, Ui, WidgetInfo};
+use eframe::egui::{Align2, Grid, RichText, Ui, WidgetInfo};
 
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
@@ -22,7 +22,7 @@ const HEADS: [&str; 4] = [
 /// The table, the uncertainties and the warnings, below one another.
 pub(in crate::gui) fn criteria_table(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
     let words = view.words;
-    Grid::new("cycle-criteria").num_columns(5).spacing([space(6.0), space(1.0)]).show(ui, |ui| {
+    Grid::new("cycle-criteria").num_columns(5).min_row_height(space(6.0)).spacing([space(5.0), 0.0]).show(ui, |ui| {
         quiet(ui, view.text("cycle-picture-head-criterion"));
         for head in HEADS {
             quiet(ui, view.text(head));
@@ -53,16 +53,16 @@ impl Row {
             Ok(cells) => {
                 for (cell, head) in cells.into_iter().zip(HEADS) {
                     let said = format!("{}, {} {cell}", self.name, words.get(head));
-                    let response = ui.label(RichText::new(cell).font(theme::mono(sizes().mono)));
+                    let response = ui.label(RichText::new(cell).font(theme::font(sizes().body)));
                     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
                 }
             }
             Err(reason) => {
                 // The reason is a sentence and stands across all columns.
                 let colour = palette(ui.ctx()).quiet.0;
-                let at = ui.cursor().min;
                 let galley = ui.painter().layout_no_wrap(reason.clone(), theme::font(sizes().small), colour);
                 let response = ui.allocate_response([1.0, galley.size().y].into(), eframe::egui::Sense::hover());
+                let at = Align2::LEFT_CENTER.anchor_size(response.rect.left_center(), galley.size()).min;
                 ui.painter().galley(at, galley, colour);
                 let said = format!("{}, {reason}", self.name);
                 response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));

@@ -22,7 +22,7 @@ mod parameter;
 mod path;
 mod plan;
 mod section;
-#[cfg(all(test, feature = "gui-tests"))]
+#[cfg(test)]
 mod tests;
 
 pub(in crate::gui) use contacts::contacts_picture;

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Sense, Ui, WidgetInfo, vec2};
 
 use super::canvas::Canvas;
-use super::meaning::{Meaning, Scene};
+use super::meaning::{Axis, Meaning, Scene};
 use super::{choice, plan, section};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
@@ -56,9 +56,9 @@ fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &str) {
         | Meaning::ClearanceHeight
         | Meaning::Difference
         | Meaning::Band
-        | Meaning::Retract => section::draw(canvas, scene, meaning, key),
+        | Meaning::Retract
+        | Meaning::Point(Axis::Third) => section::draw(canvas, scene, meaning, key),
         Meaning::Point(_) if scene == Scene::Surface => section::draw(canvas, scene, meaning, key),
-        Meaning::Point(super::meaning::Axis::Third) => section::draw(canvas, scene, meaning, key),
         Meaning::MoveToClearance
         | Meaning::Traverse
         | Meaning::ContactCount

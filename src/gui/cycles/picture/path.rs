@@ -244,7 +244,8 @@ impl Scale {
             (f64::midpoint(least, most), most - least)
         };
         let ((x, wide), (y, high)) = (fold(|[x, _]| *x), fold(|[_, y]| *y));
-        let size = |extent: f64| ((extent + 2.0 * around) * (1.0 + 2.0 * MARGIN)).max(LEAST_MM);
+        // A ball that moves little still has some room around it.
+        let size = |extent: f64| ((extent + 2.0 * around) * (1.0 + 2.0 * MARGIN)).max(6.0 * ball).max(LEAST_MM);
         let room = rect.shrink(space(2.0));
         let [width, height] = [room.width(), room.height()].map(|side| f64::from(side.max(1.0)));
         Self { eye, rect, middle: [x, y], points_per_mm: (width / size(wide)).min(height / size(high)) }
@@ -361,11 +362,17 @@ impl Scale {
     /// Every contact as a mark on the surface with its number beyond it; several at one place share their mark.
     fn contacts(&self, canvas: &Canvas<'_>, way: &Way<'_>) {
         let mut marks: Vec<(Pos2, Vec2, String, bool)> = Vec::new();
+        // From the ball's centre to where it touches, on screen.
         let mut towards = Vec2::ZERO;
         for (number, one) in way.moves.iter().enumerate() {
             let seen = |place| self.at(self.eye.see(way.plane().within(place)));
             if one.phase == Phase::Approach {
-                towards = (seen(one.to) - seen(one.from)).normalized();
+                let ([from_x, from_y, from_z], [to_x, to_y, to_z]) = (one.from, one.to);
+                let off = [to_x - from_x, to_y - from_y, to_z - from_z];
+                let length = off.iter().map(|part| part * part).sum::<f64>().sqrt();
+                let unit = off.map(|part| if 0.0 < length { part / length } else { 0.0 });
+                let [x, y] = self.eye.see(way.plane().within(unit));
+                towards = vec2(screen(x), -screen(y));
             }
             let (Phase::Contact, Some(touch)) = (one.phase, one.touch) else { continue };
             let at = seen(one.to) + towards * self.length(way.ball_radius);
@@ -384,7 +391,7 @@ impl Scale {
             } else {
                 canvas.circle(at, 4.0, canvas.palette.panel.0, canvas.thin());
             }
-            let beyond = if towards == Vec2::ZERO { vec2(14.0, -12.0) } else { towards * 15.0 };
+            let beyond = if towards.length() < 0.01 { vec2(14.0, -12.0) } else { towards.normalized() * 15.0 };
             canvas.note(at + beyond, Align2::CENTER_CENTER, &text);
         }
     }
@@ -399,11 +406,15 @@ impl Scale {
         let mm = round_below(f64::from(self.rect.width()) * 0.25 / self.points_per_mm);
         let right = inner.right_bottom();
         let left = right - vec2(self.length(mm), 0.0);
+        let text = format!("{} mm", words.number(&format!("{mm}")));
+        // On a ground of its own: material may be behind it.
+        let top = right - vec2(self.length(mm).max(space(11.0)), sizes().small + space(2.0));
+        let ground = Rect::from_two_pos(top, right).expand(space(1.0));
+        canvas.painter.rect_filled(ground, 2.0, canvas.palette.panel.0);
         canvas.line(left, right, canvas.edge());
         for end in [left, right] {
             canvas.line(end - vec2(0.0, 3.0), end + vec2(0.0, 3.0), canvas.edge());
         }
-        let text = format!("{} mm", words.number(&format!("{mm}")));
         canvas.note(left + (right - left) / 2.0 - vec2(0.0, 4.0), Align2::CENTER_BOTTOM, &text);
     }
 }

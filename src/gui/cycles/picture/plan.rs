@@ -195,10 +195,10 @@ impl Plan<'_> {
             self.canvas.line(centre, polar(centre, RADIUS, degrees), self.canvas.thin());
             let colour = if touch < 2 { self.canvas.palette.accent.0 } else { self.canvas.palette.text.0 };
             self.canvas.contact(polar(centre, RADIUS, degrees), colour);
-            let place = polar(centre, RADIUS + 12.0, degrees);
+            let place = polar(centre, RADIUS - 11.0, degrees + 18.0);
             self.canvas.note(place, Align2::CENTER_CENTER, number);
         }
-        self.canvas.arc_arrow(centre, RADIUS * 0.55, [15.0, 15.0 + STEP], self.canvas.strong());
+        self.canvas.arc_arrow(centre, RADIUS * 0.42, [15.0, 15.0 + STEP], self.canvas.strong());
         let place = polar(centre, RADIUS + 14.0, 15.0 + STEP / 2.0);
         self.canvas.key(place + vec2(2.0, 2.0), Align2::LEFT_BOTTOM, self.key);
     }
@@ -273,13 +273,13 @@ impl Plan<'_> {
             self.canvas.dashed(&[two, two + third], self.canvas.thin(), 3.0, 3.0);
         }
         self.canvas.arrow(point, tip, self.canvas.edge());
-        let (along, off, anchor) = match axis {
-            Axis::First => (x, vec2(BESIDE, 4.0), Align2::CENTER_TOP),
-            Axis::Second => (y, vec2(BESIDE, BESIDE), Align2::LEFT_CENTER),
-            Axis::Third => (z, vec2(-BESIDE, 0.0), Align2::RIGHT_CENTER),
+        let (along, share, off, anchor) = match axis {
+            Axis::First => (x, 0.8, vec2(BESIDE, 4.0), Align2::CENTER_TOP),
+            Axis::Second => (y, 0.5, vec2(BESIDE, BESIDE), Align2::LEFT_CENTER),
+            Axis::Third => (z, 0.8, vec2(-BESIDE, 0.0), Align2::RIGHT_CENTER),
         };
         self.canvas.arrow(point, point + along, self.canvas.strong());
-        self.canvas.key(point + along / 2.0 + off, anchor, self.key);
+        self.canvas.key(point + along * share + off, anchor, self.key);
         self.canvas.contact(point, self.canvas.palette.text.0);
     }
 

@@ -171,11 +171,11 @@ impl Section<'_> {
             self.canvas.key(middle - vec2(0.0, 6.0), Align2::CENTER_BOTTOM, self.key);
             let beside = point + across - normal * BESIDE;
             let anchor = if normal.x < 0.0 { Align2::LEFT_CENTER } else { Align2::RIGHT_CENTER };
-            self.canvas.note(beside, anchor, "SET_UP");
+            self.canvas.note_on_ground(beside, anchor, "SET_UP");
         } else {
             let middle = set_up + (with - set_up) / 2.0 + across;
             self.canvas.key(middle + vec2(BESIDE, 6.0), Align2::LEFT_CENTER, self.key);
-            self.canvas.note(point + across + vec2(BESIDE, 4.0), Align2::LEFT_CENTER, "SET_UP");
+            self.canvas.note_on_ground(point + across + vec2(BESIDE, 4.0), Align2::LEFT_CENTER, "SET_UP");
         }
     }
 
