@@ -118,10 +118,12 @@ const fn title_id(purpose: Purpose) -> &'static str {
 
 const fn confirm_id(purpose: Purpose) -> &'static str {
     match purpose {
-        Purpose::Import | Purpose::LoadMask | Purpose::LoadTables | Purpose::OpenTable | Purpose::OpenProgram
-        | Purpose::OpenCycleFile(_) => {
-            "dialog-open"
-        }
+        Purpose::Import
+        | Purpose::LoadMask
+        | Purpose::LoadTables
+        | Purpose::OpenTable
+        | Purpose::OpenProgram
+        | Purpose::OpenCycleFile(_) => "dialog-open",
         Purpose::Export(_) | Purpose::ExportStatus | Purpose::SaveTable(_) | Purpose::SaveBench => "dialog-save",
     }
 }

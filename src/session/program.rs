@@ -287,12 +287,17 @@ impl ProgramPage {
         (self.looks, self.look)
     }
 
+    /// Takes a program of the run among those that can be shown.
+    fn know(&mut self, path: &NcPath) {
+        let known = self.documents.contains_key(path);
+        if !known && let Some(program) = self.run.as_ref().and_then(|run| run.program(path)) {
+            self.documents.insert(path.clone(), Document::new(path.clone(), program));
+        }
+    }
+
     /// Shows a block of a program that is known.
     fn look_at(&mut self, place: &BlockPlace, select: bool) {
-        let known = self.documents.contains_key(&place.program);
-        if !known && let Some(program) = self.run.as_ref().and_then(|run| run.program(&place.program)) {
-            self.documents.insert(place.program.clone(), Document::new(place.program.clone(), program));
-        }
+        self.know(&place.program);
         let Some(document) = self.documents.get_mut(&place.program) else { return };
         if select {
             document.select(place.block);

@@ -26,6 +26,7 @@ program-page-options = Options
 program-page-skip-unknown = Pass over unknown blocks
 program-page-block-skip = Pass over blocks with /
 program-page-optional-stop = Stop at M1
+program-page-outline-none = heading or label
 program-page-outline = Go to
 
 program-page-state-ready = Ready to run

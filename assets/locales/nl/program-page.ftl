@@ -26,6 +26,7 @@ program-page-options = Opties
 program-page-skip-unknown = Onbekende regels overslaan
 program-page-block-skip = Regels met / overslaan
 program-page-optional-stop = Stoppen bij M1
+program-page-outline-none = kop of label
 program-page-outline = Ga naar
 
 program-page-state-ready = Klaar om te starten

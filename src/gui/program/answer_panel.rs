@@ -1,11 +1,14 @@
 //! Right: the windows that the program opens, files that it would write, what was measured.
 
-use eframe::egui::{Button, CollapsingHeader, Frame, Label, Margin, RichText, ScrollArea, Sense, Stroke, Ui, vec2};
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{
+    Button, CollapsingHeader, Frame, Label, Margin, RichText, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2,
+};
 
 use crate::control::machine::{CycleRun, Window};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::verdict_card::{card_ui, status_id};
+use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Value;
 use crate::session::program::Run;
@@ -34,11 +37,28 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     outputs_ui(ui, view, run);
 }
 
+/// The verdict in one line, so that the program's own window stays in sight.
 fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&Run>) {
     let status = run.and_then(Run::status);
     let measured = run.and_then(|run| run.cycles().last()).and_then(|cycle| main_value(view.words, cycle));
-    let lines: Vec<_> = measured.into_iter().collect();
-    card_ui(ui, status, &view.text(status_id(status)), &lines);
+    let word = view.text(status_id(status));
+    let (fill, colour) = palette(ui.ctx()).of_status(status);
+    let size = if status.is_some() { sizes().status * 0.5 } else { sizes().value };
+    let card = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::symmetric(12, 8)).show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        ui.horizontal(|ui| {
+            let (rect, _) = ui.allocate_exact_size(vec2(space(9.0), space(9.0)), Sense::hover());
+            shapes::status(ui.painter(), rect, status, colour);
+            ui.label(RichText::new(&word).font(theme::bold(size)).color(colour));
+            if let Some(measured) = &measured {
+                ui.label(RichText::new(measured).font(theme::bold(sizes().limits)).color(colour));
+            }
+        });
+    });
+    let said = std::iter::once(word).chain(measured).collect::<Vec<_>>().join(". ");
+    let response = ui.interact(card.response.rect, ui.scope_id().with("verdict"), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Assertive));
 }
 
 /// The diameter that a cycle measured, or its first result.

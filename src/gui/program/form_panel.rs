@@ -1,15 +1,13 @@
 //! Left: the inputs of 8255, what is measured, and program and native answer side by side.
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Button, Grid, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{Button, ComboBox, Grid, RichText, Sense, Ui, WidgetInfo, vec2};
 
-use crate::gui::cycles::picture::path_picture;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, problem, quiet};
-use crate::probing::cycle::{Move, Nominal};
 use crate::session::program::{Agreement, Input, Run, WorkpieceFrom};
 use crate::session::{Command, CycleFile, CyclesCommand, ProgramCommand, ProgramField, Purpose};
 use crate::verdict::Status;
@@ -24,7 +22,6 @@ pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.separator();
     }
     workpiece_ui(ui, view);
-    path_ui(ui, view);
 }
 
 const fn input_id(input: Input) -> &'static str {
@@ -142,20 +139,27 @@ fn agreement_ui(ui: &mut Ui, view: &View<'_>) {
     });
 }
 
-fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
-    heading(ui, view.text("program-page-workpiece"));
-    let chosen = view.session.program().workpiece();
-    for from in WorkpieceFrom::ALL {
-        let id = match from {
-            WorkpieceFrom::Perfect => "program-page-from-perfect",
-            WorkpieceFrom::Given => "program-page-from-given",
-            WorkpieceFrom::Simulated => "program-page-from-simulated",
-            WorkpieceFrom::Recorded => "program-page-from-recorded",
-        };
-        if ui.radio(chosen == from, view.text(id)).clicked() {
-            view.send(Command::Program(ProgramCommand::ChooseWorkpiece(from)));
-        }
+const fn from_id(from: WorkpieceFrom) -> &'static str {
+    match from {
+        WorkpieceFrom::Perfect => "program-page-from-perfect",
+        WorkpieceFrom::Given => "program-page-from-given",
+        WorkpieceFrom::Simulated => "program-page-from-simulated",
+        WorkpieceFrom::Recorded => "program-page-from-recorded",
     }
+}
+
+fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = heading(ui, view.text("program-page-workpiece"));
+    let chosen = view.session.program().workpiece();
+    let combo = ComboBox::from_id_salt("program-workpiece").selected_text(view.text(from_id(chosen)));
+    let response = combo.width(ui.available_width() - space(2.0)).truncate().show_ui(ui, |ui| {
+        for from in WorkpieceFrom::ALL {
+            if ui.selectable_label(chosen == from, view.text(from_id(from))).clicked() {
+                view.send(Command::Program(ProgramCommand::ChooseWorkpiece(from)));
+            }
+        }
+    });
+    response.response.labelled_by(name.id);
     match chosen {
         WorkpieceFrom::Perfect => {}
         WorkpieceFrom::Given => {
@@ -188,18 +192,4 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
         }
     }
-}
-
-/// The way of the ball's centre so far, over the workpiece that the last cycle expects.
-fn path_ui(ui: &mut Ui, view: &View<'_>) {
-    let Some(run) = view.session.program().run() else { return };
-    let path: Vec<Move> = run.path();
-    if path.is_empty() {
-        return;
-    }
-    ui.separator();
-    heading(ui, view.text("program-page-path"));
-    let last = run.cycles().last();
-    let nominal: Option<Nominal> = last.and_then(|cycle| cycle.cycle.nominal(&cycle.result.inputs).ok());
-    path_picture(ui, view, &path, path.len(), nominal, 0.0);
 }

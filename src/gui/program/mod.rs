@@ -8,12 +8,14 @@
 //! | `form_panel` | left: the inputs of 8255, the workpiece, program and native answer side by side |
 //! | `answer_panel` | right: windows, files, what was measured |
 //! | `watch_panel` | right, below: parameters |
+//! | `path_panel` | below the listing: the way of the probe |
 //! | `problems_panel` | below the listing: what is wrong, to be jumped to |
 
 mod answer_panel;
 mod form_panel;
 mod listing;
 mod paint;
+mod path_panel;
 mod problems_panel;
 mod tool_bar;
 mod watch_panel;
@@ -42,11 +44,18 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     shortcuts(ui, view);
     tick(ui, view);
     let size = ui.available_size();
-    let narrow = size.x < 1200.0;
+    // Where the window is low, the way of the probe stands below the inputs.
+    let (narrow, low) = (size.x < 1200.0, size.y < 640.0);
     Panel::top("program-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
     let side = if narrow { space(64.0) } else { space(74.0) };
     Panel::left("program-inputs").exact_size(side).show(ui, |ui| {
-        column_ui(ui, "program-inputs", |ui| form_panel::form_ui(ui, view));
+        column_ui(ui, "program-inputs", |ui| {
+            form_panel::form_ui(ui, view);
+            if low && path_panel::has_path(view) {
+                ui.separator();
+                path_panel::path_ui(ui, view);
+            }
+        });
     });
     let side = if narrow { space(78.0) } else { space(90.0).max(size.x * 0.26) };
     Panel::right("program-answer").exact_size(side).show(ui, |ui| {
@@ -60,6 +69,10 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     let frame = Frame::new().fill(palette(ui.ctx()).panel.0);
     CentralPanel::default().frame(frame).show(ui, |ui| {
         problems_panel::problems_ui(ui, view);
+        if !low && path_panel::has_path(view) {
+            let height = ui.available_height() * 0.36;
+            Panel::bottom("program-path").exact_size(height).show(ui, |ui| path_panel::path_ui(ui, view));
+        }
         listing::listing_ui(ui, view);
     });
     bench_window::bench_ui(ui, view);

@@ -32,16 +32,14 @@ pub(super) fn line(text: &str, begins: bool, palette: &Palette) -> LayoutJob {
 /// Colours are quiet: whoever sees none reads the same.
 fn format(token: Token, palette: &Palette) -> TextFormat {
     let colour = match token {
-        Token::Plain | Token::Text => palette.text.0,
+        Token::Plain | Token::Text | Token::Heading => palette.text.0,
         Token::Number | Token::Comment => palette.quiet.0,
         Token::Keyword => palette.keyword.0,
         Token::Parameter => palette.accent.0,
-        Token::Heading => palette.text.0,
     };
     let plain = TextFormat::simple(theme::mono(sizes().mono), colour);
     match token {
         Token::Comment => TextFormat { italics: true, ..plain },
-        Token::Heading => TextFormat { underline: Stroke::new(1.0, palette.line.0), ..plain },
         _ => plain,
     }
 }
@@ -60,8 +58,11 @@ pub(super) fn current(painter: &Painter, rect: Rect, failed: bool, palette: &Pal
     let (at, half) = (rect.center(), rect.height() * 0.3);
     let tail = pos2(rect.left() + 1.0, at.y);
     painter.line_segment([tail, pos2(rect.right() - half, at.y)], Stroke::new(2.0, palette.accent.0));
-    let points =
-        vec![pos2(rect.right(), at.y), pos2(rect.right() - half * 1.4, at.y - half), pos2(rect.right() - half * 1.4, at.y + half)];
+    let points = vec![
+        pos2(rect.right(), at.y),
+        pos2(rect.right() - half * 1.4, at.y - half),
+        pos2(rect.right() - half * 1.4, at.y + half),
+    ];
     painter.add(Shape::convex_polygon(points, palette.accent.0, Stroke::NONE));
 }
 

@@ -178,7 +178,8 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.separator();
     let name = ui.label(view.text("program-page-outline"));
     let under = document.under(document.selected());
-    let text = under.and_then(|number| outline.get(number)).map(|entry| entry.text.clone()).unwrap_or_default();
+    let text = under.and_then(|number| outline.get(number)).map(|entry| entry.text.clone());
+    let text = text.unwrap_or_else(|| view.text("program-page-outline-none"));
     let height = list_height(ui);
     let combo = ComboBox::from_id_salt("program-outline").selected_text(text).width(space(46.0)).truncate();
     let response = combo.height(height).show_ui(ui, |ui| {

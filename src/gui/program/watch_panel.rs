@@ -89,7 +89,7 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, height: f32) 
         None => view.text("program-page-undefined"),
     };
     if watched.is_changed {
-        painter_mark(ui, rect);
+        changed_mark(ui, rect);
     }
     let font = |is_bold: bool| if is_bold { theme::bold(sizes().body) } else { theme::font(sizes().body) };
     let painter = ui.painter().with_clip_rect(rect);
@@ -127,9 +127,8 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, height: f32) 
 }
 
 /// The mark of a changed value: a square before it.
-fn painter_mark(ui: &Ui, rect: Rect) {
+fn changed_mark(ui: &Ui, rect: Rect) {
     let palette = palette(ui.ctx());
-    ui.painter().rect_filled(rect, 0.0, palette.selection.0);
     let mark = Rect::from_center_size(pos2(rect.left() + space(1.5), rect.center().y), vec2(space(1.5), space(1.5)));
     ui.painter().rect_filled(mark, 0.0, palette.accent.0);
 }

@@ -289,9 +289,13 @@ mod tests {
         assert_eq!(Input::Height.read("-5"), length("-5"));
         assert_eq!(Input::Angle.read("45"), Ok(Value::Number(45.0)));
         assert_eq!(Input::Class.read(" h7 "), Ok(Value::Text("h7".to_owned())));
-        for (input, text) in
-            [(Input::Size, "0"), (Input::Size, "100000"), (Input::Size, ""), (Input::Clearance, "-1"), (Input::Angle, "x")]
-        {
+        for (input, text) in [
+            (Input::Size, "0"),
+            (Input::Size, "100000"),
+            (Input::Size, ""),
+            (Input::Clearance, "-1"),
+            (Input::Angle, "x"),
+        ] {
             assert!(input.read(text).is_err(), "{input:?} {text}");
         }
     }

@@ -164,7 +164,9 @@ impl ProgramPage {
         for field in [ProgramField::Diameter, ProgramField::WorkpieceX, ProgramField::WorkpieceY] {
             self.errors.remove(&field);
             let text = self.text(field);
-            if !text.trim().is_empty() && let Err(problem) = length(text) {
+            if !text.trim().is_empty()
+                && let Err(problem) = length(text)
+            {
                 self.errors.insert(field, problem);
             }
         }

@@ -41,11 +41,7 @@ impl ProgramPage {
         let remarks = run.map(|run| run.remarks()).unwrap_or_default();
         let Some(number) = number.checked_sub(usize::from(fault.is_some())) else {
             let fault = fault?;
-            return Some(Problem {
-                kind: ProblemKind::Fault,
-                place: fault.place.clone(),
-                message: fault.message(),
-            });
+            return Some(Problem { kind: ProblemKind::Fault, place: fault.place.clone(), message: fault.message() });
         };
         if let Some((place, remark)) = remarks.get(number) {
             let line = self.documents.get(&place.program).map(|document| document.first_line(place.block) + 1);

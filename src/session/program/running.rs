@@ -29,6 +29,9 @@ const PART: u64 = 100;
 /// Cycles after which a slice ends; one takes far longer than any other block.
 const MOST_CYCLES: usize = 10;
 
+/// Moves that are drawn: more would be a blot.
+pub const MOST_MOVES: usize = 500;
+
 /// How fast a run goes.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Speed {
@@ -194,9 +197,16 @@ impl Run {
         self.machine.status()
     }
 
-    /// The way of the ball's centre.
+    /// Whether the ball's centre has gone any way.
+    pub fn has_path(&self) -> bool {
+        !self.machine.path().is_empty()
+    }
+
+    /// The way of the ball's centre, the last [`MOST_MOVES`] moves.
     pub fn path(&self) -> Vec<Move> {
-        self.machine.path().iter().map(as_move).collect()
+        let path = self.machine.path();
+        let first = path.len().saturating_sub(MOST_MOVES);
+        path.get(first..).unwrap_or_default().iter().map(as_move).collect()
     }
 
     /// What is worth knowing about the run.
@@ -258,7 +268,9 @@ impl Run {
             left -= most;
             let result = self.machine.run(most);
             self.take(result);
-            if self.state == State::Running && let Some(reason) = self.goal_reached() {
+            if self.state == State::Running
+                && let Some(reason) = self.goal_reached()
+            {
                 return self.pause(reason);
             }
             if measured + MOST_CYCLES <= self.machine.cycles().len() {
@@ -321,6 +333,14 @@ impl ProgramPage {
 
     /// The current block comes into sight.
     fn follow(&mut self) {
+        // A program that measured or opened a window names its parameters, also after it has returned.
+        let places = self.run.as_ref().map(|run| {
+            let (cycle, window) = (run.cycles().last(), run.windows().last());
+            [cycle.map(|cycle| cycle.place.program.clone()), window.map(|window| window.place.program.clone())]
+        });
+        for path in places.into_iter().flatten().flatten() {
+            self.know(&path);
+        }
         if let Some(place) = self.run.as_ref().and_then(Run::place) {
             self.look_at(&place, false);
         }
@@ -390,9 +410,10 @@ impl Session {
         let page = &mut self.program;
         let centre = [Input::CentreX, Input::CentreY].map(|input| page.input_length(input).unwrap_or_default());
         match page.workpiece {
-            WorkpieceFrom::Perfect => Ok(limits.map_or(Contacts::Perfect, |limits| {
-                ProgramPage::round(limits.feature, centre, limits.middle())
-            })),
+            WorkpieceFrom::Perfect => {
+                Ok(limits
+                    .map_or(Contacts::Perfect, |limits| ProgramPage::round(limits.feature, centre, limits.middle())))
+            }
             WorkpieceFrom::Given => {
                 let mut read = |field| {
                     let result = page.field_length(field);
@@ -439,10 +460,10 @@ impl Session {
         if self.program.run.as_ref().is_some_and(Run::is_over) {
             self.program.run = None;
         }
-        let selected = self.program.shown().map(|document| BlockPlace {
-            program: document.path().clone(),
-            block: document.selected(),
-        });
+        let selected = self
+            .program
+            .shown()
+            .map(|document| BlockPlace { program: document.path().clone(), block: document.selected() });
         let speed = self.program.speed;
         let Some(run) = self.ready_run(now) else { return };
         if run.state == State::Running {

@@ -89,10 +89,11 @@ impl ProgramPage {
         parameter.to_string().to_lowercase().starts_with(filter) || name.contains(filter) || text.contains(filter)
     }
 
-    /// What a parameter is called: by the control, or by a comment of the shown program, or of the open one.
+    /// What a parameter is called: by the control, or by a comment of the shown program, the open one, or another of the
+    /// run.
     pub fn name_of(&self, parameter: Parameter) -> Option<Name<'_>> {
         let own = || CONTROL.iter().find(|(number, _)| Parameter::q(*number) == parameter).map(|(_, id)| *id);
-        let documents = self.shown().into_iter().chain(self.main());
+        let documents = self.shown().into_iter().chain(self.main()).chain(self.documents.values());
         let comment = documents.filter_map(|document| document.name_of(parameter)).next();
         own().map(Name::Control).or_else(|| comment.map(Name::Program))
     }
