@@ -12,13 +12,14 @@ use jiff::civil::DateTime;
 use crate::control::deviations;
 use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
-use crate::control::program::{Program, ProgramWarning};
+use crate::control::program::ProgramWarning;
 use crate::control::text::decode;
 use crate::exchange::{self, contacts, tables::TABLE_FORMATS};
 use crate::files;
 use crate::probing::Contact;
 use crate::probing::simulated::Bench;
 use crate::report::RENDERINGS;
+use crate::session::program::Document;
 use crate::session::{Command, CycleFile, CyclesCommand, Effect, ProgramCommand, Purpose, TablesCommand};
 use crate::tolerance::{DeviationTable, Sources};
 use crate::words::{Message, Say as _};
@@ -136,10 +137,10 @@ fn read_table(path: &Path) -> Result<(Box<DeviationTable>, Vec<Message>), Messag
     }
 }
 
-fn read_program(path: &Path) -> Result<(Arc<Program>, Vec<ProgramWarning>), Message> {
+fn read_program(path: &Path) -> Result<(Box<Document>, Vec<ProgramWarning>), Message> {
     let bytes = files::read(path).map_err(|error| error.message())?;
-    let (program, warnings) = Program::read(&bytes).map_err(|error| error.message())?;
-    Ok((Arc::new(program), warnings))
+    let (document, warnings) = Document::read(&name(path), &bytes).map_err(|error| error.message())?;
+    Ok((Box::new(document), warnings))
 }
 
 fn read_cycle_file(file: CycleFile, path: &Path) -> CyclesCommand {

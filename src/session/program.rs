@@ -24,7 +24,6 @@ mod watching;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
@@ -38,7 +37,7 @@ pub use watching::{Name, Watched};
 
 use super::{Effect, Session};
 use crate::control::machine::{BlockPlace, NcPath};
-use crate::control::program::{Program, ProgramWarning};
+use crate::control::program::ProgramWarning;
 use crate::control::variables::{Parameter, Value};
 use crate::words::Message;
 
@@ -52,7 +51,7 @@ pub enum ProgramCommand {
         /// Its path.
         path: PathBuf,
         /// The program, and what is odd about it.
-        result: Result<(Arc<Program>, Vec<ProgramWarning>), Message>,
+        result: Result<(Box<Document>, Vec<ProgramWarning>), Message>,
     },
     /// Replaces the text of a field.
     Type(ProgramField, String),
@@ -187,8 +186,6 @@ pub struct ProgramPage {
     warnings: Vec<ProgramWarning>,
     texts: BTreeMap<ProgramField, String>,
     errors: BTreeMap<ProgramField, Message>,
-    /// The inputs as the program assigns them.
-    assigned: BTreeMap<Input, String>,
     workpiece: WorkpieceFrom,
     /// Values that were given beforehand.
     given: BTreeMap<Parameter, Value>,

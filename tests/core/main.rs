@@ -30,6 +30,7 @@ mod report_cli;
 mod session;
 mod session_cycles;
 mod session_fit;
+mod session_program;
 mod session_tables;
 mod table_cli;
 mod table_compare;

@@ -128,7 +128,7 @@ fn agreement_ui(ui: &mut Ui, view: &View<'_>) {
             (Some(Status::Scrap), view.words.say(&message))
         }
     };
-    ui.horizontal_top(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let palette = palette(ui.ctx());
         let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(5.0)), Sense::hover());
         let colour = if shape == Some(Status::Scrap) { palette.error.0 } else { palette.text.0 };

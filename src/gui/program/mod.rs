@@ -25,10 +25,12 @@ use std::time::Duration;
 use eframe::egui::{CentralPanel, Frame, Id, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
 
 use super::cycles::bench_window;
+use super::dialogs::just_opened;
+use super::field;
 use super::theme::{palette, space};
 use super::view::View;
 use crate::session::program::Speed;
-use crate::session::{Command, ProgramCommand, Purpose};
+use crate::session::{Command, ProgramCommand, ProgramField, Purpose};
 
 const OPEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::O);
 const RUN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F5);
@@ -41,6 +43,7 @@ const PAUSE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Esca
 
 /// The page: left what goes in, middle the program, right what comes out.
 pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
+    focus_first(ui, view);
     shortcuts(ui, view);
     tick(ui, view);
     let size = ui.available_size();
@@ -60,7 +63,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     let side = if narrow { space(78.0) } else { space(90.0).max(size.x * 0.26) };
     Panel::right("program-answer").exact_size(side).show(ui, |ui| {
         // The parameters keep a share of the height whatever there is above them.
-        let height = (ui.available_height() * 0.42).max(space(48.0));
+        let height = (ui.available_height() * 0.4).max(space(44.0));
         Panel::bottom("program-watch").exact_size(height).show(ui, |ui| watch_panel::watch_ui(ui, view));
         CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
             column_ui(ui, "program-answers", |ui| answer_panel::answer_ui(ui, view));
@@ -76,6 +79,15 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
         listing::listing_ui(ui, view);
     });
     bench_window::bench_ui(ui, view);
+}
+
+/// The page opens ready for typing, or for walking through the program where it has no inputs.
+fn focus_first(ui: &Ui, view: &View<'_>) {
+    if just_opened(ui, Id::unique("program-page")) {
+        let input = view.session.program().inputs().next();
+        let first = input.map_or_else(listing::id, |input| field::id(ProgramField::Input(input)));
+        ui.memory_mut(|memory| memory.request_focus(first));
+    }
 }
 
 /// A column that scrolls where the window is low; the floating bar never lies on its content.

@@ -22,7 +22,7 @@ pub(super) fn problems_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let row = sizes().field;
     let lines = f32::from(u8::try_from(count).unwrap_or(LINES).min(LINES));
-    let height = space(8.0) + row * lines + space(2.0);
+    let height = row * (lines + 1.0) + space(4.0);
     Panel::bottom("program-problems").exact_size(height).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.horizontal(|ui| {

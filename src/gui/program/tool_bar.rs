@@ -17,15 +17,15 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         choice_ui(ui, view);
         ui.separator();
         run_ui(ui, view);
-        ui.separator();
-        speed_ui(ui, view);
-        options_ui(ui, view);
     });
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(sizes().field);
         state_ui(ui, view);
         calls_ui(ui, view);
+        ui.separator();
         outline_ui(ui, view);
+        speed_ui(ui, view);
+        options_ui(ui, view);
     });
     ui.add_space(space(1.0));
 }
@@ -175,7 +175,6 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
     if outline.is_empty() {
         return;
     }
-    ui.separator();
     let name = ui.label(view.text("program-page-outline"));
     let under = document.under(document.selected());
     let text = under.and_then(|number| outline.get(number)).map(|entry| entry.text.clone());

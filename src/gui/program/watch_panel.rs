@@ -46,11 +46,14 @@ fn given_ui(ui: &mut Ui, view: &mut View<'_>) {
         let small = |width| Look { font: theme::font(sizes().body), ..Look::large(width) };
         field_ui(ui, view, ProgramField::Name, name.id, small(space(14.0)));
         let value = quiet(ui, "=");
-        let width = (ui.available_width() - space(20.0)).max(space(12.0));
+        let give = view.text("program-page-give");
+        let font = theme::font(sizes().body);
+        let room = ui.painter().layout_no_wrap(give.clone(), font, palette(ui.ctx()).text.0).size().x;
+        let width = (ui.available_width() - room - space(12.0)).max(space(8.0));
         let id = value.id;
         value.widget_info(|| WidgetInfo::labeled(Role::Label, true, view.text("program-page-value")));
         field_ui(ui, view, ProgramField::Value, id, small(width));
-        let button = Button::new(view.text("program-page-give")).min_size(vec2(0.0, sizes().field));
+        let button = Button::new(give).min_size(vec2(0.0, sizes().field));
         if ui.add(button).on_hover_text(view.text("program-page-give-hint")).clicked() {
             view.send(Command::Program(ProgramCommand::SetValue));
         }

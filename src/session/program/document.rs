@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::inputs::{Input, assigned};
 use super::tokens::comment;
 use crate::control::machine::NcPath;
-use crate::control::program::{Body, Program, Target};
+use crate::control::program::{Body, Columns, Program, ProgramError, ProgramWarning, Target};
 use crate::control::variables::Parameter;
 
 /// A shown program.
@@ -15,6 +16,8 @@ pub struct Document {
     program: Arc<Program>,
     outline: Vec<Entry>,
     names: BTreeMap<Parameter, String>,
+    /// The inputs of 8255 as the program assigns them.
+    assigned: BTreeMap<Input, String>,
     selected: usize,
     longest: usize,
 }
@@ -42,12 +45,25 @@ pub enum EntryKind {
 }
 
 impl Document {
+    /// Reads a program and looks through it once; `name` is its file name.
+    ///
+    /// # Errors
+    /// [`ProgramError`] for what is no text.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Vec<ProgramWarning>), ProgramError> {
+        let (program, warnings) = Program::read(bytes)?;
+        // A name that no control takes is no reason not to read the program.
+        #[expect(clippy::expect_used, reason = "a plain file name is a path")]
+        let path = NcPath::new(name).or_else(|_no_path| NcPath::new("program.h")).expect("a plain file name");
+        Ok((Self::new(path, Arc::new(program)), warnings))
+    }
+
     pub(super) fn new(path: NcPath, program: Arc<Program>) -> Self {
         let blocks = program.blocks().iter().enumerate();
         let outline = blocks.filter_map(|(block, of)| entry(block, &of.body)).collect();
         let longest = (0..program.line_count()).map(|line| program.line(line).chars().count()).max().unwrap_or(0);
         let names = names(&program);
-        Self { path, program, outline, names, selected: 0, longest }
+        let assigned = assigned(&program);
+        Self { path, program, outline, names, assigned, selected: 0, longest }
     }
 
     /// Where it is, as programs write it.
@@ -78,6 +94,11 @@ impl Document {
     /// What the comment at its first assignment calls a parameter.
     pub fn name_of(&self, parameter: Parameter) -> Option<&str> {
         self.names.get(&parameter).map(String::as_str)
+    }
+
+    /// The inputs of 8255 as the program assigns them.
+    pub(super) const fn assigned(&self) -> &BTreeMap<Input, String> {
+        &self.assigned
     }
 
     /// The selected block.
@@ -123,7 +144,12 @@ fn entry(block: usize, body: &Body) -> Option<Entry> {
 fn names(program: &Program) -> BTreeMap<Parameter, String> {
     let mut names = BTreeMap::new();
     for block in program.blocks() {
-        let (Body::Assign { to, .. } | Body::AssignText { to, .. }) = &block.body else { continue };
+        let to = match &block.body {
+            Body::Assign { to, .. } | Body::AssignText { to, .. } => to,
+            // With several columns the comment would be about all of them.
+            Body::TableRead { to, columns, .. } if !matches!(columns, Columns::Names(names) if 1 < names.len()) => to,
+            _ => continue,
+        };
         if names.contains_key(to) {
             continue;
         }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{ProgramField, ProgramPage};
+use super::{Document, ProgramField, ProgramPage};
 use crate::control::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
@@ -155,12 +155,13 @@ pub enum Agreement {
 impl ProgramPage {
     /// Whether the open program has the inputs of 8255: at least size and class.
     pub fn has_inputs(&self) -> bool {
-        self.assigned.contains_key(&Input::Size) && self.assigned.contains_key(&Input::Class)
+        let has = |input| self.main().is_some_and(|document| document.assigned().contains_key(&input));
+        has(Input::Size) && has(Input::Class)
     }
 
     /// The inputs that the open program assigns.
     pub fn inputs(&self) -> impl Iterator<Item = Input> {
-        Input::ALL.into_iter().filter(|input| self.assigned.contains_key(input))
+        self.main().into_iter().flat_map(|document| document.assigned().keys().copied())
     }
 
     fn input(&self, input: Input) -> Option<Value> {
@@ -177,7 +178,8 @@ impl ProgramPage {
 
     /// The inputs that were changed, as values to begin with.
     pub(super) fn changed_inputs(&self) -> Vec<(Parameter, Value)> {
-        let all = self.assigned.iter().filter_map(|(&input, own)| {
+        let assigned = self.main().into_iter().flat_map(Document::assigned);
+        let all = assigned.filter_map(|(&input, own)| {
             let value = self.input(input)?;
             (input.read(own).ok().as_ref() != Some(&value)).then(|| (input.parameter(), value))
         });
@@ -189,7 +191,7 @@ impl ProgramPage {
         for input in Input::ALL {
             let field = ProgramField::Input(input);
             self.errors.remove(&field);
-            if !self.assigned.contains_key(&input) {
+            if !self.inputs().any(|assigned| assigned == input) {
                 continue;
             }
             if let Err(problem) = input.read(self.text(field)) {

@@ -1,14 +1,13 @@
 //! Programs and workpieces from files, and what is typed into the page's fields.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::inputs::{Input, assigned, length};
+use super::inputs::{Input, length};
 use super::{Document, Origin, ProgramField, ProgramPage, WorkpieceFrom};
-use crate::control::machine::{NcPath, Shipped};
-use crate::control::program::{Program, ProgramWarning};
+use crate::control::machine::Shipped;
+use crate::control::program::ProgramWarning;
 use crate::length::Length;
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::{Bench, Surface, Workpiece};
@@ -42,43 +41,43 @@ impl Session {
         let Some(bytes) = Shipped::file(name) else {
             return self.tell(Message::new("program-page-not-shipped").text("name", name));
         };
-        match Program::read(bytes) {
-            Ok((program, warnings)) => self.open_program(Origin::Shipped(name), name, Arc::new(program), warnings),
+        match Document::read(name, bytes) {
+            Ok((document, warnings)) => self.open_program(Origin::Shipped(name), document, warnings),
             Err(error) => self.tell(error.message()),
         }
     }
 
-    pub(super) fn program_read(&mut self, path: PathBuf, result: Result<(Arc<Program>, Vec<ProgramWarning>), Message>) {
+    pub(super) fn program_read(
+        &mut self,
+        path: PathBuf,
+        result: Result<(Box<Document>, Vec<ProgramWarning>), Message>,
+    ) {
         match result {
-            Ok((program, warnings)) => {
+            Ok((document, warnings)) => {
                 self.file_done();
-                let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 let recent = &mut self.program.recent;
                 recent.retain(|known| *known != path);
                 recent.insert(0, path.clone());
                 recent.truncate(MOST_RECENT);
-                self.open_program(Origin::File(path), &name, program, warnings);
+                self.open_program(Origin::File(path), *document, warnings);
             }
             Err(problem) => self.file_failed(problem),
         }
     }
 
-    fn open_program(&mut self, origin: Origin, name: &str, program: Arc<Program>, warnings: Vec<ProgramWarning>) {
-        // A name that no control takes is no reason not to read the program.
-        let Ok(path) = NcPath::new(name).or_else(|_no_path| NcPath::new("program.h")) else { return };
+    fn open_program(&mut self, origin: Origin, document: Document, warnings: Vec<ProgramWarning>) {
+        let path = document.path().clone();
         let page = &mut self.program;
-        let assigned = assigned(&program);
         let sign = self.language.decimal_sign().to_string();
         page.texts.retain(|field, _| !matches!(field, ProgramField::Input(_)));
-        for (input, text) in &assigned {
+        for (input, text) in document.assigned() {
             let text = if input.unit().is_empty() { text.clone() } else { text.replace('.', &sign) };
             page.texts.insert(ProgramField::Input(*input), text);
         }
-        page.assigned = assigned;
-        page.breakpoints.retain(|_| false);
+        page.breakpoints.clear();
         page.given.clear();
         page.documents.clear();
-        page.documents.insert(path.clone(), Document::new(path.clone(), program));
+        page.documents.insert(path.clone(), document);
         (page.main, page.shown, page.origin) = (Some(path.clone()), Some(path), Some(origin));
         page.warnings = warnings;
         (page.looks, page.look) = (page.looks.wrapping_add(1), 0);

@@ -30,7 +30,7 @@ impl ProgramPage {
     /// How many problems there are.
     pub fn problem_count(&self) -> usize {
         let run = self.run.as_ref();
-        let of_run = run.map_or(0, |run| usize::from(run.fault().is_some()) + run.remarks().len());
+        let of_run = run.map_or(0, |run| usize::from(run.fault().is_some()) + run.remark_count());
         of_run + self.warnings.len()
     }
 
@@ -38,12 +38,11 @@ impl ProgramPage {
     pub fn problem(&self, number: usize) -> Option<Problem> {
         let run = self.run.as_ref();
         let fault = run.and_then(|run| run.fault());
-        let remarks = run.map(|run| run.remarks()).unwrap_or_default();
         let Some(number) = number.checked_sub(usize::from(fault.is_some())) else {
             let fault = fault?;
             return Some(Problem { kind: ProblemKind::Fault, place: fault.place.clone(), message: fault.message() });
         };
-        if let Some((place, remark)) = remarks.get(number) {
+        if let Some((place, remark)) = run.and_then(|run| run.remark(number)) {
             let line = self.documents.get(&place.program).map(|document| document.first_line(place.block) + 1);
             let block = self.block_number(place);
             let message = match (block, line) {
@@ -54,7 +53,7 @@ impl ProgramPage {
             let message = message.message("what", remark.message());
             return Some(Problem { kind: ProblemKind::Remark, place: place.clone(), message });
         }
-        let warning = self.warnings.get(number.checked_sub(remarks.len())?)?;
+        let warning = self.warnings.get(number.checked_sub(run.map_or(0, super::Run::remark_count))?)?;
         let main = self.main()?;
         // A line between blocks belongs to the block before it.
         let line = warning.place.line.saturating_sub(1);

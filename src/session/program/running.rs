@@ -107,6 +107,10 @@ pub struct Run {
     /// Why it waits.
     reason: Message,
     fault: Option<Fault>,
+    /// The remarks that are listed, by number, and how many were looked through. That a value given here stands in
+    /// place of the program's is what was asked for, and is none.
+    listed: Vec<usize>,
+    looked_through: usize,
     /// The parameters before the last command.
     before: Variables,
 }
@@ -115,7 +119,16 @@ impl Run {
     fn new(machine: Machine) -> Self {
         let before = machine.variables().clone();
         let reason = Message::new("program-page-state-step");
-        Self { machine, state: State::Paused, goal: Goal::None, reason, fault: None, before }
+        Self {
+            machine,
+            state: State::Paused,
+            goal: Goal::None,
+            reason,
+            fault: None,
+            listed: Vec::new(),
+            looked_through: 0,
+            before,
+        }
     }
 
     /// What it does.
@@ -209,9 +222,14 @@ impl Run {
         path.get(first..).unwrap_or_default().iter().map(as_move).collect()
     }
 
-    /// What is worth knowing about the run.
-    pub fn remarks(&self) -> &[(BlockPlace, Remark)] {
-        self.machine.remarks()
+    /// How many remarks there are about the run.
+    pub const fn remark_count(&self) -> usize {
+        self.listed.len()
+    }
+
+    /// A remark by its number.
+    pub fn remark(&self, number: usize) -> Option<&(BlockPlace, Remark)> {
+        self.machine.remarks().get(*self.listed.get(number)?)
     }
 
     /// How many remarks are not listed.
@@ -243,6 +261,10 @@ impl Run {
     }
 
     fn take(&mut self, result: Result<Step, Fault>) {
+        let new = self.machine.remarks().iter().enumerate().skip(self.looked_through);
+        let listed = new.filter(|(_, (_, remark))| !matches!(remark, Remark::GivenWins { .. }));
+        self.listed.extend(listed.map(|(number, _)| number));
+        self.looked_through = self.machine.remarks().len();
         match result {
             Ok(Step::Went) => {}
             Ok(Step::Ended) => (self.state, self.goal) = (State::Ended, Goal::None),
@@ -331,7 +353,7 @@ impl ProgramPage {
         self.run.as_ref().is_some_and(|run| run.state == State::Running)
     }
 
-    /// The current block comes into sight.
+    /// The current block comes into sight and is the selected one.
     fn follow(&mut self) {
         // A program that measured or opened a window names its parameters, also after it has returned.
         let places = self.run.as_ref().map(|run| {
@@ -342,7 +364,7 @@ impl ProgramPage {
             self.know(&path);
         }
         if let Some(place) = self.run.as_ref().and_then(Run::place) {
-            self.look_at(&place, false);
+            self.look_at(&place, true);
         }
     }
 
