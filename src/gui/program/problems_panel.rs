@@ -24,6 +24,7 @@ pub(super) fn problems_ui(ui: &mut Ui, view: &mut View<'_>) {
     let lines = f32::from(u8::try_from(count).unwrap_or(LINES).min(LINES));
     let height = row * (lines + 1.0) + space(4.0);
     Panel::bottom("program-problems").exact_size(height).show(ui, |ui| {
+        ui.set_min_height(ui.available_height());
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.horizontal(|ui| {
             heading(ui, view.words.say(&Message::new("program-page-problems").count("count", count)));
