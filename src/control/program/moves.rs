@@ -13,6 +13,7 @@ const MOST_M: u32 = 9999;
 pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
     let mut movement = Movement { axes: Vec::new(), compensation: None, feed: None, machine: Vec::new() };
     loop {
+        cursor.blanks();
         let at = cursor.at();
         if let Some(word) = axis_word(cursor)? {
             if movement.axes.iter().any(|known| known.axis == word.axis) {
@@ -83,7 +84,7 @@ pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunc
 }
 
 /// Whether `M` and a digit come next.
-pub(super) fn is_machine_function(cursor: &mut Cursor<'_>) -> bool {
+pub(super) fn is_machine_function(cursor: &Cursor<'_>) -> bool {
     let mut ahead = cursor.clone();
     ahead.take_prefix("M") && ahead.rest().trim_start().starts_with(|c: char| c.is_ascii_digit())
 }
