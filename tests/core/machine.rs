@@ -292,9 +292,9 @@ fn blocks_with_a_skip_sign_run_unless_they_are_skipped() {
 #[test]
 fn a_given_value_wins_over_the_first_assignment_in_the_main_program() {
     let mut machine = machine("Q1 = 25\nQ2 = Q2 + 1\nQ3 = Q1\nQ1 = 30\nDECLARE STRING QS1 = \"H7\"");
-    machine.set(Parameter::q(1), Value::Number(50.0));
-    machine.set(Parameter::q(2), Value::Number(7.0));
-    machine.set(Parameter::qs(1), Value::Text("g6".to_owned()));
+    machine.set(Parameter::q(1), Value::Number(50.0)).unwrap();
+    machine.set(Parameter::q(2), Value::Number(7.0)).unwrap();
+    machine.set(Parameter::qs(1), Value::Text("g6".to_owned())).unwrap();
     to_end(&mut machine);
     check_values(&machine, &[("Q1", 30.0), ("Q2", 8.0), ("Q3", 50.0)]);
     assert_eq!(text_value(&machine, "QS1"), "g6");
@@ -323,8 +323,8 @@ fn budgets_have_a_fault_each() {
         let store = InMemory::new().with("m.a", mask);
         let mut machine =
             Machine::new(r"TNC:\main.h", program(text(blocks).as_bytes()), store, Contacts::Perfect, with);
-        machine.set(Parameter::qs(1), Value::Text("x".repeat(100)));
-        machine.set(Parameter::q(1), Value::Number(0.0));
+        machine.set(Parameter::qs(1), Value::Text("x".repeat(100))).unwrap();
+        machine.set(Parameter::q(1), Value::Number(0.0)).unwrap();
         let fault = loop {
             match machine.run(u64::MAX) {
                 Ok(Step::Ended) => panic!("{blocks}"),
@@ -479,7 +479,7 @@ fn fn_27_changes_the_open_table_and_writes_it_when_it_is_closed() {
     assert_eq!(machine.remarks()[0].1.to_string(), r"TNC:\own.tab was not written: no folder was chosen for outputs");
     let too_wide = "FN 26: TABOPEN own.tab\nFN 27: TABWRITE 2/\"H7\" = Q1";
     let mut machine = machine_in(InMemory::new().with("own.tab", TABLE), too_wide);
-    machine.set(Parameter::q(1), Value::Number(1234.567));
+    machine.set(Parameter::q(1), Value::Number(1234.567)).unwrap();
     assert_eq!(fault_of(&mut machine), "table own.tab: row 2, column H7: 1234.567 does not fit into 6 characters");
 }
 
@@ -518,7 +518,7 @@ fn fn_16_writes_below_the_chosen_folder_and_nowhere_else() {
     let run = |blocks: &str| {
         let program = program(text(blocks).as_bytes());
         let mut machine = Machine::new(r"TNC:\fit\main.h", program, store(), Contacts::Perfect, settings());
-        machine.set(Parameter::q(1), Value::Number(1.0));
+        machine.set(Parameter::q(1), Value::Number(1.0)).unwrap();
         machine
     };
     let print = |mask: &str, to: &str| format!("FN 16: F-PRINT {mask}.a / {to}\n");

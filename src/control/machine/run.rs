@@ -184,9 +184,13 @@ impl Machine {
 
     /// Gives a parameter a value before the run. The main program's first assignment to it is then passed over with a
     /// remark, unless it counts on from the parameter's own value.
-    pub fn set(&mut self, parameter: Parameter, value: Value) {
-        self.variables.set(parameter, value.clone());
+    ///
+    /// # Errors
+    /// [`FaultKind`] where a control has no such parameter, or it cannot hold the value.
+    pub fn set(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
+        self.put(parameter, value.clone())?;
         self.given.insert(parameter, value);
+        Ok(())
     }
 
     /// Runs one block.

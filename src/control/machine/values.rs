@@ -152,6 +152,7 @@ impl Machine {
             return false;
         }
         self.remark(at, Remark::GivenWins { parameter, value: shown(&value) });
+        self.changed.push(parameter);
         true
     }
 }
