@@ -67,7 +67,7 @@ fn located(machine: &Machine, path: &NcPath, block: usize) -> Map<String, Json> 
 }
 
 /// The same with more said.
-fn said(machine: &Machine, at: &BlockPlace, more: Json) -> Json {
+fn placed(machine: &Machine, at: &BlockPlace, more: Json) -> Json {
     let mut entry = located(machine, &at.program, at.block);
     if let Json::Object(more) = more {
         entry.extend(more);
@@ -88,7 +88,7 @@ fn cycle(machine: &Machine, run: &CycleRun) -> Json {
         "contacts": result.contacts,
         "remarks": result.remarks.iter().map(ToString::to_string).collect::<Vec<_>>(),
     });
-    said(machine, &run.place, more)
+    placed(machine, &run.place, more)
 }
 
 fn fault(fault: &Fault) -> Json {
@@ -106,14 +106,14 @@ pub(super) fn print(machine: &Machine, ended: &Ended, trace: Trace, io: &mut Io<
         machine.variables().iter().map(|(parameter, value)| (parameter.to_string(), plain(Some(value)))).collect();
     let windows = machine.windows().iter().map(|window| {
         let more = json!({"mask": window.mask.to_string(), "window": window.text, "is_open": window.is_open});
-        said(machine, &window.place, more)
+        placed(machine, &window.place, more)
     });
     let outputs = machine.outputs().iter().map(|output| {
         let more = json!({"file": output.path.to_string(), "output": output.text, "is_written": output.is_written});
-        said(machine, &output.place, more)
+        placed(machine, &output.place, more)
     });
     let remarks =
-        machine.remarks().iter().map(|(at, remark)| said(machine, at, json!({"message": remark.to_string()})));
+        machine.remarks().iter().map(|(at, remark)| placed(machine, at, json!({"message": remark.to_string()})));
     let mut answer = json!({
         "blocks": machine.blocks_run(),
         "status": machine.status().map(crate::verdict::Status::word),
