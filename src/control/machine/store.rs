@@ -80,13 +80,22 @@ impl Say for StoreError {
 }
 
 /// The files that are embedded in the program.
-const SHIPPED: [(&str, &[u8]); 6] = [
-    ("82553_hole.tab", include_bytes!("../../../tables/82553_hole.tab")),
-    ("82553_shaft.tab", include_bytes!("../../../tables/82553_shaft.tab")),
+const SHIPPED: [(&str, &[u8]); 15] = [
+    ("8255_nl.h", include_bytes!("../../../assets/nc/8255_nl.h")),
+    ("8255_en.h", include_bytes!("../../../assets/nc/8255_en.h")),
+    ("8255_de.h", include_bytes!("../../../assets/nc/8255_de.h")),
+    ("8255_it.h", include_bytes!("../../../assets/nc/8255_it.h")),
+    ("82551_nl.h", include_bytes!("../../../assets/nc/82551_nl.h")),
+    ("82551_en.h", include_bytes!("../../../assets/nc/82551_en.h")),
+    ("82551_de.h", include_bytes!("../../../assets/nc/82551_de.h")),
+    ("82551_it.h", include_bytes!("../../../assets/nc/82551_it.h")),
     ("82552_nl.a", include_bytes!("../../../assets/masks/82552_nl.a")),
     ("82552_en.a", include_bytes!("../../../assets/masks/82552_en.a")),
     ("82552_de.a", include_bytes!("../../../assets/masks/82552_de.a")),
     ("82552_it.a", include_bytes!("../../../assets/masks/82552_it.a")),
+    ("82553_hole.tab", include_bytes!("../../../tables/82553_hole.tab")),
+    ("82553_shaft.tab", include_bytes!("../../../tables/82553_shaft.tab")),
+    ("tchprobe.tp", include_bytes!("../../../tables/tchprobe.tp")),
 ];
 
 /// The programs, tables and masks that are embedded: found by file name, whatever the folder. Nothing is written.
