@@ -103,7 +103,7 @@ impl Program {
     pub fn comment_of(&self, block: usize) -> Option<&str> {
         let line = self.blocks.get(block)?.lines.start;
         let text = self.line(line);
-        lines::piece(text, line, lines::front(text).end).comment
+        lines::first(text, line, lines::front(text).end).comment
     }
 
     /// The block that a line belongs to, counted from 0; `None` for blank lines between blocks.

@@ -371,6 +371,8 @@ fn headings_comments_and_blank_blocks() {
 #[test]
 fn a_block_that_is_no_cycle_may_go_on_in_the_next_line() {
     check(&["Q1 = 5 + ~\n  ( 3 ~\n )"], &body("Q1 = 5 + ( 3 )"));
+    // The star begins no heading here, so the comment ends the line.
+    check(&["Q1 = 5 ~\n  * 3 ; three"], &body("Q1 = 5 * 3"));
 }
 
 #[test]
