@@ -10,6 +10,7 @@ mod fit;
 mod import;
 mod limits;
 mod report;
+mod run;
 mod table;
 
 use std::io::{BufRead, Read as _, Write};
@@ -45,6 +46,7 @@ enum Command {
     Circle(circle::Args),
     Cycle(Box<cycle::Args>),
     Report(report::Args),
+    Run(Box<run::Args>),
     Table(table::Args),
 }
 
@@ -213,6 +215,7 @@ impl Cli {
             Some(Command::Circle(args)) => args.run(io),
             Some(Command::Cycle(args)) => args.run(io),
             Some(Command::Report(args)) => args.run(io),
+            Some(Command::Run(args)) => args.run(io),
             Some(Command::Table(args)) => args.run(io),
             None => Ok(Outcome::Done),
         };

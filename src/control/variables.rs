@@ -51,6 +51,32 @@ impl fmt::Display for Parameter {
     }
 }
 
+/// A text that names no parameter.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0} is no parameter, allowed are Q, QL, QR and QS with a number")]
+pub struct NoParameter(pub String);
+
+impl std::str::FromStr for Parameter {
+    type Err = NoParameter;
+
+    /// `Q1`, `ql5`, `QS400`.
+    fn from_str(text: &str) -> Result<Self, NoParameter> {
+        let given = text.trim();
+        let name = given.to_ascii_uppercase();
+        let digits = name.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+        let family = match name.strip_suffix(digits) {
+            Some("Q") => Family::Q,
+            Some("QL") => Family::Ql,
+            Some("QR") => Family::Qr,
+            Some("QS") => Family::Qs,
+            _ => return Err(NoParameter(given.to_owned())),
+        };
+        let is_number = digits.bytes().all(|byte| byte.is_ascii_digit());
+        let number = digits.parse().ok().filter(|_| is_number);
+        number.map(|number| Self { family, number }).ok_or_else(|| NoParameter(given.to_owned()))
+    }
+}
+
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {

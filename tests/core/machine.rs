@@ -3,13 +3,20 @@
 use std::sync::Arc;
 
 use fitcheck::control::machine::{
-    Budget, Contacts, FaultKind, Folders, InMemory, Machine, Pause, Settings, Step, TravelKind, UsedUp,
+    Budget, Contacts, FaultKind, Folders, InMemory, Machine, Pause, Settings, Shipped, Step, TravelKind, UsedUp,
 };
 use fitcheck::control::program::Program;
+use fitcheck::control::shipped_tables;
+use fitcheck::control::status::status_window;
 use fitcheck::control::variables::{Family, Parameter, Value};
+use fitcheck::journal::Record;
+use fitcheck::length::Length;
 use fitcheck::probing::simulated::Bench;
-use fitcheck::verdict::Status;
+use fitcheck::probing::{Measurement, Origin};
+use fitcheck::tolerance::{Callout, Sources};
+use fitcheck::verdict::{Status, judge};
 use fitcheck::words::{Language, Words};
+use proptest::prelude::*;
 
 fn sample(name: &str) -> Vec<u8> {
     std::fs::read(format!("{}/tests/data/samples/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
@@ -292,9 +299,9 @@ fn blocks_with_a_skip_sign_run_unless_they_are_skipped() {
 #[test]
 fn a_given_value_wins_over_the_first_assignment_in_the_main_program() {
     let mut machine = machine("Q1 = 25\nQ2 = Q2 + 1\nQ3 = Q1\nQ1 = 30\nDECLARE STRING QS1 = \"H7\"");
-    machine.set(Parameter::q(1), Value::Number(50.0));
-    machine.set(Parameter::q(2), Value::Number(7.0));
-    machine.set(Parameter::qs(1), Value::Text("g6".to_owned()));
+    machine.set(Parameter::q(1), Value::Number(50.0)).unwrap();
+    machine.set(Parameter::q(2), Value::Number(7.0)).unwrap();
+    machine.set(Parameter::qs(1), Value::Text("g6".to_owned())).unwrap();
     to_end(&mut machine);
     check_values(&machine, &[("Q1", 30.0), ("Q2", 8.0), ("Q3", 50.0)]);
     assert_eq!(text_value(&machine, "QS1"), "g6");
@@ -323,8 +330,8 @@ fn budgets_have_a_fault_each() {
         let store = InMemory::new().with("m.a", mask);
         let mut machine =
             Machine::new(r"TNC:\main.h", program(text(blocks).as_bytes()), store, Contacts::Perfect, with);
-        machine.set(Parameter::qs(1), Value::Text("x".repeat(100)));
-        machine.set(Parameter::q(1), Value::Number(0.0));
+        machine.set(Parameter::qs(1), Value::Text("x".repeat(100))).unwrap();
+        machine.set(Parameter::q(1), Value::Number(0.0)).unwrap();
         let fault = loop {
             match machine.run(u64::MAX) {
                 Ok(Step::Ended) => panic!("{blocks}"),
@@ -344,6 +351,7 @@ fn budgets_have_a_fault_each() {
     assert_eq!(kind(&print, |budget| budget.output_bytes = 1_000), UsedUp::Output(1_000).into());
     let print = forever("FN 16: F-PRINT m.a / out.txt");
     assert_eq!(kind(&print, |budget| budget.outputs = 3), UsedUp::Outputs(3).into());
+    assert_eq!(kind(&print, |budget| budget.traffic = 1_000), UsedUp::Traffic(1_000).into());
     let step = forever("L IX+1 Y+0 Z+0 R0 FMAX");
     let step = format!("L X+0 Y+0 Z+0\n{step}");
     assert_eq!(kind(&step, |budget| budget.path = 10), UsedUp::Path(10).into());
@@ -479,7 +487,7 @@ fn fn_27_changes_the_open_table_and_writes_it_when_it_is_closed() {
     assert_eq!(machine.remarks()[0].1.to_string(), r"TNC:\own.tab was not written: no folder was chosen for outputs");
     let too_wide = "FN 26: TABOPEN own.tab\nFN 27: TABWRITE 2/\"H7\" = Q1";
     let mut machine = machine_in(InMemory::new().with("own.tab", TABLE), too_wide);
-    machine.set(Parameter::q(1), Value::Number(1234.567));
+    machine.set(Parameter::q(1), Value::Number(1234.567)).unwrap();
     assert_eq!(fault_of(&mut machine), "table own.tab: row 2, column H7: 1234.567 does not fit into 6 characters");
 }
 
@@ -518,7 +526,7 @@ fn fn_16_writes_below_the_chosen_folder_and_nowhere_else() {
     let run = |blocks: &str| {
         let program = program(text(blocks).as_bytes());
         let mut machine = Machine::new(r"TNC:\fit\main.h", program, store(), Contacts::Perfect, settings());
-        machine.set(Parameter::q(1), Value::Number(1.0));
+        machine.set(Parameter::q(1), Value::Number(1.0)).unwrap();
         machine
     };
     let print = |mask: &str, to: &str| format!("FN 16: F-PRINT {mask}.a / {to}\n");
@@ -555,7 +563,7 @@ fn fn_16_writes_below_the_chosen_folder_and_nowhere_else() {
     let reading = Folders::new().reading(&masks);
     let mut machine = Machine::new("main.h", program, reading, Contacts::Perfect, settings());
     to_end(&mut machine);
-    assert_eq!((machine.outputs()[0].text.as_str(), machine.outputs()[0].is_written), ("two\n", false));
+    assert_eq!((machine.outputs()[0].text.as_str(), machine.outputs()[0].is_saved), ("two\n", false));
     assert_eq!(machine.remarks().len(), 1);
 }
 
@@ -640,4 +648,201 @@ fn a_broken_file_is_named() {
         fault_of(&mut machine_in(store, "CALL PGM sub.h")),
         r"TNC:\fit\sub.h: the file is no text: 8 of its 8 bytes are no characters"
     );
+}
+
+/// Runs the shipped Dutch programs with a nominal size and a class on a bore or a stud.
+fn shipped(nominal: &str, class: &str, workpiece: &str) -> Machine {
+    let main = program(Shipped::file("8255_nl.h").unwrap());
+    let contacts = Contacts::Workpiece(Bench::read(workpiece).unwrap());
+    let mut machine = Machine::new(r"TNC:\8255_nl.h", main, Shipped, contacts, settings());
+    machine.set(Parameter::q(1), Value::Number(nominal.parse().unwrap())).unwrap();
+    machine.set(Parameter::qs(1), Value::Text(class.to_owned())).unwrap();
+    machine
+}
+
+#[test]
+fn the_shipped_programs_print_the_native_window() {
+    for (callout, measured) in
+        [("25 H7", "25.0134"), ("24.99995 H7", "25.02095"), ("8 JS7", "7.9925"), ("18 g6", "17.9945")]
+    {
+        let parsed: Callout = callout.parse().unwrap();
+        let measured: Length = measured.parse().unwrap();
+        let limits = Sources::of_tables(shipped_tables()).limits(&parsed, None).unwrap();
+        let record = Record {
+            time: settings().time,
+            id: String::new(),
+            callout: Some(parsed),
+            verdict: judge(&limits, measured, None),
+            doubt: None,
+            limits,
+            measurement: Measurement::of_diameter(measured, Origin::Typed),
+        };
+        let kind = if callout.contains('g') { "stud" } else { "bore" };
+        let workpiece = format!("[{kind}]\ncentre = [40.0, 30.0]\ndiameter = {measured}\n");
+        let (nominal, class) = callout.split_once(' ').unwrap();
+        let mut machine = shipped(nominal, class, &workpiece);
+        to_end(&mut machine);
+        assert_eq!(machine.windows()[0].text, status_window(&record, Language::Nl, None).unwrap(), "{callout}");
+        assert_eq!(machine.status(), Some(record.verdict.status()), "{callout}");
+    }
+}
+
+#[test]
+fn a_restart_forgets_the_run_and_sees_changed_files() {
+    let mut machine = fit(bore("25.0134"));
+    machine.toggle_breakpoint(r"TNC:\fitcheck\fit_main.h", 3);
+    for (diameter, status) in [("25.0134", Status::Good), ("25.1", Status::Scrap), ("24.9", Status::Rework)] {
+        machine.restart(bore(diameter));
+        assert_eq!((machine.status(), machine.blocks_run(), machine.place().block), (None, 0, 0));
+        to_end(&mut machine);
+        assert_eq!((machine.status(), machine.windows().len()), (Some(status), 1));
+        assert_eq!(machine.breakpoints().count(), 1);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fitcheck::files::write(&folder.path().join(name), text.as_bytes()).unwrap();
+    let blocks = "CALL PGM sub.h\nFN 26: TABOPEN own.tab\nFN 28: TABREAD Q2 = 0/\"H7\"";
+    let store = Folders::new().reading(folder.path());
+    let main = program(text(blocks).as_bytes());
+    let mut machine = Machine::new("main.h", main, store, Contacts::Perfect, settings());
+    for (number, cell) in [("1", "+10"), ("2", "+20")] {
+        write("sub.h", &format!("BEGIN PGM sub MM\nQ1 = {number}\nEND PGM sub MM\n"));
+        write("own.tab", &TABLE.replace("+10", cell));
+        machine.restart(Contacts::Perfect);
+        to_end(&mut machine);
+        check_values(&machine, &[("Q1", number.parse().unwrap()), ("Q2", cell.parse().unwrap())]);
+    }
+}
+
+#[test]
+fn where_the_original_is_weak_the_control_s_error_is_ours() {
+    let bore = "[bore]\ncentre = [40.0, 30.0]\ndiameter = 25.0\n";
+    assert!(fault_of(&mut shipped("400.0001", "H7", bore)).starts_with("table 82553_hole.tab has no row 42"));
+    assert!(
+        fault_of(&mut shipped("25", "H10", bore))
+            .starts_with("table 82553_hole.tab has no column H10; its columns are")
+    );
+}
+
+/// Blocks that do something, and pieces that make them do something else.
+const PIECES: [&str; 44] = [
+    "LBL 1\n",
+    "LBL 2\n",
+    "LBL 0\n",
+    "CALL LBL 1\n",
+    "CALL LBL 2 REP 3\n",
+    "CALL PGM sub.h\n",
+    "CALL PGM main.h\n",
+    "Q1 = Q1 + 1\n",
+    "Q1 = Q2 * Q1 ^ 2 - SIN Q3\n",
+    "Q2 = SQRT Q1 / Q2\n",
+    "QL1 = 1\n",
+    "Q3 = - Q1 % 7\n",
+    "FN 0: Q2 SET UNDEFINED\n",
+    "FN 9: IF +Q1 EQU +0 GOTO LBL 1\n",
+    "FN 12: IF +Q1 LT +9 GOTO LBL 2\n",
+    "FN 10: IF +Q2 IS DEFINED GOTO LBL 1\n",
+    "FN 16: F-PRINT m.a / SCREEN:\n",
+    "FN 16: F-PRINT m.a / SCLR:\n",
+    "FN 16: F-PRINT m.a / out.txt\n",
+    "FN 26: TABOPEN own.tab\n",
+    "FN 26: TABOPEN 82553_hole.tab\n",
+    "FN 27: TABWRITE 1/\"H7\" = Q1\n",
+    "FN 28: TABREAD Q1 = +Q3/\"H7,BEREICH\"\n",
+    "FN 28: TABREAD QS1 = 0/\"NOTE\"\n",
+    "QS1 = QS1 || QS2 || QS1\n",
+    "DECLARE STRING QS2 = \"ab\"\n",
+    "QS1 = SUBSTR ( SRC_QS2 BEG1 LEN+Q1 )\n",
+    "QS2 = TOCHAR ( DAT+Q1 DECIMALS3 )\n",
+    "Q2 = INSTR ( SRC_QS1 SEA_QS2 BEG+Q3 )\n",
+    "Q1 = TONUMB ( SRC_QS2 )\n",
+    "QS1 = SYSSTR ( ID10321 NR+Q1 )\n",
+    "TOOL CALL Q1 Z\n",
+    "L X+Q1 IY-2 Z+0 R0 FMAX M91\n",
+    "L IX+1e300 Y+Q1 FQ2 M0\n",
+    "TCH PROBE 421 X ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+Q1\n",
+    "TCH PROBE 427 X ~\nQ263=+0 ~\nQ264=+Q1 ~\nQ261=+5 ~\nQ272=+3 ~\nQ267=-1 ~\nQ281=+2\n",
+    "TCH PROBE 444 X ~\nQ263=+0 ~\nQ264=+0 ~\nQ294=+0 ~\nQ581=+Q1 ~\nQ582=+0 ~\nQ583=+1 ~\nQS400=\"0.4-0.1\"\n",
+    "STOP\n",
+    "/M30\n",
+    "M1\n",
+    "END PGM main MM\n",
+    "FN 14: ERROR= Q1\n",
+    "CYCL DEF 7.0 DATUM SHIFT\n",
+    "\u{0}\u{ff}(((((",
+];
+
+/// What a run may use while anything is tried.
+const SMALL: Budget = Budget {
+    blocks: 3_000,
+    label_calls: 20,
+    program_calls: 10,
+    text: 255,
+    windows: 20,
+    outputs: 20,
+    output_bytes: 10_000,
+    cycles: 20,
+    path: 500,
+    files: 5,
+    file_bytes: 100_000,
+    traffic: 5_000_000,
+    remarks: 50,
+};
+
+/// Runs anything within a small budget, and holds every bound against what is there afterwards.
+fn run_anything(text: &[u8], sub: &[u8], skip_unknown: bool) {
+    let Ok((program, _)) = Program::read(text) else { return };
+    let store = InMemory::new()
+        .with("sub.h", sub)
+        .with("main.h", text)
+        .with("own.tab", TABLE)
+        .with("m.a", "\"%9.4F%S\", Q1, QS1;\n");
+    let mut with = settings();
+    with.budget = SMALL;
+    with.skip_unknown = skip_unknown;
+    let mut machine = Machine::new(r"TNC:\main.h", Arc::new(program), store, Contacts::Perfect, with);
+    for number in 1..=3 {
+        machine.set(Parameter::q(number), Value::Number(0.0)).unwrap();
+        machine.set(Parameter::qs(number), Value::Text("x".to_owned())).unwrap();
+    }
+    let ended = loop {
+        match machine.run(1_000) {
+            Ok(Step::Ended) => break Ok(()),
+            Ok(_) => {}
+            Err(fault) => break Err(fault),
+        }
+    };
+    if let Err(fault) = ended {
+        assert!(!fault.to_string().is_empty());
+        assert_eq!(Words::new(Language::En).told(&fault), fault.to_string());
+    }
+    assert!(machine.is_over() && machine.blocks_run() <= SMALL.blocks);
+    assert!(machine.windows().len() <= SMALL.windows && machine.outputs().len() <= SMALL.outputs);
+    assert!(machine.cycles().len() <= SMALL.cycles && machine.path().len() <= SMALL.path);
+    assert!(machine.remarks().len() <= SMALL.remarks && machine.calls().len() <= 30);
+    for (parameter, value) in machine.variables().iter() {
+        match value {
+            Value::Text(text) => assert!(text.chars().count() <= SMALL.text, "{parameter}"),
+            Value::Number(number) => assert!(number.abs() <= 1e10, "{parameter} = {number}"),
+            Value::Length(_) => {}
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
+
+    #[test]
+    fn any_program_ends_within_its_budget(
+        pieces in prop::collection::vec(prop::sample::select(&PIECES[..]), 0..40),
+        sub in prop::collection::vec(prop::sample::select(&PIECES[..]), 0..10),
+        skip_unknown: bool,
+    ) {
+        run_anything(text(&pieces.concat()).as_bytes(), text(&sub.concat()).as_bytes(), skip_unknown);
+    }
+
+    #[test]
+    fn any_bytes_end_within_their_budget(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+        run_anything(&bytes, &bytes, true);
+        run_anything(&[b"BEGIN PGM a MM\n", bytes.as_slice()].concat(), &bytes, true);
+    }
 }

@@ -27,6 +27,7 @@ mod point_cycles;
 mod programs;
 mod report;
 mod report_cli;
+mod run_cli;
 mod session;
 mod session_cycles;
 mod session_fit;

@@ -25,6 +25,7 @@ machine-used-output = er zijn { $most } bytes uitgevoerd, meer mag niet
 machine-used-cycles = er is { $most } keer gemeten, nog een keer mag niet
 machine-used-path = de baan heeft { $most } bewegingen, nog een mag niet
 machine-used-files = { $most } programma's en gewijzigde tabellen zijn open, nog een mag niet
+machine-used-traffic = er zijn { $most } bytes gelezen en geschreven, meer mag niet
 machine-used-file-bytes = programma's en gewijzigde tabellen hebben samen meer dan { $most } bytes
 machine-text-too-long = de tekst heeft { $length } tekens, een parameter bevat er hooguit { $most }
 machine-unknown-block = deze NC-regel is hier niet bekend: wat niet begrepen wordt, wordt niet uitgevoerd
@@ -67,6 +68,7 @@ machine-remark-given-wins = { $parameter } = { $value } is vooraf opgegeven en k
 machine-remark-not-written = { $path } is niet geschreven: er is geen map voor uitvoer gekozen
 machine-remark-not-saved = { $path } is niet geschreven: { $reason }
 machine-remark-full = { $path } heeft zijn { $kilobytes } kilobyte bereikt, er is niets toegevoegd
+machine-remark-more = nog { $count } opmerkingen staan niet in de lijst
 machine-remark-other-probe = gereedschap { $tool } staat niet in de tastsysteemtabel: taster { $probe } is gebruikt
 
 ## Pauzes
