@@ -9,9 +9,10 @@ use std::sync::LazyLock;
 use jiff::civil::DateTime;
 
 use super::mask::{Context, Mask, RenderError};
-use super::status::{shipped, shipped_mask, status_word};
+use super::status::{micrometres, shipped, shipped_mask, status_word};
 use super::variables::{Parameter, Value, Variables};
-use crate::probing::cycle::{self, Check, Cycle, CycleResult, FoundName, Key};
+use crate::probing::cycle::{self, Check, Cycle, CycleResult, FoundName, Key, Nominal};
+use crate::tolerance::Feature;
 use crate::words::Language;
 
 /// The masks of one cycle, by language.
@@ -61,11 +62,25 @@ pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Language) 
         variables.set(Parameter::qs(3), Value::Text(status_word(status, language).to_owned()));
     }
     variables.set(Parameter::qs(2), Value::Text(checked(cycle, result)));
-    if let Some(Check { minimum, maximum, .. }) = diameter(result) {
-        variables.set(Parameter::q(33), Value::Length(*minimum));
-        variables.set(Parameter::q(23), Value::Length(*maximum));
+    if let Some(check) = diameter(result) {
+        set_diameter(cycle, result, check, &mut variables);
     }
     variables
+}
+
+/// What program 82551 has of a diameter: nominal size, hole or shaft, deviations in µm, limits. There is no class.
+fn set_diameter(cycle: &Cycle, result: &CycleResult, check: &Check, variables: &mut Variables) {
+    variables.set(Parameter::qs(1), Value::Text(String::new()));
+    variables.set(Parameter::q(33), Value::Length(check.minimum));
+    variables.set(Parameter::q(23), Value::Length(check.maximum));
+    if let Nominal::Circle { feature, .. } = (cycle.nominal)(&result.inputs) {
+        variables.set(Parameter::q(2), Value::Number(if feature == Feature::Hole { -1.0 } else { 1.0 }));
+    }
+    if let Some(cycle::Value::Length(nominal)) = result.inputs.value(262) {
+        variables.set(Parameter::q(1), Value::Length(*nominal));
+        variables.set(Parameter::q(4), micrometres(check.maximum.saturating_sub(*nominal)));
+        variables.set(Parameter::q(5), micrometres(check.minimum.saturating_sub(*nominal)));
+    }
 }
 
 /// The text of the status window, drawn with a mask or with the cycle's own; `None` where nothing was compared with
@@ -169,6 +184,16 @@ mod tests {
         // A centre alone has no limits of size to print.
         check(&measured("421", &[&nominal[..], &["Q279=1"]].concat(), &SQUARE), Language::En, None);
         check(&measured("G785", &["K=2", "RC=120"], &SQUARE), Language::En, None);
+    }
+
+    #[test]
+    fn a_mask_of_the_user_s_own_has_what_program_82551_has() {
+        let stud = measured("422", &["Q273=0", "Q274=0", "Q262=75", "Q277=75.0125", "Q278=74.8"], &SQUARE);
+        let mask = b"\"%S %6.3F %2.0F %5.1F %6.1F %6.3F\", QS2, Q1, Q2, Q4, Q5, Q163;\nM_CLOSE;\n";
+        let (mask, _) = Mask::read(mask).unwrap();
+        let time = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
+        let text = cycle_window(stud.0, &stud.1, Language::En, Some(&mask), time).unwrap().unwrap();
+        assert_eq!(text, "75 (422) 75.000  1  12.5 -200.0  0.000\n");
     }
 
     #[test]

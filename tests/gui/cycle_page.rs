@@ -125,7 +125,7 @@ fn the_block_of_seed_004_is_typed_run_and_read_back() {
 /// Runs the cycle and compares the picture.
 fn picture(name: &str, open: fn(Window) -> Harness<'static, App>, theme: Theme, size: Vec2) {
     if can_paint(name) {
-        let mut window = open(Window { theme, size, ..Window::default() });
+        let mut window = open(Window { size, theme, ..Window::default() });
         key(&mut window, Modifiers::NONE, Key::Enter);
         window.remove_cursor();
         window.snapshot(name);
@@ -492,4 +492,20 @@ fn the_keypad_types_into_a_parameter_and_runs() {
     let cycles = window.state().session().cycles();
     assert_eq!(cycles.text(CycleField::Parameter(288.into())), "5.2");
     assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+}
+
+#[test]
+fn choices_are_made_by_typing_their_number_too() {
+    let mut window = page();
+    choose(&mut window, "427  MEASURE COORDINATE");
+    for (parameter, typed, chosen) in [("Q272", "3", "3"), ("Q267", "-", "-1"), ("Q267", "1", "1"), ("Q272", "7", "3")]
+    {
+        let name = name(&window, parameter);
+        window.get_by_role_and_label(Role::ComboBox, &name).focus();
+        window.run();
+        window.get_by_role_and_label(Role::ComboBox, &name).type_text(typed);
+        window.run();
+        let key = window.state().session().cycles().cycle().parameter_named(parameter).unwrap().key;
+        assert_eq!(window.state().session().cycles().text(CycleField::Parameter(key)), chosen, "{parameter} {typed}");
+    }
 }

@@ -1,6 +1,6 @@
 //! Right: the verdict, the status window, the result parameters as the control lists them, and what is worth knowing.
 
-use eframe::egui::{Align, Button, Label, Layout, RichText, Sense, Ui, vec2};
+use eframe::egui::{Align, Button, Label, Layout, RichText, Ui, vec2};
 
 use crate::gui::check::mask_chooser_ui;
 use crate::gui::popup::popup_ui;
@@ -123,12 +123,14 @@ fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
         });
     });
     for found in &result.results {
-        let text = RichText::new(value(view.words, &found.value)).font(theme::mono(sizes().mono));
+        let text = RichText::new(value(view.words, &found.value)).font(theme::font(sizes().body));
         let row = vec2(ui.available_width(), sizes().body + space(1.0));
         ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
-            let (key, _) = ui.allocate_exact_size(vec2(space(11.0), row.y), Sense::hover());
             let text_of_key = RichText::new(found.key.to_string()).font(theme::bold(sizes().body));
-            ui.put(key, Label::new(text_of_key).halign(Align::LEFT));
+            ui.allocate_ui_with_layout(vec2(space(11.0), row.y), Layout::left_to_right(Align::Center), |ui| {
+                ui.set_min_width(space(11.0));
+                ui.label(text_of_key);
+            });
             let name = view.words.told(&found.name);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.add(Label::new(text).selectable(true));

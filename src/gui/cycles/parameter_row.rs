@@ -1,6 +1,6 @@
 //! One parameter of a cycle: the control's question, a field or a choice, the unit, and an error below.
 
-use eframe::egui::{Align, ComboBox, Id, Layout, RichText, Ui, vec2};
+use eframe::egui::{Align, ComboBox, Event, Id, Layout, RichText, Ui, vec2};
 
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{palette, sizes, space};
@@ -124,6 +124,9 @@ fn choice_ui(
         })
         .response
         .labelled_by(name);
+    if response.has_focus() {
+        choice = choice.or_else(|| typed_number(ui, allowed));
+    }
     if let Some(number) = choice {
         let field = CycleField::Parameter(key);
         view.send(Command::Cycles(CyclesCommand::Type(field, number.to_string())));
@@ -131,10 +134,26 @@ fn choice_ui(
     response.has_focus()
 }
 
-/// A field without a parameter's declaration, such as a figure of the workpiece.
+/// The choice whose number was just typed; a minus is the negative one.
+fn typed_number(ui: &Ui, allowed: &[i64]) -> Option<i64> {
+    let typed = ui.input(|input| {
+        let text = |event: &Event| if let Event::Text(text) = event { Some(text.clone()) } else { None };
+        input.events.iter().find_map(text)
+    })?;
+    let number = typed.parse().ok();
+    allowed.iter().copied().find(|allowed| Some(*allowed) == number || (typed == "-" && *allowed < 0))
+}
+
+/// A field without a parameter's declaration, such as a figure of the workpiece; one that may be empty says so.
 pub(super) fn figure_ui(ui: &mut Ui, view: &mut View<'_>, of: CycleField, name: String, unit: &str) {
+    let is_optional = match of {
+        CycleField::Bench(field) => field.is_optional(),
+        CycleField::Position(_) => true,
+        CycleField::Parameter(_) | CycleField::Global(_) => false,
+    };
+    let hint = if is_optional { view.text("cycles-none") } else { String::new() };
     row_ui(ui, name, |ui, name| {
-        field_ui(ui, view, of, name, Look::number(space(FIELD)));
+        field_ui(ui, view, of, name, Look { hint, ..Look::number(space(FIELD)) });
         quiet(ui, unit);
     });
     error_ui(ui, view, of);

@@ -1,11 +1,11 @@
 //! Middle: the parameter in focus, the path step by step, contacts with their deviations, criteria side by side.
 
-use eframe::egui::{Button, Slider, Ui, vec2};
+use eframe::egui::{Button, Label, Slider, Ui, vec2};
 
 use super::form_panel::last_focused;
 use super::{column_ui, picture};
 use crate::gui::theme::{sizes, space};
-use crate::gui::view::{View, heading, problem, quiet};
+use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::{Move, Parameter, Phase, Range, Unset, Value};
 use crate::session::{Command, CycleRun, CyclesCommand, Step};
 use crate::words::{Message, Words};
@@ -20,7 +20,7 @@ pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let session = view.session;
     // Path and contacts share what is left; criteria follow below.
-    let height = ((ui.available_height() - space(38.0)) / 2.0).max(space(50.0));
+    let height = ((ui.available_height() - space(40.0)) / 2.0).max(space(40.0));
     column_ui(ui, |ui| match session.cycles().run() {
         None => _ = quiet(ui, view.text("cycles-nothing-seen")),
         Some(run) => {
@@ -90,14 +90,22 @@ fn default(view: &View<'_>, parameter: &Parameter) -> String {
 
 /// The path up to a move, the buttons that step along it, and the move in words.
 fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
-    heading(ui, view.text("cycles-path"));
-    if let Err(error) = &run.result {
-        problem(ui, view.words.say(error));
-    }
-    let Some(now) = run.path.get(view.session.cycles().step()) else { return };
     let step = view.session.cycles().step();
+    let Some(now) = run.path.get(step) else { return };
+    let said = said(view.words, now, step, run.path.len());
+    // Beside the heading where there is room for it.
+    let wide = space(120.0) < ui.available_width();
+    ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = 0.0;
+        heading(ui, view.text("cycles-path"));
+        if wide {
+            ui.add(Label::new(&said).truncate());
+        }
+    });
     steps_ui(ui, view, run.path.len(), step);
-    ui.label(said(view.words, now, step, run.path.len()));
+    if !wide {
+        ui.label(said);
+    }
     of_height(ui, height, |ui| picture::path_picture(ui, view, &run.path, step + 1, run.nominal, run.ball_radius));
 }
 

@@ -416,10 +416,10 @@ impl Session {
         settings.optional_stop = page.switches.optional_stop;
         let mut machine = Machine::new(&path, program, folders, contacts, settings);
         for (parameter, value) in page.changed_inputs() {
-            machine.set(parameter, value);
+            machine.set(parameter, value).map_err(|fault| fault.message())?;
         }
         for (parameter, value) in &page.given {
-            machine.set(*parameter, value.clone());
+            machine.set(*parameter, value.clone()).map_err(|fault| fault.message())?;
         }
         for place in &page.breakpoints {
             machine.toggle_breakpoint(&place.program.to_string(), place.block);

@@ -168,8 +168,8 @@ struct Drawing<'a> {
 
 impl Drawing<'_> {
     fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
-        // Numbers stand left and right of the circle.
-        let room = vec2(self.body.width() - space(44.0), self.body.height()).min_elem().max(space(8.0));
+        // Numbers stand left and right of the circle, and above and below it.
+        let room = vec2(self.body.width() - space(44.0), self.body.height() - space(5.0)).min_elem().max(space(8.0));
         let unit = room / 2.0 / screen(1.0 + REACH);
         self.body.center() + vec2(screen(x), -screen(y)) * unit
     }

@@ -4,8 +4,8 @@
 //! |---|---|
 //! | `meaning` | what a parameter of a cycle means, for its drawing |
 //! | `parameter` | the drawing of a parameter, and its sentence |
-//! | `plan`, `section`, `choice` | its views: from above, from the side, one of a few numbers |
-//! | `path` | the way of the ball's centre, from above and from the side |
+//! | `plan`, `section`, `choice`, `general` | its views: from above, from the side, one of a few numbers, any other |
+//! | `path`, `scale` | the way of the ball's centre, from above and from the side; one view of it |
 //! | `contacts` | contacts about a circle, deviations magnified; `bar`: one deviation between its limits |
 //! | `criteria` | every criterion of a circle side by side |
 //! | `canvas` | lines, arrows, dimensions, labels: what all drawings are made of |
@@ -17,10 +17,12 @@ mod canvas;
 mod choice;
 mod contacts;
 mod criteria;
+mod general;
 mod meaning;
 mod parameter;
 mod path;
 mod plan;
+mod scale;
 mod section;
 #[cfg(test)]
 mod tests;

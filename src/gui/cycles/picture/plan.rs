@@ -1,5 +1,4 @@
-//! Parameters that are seen from above: centres, diameters, angles, points, limits; and what is seen from nowhere in
-//! particular: the normal, a length, an angle, a number.
+//! Parameters that are seen from above: centres, diameters, angles, points, limits; and the normal, seen at an angle.
 
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
@@ -44,9 +43,7 @@ pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &st
         Meaning::MaximumCoordinate => plan.coordinate(14.0),
         Meaning::MinimumCoordinate => plan.coordinate(-14.0),
         Meaning::Normal(axis) => plan.normal(axis),
-        Meaning::Angle => plan.any_angle(),
-        Meaning::Number => plan.any_number(),
-        _ => plan.any_length(),
+        _ => super::general::draw(canvas, meaning, key),
     }
 }
 
@@ -296,33 +293,5 @@ impl Plan<'_> {
             self.canvas.palette.none.0,
             self.canvas.edge(),
         ));
-    }
-
-    fn any_length(&self) {
-        let (left, right, y) = (self.at(pos2(40.0, 0.0)).x, self.at(pos2(220.0, 0.0)).x, self.at(pos2(0.0, 80.0)).y);
-        for x in [left, right] {
-            self.canvas.line(pos2(x, y - 34.0), pos2(x, y + 34.0), self.canvas.edge());
-        }
-        self.canvas.dimension(pos2(left, y), pos2(right, y));
-        self.canvas.key(pos2(f32::midpoint(left, right), y), Align2::CENTER_CENTER, self.key);
-    }
-
-    fn any_angle(&self) {
-        let centre = self.at(pos2(84.0, 126.0));
-        self.canvas.line(centre, polar(centre, 130.0, 0.0), self.canvas.edge());
-        self.canvas.line(centre, polar(centre, 130.0, 50.0), self.canvas.edge());
-        self.canvas.arc_arrow(centre, 84.0, [0.0, 50.0], self.canvas.strong());
-        self.canvas.key(polar(centre, 84.0 + BESIDE, 25.0), Align2::LEFT_CENTER, self.key);
-    }
-
-    fn any_number(&self) {
-        let (left, right, y) = (self.at(pos2(30.0, 0.0)).x, self.at(pos2(230.0, 0.0)).x, self.at(pos2(0.0, 92.0)).y);
-        self.canvas.arrow(pos2(left, y), pos2(right, y), self.canvas.edge());
-        let zero = f32::midpoint(left, right);
-        self.canvas.line(pos2(zero, y - 6.0), pos2(zero, y + 6.0), self.canvas.edge());
-        self.canvas.note(pos2(zero, y + 8.0), Align2::CENTER_TOP, "0");
-        let mark = pos2(zero + 50.0, y);
-        self.canvas.arrow(mark - vec2(0.0, 30.0), mark - vec2(0.0, 3.0), self.canvas.strong());
-        self.canvas.key(mark - vec2(0.0, 34.0), Align2::CENTER_BOTTOM, self.key);
     }
 }
