@@ -88,8 +88,8 @@ macro_rules! files {
     };
 }
 
-const EN: [(&str, &str); 7] = files!("en": "tolerance" "probing" "control" "program" "exchange" "report" "window");
-const NL: [(&str, &str); 7] = files!("nl": "tolerance" "probing" "control" "program" "exchange" "report" "window");
+const EN: [(&str, &str); 8] = files!("en": "tolerance" "probing" "control" "program" "nc" "exchange" "report" "window");
+const NL: [(&str, &str); 8] = files!("nl": "tolerance" "probing" "control" "program" "nc" "exchange" "report" "window");
 
 /// A sentence without its language: the name of a text and what is put into it.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -7,6 +7,7 @@
 //! | `table` | freely definable tables `.TAB`, three header generations, read and written |
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
 //! | `program` | NC programs in Klartext, read and written |
+//! | `sets` | programs, tables and mask with which a control measures a plan |
 //! | `deviations` | such a table as a table of deviations; the two shipped ones |
 //! | `mask` | FN 16 masks, read and rendered |
 //! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT`, read and written |
@@ -18,6 +19,7 @@ pub mod log444;
 pub mod mask;
 pub mod probe_table;
 pub mod program;
+pub mod sets;
 pub mod status;
 pub mod table;
 pub mod text;
