@@ -88,8 +88,10 @@ macro_rules! files {
     };
 }
 
-const EN: [(&str, &str); 8] = files!("en": "tolerance" "probing" "control" "program" "nc" "exchange" "report" "window");
-const NL: [(&str, &str); 8] = files!("nl": "tolerance" "probing" "control" "program" "nc" "exchange" "report" "window");
+const EN: [(&str, &str); 9] =
+    files!("en": "tolerance" "probing" "control" "program" "machine" "nc" "exchange" "report" "window");
+const NL: [(&str, &str); 9] =
+    files!("nl": "tolerance" "probing" "control" "program" "machine" "nc" "exchange" "report" "window");
 
 /// A sentence without its language: the name of a text and what is put into it.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -11,6 +11,7 @@ mod import;
 mod limits;
 mod nc;
 mod report;
+mod run;
 mod table;
 
 use std::io::{BufRead, Read as _, Write};
@@ -47,6 +48,7 @@ enum Command {
     Cycle(Box<cycle::Args>),
     Nc(Box<nc::Args>),
     Report(report::Args),
+    Run(Box<run::Args>),
     Table(table::Args),
 }
 
@@ -216,6 +218,7 @@ impl Cli {
             Some(Command::Cycle(args)) => args.run(io),
             Some(Command::Nc(args)) => args.run(io),
             Some(Command::Report(args)) => args.run(io),
+            Some(Command::Run(args)) => args.run(io),
             Some(Command::Table(args)) => args.run(io),
             None => Ok(Outcome::Done),
         };

@@ -6,6 +6,7 @@
 //! | `variables` | Q, QL, QR and QS parameters |
 //! | `table` | freely definable tables `.TAB`, three header generations, read and written |
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
+//! | `machine` | runs NC programs, within bounds |
 //! | `program` | NC programs in Klartext, read and written |
 //! | `sets` | programs, tables and mask with which a control measures a plan |
 //! | `deviations` | such a table as a table of deviations; the two shipped ones |
@@ -16,6 +17,7 @@
 pub mod deviations;
 pub mod log;
 pub mod log444;
+pub mod machine;
 pub mod mask;
 pub mod probe_table;
 pub mod program;

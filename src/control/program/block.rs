@@ -198,7 +198,7 @@ impl fmt::Display for Target {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Number(number) => write!(f, "{number}"),
-            Self::Name(name) => write!(f, "\"{name}\""),
+            Self::Name(name) => f.write_str(&super::write_formula::quoted(name)),
             Self::Parameter(parameter) => write!(f, "{parameter}"),
         }
     }

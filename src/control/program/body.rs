@@ -73,6 +73,7 @@ fn name_and_unit(cursor: &mut Cursor<'_>) -> Read<(String, Unit)> {
 
 /// `LBL 5`, `LBL "NAME"`, the word is taken.
 fn label(cursor: &mut Cursor<'_>) -> Read<Body> {
+    cursor.blanks();
     let at = cursor.clone();
     match target(cursor)? {
         Target::Parameter(parameter) => Err(at.fail(Reason::LabelParameter { parameter })),

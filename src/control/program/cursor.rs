@@ -286,7 +286,7 @@ impl<'a> Cursor<'a> {
         }
         self.blanks();
         let from = self.clone();
-        let text = self.take_while(|c| Some(c) != until).trim();
+        let text = self.take_while(|c| Some(c) != until && c != '"').trim();
         if text.is_empty() {
             return Err(from.clone().stop(Wanted::Path));
         }

@@ -68,19 +68,24 @@ pub(super) struct Piece<'a> {
     pub open_quote: Option<usize>,
 }
 
-/// Takes a line apart; `from` bytes of it (block number and skip mark) are passed over.
-pub(super) fn piece(text: &str, line: usize, from: usize) -> Piece<'_> {
-    let rest = text.get(from..).unwrap_or_default().trim_end_matches(is_blank);
-    let (rest, goes_on) = match rest.strip_suffix('~') {
-        Some(before) => (before.trim_end_matches(is_blank), true),
-        None => (rest, false),
-    };
-    let begins = rest.len() - rest.trim_start_matches(is_blank).len();
+/// Takes the first line of a block apart; `from` bytes of it (block number and skip mark) are passed over.
+pub(super) fn first(text: &str, line: usize, from: usize) -> Piece<'_> {
+    let piece = next(text, line, from);
     // In a heading quotation marks and semicolons are text.
-    if rest.get(begins..).is_some_and(|rest| rest.starts_with('*')) {
-        let code = rest.get(begins..).unwrap_or_default();
-        return Piece { line, start: from + begins, code, comment: None, goes_on, open_quote: None };
-    }
+    let code = text.get(piece.start..).map_or("", |code| without_tilde(code).0);
+    if code.starts_with('*') { Piece { code, comment: None, open_quote: None, ..piece } } else { piece }
+}
+
+/// A text without blanks at its end and the `~` there, and whether there is one.
+fn without_tilde(text: &str) -> (&str, bool) {
+    let text = text.trim_end_matches(is_blank);
+    text.strip_suffix('~').map_or((text, false), |before| (before.trim_end_matches(is_blank), true))
+}
+
+/// Takes a further line of a block apart.
+pub(super) fn next(text: &str, line: usize, from: usize) -> Piece<'_> {
+    let (rest, goes_on) = without_tilde(text.get(from..).unwrap_or_default());
+    let begins = rest.len() - rest.trim_start_matches(is_blank).len();
     let (end, open_quote) = comment_begins(rest);
     let (code, comment) = rest.split_at_checked(end).unwrap_or((rest, ""));
     Piece {
@@ -162,7 +167,7 @@ mod tests {
 
     #[track_caller]
     fn check(line: &str, code: &str, comment: Option<&str>, goes_on: bool) {
-        let found = piece(line, 3, front(line).end);
+        let found = first(line, 3, front(line).end);
         assert_eq!((found.code, found.comment, found.goes_on), (code, comment, goes_on), "{line}");
         assert!(line[found.start..].starts_with(code));
     }
@@ -178,7 +183,7 @@ mod tests {
         check("9", "", None, false);
         check("\u{1a}", "", None, false);
         check("3 CALL PGM \"a;b", "CALL PGM \"a", Some("b"), false);
-        assert_eq!(piece("3 CALL PGM \"a;b", 0, 2).open_quote, Some(11));
+        assert_eq!(first("3 CALL PGM \"a;b", 0, 2).open_quote, Some(11));
     }
 
     #[test]

@@ -11,11 +11,11 @@
 //! | `labels` | where the labels stand |
 //! | `words` | words of the language, for reading and writing |
 //! | `error`, `reason` | what can be wrong, in words |
-//! | `write` | blocks to text: a program that was read comes back byte for byte |
+//! | `write`, `write_formula` | bodies to blocks, for new programs |
 //!
-//! A program keeps its text; a block is a range of its lines and what they say. What is not known is kept as text
-//! ([`Body::Other`]), never refused: real programs hold far more than Fitcheck runs. Running is the business of
-//! `control::machine`. Grammar: manuals and public programs, see `docs/SOURCES.md`.
+//! A program keeps its text and is written byte for byte as it was read; a block is a range of its lines and what they
+//! say. What is not known is kept as text ([`Body::Other`]), never refused: real programs hold far more than Fitcheck
+//! runs. Running is the business of `control::machine`. Grammar: manuals and public programs, see `docs/SOURCES.md`.
 
 mod block;
 mod body;
@@ -32,6 +32,8 @@ mod read;
 mod reason;
 mod text_formula;
 mod words;
+pub mod write;
+mod write_formula;
 
 pub use block::{
     Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, Feed, MachineFunction,
@@ -95,6 +97,13 @@ impl Program {
     pub fn text_of(&self, block: usize) -> impl Iterator<Item = &str> {
         let lines = self.blocks.get(block).map_or(0..0, |block| block.lines.clone());
         lines.map(|line| self.line(line))
+    }
+
+    /// The comment of a block, where there is one: that of its first line, without the `;` before it.
+    pub fn comment_of(&self, block: usize) -> Option<&str> {
+        let line = self.blocks.get(block)?.lines.start;
+        let text = self.line(line);
+        lines::first(text, line, lines::front(text).end).comment
     }
 
     /// The block that a line belongs to, counted from 0; `None` for blank lines between blocks.

@@ -13,6 +13,7 @@ const MOST_M: u32 = 9999;
 pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
     let mut movement = Movement { axes: Vec::new(), compensation: None, feed: None, machine: Vec::new() };
     loop {
+        cursor.blanks();
         let at = cursor.at();
         if let Some(word) = axis_word(cursor)? {
             if movement.axes.iter().any(|known| known.axis == word.axis) {

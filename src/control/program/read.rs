@@ -6,7 +6,7 @@ use super::cursor::{Cursor, Stop};
 use super::cycle;
 use super::error::{Oddity, ProgramError, ProgramWarning};
 use super::labels::Labels;
-use super::lines::{Front, Lines, Piece, front, piece, trimmed};
+use super::lines::{Front, Lines, Piece, first, front, next, trimmed};
 use super::reason::Reason;
 use super::{Encoding, Program};
 
@@ -177,13 +177,13 @@ impl<'a> Reader<'a> {
 
     /// Takes apart the lines of a block; gives the line behind it. A comment that is a block of its own goes on as
     /// comment, else every line is taken apart; blank lines are passed over.
-    fn collect(&mut self, first: usize, from: usize) -> usize {
+    fn collect(&mut self, line: usize, from: usize) -> usize {
         self.pieces.clear();
-        let mut last = piece(self.line(first), first, from);
+        let mut last = first(self.line(line), line, from);
         self.pieces.push(last);
         let is_comment = last.code.is_empty() && last.comment.is_some();
         let is_heading = last.code.starts_with('*');
-        let mut end = first + 1;
+        let mut end = line + 1;
         while last.goes_on {
             while end < self.lines.count() && trimmed(self.line(end)).is_empty() {
                 end += 1;
@@ -192,7 +192,7 @@ impl<'a> Reader<'a> {
                 self.warn(last.line, 0, Oddity::OpenEnd);
                 return last.line + 1;
             }
-            last = piece(self.line(end), end, 0);
+            last = next(self.line(end), end, 0);
             if is_comment || is_heading {
                 let comment = Some(trimmed(self.line(end)));
                 last = Piece { code: "", comment, open_quote: None, ..last };

@@ -4,7 +4,6 @@
 //! |---|---|
 //! | `plan`, `plan_csv` | which features are measured, and where; read from CSV |
 //! | `names` | what files and folders are called, by generation of controls |
-//! | `shipped` | the programs of NC-Solution 8255 in four languages, which sets are made from |
 //! | `listing`, `programs` | blocks with their numbers; the main program and the check program of a set |
 //! | `tables` | the two tables: the 47 classes, and what the plan needs beside them |
 //! | `readme` | the page that says what goes where |
@@ -22,13 +21,11 @@ mod plan;
 mod plan_csv;
 mod programs;
 mod readme;
-mod shipped;
 mod tables;
 
 pub use error::{At, PlanError, PlanFault, SetError, SetRemark};
 pub use names::{Control, ControlFolder};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, MOST_FEATURES, NcFeature, NcPlan};
-pub use shipped::{shipped_program, shipped_programs};
 
 use super::mask::Mask;
 use super::program::Program;

@@ -3,12 +3,13 @@
 use super::error::SetRemark;
 use super::listing::{Listing, formula_number};
 use super::names::{Control, Names};
-use super::shipped::originals;
 use super::{Planned, Target};
+use crate::control::machine::Shipped;
 use crate::control::program::{Body, Program};
 use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::tolerance::Feature;
+use crate::words::Language;
 
 
 /// The last block that computes a limit: behind it both are known.
@@ -38,9 +39,14 @@ impl ShippedBlock {
     }
 }
 
+/// A shipped file of a language.
+fn shipped(name: &str, language: Language, ending: &str) -> &'static [u8] {
+    // They are part of Fitcheck, and tests make a set in every language.
+    Shipped::file(&format!("{name}_{language}.{ending}")).unwrap_or_default()
+}
+
 /// The blocks of a shipped program between BEGIN and END.
 fn blocks(bytes: &[u8]) -> Vec<ShippedBlock> {
-    // They are part of Fitcheck, and a test reads them without a remark.
     let Ok((program, _warnings)) = Program::read(bytes) else { return Vec::new() };
     let inner = program.blocks().iter().enumerate();
     let inner = inner.filter(|(_, block)| !matches!(block.body, Body::Begin { .. } | Body::End { .. }));
@@ -61,8 +67,7 @@ fn stem(file: &str) -> &str {
 
 /// The main program: for each feature its parameters, the call, a file with its result, and a stop.
 pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
-    let [original, ..] = originals(names.target.language);
-    let blocks = blocks(original);
+    let blocks = blocks(shipped("8255", names.target.language, "h"));
     let mut listing = Listing::new(stem(&names.main));
     // What stands once stands before the first parameter and behind the stop.
     let is_parameter = |block: &ShippedBlock| matches!(block.body, Body::Assign { .. } | Body::AssignText { .. });
@@ -111,7 +116,7 @@ fn main_block(listing: &mut Listing, block: &ShippedBlock, names: &Names<'_>, pl
 
 /// The called program: other paths, and for TNC7 a nominal diameter between the limits.
 pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
-    let [_, original, _] = originals(names.target.language);
+    let original = shipped("82551", names.target.language, "h");
     let moves_nominal = names.target.control.wants_nominal_between_limits();
     let mut listing = Listing::new(stem(&names.check));
     let mut tables = [Feature::Hole, Feature::Shaft].into_iter();
@@ -137,7 +142,7 @@ pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
 
 /// The mask: every record ends in a semicolon, lines in CRLF; `F` in place of `LF` where the control knows it.
 pub(super) fn mask(target: &Target) -> Vec<u8> {
-    let [_, _, original] = originals(target.language);
+    let original = shipped("82552", target.language, "a");
     let text = String::from_utf8_lossy(original);
     let number = if target.control == Control::Itnc530 { "LF" } else { "F" };
     let lines = text.lines().map(|line| {

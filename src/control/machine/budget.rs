@@ -1,0 +1,89 @@
+//! How much a program may do, and how a run is set up.
+
+use jiff::civil::DateTime;
+
+use crate::control::probe_table::ProbeTable;
+use crate::words::Language;
+
+/// What a run may use; each of them ends it with a fault of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Budget {
+    /// Blocks.
+    pub blocks: u64,
+    /// Calls of labels within one another.
+    pub label_calls: usize,
+    /// Calls of programs within one another.
+    pub program_calls: usize,
+    /// Characters of a text parameter: 254 on older controls, 255 on newer ones.
+    pub text: usize,
+    /// Windows that FN 16 opens.
+    pub windows: usize,
+    /// Outputs of FN 16 to files.
+    pub outputs: usize,
+    /// Bytes that FN 16 prints, to windows and files together.
+    pub output_bytes: usize,
+    /// Cycles that are run.
+    pub cycles: usize,
+    /// Moves of the path.
+    pub path: usize,
+    /// Different programs and changed tables that are kept.
+    pub files: usize,
+    /// Their size together.
+    pub file_bytes: usize,
+    /// Remarks; more are only counted.
+    pub remarks: usize,
+}
+
+impl Default for Budget {
+    /// Nesting and text as on newer controls, the rest far beyond any measuring program.
+    fn default() -> Self {
+        Self {
+            blocks: 10_000_000,
+            label_calls: 20,
+            program_calls: 10,
+            text: 255,
+            windows: 1_000,
+            outputs: 10_000,
+            output_bytes: 4 << 20,
+            cycles: 10_000,
+            path: 200_000,
+            files: 100,
+            file_bytes: 64 << 20,
+            remarks: 1_000,
+        }
+    }
+}
+
+/// How a run is set up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// The dialogue language, for masks.
+    pub language: Language,
+    /// Local date and time, for masks and `SYSSTR`.
+    pub time: DateTime,
+    /// What the run may use.
+    pub budget: Budget,
+    /// Whether a block that is not known is passed over with a remark instead of stopping the run.
+    pub skip_unknown: bool,
+    /// Whether blocks with a `/` are passed over.
+    pub block_skip: bool,
+    /// Whether M1 stops.
+    pub optional_stop: bool,
+    /// The touch-probe table.
+    pub probe_table: ProbeTable,
+}
+
+impl Settings {
+    /// The control's own: unknown blocks stop, blocks with a `/` run, M1 does not stop, the shipped touch-probe table.
+    pub fn new(language: Language, time: DateTime) -> Self {
+        Self {
+            language,
+            time,
+            budget: Budget::default(),
+            skip_unknown: false,
+            block_skip: false,
+            optional_stop: false,
+            probe_table: ProbeTable::shipped().clone(),
+        }
+    }
+}
