@@ -34,3 +34,4 @@ mod session_tables;
 mod table_cli;
 mod table_compare;
 mod tables;
+mod twin;

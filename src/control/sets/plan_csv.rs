@@ -170,6 +170,9 @@ mod tests {
         check("name,callout,x,y,z\na,25 H7,1,2,3\nA,25 H7,1,2,3\n", "line 3: name A occurs twice; a control does not tell a from A in file names");
         check("callout,x,y,z\n12 +0.02 -0.02,1,2,3\n", "line 2: 12 ±0.02 has no tolerance class: the programs look a class up in a table, such as H7");
         check("callout,x,y,z\n25 H7/g6,1,2,3\n", "line 2: 25 H7/g6 is a fit: write the hole and the shaft as two features");
-        check("callout,x,y,z\n25 H7x,1,2,3\n", "line 2: 25 H7x: x is left over (character 6)");
+        check(
+            "callout,x,y,z\n25 H7x,1,2,3\n",
+            "line 2: 25 H7x: H7x is not a tolerance class: write letters and a grade, such as H7 or js13 (character 4)",
+        );
     }
 }
