@@ -12,10 +12,13 @@ fn program(text: &[u8]) -> Arc<Program> {
     Arc::new(Program::read(text).expect("a program").0)
 }
 
-/// Runs to the end and says how many blocks that took.
-fn run(program: &Arc<Program>) -> u64 {
+fn machine(program: &Arc<Program>) -> Machine {
     let settings = Settings::new(Language::Nl, jiff::civil::date(2026, 1, 31).at(12, 0, 0, 0));
-    let mut machine = Machine::new("main.h", Arc::clone(program), Shipped, Contacts::Perfect, settings);
+    Machine::new("main.h", Arc::clone(program), Shipped, Contacts::Perfect, settings)
+}
+
+/// Runs to the end and says how many blocks that took.
+fn run(machine: &mut Machine) -> u64 {
     while machine.run(u64::MAX).expect("no fault") != Step::Ended {}
     machine.blocks_run()
 }
@@ -28,8 +31,15 @@ fn machines(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("NC programs");
     for (name, text) in programs {
         let program = program(text);
-        group.throughput(Throughput::Elements(run(&program)));
-        group.bench_function(name, |bencher| bencher.iter(|| run(&program)));
+        let mut again = machine(&program);
+        group.throughput(Throughput::Elements(run(&mut again)));
+        group.bench_function(name, |bencher| bencher.iter(|| run(&mut machine(&program))));
+        group.bench_function(format!("{name}, restarted"), |bencher| {
+            bencher.iter(|| {
+                again.restart(Contacts::Perfect);
+                run(&mut again)
+            });
+        });
     }
     group.finish();
 }

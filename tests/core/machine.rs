@@ -351,6 +351,7 @@ fn budgets_have_a_fault_each() {
     assert_eq!(kind(&print, |budget| budget.output_bytes = 1_000), UsedUp::Output(1_000).into());
     let print = forever("FN 16: F-PRINT m.a / out.txt");
     assert_eq!(kind(&print, |budget| budget.outputs = 3), UsedUp::Outputs(3).into());
+    assert_eq!(kind(&print, |budget| budget.traffic = 1_000), UsedUp::Traffic(1_000).into());
     let step = forever("L IX+1 Y+0 Z+0 R0 FMAX");
     let step = format!("L X+0 Y+0 Z+0\n{step}");
     assert_eq!(kind(&step, |budget| budget.path = 10), UsedUp::Path(10).into());
@@ -562,7 +563,7 @@ fn fn_16_writes_below_the_chosen_folder_and_nowhere_else() {
     let reading = Folders::new().reading(&masks);
     let mut machine = Machine::new("main.h", program, reading, Contacts::Perfect, settings());
     to_end(&mut machine);
-    assert_eq!((machine.outputs()[0].text.as_str(), machine.outputs()[0].is_written), ("two\n", false));
+    assert_eq!((machine.outputs()[0].text.as_str(), machine.outputs()[0].is_saved), ("two\n", false));
     assert_eq!(machine.remarks().len(), 1);
 }
 
@@ -687,6 +688,32 @@ fn the_shipped_programs_print_the_native_window() {
 }
 
 #[test]
+fn a_restart_forgets_the_run_and_sees_changed_files() {
+    let mut machine = fit(bore("25.0134"));
+    machine.toggle_breakpoint(r"TNC:\fitcheck\fit_main.h", 3);
+    for (diameter, status) in [("25.0134", Status::Good), ("25.1", Status::Scrap), ("24.9", Status::Rework)] {
+        machine.restart(bore(diameter));
+        assert_eq!((machine.status(), machine.blocks_run(), machine.place().block), (None, 0, 0));
+        to_end(&mut machine);
+        assert_eq!((machine.status(), machine.windows().len()), (Some(status), 1));
+        assert_eq!(machine.breakpoints().count(), 1);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fitcheck::files::write(&folder.path().join(name), text.as_bytes()).unwrap();
+    let blocks = "CALL PGM sub.h\nFN 26: TABOPEN own.tab\nFN 28: TABREAD Q2 = 0/\"H7\"";
+    let store = Folders::new().reading(folder.path());
+    let main = program(text(blocks).as_bytes());
+    let mut machine = Machine::new("main.h", main, store, Contacts::Perfect, settings());
+    for (number, cell) in [("1", "+10"), ("2", "+20")] {
+        write("sub.h", &format!("BEGIN PGM sub MM\nQ1 = {number}\nEND PGM sub MM\n"));
+        write("own.tab", &TABLE.replace("+10", cell));
+        machine.restart(Contacts::Perfect);
+        to_end(&mut machine);
+        check_values(&machine, &[("Q1", number.parse().unwrap()), ("Q2", cell.parse().unwrap())]);
+    }
+}
+
+#[test]
 fn where_the_original_is_weak_the_control_s_error_is_ours() {
     let bore = "[bore]\ncentre = [40.0, 30.0]\ndiameter = 25.0\n";
     assert!(fault_of(&mut shipped("400.0001", "H7", bore)).starts_with("table 82553_hole.tab has no row 42"));
@@ -757,6 +784,7 @@ const SMALL: Budget = Budget {
     path: 500,
     files: 5,
     file_bytes: 100_000,
+    traffic: 5_000_000,
     remarks: 50,
 };
 

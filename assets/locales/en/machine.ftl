@@ -25,6 +25,7 @@ machine-used-output = the run has printed { $most } bytes, more is not allowed
 machine-used-cycles = the run has measured { $most } times, one more is not allowed
 machine-used-path = the path has { $most } moves, one more is not allowed
 machine-used-files = { $most } programs and changed tables are open, one more is not allowed
+machine-used-traffic = the run has read and written { $most } bytes, more is not allowed
 machine-used-file-bytes = programs and changed tables have more than { $most } bytes together
 machine-text-too-long = the text has { $length } characters, a parameter holds at most { $most }
 machine-unknown-block = this block is not known here: nothing is run that is not understood

@@ -25,6 +25,7 @@ machine-used-output = er zijn { $most } bytes uitgevoerd, meer mag niet
 machine-used-cycles = er is { $most } keer gemeten, nog een keer mag niet
 machine-used-path = de baan heeft { $most } bewegingen, nog een mag niet
 machine-used-files = { $most } programma's en gewijzigde tabellen zijn open, nog een mag niet
+machine-used-traffic = er zijn { $most } bytes gelezen en geschreven, meer mag niet
 machine-used-file-bytes = programma's en gewijzigde tabellen hebben samen meer dan { $most } bytes
 machine-text-too-long = de tekst heeft { $length } tekens, een parameter bevat er hooguit { $most }
 machine-unknown-block = deze NC-regel is hier niet bekend: wat niet begrepen wordt, wordt niet uitgevoerd

@@ -109,7 +109,7 @@ pub(super) fn print(machine: &Machine, ended: &Ended, trace: Trace, io: &mut Io<
         placed(machine, &window.place, more)
     });
     let outputs = machine.outputs().iter().map(|output| {
-        let more = json!({"file": output.path.to_string(), "output": output.text, "is_written": output.is_written});
+        let more = json!({"file": output.path.to_string(), "output": output.text, "is_saved": output.is_saved});
         placed(machine, &output.place, more)
     });
     let remarks =

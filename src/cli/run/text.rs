@@ -75,7 +75,7 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &m
             io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)))?;
         }
     }
-    for output in machine.outputs().iter().filter(|output| output.is_written) {
+    for output in machine.outputs().iter().filter(|output| output.is_saved) {
         io.tell(format_args!("wrote {}", output.path))?;
     }
     Ok(())

@@ -1,9 +1,10 @@
 //! `TCH PROBE`: the cycles of `probing::cycles`, by number.
 
-use super::budget::Budget;
-use super::fault::{BlockPlace, FaultKind, UsedUp};
+use super::budget::{Budget, UsedUp};
+use super::fault::{BlockPlace, FaultKind};
 use super::remark::Remark;
-use super::run::{Machine, Pause, Step};
+use super::run::Machine;
+use super::step::{Pause, Step};
 use super::values::length_of;
 use crate::control::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool, Unit};
 use crate::control::variables::{Parameter, Value};

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use super::fault::FaultKind;
 use super::run::Machine;
 use super::values::in_range;
+use crate::control::mask;
 use crate::control::program::{Condition, Expression, NumberFunction, Operand, Operation, Relation};
 use crate::control::variables::{Parameter, Value};
 
@@ -86,13 +87,11 @@ impl Machine {
             Value::Number(number) => number.to_string(),
             Value::Text(text) => text.clone(),
         };
-        Ok(match decimals {
-            Some(decimals) => crate::control::mask::decimal(&value, decimals).unwrap_or(text),
-            None => {
-                let rounded = crate::control::mask::decimal(&value, MOST).unwrap_or(text);
-                rounded.trim_end_matches('0').trim_end_matches('.').to_owned()
-            }
-        })
+        let rounded = mask::decimal(&value, decimals.unwrap_or(MOST)).unwrap_or(text);
+        if decimals.is_some() {
+            return Ok(rounded);
+        }
+        Ok(rounded.trim_end_matches('0').trim_end_matches('.').to_owned())
     }
 }
 

@@ -1,8 +1,10 @@
 //! What ends a run before its end: as the control says it, with block and reason.
 
+mod say;
+
 use std::fmt;
 
-use super::budget::Budget;
+use super::budget::UsedUp;
 use super::path::{NcPath, PathError};
 use super::store::StoreError;
 use crate::control::mask::{MaskError, RenderError};
@@ -57,59 +59,6 @@ impl Say for Fault {
         };
         let message = message.text("program", &self.place.program).text("text", &self.text);
         message.message("fault", self.kind.message())
-    }
-}
-
-/// A budget that is used up.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum UsedUp {
-    /// Blocks.
-    #[error("the run has used up its {0} blocks: does it loop for ever?")]
-    Blocks(u64),
-    /// Calls of labels.
-    #[error("{0} calls of labels are within one another, one more is not allowed: does the program call itself?")]
-    LabelCalls(usize),
-    /// Calls of programs.
-    #[error("{0} calls of programs are within one another, one more is not allowed: does the program call itself?")]
-    ProgramCalls(usize),
-    /// Windows.
-    #[error("the run has opened {0} windows, one more is not allowed")]
-    Windows(usize),
-    /// Outputs to files.
-    #[error("the run has printed to files {0} times, one more is not allowed")]
-    Outputs(usize),
-    /// Bytes of output.
-    #[error("the run has printed {0} bytes, more is not allowed")]
-    Output(usize),
-    /// Cycles.
-    #[error("the run has measured {0} times, one more is not allowed")]
-    Cycles(usize),
-    /// Moves.
-    #[error("the path has {0} moves, one more is not allowed")]
-    Path(usize),
-    /// Programs and tables.
-    #[error("{0} programs and changed tables are open, one more is not allowed")]
-    Files(usize),
-    /// Their size.
-    #[error("programs and changed tables have more than {0} bytes together")]
-    FileBytes(usize),
-}
-
-impl Say for UsedUp {
-    fn message(&self) -> Message {
-        let of = |id, most: &usize| Message::new(id).text("most", most);
-        match self {
-            Self::Blocks(most) => Message::new("machine-used-blocks").text("most", most),
-            Self::LabelCalls(most) => of("machine-used-label-calls", most),
-            Self::ProgramCalls(most) => of("machine-used-program-calls", most),
-            Self::Windows(most) => of("machine-used-windows", most),
-            Self::Outputs(most) => of("machine-used-outputs", most),
-            Self::Output(most) => of("machine-used-output", most),
-            Self::Cycles(most) => of("machine-used-cycles", most),
-            Self::Path(most) => of("machine-used-path", most),
-            Self::Files(most) => of("machine-used-files", most),
-            Self::FileBytes(most) => of("machine-used-file-bytes", most),
-        }
     }
 }
 
@@ -348,108 +297,4 @@ pub enum FaultKind {
     /// A cycle in a program in inches.
     #[error("cycles are run in programs in MM only")]
     Inch,
-}
-
-impl Say for FaultKind {
-    fn message(&self) -> Message {
-        let of = |id, parameter: &Parameter| Message::new(id).text("parameter", parameter);
-        match self {
-            Self::UsedUp(used) => used.message(),
-            Self::TextTooLong { length, most } => {
-                Message::new("machine-text-too-long").text("length", length).text("most", most)
-            }
-            Self::UnknownBlock => Message::new("machine-unknown-block"),
-            Self::UnknownCycle { cycle, known } => {
-                Message::new("machine-unknown-cycle").text("cycle", cycle).text("known", known)
-            }
-            Self::Broken { what } => Message::new("machine-broken").text("what", what),
-            Self::NoProgram { path, error } => {
-                Message::new("machine-at-file").text("path", path).message("error", error.message())
-            }
-            Self::Label(fault) => fault.message(),
-            Self::NoLabel { parameter, value } => of("machine-no-label", parameter).text("value", value),
-            Self::Undefined(parameter) => of("machine-undefined", parameter),
-            Self::NoParameter(parameter) => of("machine-no-parameter", parameter),
-            Self::NotNumber(parameter) => of("machine-not-number", parameter),
-            Self::NotText(parameter) => of("machine-not-text", parameter),
-            Self::Path(error) => error.message(),
-            Self::Store(error) => error.message(),
-            Self::Programmed(number) => Message::new("machine-programmed").text("number", number),
-            Self::NoCycleParameter { cycle, parameter } => {
-                of("machine-no-cycle-parameter", parameter).text("cycle", cycle)
-            }
-            Self::CycleParameterTwice { cycle, parameter } => {
-                of("machine-cycle-parameter-twice", parameter).text("cycle", cycle)
-            }
-            Self::Cycle { cycle, error } => {
-                Message::new("machine-in-cycle").text("cycle", cycle).message("error", error.message())
-            }
-            Self::Workpiece(error) => Message::new("machine-workpiece").message("error", error.message()),
-            Self::Inch => Message::new("machine-inch"),
-            Self::Mask { mask, error } => {
-                Message::new("machine-mask").text("mask", mask).message("error", error.message())
-            }
-            Self::Render { mask, error } => {
-                Message::new("machine-mask").text("mask", mask).message("error", error.message())
-            }
-            _ => self.number_message().or_else(|| self.table_message()).unwrap_or(Message::new("machine-no-table")),
-        }
-    }
-}
-
-impl FaultKind {
-    fn number_message(&self) -> Option<Message> {
-        Some(match self {
-            Self::DivisionByZero => Message::new("machine-division-by-zero"),
-            Self::NegativeRoot(value) => Message::new("machine-negative-root").text("value", value),
-            Self::NoResult { function, value } => {
-                Message::new("machine-no-result").text("function", function).text("value", value)
-            }
-            Self::BeyondRange(value) => Message::new("machine-beyond-range").text("value", value),
-            Self::NotWhole { what, value } => Message::new("machine-not-whole").text("what", what).text("value", value),
-            Self::BehindText { length, from } => {
-                Message::new("machine-behind-text").text("length", length).text("from", from)
-            }
-            Self::NoNumberInText { parameter, text } => {
-                Message::new("machine-no-number-in-text").text("parameter", parameter).text("text", text)
-            }
-            Self::UnknownSystemText { id, number } => {
-                Message::new("machine-unknown-system-text").text("id", id).text("number", number)
-            }
-            _ => return None,
-        })
-    }
-
-    fn table_message(&self) -> Option<Message> {
-        let cell = |id, table: &str, row: &usize, column: &str| {
-            Message::new(id).text("table", table).text("row", row).text("column", column)
-        };
-        Some(match self {
-            Self::NoTable => Message::new("machine-no-table"),
-            Self::Table(error) => error.message(),
-            Self::NoColumn { table, column, columns } => {
-                Message::new("machine-no-column").text("table", table).text("column", column).text("columns", columns)
-            }
-            Self::NoRow { table, row, last } => {
-                Message::new("machine-no-row").text("table", table).text("row", row).text("last", last)
-            }
-            Self::NoRows(table) => Message::new("machine-no-rows").text("table", table),
-            Self::EmptyCell { table, row, column } => cell("machine-empty-cell", table, row, column),
-            Self::NoNumberInCell { table, row, column, cell: text } => {
-                cell("machine-no-number-in-cell", table, row, column).text("cell", text)
-            }
-            Self::Touches { table, row, column } => cell("machine-touches", table, row, column),
-            Self::TableWrite { table, error } => {
-                Message::new("machine-table-write").text("table", table).message("error", error.message())
-            }
-            _ => return None,
-        })
-    }
-}
-
-impl Budget {
-    /// Fails where so many are already there.
-    pub(super) fn one_more(have: usize, most: usize, used_up: fn(usize) -> UsedUp) -> Result<(), UsedUp> {
-        if have < most { Ok(()) } else { Err(used_up(most)) }
-    }
 }

@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::budget::Budget;
-use super::fault::{BlockPlace, FaultKind, UsedUp};
+use super::budget::{Budget, UsedUp};
+use super::fault::{BlockPlace, FaultKind};
 use super::path::NcPath;
-use super::run::{Machine, Step};
+use super::run::Machine;
+use super::step::Step;
 use super::store::StoreError;
 use crate::control::program::{Program, Target, TextOperand, Unit};
 use crate::control::variables::{Family, Parameter, Value};
@@ -120,21 +121,34 @@ impl Machine {
         if let Some(program) = self.programs.get(path) {
             return Ok(Arc::clone(program));
         }
-        let bytes = self.store.read(path).or_else(|error| self.with_suffix(path, error))?;
+        let bytes = self.read(path).or_else(|fault| self.with_suffix(path, fault))?;
         self.keep_file(bytes.len())?;
-        let read = Program::read(&bytes);
-        let (program, _warnings) = read.map_err(|error| FaultKind::NoProgram { path: path.clone(), error })?;
-        let program = Arc::new(program);
+        let read = self.known.program(path, &bytes);
+        let program = read.map_err(|error| FaultKind::NoProgram { path: path.clone(), error })?;
         self.programs.insert(path.clone(), Arc::clone(&program));
         Ok(program)
     }
 
     /// `CALL PGM sub` without `.h`.
-    fn with_suffix(&self, path: &NcPath, error: StoreError) -> Result<Vec<u8>, StoreError> {
-        if path.file_name().contains('.') || !matches!(error, StoreError::Missing { .. }) {
-            return Err(error);
+    fn with_suffix(&mut self, path: &NcPath, fault: FaultKind) -> Result<Vec<u8>, FaultKind> {
+        if path.file_name().contains('.') || !matches!(fault, FaultKind::Store(StoreError::Missing { .. })) {
+            return Err(fault);
         }
-        NcPath::new(&format!("{path}.h")).ok().and_then(|path| self.store.read(&path).ok()).ok_or(error)
+        self.read(&NcPath::new(&format!("{path}.h"))?).map_err(|_missing_too| fault)
+    }
+
+    /// A file from the store.
+    pub(super) fn read(&mut self, path: &NcPath) -> Result<Vec<u8>, FaultKind> {
+        let bytes = self.store.read(path)?;
+        self.moved(bytes.len())?;
+        Ok(bytes)
+    }
+
+    /// Counts bytes that were read or written: a loop around a large file would go on for days.
+    pub(super) fn moved(&mut self, bytes: usize) -> Result<(), FaultKind> {
+        self.traffic = self.traffic.saturating_add(bytes);
+        let most = self.budget().traffic;
+        if most < self.traffic { Err(UsedUp::Traffic(most).into()) } else { Ok(()) }
     }
 
     /// Counts a file that is kept.

@@ -52,15 +52,14 @@ impl Store for Folders {
         Shipped.read(path)
     }
 
-    fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<(), StoreError> {
+    fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {
         let folder = self.writing.as_ref().ok_or(StoreError::ReadOnly)?;
         let target = target(folder, path)?;
-        let old = match how {
-            FileUse::Replace => Vec::new(),
-            FileUse::Append | FileUse::AppendMax(_) if target.exists() => bytes_of(folder, &target, path)?,
-            FileUse::Append | FileUse::AppendMax(_) => Vec::new(),
-        };
-        files::write(&target, &[old.as_slice(), bytes].concat()).map_err(|error| of_file(error, path))
+        let is_behind = how != FileUse::Replace && target.exists();
+        let old = if is_behind { bytes_of(folder, &target, path)? } else { Vec::new() };
+        let whole = [old.as_slice(), bytes].concat();
+        files::write(&target, &whole).map_err(|error| of_file(error, path))?;
+        Ok(whole.len())
     }
 }
 

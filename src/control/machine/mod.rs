@@ -2,10 +2,12 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `run` | the machine: its state, one block after the other, breakpoints |
+//! | `run`, `step` | the machine: its state, one block after the other, and what a step comes to |
+//! | `view` | what it shows of itself |
 //! | `flow` | jumps, calls, repeats, other programs |
 //! | `values` | parameters and what blocks set |
 //! | `expressions`, `texts` | formulas of numbers and texts |
+//! | `known` | what was read before is not taken apart twice |
 //! | `tables` | FN 26, FN 27, FN 28 |
 //! | `prints` | FN 16: windows and files |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
@@ -25,26 +27,33 @@ mod expressions;
 mod fault;
 mod flow;
 mod folders;
+mod known;
 mod moves;
 mod path;
 mod prints;
 mod remark;
 mod run;
+mod step;
 mod store;
 mod tables;
 mod texts;
 mod values;
+mod view;
 
-pub use budget::{Budget, Settings};
+#[cfg(test)]
+mod tests;
+
+pub use budget::{Budget, Settings, UsedUp};
 pub use contacts::Contacts;
 pub use cycles::CycleRun;
-pub use fault::{BlockPlace, Fault, FaultKind, UsedUp};
+pub use fault::{BlockPlace, Fault, FaultKind};
 pub use flow::Call;
 pub use folders::Folders;
 pub use moves::{Travel, TravelKind};
 pub use path::{NcPath, PathError};
 pub use prints::{Window, Written};
 pub use remark::Remark;
-pub use run::{Machine, Pause, Step};
+pub use run::Machine;
+pub use step::{Pause, Step};
 pub use store::{InMemory, Shipped, Store, StoreError};
 pub use values::shown;

@@ -1,7 +1,7 @@
 //! Straight lines: where the ball's centre is, and the way that it went.
 
-use super::budget::Budget;
-use super::fault::{BlockPlace, FaultKind, UsedUp};
+use super::budget::{Budget, UsedUp};
+use super::fault::{BlockPlace, FaultKind};
 use super::run::Machine;
 use crate::control::program::{Axis, Feed, Movement, Unit};
 use crate::probing::cycle::{Move, Phase};

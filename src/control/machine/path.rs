@@ -82,6 +82,12 @@ impl NcPath {
         normalised(path, &[])
     }
 
+    /// The path of a program that a user has named: what is none on a control counts by its file name.
+    pub(super) fn of_file(path: &str) -> Self {
+        let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
+        Self::new(path).or_else(|_outside| Self::new(name)).unwrap_or_else(|_no_name| Self("program.h".into()))
+    }
+
     /// A path as a program at this path writes it.
     ///
     /// # Errors
@@ -184,6 +190,19 @@ mod tests {
         check("TNC:/x/./y/../a.h", r"TNC:\x\a.h");
         check("%FN16RUN.A", r"TNC:\fit\check\%FN16RUN.A");
         check("COM10.h", r"TNC:\fit\check\COM10.h");
+    }
+
+    #[test]
+    fn a_program_has_a_path_whatever_it_is_called() {
+        for (path, expected) in [
+            (r"TNC:\fit\a.h", r"TNC:\fit\a.h"),
+            ("a.h", r"TNC:\a.h"),
+            (r"C:\parts\a.h", r"TNC:\a.h"),
+            ("/home/user/a.h", r"TNC:\a.h"),
+            ("NUL", r"TNC:\program.h"),
+        ] {
+            assert_eq!(NcPath::of_file(path).to_string(), expected);
+        }
     }
 
     #[test]

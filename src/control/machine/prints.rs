@@ -2,8 +2,8 @@
 
 use jiff::civil::DateTime;
 
-use super::budget::Budget;
-use super::fault::{BlockPlace, FaultKind, UsedUp};
+use super::budget::{Budget, UsedUp};
+use super::fault::{BlockPlace, FaultKind};
 use super::path::NcPath;
 use super::remark::Remark;
 use super::run::Machine;
@@ -35,8 +35,8 @@ pub struct Written {
     pub text: String,
     /// Whether it stands in place of what was there or behind it.
     pub how: FileUse,
-    /// Whether a file was written: only where a folder was chosen.
-    pub is_written: bool,
+    /// Whether it is in the file: only where a folder was chosen.
+    pub is_saved: bool,
 }
 
 impl Machine {
@@ -55,19 +55,17 @@ impl Machine {
         if self.budget().output_bytes < self.output_bytes {
             return Err(UsedUp::Output(self.budget().output_bytes).into());
         }
-        match path {
-            Some(path) => self.print_to_file(at, path, output),
-            None => {
-                Budget::one_more(self.windows.len(), self.budget().windows, UsedUp::Windows)?;
-                let place = self.place_of(at);
-                self.windows.push(Window { place, mask, text: output.text, is_open: true });
-                Ok(())
-            }
+        if let Some(path) = path {
+            return self.print_to_file(at, path, output);
         }
+        Budget::one_more(self.windows.len(), self.budget().windows, UsedUp::Windows)?;
+        let place = self.place_of(at);
+        self.windows.push(Window { place, mask, text: output.text, is_open: true });
+        Ok(())
     }
 
-    fn rendered(&self, mask: &NcPath) -> Result<Output, FaultKind> {
-        let bytes = self.store.read(mask)?;
+    fn rendered(&mut self, mask: &NcPath) -> Result<Output, FaultKind> {
+        let bytes = self.read(mask)?;
         let broken = |error| FaultKind::Mask { mask: mask.clone(), error: Box::new(error) };
         let (read, _warnings) = Mask::read(&bytes).map_err(broken)?;
         let call_path = self.frame.path.to_string();
@@ -88,13 +86,16 @@ impl Machine {
             self.open_outputs.insert(path.clone());
         }
         if let FileUse::AppendMax(kilobytes) = how
-            && self.is_full(&path, kilobytes, output.text.len())
+            && self.is_full(&path, kilobytes, output.text.len())?
         {
             self.remark(at, Remark::Full { path, kilobytes });
             return Ok(());
         }
-        let is_written = match self.store.write(&path, &encoded(&output.text), how) {
-            Ok(()) => true,
+        let is_saved = match self.store.write(&path, &encoded(&output.text), how) {
+            Ok(bytes) => {
+                self.moved(bytes)?;
+                true
+            }
             Err(StoreError::ReadOnly) => {
                 self.remark(at, Remark::NotWritten { path: path.clone() });
                 false
@@ -102,15 +103,18 @@ impl Machine {
             Err(error) => return Err(error.into()),
         };
         let place = self.place_of(at);
-        self.outputs.push(Written { place, path, text: output.text, how, is_written });
+        self.outputs.push(Written { place, path, text: output.text, how, is_saved });
         Ok(())
     }
 
     /// Whether so much more would make a file larger than so many kilobytes.
-    fn is_full(&self, path: &NcPath, kilobytes: u32, more: usize) -> bool {
-        let size = self.store.read(path).map_or(0, |bytes| bytes.len());
+    fn is_full(&mut self, path: &NcPath, kilobytes: u32, more: usize) -> Result<bool, FaultKind> {
+        let size = match self.read(path) {
+            Err(FaultKind::Store(_)) => 0,
+            read => read?.len(),
+        };
         let most = usize::try_from(kilobytes).unwrap_or(usize::MAX).saturating_mul(1_024);
-        most < size.saturating_add(more)
+        Ok(most < size.saturating_add(more))
     }
 }
 

@@ -3,73 +3,22 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::budget::{Budget, Settings};
+use super::budget::{Budget, Settings, UsedUp};
 use super::contacts::{Contacts, Workbench};
 use super::cycles::CycleRun;
-use super::fault::{BlockPlace, Fault, FaultKind, UsedUp};
+use super::fault::{BlockPlace, Fault, FaultKind};
 use super::flow::{Call, Frame};
+use super::known::Known;
 use super::moves::{Position, Travel};
 use super::path::NcPath;
 use super::prints::{Window, Written};
 use super::remark::Remark;
-use super::store::Store;
+use super::step::{Pause, Step};
+use super::store::{Shipped, Store};
 use super::tables::OpenTable;
 use crate::control::program::{Block, Body, MachineFunction, Program, Unit};
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::probing::TouchProbe;
-use crate::probing::cycle::Stop;
-use crate::verdict::Status;
-use crate::words::{Message, Say};
-
-/// What a step came to.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Step {
-    /// A block was run, or as many as were asked for.
-    Went,
-    /// The run waits; the next step goes on.
-    Paused(Pause),
-    /// The run is over.
-    Ended,
-}
-
-/// Why the run waits.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Pause {
-    /// STOP or M0.
-    Stop,
-    /// M1.
-    OptionalStop,
-    /// The next block has a breakpoint.
-    Breakpoint,
-    /// Q309: something is out of tolerance.
-    Tolerance(Box<Stop>),
-    /// Q281 = 2: the log is on the screen.
-    Log,
-}
-
-impl std::fmt::Display for Pause {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Stop => f.write_str("the program has stopped: STOP or M0"),
-            Self::OptionalStop => f.write_str("the program has stopped: M1"),
-            Self::Breakpoint => f.write_str("the next block has a breakpoint"),
-            Self::Tolerance(stop) => stop.fmt(f),
-            Self::Log => f.write_str("the measuring log is on the screen (Q281 = 2)"),
-        }
-    }
-}
-
-impl Say for Pause {
-    fn message(&self) -> Message {
-        match self {
-            Self::Stop => Message::new("machine-pause-stop"),
-            Self::OptionalStop => Message::new("machine-pause-optional"),
-            Self::Breakpoint => Message::new("machine-pause-breakpoint"),
-            Self::Tolerance(stop) => stop.message(),
-            Self::Log => Message::new("machine-pause-log"),
-        }
-    }
-}
 
 #[derive(Debug)]
 pub(super) enum State {
@@ -97,11 +46,14 @@ pub(super) enum State {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Machine {
+    main: (NcPath, Arc<Program>),
+    pub(super) known: Known,
     pub(super) store: Box<dyn Store>,
     pub(super) workbench: Workbench,
     pub(super) settings: Settings,
     pub(super) programs: BTreeMap<NcPath, Arc<Program>>,
     pub(super) file_bytes: usize,
+    pub(super) traffic: usize,
     pub(super) frame: Frame,
     pub(super) calls: Vec<Call>,
     pub(super) variables: Variables,
@@ -118,11 +70,11 @@ pub struct Machine {
     pub(super) other_tool: Option<String>,
     pub(super) position: Position,
     pub(super) path: Vec<Travel>,
-    remarks: Vec<(BlockPlace, Remark)>,
-    unlisted: usize,
-    breakpoints: BTreeSet<(NcPath, usize)>,
-    blocks_run: u64,
-    state: State,
+    pub(super) remarks: Vec<(BlockPlace, Remark)>,
+    pub(super) unlisted: usize,
+    pub(super) breakpoints: BTreeSet<(NcPath, usize)>,
+    pub(super) blocks_run: u64,
+    pub(super) state: State,
 }
 
 impl std::fmt::Debug for Machine {
@@ -130,9 +82,6 @@ impl std::fmt::Debug for Machine {
         f.debug_struct("Machine").field("place", &self.place()).field("state", &self.state).finish_non_exhaustive()
     }
 }
-
-/// The name of a program whose path is none.
-const NAMELESS: &str = "program.h";
 
 impl Machine {
     /// A machine before the first block of a program. Of a path that is none on the control, the file name counts.
@@ -143,18 +92,27 @@ impl Machine {
         contacts: Contacts,
         settings: Settings,
     ) -> Self {
-        let name = || path.rsplit(['/', '\\']).next().unwrap_or(NAMELESS);
-        let path = NcPath::new(path).or_else(|_outside| NcPath::new(name()));
-        #[expect(clippy::expect_used, reason = "a constant that a test follows")]
-        let path = path.or_else(|_no_name| NcPath::new(NAMELESS)).expect("a plain file name");
+        Self::start(NcPath::of_file(path), program, Box::new(store), contacts, settings)
+    }
+
+    fn start(
+        path: NcPath,
+        program: Arc<Program>,
+        store: Box<dyn Store>,
+        contacts: Contacts,
+        settings: Settings,
+    ) -> Self {
         let probe = settings.probe_table.probe(None).copied().unwrap_or_default();
         let is_inch = program.unit() == Some(Unit::Inch);
         let mut machine = Self {
-            store: Box::new(store),
+            main: (path.clone(), Arc::clone(&program)),
+            known: Known::default(),
+            store,
             workbench: Workbench::new(contacts),
             settings,
             programs: BTreeMap::from([(path.clone(), Arc::clone(&program))]),
             file_bytes: 0,
+            traffic: 0,
             frame: Frame::new(path, program),
             calls: Vec::new(),
             variables: Variables::new(),
@@ -180,6 +138,18 @@ impl Machine {
         // Q113 says the unit of the main program.
         machine.variables.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
         machine
+    }
+
+    /// Goes back before the first block: all that the run has found is forgotten, settings and breakpoints stay, and so
+    /// does what the store has written. Programs and tables that have not changed since are not read again.
+    pub fn restart(&mut self, contacts: Contacts) {
+        let mut known = std::mem::take(&mut self.known);
+        known.programs.append(&mut self.programs);
+        let store = std::mem::replace(&mut self.store, Box::new(Shipped));
+        let breakpoints = std::mem::take(&mut self.breakpoints);
+        let (path, program) = self.main.clone();
+        let settings = self.settings.clone();
+        *self = Self { known, breakpoints, ..Self::start(path, program, store, contacts, settings) };
     }
 
     /// Gives a parameter a value before the run. The main program's first assignment to it is then passed over with a
@@ -278,7 +248,7 @@ impl Machine {
             Body::CallLabel { label, repeat } => self.call_label(at, label, *repeat)?,
             Body::CallProgram(path) => self.call_program(at, path)?,
             Body::Assign { to, value } => self.assign(at, *to, value)?,
-            Body::Undefine(parameter) => self.undefine(at, *parameter)?,
+            Body::Undefine(parameter) => self.undefine(at, *parameter),
             Body::AssignText { to, value } => self.assign_text(at, *to, value)?,
             Body::Jump { condition, label } => {
                 if self.holds(condition)? {
@@ -306,9 +276,8 @@ impl Machine {
                 });
             }
             Body::Probe(cycle) => return self.probe(at, cycle),
-            Body::CycleDefinition(_) => self.unknown(at)?,
             Body::Other if self.is_blank_form(at) => {}
-            Body::Other => self.unknown(at)?,
+            Body::CycleDefinition(_) | Body::Other => self.unknown(at)?,
         }
         Ok(Step::Went)
     }
@@ -386,109 +355,5 @@ impl Machine {
 
     pub(super) const fn budget(&self) -> &Budget {
         &self.settings.budget
-    }
-
-    /// Sets or clears a breakpoint; `program` is a path as programs write it.
-    pub fn toggle_breakpoint(&mut self, program: &str, block: usize) {
-        let Ok(path) = NcPath::new(program) else { return };
-        let breakpoint = (path, block);
-        if !self.breakpoints.remove(&breakpoint) {
-            self.breakpoints.insert(breakpoint);
-        }
-    }
-
-    /// The breakpoints by program and block.
-    pub fn breakpoints(&self) -> impl Iterator<Item = (&NcPath, usize)> {
-        self.breakpoints.iter().map(|(path, block)| (path, *block))
-    }
-
-    /// All parameters that have a value now.
-    pub const fn variables(&self) -> &Variables {
-        &self.variables
-    }
-
-    /// The parameters that the last block has set.
-    pub fn changed(&self) -> &[Parameter] {
-        &self.changed
-    }
-
-    /// The block that is run next.
-    pub fn place(&self) -> BlockPlace {
-        self.place_of(self.frame.next)
-    }
-
-    /// The program that is running.
-    pub const fn current(&self) -> &Arc<Program> {
-        &self.frame.program
-    }
-
-    /// A program that has been loaded, by its path as programs write it.
-    pub fn program(&self, path: &str) -> Option<&Arc<Program>> {
-        self.programs.get(&NcPath::new(path).ok()?)
-    }
-
-    /// The calls that lead here, the outermost first.
-    pub fn calls(&self) -> &[Call] {
-        &self.calls
-    }
-
-    /// What FN 16 has shown, in order; `SCLR:` closes windows.
-    pub fn windows(&self) -> &[Window] {
-        &self.windows
-    }
-
-    /// What FN 16 has printed to files, in order.
-    pub fn outputs(&self) -> &[Written] {
-        &self.outputs
-    }
-
-    /// What the cycles have found, in order.
-    pub fn cycles(&self) -> &[CycleRun] {
-        &self.cycles
-    }
-
-    /// The way of the ball's centre so far.
-    pub fn path(&self) -> &[Travel] {
-        &self.path
-    }
-
-    /// Where the ball's centre stands, mm, in X, Y and Z as far as it is known.
-    pub const fn position(&self) -> [Option<f64>; 3] {
-        self.position.axes()
-    }
-
-    /// What is worth knowing, in order.
-    pub fn remarks(&self) -> &[(BlockPlace, Remark)] {
-        &self.remarks
-    }
-
-    /// How many remarks are not listed.
-    pub const fn unlisted_remarks(&self) -> usize {
-        self.unlisted
-    }
-
-    /// How many blocks were run.
-    pub const fn blocks_run(&self) -> u64 {
-        self.blocks_run
-    }
-
-    /// The table that is open.
-    pub fn table(&self) -> Option<&NcPath> {
-        self.table.as_ref().map(OpenTable::path)
-    }
-
-    /// Whether the run is over, by its end or by a fault.
-    pub const fn is_over(&self) -> bool {
-        !matches!(self.state, State::Ready)
-    }
-
-    /// The worst status of the cycles that judged.
-    pub fn status(&self) -> Option<Status> {
-        self.cycles.iter().filter_map(|run| run.result.status).max()
-    }
-
-    /// The settings of the run.
-    pub const fn settings(&self) -> &Settings {
-        &self.settings
     }
 }

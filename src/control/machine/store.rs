@@ -15,11 +15,11 @@ pub trait Store: Send {
     /// [`StoreError`] says why there are none.
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError>;
 
-    /// Writes what FN 16 prints, or a table that FN 27 has changed.
+    /// Writes what FN 16 prints, or a table that FN 27 has changed, and says how many bytes the file has then.
     ///
     /// # Errors
     /// [`StoreError::ReadOnly`] where nothing is written, others where it went wrong.
-    fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<(), StoreError>;
+    fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError>;
 }
 
 /// Why a file cannot be read or written.
@@ -120,7 +120,7 @@ impl Store for Shipped {
         Self::file(path.file_name()).map(<[u8]>::to_vec).ok_or_else(missing)
     }
 
-    fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<(), StoreError> {
+    fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
         Err(StoreError::ReadOnly)
     }
 }
@@ -154,10 +154,11 @@ impl Store for InMemory {
         self.file(path).map_or_else(|| Shipped.read(path), |bytes| Ok(bytes.to_vec()))
     }
 
-    fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<(), StoreError> {
+    fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {
         let old = if how == FileUse::Replace { &[] } else { self.file(path).unwrap_or_default() };
         let whole = [old, bytes].concat();
+        let size = whole.len();
         self.0.insert(path.to_string().to_ascii_lowercase(), whole);
-        Ok(())
+        Ok(size)
     }
 }

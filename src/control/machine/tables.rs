@@ -10,7 +10,7 @@ use super::run::Machine;
 use super::store::StoreError;
 use crate::control::mask::FileUse;
 use crate::control::program::{Columns, Operand, TextOperand};
-use crate::control::table::{ControlTable, TableFile, WriteError, is_blank, is_number};
+use crate::control::table::{TableFile, WriteError, is_blank, is_number};
 use crate::control::variables::{Family, Parameter, Value};
 
 /// A table that FN 26 has opened.
@@ -85,9 +85,10 @@ impl Machine {
             self.table = Some(changed.clone());
             return Ok(());
         }
-        let bytes = self.store.read(&path)?;
-        let file = ControlTable::read(&bytes, path.file_name()).map_err(|error| FaultKind::Table(Box::new(error)))?;
-        self.table = Some(OpenTable { path, file: Arc::new(file), bytes: bytes.len(), changed_at: None });
+        let bytes = self.read(&path)?;
+        let size = bytes.len();
+        let file = self.known.table(&path, bytes).map_err(|error| FaultKind::Table(Box::new(error)))?;
+        self.table = Some(OpenTable { path, file, bytes: size, changed_at: None });
         Ok(())
     }
 
@@ -174,7 +175,7 @@ impl Machine {
                 self.changed_tables.insert(open.path.clone(), open);
                 Ok(())
             }
-            done => Ok(done?),
+            done => self.moved(done?),
         }
     }
 }

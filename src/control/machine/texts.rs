@@ -48,14 +48,14 @@ impl Machine {
                 }
                 Ok(text)
             }
-            TextExpression::FromNumber { number, decimals } => self.from_number(*number, *decimals),
+            TextExpression::FromNumber { number, decimals } => self.text_of_number(*number, *decimals),
             TextExpression::Part { source, from, length } => self.part(*source, *from, *length),
             TextExpression::System { id, number } => self.system_text(*id, *number),
         }
     }
 
     /// TOCHAR: with so many decimals, rounded half away from zero; without, just those that the value has.
-    fn from_number(&self, number: Operand, decimals: Option<Operand>) -> Result<String, FaultKind> {
+    fn text_of_number(&self, number: Operand, decimals: Option<Operand>) -> Result<String, FaultKind> {
         let decimals = match decimals {
             Some(decimals) => Some(self.whole("DECIMALS", decimals)?),
             None => None,

@@ -133,12 +133,11 @@ impl Machine {
     }
 
     /// `Q5 SET UNDEFINED`
-    pub(super) fn undefine(&mut self, at: usize, parameter: Parameter) -> Result<(), FaultKind> {
+    pub(super) fn undefine(&mut self, at: usize, parameter: Parameter) {
         if self.given.is_empty() || !self.is_given(at, parameter, || false) {
             self.variables.unset(parameter);
             self.changed.push(parameter);
         }
-        Ok(())
     }
 
     /// Whether a value that was given before the run stands in place of this assignment: the first one in the main
