@@ -88,11 +88,13 @@ macro_rules! files {
     };
 }
 
-const EN: [(&str, &str); 10] = files!(
-    "en": "tolerance" "probing" "control" "program" "machine" "exchange" "report" "window" "cycles-page" "program-page"
+const EN: [(&str, &str); 11] = files!(
+    "en": "tolerance" "probing" "control" "program" "machine" "nc" "exchange" "report" "window" "cycles-page"
+    "program-page"
 );
-const NL: [(&str, &str); 10] = files!(
-    "nl": "tolerance" "probing" "control" "program" "machine" "exchange" "report" "window" "cycles-page" "program-page"
+const NL: [(&str, &str); 11] = files!(
+    "nl": "tolerance" "probing" "control" "program" "machine" "nc" "exchange" "report" "window" "cycles-page"
+    "program-page"
 );
 
 /// A sentence without its language: the name of a text and what is put into it.

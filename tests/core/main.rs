@@ -36,3 +36,4 @@ mod session_tables;
 mod table_cli;
 mod table_compare;
 mod tables;
+mod twin;

@@ -118,7 +118,8 @@ fn target(folder: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
 fn of_file(error: FileError, path: &NcPath) -> StoreError {
     let path = path.clone();
     match error {
-        FileError::IsFolder { .. } => StoreError::NoFile { path },
+        // Nothing here asks for a file that is not there yet.
+        FileError::IsFolder { .. } | FileError::Exists { .. } => StoreError::NoFile { path },
         FileError::Missing { .. } => StoreError::Missing { path },
         FileError::TooLarge { .. } => StoreError::TooLarge { path },
         FileError::System { reason, .. } => StoreError::System { path, reason },
