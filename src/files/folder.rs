@@ -122,7 +122,8 @@ mod tests {
     const FILES: [(&str, &[u8]); 2] = [("a.h", b"one"), ("b.tab", b"two")];
 
     fn names(folder: &Path) -> Vec<String> {
-        let name = |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name().to_string_lossy().into_owned();
+        let name =
+            |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name().to_string_lossy().into_owned();
         let mut names: Vec<String> = std::fs::read_dir(folder).unwrap().map(name).collect();
         names.sort();
         names

@@ -181,7 +181,10 @@ fn an_unreadable_input_keeps_the_program_from_running() {
     let mut session = session();
     let field = ProgramField::Input(Input::Height);
     type_text(&mut session, field, "deep");
-    assert_eq!(session.program().error(field).map(said).as_deref(), Some("Q261 MEASURING HEIGHT: deep is not a number"));
+    assert_eq!(
+        session.program().error(field).map(said).as_deref(),
+        Some("Q261 MEASURING HEIGHT: deep is not a number")
+    );
     for command in [ProgramCommand::Run, ProgramCommand::Step] {
         send(&mut session, command);
         assert!(session.program().run().is_none());

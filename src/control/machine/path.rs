@@ -83,7 +83,7 @@ impl NcPath {
     }
 
     /// The path of a program that a user has named: what is none on a control counts by its file name.
-    pub(super) fn of_file(path: &str) -> Self {
+    pub fn of_file(path: &str) -> Self {
         let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
         Self::new(path).or_else(|_outside| Self::new(name)).unwrap_or_else(|_no_name| Self("program.h".into()))
     }

@@ -11,7 +11,6 @@ use crate::length::Length;
 use crate::tolerance::Feature;
 use crate::words::Language;
 
-
 /// The last block that computes a limit: behind it both are known.
 const MINIMUM: Parameter = Parameter::q(33);
 

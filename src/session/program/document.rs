@@ -51,10 +51,7 @@ impl Document {
     /// [`ProgramError`] for what is no text.
     pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Vec<ProgramWarning>), ProgramError> {
         let (program, warnings) = Program::read(bytes)?;
-        // A name that no control takes is no reason not to read the program.
-        #[expect(clippy::expect_used, reason = "a plain file name is a path")]
-        let path = NcPath::new(name).or_else(|_no_path| NcPath::new("program.h")).expect("a plain file name");
-        Ok((Self::new(path, Arc::new(program)), warnings))
+        Ok((Self::new(NcPath::of_file(name), Arc::new(program)), warnings))
     }
 
     pub(super) fn new(path: NcPath, program: Arc<Program>) -> Self {
