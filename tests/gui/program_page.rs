@@ -13,6 +13,7 @@ use fitcheck::session::program::Run;
 use fitcheck::verdict::Status;
 use fitcheck::words::Language;
 
+use crate::dialogs::Dropped;
 use crate::harness::{DESK, Window, type_into};
 use crate::pictures::can_paint;
 
@@ -438,11 +439,35 @@ fn the_settled_page_asks_for_no_repaint() {
     assert_eq!(output.viewport_output[&ViewportId::ROOT].repaint_delay, std::time::Duration::MAX);
 }
 
+#[test]
+fn programs_workpieces_and_contacts_are_dropped_on_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = page();
+    let drop = |page: &mut Harnessed, name: &str, text: &str| {
+        let path = folder.path().join(name);
+        put(&path, text);
+        page.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(path)));
+        page.run();
+    };
+    drop(&mut page, "bore.toml", "[bore]\ncentre = [40.0, 30.0]\ndiameter = 24.99\n[probe]\nball_radius = 3.0\n");
+    says(&page, "Ready to run");
+    press(&mut page, Key::F5);
+    says(&page, "REWORK. 24.99");
+    says(&page, "The program agrees with Fitcheck");
+    drop(&mut page, "bore.csv", "x,y,z\n52.505,30,-8\n40,42.505,-8\n27.495,30,-8\n40,17.495,-8\n");
+    says(&page, "Ready to run");
+    page.get_by_label("4 contacts from bore.csv");
+    press(&mut page, Key::F5);
+    says(&page, "GOOD. 25.0100 mm");
+    drop(&mut page, "own.h", "BEGIN PGM own MM\nQ1 = 2\nEND PGM own MM\n");
+    page.get_by_role_and_label(Role::List, "own.h, 3 blocks");
+}
+
 fn picture(name: &str, theme: Theme, size: Vec2, language: Language, steps: impl FnOnce(&mut Harnessed)) {
     if !can_paint(name) {
         return;
     }
-    let mut page = open(Window { theme, size, language, ..Window::default() });
+    let mut page = open(Window { size, theme, language, ..Window::default() });
     steps(&mut page);
     page.remove_cursor();
     page.run();

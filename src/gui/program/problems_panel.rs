@@ -24,7 +24,6 @@ pub(super) fn problems_ui(ui: &mut Ui, view: &mut View<'_>) {
     let lines = f32::from(u8::try_from(count).unwrap_or(LINES).min(LINES));
     let height = row * (lines + 1.0) + space(4.0);
     Panel::bottom("program-problems").exact_size(height).show(ui, |ui| {
-        ui.set_min_height(ui.available_height());
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.horizontal(|ui| {
             heading(ui, view.words.say(&Message::new("program-page-problems").count("count", count)));
@@ -33,7 +32,8 @@ pub(super) fn problems_ui(ui: &mut Ui, view: &mut View<'_>) {
                 quiet(ui, view.words.say(&Message::new("program-page-unlisted").count("count", unlisted)));
             }
         });
-        ScrollArea::vertical().id_salt("problems").auto_shrink(false).show_rows(ui, row, count, |ui, rows| {
+        let area = ScrollArea::vertical().id_salt("problems").auto_shrink(false).min_scrolled_height(0.0);
+        area.show_rows(ui, row, count, |ui, rows| {
             for number in rows {
                 row_ui(ui, view, number);
             }

@@ -6,7 +6,7 @@ use eframe::egui::{Button, ComboBox, KeyboardShortcut, RichText, Sense, Ui, Widg
 use super::{BREAKPOINT, OPEN, PAUSE, RESET, RUN, STEP, STEP_OVER, TO_SELECTED, paint};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, list_height};
-use crate::session::program::{EntryKind, Origin, Run, SHIPPED, Speed, State, Switch};
+use crate::session::program::{Document, EntryKind, Origin, Run, SHIPPED, Speed, State, Switch};
 use crate::session::{Command, ProgramCommand, Purpose};
 
 /// Two rows: what is done with the program, and where the run is.
@@ -34,11 +34,11 @@ fn button(
     ui: &mut Ui,
     view: &mut View<'_>,
     (id, enabled): (&str, bool),
-    shortcut: &KeyboardShortcut,
+    shortcut: KeyboardShortcut,
     command: ProgramCommand,
 ) {
     let button = Button::new(view.text(id)).min_size(vec2(0.0, sizes().field));
-    let response = ui.add_enabled(enabled, button).on_hover_text(ui.ctx().format_shortcut(shortcut));
+    let response = ui.add_enabled(enabled, button).on_hover_text(ui.ctx().format_shortcut(&shortcut));
     if response.clicked() {
         view.send(Command::Program(command));
     }
@@ -81,7 +81,7 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
     let (running, begun) = (program.is_running(), program.run().is_some());
     let over = program.run().is_some_and(Run::is_over);
     if running {
-        button(ui, view, ("program-page-pause", true), &PAUSE, ProgramCommand::Pause);
+        button(ui, view, ("program-page-pause", true), PAUSE, ProgramCommand::Pause);
     } else {
         let palette = palette(ui.ctx());
         let text = RichText::new(view.text("program-page-run")).color(palette.on_accent.0);
@@ -92,11 +92,11 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     }
     let can_step = !running && !over;
-    button(ui, view, ("program-page-step", can_step), &STEP, ProgramCommand::Step);
-    button(ui, view, ("program-page-step-over", can_step), &STEP_OVER, ProgramCommand::StepOver);
-    button(ui, view, ("program-page-to-selected", !running), &TO_SELECTED, ProgramCommand::RunToSelected);
-    button(ui, view, ("program-page-breakpoint", true), &BREAKPOINT, ProgramCommand::ToggleBreakpoint(None));
-    button(ui, view, ("program-page-reset", begun), &RESET, ProgramCommand::Reset);
+    button(ui, view, ("program-page-step", can_step), STEP, ProgramCommand::Step);
+    button(ui, view, ("program-page-step-over", can_step), STEP_OVER, ProgramCommand::StepOver);
+    button(ui, view, ("program-page-to-selected", !running), TO_SELECTED, ProgramCommand::RunToSelected);
+    button(ui, view, ("program-page-breakpoint", true), BREAKPOINT, ProgramCommand::ToggleBreakpoint(None));
+    button(ui, view, ("program-page-reset", begun), RESET, ProgramCommand::Reset);
 }
 
 const fn speed_id(speed: Speed) -> &'static str {
@@ -153,7 +153,7 @@ fn calls_ui(ui: &mut Ui, view: &mut View<'_>) {
     let program = view.session.program();
     let Some(run) = program.run().filter(|run| run.state() != State::Ended) else { return };
     let programs = run.programs();
-    if programs.len() < 2 && program.shown().map(|document| document.path()) == programs.first() {
+    if programs.len() < 2 && program.shown().map(Document::path) == programs.first() {
         return;
     }
     ui.separator();

@@ -1,17 +1,11 @@
-//! Programs and workpieces from files, and what is typed into the page's fields.
+//! Programs from files, and what is typed into the page's fields.
 
 use std::path::PathBuf;
 
-use jiff::civil::DateTime;
-
-use super::inputs::{Input, length};
-use super::{Document, Origin, ProgramField, ProgramPage, WorkpieceFrom};
+use super::{Document, Origin, ProgramField, WorkpieceFrom};
 use crate::control::machine::Shipped;
 use crate::control::program::ProgramWarning;
-use crate::length::Length;
-use crate::probing::cycle::Plane;
-use crate::probing::simulated::{Bench, Surface, Workpiece};
-use crate::session::{CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Session};
+use crate::session::Session;
 use crate::words::{Language, Message, Say as _};
 
 /// How many files are remembered.
@@ -85,59 +79,6 @@ impl Session {
         self.reset_program();
     }
 
-    pub(super) fn choose_workpiece(&mut self, from: WorkpieceFrom) {
-        if from == WorkpieceFrom::Recorded && self.cycles.recorded().is_none() {
-            return self.open_dialog(Purpose::OpenCycleFile(CycleFile::Contacts));
-        }
-        self.program.workpiece = from;
-        self.program.check_workpiece();
-        self.reset_program();
-    }
-
-    /// The simulated workpiece that suits is that of the program's inputs, as a shop makes it.
-    fn suited_to_program(&self) -> Option<Bench> {
-        let limits = self.program_limits()?.ok()?;
-        let centre = [Input::CentreX, Input::CentreY].map(|input| self.program.input_length(input).unwrap_or_default());
-        let usual = Workpiece::usual(limits.feature, limits.middle().to_mm_f64());
-        let surface = Surface::Round(Workpiece { centre: centre.map(Length::to_mm_f64), ..usual }, Plane::Xy);
-        let machine = self.cycles.bench().bench().copied().unwrap_or_else(|| Bench::perfect(surface));
-        Some(Bench { surface, ..machine })
-    }
-
-    /// Does a command of the workpiece's dialog, which the cycles page has as well.
-    pub(in crate::session) fn apply_cycles_for_page(&mut self, command: CyclesCommand, now: DateTime) -> Vec<Effect> {
-        let command = match command {
-            CyclesCommand::SuitBench if self.page == Page::Program => match self.suited_to_program() {
-                Some(bench) => CyclesCommand::BenchRead(Ok(Box::new(bench))),
-                None => return Vec::new(),
-            },
-            command => command,
-        };
-        let now_used = match &command {
-            CyclesCommand::Type(CycleField::Bench(_), _)
-            | CyclesCommand::ChooseKind(_)
-            | CyclesCommand::ChoosePlane(_)
-            | CyclesCommand::BenchRead(Ok(_)) => Some(WorkpieceFrom::Simulated),
-            CyclesCommand::ContactsRead { result: Ok(_), .. } => Some(WorkpieceFrom::Recorded),
-            _ => None,
-        };
-        let effects = self.apply_cycles(command, now);
-        if let Some(from) = now_used {
-            self.workpiece_changed(from);
-        }
-        effects
-    }
-
-    /// The workpiece that both pages share was changed: a run on it is cleared. One that was read here is used here.
-    fn workpiece_changed(&mut self, from: WorkpieceFrom) {
-        if self.page == Page::Program {
-            self.program.workpiece = from;
-        }
-        if matches!(self.program.workpiece, WorkpieceFrom::Simulated | WorkpieceFrom::Recorded) {
-            self.reset_program();
-        }
-    }
-
     pub(super) fn type_program_field(&mut self, field: ProgramField, text: String) {
         let page = &mut self.program;
         page.texts.insert(field, text);
@@ -153,21 +94,6 @@ impl Session {
             }
             ProgramField::Filter => {}
             ProgramField::Name | ProgramField::Value => _ = page.errors.remove(&field),
-        }
-    }
-}
-
-impl ProgramPage {
-    /// Reads the fields of the workpiece anew; what is empty is no error until it is needed.
-    fn check_workpiece(&mut self) {
-        for field in [ProgramField::Diameter, ProgramField::WorkpieceX, ProgramField::WorkpieceY] {
-            self.errors.remove(&field);
-            let text = self.text(field);
-            if !text.trim().is_empty()
-                && let Err(problem) = length(text)
-            {
-                self.errors.insert(field, problem);
-            }
         }
     }
 }

@@ -93,8 +93,8 @@ impl ProgramPage {
     /// run.
     pub fn name_of(&self, parameter: Parameter) -> Option<Name<'_>> {
         let own = || CONTROL.iter().find(|(number, _)| Parameter::q(*number) == parameter).map(|(_, id)| *id);
-        let documents = self.shown().into_iter().chain(self.main()).chain(self.documents.values());
-        let comment = documents.filter_map(|document| document.name_of(parameter)).next();
+        let mut documents = self.shown().into_iter().chain(self.main()).chain(self.documents.values());
+        let comment = documents.find_map(|document| document.name_of(parameter));
         own().map(Name::Control).or_else(|| comment.map(Name::Program))
     }
 
@@ -122,6 +122,16 @@ fn parameter(text: &str) -> Option<Parameter> {
     Some(Parameter { family, number })
 }
 
+/// What is typed for a parameter, as its value: any text for QS, a number for all others.
+fn value_of(parameter: Parameter, text: &str) -> Option<Value> {
+    if parameter.family == Family::Qs {
+        return Some(Value::Text(text.to_owned()));
+    }
+    let number = text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite())?;
+    // Six decimals and fewer are exact as a length.
+    Some(text.parse::<Length>().map_or(Value::Number(number), Value::Length))
+}
+
 impl Session {
     /// The next run begins with the value of the fields; a run that was begun is cleared.
     pub(super) fn give_value(&mut self) {
@@ -136,17 +146,10 @@ impl Session {
             return;
         };
         let text = page.text(ProgramField::Value).trim().to_owned();
-        let value = match parameter.family {
-            Family::Qs => Value::Text(text),
-            _ => match text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite()) {
-                // Six decimals and fewer are exact as a length.
-                Some(number) => text.parse::<Length>().map_or(Value::Number(number), Value::Length),
-                None => {
-                    let problem = Message::new("program-page-no-number").text("given", text);
-                    page.errors.insert(ProgramField::Value, problem);
-                    return;
-                }
-            },
+        let Some(value) = value_of(parameter, &text) else {
+            let problem = Message::new("program-page-no-number").text("given", text);
+            page.errors.insert(ProgramField::Value, problem);
+            return;
         };
         page.given.insert(parameter, value);
         page.texts.remove(&ProgramField::Name);
