@@ -67,6 +67,7 @@ program-page-both-refuse = Neither the program nor Fitcheck gives an answer
 
 program-page-workpiece = Workpiece
 program-page-from-perfect = perfect, middle of the limits
+program-page-from-nominal = perfect, at nominal
 program-page-from-given = perfect, diameter given
 program-page-from-simulated = simulated
 program-page-from-recorded = recorded contacts

@@ -67,6 +67,7 @@ program-page-both-refuse = Het programma noch Fitcheck geeft een antwoord
 
 program-page-workpiece = Werkstuk
 program-page-from-perfect = perfect, midden van de grensmaten
+program-page-from-nominal = perfect, op nominale maat
 program-page-from-given = perfect, met deze diameter
 program-page-from-simulated = gesimuleerd
 program-page-from-recorded = opgenomen meetpunten

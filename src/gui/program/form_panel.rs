@@ -139,8 +139,9 @@ fn agreement_ui(ui: &mut Ui, view: &View<'_>) {
     });
 }
 
-const fn from_id(from: WorkpieceFrom) -> &'static str {
+const fn from_id(from: WorkpieceFrom, has_limits: bool) -> &'static str {
     match from {
+        WorkpieceFrom::Perfect if !has_limits => "program-page-from-nominal",
         WorkpieceFrom::Perfect => "program-page-from-perfect",
         WorkpieceFrom::Given => "program-page-from-given",
         WorkpieceFrom::Simulated => "program-page-from-simulated",
@@ -151,10 +152,11 @@ const fn from_id(from: WorkpieceFrom) -> &'static str {
 fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("program-page-workpiece"));
     let chosen = view.session.program().workpiece();
-    let combo = ComboBox::from_id_salt("program-workpiece").selected_text(view.text(from_id(chosen)));
+    let has_limits = view.session.program().has_inputs();
+    let combo = ComboBox::from_id_salt("program-workpiece").selected_text(view.text(from_id(chosen, has_limits)));
     let response = combo.width(ui.available_width() - space(2.0)).truncate().show_ui(ui, |ui| {
         for from in WorkpieceFrom::ALL {
-            if ui.selectable_label(chosen == from, view.text(from_id(from))).clicked() {
+            if ui.selectable_label(chosen == from, view.text(from_id(from, has_limits))).clicked() {
                 view.send(Command::Program(ProgramCommand::ChooseWorkpiece(from)));
             }
         }
