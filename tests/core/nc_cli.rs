@@ -125,7 +125,7 @@ fn what_the_program_cannot_do_is_refused() {
     refused(&["plan.csv"], &format!("plan.csv: line 3: 12 ±0.02 {no_class}"));
     refused(&at("10m"), &format!("10m {no_class}"));
     refused(&at("25 H7/g6"), "25 H7/g6 is a fit: write the hole and the shaft as two features");
-    refused(&at("0.8 N9"), "0.8 N9: N9 is not defined over 0 up to 1 mm in ISO 286; it is defined over 1 up to 3150 mm");
+    refused(&at("0.8 N9"), "0.8 N9: N9 is not defined at 0.8 mm in ISO 286; it is defined over 1 up to 3150 mm");
     refused(&at("0.01 P9"), "Q276 MINIMUM DIMENSION = -0.021 mm: at least 0 mm, at most 99999.9999 mm");
     refused(&["25 H7", "--x", "0", "--y", "0"], "--z is missing: a single callout needs --x, --y and --z");
     refused(&bore(&["--clearance-height", "-8"]), "clearance height -8 mm is not above the measuring height, -8 mm");
