@@ -174,6 +174,10 @@ fn what_could_do_harm_is_stopped_with_its_own_message() {
         "CALL PGM broken.h",
         r"TNC:\own.h, line 2, CALL PGM broken.h: TNC:\broken.h: the file is no text: 4 of its 4 bytes are no characters",
     );
+    let cut_off = shop.file("cut.h", "BEGIN PGM cut MM\nQ1 = 1\n");
+    let said = fitcheck(&[&cut_off, "--trace"]);
+    assert_eq!(said.out, "cut.h:1  BEGIN PGM cut MM\ncut.h:2  Q1 = 1\n    Q1 = 1\n");
+    assert!(said.err.ends_with("fitcheck: TNC:\\cut.h, line 2, Q1 = 1: the program is broken: END PGM is missing\n"));
     let broken = shop.path("broken.h");
     check_stopped(&[&broken], "broken.h: the file is no text: 4 of its 4 bytes are no characters");
 }

@@ -20,7 +20,7 @@ impl Printer {
         let Some(BlockPlace { program, block }) = &self.at else { return Ok(()) };
         let (file, line) = place(machine, program, *block);
         let program = machine.program(&program.to_string());
-        let text = program.and_then(|program| program.text_of(*block).next()).unwrap_or_default();
+        let Some(text) = program.and_then(|program| program.text_of(*block).next()) else { return Ok(()) };
         writeln!(io.out, "{file}:{line}  {}", text.trim())?;
         for parameter in machine.changed() {
             match machine.variables().get(*parameter) {

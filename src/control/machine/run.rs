@@ -340,6 +340,8 @@ impl Machine {
     fn fault(&self, at: usize, kind: FaultKind) -> Fault {
         const LONGEST: usize = 80;
         let program = &self.frame.program;
+        // Behind the last block, the last one is named.
+        let at = at.min(program.blocks().len().saturating_sub(1));
         let block = program.blocks().get(at);
         let text = program.text_of(at).next().unwrap_or_default();
         let number = block.and_then(|block| block.number);
