@@ -133,8 +133,7 @@ impl Args {
             let (name, bytes) = read_input(Path::new(&self.what), io)?;
             return NcPlan::read(&bytes).map_err(|error| CliError::Data(format!("{name}: {error}")));
         }
-        let callout: Callout =
-            self.what.parse().map_err(|error| CliError::Data(format!("{}: {error}", self.what)))?;
+        let callout: Callout = self.what.parse().map_err(|error| CliError::Data(format!("{}: {error}", self.what)))?;
         let feature = self.position.feature(callout)?;
         NcPlan::new(vec![feature]).map_err(|error| CliError::Data(error.what.to_string()))
     }

@@ -74,7 +74,9 @@ fn into_old(folder: &Path, paths: &[PathBuf], files: &[(&str, &[u8])], overwrite
         if let Err(error) = persist(file, path, overwrite) {
             if !overwrite {
                 // What cannot be removed either is whole; the first error says what went wrong.
-                done.into_iter().for_each(|path| drop(std::fs::remove_file(path)));
+                for path in done {
+                    drop(std::fs::remove_file(path));
+                }
             }
             return Err(error);
         }
@@ -122,7 +124,8 @@ mod tests {
     const FILES: [(&str, &[u8]); 2] = [("a.h", b"one"), ("b.tab", b"two")];
 
     fn names(folder: &Path) -> Vec<String> {
-        let name = |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name().to_string_lossy().into_owned();
+        let name =
+            |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name().to_string_lossy().into_owned();
         let mut names: Vec<String> = std::fs::read_dir(folder).unwrap().map(name).collect();
         names.sort();
         names

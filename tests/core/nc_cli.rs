@@ -93,7 +93,8 @@ fn files_that_are_there_stay_unless_forced() {
     std::fs::write(folder.path().join("set.zip"), "mine").unwrap();
     for (output, there) in [("set", Path::new("set").join("FIT_HOLE.TAB")), ("set.zip", "set.zip".into())] {
         let answer = nc(folder.path(), &bore(&["--control", "tnc640", "-o", output]));
-        let why = format!("fitcheck: there is such a file or folder already: {}; --force overwrites\n", there.display());
+        let why =
+            format!("fitcheck: there is such a file or folder already: {}; --force overwrites\n", there.display());
         assert_eq!(answer.code, Some(1));
         assert!(answer.err.ends_with(&why), "{}", answer.err);
     }
@@ -130,7 +131,10 @@ fn what_the_program_cannot_do_is_refused() {
     refused(&["25 H7", "--x", "0", "--y", "0"], "--z is missing: a single callout needs --x, --y and --z");
     refused(&bore(&["--clearance-height", "-8"]), "clearance height -8 mm is not above the measuring height, -8 mm");
     refused(&bore(&["--name", "../x"]), "name ../x: letters A to Z, digits and _ are allowed, at most 20");
-    refused(&bore(&["--angle", "1,2.3"]), "--angle: 1,2.3 is ambiguous: write one decimal sign and no thousands separator");
+    refused(
+        &bore(&["--angle", "1,2.3"]),
+        "--angle: 1,2.3 is ambiguous: write one decimal sign and no thousands separator",
+    );
     refused(&["plan.csv", "--x", "1"], "--x is for a single callout: a plan has a column for it");
     refused(
         &bore(&["--folder", r"C:\fit"]),
@@ -145,7 +149,11 @@ fn a_broken_path_leaves_nothing_behind() {
     let output = Path::new("none").join("set");
     let answer = nc(folder.path(), &bore(&["--control", "tnc7", "-o", output.to_str().unwrap()]));
     assert_eq!(answer.code, Some(1));
-    assert!(answer.err.ends_with(&format!("fitcheck: no such file or folder: {}\n", output.display())), "{}", answer.err);
+    assert!(
+        answer.err.ends_with(&format!("fitcheck: no such file or folder: {}\n", output.display())),
+        "{}",
+        answer.err
+    );
     assert!(names(folder.path()).is_empty());
 }
 

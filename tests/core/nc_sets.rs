@@ -7,9 +7,7 @@ use fitcheck::control::deviations::read_table;
 use fitcheck::control::machine::{Contacts, Machine, NcPath, Settings, Step, Store, StoreError};
 use fitcheck::control::mask::FileUse;
 use fitcheck::control::program::{Body, Program, TextExpression, TextOperand};
-use fitcheck::control::sets::{
-    Control, MOST_FEATURES, NcFeature, NcPlan, NcSet, SetError, SetRemark, Target,
-};
+use fitcheck::control::sets::{Control, MOST_FEATURES, NcFeature, NcPlan, NcSet, SetError, SetRemark, Target};
 use fitcheck::control::shipped_tables;
 use fitcheck::control::status::status_window;
 use fitcheck::control::variables::{Parameter, Value};
@@ -110,7 +108,13 @@ fn native(callout: Callout, limits: &Limits, measurement: Measurement, language:
 
 /// Runs a set on one workpiece a feature and compares everything that it says. Gives the statuses.
 #[track_caller]
-fn check(features: &[NcFeature], diameters: &[Length], control: Control, language: Language, sources: &Sources) -> Vec<Status> {
+fn check(
+    features: &[NcFeature],
+    diameters: &[Length],
+    control: Control,
+    language: Language,
+    sources: &Sources,
+) -> Vec<Status> {
     let plan = NcPlan::new(features.to_vec()).unwrap();
     let set = NcSet::make(&plan, &Target::new(control, language), sources).unwrap();
     let mut contacts = Vec::new();
@@ -158,8 +162,7 @@ fn plan() -> Vec<NcFeature> {
 fn every_control_and_language_gives_the_native_verdicts() {
     let sources = Sources::default();
     let features = plan();
-    let limits: Vec<Limits> =
-        features.iter().map(|feature| sources.limits(&feature.callout, None).unwrap()).collect();
+    let limits: Vec<Limits> = features.iter().map(|feature| sources.limits(&feature.callout, None).unwrap()).collect();
     let off = |length: Length, nm: i64| Length::from_nanometres(length.nanometres() + nm).unwrap();
     for control in Control::ALL {
         for language in Language::ALL {
@@ -171,7 +174,13 @@ fn every_control_and_language_gives_the_native_verdicts() {
                     .enumerate()
                     .map(|(number, limits)| match (number + turn) % 3 {
                         0 => off(limits.minimum(), -1),
-                        1 => if turn == 2 { limits.maximum() } else { limits.minimum() },
+                        1 => {
+                            if turn == 2 {
+                                limits.maximum()
+                            } else {
+                                limits.minimum()
+                            }
+                        }
                         _ => off(limits.maximum(), 1),
                     })
                     .collect();
@@ -187,7 +196,9 @@ fn every_control_and_language_gives_the_native_verdicts() {
 #[test]
 fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
     for control in Control::ALL {
-        for (callout, below, above) in [("25 H7", Status::Rework, Status::Scrap), ("25 h7", Status::Scrap, Status::Rework)] {
+        for (callout, below, above) in
+            [("25 H7", Status::Rework, Status::Scrap), ("25 h7", Status::Scrap, Status::Rework)]
+        {
             let one = feature(callout, ["40", "30", "-8"]);
             let limits = Sources::default().limits(&one.callout, None).unwrap();
             let set = make(vec![one], control, Language::En);
@@ -349,7 +360,8 @@ fn tables_hold_the_47_classes_and_what_the_plan_needs_beside_them() {
     assert_eq!(ends.join(" "), "1 3 6 10 18 24 30 50 65 80 100 120 140 160 180 200 225 250 280 315 355 400 500");
     // Every filled cell is the standard's, everywhere in its range.
     let alone = Sources::of_tables([hole.clone(), shaft]);
-    for (class, size) in [("ZA8", "24"), ("ZA8", "24.0001"), ("H7", "450"), ("R7", "51"), ("g6", "400"), ("JS9", "20")] {
+    for (class, size) in [("ZA8", "24"), ("ZA8", "24.0001"), ("H7", "450"), ("R7", "51"), ("g6", "400"), ("JS9", "20")]
+    {
         let callout: Callout = format!("{size} {class}").parse().unwrap();
         let [ours, theirs] = [&alone, &Sources::default()].map(|sources| sources.limits(&callout, None).unwrap());
         assert_eq!(ours.deviations, theirs.deviations, "{callout}");

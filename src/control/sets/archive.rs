@@ -10,8 +10,7 @@ use super::error::SetError;
 
 /// Files without folders, not compressed and without a time, so that the same files give the same bytes.
 pub(super) fn zip(files: &[SetFile]) -> Result<Vec<u8>, SetError> {
-    let options =
-        SimpleFileOptions::default().compression_method(CompressionMethod::Stored).unix_permissions(0o644);
+    let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored).unix_permissions(0o644);
     let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
     let mut add = |file: &SetFile| {
         writer.start_file(file.name.as_str(), options)?;

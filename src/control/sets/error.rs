@@ -180,9 +180,7 @@ impl Say for PlanFault {
                 Message::new("nc-unknown-column").text("column", column).text("known", known)
             }
             Self::ColumnTwice { column } => Message::new("nc-column-twice").text("column", column),
-            Self::Cells { found, expected } => {
-                Message::new("nc-cells").text("found", found).text("expected", expected)
-            }
+            Self::Cells { found, expected } => Message::new("nc-cells").text("found", found).text("expected", expected),
             Self::NoCell { column } => Message::new("nc-no-cell").text("column", column),
             Self::Number { column, error } => {
                 Message::new("nc-value").text("what", column).message("error", error.message())

@@ -131,7 +131,8 @@ impl NcPlan {
     pub(super) fn limits(&self, sources: &Sources) -> Result<Vec<Limits>, PlanError> {
         let limits = self.features.iter().enumerate().map(|(number, feature)| {
             let callout = feature.callout;
-            let limits = sources.limits(&callout, None).map_err(|error| PlanFault::Limits { callout, error: Box::new(error) });
+            let limits =
+                sources.limits(&callout, None).map_err(|error| PlanFault::Limits { callout, error: Box::new(error) });
             // Far below a millimetre a class can reach below 0, which no cycle takes.
             let checked = limits.and_then(|limits| in_range("Q276", &limits.minimum()).map(|()| limits));
             checked.map_err(|what| PlanError { at: place(&self.lines, number), what })

@@ -129,7 +129,10 @@ mod tests {
         let said = match NcPlan::read(text.as_bytes()) {
             Ok(plan) => {
                 let feature = |f: &NcFeature| {
-                    format!("{} {} {} {} {} {} {} {}", f.name, f.callout, f.x, f.y, f.z, f.angle, f.clearance, f.clearance_height)
+                    format!(
+                        "{} {} {} {} {} {} {} {}",
+                        f.name, f.callout, f.x, f.y, f.z, f.angle, f.clearance, f.clearance_height
+                    )
                 };
                 plan.features().iter().map(feature).collect::<Vec<_>>().join("; ")
             }
@@ -163,13 +166,31 @@ mod tests {
         check("callout,x,y,z\n25 H7,40,30\n", "line 2: z is missing");
         check("callout,x,y,z\n\n,1,2,3\n", "line 3: callout is missing");
         check("callout,x,y,z\n25 H7,a,30,0\n", "line 2: x: a is not a number");
-        check("callout,x,y,z\n25 H7,100000,30,0\n", "line 2: Q273 CENTER IN 1ST AXIS = 100000 mm: at least -99999.9999 mm, at most 99999.9999 mm");
+        check(
+            "callout,x,y,z\n25 H7,100000,30,0\n",
+            "line 2: Q273 CENTER IN 1ST AXIS = 100000 mm: at least -99999.9999 mm, at most 99999.9999 mm",
+        );
         check("callout,x,y,z,angle\n25 H7,1,30,0,361\n", "line 2: Q325 STARTING ANGLE = 361°: at most 360° either way");
-        check("callout,x,y,z\n25 H7,1,30,50\n", "line 2: clearance height 50 mm is not above the measuring height, 50 mm");
-        check("name,callout,x,y,z\na b,25 H7,1,2,3\n", "line 2: name a b: letters A to Z, digits and _ are allowed, at most 20");
-        check("name,callout,x,y,z\na,25 H7,1,2,3\nA,25 H7,1,2,3\n", "line 3: name A occurs twice; a control does not tell a from A in file names");
-        check("callout,x,y,z\n12 +0.02 -0.02,1,2,3\n", "line 2: 12 ±0.02 has no tolerance class: the programs look a class up in a table, such as H7");
-        check("callout,x,y,z\n25 H7/g6,1,2,3\n", "line 2: 25 H7/g6 is a fit: write the hole and the shaft as two features");
+        check(
+            "callout,x,y,z\n25 H7,1,30,50\n",
+            "line 2: clearance height 50 mm is not above the measuring height, 50 mm",
+        );
+        check(
+            "name,callout,x,y,z\na b,25 H7,1,2,3\n",
+            "line 2: name a b: letters A to Z, digits and _ are allowed, at most 20",
+        );
+        check(
+            "name,callout,x,y,z\na,25 H7,1,2,3\nA,25 H7,1,2,3\n",
+            "line 3: name A occurs twice; a control does not tell a from A in file names",
+        );
+        check(
+            "callout,x,y,z\n12 +0.02 -0.02,1,2,3\n",
+            "line 2: 12 ±0.02 has no tolerance class: the programs look a class up in a table, such as H7",
+        );
+        check(
+            "callout,x,y,z\n25 H7/g6,1,2,3\n",
+            "line 2: 25 H7/g6 is a fit: write the hole and the shaft as two features",
+        );
         check(
             "callout,x,y,z\n25 H7x,1,2,3\n",
             "line 2: 25 H7x: H7x is not a tolerance class: write letters and a grade, such as H7 or js13 (character 4)",

@@ -3,9 +3,9 @@
 //! A line may begin with the controls that it is for, `[tnc640 tnc7] text`. `{main}` and its like are put in; `{features}`
 //! and `{nominal}` stand alone on their lines and become as many as there are.
 
+use super::Planned;
 use super::error::SetRemark;
 use super::names::Names;
-use super::Planned;
 use crate::tolerance::Feature;
 use crate::words::Language;
 
@@ -27,7 +27,9 @@ pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRem
                 if moved.is_empty() {
                     add(&mut page, "  -");
                 }
-                moved.iter().for_each(|line| add(&mut page, line));
+                for line in moved {
+                    add(&mut page, &line);
+                }
             }
             _ => add(&mut page, &filled(line, names)),
         }

@@ -10,7 +10,7 @@ use crate::control::shipped_tables;
 use crate::control::table::WriteError;
 use crate::length::Length;
 use crate::tolerance::table::Column;
-use crate::tolerance::{Callout, Deviations, DeviationTable, Feature, Source, Sources, ToleranceClass};
+use crate::tolerance::{Callout, DeviationTable, Deviations, Feature, Source, Sources, ToleranceClass};
 
 /// A table and what is worth knowing about it.
 #[derive(Debug)]
@@ -44,8 +44,7 @@ pub(super) fn table(
     }
     let ends = ends(feature, &asked, sources);
     let all: Vec<ToleranceClass> = usual.iter().chain(&own).copied().collect();
-    let mut remarks: Vec<SetRemark> =
-        own.iter().map(|&class| SetRemark::OwnColumn { class, table: name }).collect();
+    let mut remarks: Vec<SetRemark> = own.iter().map(|&class| SetRemark::OwnColumn { class, table: name }).collect();
     let generation = names.target.control.generation();
     let mut table = made(name, &all, &ends, sources)?;
     let bytes = match to_control_table(&table, generation).write() {
