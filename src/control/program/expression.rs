@@ -11,9 +11,9 @@ pub enum Expression {
     /// The constant PI.
     Pi,
     /// A function before its operand: `SQRT 4`, and `NEG`; a minus sign before a bracket is `NEG` too.
-    Function(NumberFunction, Box<Expression>),
+    Function(NumberFunction, Box<Self>),
     /// Two operands: `Q1 + 3`.
-    Binary(Operation, Box<Expression>, Box<Expression>),
+    Binary(Operation, Box<Self>, Box<Self>),
     /// `TONUMB ( SRC_QS11 )`.
     ToNumber(Parameter),
     /// `INSTR ( SRC_QS10 SEA_QS13 BEG2 )`.
@@ -100,7 +100,7 @@ pub enum TextExpression {
     /// A quoted text or a QS parameter.
     Value(TextOperand),
     /// `QS12 || QS13 || QS14`.
-    Join(Vec<TextExpression>),
+    Join(Vec<Self>),
     /// `TOCHAR ( DAT+Q50 DECIMALS3 )`; without decimals, as many as the value has.
     FromNumber {
         /// The number.

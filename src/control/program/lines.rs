@@ -88,12 +88,14 @@ pub(super) fn next(text: &str, line: usize, from: usize) -> Piece<'_> {
     let begins = rest.len() - rest.trim_start_matches(is_blank).len();
     let (end, open_quote) = comment_begins(rest);
     let (code, comment) = rest.split_at_checked(end).unwrap_or((rest, ""));
+    // Written by hand the ~ may stand before the comment.
+    let (code, goes_on_before) = without_tilde(code);
     Piece {
         line,
         start: from + begins,
         code: trimmed(code),
         comment: comment.strip_prefix(';').map(trimmed),
-        goes_on,
+        goes_on: goes_on || goes_on_before,
         open_quote: open_quote.map(|at| from + at),
     }
 }
@@ -107,13 +109,11 @@ fn comment_begins(text: &str) -> (usize, Option<usize>) {
         if text.get(place..).is_some_and(|rest| rest.starts_with(';')) {
             return (place, None);
         }
-        match text.get(place + 1..).and_then(|rest| rest.find('"')) {
-            Some(length) => at = place + length + 2,
-            None => {
-                let end = text.get(place..).and_then(|rest| rest.find(';')).map_or(text.len(), |found| place + found);
-                return (end, Some(place));
-            }
-        }
+        let Some(length) = text.get(place + 1..).and_then(|rest| rest.find('"')) else {
+            let end = text.get(place..).and_then(|rest| rest.find(';')).map_or(text.len(), |found| place + found);
+            return (end, Some(place));
+        };
+        at = place + length + 2;
     }
     (text.len(), None)
 }
@@ -169,7 +169,7 @@ mod tests {
     fn check(line: &str, code: &str, comment: Option<&str>, goes_on: bool) {
         let found = first(line, 3, front(line).end);
         assert_eq!((found.code, found.comment, found.goes_on), (code, comment, goes_on), "{line}");
-        assert!(line[found.start..].starts_with(code));
+        assert!(line.get(found.start..).unwrap().starts_with(code));
     }
 
     #[test]
@@ -179,6 +179,7 @@ mod tests {
         check("TCH PROBE 427 A~", "TCH PROBE 427 A", None, true);
         check("3 DECLARE STRING QS1 = \"a;b\" ; \"c", "DECLARE STRING QS1 = \"a;b\"", Some("\"c"), false);
         check("7 * - a \"heading; this", "* - a \"heading; this", None, false);
+        check("CYCL DEF 247 A ~ ;hand", "CYCL DEF 247 A", Some("hand"), true);
         check("8 ; only a comment ~", "", Some("only a comment"), true);
         check("9", "", None, false);
         check("\u{1a}", "", None, false);

@@ -6,6 +6,7 @@
 //! | `expression` | formulas of numbers and texts |
 //! | `read` | text to blocks, with warnings |
 //! | `lines`, `cursor` | lines taken apart; the place in a block's text that reading moves forward |
+//! | `understand` | the lines of one block to what it says |
 //! | `body`, `functions`, `moves`, `cycle` | the kinds of blocks, read |
 //! | `formula`, `text_formula` | formulas, read |
 //! | `labels` | where the labels stand |
@@ -31,6 +32,7 @@ mod moves;
 mod read;
 mod reason;
 mod text_formula;
+mod understand;
 mod words;
 pub mod write;
 mod write_formula;

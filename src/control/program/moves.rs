@@ -84,7 +84,7 @@ pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunc
 }
 
 /// Whether `M` and a digit come next.
-pub(super) fn is_machine_function(cursor: &mut Cursor<'_>) -> bool {
+pub(super) fn is_machine_function(cursor: &Cursor<'_>) -> bool {
     let mut ahead = cursor.clone();
     ahead.take_prefix("M") && ahead.rest().trim_start().starts_with(|c: char| c.is_ascii_digit())
 }

@@ -1,21 +1,16 @@
 //! Text to blocks, with warnings.
 
 use super::block::{Block, Body, Place, Unit};
-use super::body::body;
-use super::cursor::{Cursor, Stop};
-use super::cycle;
 use super::error::{Oddity, ProgramError, ProgramWarning};
 use super::labels::Labels;
 use super::lines::{Front, Lines, Piece, first, front, next, trimmed};
-use super::reason::Reason;
+use super::understand::{Odd, understand};
 use super::{Encoding, Program};
 
 /// The largest file, 64 MiB: a program of some two million blocks.
 const LARGEST: usize = 64 << 20;
 /// The most lines.
 const MOST_LINES: usize = 2_000_000;
-/// The longest block that is looked into, in bytes; a control takes a few hundred characters a line.
-const LONGEST: usize = 1 << 16;
 /// How many warnings are listed one by one.
 const MOST_WARNINGS: usize = 500;
 
@@ -61,9 +56,12 @@ impl Program {
 /// Refuses what is no text: more than a quarter of zeros (text transfer separates lines with byte 0, so some are
 /// allowed), or more than a tenth of other control characters.
 fn is_text(bytes: &[u8]) -> Result<(), ProgramError> {
-    let zeros = bytes.iter().filter(|&&byte| byte == 0).count();
     let is_odd = |byte: u8| byte < b' ' && !matches!(byte, 0 | b'\t' | b'\n' | b'\r' | 0x0c | 0x1a);
-    let odd = bytes.iter().filter(|&&byte| is_odd(byte)).count();
+    let (mut zeros, mut odd) = (0_usize, 0_usize);
+    for &byte in bytes {
+        zeros += usize::from(byte == 0);
+        odd += usize::from(is_odd(byte));
+    }
     if bytes.len() < zeros.saturating_mul(4) || bytes.len() < odd.saturating_mul(10) {
         return Err(ProgramError::Binary { controls: zeros + odd, bytes: bytes.len() });
     }
@@ -168,7 +166,11 @@ impl<'a> Reader<'a> {
         let front = front(self.line(line));
         let end = self.collect(line, front.end);
         self.check_number(line, front);
-        let body = self.understand();
+        let read = understand(&self.pieces, |line, at| self.place(line, at));
+        let body = read.unwrap_or_else(|Odd { line, at, what }| {
+            self.warn(line, at, what);
+            Body::Other
+        });
         self.check_frame(line, &body);
         let Front { number, may_be_skipped, .. } = front;
         self.blocks.push(Block { lines: line..end, number, may_be_skipped, body });
@@ -233,84 +235,4 @@ impl<'a> Reader<'a> {
             self.warn(line, 0, Oddity::NoBegin);
         }
     }
-
-    /// What the collected pieces say.
-    fn understand(&mut self) -> Body {
-        let open = self.pieces.iter().find_map(|piece| piece.open_quote.map(|at| (piece.line, at)));
-        if let Some((line, at)) = open {
-            self.warn(line, at, Oddity::UnclosedQuote);
-            return Body::Other;
-        }
-        let Some(&first) = self.pieces.first() else { return Body::Nothing };
-        if let Some(heading) = first.code.strip_prefix('*') {
-            return heading_of(heading);
-        }
-        let mut cursor = Cursor::new(first.code);
-        if cursor.take_words(&["TCH", "PROBE"]) {
-            return self.cycle(cursor, Body::Probe);
-        }
-        if cursor.take_words(&["CYCL", "DEF"]) {
-            return self.cycle(cursor, Body::CycleDefinition);
-        }
-        self.plain(first)
-    }
-
-    fn plain(&mut self, first: Piece<'a>) -> Body {
-        // A comment that ends in ~ goes on in the next line; only without comment it is the block that goes on.
-        let is_one_line = self.pieces.len() == 1 || first.comment.is_some();
-        if is_one_line && first.code.len() <= LONGEST {
-            return body(first.code).unwrap_or_else(|Stop { at, reason }| {
-                self.warn(first.line, first.start + at, Oddity::NotUnderstood(reason));
-                Body::Other
-            });
-        }
-        let length: usize = self.pieces.iter().map(|piece| piece.code.len() + 1).sum();
-        if LONGEST < length {
-            self.warn(first.line, first.start, Oddity::NotUnderstood(Reason::TooLong { most: LONGEST }));
-            return Body::Other;
-        }
-        let codes: Vec<&str> = self.pieces.iter().map(|piece| piece.code).collect();
-        body(&codes.join(" ")).unwrap_or_else(|Stop { at, reason }| {
-            let (line, at) = place_of(&self.pieces, at);
-            self.warn(line, at, Oddity::NotUnderstood(reason));
-            Body::Other
-        })
-    }
-
-    fn cycle(&mut self, mut cursor: Cursor<'a>, kind: impl FnOnce(super::block::CycleBlock) -> Body) -> Body {
-        let mut line = self.pieces.first().map_or(0, |piece| piece.line);
-        let mut start = self.pieces.first().map_or(0, |piece| piece.start);
-        let read = cycle::head(&mut cursor).and_then(|mut cycle| {
-            for piece in self.pieces.iter().skip(1) {
-                (line, start) = (piece.line, piece.start);
-                cycle::line(&mut cycle, piece, |at| self.place(piece.line, piece.start + at))?;
-            }
-            Ok(cycle)
-        });
-        read.map(kind).unwrap_or_else(|Stop { at, reason }| {
-            self.warn(line, start + at, Oddity::NotUnderstood(reason));
-            Body::Other
-        })
-    }
-}
-
-/// Line and byte of a place in the joined pieces.
-fn place_of(pieces: &[Piece<'_>], mut at: usize) -> (usize, usize) {
-    for piece in pieces {
-        if at <= piece.code.len() {
-            return (piece.line, piece.start + at);
-        }
-        at -= piece.code.len() + 1;
-    }
-    pieces.last().map_or((0, 0), |piece| (piece.line, piece.start))
-}
-
-/// `* - text`: two more blanks before or behind the dash are one level more.
-fn heading_of(text: &str) -> Body {
-    let blanks = |text: &str| text.len() - text.trim_start_matches(' ').len();
-    let before = blanks(text);
-    let text = text.trim();
-    let (behind, text) = text.strip_prefix('-').map_or((0, text), |text| (blanks(text), text));
-    let depth = 1 + before.saturating_sub(1) / 2 + behind.saturating_sub(1) / 2;
-    Body::Heading { depth, text: text.trim().to_owned() }
 }

@@ -59,6 +59,9 @@ pub(super) const AXES: [(&str, Axis); 9] = [
 /// Corrections of the tool radius.
 pub(super) const COMPENSATIONS: [&str; 3] = ["R0", "RL", "RR"];
 
+/// The deepest level of headings; what is written deeper is of this one. A control's line is far shorter.
+pub(super) const DEEPEST: usize = 50;
+
 /// What a word stands for, in any case.
 pub(super) fn meaning<T: Copy>(list: &[(&str, T)], word: &str) -> Option<T> {
     list.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|&(_, meaning)| meaning)

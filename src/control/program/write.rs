@@ -4,14 +4,12 @@
 //! explicit signs, blanks in formulas, cycle lines indented by four, parameter and value padded to ten characters.
 //! What is written reads back as the same body. A program that was read is not written here: it keeps its text.
 
-use std::fmt::Write;
-
 use super::block::{
     AxisWord, Body, Columns, Condition, CycleBlock, CycleValue, Feed, MachineFunction, Movement, Operand, TextOperand,
     Tool,
 };
 use super::expression::TextExpression;
-use super::words::{AXES, RELATIONS, word};
+use super::words::{AXES, DEEPEST, RELATIONS, word};
 use super::write_formula::{formula, quoted, signed, text_formula, word_value};
 use crate::control::variables::{Family, Parameter};
 
@@ -32,7 +30,7 @@ pub fn program<'a>(blocks: impl IntoIterator<Item = (&'a Body, &'a str)>) -> Str
 
 /// The lines of a block; none for [`Body::Other`], whose text no body holds.
 ///
-/// Texts are cleaned of what would end them: line ends, quotation marks, a `~` at the end of a comment.
+/// Texts are cleaned of what would end them: line ends, quotation marks within others, a `~` at a line's end.
 ///
 /// ```
 /// use fitcheck::control::program::{Body, Target, write};
@@ -51,13 +49,13 @@ pub fn commented(number: u32, body: &Body, comment: &str) -> Vec<String> {
     let front = format!("{number:<2} ");
     let (first, cycle) = match body {
         Body::Other => return Vec::new(),
-        Body::Nothing => return vec![format!("{front};{comment}")],
+        Body::Nothing => (format!(";{comment}"), None),
         Body::Probe(cycle) => (format!("TCH PROBE {} {}", cycle.number, cleaned(&cycle.name)), Some(cycle)),
         Body::CycleDefinition(cycle) => (format!("CYCL DEF {} {}", cycle.number, cleaned(&cycle.name)), Some(cycle)),
         body => (said(body), None),
     };
     let mut line = format!("{front}{}", first.trim_end());
-    if !comment.is_empty() {
+    if !comment.is_empty() && *body != Body::Nothing {
         line.push_str(" ;");
         line.push_str(&comment);
     }
@@ -66,8 +64,12 @@ pub fn commented(number: u32, body: &Body, comment: &str) -> Vec<String> {
         lines.extend(cycle_lines(cycle));
     }
     let last = lines.len() - 1;
-    for line in lines.iter_mut().take(last) {
-        line.push_str(" ~");
+    for (index, line) in lines.iter_mut().enumerate() {
+        let end = line.trim_end_matches(|c: char| c == '~' || c.is_whitespace()).len();
+        line.truncate(end);
+        if index < last {
+            line.push_str(" ~");
+        }
     }
     lines
 }
@@ -93,7 +95,7 @@ fn said(body: &Body) -> String {
         Body::Begin { name, unit } => format!("BEGIN PGM {} {unit}", cleaned(name)),
         Body::End { name, unit } => format!("END PGM {} {unit}", cleaned(name)),
         Body::Heading { depth, text } => {
-            let blanks = depth.saturating_mul(2).saturating_sub(1).min(99);
+            let blanks = (*depth).clamp(1, DEEPEST) * 2 - 1;
             format!("*{:blanks$}- {}", "", cleaned(text))
         }
         Body::Label(label) => format!("LBL {label}"),
@@ -130,28 +132,19 @@ fn said(body: &Body) -> String {
 }
 
 fn line(movement: &Movement) -> String {
-    let mut text = "L".to_owned();
+    let mut words = vec!["L".to_owned()];
     for AxisWord { axis, is_incremental, value } in &movement.axes {
         let front = if *is_incremental { 'I' } else { ' ' };
-        // Writing to a string does not fail.
-        let _ = write!(text, " {front}{}{}", word(&AXES, *axis), signed(*value));
+        words.push(format!("{front}{}{}", word(&AXES, *axis), signed(*value)));
     }
-    if let Some(compensation) = &movement.compensation {
-        let _ = write!(text, " {compensation}");
-    }
-    match movement.feed {
-        None => {}
-        Some(Feed::Rapid) => text.push_str(" FMAX"),
-        Some(Feed::Auto) => text.push_str(" FAUTO"),
-        Some(Feed::Value(value)) => {
-            let _ = write!(text, " F{}", plain(value));
-        }
-    }
-    if !movement.machine.is_empty() {
-        text.push(' ');
-        text.push_str(&machine_functions(&movement.machine));
-    }
-    text
+    words.extend(movement.compensation.clone());
+    words.extend(movement.feed.map(|feed| match feed {
+        Feed::Rapid => "FMAX".to_owned(),
+        Feed::Auto => "FAUTO".to_owned(),
+        Feed::Value(value) => format!("F{}", plain(value)),
+    }));
+    words.push(machine_functions(&movement.machine));
+    words.join(" ")
 }
 
 fn machine_functions(functions: &[MachineFunction]) -> String {
@@ -217,8 +210,8 @@ fn path_operand(path: &TextOperand) -> String {
     }
 }
 
-/// A text in which nothing ends the line or the comment.
+/// A text of one line.
 fn cleaned(text: &str) -> String {
     let text: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    text.trim_end_matches(|c: char| c == '~' || c.is_whitespace()).trim_start().to_owned()
+    text.trim().to_owned()
 }

@@ -145,7 +145,7 @@ fn what_is_no_text_is_refused() {
 
 #[test]
 fn text_transfer_separates_lines_with_byte_0() {
-    let text = "0 BEGIN PGM a MM\01 M30\02 END PGM a MM\0";
+    let text = "0 BEGIN PGM a MM\x001 M30\x002 END PGM a MM\x00";
     check(text, &[]);
     assert_eq!(Program::read(text.as_bytes()).unwrap().0.blocks().len(), 3);
 }
