@@ -578,8 +578,9 @@ fn a_cycle_hands_its_results_over_and_its_way_is_kept() {
     assert_eq!(value(&machine, "Q160"), Some(Value::Length("5".parse().unwrap())));
     assert_eq!(machine.status(), Some(Status::Good));
     let path = machine.path();
-    assert_eq!(path[0].from, [0.0, 0.0, 50.0]);
-    assert!(path.windows(2).all(|pair| pair[0].to == pair[1].from), "{path:?}");
+    let is_at = |one: [f64; 3], other: [f64; 3]| one.iter().zip(&other).all(|(one, other)| (one - other).abs() <= 0.0);
+    assert!(is_at(path[0].from, [0.0, 0.0, 50.0]));
+    assert!(path.windows(2).all(|pair| is_at(pair[0].to, pair[1].from)), "{path:?}");
     assert_eq!(path.last().unwrap().kind, TravelKind::Feed);
     assert_eq!(machine.cycles()[0].cycle.number, 427);
 }
