@@ -43,8 +43,7 @@ pub(super) fn run(files: &[SetFile], planned: &[Planned<'_>], names: &Names<'_>)
     // No mask of a set prints the time.
     let settings = Settings::new(names.target.language, jiff::civil::DateTime::default());
     let path = names.path(&names.main);
-    let mut machine =
-        Machine::new(&path, Arc::new(program), OnControl(store), Contacts::Recorded(contacts), settings);
+    let mut machine = Machine::new(&path, Arc::new(program), OnControl(store), Contacts::Recorded(contacts), settings);
     loop {
         match machine.run(BLOCKS).map_err(|fault| failed(fault.to_string()))? {
             Step::Ended => break,
@@ -76,4 +75,59 @@ fn contacts(planned: &Planned<'_>) -> [Contact; 4] {
         let [cos, sin] = feature.angle.stepped(Angle::from_degrees(90), number).direction();
         Contact { x: x + radius * cos, y: y + radius * sin, z }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::sets::{Control, NcFeature, NcPlan, NcSet, Target};
+    use crate::tolerance::Sources;
+    use crate::words::Language;
+
+    /// Makes a set, changes a text in one of its files, and runs it again.
+    #[track_caller]
+    fn check(name: &str, from: &str, to: &str, expected: &str) {
+        let target = Target::new(Control::Tnc7, Language::En);
+        let places = [["0", "0", "0"], ["100", "0", "-5.5"]].map(|place| place.map(|mm| mm.parse().unwrap()));
+        let callouts = ["25 H7", "20 g6"].map(|callout| callout.parse().unwrap());
+        let features = callouts.into_iter().zip(places).map(|(callout, place)| NcFeature::new(callout, place));
+        let plan = NcPlan::new(features.collect()).unwrap();
+        let mut set = NcSet::make(&plan, &target, &Sources::default()).unwrap();
+        let file = set.files.iter_mut().find(|file| file.name == name).unwrap();
+        let text = String::from_utf8(file.bytes.clone()).unwrap();
+        assert!(text.contains(from), "{text}");
+        file.bytes = text.replace(from, to).into_bytes();
+        let limits = plan.limits(&Sources::default()).unwrap();
+        let planned: Vec<Planned<'_>> =
+            plan.features().iter().zip(&limits).map(|(feature, limits)| Planned { feature, limits }).collect();
+        let error = run(&set.files, &planned, &Names::new(&target)).map_err(|error| error.to_string());
+        assert_eq!(error, Err(format!("the set was run and is not given out: {expected}")));
+    }
+
+    #[test]
+    fn a_set_that_does_not_run_or_judges_otherwise_is_not_given_out() {
+        check("FIT_MAIN.H", "Q1 = 20", "Q1 = 20.001", "F2: another verdict than Fitcheck's");
+        check("FIT_MAIN.H", "\"g6\"", "\"g5\"", &missing_column());
+        check("FIT_MAIN.H", "14 STOP", "14 M30", "1 of 2 features were measured");
+        check("FIT_CHECK.H", "Q5 / 1000", "Q5 / 1000 + 0.000001", "F1: another verdict than Fitcheck's");
+        check(
+            "FIT_CHECK.H",
+            "LBL 99\r\n",
+            "LBL 98765\r\n",
+            &format!("{}LBL 99 does not occur in the program", fault(17)),
+        );
+    }
+
+    fn fault(block: u32) -> String {
+        format!(r"TNC:\nc_prog\fitcheck\FIT_CHECK.H, block {block}, FN 9: IF +0 EQU +0 GOTO LBL 99: ")
+    }
+
+    fn missing_column() -> String {
+        let columns =
+            "d9, e8, f7, g6, h5, h6, h7, h8, h9, h11, js5, js6, js13, js14, k5, k6, m5, m6, n6, p6, r6, s6, s7";
+        format!(
+            "TNC:\\nc_prog\\fitcheck\\FIT_CHECK.H, block 14, FN 28: TABREAD Q4 = +Q22/QS1 ;UPPER DEVIATION, UM: table \
+             FIT_SHAFT.TAB has no column g5; its columns are NR, BEREICH, {columns}"
+        )
+    }
 }
