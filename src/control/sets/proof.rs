@@ -110,12 +110,7 @@ mod tests {
         check("FIT_MAIN.H", "\"g6\"", "\"g5\"", &missing_column());
         check("FIT_MAIN.H", "14 STOP", "14 M30", "1 of 2 features were measured");
         check("FIT_CHECK.H", "Q5 / 1000", "Q5 / 1000 + 0.000001", "F1: another verdict than Fitcheck's");
-        check(
-            "FIT_CHECK.H",
-            "LBL 99\r\n",
-            "LBL 98765\r\n",
-            &format!("{}LBL 99 does not occur in the program", fault(17)),
-        );
+        check("FIT_CHECK.H", "22 LBL 99", "22 LBL 199", &format!("{}LBL 99 does not occur in the program", fault(17)));
     }
 
     fn fault(block: u32) -> String {
