@@ -38,6 +38,7 @@ program-axis-twice = an axis is given twice
 program-too-deep = brackets and functions are nested more than { $most } deep
 program-too-many-operands = the formula has more than { $most } operands
 program-too-long = the block has more than { $most } characters
+program-too-much = formulas and long blocks hold more than { $most } MiB in all
 program-wanted-word = { $word }
 program-wanted-number = a number
 program-wanted-value = a number or a Q parameter

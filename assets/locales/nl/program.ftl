@@ -38,6 +38,7 @@ program-axis-twice = een as is twee keer opgegeven
 program-too-deep = haakjes en functies zijn dieper dan { $most } keer genest
 program-too-many-operands = de formule heeft meer dan { $most } operanden
 program-too-long = de NC-regel heeft meer dan { $most } tekens
+program-too-much = formules en lange NC-regels zijn samen groter dan { $most } MiB
 program-wanted-word = { $word }
 program-wanted-number = een getal
 program-wanted-value = een getal of een Q-parameter

@@ -1,9 +1,11 @@
 //! Text to blocks, with warnings.
 
 use super::block::{Block, Body, Place, Unit};
+use super::cursor::Cursor;
 use super::error::{Oddity, ProgramError, ProgramWarning};
 use super::labels::Labels;
 use super::lines::{Front, Lines, Piece, first, front, next, trimmed};
+use super::reason::Reason;
 use super::understand::{Odd, understand};
 use super::{Encoding, Program};
 
@@ -11,6 +13,11 @@ use super::{Encoding, Program};
 const LARGEST: usize = 64 << 20;
 /// The most lines.
 const MOST_LINES: usize = 2_000_000;
+/// The most text in formulas and in lines longer than [`LONG`], 8 MiB: what they say takes up to fifty times their
+/// length in memory. Real programs stay far below.
+const MOST_FORMULAS: usize = 8 << 20;
+/// From here a line is long: a control's has some 250 characters.
+const LONG: usize = 256;
 /// How many warnings are listed one by one.
 const MOST_WARNINGS: usize = 500;
 
@@ -109,6 +116,7 @@ struct Reader<'a> {
     warnings: Warnings,
     blocks: Vec<Block>,
     pieces: Vec<Piece<'a>>,
+    formulas: usize,
     number: Option<u32>,
     not_rising: Option<NotRising>,
     begin: Option<Unit>,
@@ -124,6 +132,7 @@ impl<'a> Reader<'a> {
             warnings: Warnings::default(),
             blocks: Vec::new(),
             pieces: Vec::new(),
+            formulas: 0,
             number: None,
             not_rising: None,
             begin: None,
@@ -166,7 +175,7 @@ impl<'a> Reader<'a> {
         let front = front(self.line(line));
         let end = self.collect(line, front.end);
         self.check_number(line, front);
-        let read = understand(&self.pieces, |line, at| self.place(line, at));
+        let read = self.weigh().and_then(|()| understand(&self.pieces, |line, at| self.place(line, at)));
         let body = read.unwrap_or_else(|Odd { line, at, what }| {
             self.warn(line, at, what);
             Body::Other
@@ -203,6 +212,20 @@ impl<'a> Reader<'a> {
             end += 1;
         }
         end
+    }
+
+    /// Counts what formulas and long lines add up to, and refuses what is too much.
+    fn weigh(&mut self) -> Result<(), Odd> {
+        let Some(&first) = self.pieces.first() else { return Ok(()) };
+        let is_formula = ["Q", "FN", "DECLARE"].iter().any(|word| Cursor::new(first.code).take_prefix(word));
+        let lengths = self.pieces.iter().map(|piece| piece.code.len());
+        let weight: usize = lengths.filter(|length| is_formula || LONG < *length).sum();
+        self.formulas = self.formulas.saturating_add(weight);
+        if weight == 0 || self.formulas <= MOST_FORMULAS {
+            return Ok(());
+        }
+        let reason = Reason::TooMuch { most: MOST_FORMULAS >> 20 };
+        Err(Odd { line: first.line, at: first.start, what: Oddity::NotUnderstood(reason) })
     }
 
     fn check_number(&mut self, line: usize, front: Front) {

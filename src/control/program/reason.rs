@@ -90,6 +90,12 @@ pub enum Reason {
         /// What is allowed.
         most: usize,
     },
+    /// Formulas without end.
+    #[error("formulas and long blocks hold more than {most} MiB in all")]
+    TooMuch {
+        /// What is allowed.
+        most: usize,
+    },
 }
 
 impl Say for Reason {
@@ -116,6 +122,7 @@ impl Say for Reason {
             Self::TooDeep { most } => Message::new("program-too-deep").text("most", most),
             Self::TooManyOperands { most } => Message::new("program-too-many-operands").text("most", most),
             Self::TooLong { most } => Message::new("program-too-long").text("most", most),
+            Self::TooMuch { most } => Message::new("program-too-much").text("most", most),
         }
     }
 }
@@ -211,6 +218,7 @@ mod tests {
             Reason::TooDeep { most: 64 },
             Reason::TooManyOperands { most: 500 },
             Reason::TooLong { most: 65536 },
+            Reason::TooMuch { most: 8 },
         ] {
             check(&reason, false);
         }

@@ -123,6 +123,19 @@ fn formulas_and_blocks_are_bounded() {
 }
 
 #[test]
+fn formulas_are_bounded_in_all() {
+    let line = format!("FN 18: {}\n", "x".repeat(60_000));
+    let within = (8 << 20) / (line.len() - 1);
+    let text = format!("0 BEGIN PGM t MM\n{}LBL 1\n9 END PGM t MM", line.repeat(within + 1));
+    // What is kept as text anyway counts as well.
+    let told = "not understood: formulas and long blocks hold more than 8 MiB in all";
+    check(&text, &[&format!("line {}, column 1: {told}", within + 2)]);
+    let program = Program::read(text.as_bytes()).unwrap().0;
+    assert_eq!(program.blocks()[within + 1].body, Body::Other);
+    assert_eq!(program.label(&Target::Number(1)), Ok(within + 2));
+}
+
+#[test]
 fn many_warnings_are_counted() {
     let text = format!("0 BEGIN PGM t MM\n{}9 END PGM t MM", "LBL\n".repeat(1000));
     let told = warnings(&text);
