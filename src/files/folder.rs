@@ -74,7 +74,9 @@ fn into_old(folder: &Path, paths: &[PathBuf], files: &[(&str, &[u8])], overwrite
         if let Err(error) = persist(file, path, overwrite) {
             if !overwrite {
                 // What cannot be removed either is whole; the first error says what went wrong.
-                done.into_iter().for_each(|path| drop(std::fs::remove_file(path)));
+                for path in done {
+                    drop(std::fs::remove_file(path));
+                }
             }
             return Err(error);
         }

@@ -23,6 +23,8 @@ mod log_writing;
 mod logs;
 mod machine;
 mod masks;
+mod nc_cli;
+mod nc_sets;
 mod point_cycles;
 mod programs;
 mod report;

@@ -387,7 +387,9 @@ fn the_programs_differ_in_words_only() {
         let mut blocks: Vec<String> = blocks.collect();
         for status in [Status::Good, Status::Rework, Status::Scrap] {
             let word = format!("{:?}", status_word(status, language));
-            blocks.iter_mut().for_each(|block| *block = block.replace(&word, status.word()));
+            for block in &mut blocks {
+                *block = block.replace(&word, status.word());
+            }
         }
         blocks
     };

@@ -20,6 +20,7 @@ nc-same-name = name { $name } occurs twice; a control does not tell a from A in 
 nc-folder = { $folder } is no folder for programs: write TNC:\, then names of letters, digits, _ and -, apart by \
 nc-other-limits = { $table } would not give the limits of { $callout }
 nc-reads-otherwise = { $file } cannot be written so that it reads back the same
+nc-proof = the set was run and is not given out: { $reason }
 nc-archive = the zip file cannot be made: { $reason }
 nc-own-column = { $class } is none of the 47 classes of NC-Solution 8255: { $table } has a column more
 nc-fewer-columns = an iTNC 530 takes no more columns: { $table } has the plan's classes only, { $classes }

@@ -20,6 +20,7 @@ nc-same-name = naam { $name } komt twee keer voor; in bestandsnamen is a voor ee
 nc-folder = { $folder } is geen map voor programma's: schrijf TNC:\, dan namen met letters, cijfers, _ en -, gescheiden door \
 nc-other-limits = { $table } zou niet de grensmaten van { $callout } geven
 nc-reads-otherwise = { $file } is niet zo te schrijven dat het weer hetzelfde gelezen wordt
+nc-proof = de set is uitgeprobeerd en wordt niet afgegeven: { $reason }
 nc-archive = het zipbestand is niet te maken: { $reason }
 nc-own-column = { $class } hoort niet bij de 47 klassen van NC-Solution 8255: { $table } heeft een kolom meer
 nc-fewer-columns = een iTNC 530 kan niet meer kolommen aan: { $table } heeft alleen de klassen van het plan, { $classes }

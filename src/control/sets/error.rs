@@ -246,6 +246,12 @@ pub enum SetError {
         /// The file.
         file: String,
     },
+    /// The set does not run as it should.
+    #[error("the set was run and is not given out: {reason}")]
+    Proof {
+        /// What happened.
+        reason: String,
+    },
     /// The zip file cannot be made.
     #[error("the zip file cannot be made: {reason}")]
     Archive {
@@ -269,6 +275,7 @@ impl Say for SetError {
                 Message::new("nc-other-limits").text("table", table).text("callout", callout)
             }
             Self::ReadsOtherwise { file } => Message::new("nc-reads-otherwise").text("file", file),
+            Self::Proof { reason } => Message::new("nc-proof").text("reason", reason),
             Self::Archive { reason } => Message::new("nc-archive").text("reason", reason),
         }
     }
@@ -388,6 +395,7 @@ mod tests {
         check(&SetError::Table { table, error: WriteError::ReadsOtherwise });
         check(&SetError::OtherLimits { table, callout: callout("25 H7") });
         check(&SetError::ReadsOtherwise { file: "FIT_MAIN.H".to_owned() });
+        check(&SetError::Proof { reason: "LBL 7 does not occur".to_owned() });
         check(&SetError::Archive { reason: "full".to_owned() });
         check(&SetRemark::OwnColumn { class: "U7".parse().unwrap(), table });
         check(&SetRemark::FewerColumns { table, classes: "U7 H7".to_owned() });

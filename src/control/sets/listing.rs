@@ -20,14 +20,17 @@ impl Listing {
         self.blocks.push(block.into());
     }
 
+    /// More blocks.
+    pub(super) fn extend(&mut self, blocks: impl IntoIterator<Item = String>) {
+        self.blocks.extend(blocks);
+    }
+
     /// The program as a file, `END PGM` last. All of it is ASCII, since names and texts are.
     pub(super) fn bytes(mut self) -> Vec<u8> {
         self.blocks.push(format!("END PGM {} MM ", self.name));
-        let mut text = String::new();
-        for (number, block) in self.blocks.iter().enumerate() {
-            text.push_str(&format!("{number:<2} {}\r\n", block.replace('\n', "\r\n")));
-        }
-        text.into_bytes()
+        let blocks = self.blocks.iter().enumerate();
+        let lines = blocks.map(|(number, block)| format!("{number:<2} {}\r\n", block.replace('\n', "\r\n")));
+        lines.collect::<Vec<_>>().concat().into_bytes()
     }
 }
 

@@ -7,6 +7,7 @@
 //! | `listing`, `programs` | blocks with their numbers; the main program and the check program of a set |
 //! | `tables` | the two tables: the 47 classes, and what the plan needs beside them |
 //! | `readme` | the page that says what goes where |
+//! | `proof` | the set is run before it is given out |
 //! | `archive` | all of it as one zip file |
 //! | `error` | why a plan or a set cannot be |
 //!
@@ -20,6 +21,7 @@ mod names;
 mod plan;
 mod plan_csv;
 mod programs;
+mod proof;
 mod readme;
 mod tables;
 
@@ -93,7 +95,8 @@ impl NcSet {
     /// ```
     ///
     /// # Errors
-    /// [`SetError`] where a feature has no limits, or a table cannot be as the plan needs it. Nothing is left out.
+    /// [`SetError`] where a feature has no limits, or a table cannot be as the plan needs it. Nothing is left out, and
+    /// no set is given out that the machine does not run to the plan's limits.
     pub fn make(plan: &NcPlan, target: &Target, sources: &Sources) -> Result<Self, SetError> {
         let names = Names::new(target);
         let limits = plan.limits(sources)?;
@@ -114,6 +117,7 @@ impl NcSet {
         ];
         check_programs(&files)?;
         files.extend(tables);
+        proof::run(&files, &planned, &names)?;
         files.push(SetFile { name: names.readme.to_owned(), bytes: readme::page(&names, &planned, &remarks) });
         Ok(Self { files, remarks })
     }

@@ -68,22 +68,12 @@ impl NcFeature {
             let name = self.name.chars().take(2 * LONGEST_NAME).collect();
             return Err(PlanFault::Name { name, most: LONGEST_NAME });
         }
-        let angle = self.angle.to_string();
-        let values = [
-            ("Q273", self.x.to_string()),
-            ("Q274", self.y.to_string()),
-            ("Q261", self.z.to_string()),
-            ("Q325", angle.trim_end_matches('°').to_owned()),
-            ("Q320", self.clearance.to_string()),
-            ("Q260", self.clearance_height.to_string()),
-        ];
-        // Both cycles have these parameters, with the same ranges.
-        let cycle = cycle(421);
-        for (key, value) in values {
-            if let Some(parameter) = cycle.and_then(|cycle| cycle.parameter_named(key)) {
-                parameter.accept(&value).map_err(|error| PlanFault::Range(Box::new(error)))?;
-            }
-        }
+        in_range("Q273", &self.x)?;
+        in_range("Q274", &self.y)?;
+        in_range("Q261", &self.z)?;
+        in_range("Q325", &self.angle)?;
+        in_range("Q320", &self.clearance)?;
+        in_range("Q260", &self.clearance_height)?;
         if self.clearance_height <= self.z {
             return Err(PlanFault::ClearanceHeight { height: self.clearance_height, z: self.z });
         }
@@ -141,13 +131,23 @@ impl NcPlan {
     pub(super) fn limits(&self, sources: &Sources) -> Result<Vec<Limits>, PlanError> {
         let limits = self.features.iter().enumerate().map(|(number, feature)| {
             let callout = feature.callout;
-            let refused = |error| PlanError {
-                at: place(&self.lines, number),
-                what: PlanFault::Limits { callout, error: Box::new(error) },
-            };
-            sources.limits(&callout, None).map_err(refused)
+            let limits =
+                sources.limits(&callout, None).map_err(|error| PlanFault::Limits { callout, error: Box::new(error) });
+            // Far below a millimetre a class can reach below 0, which no cycle takes.
+            let checked = limits.and_then(|limits| in_range("Q276", &limits.minimum()).map(|()| limits));
+            checked.map_err(|what| PlanError { at: place(&self.lines, number), what })
         });
         limits.collect()
+    }
+}
+
+/// Holds a value against the range of a parameter; both cycles have these parameters, with the same ranges.
+fn in_range(key: &str, value: &impl ToString) -> Result<(), PlanFault> {
+    let Some(parameter) = cycle(421).and_then(|cycle| cycle.parameter_named(key)) else { return Ok(()) };
+    let value = value.to_string();
+    match parameter.accept(value.trim_end_matches('°')) {
+        Ok(_value) => Ok(()),
+        Err(error) => Err(PlanFault::Range(Box::new(error))),
     }
 }
 

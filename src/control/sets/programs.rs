@@ -74,12 +74,14 @@ pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
     let behind = blocks.iter().position(|block| matches!(block.body, Body::Stop(_))).map_or(first, |at| at + 1);
     let (head, rest) = blocks.split_at(first);
     let (each, tail) = rest.split_at(behind - first);
-    head.iter().for_each(|block| listing.push(block.text.clone()));
+    listing.extend(head.iter().map(|block| block.text.clone()));
     for planned in planned {
         listing.push(format!("* -   {}: {}", planned.feature.name, planned.feature.callout));
-        each.iter().for_each(|block| main_block(&mut listing, block, names, *planned));
+        for block in each {
+            main_block(&mut listing, block, names, *planned);
+        }
     }
-    tail.iter().for_each(|block| listing.push(block.text.clone()));
+    listing.extend(tail.iter().map(|block| block.text.clone()));
     listing.bytes()
 }
 
@@ -130,7 +132,7 @@ pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
             Body::Assign { to, .. } if *to == MINIMUM => {
                 listing.push(block.text);
                 if moves_nominal {
-                    BETWEEN_LIMITS.iter().for_each(|block| listing.push(*block));
+                    listing.extend(BETWEEN_LIMITS.map(str::to_owned));
                 }
             }
             _ => listing.push(block.text),

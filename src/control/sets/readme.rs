@@ -27,7 +27,9 @@ pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRem
                 if moved.is_empty() {
                     add(&mut page, "  -");
                 }
-                moved.iter().for_each(|line| add(&mut page, line));
+                for line in moved {
+                    add(&mut page, &line);
+                }
             }
             _ => add(&mut page, &filled(line, names)),
         }
