@@ -2,8 +2,12 @@
 //!
 //! Used at the edges (command line, window). Errors name what happened and, last, the path.
 
+mod folder;
+
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
+
+pub use folder::{write_folder, write_new};
 
 use crate::words::{Message, Say};
 
@@ -22,6 +26,12 @@ pub enum FileError {
     /// There is nothing at the path.
     #[error("no such file or folder: {}", path.display())]
     Missing {
+        /// The path.
+        path: PathBuf,
+    },
+    /// There is something at the path already.
+    #[error("there is such a file or folder already: {}", path.display())]
+    Exists {
         /// The path.
         path: PathBuf,
     },
@@ -46,6 +56,7 @@ impl Say for FileError {
         match self {
             Self::IsFolder { path } => Message::new("file-is-folder").text("path", path.display()),
             Self::Missing { path } => Message::new("file-missing").text("path", path.display()),
+            Self::Exists { path } => Message::new("file-exists").text("path", path.display()),
             Self::TooLarge { path } => {
                 Message::new("file-too-large").text("limit", LARGEST >> 20).text("path", path.display())
             }
@@ -138,6 +149,7 @@ mod tests {
         for error in [
             FileError::IsFolder { path: path() },
             FileError::Missing { path: path() },
+            FileError::Exists { path: path() },
             FileError::TooLarge { path: path() },
             FileError::System { reason: "permission denied".to_owned(), path: path() },
         ] {

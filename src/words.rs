@@ -88,8 +88,14 @@ macro_rules! files {
     };
 }
 
-const EN: [(&str, &str); 7] = files!("en": "tolerance" "probing" "control" "exchange" "report" "window" "cycles-page");
-const NL: [(&str, &str); 7] = files!("nl": "tolerance" "probing" "control" "exchange" "report" "window" "cycles-page");
+const EN: [(&str, &str); 11] = files!(
+    "en": "tolerance" "probing" "control" "program" "machine" "nc" "exchange" "report" "window" "cycles-page"
+    "program-page"
+);
+const NL: [(&str, &str); 11] = files!(
+    "nl": "tolerance" "probing" "control" "program" "machine" "nc" "exchange" "report" "window" "cycles-page"
+    "program-page"
+);
 
 /// A sentence without its language: the name of a text and what is put into it.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -9,7 +9,9 @@ mod cycle;
 mod fit;
 mod import;
 mod limits;
+mod nc;
 mod report;
+mod run;
 mod table;
 
 use std::io::{BufRead, Read as _, Write};
@@ -44,7 +46,9 @@ enum Command {
     Import(import::Args),
     Circle(circle::Args),
     Cycle(Box<cycle::Args>),
+    Nc(Box<nc::Args>),
     Report(report::Args),
+    Run(Box<run::Args>),
     Table(table::Args),
 }
 
@@ -212,7 +216,9 @@ impl Cli {
             Some(Command::Import(args)) => args.run(io),
             Some(Command::Circle(args)) => args.run(io),
             Some(Command::Cycle(args)) => args.run(io),
+            Some(Command::Nc(args)) => args.run(io),
             Some(Command::Report(args)) => args.run(io),
+            Some(Command::Run(args)) => args.run(io),
             Some(Command::Table(args)) => args.run(io),
             None => Ok(Outcome::Done),
         };

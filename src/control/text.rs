@@ -10,8 +10,13 @@ pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match std::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),
-        Err(_not_utf8) => encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0,
+        Err(_not_utf8) => Cow::Owned(windows_1252(bytes)),
     }
+}
+
+/// Text of bytes in Windows-1252: a character a byte.
+pub fn windows_1252(bytes: &[u8]) -> String {
+    encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned()
 }
 
 /// The lines of a text, numbered from 1, without their ends: LF, CRLF, CR or byte 0.

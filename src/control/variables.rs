@@ -51,6 +51,32 @@ impl fmt::Display for Parameter {
     }
 }
 
+/// A text that names no parameter.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0} is no parameter, allowed are Q, QL, QR and QS with a number")]
+pub struct NoParameter(pub String);
+
+impl std::str::FromStr for Parameter {
+    type Err = NoParameter;
+
+    /// `Q1`, `ql5`, `QS400`.
+    fn from_str(text: &str) -> Result<Self, NoParameter> {
+        let given = text.trim();
+        let name = given.to_ascii_uppercase();
+        let digits = name.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+        let family = match name.strip_suffix(digits) {
+            Some("Q") => Family::Q,
+            Some("QL") => Family::Ql,
+            Some("QR") => Family::Qr,
+            Some("QS") => Family::Qs,
+            _ => return Err(NoParameter(given.to_owned())),
+        };
+        let is_number = digits.bytes().all(|byte| byte.is_ascii_digit());
+        let number = digits.parse().ok().filter(|_| is_number);
+        number.map(|number| Self { family, number }).ok_or_else(|| NoParameter(given.to_owned()))
+    }
+}
+
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
@@ -80,6 +106,17 @@ impl Variables {
     /// The value, or `None` where it is undefined.
     pub fn get(&self, parameter: Parameter) -> Option<&Value> {
         self.0.get(&parameter)
+    }
+
+    /// Makes a parameter undefined.
+    pub fn unset(&mut self, parameter: Parameter) {
+        self.0.remove(&parameter);
+    }
+
+    /// Makes all parameters of a family undefined and says what they were.
+    pub fn take(&mut self, family: Family) -> Vec<(Parameter, Value)> {
+        let of = |number| Parameter { family, number };
+        self.0.extract_if(of(0)..=of(u16::MAX), |_, _| true).collect()
     }
 
     /// All defined parameters in order.

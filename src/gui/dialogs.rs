@@ -19,6 +19,7 @@ fn shortcuts(ui: &Ui, view: &mut View<'_>) {
         view.send(Command::OpenDialog(match view.session.page() {
             Page::Tables => Purpose::OpenTable,
             Page::Cycles => Purpose::OpenCycleFile(cycle_file(file.path())),
+            Page::Program => program_file(file.path()),
             Page::Check | Page::Fit => Purpose::Import,
         }));
         view.send(Command::Picked(Some(file.path().to_owned())));
@@ -32,6 +33,17 @@ fn shortcuts(ui: &Ui, view: &mut View<'_>) {
     }
     if pressed(Key::S) && !view.session.history().is_empty() {
         view.send(Command::OpenDialog(Purpose::Export(0)));
+    }
+}
+
+/// What a file that is dropped on the program page is, by its ending.
+fn program_file(path: &Path) -> Purpose {
+    match cycle_file(path) {
+        CycleFile::Bench => Purpose::OpenCycleFile(CycleFile::Bench),
+        _ if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) => {
+            Purpose::OpenCycleFile(CycleFile::Contacts)
+        }
+        _ => Purpose::OpenProgram,
     }
 }
 
@@ -99,15 +111,19 @@ const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::OpenCycleFile(CycleFile::Probes) => "cycles-dialog-probes",
         Purpose::SaveBench => "cycles-dialog-save-bench",
         Purpose::OpenTable => "tables-dialog-open",
+        Purpose::OpenProgram => "program-page-dialog-open",
         Purpose::SaveTable(_) => "tables-dialog-save",
     }
 }
 
 const fn confirm_id(purpose: Purpose) -> &'static str {
     match purpose {
-        Purpose::Import | Purpose::LoadMask | Purpose::LoadTables | Purpose::OpenTable | Purpose::OpenCycleFile(_) => {
-            "dialog-open"
-        }
+        Purpose::Import
+        | Purpose::LoadMask
+        | Purpose::LoadTables
+        | Purpose::OpenTable
+        | Purpose::OpenProgram
+        | Purpose::OpenCycleFile(_) => "dialog-open",
         Purpose::Export(_) | Purpose::ExportStatus | Purpose::SaveTable(_) | Purpose::SaveBench => "dialog-save",
     }
 }

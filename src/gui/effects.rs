@@ -12,13 +12,15 @@ use jiff::civil::DateTime;
 use crate::control::deviations;
 use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
+use crate::control::program::ProgramWarning;
 use crate::control::text::decode;
 use crate::exchange::{self, contacts, tables::TABLE_FORMATS};
 use crate::files;
 use crate::probing::Contact;
 use crate::probing::simulated::Bench;
 use crate::report::RENDERINGS;
-use crate::session::{Command, CycleFile, CyclesCommand, Effect, Purpose, TablesCommand};
+use crate::session::program::Document;
+use crate::session::{Command, CycleFile, CyclesCommand, Effect, ProgramCommand, Purpose, TablesCommand};
 use crate::tolerance::{DeviationTable, Sources};
 use crate::words::{Message, Say as _};
 
@@ -90,6 +92,10 @@ fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) ->
             Command::Tables(TablesCommand::Read { name: name(&path), result })
         }
         Effect::ReadCycleFile(file, path) => Command::Cycles(read_cycle_file(file, &path)),
+        Effect::ReadProgram(path) => {
+            let result = read_program(&path);
+            Command::Program(ProgramCommand::Read { path, result })
+        }
         Effect::Save(path, bytes) => {
             let result = files::write(&path, &bytes);
             Command::Saved { path, result }
@@ -131,6 +137,12 @@ fn read_table(path: &Path) -> Result<(Box<DeviationTable>, Vec<Message>), Messag
     }
 }
 
+fn read_program(path: &Path) -> Result<(Box<Document>, Vec<ProgramWarning>), Message> {
+    let bytes = files::read(path).map_err(|error| error.message())?;
+    let (document, warnings) = Document::read(&name(path), &bytes).map_err(|error| error.message())?;
+    Ok((Box::new(document), warnings))
+}
+
 fn read_cycle_file(file: CycleFile, path: &Path) -> CyclesCommand {
     match file {
         CycleFile::Contacts => CyclesCommand::ContactsRead { name: name(path), result: read_contacts(path) },
@@ -170,6 +182,7 @@ fn pick(purpose: Purpose) -> Option<PathBuf> {
         Purpose::LoadMask => dialog.add_filter("Mask", &both(&["a"])).add_filter("*", &["*"]).pick_file(),
         Purpose::LoadTables => dialog.pick_folder(),
         Purpose::OpenTable => dialog.add_filter("TAB", &both(&["tab"])).add_filter("*", &["*"]).pick_file(),
+        Purpose::OpenProgram => dialog.add_filter("NC", &both(&["h"])).add_filter("*", &["*"]).pick_file(),
         Purpose::OpenCycleFile(CycleFile::Contacts) => {
             dialog.add_filter("Contacts", &both(&["csv", "txt"])).add_filter("*", &["*"]).pick_file()
         }

@@ -11,7 +11,7 @@ use eframe::egui::{Align, FontId, Id, Key, Response, Stroke, TextBuffer, TextEdi
 use super::keypad;
 use super::theme;
 use super::view::{View, problem};
-use crate::session::{Command, CycleField, CyclesCommand, Field, Session};
+use crate::session::{Command, CycleField, CyclesCommand, Field, ProgramCommand, ProgramField, Session};
 use crate::words::Message;
 
 /// How a field looks.
@@ -45,6 +45,8 @@ pub(super) enum Target {
     Field(Field),
     /// One that a measuring cycle or its workpiece asks for.
     Cycle(CycleField),
+    /// One of the program page.
+    Program(ProgramField),
 }
 
 impl From<Field> for Target {
@@ -59,12 +61,19 @@ impl From<CycleField> for Target {
     }
 }
 
+impl From<ProgramField> for Target {
+    fn from(field: ProgramField) -> Self {
+        Self::Program(field)
+    }
+}
+
 impl Target {
     /// Its text.
     pub fn text(self, session: &Session) -> &str {
         match self {
             Self::Field(field) => session.inputs().text(field),
             Self::Cycle(field) => session.cycles().text(field),
+            Self::Program(field) => session.program().text(field),
         }
     }
 
@@ -73,6 +82,16 @@ impl Target {
         match self {
             Self::Field(field) => Command::Type(field, text),
             Self::Cycle(field) => Command::Cycles(CyclesCommand::Type(field, text)),
+            Self::Program(field) => Command::Program(ProgramCommand::Type(field, text)),
+        }
+    }
+
+    /// What Enter does.
+    pub const fn entered(self) -> Option<Command> {
+        match self {
+            Self::Program(ProgramField::Filter) => None,
+            Self::Program(ProgramField::Name | ProgramField::Value) => Some(Command::Program(ProgramCommand::SetValue)),
+            _ => Some(Command::Measure),
         }
     }
 
@@ -80,13 +99,14 @@ impl Target {
         match self {
             Self::Field(field) => session.error(field),
             Self::Cycle(field) => session.cycles().error(field),
+            Self::Program(field) => session.program().error(field),
         }
     }
 
     fn culprit(self, session: &Session) -> Option<&Range<usize>> {
         match self {
             Self::Field(field) => session.culprit(field),
-            Self::Cycle(_) => None,
+            Self::Cycle(_) | Self::Program(_) => None,
         }
     }
 }
@@ -130,7 +150,9 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Target
     }
     let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if entered {
-        view.send(Command::Measure);
+        if let Some(command) = field.entered() {
+            view.send(command);
+        }
         response.request_focus();
     }
     if entered || (response.gained_focus() && !response.is_pointer_button_down_on()) {

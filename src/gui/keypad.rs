@@ -83,7 +83,12 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Target, key: Key) {
         Key::Measure if view.session.page() == Page::Tables => {
             return view.send(Command::Tables(TablesCommand::SetCell));
         }
-        Key::Measure => return view.send(Command::Measure),
+        Key::Measure => {
+            if let Some(command) = field.entered() {
+                view.send(command);
+            }
+            return;
+        }
     }
     view.send(field.typed(text));
 }

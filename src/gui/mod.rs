@@ -6,7 +6,7 @@
 //! | `effects` | files, dialogs and the clipboard, off the frame's thread |
 //! | `store` | the state file |
 //! | `theme` | colours, sizes, fonts |
-//! | `check`, `fit`, `cycles`, `tables` | the pages |
+//! | `check`, `fit`, `cycles`, `tables`, `program` | the pages |
 //! | `top_bar`, `dialogs` | what belongs to every page |
 //! | `class_chooser`, `field`, `keypad`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
@@ -22,6 +22,7 @@ mod field;
 mod fit;
 mod keypad;
 mod popup;
+mod program;
 mod shapes;
 mod store;
 mod tables;

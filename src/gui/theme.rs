@@ -87,6 +87,8 @@ palette! {
     hole
     /// The shaft's.
     shaft
+    /// Words of the language in a program.
+    keyword
     /// The status window.
     popup
     /// Its title bar.
@@ -319,6 +321,11 @@ mod tests {
                 ("quiet on panel", palette.quiet, palette.panel, 7.0),
                 ("quiet on background", palette.quiet, palette.background, 7.0),
                 ("error on panel", palette.error, palette.panel, 7.0),
+                ("keyword on panel", palette.keyword, palette.panel, 4.5),
+                ("keyword on field", palette.keyword, palette.field, 4.5),
+                ("keyword on selection", palette.keyword, palette.selection, 4.5),
+                ("accent on selection", palette.accent, palette.selection, 4.5),
+                ("quiet on selection", palette.quiet, palette.selection, 4.5),
                 ("accent on panel", palette.accent, palette.panel, 4.5),
                 ("on accent", palette.on_accent, palette.accent, 4.5),
                 ("on good", palette.on_good, palette.good, 7.0),

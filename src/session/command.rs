@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use super::cycles::CyclesCommand;
 use super::fit::FitCommand;
 use super::inputs::{Field, MeasureBy};
+use super::program::ProgramCommand;
 use super::tables::TablesCommand;
 use crate::control::mask::Mask;
 use crate::exchange::Imported;
@@ -105,6 +106,8 @@ pub enum Command {
     Tables(TablesCommand),
     /// Does something on the cycles page.
     Cycles(CyclesCommand),
+    /// Does something on the program page.
+    Program(ProgramCommand),
 }
 
 /// What a file dialog is for.
@@ -128,6 +131,8 @@ pub enum Purpose {
     OpenCycleFile(CycleFile),
     /// Writing the simulated workpiece.
     SaveBench,
+    /// Reading an NC program.
+    OpenProgram,
 }
 
 /// A file that the cycles page reads.
@@ -154,11 +159,13 @@ pub enum Page {
     Cycles,
     /// Tables of deviations.
     Tables,
+    /// NC programs.
+    Program,
 }
 
 impl Page {
     /// Every page in the order of the top bar.
-    pub const ALL: [Self; 4] = [Self::Check, Self::Fit, Self::Cycles, Self::Tables];
+    pub const ALL: [Self; 5] = [Self::Check, Self::Fit, Self::Cycles, Self::Tables, Self::Program];
 }
 
 /// What limits are looked up in after the user's own tables.
@@ -200,6 +207,8 @@ pub enum Effect {
     ReadTable(PathBuf),
     /// Read a file for the cycles page and send [`Command::Cycles`].
     ReadCycleFile(CycleFile, PathBuf),
+    /// Read an NC program and send [`ProgramCommand::Read`].
+    ReadProgram(PathBuf),
     /// Write a file and send [`Command::Saved`].
     Save(PathBuf, Vec<u8>),
     /// Close the window.

@@ -28,7 +28,8 @@ impl Session {
             | Purpose::LoadMask
             | Purpose::LoadTables
             | Purpose::OpenTable
-            | Purpose::OpenCycleFile(_) => String::new(),
+            | Purpose::OpenCycleFile(_)
+            | Purpose::OpenProgram => String::new(),
         };
         self.dialog = Some(Dialog { purpose, path, problem: None, busy: false });
     }
@@ -72,6 +73,7 @@ impl Session {
                 }
             },
             Purpose::OpenCycleFile(file) => Effect::ReadCycleFile(file, path),
+            Purpose::OpenProgram => Effect::ReadProgram(path),
             Purpose::SaveBench => match self.bench_bytes() {
                 Ok(bytes) => Effect::Save(path, bytes),
                 Err(problem) => {

@@ -12,6 +12,7 @@
 //! | `fit` | the fit page: hole against shaft |
 //! | `files` | dialogs, and what comes back from files |
 //! | `measuring` | from the fields to a measurement |
+//! | `program` | the program page: an NC program is run and stepped |
 //! | `saved` | what survives a restart |
 //! | `tables` | the table page |
 
@@ -22,6 +23,7 @@ mod files;
 mod fit;
 mod inputs;
 mod measuring;
+pub mod program;
 mod saved;
 pub mod tables;
 
@@ -42,6 +44,7 @@ pub use fit::{
     expansion_field, extremes, measured_field,
 };
 pub use inputs::{Field, Inputs, MeasureBy};
+pub use program::{ProgramCommand, ProgramField, ProgramPage};
 pub use saved::{Saved, SavedCycles, SavedError};
 pub use tables::{TablesCommand, TablesPage};
 
@@ -136,6 +139,7 @@ pub struct Session {
     leaving: bool,
     tables: TablesPage,
     cycles: CyclesPage,
+    program: ProgramPage,
 }
 
 /// The source that a choice stands for.
@@ -179,6 +183,7 @@ impl Session {
             materials: Materials::shipped().clone(),
             tables: TablesPage::default(),
             cycles: CyclesPage::default(),
+            program: ProgramPage::default(),
         }
     }
 
@@ -309,6 +314,9 @@ impl Session {
             Command::ShowKeypad(shown) => self.keypad = shown,
             Command::Measure if self.page == Page::Check => self.measure(now),
             Command::Measure if self.page == Page::Cycles => return self.apply_cycles(CyclesCommand::Run, now),
+            Command::Measure if self.page == Page::Program => {
+                return self.apply_program(ProgramCommand::Run, now);
+            }
             Command::Measure => {}
             Command::ClearResult => self.clear_result(),
             Command::Show(number) => self.show(number),
@@ -348,7 +356,8 @@ impl Session {
             Command::Saved { path, result } => self.saved_file(&path, result),
             Command::Fit(command) => self.apply_fit(&command),
             Command::Tables(command) => self.apply_tables(command),
-            Command::Cycles(command) => return self.apply_cycles(command, now),
+            Command::Cycles(command) => return self.apply_cycles_for_page(command, now),
+            Command::Program(command) => return self.apply_program(command, now),
             Command::CopyStatus => return self.status_text().map(Effect::Copy).into_iter().collect(),
         }
         Vec::new()
@@ -381,6 +390,8 @@ impl Session {
         self.page = page;
         if page == Page::Tables {
             self.open_tables_page();
+        } else if page == Page::Program {
+            self.open_program_page();
         }
     }
 

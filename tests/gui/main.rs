@@ -9,4 +9,5 @@ mod fit_page;
 mod harness;
 mod keyboard;
 mod pictures;
+mod program_page;
 mod table_page;

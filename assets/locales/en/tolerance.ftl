@@ -53,6 +53,7 @@ doubt-half = measured value is half the nominal size: is it a radius?
 ## Files
 file-is-folder = this is a folder, not a file: { $path }
 file-missing = no such file or folder: { $path }
+file-exists = there is such a file or folder already: { $path }
 file-too-large = the file is larger than { $limit } MiB: { $path }
 file-system = { $reason }: { $path }
 

@@ -53,6 +53,7 @@ doubt-half = de gemeten waarde is de helft van de nominale maat: is het een stra
 ## Bestanden
 file-is-folder = dit is een map, geen bestand: { $path }
 file-missing = bestand of map bestaat niet: { $path }
+file-exists = bestand of map bestaat al: { $path }
 file-too-large = het bestand is groter dan { $limit } MiB: { $path }
 file-system = { $reason }: { $path }
 

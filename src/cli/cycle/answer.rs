@@ -74,7 +74,7 @@ fn mm(length: Length) -> f64 {
     length.to_mm_f64()
 }
 
-fn value(value: &Value) -> Json {
+pub(in crate::cli) fn value(value: &Value) -> Json {
     match value {
         Value::Length(length) => json!(mm(*length)),
         Value::Angle(angle) => json!(angle.to_degrees_f64()),
@@ -131,7 +131,7 @@ fn circle(run: &Run<'_>) -> Option<Json> {
     }))
 }
 
-fn check(check: &Check) -> Json {
+pub(in crate::cli) fn check(check: &Check) -> Json {
     json!({
         "what": check.what.to_string(),
         "measured_mm": mm(check.measured),

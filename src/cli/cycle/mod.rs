@@ -8,7 +8,7 @@
 //! | `text` | the same for people |
 //! | `log` | its measuring log |
 
-mod answer;
+pub(super) mod answer;
 mod json;
 mod list;
 mod log;
@@ -254,30 +254,16 @@ impl Args {
     }
 
     fn touch_probe(&self, io: &mut Io<'_>) -> Result<TouchProbe, CliError> {
-        let own = match &self.probe_table {
-            Some(path) => {
-                let (name, bytes) = read_input(path, io)?;
-                Some(ProbeTable::read(&bytes, &name).map_err(|error| CliError::Data(error.to_string()))?)
-            }
-            None => None,
-        };
-        for warning in own.iter().flat_map(|table| &table.warnings) {
-            io.tell(format_args!("warning: {warning}"))?;
-        }
-        let table = own.as_ref().unwrap_or_else(|| ProbeTable::shipped());
+        let table = probe_table(self.probe_table.as_deref(), io)?;
         let missing = || CliError::Data(format!("the touch-probe table has no probe {}", self.probe.unwrap_or(1)));
         table.probe(self.probe).copied().ok_or_else(missing)
     }
 
     fn source(&self, inputs: &Inputs, io: &mut Io<'_>) -> Result<(Source, Box<dyn Prober>), CliError> {
         if let Some(path) = &self.contacts {
-            let (file, bytes) = read_input(path, io)?;
-            let read = contacts::read(&bytes).map_err(|error| data(&file, &error))?;
-            for column in &read.ignored {
-                io.tell(format_args!("warning: {file}: column {column} is not used"))?;
-            }
-            let prober = Box::new(Recorded::new(read.contacts.clone()));
-            return Ok((Source::Contacts { file, contacts: read.contacts }, prober));
+            let (file, contacts) = read_contacts(path, io)?;
+            let prober = Box::new(Recorded::new(contacts.clone()));
+            return Ok((Source::Contacts { file, contacts }, prober));
         }
         let Some(path) = &self.workpiece else {
             return match probing::Source::Perfect.prober(self.cycle, inputs) {
@@ -286,8 +272,7 @@ impl Args {
                 Err(error) => Err(data("workpiece at nominal", &error)),
             };
         };
-        let (file, bytes) = read_input(path, io)?;
-        let mut bench = Bench::read(&decode(&bytes)).map_err(|error| data(&file, &error))?;
+        let (file, mut bench) = read_bench(path, io)?;
         bench.seed = self.seed.unwrap_or(bench.seed);
         match probing::Source::Simulated(&bench).prober(self.cycle, inputs) {
             Ok(prober) => Ok((Source::Workpiece { file, bench }, prober)),
@@ -298,6 +283,34 @@ impl Args {
     fn refused(&self, error: &CycleError) -> CliError {
         CliError::Data(format!("cycle {}: {error}", self.cycle.code))
     }
+}
+
+/// A touch-probe table of the user, or the built-in one.
+pub(super) fn probe_table(path: Option<&Path>, io: &mut Io<'_>) -> Result<ProbeTable, CliError> {
+    let Some(path) = path else { return Ok(ProbeTable::shipped().clone()) };
+    let (name, bytes) = read_input(path, io)?;
+    let table = ProbeTable::read(&bytes, &name).map_err(|error| CliError::Data(error.to_string()))?;
+    for warning in &table.warnings {
+        io.tell(format_args!("warning: {warning}"))?;
+    }
+    Ok(table)
+}
+
+/// A file of contacts, and its name.
+pub(super) fn read_contacts(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec<Contact>), CliError> {
+    let (file, bytes) = read_input(path, io)?;
+    let read = contacts::read(&bytes).map_err(|error| data(&file, &error))?;
+    for column in &read.ignored {
+        io.tell(format_args!("warning: {file}: column {column} is not used"))?;
+    }
+    Ok((file, read.contacts))
+}
+
+/// A file of a simulated machine, and its name.
+pub(super) fn read_bench(path: &Path, io: &mut Io<'_>) -> Result<(String, Bench), CliError> {
+    let (file, bytes) = read_input(path, io)?;
+    let bench = Bench::read(&decode(&bytes)).map_err(|error| data(&file, &error))?;
+    Ok((file, bench))
 }
 
 /// Contacts that the cycle did not ask for.
@@ -311,7 +324,7 @@ fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) -> Result<(),
     Ok(())
 }
 
-fn pairs(texts: &[String]) -> Result<Vec<(&str, &str)>, CliError> {
+pub(super) fn pairs(texts: &[String]) -> Result<Vec<(&str, &str)>, CliError> {
     let no_pair = |text: &str| CliError::Data(format!("{text}: a parameter is given as NAME=VALUE"));
     texts.iter().map(|text| text.split_once('=').ok_or_else(|| no_pair(text))).collect()
 }
@@ -327,6 +340,6 @@ fn position(text: &str) -> Result<[f64; 3], CliError> {
     parts.try_into().map_err(|_count| wrong())
 }
 
-fn data(what: &str, error: &impl std::fmt::Display) -> CliError {
+pub(super) fn data(what: &str, error: &impl std::fmt::Display) -> CliError {
     CliError::Data(format!("{what}: {error}"))
 }

@@ -15,6 +15,7 @@ mod read;
 mod render;
 
 pub use error::{MaskError, MaskWarning, RenderError};
+pub(crate) use render::decimal;
 pub use render::{Context, FileUse, Output};
 
 use super::variables::Parameter;

@@ -135,10 +135,10 @@ impl At {
             }
             (Kind::Decimal, Printed::Number(number)) => {
                 let digits = format.digits.unwrap_or(6);
-                Ok(signed(&rounded(&number, digits), format))
+                Ok(signed(&told(&number, digits), format))
             }
             (Kind::Whole, Printed::Number(number)) => {
-                let whole = rounded(&number, 0);
+                let whole = told(&number, 0);
                 let (sign, figures) = whole.strip_prefix('-').map_or(("", whole.as_str()), |figures| ("-", figures));
                 let least = format.digits.unwrap_or(0);
                 Ok(signed(&format!("{sign}{figures:0>least$}"), format))
@@ -195,6 +195,23 @@ fn padded(text: &str, width: usize, left: bool) -> String {
     if left { format!("{text:<width$}") } else { format!("{text:>width$}") }
 }
 
+/// A number with so many digits behind the point, rounded half away from zero; `None` for what is no finite number.
+pub(crate) fn decimal(value: &Value, digits: usize) -> Option<String> {
+    match value {
+        Value::Length(length) => Some(told(&length.to_string(), digits)),
+        Value::Number(number) if number.is_finite() => Some(told(&number.to_string(), digits)),
+        Value::Number(_) | Value::Text(_) => None,
+    }
+}
+
+/// A plain decimal number with so many digits. What was computed in binary is a little off the decimal it stands for:
+/// with fewer digits than a nanometre has, it is taken at the nearest nanometre first.
+fn told(number: &str, digits: usize) -> String {
+    /// The digits of a nanometre in millimetres.
+    const NANOMETRE: usize = 6;
+    if digits < NANOMETRE { rounded(&rounded(number, NANOMETRE), digits) } else { rounded(number, digits) }
+}
+
 /// A plain decimal number with so many digits behind the point, rounded half away from zero.
 fn rounded(number: &str, digits: usize) -> String {
     let (minus, unsigned) = number.strip_prefix('-').map_or((false, number), |unsigned| (true, unsigned));
@@ -244,7 +261,18 @@ impl std::fmt::Display for Name {
 
 #[cfg(test)]
 mod tests {
-    use super::rounded;
+    use super::{rounded, told};
+
+    #[test]
+    fn takes_what_was_computed_at_the_nearest_nanometre() {
+        // The sums that a program makes of 25.00005 + 0 / 1000, 8.0001 - 7.5 / 1000 and their like.
+        for (number, expected) in
+            [("25.000049999999998", "25.0001"), ("25.020999999999997", "25.0210"), ("-0.00005000000001", "-0.0001")]
+        {
+            assert_eq!(told(number, 4), expected, "{number}");
+        }
+        assert_eq!(told("0.12345678", 8), "0.12345678");
+    }
 
     #[test]
     fn rounds_half_away_from_zero_on_the_decimal_value() {

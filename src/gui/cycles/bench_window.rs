@@ -11,7 +11,7 @@ use crate::probing::cycle::Plane;
 use crate::session::{BenchField, BenchKind, Command, CycleField, CycleFile, CyclesCommand, Purpose};
 
 /// The window, where it is open. What is typed counts at once.
-pub(super) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
+pub(in crate::gui) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
     if !view.session.cycles().bench_is_open() {
         return;
     }

@@ -11,11 +11,11 @@
 //! | `picture` | the drawings |
 
 mod answer_panel;
-mod bench_window;
+pub(super) mod bench_window;
 mod block_window;
 mod form_panel;
 mod parameter_row;
-mod picture;
+pub(super) mod picture;
 mod seen_panel;
 
 use eframe::egui::{CentralPanel, Id, Key, KeyboardShortcut, Modifiers, Panel, Response, ScrollArea, Ui};

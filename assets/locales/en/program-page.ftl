@@ -1,0 +1,124 @@
+## The program page
+
+page-program = Program
+program-page-dialog-open = Open an NC program
+program-page-choice = NC program
+program-page-open = Open…
+program-page-not-shipped = { $name } does not come with this version
+program-page-nothing = No program is open
+program-page-listing = { $name }, { $count ->
+    [one] { $count } block
+   *[other] { $count } blocks
+  }
+
+program-page-run = Run
+program-page-pause = Pause
+program-page-step = Single block
+program-page-step-over = Step over
+program-page-to-selected = To cursor
+program-page-breakpoint = Breakpoint
+program-page-reset = Reset
+program-page-speed = Speed
+program-page-speed-slow = 4 blocks/s
+program-page-speed-medium = 20 blocks/s
+program-page-speed-fast = full speed
+program-page-options = Options
+program-page-skip-unknown = Pass over unknown blocks
+program-page-block-skip = Pass over blocks with /
+program-page-optional-stop = Stop at M1
+program-page-outline-none = heading or label
+program-page-outline = Go to
+
+program-page-state-ready = Ready to run
+program-page-state-running = Running
+program-page-state-paused = Paused
+program-page-state-step = Single block
+program-page-state-breakpoint = Paused at a breakpoint
+program-page-state-goal = Paused at the cursor
+program-page-state-over = Paused behind the call
+program-page-state-stop = The program stopped itself: run goes on
+program-page-state-optional-stop = The program stopped itself with M1: run goes on
+program-page-state-tolerance = Out of tolerance: { $stop }
+program-page-state-log = The log is on the screen: run goes on
+program-page-state-ended = Ended after { $blocks } blocks
+program-page-state-fault = Stopped with an error
+program-page-refused-inputs = An input cannot be read
+program-page-refused-none = No program is open
+program-page-refused-workpiece = The workpiece cannot be read
+program-page-refused-no-contacts = No contacts are open
+
+program-page-has-breakpoint = breakpoint
+program-page-is-current = next block
+program-page-is-failed = error here
+
+program-page-inputs = Inputs
+program-page-answers = Fitcheck and the program
+program-page-program = Program
+program-page-verdict = Verdict
+program-page-no-limits = No limits: an input cannot be read
+program-page-agrees = The program agrees with Fitcheck
+program-page-differs = The program differs: { $what }
+program-page-differs-minimum = its minimum is { $program } mm, Fitcheck’s { $own } mm
+program-page-differs-maximum = its maximum is { $program } mm, Fitcheck’s { $own } mm
+program-page-differs-status = it says { $program }, Fitcheck says { $own }
+program-page-differs-fault = it stopped with an error
+program-page-differs-native-refuses = it gave a verdict, Fitcheck has no limits
+program-page-both-refuse = Neither the program nor Fitcheck gives an answer
+
+program-page-workpiece = Workpiece
+program-page-from-perfect = perfect, middle of the limits
+program-page-from-nominal = perfect, at nominal
+program-page-from-given = perfect, diameter given
+program-page-from-simulated = simulated
+program-page-from-recorded = recorded contacts
+program-page-workpiece-x = Real centre X
+program-page-workpiece-y = Real centre Y
+program-page-edit-workpiece = Workpiece and probe…
+program-page-open-contacts = Other contacts…
+program-page-recorded = { $count ->
+    [one] { $count } contact
+   *[other] { $count } contacts
+  } from { $name }
+program-page-path = Path of the probe
+
+program-page-no-windows = The program has opened no window
+program-page-window = FN 16, { $mask }
+program-page-cycles = Measured
+program-page-show-block = Show the block
+program-page-last-of = The last { $shown } of { $all }
+program-page-outputs = Files
+program-page-outputs-hint = Printed, not written
+
+program-page-parameters = Parameters
+program-page-filter = Filter
+program-page-set = Start with
+program-page-value = Value
+program-page-give = Give
+program-page-give-hint = The next run begins with this value
+program-page-given = Given
+program-page-drop = take back
+program-page-no-parameter = { $given } is no parameter: Q5, QL5, QR5 or QS5
+program-page-no-number = { $given } is not a number
+program-page-none-found = No parameter is called so
+program-page-no-parameters = Parameters are listed once the program runs
+program-page-undefined = undefined
+program-page-parameter = { $parameter } { $name } = { $value }
+program-page-parameter-changed = { $parameter } { $name } = { $value }, changed
+program-page-pin = Keep { $parameter } at the top
+program-page-unpin = Do not keep { $parameter } at the top
+program-page-q113 = unit: 0 mm, 1 inch
+program-page-q115 = probed position, X
+program-page-q116 = probed position, Y
+program-page-q117 = probed position, Z
+program-page-q150 = measured angle
+
+program-page-problems = { $count ->
+    [one] { $count } remark
+   *[other] { $count } remarks
+  }
+program-page-unlisted = { $count ->
+    [one] { $count } more is not listed
+   *[other] { $count } more are not listed
+  }
+program-page-at-block = block { $number }: { $what }
+program-page-at-line = line { $line }: { $what }

@@ -1,0 +1,124 @@
+## De programmapagina
+
+page-program = Programma
+program-page-dialog-open = NC-programma openen
+program-page-choice = NC-programma
+program-page-open = Openen…
+program-page-not-shipped = { $name } wordt bij deze versie niet meegeleverd
+program-page-nothing = Er is geen programma open
+program-page-listing = { $name }, { $count ->
+    [one] { $count } regel
+   *[other] { $count } regels
+  }
+
+program-page-run = Starten
+program-page-pause = Pauze
+program-page-step = Regel voor regel
+program-page-step-over = Stap over
+program-page-to-selected = Tot cursor
+program-page-breakpoint = Breekpunt
+program-page-reset = Terugzetten
+program-page-speed = Snelheid
+program-page-speed-slow = 4 regels/s
+program-page-speed-medium = 20 regels/s
+program-page-speed-fast = volle snelheid
+program-page-options = Opties
+program-page-skip-unknown = Onbekende regels overslaan
+program-page-block-skip = Regels met / overslaan
+program-page-optional-stop = Stoppen bij M1
+program-page-outline-none = kop of label
+program-page-outline = Ga naar
+
+program-page-state-ready = Klaar om te starten
+program-page-state-running = Programma loopt
+program-page-state-paused = Pauze
+program-page-state-step = Regel voor regel
+program-page-state-breakpoint = Pauze bij een breekpunt
+program-page-state-goal = Pauze bij de cursor
+program-page-state-over = Pauze na de aanroep
+program-page-state-stop = Het programma is zelf gestopt: starten gaat verder
+program-page-state-optional-stop = Het programma is zelf gestopt met M1: starten gaat verder
+program-page-state-tolerance = Buiten de tolerantie: { $stop }
+program-page-state-log = Het protocol staat op het scherm: starten gaat verder
+program-page-state-ended = Klaar na { $blocks } regels
+program-page-state-fault = Gestopt met een fout
+program-page-refused-inputs = Een invoerwaarde is niet leesbaar
+program-page-refused-none = Er is geen programma open
+program-page-refused-workpiece = Het werkstuk is niet leesbaar
+program-page-refused-no-contacts = Er zijn geen meetpunten open
+
+program-page-has-breakpoint = breekpunt
+program-page-is-current = volgende regel
+program-page-is-failed = fout in deze regel
+
+program-page-inputs = Invoer
+program-page-answers = Fitcheck en het programma
+program-page-program = Programma
+program-page-verdict = Oordeel
+program-page-no-limits = Geen grensmaten: een invoerwaarde is niet leesbaar
+program-page-agrees = Het programma zegt hetzelfde als Fitcheck
+program-page-differs = Het programma wijkt af: { $what }
+program-page-differs-minimum = kleinste maat { $program } mm, volgens Fitcheck { $own } mm
+program-page-differs-maximum = grootste maat { $program } mm, volgens Fitcheck { $own } mm
+program-page-differs-status = het zegt { $program }, Fitcheck zegt { $own }
+program-page-differs-fault = het is met een fout gestopt
+program-page-differs-native-refuses = het geeft een oordeel, Fitcheck heeft geen grensmaten
+program-page-both-refuse = Het programma noch Fitcheck geeft een antwoord
+
+program-page-workpiece = Werkstuk
+program-page-from-perfect = perfect, midden van de grensmaten
+program-page-from-nominal = perfect, op nominale maat
+program-page-from-given = perfect, met deze diameter
+program-page-from-simulated = gesimuleerd
+program-page-from-recorded = opgenomen meetpunten
+program-page-workpiece-x = Werkelijk midden X
+program-page-workpiece-y = Werkelijk midden Y
+program-page-edit-workpiece = Werkstuk en taster…
+program-page-open-contacts = Andere meetpunten…
+program-page-recorded = { $count ->
+    [one] { $count } meetpunt
+   *[other] { $count } meetpunten
+  } uit { $name }
+program-page-path = Weg van de taster
+
+program-page-no-windows = Het programma heeft geen venster geopend
+program-page-window = FN 16, { $mask }
+program-page-cycles = Gemeten
+program-page-show-block = De regel tonen
+program-page-last-of = De laatste { $shown } van { $all }
+program-page-outputs = Bestanden
+program-page-outputs-hint = Afgedrukt, niet geschreven
+
+program-page-parameters = Parameters
+program-page-filter = Filter
+program-page-set = Begin met
+program-page-value = Waarde
+program-page-give = Zet
+program-page-give-hint = De volgende run begint met deze waarde
+program-page-given = Meegegeven
+program-page-drop = terugnemen
+program-page-no-parameter = { $given } is geen parameter: Q5, QL5, QR5 of QS5
+program-page-no-number = { $given } is geen getal
+program-page-none-found = Geen parameter heet zo
+program-page-no-parameters = Parameters verschijnen zodra het programma loopt
+program-page-undefined = niet gedefinieerd
+program-page-parameter = { $parameter } { $name } = { $value }
+program-page-parameter-changed = { $parameter } { $name } = { $value }, gewijzigd
+program-page-pin = { $parameter } bovenaan houden
+program-page-unpin = { $parameter } niet bovenaan houden
+program-page-q113 = maateenheid: 0 mm, 1 inch
+program-page-q115 = getaste positie, X
+program-page-q116 = getaste positie, Y
+program-page-q117 = getaste positie, Z
+program-page-q150 = gemeten hoek
+
+program-page-problems = { $count ->
+    [one] { $count } opmerking
+   *[other] { $count } opmerkingen
+  }
+program-page-unlisted = { $count ->
+    [one] { $count } opmerking staat niet in de lijst
+   *[other] { $count } opmerkingen staan niet in de lijst
+  }
+program-page-at-block = regel { $number }: { $what }
+program-page-at-line = tekstregel { $line }: { $what }

@@ -1,0 +1,15 @@
+0  BEGIN PGM 8255_it MM 
+1  * - controllo accoppiamento, programma principale
+2  ;impostare accoppiamento e posizione di misura, poi chiamare il controllo
+3  Q1 = 25 ;DIMENSIONE NOMINALE
+4  DECLARE STRING QS1 = "H7" ;CLASSE DI TOLLERANZA
+5  Q11 = 40 ;CENTRO DI MISURA IN X
+6  Q21 = 30 ;CENTRO DI MISURA IN Y
+7  Q31 = - 8 ;ALTEZZA DI MISURA IN Z
+8  Q41 = 0 ;ANGOLO PRIMO PUNTO
+9  Q51 = 2 ;DISTANZA DI SICUREZZA LATERALE, SOMMATA A MP6140
+10 Q61 = 50 ;ALTEZZA DI SICUREZZA
+11 CALL PGM 82551_it.h
+12 STOP
+13 M30
+14 END PGM 8255_it MM 

@@ -1,0 +1,15 @@
+0  BEGIN PGM 8255_nl MM 
+1  * - passing controleren, hoofdprogramma
+2  ;stel de passing en de meetpositie in, roep daarna de controle aan
+3  Q1 = 25 ;PASMAAT
+4  DECLARE STRING QS1 = "H7" ;TOLERANTIE
+5  Q11 = 40 ;MEETCENTRUM IN X
+6  Q21 = 30 ;MEETCENTRUM IN Y
+7  Q31 = - 8 ;MEETHOOGTE IN Z
+8  Q41 = 0 ;HOEK EERSTE METING
+9  Q51 = 2 ;ZIJDELINGSE VEILIGHEIDSAFSTAND, KOMT BIJ MP6140
+10 Q61 = 50 ;VEILIGE HOOGTE
+11 CALL PGM 82551_nl.h
+12 STOP
+13 M30
+14 END PGM 8255_nl MM 

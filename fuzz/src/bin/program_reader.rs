@@ -1,0 +1,43 @@
+//! Any bytes are read as an NC program or refused; what is read is written as it was; every body that is printed
+//! reads back as the same.
+
+#![no_main]
+
+use fitcheck::control::program::{Body, Place, Program, write};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| {
+    let Ok((program, warnings)) = Program::read(bytes) else { return };
+    assert_eq!(program.write(), bytes);
+    for warning in warnings {
+        assert!(warning.place.line <= program.line_count());
+    }
+    let mut behind = 0;
+    for (index, block) in program.blocks().iter().enumerate() {
+        assert!(behind <= block.lines.start && block.lines.start < block.lines.end);
+        behind = block.lines.end;
+        // Printing cleans texts of control characters and of ~ at their ends.
+        let is_clean = |line: &str| !line.contains(char::is_control) && line.matches('~').count() <= 1;
+        if block.body != Body::Other && program.text_of(index).all(is_clean) {
+            reads_back(&block.body);
+        }
+    }
+    assert!(behind <= program.line_count());
+});
+
+fn reads_back(body: &Body) {
+    let text = write::block(1, body).join("\n");
+    let (program, _) = Program::read(text.as_bytes()).expect("a block is text");
+    let read = program.blocks().first().map(|block| without_places(&block.body));
+    assert_eq!(read, Some(without_places(body)), "{text}");
+}
+
+fn without_places(body: &Body) -> Body {
+    let mut body = body.clone();
+    if let Body::Probe(cycle) | Body::CycleDefinition(cycle) = &mut body {
+        for line in &mut cycle.lines {
+            line.place = Place { line: 0, column: 0 };
+        }
+    }
+    body
+}

@@ -1,0 +1,211 @@
+//! `fitcheck nc`: programs, tables and mask with which a control measures features itself.
+
+use std::path::{Path, PathBuf};
+
+use clap::builder::PossibleValuesParser;
+
+use super::{CliError, Io, Outcome, TableArgs, read_input};
+use crate::control::sets::{
+    At, Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, NcFeature, NcPlan, NcSet, PlanError,
+    SetError, Target,
+};
+use crate::files;
+use crate::length::{Length, LengthError};
+use crate::tolerance::Callout;
+use crate::words::Language;
+
+const EXAMPLES: &str = "\
+Examples:
+  fitcheck nc \"25 H7\" --x 40 --y 30 --z -8 --control tnc7 -o folder
+  fitcheck nc plan.csv --control itnc530 --language de -o set.zip
+  fitcheck nc plan.csv --control tnc620 --folder 'TNC:\\nc_prog\\order_12' -o order_12
+
+A plan is a CSV file with a feature a line, separated by comma, semicolon or tabulator; the header
+names the columns in any order:
+  callout, x, y, z          nominal size and class such as 25 H7; centre and measuring height in mm
+  name                      letters, digits and _; names the file with the result; F1, F2 ... without
+  angle                     of the first contact from +X, degrees; 0 without
+  clearance                 set-up clearance in mm, added to MP6140 or SET_UP; 2 without
+  clearance_height          where the probe moves without a collision, mm; 50 without
+
+The set holds a main program, the program that it calls, the tables 82553 (FIT_HOLE.TAB and
+FIT_SHAFT.TAB for later controls), the mask and a page that says what goes where. The tables have
+the 47 classes of NC-Solution 8255 and a column more for each other class of the plan. A callout
+without a class, such as 12 ±0.02 or 10m, is refused: the program looks limits up by class.
+
+A name that ends in .zip becomes one file, any other a folder. Files that are there already stay
+as they are: --force overwrites them.
+
+Exit codes: 0 done, 1 bad data, 2 wrong usage.";
+
+/// Write programs, tables and mask with which a control measures fits
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    /// A callout such as "25 H7", a plan as CSV, or - for a plan from standard input
+    #[arg(value_name = "CALLOUT|PLAN.csv")]
+    what: String,
+    /// Which control the files are for
+    #[arg(long, value_parser = PossibleValuesParser::new(["itnc530", "tnc640", "tnc620", "tnc320", "tnc7"]))]
+    control: String,
+    /// Folder or .zip to write
+    #[arg(short, long, value_name = "FOLDER|FILE.zip")]
+    output: PathBuf,
+    /// Language of comments, status words and mask
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
+    language: String,
+    /// Folder on the control; without it the control's usual one
+    #[arg(long, value_name = "TNC:\\FOLDER")]
+    folder: Option<String>,
+    /// Overwrite files that are there already
+    #[arg(long)]
+    force: bool,
+    #[command(flatten)]
+    position: Position,
+    #[command(flatten)]
+    tables: TableArgs,
+}
+
+/// Where a single feature is.
+#[derive(Debug, clap::Args)]
+struct Position {
+    /// Centre in X, mm
+    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    x: Option<String>,
+    /// Centre in Y, mm
+    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    y: Option<String>,
+    /// Measuring height in Z, mm
+    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    z: Option<String>,
+    /// Angle of the first contact from +X, degrees [default: 0]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    angle: Option<String>,
+    /// Set-up clearance, mm, added to the probe's own [default: 2]
+    #[arg(long, value_name = "MM")]
+    clearance: Option<String>,
+    /// Where the probe moves without a collision, mm [default: 50]
+    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    clearance_height: Option<String>,
+    /// Name of the feature [default: F1]
+    #[arg(long)]
+    name: Option<String>,
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let sources = self.tables.load(io)?;
+        let target = self.target()?;
+        let plan = self.plan(io)?;
+        let set = NcSet::make(&plan, &target, &sources).map_err(|error| self.set_error(&error))?;
+        for remark in &set.remarks {
+            io.tell(format_args!("note: {remark}"))?;
+        }
+        if !self.is_plan() && self.position.clearance_height.is_none() {
+            let height = DEFAULT_CLEARANCE_HEIGHT;
+            io.tell(format_args!("note: the clearance height is {height} mm: --clearance-height gives another"))?;
+        }
+        self.save(&set, io)?;
+        Ok(Outcome::Done)
+    }
+
+    fn is_plan(&self) -> bool {
+        let is_csv = Path::new(&self.what).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+        is_csv || self.what == "-"
+    }
+
+    fn target(&self) -> Result<Target, CliError> {
+        let unknown = || CliError::Data(format!("{}: no such control", self.control));
+        let control = Control::from_code(&self.control).ok_or_else(unknown)?;
+        let language = Language::from_code(&self.language).unwrap_or_default();
+        let usual = Target::new(control, language);
+        let Some(folder) = &self.folder else { return Ok(usual) };
+        let folder: ControlFolder = folder.parse().map_err(|error: SetError| CliError::Data(error.to_string()))?;
+        Ok(Target { folder, ..usual })
+    }
+
+    fn plan(&self, io: &mut Io<'_>) -> Result<NcPlan, CliError> {
+        if self.is_plan() {
+            if let Some(given) = self.position.given() {
+                let why = format!("--{given} is for a single callout: a plan has a column for it");
+                return Err(CliError::Data(why));
+            }
+            let (name, bytes) = read_input(Path::new(&self.what), io)?;
+            return NcPlan::read(&bytes).map_err(|error| CliError::Data(format!("{name}: {error}")));
+        }
+        let callout: Callout = self.what.parse().map_err(|error| CliError::Data(format!("{}: {error}", self.what)))?;
+        let feature = self.position.feature(callout)?;
+        NcPlan::new(vec![feature]).map_err(|error| CliError::Data(error.what.to_string()))
+    }
+
+    /// A plan's errors name its file, a single callout's no number.
+    fn set_error(&self, error: &SetError) -> CliError {
+        let text = match error {
+            SetError::Plan(PlanError { at: At::Feature(_), what }) => what.to_string(),
+            SetError::Plan(error) => format!("{}: {error}", self.what),
+            error => error.to_string(),
+        };
+        CliError::Data(text)
+    }
+
+    fn save(&self, set: &NcSet, io: &mut Io<'_>) -> Result<(), CliError> {
+        let hint = |error: files::FileError| match error {
+            error @ files::FileError::Exists { .. } if !self.force => {
+                CliError::Data(format!("{error}; --force overwrites"))
+            }
+            error => error.into(),
+        };
+        if self.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("zip")) {
+            let bytes = set.zip().map_err(|error| CliError::Data(error.to_string()))?;
+            let write = if self.force { files::write } else { files::write_new };
+            write(&self.output, &bytes).map_err(hint)?;
+            let count = set.files.len();
+            return io.tell(format_args!("wrote {} ({count} files)", self.output.display()));
+        }
+        let files: Vec<(&str, &[u8])> =
+            set.files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
+        for path in files::write_folder(&self.output, &files, self.force).map_err(hint)? {
+            io.tell(format_args!("wrote {}", path.display()))?;
+        }
+        Ok(())
+    }
+}
+
+impl Position {
+    /// The first option that was given.
+    fn given(&self) -> Option<&'static str> {
+        let all = [
+            ("x", &self.x),
+            ("y", &self.y),
+            ("z", &self.z),
+            ("angle", &self.angle),
+            ("clearance", &self.clearance),
+            ("clearance-height", &self.clearance_height),
+            ("name", &self.name),
+        ];
+        all.into_iter().find(|(_, given)| given.is_some()).map(|(name, _)| name)
+    }
+
+    fn feature(&self, callout: Callout) -> Result<NcFeature, CliError> {
+        let place = [needed("x", self.x.as_ref())?, needed("y", self.y.as_ref())?, needed("z", self.z.as_ref())?];
+        let usual = NcFeature::new(callout, place);
+        Ok(NcFeature {
+            name: self.name.clone().unwrap_or_default(),
+            angle: optional("angle", self.angle.as_ref())?.unwrap_or_default(),
+            clearance: optional("clearance", self.clearance.as_ref())?.unwrap_or(DEFAULT_CLEARANCE),
+            clearance_height: optional("clearance-height", self.clearance_height.as_ref())?
+                .unwrap_or(DEFAULT_CLEARANCE_HEIGHT),
+            ..usual
+        })
+    }
+}
+
+fn needed(name: &str, text: Option<&String>) -> Result<Length, CliError> {
+    let missing = || CliError::Data(format!("--{name} is missing: a single callout needs --x, --y and --z"));
+    optional(name, text)?.ok_or_else(missing)
+}
+
+fn optional<T: std::str::FromStr<Err = LengthError>>(name: &str, text: Option<&String>) -> Result<Option<T>, CliError> {
+    let read = text.map(|text| text.parse().map_err(|error| CliError::Data(format!("--{name}: {error}"))));
+    read.transpose()
+}

@@ -1,0 +1,241 @@
+//! `fitcheck run`: an NC program on a simulated workpiece or on recorded contacts.
+//!
+//! | file | what |
+//! |---|---|
+//! | `text` | windows, trace and notes, for people |
+//! | `answer` | everything, for programs |
+
+mod answer;
+mod text;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use clap::ValueEnum;
+use clap::builder::PossibleValuesParser;
+
+use super::cycle::{data, pairs, probe_table, read_bench, read_contacts};
+use super::{CliError, Io, Outcome, now, read_input};
+use crate::control::machine::{Contacts, Fault, Folders, Machine, NcPath, Pause, Settings, Shipped, Step};
+use crate::control::program::Program;
+use crate::control::variables::{Family, Parameter, Value};
+use crate::words::Language;
+
+const EXAMPLES: &str = "\
+Examples:
+  fitcheck run 8255_nl.h --set Q1=25 QS1=H7 --workpiece bore.toml     the built-in program on a bore
+  fitcheck run part.h --trace                                        every block and what it changes
+  fitcheck run part.h --folder tables --output-folder results --format json
+
+A value of --set stands in place of the main program's own first assignment to that parameter.
+TNC:\\fit\\a.tab is looked for as fit/a.tab and as a.tab: in the output folder, in the program's own folder,
+in the folders of --folder in their order, and then among the built-in files. Files that FN 16 prints go below
+the output folder and nowhere else; without one they are not written. STOP and M0 do not wait. Without
+--workpiece and --contacts every cycle measures a perfect workpiece at nominal. A workpiece file is
+described in fitcheck cycle --help.
+
+Text: the windows on standard output, notes on standard error. JSON: program, blocks, status, parameters,
+windows, outputs, cycles, pauses, remarks, faults, trace.
+
+Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure, 1 a fault or bad data, 2 wrong usage.";
+
+/// Run an NC program as a control does, within bounds
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    /// The program, or the name of a built-in one; - reads standard input
+    #[arg(value_name = "PROGRAM.h")]
+    program: PathBuf,
+    /// Parameters before the run, such as Q1=25 or QS1=H7
+    #[arg(long = "set", value_name = "NAME=VALUE", num_args = 1..)]
+    settings: Vec<String>,
+    /// The simulated workpiece and probe
+    #[arg(long, value_name = "FILE.toml", conflicts_with = "contacts")]
+    workpiece: Option<PathBuf>,
+    /// Recorded contacts for all cycles in probing order: x, y, z in mm, points of the surface
+    #[arg(long, value_name = "FILE.csv")]
+    contacts: Option<PathBuf>,
+    /// Seed of the scatter, instead of the workpiece file's
+    #[arg(long, value_name = "N", conflicts_with = "contacts")]
+    seed: Option<u64>,
+    /// Folder with programs, tables and masks, besides the program's own
+    #[arg(long = "folder", value_name = "FOLDER")]
+    folders: Vec<PathBuf>,
+    /// Folder for the files that FN 16 and FN 27 write
+    #[arg(long, value_name = "FOLDER")]
+    output_folder: Option<PathBuf>,
+    /// Touch-probe table of a control, instead of the built-in one
+    #[arg(long, value_name = "FILE.tp")]
+    probe_table: Option<PathBuf>,
+    /// Pass over blocks that are not known instead of stopping
+    #[arg(long)]
+    skip_unknown: bool,
+    /// Pass over blocks with a / before them
+    #[arg(long)]
+    block_skip: bool,
+    /// List every block with the values that it changes
+    #[arg(long)]
+    trace: bool,
+    /// The most blocks that are run
+    #[arg(long, value_name = "N", default_value_t = 10_000_000)]
+    max_blocks: u64,
+    /// Dialogue language of masks and notes
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
+    language: String,
+    /// How the result is printed
+    #[arg(long, value_enum, default_value_t = RunFormat::Text)]
+    format: RunFormat,
+}
+
+/// How a run is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum RunFormat {
+    /// For people.
+    Text,
+    /// For programs: the same in every language.
+    Json,
+}
+
+/// What came of a run besides what the machine remembers.
+#[derive(Default)]
+struct Ended {
+    pauses: Vec<Pause>,
+    fault: Option<Fault>,
+}
+
+/// Who hears of every block.
+trait Listener {
+    /// Before a block.
+    fn before(&mut self, machine: &Machine);
+    /// After it, also where it failed.
+    fn after(&mut self, machine: &Machine, io: &mut Io<'_>) -> Result<(), CliError>;
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let language = Language::from_code(&self.language).unwrap_or_default();
+        let mut machine = self.machine(language, io)?;
+        for (name, value) in pairs(&self.settings)? {
+            set(&mut machine, name, value)?;
+        }
+        let ended = match self.format {
+            RunFormat::Text => {
+                let mut listener = text::Printer::new(self.trace);
+                let ended = run(&mut machine, &mut listener, io)?;
+                text::notes(&machine, &ended, language, io)?;
+                ended
+            }
+            RunFormat::Json => {
+                let mut listener = answer::Trace::new(self.trace);
+                let ended = run(&mut machine, &mut listener, io)?;
+                answer::print(&machine, &ended, listener, io)?;
+                ended
+            }
+        };
+        if let Some(fault) = ended.fault {
+            text::tell_fault(&fault, language, io)?;
+            return Ok(Outcome::BadData);
+        }
+        Ok(machine.status().map_or(Outcome::Done, Outcome::Judged))
+    }
+
+    fn machine(&self, language: Language, io: &mut Io<'_>) -> Result<Machine, CliError> {
+        let (name, bytes, folder) = self.read_program(io)?;
+        let (program, warnings) = Program::read(&bytes).map_err(|error| data(&name, &error))?;
+        for warning in warnings {
+            io.tell(format_args!("warning: {name}: {warning}"))?;
+        }
+        let own = folder.into_iter().chain(self.folders.iter().cloned());
+        let mut store = own.fold(Folders::new(), Folders::reading);
+        for folder in self.folders.iter().chain(&self.output_folder) {
+            if !folder.is_dir() {
+                return Err(CliError::Data(format!("no such folder: {}", folder.display())));
+            }
+        }
+        if let Some(folder) = &self.output_folder {
+            store = store.writing(folder);
+        }
+        let mut settings = Settings::new(language, now());
+        settings.budget.blocks = self.max_blocks;
+        settings.skip_unknown = self.skip_unknown;
+        settings.block_skip = self.block_skip;
+        settings.probe_table = probe_table(self.probe_table.as_deref(), io)?;
+        let contacts = self.source(io)?;
+        Ok(Machine::new(&name, Arc::new(program), store, contacts, settings))
+    }
+
+    /// The program's name, its bytes and its folder; an embedded one where there is no such file.
+    fn read_program(&self, io: &mut Io<'_>) -> Result<(String, Vec<u8>, Option<PathBuf>), CliError> {
+        let embedded = self.program.to_str().filter(|_| !self.program.exists()).and_then(Shipped::file);
+        if let Some(bytes) = embedded {
+            return Ok((self.program.display().to_string(), bytes.to_vec(), None));
+        }
+        let (name, bytes) = read_input(&self.program, io)?;
+        let is_file = self.program.as_os_str() != "-";
+        let folder = self.program.parent().filter(|_| is_file).map(|folder| {
+            // The folder of a bare name is the one that we are in.
+            if folder.as_os_str().is_empty() { Path::new(".").to_owned() } else { folder.to_owned() }
+        });
+        Ok((name, bytes, folder))
+    }
+
+    fn source(&self, io: &mut Io<'_>) -> Result<Contacts, CliError> {
+        if let Some(path) = &self.contacts {
+            return Ok(Contacts::Recorded(read_contacts(path, io)?.1));
+        }
+        let Some(path) = &self.workpiece else { return Ok(Contacts::Perfect) };
+        let (file, mut bench) = read_bench(path, io)?;
+        bench.seed = self.seed.unwrap_or(bench.seed);
+        // Figures that cannot be are said now, with the file's name, and not in the middle of the run.
+        bench.machine().map_err(|error| data(&file, &error))?;
+        Ok(Contacts::Workpiece(bench))
+    }
+}
+
+fn set(machine: &mut Machine, name: &str, value: &str) -> Result<(), CliError> {
+    let refused = |error: &dyn std::fmt::Display| CliError::Data(format!("--set {name}={value}: {error}"));
+    let parameter: Parameter = name.parse().map_err(|error| refused(&error))?;
+    let value = if parameter.family == Family::Qs {
+        Value::Text(value.to_owned())
+    } else {
+        let plain = value.trim().replace(',', ".");
+        let is_decimal = plain.bytes().all(|byte| byte.is_ascii_digit() || b"+-.".contains(&byte));
+        let number = plain.parse().ok().filter(|_| is_decimal);
+        Value::Number(number.ok_or_else(|| refused(&"this is no number"))?)
+    };
+    machine.set(parameter, value).map_err(|error| refused(&error))
+}
+
+/// Runs to the end or to a fault; pauses are remembered and passed over.
+fn run(machine: &mut Machine, listener: &mut dyn Listener, io: &mut Io<'_>) -> Result<Ended, CliError> {
+    let mut ended = Ended::default();
+    loop {
+        listener.before(machine);
+        let step = machine.step();
+        listener.after(machine, io)?;
+        match step {
+            Ok(Step::Went) => {}
+            Ok(Step::Ended) => return Ok(ended),
+            Ok(Step::Paused(pause)) => {
+                /// A program that pauses in a loop says so often enough.
+                const MOST: usize = 1_000;
+                if ended.pauses.len() < MOST {
+                    ended.pauses.push(pause);
+                }
+            }
+            Err(fault) => {
+                ended.fault = Some(fault);
+                return Ok(ended);
+            }
+        }
+    }
+}
+
+/// File name and line of a block, `8255_nl.h:4`.
+fn place(machine: &Machine, program: &NcPath, block: usize) -> (String, usize) {
+    let line = machine
+        .program(&program.to_string())
+        .and_then(|program| program.blocks().get(block))
+        .map_or(0, |block| block.lines.start + 1);
+    (program.file_name().to_owned(), line)
+}

@@ -1,0 +1,87 @@
+//! What came of a run, for people: windows and trace on standard output, notes on standard error.
+
+use super::{CliError, Ended, Io, Listener, place};
+use crate::control::machine::{BlockPlace, Fault, Machine, Pause, shown};
+use crate::words::{Language, Message, Words};
+
+/// Prints windows as they open, and with a trace every block before.
+pub(super) struct Printer {
+    trace: bool,
+    windows: usize,
+    at: Option<BlockPlace>,
+}
+
+impl Printer {
+    pub(super) const fn new(trace: bool) -> Self {
+        Self { trace, windows: 0, at: None }
+    }
+
+    fn print_block(&self, machine: &Machine, io: &mut Io<'_>) -> Result<(), CliError> {
+        let Some(BlockPlace { program, block }) = &self.at else { return Ok(()) };
+        let (file, line) = place(machine, program, *block);
+        let program = machine.program(&program.to_string());
+        let Some(text) = program.and_then(|program| program.text_of(*block).next()) else { return Ok(()) };
+        writeln!(io.out, "{file}:{line}  {}", text.trim())?;
+        for parameter in machine.changed() {
+            match machine.variables().get(*parameter) {
+                Some(value) => writeln!(io.out, "    {parameter} = {}", shown(value))?,
+                None => writeln!(io.out, "    {parameter} undefined")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Listener for Printer {
+    fn before(&mut self, machine: &Machine) {
+        if self.trace {
+            self.at = Some(machine.place());
+        }
+    }
+
+    fn after(&mut self, machine: &Machine, io: &mut Io<'_>) -> Result<(), CliError> {
+        self.print_block(machine, io)?;
+        let new = machine.windows().get(self.windows..).unwrap_or_default();
+        for window in new {
+            if 0 < self.windows && !self.trace {
+                writeln!(io.out)?;
+            }
+            io.out.write_all(window.text.as_bytes())?;
+            self.windows += 1;
+        }
+        Ok(())
+    }
+}
+
+/// What is worth knowing, in the user's language.
+pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &mut Io<'_>) -> Result<(), CliError> {
+    let words = Words::new(language);
+    for pause in &ended.pauses {
+        if matches!(pause, Pause::Tolerance(_) | Pause::Log) {
+            io.tell(format_args!("note: {}", words.told(pause)))?;
+        }
+    }
+    for (BlockPlace { program, block }, remark) in machine.remarks() {
+        let (file, line) = place(machine, program, *block);
+        io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)))?;
+    }
+    if 0 < machine.unlisted_remarks() {
+        let more = Message::new("machine-remark-more").text("count", machine.unlisted_remarks());
+        io.tell(format_args!("note: {}", words.say(&more)))?;
+    }
+    for run in machine.cycles() {
+        let (file, line) = place(machine, &run.place.program, run.place.block);
+        for remark in &run.result.remarks {
+            io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)))?;
+        }
+    }
+    for output in machine.outputs().iter().filter(|output| output.is_saved) {
+        io.tell(format_args!("wrote {}", output.path))?;
+    }
+    Ok(())
+}
+
+/// Why the run stopped.
+pub(super) fn tell_fault(fault: &Fault, language: Language, io: &mut Io<'_>) -> Result<(), CliError> {
+    io.tell(format_args!("fitcheck: {}", Words::new(language).told(fault)))
+}

@@ -1,0 +1,108 @@
+//! Straight lines: where the ball's centre is, and the way that it went.
+
+use super::budget::{Budget, UsedUp};
+use super::fault::{BlockPlace, FaultKind};
+use super::run::Machine;
+use crate::control::program::{Axis, Feed, Movement, Unit};
+use crate::probing::cycle::{Move, Phase};
+
+/// Millimetres in an inch.
+const INCH: f64 = 25.4;
+
+/// A move of the ball's centre, mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Travel {
+    /// The block.
+    pub place: BlockPlace,
+    /// Where it begins.
+    pub from: [f64; 3],
+    /// Where it ends.
+    pub to: [f64; 3],
+    /// The centre where it is an arc about it; the shorter way round.
+    pub about: Option<[f64; 3]>,
+    /// What it is.
+    pub kind: TravelKind,
+}
+
+/// What a move is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TravelKind {
+    /// A block of the program, at rapid traverse.
+    Rapid,
+    /// A block of the program, at a feed.
+    Feed,
+    /// A part of a cycle.
+    Cycle(Phase),
+}
+
+/// Where the ball's centre stands; an axis is known once a block has moved it to a place of the workpiece.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Position([Option<f64>; 3]);
+
+impl Position {
+    pub(super) const fn axes(self) -> [Option<f64>; 3] {
+        self.0
+    }
+
+    /// The place where all three axes are known.
+    pub(super) fn place(self) -> Option<[f64; 3]> {
+        let [x, y, z] = self.0;
+        Some([x?, y?, z?])
+    }
+}
+
+impl Machine {
+    /// `L`: axes that are not named stay; compensation of the radius does not move the ball's centre.
+    pub(super) fn travel(&mut self, at: usize, movement: &Movement) -> Result<(), FaultKind> {
+        // M91 and M92 count from the machine's own zero, which nobody knows here.
+        let is_of_machine = movement.machine.iter().any(|function| matches!(function.number, 91 | 92));
+        let factor = if self.frame.unit == Some(Unit::Inch) { INCH } else { 1.0 };
+        let mut to = self.position.0;
+        for word in &movement.axes {
+            let value = self.operand(word.value)? * factor;
+            let [x, y, z] = &mut to;
+            let axis = match word.axis {
+                Axis::X => x,
+                Axis::Y => y,
+                Axis::Z => z,
+                Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => continue,
+            };
+            *axis = match (*axis, word.is_incremental) {
+                _ if is_of_machine => None,
+                (old, true) => old.map(|old| old + value),
+                (_, false) => Some(value),
+            };
+        }
+        let kind = match movement.feed {
+            Some(Feed::Rapid) => TravelKind::Rapid,
+            Some(Feed::Value(feed)) => {
+                self.operand(feed)?;
+                TravelKind::Feed
+            }
+            Some(Feed::Auto) | None => TravelKind::Feed,
+        };
+        let from = std::mem::replace(&mut self.position, Position(to)).place();
+        match (from, self.position.place()) {
+            (Some(from), Some(to)) if from.iter().zip(&to).any(|(from, to)| 0.0 < (to - from).abs()) => {
+                self.went(Travel { place: self.place_of(at), from, to, about: None, kind })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The way of a cycle.
+    pub(super) fn went_along(&mut self, at: usize, moves: &[Move]) -> Result<(), FaultKind> {
+        for step in moves {
+            let Move { phase, from, to, about, .. } = *step;
+            self.went(Travel { place: self.place_of(at), from, to, about, kind: TravelKind::Cycle(phase) })?;
+            self.position = Position(to.map(Some));
+        }
+        Ok(())
+    }
+
+    fn went(&mut self, travel: Travel) -> Result<(), FaultKind> {
+        Budget::one_more(self.path.len(), self.budget().path, UsedUp::Path)?;
+        self.path.push(travel);
+        Ok(())
+    }
+}

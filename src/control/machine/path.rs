@@ -1,0 +1,226 @@
+//! Paths as programs write them: `TNC:\fit\a.h`, `..\b.tab`, `b.tab`. Whatever a path says, it stays below the root.
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::words::{Message, Say};
+
+/// The drive of programs on these controls; no other is followed.
+const DRIVE: &str = "TNC:";
+
+/// The most characters of a path.
+const LONGEST: usize = 1_000;
+
+/// Names that some systems take for devices, with any ending.
+const DEVICES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
+
+/// A path of the control from its root, without `.` and `..`: at least a file name.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NcPath(Arc<str>);
+
+/// Why a path is not followed.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum PathError {
+    /// There is none.
+    #[error("the path is empty")]
+    Empty,
+    /// No program needs such a path.
+    #[error("the path has more than {most} characters")]
+    TooLong {
+        /// What is allowed.
+        most: usize,
+    },
+    /// Another drive, a network path, or a path from the root of the system.
+    #[error("{path} is no path on TNC: and none from the program's folder")]
+    OtherRoot {
+        /// What was given.
+        path: String,
+    },
+    /// More `..` than folders.
+    #[error("{path} leads out of the folder")]
+    LeadsOut {
+        /// What was given.
+        path: String,
+    },
+    /// A device of the system, or a name that no file can have on every system.
+    #[error("{name} in {path} is no name for a file or a folder")]
+    NoName {
+        /// The part that is no name.
+        name: String,
+        /// What was given.
+        path: String,
+    },
+}
+
+impl Say for PathError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Empty => Message::new("machine-path-empty"),
+            Self::TooLong { most } => Message::new("machine-path-too-long").text("most", most),
+            Self::OtherRoot { path } => Message::new("machine-path-other-root").text("path", path),
+            Self::LeadsOut { path } => Message::new("machine-path-leads-out").text("path", path),
+            Self::NoName { name, path } => Message::new("machine-path-no-name").text("name", name).text("path", path),
+        }
+    }
+}
+
+impl NcPath {
+    /// A path from the root: `TNC:\fit\a.h`, or without its drive.
+    ///
+    /// ```
+    /// use fitcheck::control::machine::NcPath;
+    ///
+    /// let main = NcPath::new(r"TNC:\fit\main.h")?;
+    /// assert_eq!(main.resolve(r"..\tables\own.tab")?.to_string(), r"TNC:\tables\own.tab");
+    /// assert!(main.resolve(r"..\..\own.tab").is_err());
+    /// # Ok::<(), fitcheck::control::machine::PathError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`PathError`] for what is not followed.
+    pub fn new(path: &str) -> Result<Self, PathError> {
+        normalised(path, &[])
+    }
+
+    /// The path of a program that a user has named: what is none on a control counts by its file name.
+    pub fn of_file(path: &str) -> Self {
+        let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
+        Self::new(path).or_else(|_outside| Self::new(name)).unwrap_or_else(|_no_name| Self("program.h".into()))
+    }
+
+    /// A path as a program at this path writes it.
+    ///
+    /// # Errors
+    /// [`PathError`] for what is not followed.
+    pub fn resolve(&self, path: &str) -> Result<Self, PathError> {
+        let mut folder: Vec<&str> = self.parts().collect();
+        folder.pop();
+        normalised(path, &folder)
+    }
+
+    /// Folders and file name, from the root.
+    pub fn parts(&self) -> impl DoubleEndedIterator<Item = &str> {
+        self.0.split('\\')
+    }
+
+    /// The last part.
+    pub fn file_name(&self) -> &str {
+        self.parts().next_back().unwrap_or_default()
+    }
+}
+
+impl fmt::Display for NcPath {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&format!("{DRIVE}\\{}", self.0))
+    }
+}
+
+fn normalised(given: &str, folder: &[&str]) -> Result<NcPath, PathError> {
+    let path = given.trim();
+    if LONGEST < path.chars().count() {
+        return Err(PathError::TooLong { most: LONGEST });
+    }
+    if path.is_empty() {
+        return Err(PathError::Empty);
+    }
+    let drive = path.get(..DRIVE.len()).filter(|drive| drive.eq_ignore_ascii_case(DRIVE));
+    let (rest, folder) = match drive {
+        Some(drive) => (path.strip_prefix(drive).unwrap_or_default().trim_start_matches(['\\', '/']), &[][..]),
+        None if path.starts_with(['\\', '/']) || path.contains(':') => {
+            return Err(PathError::OtherRoot { path: path.to_owned() });
+        }
+        None => (path, folder),
+    };
+    let mut parts = folder.to_vec();
+    for part in rest.split(['\\', '/']) {
+        match part {
+            "" | "." => {}
+            ".." => {
+                parts.pop().ok_or_else(|| PathError::LeadsOut { path: path.to_owned() })?;
+            }
+            name if is_name(name) => parts.push(name),
+            name => return Err(PathError::NoName { name: name.escape_debug().collect(), path: path.to_owned() }),
+        }
+    }
+    // A path that ends in a folder has no file name.
+    if parts.is_empty() || rest.ends_with(['\\', '/', '.']) {
+        return Err(PathError::Empty);
+    }
+    Ok(NcPath(parts.join("\\").into()))
+}
+
+/// Whether every system takes this for the name of a file.
+fn is_name(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or_default().trim_end();
+    let numbered = |device: &str| {
+        stem.get(..3).is_some_and(|start| start.eq_ignore_ascii_case(device)) && stem.chars().count() == 4
+    };
+    let is_device = DEVICES.iter().any(|device| stem.eq_ignore_ascii_case(device))
+        || ((numbered("COM") || numbered("LPT")) && !stem.ends_with(|c: char| c.is_ascii_alphabetic()));
+    let is_sound = name.chars().all(|c| !c.is_control() && !":*?\"<>|".contains(c));
+    is_sound && !is_device && !name.ends_with(['.', ' '])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{Language, Words};
+
+    #[track_caller]
+    fn check(path: &str, expected: &str) {
+        let from = NcPath::new(r"TNC:\fit\check\main.h").unwrap();
+        let said = match from.resolve(path) {
+            Ok(path) => path.to_string(),
+            Err(error) => {
+                assert_eq!(Words::new(Language::En).told(&error), error.to_string());
+                assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
+                error.to_string()
+            }
+        };
+        assert_eq!(said, expected, "{path}");
+    }
+
+    #[test]
+    fn a_path_counts_from_the_program_or_from_the_root() {
+        check("a.h", r"TNC:\fit\check\a.h");
+        check(r".\sub\a.h", r"TNC:\fit\check\sub\a.h");
+        check(r"..\a.h", r"TNC:\fit\a.h");
+        check(r"TNC:\a.h", r"TNC:\a.h");
+        check(r"tnc:a.h", r"TNC:\a.h");
+        check("TNC:/x/./y/../a.h", r"TNC:\x\a.h");
+        check("%FN16RUN.A", r"TNC:\fit\check\%FN16RUN.A");
+        check("COM10.h", r"TNC:\fit\check\COM10.h");
+    }
+
+    #[test]
+    fn a_program_has_a_path_whatever_it_is_called() {
+        for (path, expected) in [
+            (r"TNC:\fit\a.h", r"TNC:\fit\a.h"),
+            ("a.h", r"TNC:\a.h"),
+            (r"C:\parts\a.h", r"TNC:\a.h"),
+            ("/home/user/a.h", r"TNC:\a.h"),
+            ("NUL", r"TNC:\program.h"),
+        ] {
+            assert_eq!(NcPath::of_file(path).to_string(), expected);
+        }
+    }
+
+    #[test]
+    fn nothing_leads_out() {
+        check(r"..\..\..\a.h", r"..\..\..\a.h leads out of the folder");
+        check(r"TNC:\..\a.h", r"TNC:\..\a.h leads out of the folder");
+        check(r"C:\a.h", r"C:\a.h is no path on TNC: and none from the program's folder");
+        check(r"\\server\share\a.h", r"\\server\share\a.h is no path on TNC: and none from the program's folder");
+        check("/etc/passwd", "/etc/passwd is no path on TNC: and none from the program's folder");
+        check("a.h:stream", "a.h:stream is no path on TNC: and none from the program's folder");
+        check(r"TNC:\a.h:stream", r"a.h:stream in TNC:\a.h:stream is no name for a file or a folder");
+        check(r"sub\NUL.txt", r"NUL.txt in sub\NUL.txt is no name for a file or a folder");
+        check("com1", "com1 in com1 is no name for a file or a folder");
+        check("a.h.", "a.h. in a.h. is no name for a file or a folder");
+        check("a\u{7}b", "a\\u{7}b in a\u{7}b is no name for a file or a folder");
+        check("  ", "the path is empty");
+        check(r"TNC:\", "the path is empty");
+        check(r"sub\", "the path is empty");
+        check(&"x".repeat(1_001), "the path has more than 1000 characters");
+    }
+}

@@ -1,0 +1,164 @@
+//! Where programs, tables and masks come from, and where outputs go.
+
+use std::collections::BTreeMap;
+
+use super::path::NcPath;
+use crate::control::mask::FileUse;
+use crate::files;
+use crate::words::{Message, Say};
+
+/// Files as a program sees them. Paths are followed to their end before they come here.
+pub trait Store: Send {
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// [`StoreError`] says why there are none.
+    fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError>;
+
+    /// Writes what FN 16 prints, or a table that FN 27 has changed, and says how many bytes the file has then.
+    ///
+    /// # Errors
+    /// [`StoreError::ReadOnly`] where nothing is written, others where it went wrong.
+    fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError>;
+}
+
+/// Why a file cannot be read or written.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum StoreError {
+    /// There is none.
+    #[error("there is no file {path}")]
+    Missing {
+        /// Its path.
+        path: NcPath,
+    },
+    /// A link leads out of the folders that were given.
+    #[error("{path} leads out of the folders that were given")]
+    Outside {
+        /// Its path.
+        path: NcPath,
+    },
+    /// A folder, a pipe or a device.
+    #[error("{path} is no file")]
+    NoFile {
+        /// Its path.
+        path: NcPath,
+    },
+    /// It is larger than anything that a control has.
+    #[error("{path} is larger than {} MiB", files::LARGEST >> 20)]
+    TooLarge {
+        /// Its path.
+        path: NcPath,
+    },
+    /// No folder was chosen for outputs.
+    #[error("no folder was chosen for outputs")]
+    ReadOnly,
+    /// The system said no.
+    #[error("{path}: {reason}")]
+    System {
+        /// Its path.
+        path: NcPath,
+        /// What the system says.
+        reason: String,
+    },
+}
+
+impl Say for StoreError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Missing { path } => Message::new("machine-store-missing").text("path", path),
+            Self::Outside { path } => Message::new("machine-store-outside").text("path", path),
+            Self::NoFile { path } => Message::new("machine-store-no-file").text("path", path),
+            Self::TooLarge { path } => {
+                Message::new("machine-store-too-large").text("path", path).text("most", files::LARGEST >> 20)
+            }
+            Self::ReadOnly => Message::new("machine-store-read-only"),
+            Self::System { path, reason } => {
+                Message::new("machine-store-system").text("path", path).text("reason", reason)
+            }
+        }
+    }
+}
+
+/// The files that are embedded in the program.
+const SHIPPED: [(&str, &[u8]); 15] = [
+    ("8255_nl.h", include_bytes!("../../../assets/nc/8255_nl.h")),
+    ("8255_en.h", include_bytes!("../../../assets/nc/8255_en.h")),
+    ("8255_de.h", include_bytes!("../../../assets/nc/8255_de.h")),
+    ("8255_it.h", include_bytes!("../../../assets/nc/8255_it.h")),
+    ("82551_nl.h", include_bytes!("../../../assets/nc/82551_nl.h")),
+    ("82551_en.h", include_bytes!("../../../assets/nc/82551_en.h")),
+    ("82551_de.h", include_bytes!("../../../assets/nc/82551_de.h")),
+    ("82551_it.h", include_bytes!("../../../assets/nc/82551_it.h")),
+    ("82552_nl.a", include_bytes!("../../../assets/masks/82552_nl.a")),
+    ("82552_en.a", include_bytes!("../../../assets/masks/82552_en.a")),
+    ("82552_de.a", include_bytes!("../../../assets/masks/82552_de.a")),
+    ("82552_it.a", include_bytes!("../../../assets/masks/82552_it.a")),
+    ("82553_hole.tab", include_bytes!("../../../tables/82553_hole.tab")),
+    ("82553_shaft.tab", include_bytes!("../../../tables/82553_shaft.tab")),
+    ("tchprobe.tp", include_bytes!("../../../tables/tchprobe.tp")),
+];
+
+/// The programs, tables and masks that are embedded: found by file name, whatever the folder. Nothing is written.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Shipped;
+
+impl Shipped {
+    /// The bytes of an embedded file.
+    pub fn file(name: &str) -> Option<&'static [u8]> {
+        SHIPPED.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, bytes)| *bytes)
+    }
+
+    /// The names of all of them.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        SHIPPED.iter().map(|(name, _)| *name)
+    }
+}
+
+impl Store for Shipped {
+    fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
+        let missing = || StoreError::Missing { path: path.clone() };
+        Self::file(path.file_name()).map(<[u8]>::to_vec).ok_or_else(missing)
+    }
+
+    fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
+        Err(StoreError::ReadOnly)
+    }
+}
+
+/// Files in memory, by path or by file name, and the embedded ones after them. Outputs stay in memory.
+#[derive(Debug, Clone, Default)]
+pub struct InMemory(BTreeMap<String, Vec<u8>>);
+
+impl InMemory {
+    /// No file but the embedded ones.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The same with one more file: `a.h` in any folder, or `TNC:\fit\a.h` in this one.
+    #[must_use]
+    pub fn with(mut self, name: &str, bytes: impl Into<Vec<u8>>) -> Self {
+        self.0.insert(name.to_ascii_lowercase(), bytes.into());
+        self
+    }
+
+    /// A file by path or by file name.
+    pub fn file(&self, path: &NcPath) -> Option<&[u8]> {
+        let by = |name: &str| self.0.get(&name.to_ascii_lowercase());
+        by(&path.to_string()).or_else(|| by(path.file_name())).map(Vec::as_slice)
+    }
+}
+
+impl Store for InMemory {
+    fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
+        self.file(path).map_or_else(|| Shipped.read(path), |bytes| Ok(bytes.to_vec()))
+    }
+
+    fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {
+        let old = if how == FileUse::Replace { &[] } else { self.file(path).unwrap_or_default() };
+        let whole = [old, bytes].concat();
+        let size = whole.len();
+        self.0.insert(path.to_string().to_ascii_lowercase(), whole);
+        Ok(size)
+    }
+}

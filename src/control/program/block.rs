@@ -1,0 +1,346 @@
+//! What the blocks of a program say.
+
+use std::fmt;
+use std::ops::Range;
+
+use super::expression::{Expression, TextExpression};
+use crate::control::variables::Parameter;
+
+/// One block: a line of the program, or several where a line ends in `~`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block {
+    /// Its lines in the program's text, counted from 0.
+    pub lines: Range<usize>,
+    /// The block number that is written in the program, where there is one.
+    pub number: Option<u32>,
+    /// Whether a `/` stands before it: with block skip it is passed over.
+    pub may_be_skipped: bool,
+    /// What it says.
+    pub body: Body,
+}
+
+/// Where something stands in the text: line and column, both from 1; columns count characters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Place {
+    /// Line.
+    pub line: usize,
+    /// Column.
+    pub column: usize,
+}
+
+/// The unit of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Unit {
+    /// Millimetres.
+    Mm,
+    /// Inches.
+    Inch,
+}
+
+/// As it is written behind the name of the program.
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Mm => "MM",
+            Self::Inch => "INCH",
+        })
+    }
+}
+
+/// What a block says.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Body {
+    /// `BEGIN PGM name MM`
+    Begin {
+        /// The program's name.
+        name: String,
+        /// Its unit.
+        unit: Unit,
+    },
+    /// `END PGM name MM`
+    End {
+        /// The program's name.
+        name: String,
+        /// Its unit.
+        unit: Unit,
+    },
+    /// A comment alone, or a number alone.
+    Nothing,
+    /// `* - text`: structure.
+    Heading {
+        /// How deep, from 1; deeper with more blanks.
+        depth: usize,
+        /// The text without the signs before it.
+        text: String,
+    },
+    /// `LBL 11`, `LBL "LOOP"`; `LBL 0` ends a subprogram. Never a parameter.
+    Label(Target),
+    /// `CALL LBL 7`, `CALL LBL 5 REP 3`
+    CallLabel {
+        /// The label.
+        label: Target,
+        /// How often the part from the label to here is run again.
+        repeat: Option<u32>,
+    },
+    /// `CALL PGM TNC:\Plan.h`
+    CallProgram(TextOperand),
+    /// `Q5 = ...`, `FN 0: Q5 = ...` to `FN 8` and `FN 13`
+    Assign {
+        /// Q, QL or QR.
+        to: Parameter,
+        /// The value.
+        value: Expression,
+    },
+    /// `FN 0: Q5 SET UNDEFINED`
+    Undefine(Parameter),
+    /// `DECLARE STRING QS1 = "H7"`, `QS1 = ...`
+    AssignText {
+        /// A QS parameter.
+        to: Parameter,
+        /// The value.
+        value: TextExpression,
+    },
+    /// FN 9 to FN 12
+    Jump {
+        /// When.
+        condition: Condition,
+        /// Where to.
+        label: Target,
+    },
+    /// `FN 14: ERROR= 1005`
+    Error(Operand),
+    /// `FN 16: F-PRINT mask / output`
+    Print {
+        /// The mask's path.
+        mask: TextOperand,
+        /// `SCREEN:`, `SCLR:`, or the output's path.
+        output: TextOperand,
+    },
+    /// `FN 26: TABOPEN path`
+    TableOpen(TextOperand),
+    /// `FN 28: TABREAD Q10 = 6/"X,Y,D"`
+    TableRead {
+        /// The first parameter that is filled; several columns fill those behind it.
+        to: Parameter,
+        /// The row, from 0.
+        row: Operand,
+        /// The columns.
+        columns: Columns,
+    },
+    /// `FN 27: TABWRITE 40/"NAME" = QS10`
+    TableWrite {
+        /// The row, from 0.
+        row: Operand,
+        /// The columns.
+        columns: Columns,
+        /// The first parameter that is written.
+        from: Parameter,
+    },
+    /// `TOOL CALL 5 Z S2000`
+    ToolCall {
+        /// Number, name, QS parameter; `None` changes speed or feed only.
+        tool: Option<Tool>,
+        /// The tool axis.
+        axis: Option<Axis>,
+        /// What stands behind it (S, F, DL …), as it is.
+        rest: String,
+    },
+    /// `L  X+10  Y+Q21 R0 FMAX M3`
+    Move(Movement),
+    /// `M30`, and other M functions alone.
+    MachineFunctions(Vec<MachineFunction>),
+    /// `STOP`, `STOP M6`
+    Stop(Vec<MachineFunction>),
+    /// `TCH PROBE 427 NAME ~` and its lines; runs where it stands.
+    Probe(CycleBlock),
+    /// `CYCL DEF 247 NAME ~` and its lines.
+    CycleDefinition(CycleBlock),
+    /// Anything else, kept as text.
+    Other,
+}
+
+/// A number or a number parameter, with a sign: `+Q1`, `-5`, `2,5`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Operand {
+    /// A number, sign included.
+    Number(f64),
+    /// A Q, QL or QR parameter.
+    Parameter {
+        /// Which.
+        parameter: Parameter,
+        /// Whether a minus sign stands before it.
+        is_negative: bool,
+    },
+}
+
+/// A text or a text parameter.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum TextOperand {
+    /// As it is written, without quotes.
+    Text(String),
+    /// A QS parameter (also written `:'QS1'` in paths of FN 16).
+    Parameter(Parameter),
+}
+
+/// A label.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Target {
+    /// By number; 0 ends a subprogram.
+    Number(u32),
+    /// By name.
+    Name(String),
+    /// The name stands in a QS parameter, the number in a Q parameter.
+    Parameter(Parameter),
+}
+
+/// As it is written behind `LBL`: `5`, `"LOOP"`, `QS5`.
+impl fmt::Display for Target {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Name(name) => f.write_str(&super::write_formula::quoted(name)),
+            Self::Parameter(parameter) => write!(f, "{parameter}"),
+        }
+    }
+}
+
+/// When a jump is made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Condition {
+    /// FN 9 to FN 12 with two values.
+    Compare(Operand, Relation, Operand),
+    /// `IS DEFINED`
+    IsDefined(Parameter),
+    /// `IS UNDEFINED`
+    IsUndefined(Parameter),
+}
+
+/// How two values are compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Relation {
+    /// `EQU`
+    Equal,
+    /// `NE`
+    NotEqual,
+    /// `GT`
+    Greater,
+    /// `LT`
+    Less,
+}
+
+/// Columns of a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Columns {
+    /// `"X,Y,D"`: one or more names.
+    Names(Vec<String>),
+    /// The name stands in a QS parameter.
+    Parameter(Parameter),
+}
+
+/// Which tool.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Tool {
+    /// By number, or by the number in a Q parameter.
+    Number(Operand),
+    /// By name, or by the name in a QS parameter.
+    Name(TextOperand),
+}
+
+/// A linear or rotary axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum Axis {
+    X,
+    Y,
+    Z,
+    A,
+    B,
+    C,
+    U,
+    V,
+    W,
+}
+
+/// A straight line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Movement {
+    /// The axes that move.
+    pub axes: Vec<AxisWord>,
+    /// `R0`, `RL`, `RR`, as it is written.
+    pub compensation: Option<String>,
+    /// The feed.
+    pub feed: Option<Feed>,
+    /// M functions.
+    pub machine: Vec<MachineFunction>,
+}
+
+/// `IX+2,5`
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisWord {
+    /// Which axis.
+    pub axis: Axis,
+    /// Whether an `I` stands before it: the value counts from where the axis is.
+    pub is_incremental: bool,
+    /// Where to.
+    pub value: Operand,
+}
+
+/// How fast.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Feed {
+    /// `FMAX`
+    Rapid,
+    /// `FAUTO`
+    Auto,
+    /// `F200`, `FQ1822`: mm a minute, or a tenth of an inch a minute.
+    Value(Operand),
+}
+
+/// An M function: `M30`, `M140 MB MAX`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MachineFunction {
+    /// Its number.
+    pub number: u32,
+    /// What stands behind it, as it is.
+    pub rest: String,
+}
+
+/// A cycle with its lines, in the order of the program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CycleBlock {
+    /// The number behind `TCH PROBE` or `CYCL DEF`, as it is written: `421`, `7.0`.
+    pub number: String,
+    /// The name behind it, as it is written.
+    pub name: String,
+    /// Its parameters.
+    pub lines: Vec<CycleLine>,
+}
+
+/// `Q263=+35 ;1ST POINT 1ST AXIS`
+#[derive(Debug, Clone, PartialEq)]
+pub struct CycleLine {
+    /// Q or QS.
+    pub parameter: Parameter,
+    /// The value.
+    pub value: CycleValue,
+    /// Where the parameter stands.
+    pub place: Place,
+    /// The comment behind it, which names the parameter in the language of the control.
+    pub comment: String,
+}
+
+/// What a cycle's parameter is set to.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CycleValue {
+    /// A number or a parameter; `text` is what is written, so that decimals go to the cycle exactly.
+    Number {
+        /// The value.
+        value: Operand,
+        /// As it is written.
+        text: String,
+    },
+    /// A quoted text or a QS parameter.
+    Text(TextOperand),
+    /// A word: `PREDEF`, `MAX`, `AUTO`.
+    Word(String),
+}

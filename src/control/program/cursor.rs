@@ -1,0 +1,302 @@
+//! A place in the text of one block that moves forward.
+//!
+//! Klartext is not read word by word: blanks may stand within a word (`X + 0`, `FN0 :`) and lack between words
+//! (`SIN-Q5`, `IX-QR4`). So every reader asks the cursor for what it expects, and the cursor passes over blanks.
+
+use super::block::{Operand, TextOperand};
+use super::reason::{Reason, Wanted};
+use crate::control::variables::{Family, Parameter};
+
+/// What is read, or why not.
+pub(super) type Read<T> = Result<T, Stop>;
+
+/// Where reading stopped, as bytes from the beginning of the block's text, and why.
+#[derive(Debug)]
+pub(super) struct Stop {
+    pub at: usize,
+    pub reason: Reason,
+}
+
+/// The place.
+#[derive(Debug, Clone)]
+pub(super) struct Cursor<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+/// How much of what was found an error repeats, in characters.
+const SHOWN: usize = 24;
+
+impl<'a> Cursor<'a> {
+    /// At the beginning.
+    pub(super) const fn new(text: &'a str) -> Self {
+        Self { text, at: 0 }
+    }
+
+    /// Where it is, in bytes.
+    pub(super) const fn at(&self) -> usize {
+        self.at
+    }
+
+    /// What is left.
+    pub(super) fn rest(&self) -> &'a str {
+        self.text.get(self.at..).unwrap_or_default()
+    }
+
+    /// What was passed since a place, without blanks around it.
+    pub(super) fn since(&self, at: usize) -> &'a str {
+        self.text.get(at..self.at).unwrap_or_default().trim()
+    }
+
+    /// Passes over blanks.
+    pub(super) fn blanks(&mut self) {
+        let rest = self.rest();
+        self.at += rest.len() - rest.trim_start().len();
+    }
+
+    /// Whether nothing but blanks is left.
+    pub(super) fn is_at_end(&mut self) -> bool {
+        self.blanks();
+        self.text.len() <= self.at
+    }
+
+    /// The next character that is no blank.
+    pub(super) fn next(&mut self) -> Option<char> {
+        self.blanks();
+        self.rest().chars().next()
+    }
+
+    /// Takes what passes a test from here on, blanks too where the test lets them.
+    pub(super) fn take_while(&mut self, test: impl Fn(char) -> bool) -> &'a str {
+        let rest = self.rest();
+        let end = rest.find(|c| !test(c)).unwrap_or(rest.len());
+        self.at += end;
+        rest.get(..end).unwrap_or_default()
+    }
+
+    /// Takes all that is left, without blanks around it.
+    pub(super) fn take_rest(&mut self) -> &'a str {
+        let rest = self.rest();
+        self.at = self.text.len();
+        rest.trim()
+    }
+
+    /// Takes a sign such as `=`, if it is next.
+    pub(super) fn take(&mut self, sign: char) -> bool {
+        let is_next = self.next() == Some(sign);
+        if is_next {
+            self.at += sign.len_utf8();
+        }
+        is_next
+    }
+
+    /// Takes the beginning of a word, such as `DAT` of `DAT+Q5`, in any case.
+    pub(super) fn take_prefix(&mut self, prefix: &str) -> bool {
+        self.blanks();
+        let is_next = self.rest().get(..prefix.len()).is_some_and(|next| next.eq_ignore_ascii_case(prefix));
+        if is_next {
+            self.at += prefix.len();
+        }
+        is_next
+    }
+
+    /// Takes a whole word, in any case: no letter stands behind it.
+    pub(super) fn take_word(&mut self, word: &str) -> bool {
+        let mut ahead = self.clone();
+        let is_next = ahead.take_prefix(word) && !ahead.rest().starts_with(|c: char| c.is_alphabetic() || c == '_');
+        if is_next {
+            *self = ahead;
+        }
+        is_next
+    }
+
+    /// Takes several words, or none.
+    pub(super) fn take_words(&mut self, words: &[&str]) -> bool {
+        let mut ahead = self.clone();
+        let are_next = words.iter().all(|word| ahead.take_word(word));
+        if are_next {
+            *self = ahead;
+        }
+        are_next
+    }
+
+    /// The letters that come next, without taking them.
+    pub(super) fn letters(&mut self) -> &'a str {
+        self.blanks();
+        self.clone().take_while(|c| c.is_ascii_alphabetic())
+    }
+
+    /// Takes a sign or stops.
+    pub(super) fn expect(&mut self, sign: char, wanted: &'static str) -> Read<()> {
+        if self.take(sign) { Ok(()) } else { Err(self.stop(Wanted::Word(wanted))) }
+    }
+
+    /// Takes a word or stops.
+    pub(super) fn expect_word(&mut self, word: &'static str) -> Read<()> {
+        if self.take_word(word) { Ok(()) } else { Err(self.stop(Wanted::Word(word))) }
+    }
+
+    /// Stops unless nothing is left.
+    pub(super) fn end(&mut self) -> Read<()> {
+        if self.is_at_end() { Ok(()) } else { Err(self.fail(Reason::Left { found: self.shown() })) }
+    }
+
+    /// Something else is due here.
+    pub(super) fn stop(&mut self, wanted: Wanted) -> Stop {
+        let reason =
+            if self.is_at_end() { Reason::Missing(wanted) } else { Reason::Unexpected { wanted, found: self.shown() } };
+        self.fail(reason)
+    }
+
+    /// Stops here.
+    pub(super) const fn fail(&self, reason: Reason) -> Stop {
+        Stop { at: self.at, reason }
+    }
+
+    /// The beginning of what is left, as an error repeats it.
+    fn shown(&self) -> String {
+        self.rest().split_whitespace().next().unwrap_or_default().chars().take(SHOWN).collect()
+    }
+
+    /// Takes a number without sign as it is written: digits with at most one point or comma among or around them.
+    pub(super) fn number_text(&mut self) -> Option<&'a str> {
+        self.blanks();
+        let mut ahead = self.clone();
+        let from = ahead.at;
+        let mut digits = ahead.take_while(|c| c.is_ascii_digit()).len();
+        if ahead.rest().starts_with(['.', ',']) {
+            ahead.at += 1;
+            digits += ahead.take_while(|c| c.is_ascii_digit()).len();
+        }
+        if digits == 0 {
+            return None;
+        }
+        *self = ahead;
+        Some(self.since(from))
+    }
+
+    /// Takes a number without sign.
+    pub(super) fn number(&mut self) -> Read<Option<f64>> {
+        self.blanks();
+        let from = self.clone();
+        let Some(text) = self.number_text() else { return Ok(None) };
+        let number = if text.contains(',') { text.replace(',', ".").parse() } else { text.parse::<f64>() };
+        match number {
+            Ok(number) if number.is_finite() => Ok(Some(number)),
+            _ => Err(from.fail(Reason::NumberSize { found: from.shown() })),
+        }
+    }
+
+    /// Takes a whole number without sign.
+    pub(super) fn whole(&mut self, most: u32) -> Read<Option<u32>> {
+        self.blanks();
+        let from = self.clone();
+        let digits = self.take_while(|c| c.is_ascii_digit());
+        if digits.is_empty() {
+            return Ok(None);
+        }
+        match digits.parse() {
+            Ok(number) if number <= most => Ok(Some(number)),
+            _ => Err(from.fail(Reason::Range { found: from.shown(), most })),
+        }
+    }
+
+    /// Takes a parameter.
+    pub(super) fn parameter(&mut self) -> Read<Option<Parameter>> {
+        self.blanks();
+        let mut ahead = self.clone();
+        if !ahead.take_prefix("Q") {
+            return Ok(None);
+        }
+        // Ranges: 1999 and 499, facts of the manuals (`docs/SOURCES.md`).
+        let (family, name, most) = match ahead.rest().bytes().next() {
+            Some(b'S' | b's') => (Family::Qs, "QS", 1999),
+            Some(b'L' | b'l') => (Family::Ql, "QL", 499),
+            Some(b'R' | b'r') => (Family::Qr, "QR", 499),
+            _ => (Family::Q, "Q", 1999),
+        };
+        ahead.at += name.len() - 1;
+        let digits = ahead.take_while(|c| c.is_ascii_digit());
+        if digits.is_empty() {
+            return Ok(None);
+        }
+        match digits.parse() {
+            Ok(number) if number <= most => {
+                *self = ahead;
+                Ok(Some(Parameter { family, number }))
+            }
+            _ => Err(self.fail(Reason::ParameterRange { found: self.shown(), family: name, most })),
+        }
+    }
+
+    /// Takes a parameter of numbers.
+    pub(super) fn number_parameter(&mut self) -> Read<Parameter> {
+        let from = self.clone();
+        match self.parameter()? {
+            Some(parameter) if parameter.family != Family::Qs => Ok(parameter),
+            _ => Err(from.clone().stop(Wanted::NumberParameter)),
+        }
+    }
+
+    /// Takes a QS parameter.
+    pub(super) fn text_parameter(&mut self) -> Read<Parameter> {
+        let from = self.clone();
+        match self.parameter()? {
+            Some(parameter) if parameter.family == Family::Qs => Ok(parameter),
+            _ => Err(from.clone().stop(Wanted::TextParameter)),
+        }
+    }
+
+    /// Takes `+` or `-`; says whether it is a minus.
+    pub(super) fn minus(&mut self) -> bool {
+        let is_minus = self.take('-');
+        if !is_minus {
+            self.take('+');
+        }
+        is_minus
+    }
+
+    /// Takes a number or a Q, QL or QR parameter, with or without sign.
+    pub(super) fn operand(&mut self) -> Read<Operand> {
+        self.blanks();
+        let from = self.clone();
+        let is_negative = self.minus();
+        if let Some(number) = self.number()? {
+            return Ok(Operand::Number(if is_negative { -number } else { number }));
+        }
+        match self.parameter()? {
+            Some(parameter) if parameter.family != Family::Qs => Ok(Operand::Parameter { parameter, is_negative }),
+            _ => Err(from.clone().stop(Wanted::Value)),
+        }
+    }
+
+    /// Takes a quoted text. That quotes are closed is checked before.
+    pub(super) fn quoted(&mut self) -> Option<&'a str> {
+        self.blanks();
+        let rest = self.rest().strip_prefix('"')?;
+        let (text, _) = rest.split_once('"')?;
+        self.at += text.len() + 2;
+        Some(text)
+    }
+
+    /// Takes a path or the like up to a sign or the end: quoted, a QS parameter, or as it is.
+    pub(super) fn path(&mut self, until: Option<char>) -> Read<TextOperand> {
+        if let Some(text) = self.quoted() {
+            return Ok(TextOperand::Text(text.to_owned()));
+        }
+        self.blanks();
+        let from = self.clone();
+        let text = self.take_while(|c| Some(c) != until && c != '"').trim();
+        if text.is_empty() {
+            return Err(from.clone().stop(Wanted::Path));
+        }
+        let name = text.strip_prefix(":'").and_then(|text| text.strip_suffix('\'')).unwrap_or(text);
+        let mut name = Cursor::new(name);
+        match name.parameter() {
+            Ok(Some(parameter)) if parameter.family == Family::Qs && name.is_at_end() => {
+                Ok(TextOperand::Parameter(parameter))
+            }
+            _ => Ok(TextOperand::Text(text.to_owned())),
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! Cycles: `TCH PROBE` and `CYCL DEF` with the lines behind them.
+
+use super::block::{CycleBlock, CycleLine, CycleValue, Place, TextOperand};
+use super::cursor::{Cursor, Read, Stop};
+use super::lines::Piece;
+use super::reason::Wanted;
+use crate::control::variables::Family;
+
+/// The number and the name, behind `TCH PROBE` or `CYCL DEF`.
+pub(super) fn head(cursor: &mut Cursor<'_>) -> Read<CycleBlock> {
+    let Some(number) = cursor.number_text() else { return Err(cursor.stop(Wanted::Number)) };
+    Ok(CycleBlock { number: number.to_owned(), name: cursor.take_rest().to_owned(), lines: Vec::new() })
+}
+
+/// Adds what a line says; `column` is the column of a place in the line's code, in bytes.
+pub(super) fn line(cycle: &mut CycleBlock, piece: &Piece<'_>, column: impl Fn(usize) -> Place) -> Read<()> {
+    let mut cursor = Cursor::new(piece.code);
+    while !cursor.is_at_end() {
+        let place = column(cursor.at());
+        let Some(parameter) = cursor.parameter()? else { return Err(cursor.stop(Wanted::Parameter)) };
+        cursor.expect('=', "=")?;
+        let value = value(&mut cursor)?;
+        let comment = piece.comment.unwrap_or_default().to_owned();
+        cycle.lines.push(CycleLine { parameter, value, place, comment });
+    }
+    Ok(())
+}
+
+fn value(cursor: &mut Cursor<'_>) -> Result<CycleValue, Stop> {
+    if let Some(text) = cursor.quoted() {
+        return Ok(CycleValue::Text(TextOperand::Text(text.to_owned())));
+    }
+    cursor.blanks();
+    let from = cursor.clone();
+    if let Some(parameter) = cursor.parameter()?.filter(|parameter| parameter.family == Family::Qs) {
+        return Ok(CycleValue::Text(TextOperand::Parameter(parameter)));
+    }
+    *cursor = from.clone();
+    let word = cursor.take_while(|c| c.is_ascii_alphabetic());
+    let is_parameter = cursor.rest().starts_with(|c: char| c.is_ascii_digit());
+    if !word.is_empty() && !is_parameter {
+        return Ok(CycleValue::Word(word.to_owned()));
+    }
+    *cursor = from.clone();
+    match cursor.operand() {
+        Ok(value) => {
+            let text = cursor.since(from.at()).chars().filter(|c| !c.is_whitespace()).collect();
+            Ok(CycleValue::Number { value, text })
+        }
+        // A number beyond its range says so; anything else is no value.
+        Err(stop)
+            if matches!(stop.reason, super::reason::Reason::Missing(_) | super::reason::Reason::Unexpected { .. }) =>
+        {
+            Err(from.clone().stop(Wanted::CycleValue))
+        }
+        Err(stop) => Err(stop),
+    }
+}

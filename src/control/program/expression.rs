@@ -1,0 +1,127 @@
+//! Formulas of numbers and texts, as a tree.
+
+use super::block::{Operand, TextOperand};
+use crate::control::variables::Parameter;
+
+/// A formula that gives a number. FN 0 to FN 8 and FN 13 are formulas in other words.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Expression {
+    /// A number or a parameter, with its sign.
+    Value(Operand),
+    /// The constant PI.
+    Pi,
+    /// A function before its operand: `SQRT 4`, and `NEG`; a minus sign before a bracket is `NEG` too.
+    Function(NumberFunction, Box<Self>),
+    /// Two operands: `Q1 + 3`.
+    Binary(Operation, Box<Self>, Box<Self>),
+    /// `TONUMB ( SRC_QS11 )`.
+    ToNumber(Parameter),
+    /// `INSTR ( SRC_QS10 SEA_QS13 BEG2 )`.
+    Position {
+        /// Where it is looked for.
+        source: Parameter,
+        /// What is looked for.
+        wanted: Parameter,
+        /// From which character, counted from 0.
+        from: Operand,
+    },
+    /// `STRLEN ( SRC_QS15 )`.
+    TextLength(Parameter),
+    /// `STRCOMP ( SRC_QS12 SEA_QS14 )`: -1, 0 or +1.
+    Compare {
+        /// The first text.
+        source: Parameter,
+        /// The second.
+        other: Parameter,
+    },
+}
+
+/// What stands between two operands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operation {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`, and `DIV` of FN 4.
+    Divide,
+    /// `^`
+    Power,
+    /// `%`: the remainder.
+    Remainder,
+    /// `LEN` of FN 8: the root of the sum of squares.
+    Hypotenuse,
+    /// `ANG` of FN 13: the angle whose sine is to the first operand what its cosine is to the second, degrees.
+    Angle,
+}
+
+/// Functions that stand before their operand; angles in degrees.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NumberFunction {
+    /// Square.
+    Square,
+    /// Square root.
+    SquareRoot,
+    /// Sine.
+    Sine,
+    /// Cosine.
+    Cosine,
+    /// Tangent.
+    Tangent,
+    /// Arc sine.
+    ArcSine,
+    /// Arc cosine.
+    ArcCosine,
+    /// Arc tangent.
+    ArcTangent,
+    /// Natural logarithm.
+    NaturalLogarithm,
+    /// Logarithm to the base 10.
+    Logarithm,
+    /// Power of e.
+    Exponential,
+    /// The other sign.
+    Negative,
+    /// Whole part.
+    Integer,
+    /// Size without sign.
+    Absolute,
+    /// Part behind the point.
+    Fraction,
+    /// Sign: 1 for 0 and above, -1 below.
+    Sign,
+}
+
+/// A formula that gives a text: the items one behind the other (`||`); at least one.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TextExpression {
+    /// A quoted text or a QS parameter.
+    Value(TextOperand),
+    /// `QS12 || QS13 || QS14`.
+    Join(Vec<Self>),
+    /// `TOCHAR ( DAT+Q50 DECIMALS3 )`; without decimals, as many as the value has.
+    FromNumber {
+        /// The number.
+        number: Operand,
+        /// Digits behind the point.
+        decimals: Option<Operand>,
+    },
+    /// `SUBSTR ( SRC_QS10 BEG2 LEN4 )`.
+    Part {
+        /// The text.
+        source: Parameter,
+        /// From which character, counted from 0.
+        from: Operand,
+        /// How many characters; to the end without it.
+        length: Option<Operand>,
+    },
+    /// `SYSSTR ( ID10321 NR0 )`: date and time and others; kept, run for date and time only.
+    System {
+        /// The group.
+        id: Operand,
+        /// The number in the group.
+        number: Operand,
+    },
+}

@@ -1,0 +1,182 @@
+//! Formulas of numbers: power before point before dash, and a function binds only the operand behind it.
+//!
+//! A sign binds like a function. Operations of the same rank go from left to right, powers too.
+
+use super::block::Operand;
+use super::cursor::{Cursor, Read};
+use super::expression::{Expression, NumberFunction, Operation};
+use super::reason::{Reason, Wanted};
+use super::words::{FUNCTIONS, meaning};
+use crate::control::variables::Family;
+
+/// How deep brackets and functions may be within one another.
+pub(super) const MOST_DEPTH: usize = 64;
+/// How many operands a formula may have: a tree of it is never deeper than this and [`MOST_DEPTH`] together.
+pub(super) const MOST_OPERANDS: usize = 500;
+
+/// Reads a formula as far as it goes.
+pub(super) fn expression(cursor: &mut Cursor<'_>) -> Read<Expression> {
+    Formula { cursor, depth: 0, operands: 0 }.sum()
+}
+
+/// Joins two operands.
+pub(super) fn binary(operation: Operation, left: Expression, right: Expression) -> Expression {
+    Expression::Binary(operation, Box::new(left), Box::new(right))
+}
+
+struct Formula<'c, 'a> {
+    cursor: &'c mut Cursor<'a>,
+    depth: usize,
+    operands: usize,
+}
+
+impl Formula<'_, '_> {
+    fn sum(&mut self) -> Read<Expression> {
+        let mut left = self.product()?;
+        loop {
+            let operation = if self.cursor.take('+') {
+                Operation::Add
+            } else if self.cursor.take('-') {
+                Operation::Subtract
+            } else {
+                return Ok(left);
+            };
+            left = binary(operation, left, self.product()?);
+        }
+    }
+
+    fn product(&mut self) -> Read<Expression> {
+        let mut left = self.power()?;
+        loop {
+            let operation = if self.cursor.take('*') {
+                Operation::Multiply
+            } else if self.cursor.take('/') {
+                Operation::Divide
+            } else if self.cursor.take('%') {
+                Operation::Remainder
+            } else {
+                return Ok(left);
+            };
+            left = binary(operation, left, self.power()?);
+        }
+    }
+
+    fn power(&mut self) -> Read<Expression> {
+        let mut left = self.operand()?;
+        while self.cursor.take('^') {
+            left = binary(Operation::Power, left, self.operand()?);
+        }
+        Ok(left)
+    }
+
+    /// An operand with what stands before it.
+    fn operand(&mut self) -> Read<Expression> {
+        if self.depth == MOST_DEPTH {
+            return Err(self.cursor.fail(Reason::TooDeep { most: MOST_DEPTH }));
+        }
+        self.depth += 1;
+        let operand = self.signed();
+        self.depth -= 1;
+        operand
+    }
+
+    fn signed(&mut self) -> Read<Expression> {
+        if self.cursor.take('+') {
+            return self.operand();
+        }
+        if self.cursor.take('-') {
+            return Ok(negative(self.operand()?));
+        }
+        if self.cursor.take('(') {
+            let inner = self.sum()?;
+            self.cursor.expect(')', ")")?;
+            return Ok(inner);
+        }
+        self.plain()
+    }
+
+    /// A number, a parameter, PI, or a function with its operand.
+    fn plain(&mut self) -> Read<Expression> {
+        self.operands += 1;
+        if MOST_OPERANDS < self.operands {
+            return Err(self.cursor.fail(Reason::TooManyOperands { most: MOST_OPERANDS }));
+        }
+        if let Some(number) = self.cursor.number()? {
+            return Ok(Expression::Value(Operand::Number(number)));
+        }
+        let from = self.cursor.clone();
+        if let Some(parameter) = self.cursor.parameter()? {
+            if parameter.family == Family::Qs {
+                return Err(from.clone().stop(Wanted::Value));
+            }
+            return Ok(Expression::Value(Operand::Parameter { parameter, is_negative: false }));
+        }
+        let word = self.cursor.letters();
+        if word.is_empty() {
+            return Err(self.cursor.stop(Wanted::Value));
+        }
+        self.cursor.take_prefix(word);
+        if word.eq_ignore_ascii_case("PI") {
+            return Ok(Expression::Pi);
+        }
+        if let Some(function) = meaning(&FUNCTIONS, word) {
+            return Ok(Expression::Function(function, Box::new(self.operand()?)));
+        }
+        match text_function(self.cursor, word)? {
+            Some(expression) => Ok(expression),
+            None => Err(from.fail(Reason::UnknownFunction { found: word.chars().take(24).collect() })),
+        }
+    }
+}
+
+/// The other sign; of a number or parameter it is part of it.
+fn negative(operand: Expression) -> Expression {
+    match operand {
+        Expression::Value(Operand::Number(number)) => Expression::Value(Operand::Number(-number)),
+        Expression::Value(Operand::Parameter { parameter, is_negative }) => {
+            Expression::Value(Operand::Parameter { parameter, is_negative: !is_negative })
+        }
+        other => Expression::Function(NumberFunction::Negative, Box::new(other)),
+    }
+}
+
+/// The functions that make a number of a text; the word is already taken.
+fn text_function(cursor: &mut Cursor<'_>, word: &str) -> Read<Option<Expression>> {
+    let is = |name: &str| word.eq_ignore_ascii_case(name);
+    if !["TONUMB", "INSTR", "STRLEN", "STRCOMP"].into_iter().any(is) {
+        return Ok(None);
+    }
+    cursor.expect('(', "(")?;
+    let source = text_word(cursor, "SRC_")?;
+    let expression = if is("TONUMB") {
+        Expression::ToNumber(source)
+    } else if is("STRLEN") {
+        Expression::TextLength(source)
+    } else {
+        let wanted = text_word(cursor, "SEA_")?;
+        if is("STRCOMP") {
+            Expression::Compare { source, other: wanted }
+        } else {
+            let from = value_word(cursor, "BEG")?;
+            Expression::Position { source, wanted, from }
+        }
+    };
+    cursor.expect(')', ")")?;
+    Ok(Some(expression))
+}
+
+/// `SRC_QS10`.
+pub(super) fn text_word(cursor: &mut Cursor<'_>, word: &'static str) -> Read<crate::control::variables::Parameter> {
+    if !cursor.take_prefix(word) {
+        return Err(cursor.stop(Wanted::Word(word)));
+    }
+    cursor.text_parameter()
+}
+
+/// `BEG2`, `BEG+Q5`.
+pub(super) fn value_word(cursor: &mut Cursor<'_>, word: &'static str) -> Read<Operand> {
+    if !cursor.take_prefix(word) {
+        return Err(cursor.stop(Wanted::Word(word)));
+    }
+    cursor.operand()
+}

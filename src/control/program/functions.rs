@@ -1,0 +1,202 @@
+//! Blocks that begin with `FN`, and assignments.
+
+use super::block::{Body, Columns, Condition, Operand};
+use super::body::target;
+use super::cursor::{Cursor, Read};
+use super::expression::{Expression, NumberFunction, Operation};
+use super::formula::{binary, expression};
+use super::reason::{Reason, Wanted};
+use super::text_formula::text_expression;
+use super::words::RELATIONS;
+use crate::control::variables::{Family, Parameter};
+
+/// `FN n: …`, the word `FN` is taken. Functions that Fitcheck does not run are [`Body::Other`].
+pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
+    let Some(number) = cursor.whole(99)? else { return Err(cursor.stop(Wanted::Number)) };
+    cursor.expect(':', ":")?;
+    match number {
+        0 => assign_value(cursor),
+        1 => assign(cursor, |cursor| sign_between(cursor, '+', "+", Operation::Add)),
+        2 => assign(cursor, |cursor| sign_between(cursor, '-', "-", Operation::Subtract)),
+        3 => assign(cursor, |cursor| sign_between(cursor, '*', "*", Operation::Multiply)),
+        4 => assign(cursor, divide),
+        5 => assign(cursor, |cursor| before(cursor, "SQRT", NumberFunction::SquareRoot)),
+        6 => assign(cursor, |cursor| before(cursor, "SIN", NumberFunction::Sine)),
+        7 => assign(cursor, |cursor| before(cursor, "COS", NumberFunction::Cosine)),
+        8 => assign(cursor, |cursor| word_between(cursor, "LEN", Operation::Hypotenuse)),
+        13 => assign(cursor, |cursor| word_between(cursor, "ANG", Operation::Angle)),
+        9..=12 => jump(cursor, number),
+        14 => error(cursor),
+        16 => print(cursor),
+        26 => {
+            cursor.expect_word("TABOPEN")?;
+            Ok(Body::TableOpen(cursor.path(None)?))
+        }
+        27 => table_write(cursor),
+        28 => table_read(cursor),
+        _ => {
+            cursor.take_rest();
+            Ok(Body::Other)
+        }
+    }
+}
+
+/// `Q5 = …`, `QS5 = …`, `Q5 SET UNDEFINED`.
+pub(super) fn assignment(cursor: &mut Cursor<'_>) -> Read<Body> {
+    let Some(to) = cursor.parameter()? else { return Err(cursor.stop(Wanted::Parameter)) };
+    if cursor.take_words(&["SET", "UNDEFINED"]) {
+        return Ok(Body::Undefine(to));
+    }
+    cursor.expect('=', "=")?;
+    if to.family == Family::Qs {
+        return Ok(Body::AssignText { to, value: text_expression(cursor)? });
+    }
+    Ok(Body::Assign { to, value: expression(cursor)? })
+}
+
+/// `DECLARE STRING QS1 = …`, the words are taken.
+pub(super) fn declaration(cursor: &mut Cursor<'_>) -> Read<Body> {
+    let to = cursor.text_parameter()?;
+    cursor.expect('=', "=")?;
+    Ok(Body::AssignText { to, value: text_expression(cursor)? })
+}
+
+fn assign_value(cursor: &mut Cursor<'_>) -> Read<Body> {
+    let from = cursor.clone();
+    let Some(to) = cursor.parameter()? else { return Err(cursor.stop(Wanted::Parameter)) };
+    if cursor.take_words(&["SET", "UNDEFINED"]) {
+        return Ok(Body::Undefine(to));
+    }
+    if to.family == Family::Qs {
+        return Err(from.clone().stop(Wanted::NumberParameter));
+    }
+    cursor.expect('=', "=")?;
+    Ok(Body::Assign { to, value: value(cursor)? })
+}
+
+fn assign(cursor: &mut Cursor<'_>, formula: impl Fn(&mut Cursor<'_>) -> Read<Expression>) -> Read<Body> {
+    let to = cursor.number_parameter()?;
+    cursor.expect('=', "=")?;
+    Ok(Body::Assign { to, value: formula(cursor)? })
+}
+
+fn value(cursor: &mut Cursor<'_>) -> Read<Expression> {
+    Ok(Expression::Value(cursor.operand()?))
+}
+
+fn before(cursor: &mut Cursor<'_>, word: &'static str, function: NumberFunction) -> Read<Expression> {
+    cursor.expect_word(word)?;
+    Ok(Expression::Function(function, Box::new(value(cursor)?)))
+}
+
+fn sign_between(cursor: &mut Cursor<'_>, sign: char, name: &'static str, operation: Operation) -> Read<Expression> {
+    let left = value(cursor)?;
+    cursor.expect(sign, name)?;
+    Ok(binary(operation, left, value(cursor)?))
+}
+
+fn word_between(cursor: &mut Cursor<'_>, word: &'static str, operation: Operation) -> Read<Expression> {
+    let left = value(cursor)?;
+    cursor.expect_word(word)?;
+    Ok(binary(operation, left, value(cursor)?))
+}
+
+/// `DIV`, and `/` in programs that were written by hand.
+fn divide(cursor: &mut Cursor<'_>) -> Read<Expression> {
+    let left = value(cursor)?;
+    if !cursor.take('/') {
+        cursor.expect_word("DIV")?;
+    }
+    Ok(binary(Operation::Divide, left, value(cursor)?))
+}
+
+/// FN 9 to FN 12.
+fn jump(cursor: &mut Cursor<'_>, number: u32) -> Read<Body> {
+    cursor.expect_word("IF")?;
+    let condition = match defined(cursor)? {
+        Some(condition) => condition,
+        None => compare(cursor, number)?,
+    };
+    cursor.expect_word("GOTO")?;
+    cursor.expect_word("LBL")?;
+    Ok(Body::Jump { condition, label: target(cursor)? })
+}
+
+/// `Q1 IS DEFINED`; nothing is taken where a comparison stands there.
+fn defined(cursor: &mut Cursor<'_>) -> Read<Option<Condition>> {
+    let mut ahead = cursor.clone();
+    ahead.minus();
+    let Some(parameter) = ahead.parameter()? else { return Ok(None) };
+    if !ahead.take_word("IS") {
+        return Ok(None);
+    }
+    let condition = if ahead.take_word("DEFINED") {
+        Condition::IsDefined(parameter)
+    } else {
+        ahead.expect_word("UNDEFINED")?;
+        Condition::IsUndefined(parameter)
+    };
+    *cursor = ahead;
+    Ok(Some(condition))
+}
+
+fn compare(cursor: &mut Cursor<'_>, number: u32) -> Read<Condition> {
+    let left = cursor.operand()?;
+    cursor.blanks();
+    let from = cursor.clone();
+    let Some(&(own, found, relation)) = RELATIONS.iter().find(|(_, word, _)| cursor.take_word(word)) else {
+        return Err(cursor.stop(Wanted::Relation));
+    };
+    if own != number {
+        let allowed = RELATIONS.iter().find(|(of, ..)| *of == number).map_or("", |&(_, word, _)| word);
+        return Err(from.fail(Reason::Relation { number, allowed, found }));
+    }
+    Ok(Condition::Compare(left, relation, cursor.operand()?))
+}
+
+fn error(cursor: &mut Cursor<'_>) -> Read<Body> {
+    cursor.expect_word("ERROR")?;
+    cursor.expect('=', "=")?;
+    Ok(Body::Error(cursor.operand()?))
+}
+
+fn print(cursor: &mut Cursor<'_>) -> Read<Body> {
+    if !cursor.take_prefix("F-PRINT") {
+        return Err(cursor.stop(Wanted::Word("F-PRINT")));
+    }
+    let mask = cursor.path(Some('/'))?;
+    cursor.expect('/', "/")?;
+    Ok(Body::Print { mask, output: cursor.path(None)? })
+}
+
+fn table_read(cursor: &mut Cursor<'_>) -> Read<Body> {
+    cursor.expect_word("TABREAD")?;
+    let Some(to) = cursor.parameter()? else { return Err(cursor.stop(Wanted::Parameter)) };
+    cursor.expect('=', "=")?;
+    let (row, columns) = cell(cursor)?;
+    Ok(Body::TableRead { to, row, columns })
+}
+
+fn table_write(cursor: &mut Cursor<'_>) -> Read<Body> {
+    cursor.expect_word("TABWRITE")?;
+    let (row, columns) = cell(cursor)?;
+    cursor.expect('=', "=")?;
+    let from: Option<Parameter> = cursor.parameter()?;
+    let Some(from) = from else { return Err(cursor.stop(Wanted::Parameter)) };
+    Ok(Body::TableWrite { row, columns, from })
+}
+
+/// `40/"NAME"`, `+Q22/QS1`.
+fn cell(cursor: &mut Cursor<'_>) -> Read<(Operand, Columns)> {
+    let row = cursor.operand()?;
+    cursor.expect('/', "/")?;
+    if let Some(names) = cursor.quoted() {
+        let names: Vec<String> = names.split(',').map(|name| name.trim().to_owned()).collect();
+        return Ok((row, Columns::Names(names)));
+    }
+    let from = cursor.clone();
+    match cursor.parameter()? {
+        Some(parameter) if parameter.family == Family::Qs => Ok((row, Columns::Parameter(parameter))),
+        _ => Err(from.clone().stop(Wanted::Text)),
+    }
+}

@@ -1,0 +1,66 @@
+//! Where the labels of a program stand.
+
+use std::collections::HashMap;
+
+use super::block::{Block, Body, Target};
+use super::error::LabelFault;
+
+/// Labels by number and by name; `LBL 0` is none.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Labels(HashMap<Target, Found>);
+
+#[derive(Debug, Clone, Copy)]
+struct Found {
+    block: usize,
+    line: usize,
+    /// The line where it is defined again.
+    again: Option<usize>,
+}
+
+/// A label that is defined again, and where it stands first.
+pub(super) struct Again<'a> {
+    pub label: &'a Target,
+    pub line: usize,
+    pub first: usize,
+}
+
+impl Labels {
+    /// Looks through blocks; tells of labels that are there more than once. Lines count from 1.
+    pub(super) fn of(blocks: &[Block]) -> (Self, Vec<Again<'_>>) {
+        let mut labels = Self::default();
+        let mut twice = Vec::new();
+        for (block, of) in blocks.iter().enumerate() {
+            let Body::Label(label) = &of.body else { continue };
+            if *label == Target::Number(0) {
+                continue;
+            }
+            let line = of.lines.start + 1;
+            match labels.0.get_mut(label) {
+                Some(found) => {
+                    found.again.get_or_insert(line);
+                    twice.push(Again { label, line, first: found.line });
+                }
+                None => {
+                    labels.0.insert(label.clone(), Found { block, line, again: None });
+                }
+            }
+        }
+        (labels, twice)
+    }
+
+    /// The block of a label.
+    pub(super) fn block(&self, label: &Target) -> Result<usize, LabelFault> {
+        match label {
+            Target::Parameter(_) => return Err(LabelFault::Parameter { label: label.clone() }),
+            Target::Number(0) => return Err(LabelFault::Zero),
+            Target::Number(_) | Target::Name(_) => {}
+        }
+        match self.0.get(label) {
+            None => Err(LabelFault::Missing { label: label.clone() }),
+            Some(Found { line, again: Some(second), .. }) => {
+                Err(LabelFault::Twice { label: label.clone(), first: *line, second: *second })
+            }
+            Some(found) => Ok(found.block),
+        }
+    }
+}

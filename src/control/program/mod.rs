@@ -1,0 +1,164 @@
+//! NC programs in Klartext: read, shown and written again.
+//!
+//! | file | what |
+//! |---|---|
+//! | `block` | what a block says |
+//! | `expression` | formulas of numbers and texts |
+//! | `read` | text to blocks, with warnings |
+//! | `lines`, `cursor` | lines taken apart; the place in a block's text that reading moves forward |
+//! | `understand` | the lines of one block to what it says |
+//! | `body`, `functions`, `moves`, `cycle` | the kinds of blocks, read |
+//! | `formula`, `text_formula` | formulas, read |
+//! | `labels` | where the labels stand |
+//! | `words` | words of the language, for reading and writing |
+//! | `error`, `reason` | what can be wrong, in words |
+//! | `write`, `write_formula` | bodies to blocks, for new programs |
+//!
+//! A program keeps its text and is written byte for byte as it was read; a block is a range of its lines and what they
+//! say. What is not known is kept as text ([`Body::Other`]), never refused: real programs hold far more than Fitcheck
+//! runs. Running is the business of `control::machine`. Grammar: manuals and public programs, see `docs/SOURCES.md`.
+
+mod block;
+mod body;
+mod cursor;
+mod cycle;
+mod error;
+mod expression;
+mod formula;
+mod functions;
+mod labels;
+mod lines;
+mod moves;
+mod read;
+mod reason;
+mod text_formula;
+mod understand;
+mod words;
+pub mod write;
+mod write_formula;
+
+pub use block::{
+    Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, Feed, MachineFunction,
+    Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
+};
+pub use error::{LabelFault, Oddity, ProgramError, ProgramWarning};
+pub use expression::{Expression, NumberFunction, Operation, TextExpression};
+pub use reason::{Reason, Wanted};
+
+use crate::control::text;
+
+/// A program: its text, and what its blocks say.
+#[derive(Debug, Clone)]
+pub struct Program {
+    text: String,
+    encoding: Encoding,
+    lines: lines::Lines,
+    blocks: Vec<Block>,
+    labels: labels::Labels,
+}
+
+impl Program {
+    /// The blocks in the order of the text; every line that is not blank belongs to exactly one.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// The name behind `BEGIN PGM`, where there is one.
+    pub fn name(&self) -> Option<&str> {
+        self.begin().map(|(name, _)| name)
+    }
+
+    /// The unit behind `BEGIN PGM`, where there is one.
+    pub fn unit(&self) -> Option<Unit> {
+        self.begin().map(|(_, unit)| unit)
+    }
+
+    fn begin(&self) -> Option<(&str, Unit)> {
+        self.blocks.iter().find_map(|block| match &block.body {
+            Body::Begin { name, unit } => Some((name.as_str(), *unit)),
+            _ => None,
+        })
+    }
+
+    /// The whole text, without a byte order mark.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// How many lines the text has.
+    pub const fn line_count(&self) -> usize {
+        self.lines.count()
+    }
+
+    /// A line as it is written, counted from 0; empty beyond the last.
+    pub fn line(&self, line: usize) -> &str {
+        self.lines.line(&self.text, line)
+    }
+
+    /// The lines of a block as they are written; none beyond the last block.
+    pub fn text_of(&self, block: usize) -> impl Iterator<Item = &str> {
+        let lines = self.blocks.get(block).map_or(0..0, |block| block.lines.clone());
+        lines.map(|line| self.line(line))
+    }
+
+    /// The comment of a block, where there is one: that of its first line, without the `;` before it.
+    pub fn comment_of(&self, block: usize) -> Option<&str> {
+        let line = self.blocks.get(block)?.lines.start;
+        let text = self.line(line);
+        lines::first(text, line, lines::front(text).end).comment
+    }
+
+    /// The block that a line belongs to, counted from 0; `None` for blank lines between blocks.
+    pub fn block_at(&self, line: usize) -> Option<usize> {
+        let behind = self.blocks.partition_point(|block| block.lines.start <= line);
+        let index = behind.checked_sub(1)?;
+        self.blocks.get(index).filter(|block| block.lines.contains(&line)).map(|_| index)
+    }
+
+    /// The block of a label.
+    ///
+    /// # Errors
+    /// Where there is none, or more than one, or the label is 0 or a parameter.
+    pub fn label(&self, label: &Target) -> Result<usize, LabelFault> {
+        self.labels.block(label)
+    }
+
+    /// The program as a file, byte for byte as it was read.
+    pub fn write(&self) -> Vec<u8> {
+        self.encoding.encode(&self.text)
+    }
+}
+
+/// How the text of a file is stored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Encoding {
+    Utf8,
+    Utf8WithMark,
+    Windows1252,
+}
+
+/// What a file in UTF-8 may begin with.
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
+impl Encoding {
+    fn decode(bytes: &[u8]) -> (String, Self) {
+        let (rest, utf8) = match bytes.strip_prefix(MARK) {
+            Some(rest) => (rest, Self::Utf8WithMark),
+            None => (bytes, Self::Utf8),
+        };
+        match std::str::from_utf8(rest) {
+            Ok(text) => (text.to_owned(), utf8),
+            // Then the mark is three characters like all others.
+            Err(_not_utf8) => (text::windows_1252(bytes), Self::Windows1252),
+        }
+    }
+
+    fn encode(self, text: &str) -> Vec<u8> {
+        match self {
+            Self::Utf8 => text.as_bytes().to_vec(),
+            Self::Utf8WithMark => [MARK, text.as_bytes()].concat(),
+            // Every byte has its character, so none is lost on the way back.
+            Self::Windows1252 => encoding_rs::WINDOWS_1252.encode(text).0.into_owned(),
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Straight lines, tool calls and M functions.
+
+use super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand, TextOperand, Tool};
+use super::cursor::{Cursor, Read};
+use super::reason::{Reason, Wanted};
+use super::words::{AXES, COMPENSATIONS, meaning};
+use crate::control::variables::Family;
+
+/// The largest number of an M function.
+const MOST_M: u32 = 9999;
+
+/// `L …`, the word is taken.
+pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
+    let mut movement = Movement { axes: Vec::new(), compensation: None, feed: None, machine: Vec::new() };
+    loop {
+        cursor.blanks();
+        let at = cursor.at();
+        if let Some(word) = axis_word(cursor)? {
+            if movement.axes.iter().any(|known| known.axis == word.axis) {
+                return Err(super::cursor::Stop { at, reason: Reason::AxisTwice });
+            }
+            movement.axes.push(word);
+        } else if let Some(word) = COMPENSATIONS.into_iter().find(|word| cursor.take_word(word)) {
+            movement.compensation = Some(word.to_owned());
+        } else if movement.feed.is_none() && cursor.take_prefix("F") {
+            movement.feed = Some(feed(cursor)?);
+        } else {
+            movement.machine = machine_functions(cursor)?;
+            return Ok(Body::Move(movement));
+        }
+    }
+}
+
+/// `IX+2,5`; blanks may stand anywhere in it.
+fn axis_word(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
+    let mut ahead = cursor.clone();
+    let is_incremental = ahead.take_prefix("I");
+    let Some(axis) = axis_letter(&mut ahead) else { return Ok(None) };
+    let value = ahead.operand()?;
+    *cursor = ahead;
+    Ok(Some(AxisWord { axis, is_incremental, value }))
+}
+
+fn axis_letter(cursor: &mut Cursor<'_>) -> Option<Axis> {
+    let letter = cursor.next().filter(char::is_ascii_alphabetic)?;
+    let axis = meaning(&AXES, letter.encode_utf8(&mut [0; 4]))?;
+    cursor.take(letter);
+    Some(axis)
+}
+
+/// What stands behind the F.
+fn feed(cursor: &mut Cursor<'_>) -> Read<Feed> {
+    if cursor.take_word("MAX") {
+        return Ok(Feed::Rapid);
+    }
+    if cursor.take_word("AUTO") {
+        return Ok(Feed::Auto);
+    }
+    Ok(Feed::Value(cursor.operand()?))
+}
+
+/// `STOP …`, the word is taken.
+pub(super) fn stop(cursor: &mut Cursor<'_>) -> Read<Body> {
+    Ok(Body::Stop(machine_functions(cursor)?))
+}
+
+/// M functions up to the end; what stands behind a number belongs to it, up to the next M function.
+pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunction>> {
+    let mut found = Vec::new();
+    while !cursor.is_at_end() {
+        if found.is_empty() && !is_machine_function(cursor) {
+            cursor.end()?;
+        }
+        cursor.take_prefix("M");
+        let Some(number) = cursor.whole(MOST_M)? else { return Err(cursor.stop(Wanted::Number)) };
+        let at = cursor.at();
+        cursor.blanks();
+        while !cursor.is_at_end() && !is_machine_function(cursor) {
+            cursor.take_while(|c| !c.is_whitespace());
+        }
+        found.push(MachineFunction { number, rest: cursor.since(at).to_owned() });
+    }
+    Ok(found)
+}
+
+/// Whether `M` and a digit come next.
+pub(super) fn is_machine_function(cursor: &Cursor<'_>) -> bool {
+    let mut ahead = cursor.clone();
+    ahead.take_prefix("M") && ahead.rest().trim_start().starts_with(|c: char| c.is_ascii_digit())
+}
+
+/// `TOOL CALL …`, the words are taken.
+pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<Body> {
+    let tool = tool(cursor)?;
+    let mut ahead = cursor.clone();
+    let axis = axis_letter(&mut ahead).filter(|_| {
+        let mut behind = ahead.rest().chars();
+        behind.next().is_none_or(char::is_whitespace)
+    });
+    if axis.is_some() {
+        *cursor = ahead;
+    }
+    Ok(Body::ToolCall { tool, axis, rest: cursor.take_rest().to_owned() })
+}
+
+fn tool(cursor: &mut Cursor<'_>) -> Read<Option<Tool>> {
+    if let Some(name) = cursor.quoted() {
+        return Ok(Some(Tool::Name(TextOperand::Text(name.to_owned()))));
+    }
+    let mut ahead = cursor.clone();
+    if let Some(parameter) = ahead.parameter()?.filter(|parameter| parameter.family == Family::Qs) {
+        *cursor = ahead;
+        return Ok(Some(Tool::Name(TextOperand::Parameter(parameter))));
+    }
+    let mut ahead = cursor.clone();
+    ahead.minus();
+    if ahead.next().is_some_and(|c| c.is_ascii_digit()) || ahead.parameter()?.is_some() {
+        let number: Operand = cursor.operand()?;
+        return Ok(Some(Tool::Number(number)));
+    }
+    Ok(None)
+}

@@ -1,0 +1,261 @@
+//! Text to blocks, with warnings.
+
+use super::block::{Block, Body, Place, Unit};
+use super::cursor::Cursor;
+use super::error::{Oddity, ProgramError, ProgramWarning};
+use super::labels::Labels;
+use super::lines::{Front, Lines, Piece, first, front, next, trimmed};
+use super::reason::Reason;
+use super::understand::{Odd, understand};
+use super::{Encoding, Program};
+
+/// The largest file, 64 MiB: a program of some two million blocks.
+const LARGEST: usize = 64 << 20;
+/// The most lines.
+const MOST_LINES: usize = 2_000_000;
+/// The most text in formulas and in lines longer than [`LONG`], 8 MiB: what they say takes up to fifty times their
+/// length in memory. Real programs stay far below.
+const MOST_FORMULAS: usize = 8 << 20;
+/// From here a line is long: a control's has some 250 characters.
+const LONG: usize = 256;
+/// How many warnings are listed one by one.
+const MOST_WARNINGS: usize = 500;
+
+impl Program {
+    /// Reads a program: UTF-8 or Windows-1252, any line ends. Text never fails; what is odd about it is listed.
+    ///
+    /// ```
+    /// use fitcheck::control::program::{Body, Program, Target};
+    ///
+    /// let text = "0 BEGIN PGM fit MM\n1 LBL 11\n2 BLK FORM 0.1 Z X+0 Y+0 Z-20\n3 END PGM fit MM\n";
+    /// let (program, warnings) = Program::read(text.as_bytes())?;
+    /// assert!(warnings.is_empty());
+    /// assert_eq!(program.blocks()[1].body, Body::Label(Target::Number(11)));
+    /// assert_eq!(program.blocks()[2].body, Body::Other);
+    /// assert_eq!(program.label(&Target::Number(11)), Ok(1));
+    /// assert_eq!(program.write(), text.as_bytes());
+    /// # Ok::<(), fitcheck::control::program::ProgramError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ProgramError`] where the file is empty, larger than 64 MiB or 2 million lines, or no text.
+    pub fn read(bytes: &[u8]) -> Result<(Self, Vec<ProgramWarning>), ProgramError> {
+        if LARGEST < bytes.len() {
+            return Err(ProgramError::TooLarge { most: LARGEST >> 20 });
+        }
+        is_text(bytes)?;
+        let (text, encoding) = Encoding::decode(bytes);
+        let lines = Lines::of(&text, MOST_LINES).ok_or(ProgramError::TooManyLines { most: MOST_LINES })?;
+        let (blocks, mut warnings) = Reader::new(&text, &lines).read();
+        if blocks.is_empty() {
+            return Err(ProgramError::Empty);
+        }
+        let (labels, twice) = Labels::of(&blocks);
+        for again in twice {
+            let place = Place { line: again.line, column: 1 };
+            warnings.add(place, || Oddity::LabelTwice { label: again.label.clone(), first: again.first });
+        }
+        let program = Self { text, encoding, lines, blocks, labels };
+        Ok((program, warnings.sorted()))
+    }
+}
+
+/// Refuses what is no text: more than a quarter of zeros (text transfer separates lines with byte 0, so some are
+/// allowed), or more than a tenth of other control characters.
+fn is_text(bytes: &[u8]) -> Result<(), ProgramError> {
+    let is_odd = |byte: u8| byte < b' ' && !matches!(byte, 0 | b'\t' | b'\n' | b'\r' | 0x0c | 0x1a);
+    let (mut zeros, mut odd) = (0_usize, 0_usize);
+    for &byte in bytes {
+        zeros += usize::from(byte == 0);
+        odd += usize::from(is_odd(byte));
+    }
+    if bytes.len() < zeros.saturating_mul(4) || bytes.len() < odd.saturating_mul(10) {
+        return Err(ProgramError::Binary { controls: zeros + odd, bytes: bytes.len() });
+    }
+    Ok(())
+}
+
+/// Warnings, of which only so many are kept.
+#[derive(Debug, Default)]
+struct Warnings {
+    kept: Vec<ProgramWarning>,
+    dropped: usize,
+}
+
+impl Warnings {
+    fn add(&mut self, place: Place, what: impl FnOnce() -> Oddity) {
+        if self.kept.len() < MOST_WARNINGS {
+            self.kept.push(ProgramWarning { place, what: what() });
+        } else {
+            self.dropped += 1;
+        }
+    }
+
+    fn sorted(mut self) -> Vec<ProgramWarning> {
+        self.kept.sort_by_key(|warning| warning.place);
+        if let (Some(last), true) = (self.kept.last(), 0 < self.dropped) {
+            let place = last.place;
+            self.kept.push(ProgramWarning { place, what: Oddity::More { count: self.dropped } });
+        }
+        self.kept
+    }
+}
+
+/// A number that does not rise.
+#[derive(Debug, Clone, Copy)]
+struct NotRising {
+    line: usize,
+    number: u32,
+    previous: u32,
+    count: usize,
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    lines: &'a Lines,
+    warnings: Warnings,
+    blocks: Vec<Block>,
+    pieces: Vec<Piece<'a>>,
+    formulas: usize,
+    number: Option<u32>,
+    not_rising: Option<NotRising>,
+    begin: Option<Unit>,
+    has_end: bool,
+    has_text_after_end: bool,
+}
+
+impl<'a> Reader<'a> {
+    fn new(text: &'a str, lines: &'a Lines) -> Self {
+        Self {
+            text,
+            lines,
+            warnings: Warnings::default(),
+            blocks: Vec::new(),
+            pieces: Vec::new(),
+            formulas: 0,
+            number: None,
+            not_rising: None,
+            begin: None,
+            has_end: false,
+            has_text_after_end: false,
+        }
+    }
+
+    fn read(mut self) -> (Vec<Block>, Warnings) {
+        let mut line = 0;
+        while line < self.lines.count() {
+            line = if trimmed(self.line(line)).is_empty() { line + 1 } else { self.block(line) };
+        }
+        if let Some(NotRising { line, number, previous, count }) = self.not_rising {
+            self.warn(line, 0, Oddity::Numbers { number, previous, count });
+        }
+        if let (false, Some(last)) = (self.has_end, self.blocks.last()) {
+            self.warn(last.lines.end - 1, 0, Oddity::NoEnd);
+        }
+        (self.blocks, self.warnings)
+    }
+
+    fn line(&self, line: usize) -> &'a str {
+        self.lines.line(self.text, line)
+    }
+
+    /// A place in a line, from bytes to characters.
+    fn place(&self, line: usize, at: usize) -> Place {
+        let before = self.line(line).get(..at).map_or(0, |before| before.chars().count());
+        Place { line: line + 1, column: before + 1 }
+    }
+
+    fn warn(&mut self, line: usize, at: usize, what: Oddity) {
+        let place = self.place(line, at);
+        self.warnings.add(place, || what);
+    }
+
+    /// Reads the block that begins in a line; gives the line behind it.
+    fn block(&mut self, line: usize) -> usize {
+        let front = front(self.line(line));
+        let end = self.collect(line, front.end);
+        self.check_number(line, front);
+        let read = self.weigh().and_then(|()| understand(&self.pieces, |line, at| self.place(line, at)));
+        let body = read.unwrap_or_else(|Odd { line, at, what }| {
+            self.warn(line, at, what);
+            Body::Other
+        });
+        self.check_frame(line, &body);
+        let Front { number, may_be_skipped, .. } = front;
+        self.blocks.push(Block { lines: line..end, number, may_be_skipped, body });
+        end
+    }
+
+    /// Takes apart the lines of a block; gives the line behind it. A comment that is a block of its own goes on as
+    /// comment, else every line is taken apart; blank lines are passed over.
+    fn collect(&mut self, line: usize, from: usize) -> usize {
+        self.pieces.clear();
+        let mut last = first(self.line(line), line, from);
+        self.pieces.push(last);
+        let is_comment = last.code.is_empty() && last.comment.is_some();
+        let is_heading = last.code.starts_with('*');
+        let mut end = line + 1;
+        while last.goes_on {
+            while end < self.lines.count() && trimmed(self.line(end)).is_empty() {
+                end += 1;
+            }
+            if self.lines.count() <= end {
+                self.warn(last.line, 0, Oddity::OpenEnd);
+                return last.line + 1;
+            }
+            last = next(self.line(end), end, 0);
+            if is_comment || is_heading {
+                let comment = Some(trimmed(self.line(end)));
+                last = Piece { code: "", comment, open_quote: None, ..last };
+            }
+            self.pieces.push(last);
+            end += 1;
+        }
+        end
+    }
+
+    /// Counts what formulas and long lines add up to, and refuses what is too much.
+    fn weigh(&mut self) -> Result<(), Odd> {
+        let Some(&first) = self.pieces.first() else { return Ok(()) };
+        let is_formula = ["Q", "FN", "DECLARE"].iter().any(|word| Cursor::new(first.code).take_prefix(word));
+        let lengths = self.pieces.iter().map(|piece| piece.code.len());
+        let weight: usize = lengths.filter(|length| is_formula || LONG < *length).sum();
+        self.formulas = self.formulas.saturating_add(weight);
+        if weight == 0 || self.formulas <= MOST_FORMULAS {
+            return Ok(());
+        }
+        let reason = Reason::TooMuch { most: MOST_FORMULAS >> 20 };
+        Err(Odd { line: first.line, at: first.start, what: Oddity::NotUnderstood(reason) })
+    }
+
+    fn check_number(&mut self, line: usize, front: Front) {
+        let Some(number) = front.number else { return };
+        if let Some(previous) = self.number.filter(|&previous| number <= previous) {
+            let first = NotRising { line, number, previous, count: 0 };
+            self.not_rising.get_or_insert(first).count += 1;
+        }
+        self.number = Some(number);
+    }
+
+    /// Whether the program begins and ends as it should.
+    fn check_frame(&mut self, line: usize, body: &Body) {
+        if self.has_end && !self.has_text_after_end {
+            self.has_text_after_end = true;
+            self.warn(line, 0, Oddity::AfterEnd);
+        }
+        match body {
+            Body::Begin { .. } if self.begin.is_some() => self.warn(line, 0, Oddity::SecondBegin),
+            Body::Begin { unit, .. } => self.begin = Some(*unit),
+            Body::End { unit, .. } if !self.has_end => {
+                self.has_end = true;
+                if let Some(begin) = self.begin.filter(|begin| begin != unit) {
+                    self.warn(line, 0, Oddity::Units { begin, end: *unit });
+                }
+            }
+            _ => {}
+        }
+        if self.blocks.is_empty() && !matches!(body, Body::Begin { .. }) {
+            self.warn(line, 0, Oddity::NoBegin);
+        }
+    }
+}

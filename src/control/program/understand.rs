@@ -1,0 +1,95 @@
+//! The lines of one block to what it says.
+
+use super::block::{Body, CycleBlock, Place};
+use super::body::body;
+use super::cursor::{Cursor, Stop};
+use super::cycle;
+use super::error::Oddity;
+use super::lines::Piece;
+use super::reason::Reason;
+use super::words::DEEPEST;
+
+/// The longest block that is looked into, in bytes; a control takes a few hundred characters a line.
+const LONGEST: usize = 1 << 16;
+
+/// What is odd, and where: line from 0, bytes from its beginning.
+#[derive(Debug)]
+pub(super) struct Odd {
+    pub line: usize,
+    pub at: usize,
+    pub what: Oddity,
+}
+
+/// What the lines of a block say; `place` counts characters of a line, given bytes.
+pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> Place) -> Result<Body, Odd> {
+    let open = pieces.iter().find_map(|piece| piece.open_quote.map(|at| (piece.line, at)));
+    if let Some((line, at)) = open {
+        return Err(Odd { line, at, what: Oddity::UnclosedQuote });
+    }
+    let Some((first, more)) = pieces.split_first() else { return Ok(Body::Nothing) };
+    if let Some(text) = first.code.strip_prefix('*') {
+        return Ok(heading(text));
+    }
+    let mut cursor = Cursor::new(first.code);
+    if cursor.take_words(&["TCH", "PROBE"]) {
+        return cycle(cursor, first, more, place).map(Body::Probe);
+    }
+    if cursor.take_words(&["CYCL", "DEF"]) {
+        return cycle(cursor, first, more, place).map(Body::CycleDefinition);
+    }
+    // A comment that ends in ~ goes on in the next line; only without comment it is the block that goes on.
+    let pieces = if first.comment.is_some() { std::slice::from_ref(first) } else { pieces };
+    plain(pieces)
+}
+
+fn not_understood(piece: &Piece<'_>, at: usize, reason: Reason) -> Odd {
+    Odd { line: piece.line, at: piece.start + at, what: Oddity::NotUnderstood(reason) }
+}
+
+/// A block that is no cycle: its lines are read as one.
+fn plain(pieces: &[Piece<'_>]) -> Result<Body, Odd> {
+    let Some(first) = pieces.first() else { return Ok(Body::Nothing) };
+    let length: usize = pieces.iter().map(|piece| piece.code.len() + 1).sum();
+    if LONGEST < length {
+        return Err(not_understood(first, 0, Reason::TooLong { most: LONGEST }));
+    }
+    if pieces.len() == 1 {
+        return body(first.code).map_err(|Stop { at, reason }| not_understood(first, at, reason));
+    }
+    let codes: Vec<&str> = pieces.iter().map(|piece| piece.code).collect();
+    body(&codes.join(" ")).map_err(|Stop { mut at, reason }| {
+        let mut of = first;
+        for piece in pieces {
+            of = piece;
+            if at <= piece.code.len() {
+                break;
+            }
+            at -= piece.code.len() + 1;
+        }
+        not_understood(of, at, reason)
+    })
+}
+
+fn cycle(
+    mut cursor: Cursor<'_>,
+    first: &Piece<'_>,
+    more: &[Piece<'_>],
+    place: impl Fn(usize, usize) -> Place,
+) -> Result<CycleBlock, Odd> {
+    let mut cycle = cycle::head(&mut cursor).map_err(|Stop { at, reason }| not_understood(first, at, reason))?;
+    for piece in more {
+        cycle::line(&mut cycle, piece, |at| place(piece.line, piece.start + at))
+            .map_err(|Stop { at, reason }| not_understood(piece, at, reason))?;
+    }
+    Ok(cycle)
+}
+
+/// `* - text`: two more blanks before or behind the dash are one level more.
+fn heading(text: &str) -> Body {
+    let blanks = |text: &str| text.len() - text.trim_start_matches(' ').len();
+    let before = blanks(text);
+    let text = text.trim();
+    let (behind, text) = text.strip_prefix('-').map_or((0, text), |text| (blanks(text), text));
+    let depth = 1 + before.saturating_sub(1) / 2 + behind.saturating_sub(1) / 2;
+    Body::Heading { depth: depth.min(DEEPEST), text: text.trim().to_owned() }
+}

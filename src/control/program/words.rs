@@ -1,0 +1,73 @@
+//! Words of the language and what they stand for, each once: reading and writing use the same lists.
+
+use super::block::{Axis, Relation};
+use super::expression::{NumberFunction, Operation};
+
+/// Functions of formulas.
+pub(super) const FUNCTIONS: [(&str, NumberFunction); 16] = [
+    ("SQ", NumberFunction::Square),
+    ("SQRT", NumberFunction::SquareRoot),
+    ("SIN", NumberFunction::Sine),
+    ("COS", NumberFunction::Cosine),
+    ("TAN", NumberFunction::Tangent),
+    ("ASIN", NumberFunction::ArcSine),
+    ("ACOS", NumberFunction::ArcCosine),
+    ("ATAN", NumberFunction::ArcTangent),
+    ("LN", NumberFunction::NaturalLogarithm),
+    ("LOG", NumberFunction::Logarithm),
+    ("EXP", NumberFunction::Exponential),
+    ("NEG", NumberFunction::Negative),
+    ("INT", NumberFunction::Integer),
+    ("ABS", NumberFunction::Absolute),
+    ("FRAC", NumberFunction::Fraction),
+    ("SGN", NumberFunction::Sign),
+];
+
+/// What stands between two operands; `LEN` and `ANG` only in FN 8 and FN 13.
+pub(super) const OPERATIONS: [(&str, Operation); 8] = [
+    ("+", Operation::Add),
+    ("-", Operation::Subtract),
+    ("*", Operation::Multiply),
+    ("/", Operation::Divide),
+    ("^", Operation::Power),
+    ("%", Operation::Remainder),
+    ("LEN", Operation::Hypotenuse),
+    ("ANG", Operation::Angle),
+];
+
+/// FN 9 to FN 12: number, word, meaning.
+pub(super) const RELATIONS: [(u32, &str, Relation); 4] = [
+    (9, "EQU", Relation::Equal),
+    (10, "NE", Relation::NotEqual),
+    (11, "GT", Relation::Greater),
+    (12, "LT", Relation::Less),
+];
+
+/// Axes.
+pub(super) const AXES: [(&str, Axis); 9] = [
+    ("X", Axis::X),
+    ("Y", Axis::Y),
+    ("Z", Axis::Z),
+    ("A", Axis::A),
+    ("B", Axis::B),
+    ("C", Axis::C),
+    ("U", Axis::U),
+    ("V", Axis::V),
+    ("W", Axis::W),
+];
+
+/// Corrections of the tool radius.
+pub(super) const COMPENSATIONS: [&str; 3] = ["R0", "RL", "RR"];
+
+/// The deepest level of headings; what is written deeper is of this one. A control's line is far shorter.
+pub(super) const DEEPEST: usize = 50;
+
+/// What a word stands for, in any case.
+pub(super) fn meaning<T: Copy>(list: &[(&str, T)], word: &str) -> Option<T> {
+    list.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|&(_, meaning)| meaning)
+}
+
+/// The word for something.
+pub(super) fn word<T: Copy + PartialEq>(list: &[(&'static str, T)], meaning: T) -> &'static str {
+    list.iter().find(|(_, known)| *known == meaning).map_or("", |&(name, _)| name)
+}

@@ -1,0 +1,147 @@
+//! Sets of files with which a control measures features itself: programs, tables, mask and a page of text.
+//!
+//! | file | what |
+//! |---|---|
+//! | `plan`, `plan_csv` | which features are measured, and where; read from CSV |
+//! | `names` | what files and folders are called, by generation of controls |
+//! | `listing`, `programs` | blocks with their numbers; the main program and the check program of a set |
+//! | `tables` | the two tables: the 47 classes, and what the plan needs beside them |
+//! | `readme` | the page that says what goes where |
+//! | `proof` | the set is run before it is given out |
+//! | `archive` | all of it as one zip file |
+//! | `error` | why a plan or a set cannot be |
+//!
+//! Everything is made in memory; where it goes is the caller's business. What differs between generations is in
+//! `docs/SOURCES.md`, sets for a control.
+
+mod archive;
+mod error;
+mod listing;
+mod names;
+mod plan;
+mod plan_csv;
+mod programs;
+mod proof;
+mod readme;
+mod tables;
+
+pub use error::{At, PlanError, PlanFault, SetError, SetRemark};
+pub use names::{Control, ControlFolder};
+pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, MOST_FEATURES, NcFeature, NcPlan};
+
+use super::mask::Mask;
+use super::program::Program;
+use crate::tolerance::{Feature, Limits, Sources};
+use crate::words::Language;
+use names::Names;
+
+/// Which control a set is for, and in which language.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Target {
+    /// The generation.
+    pub control: Control,
+    /// The language of comments, status words and mask.
+    pub language: Language,
+    /// The folder on the control that the files will stand in: the paths in the programs.
+    pub folder: ControlFolder,
+}
+
+impl Target {
+    /// A control's usual folder.
+    pub fn new(control: Control, language: Language) -> Self {
+        Self { control, language, folder: control.usual_folder() }
+    }
+}
+
+/// A file of a set.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SetFile {
+    /// Its name, without folders.
+    pub name: String,
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+}
+
+/// Everything that a control needs to measure a plan.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NcSet {
+    /// The files; all of them go into one folder. The main program comes first.
+    pub files: Vec<SetFile>,
+    /// What is worth knowing before it is used.
+    pub remarks: Vec<SetRemark>,
+}
+
+/// A feature of a plan with its limits.
+#[derive(Debug, Clone, Copy)]
+struct Planned<'a> {
+    feature: &'a NcFeature,
+    limits: &'a Limits,
+}
+
+impl NcSet {
+    /// Makes the files for a plan.
+    ///
+    /// ```
+    /// use fitcheck::control::sets::{Control, NcFeature, NcPlan, NcSet, Target};
+    /// use fitcheck::tolerance::Sources;
+    /// use fitcheck::words::Language;
+    ///
+    /// let feature = NcFeature::new("25 H7".parse()?, ["40", "30", "-8"].map(|mm| mm.parse().unwrap()));
+    /// let plan = NcPlan::new(vec![feature])?;
+    /// let set = NcSet::make(&plan, &Target::new(Control::Tnc7, Language::En), &Sources::default())?;
+    /// let names: Vec<_> = set.files.iter().map(|file| file.name.as_str()).collect();
+    /// assert_eq!(names, ["FIT_MAIN.H", "FIT_CHECK.H", "FIT_STATUS.A", "FIT_HOLE.TAB", "FIT_SHAFT.TAB", "README.TXT"]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SetError`] where a feature has no limits, or a table cannot be as the plan needs it. Nothing is left out, and
+    /// no set is given out that the machine does not run to the plan's limits.
+    pub fn make(plan: &NcPlan, target: &Target, sources: &Sources) -> Result<Self, SetError> {
+        let names = Names::new(target);
+        let limits = plan.limits(sources)?;
+        let planned: Vec<Planned<'_>> =
+            plan.features().iter().zip(&limits).map(|(feature, limits)| Planned { feature, limits }).collect();
+        let mut remarks = Vec::new();
+        let mut tables = Vec::new();
+        for feature in [Feature::Hole, Feature::Shaft] {
+            let made = tables::table(feature, &planned, sources, &names)?;
+            remarks.extend(made.remarks);
+            tables.push(SetFile { name: names.table(feature).to_owned(), bytes: made.bytes });
+        }
+        remarks.extend(planned.iter().filter_map(|planned| programs::moved_nominal(*planned, target.control)));
+        let mut files = vec![
+            SetFile { name: names.main.clone(), bytes: programs::main(&names, &planned) },
+            SetFile { name: names.check.clone(), bytes: programs::check(&names) },
+            SetFile { name: names.mask.clone(), bytes: programs::mask(target) },
+        ];
+        check_programs(&files)?;
+        files.extend(tables);
+        proof::run(&files, &planned, &names)?;
+        files.push(SetFile { name: names.readme.to_owned(), bytes: readme::page(&names, &planned, &remarks) });
+        Ok(Self { files, remarks })
+    }
+
+    /// All files as one zip file, not compressed; the same set gives the same bytes.
+    ///
+    /// # Errors
+    /// [`SetError::Archive`] with what the writer of zip files says.
+    pub fn zip(&self) -> Result<Vec<u8>, SetError> {
+        archive::zip(&self.files)
+    }
+}
+
+/// What is written must read back without a remark, or the control would not take it either.
+fn check_programs(files: &[SetFile]) -> Result<(), SetError> {
+    for file in files {
+        let is_sound = if file.name.to_ascii_lowercase().ends_with(".a") {
+            matches!(Mask::read(&file.bytes), Ok((_, warnings)) if warnings.is_empty())
+        } else {
+            matches!(Program::read(&file.bytes), Ok((_, warnings)) if warnings.is_empty())
+        };
+        if !is_sound {
+            return Err(SetError::ReadsOtherwise { file: file.name.clone() });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,228 @@
+//! What files and folders are called on a control, and other words that differ by generation.
+
+use std::fmt;
+use std::str::FromStr;
+
+use super::Target;
+use super::error::SetError;
+use crate::control::table::Generation;
+use crate::tolerance::Feature;
+use crate::words::Language;
+
+/// A generation of controls that sets are written for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Control {
+    /// iTNC 530, from NC software 340 49x-07 and 606 42x-02 (seed `000_2e707c2d138629e0.txt`).
+    Itnc530,
+    /// TNC 320, TNC 620 and TNC 640.
+    Tnc640,
+    /// TNC7 and TNC7 basic.
+    Tnc7,
+}
+
+impl Control {
+    /// Every generation.
+    pub const ALL: [Self; 3] = [Self::Itnc530, Self::Tnc640, Self::Tnc7];
+
+    /// The name on the command line.
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::Itnc530 => "itnc530",
+            Self::Tnc640 => "tnc640",
+            Self::Tnc7 => "tnc7",
+        }
+    }
+
+    /// The control of a name on the command line; TNC 320 and TNC 620 take the same files as TNC 640.
+    pub fn from_code(code: &str) -> Option<Self> {
+        match code.to_ascii_lowercase().as_str() {
+            "itnc530" => Some(Self::Itnc530),
+            "tnc640" | "tnc620" | "tnc320" => Some(Self::Tnc640),
+            "tnc7" => Some(Self::Tnc7),
+            _ => None,
+        }
+    }
+
+    /// The name that people know.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Itnc530 => "iTNC 530",
+            Self::Tnc640 => "TNC 620 / TNC 640",
+            Self::Tnc7 => "TNC7",
+        }
+    }
+
+    /// Where the files usually stand on the control.
+    pub fn usual_folder(self) -> ControlFolder {
+        ControlFolder(
+            match self {
+                Self::Itnc530 => r"TNC:\8255\",
+                Self::Tnc640 | Self::Tnc7 => r"TNC:\nc_prog\fitcheck\",
+            }
+            .to_owned(),
+        )
+    }
+
+    /// What the set-up clearance of a cycle is added to.
+    pub const fn clearance(self) -> &'static str {
+        match self {
+            Self::Itnc530 => "MP6140",
+            Self::Tnc640 | Self::Tnc7 => "SET_UP",
+        }
+    }
+
+    /// Whether the nominal diameter of a cycle must lie between its limits (TNC7 manual 81762x-19, cycle 421).
+    pub const fn wants_nominal_between_limits(self) -> bool {
+        matches!(self, Self::Tnc7)
+    }
+
+    /// The header of its tables.
+    pub(super) const fn generation(self) -> Generation {
+        match self {
+            Self::Itnc530 => Generation::Structure,
+            Self::Tnc640 | Self::Tnc7 => Generation::Description,
+        }
+    }
+}
+
+/// A folder on the control, such as `TNC:\nc_prog\fitcheck\`: the files of a set stand in it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ControlFolder(String);
+
+/// The most characters of a folder; the longest path in a program is 30 characters longer.
+const LONGEST_FOLDER: usize = 80;
+
+impl ControlFolder {
+    fn file(&self, name: &str) -> String {
+        format!("{}{name}", self.0)
+    }
+}
+
+impl fmt::Display for ControlFolder {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&self.0)
+    }
+}
+
+impl FromStr for ControlFolder {
+    type Err = SetError;
+
+    /// Reads a folder below `TNC:\`; a `\` at the end may be left out. Blanks, `..` and signs beyond letters, digits, `_`
+    /// and `-` are refused: they end a path in a program, or lead elsewhere.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let wrong = || SetError::Folder { folder: text.chars().take(LONGEST_FOLDER).collect() };
+        let path = text.trim();
+        let below = path.get(..4).filter(|drive| drive.eq_ignore_ascii_case("TNC:")).and_then(|_| path.get(4..));
+        let below = below.and_then(|below| below.strip_prefix('\\')).ok_or_else(wrong)?;
+        let below = below.strip_suffix('\\').unwrap_or(below);
+        let is_name = |part: &str| {
+            !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"_-".contains(&byte))
+        };
+        let is_sound = (below.is_empty() || below.split('\\').all(is_name)) && path.len() <= LONGEST_FOLDER;
+        let end = if below.is_empty() { "" } else { "\\" };
+        if is_sound { Ok(Self(format!(r"TNC:\{below}{end}"))) } else { Err(wrong()) }
+    }
+}
+
+/// What the files of a set are called.
+#[derive(Debug, Clone)]
+pub(super) struct Names<'a> {
+    pub(super) target: &'a Target,
+    pub(super) main: String,
+    pub(super) check: String,
+    pub(super) mask: String,
+    tables: [&'static str; 2],
+    pub(super) readme: &'static str,
+}
+
+impl<'a> Names<'a> {
+    /// iTNC 530: as NC-Solution 8255. Later controls: a letter first and no operator, as TNC7 wants the names of tables
+    /// (manual 81762x-19); the other files follow.
+    pub(super) fn new(target: &'a Target) -> Self {
+        let language = target.language;
+        let readme = match language {
+            Language::En => "README.TXT",
+            Language::Nl => "LEESMIJ.TXT",
+            Language::De => "LIESMICH.TXT",
+            Language::It => "LEGGIMI.TXT",
+        };
+        let [main, check, mask, hole, shaft] = match target.control {
+            Control::Itnc530 => ["8255_", "82551_", "82552_", "82553_hole.tab", "82553_shaft.tab"],
+            Control::Tnc640 | Control::Tnc7 => {
+                ["FIT_MAIN.H", "FIT_CHECK.H", "FIT_STATUS.A", "FIT_HOLE.TAB", "FIT_SHAFT.TAB"]
+            }
+        };
+        let full = |name: &str, ending: &str| {
+            if name.ends_with('_') { format!("{name}{language}{ending}") } else { name.to_owned() }
+        };
+        Self {
+            target,
+            main: full(main, ".h"),
+            check: full(check, ".h"),
+            mask: full(mask, ".a"),
+            tables: [hole, shaft],
+            readme,
+        }
+    }
+
+    /// The table of a kind of feature.
+    pub(super) const fn table(&self, feature: Feature) -> &'static str {
+        let [hole, shaft] = self.tables;
+        match feature {
+            Feature::Hole => hole,
+            Feature::Shaft => shaft,
+        }
+    }
+
+    /// The file that a feature's window is also printed to: one a feature, so that none takes the place of another.
+    pub(super) fn result(&self, feature: &str) -> String {
+        match self.target.control {
+            Control::Itnc530 => format!("8255_{feature}.txt"),
+            Control::Tnc640 | Control::Tnc7 => format!("FIT_{feature}.TXT"),
+        }
+    }
+
+    /// A file's path on the control.
+    pub(super) fn path(&self, file: &str) -> String {
+        self.target.folder.file(file)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(folder: &str, expected: Option<&str>) {
+        let read = folder.parse::<ControlFolder>().ok().map(|folder| folder.to_string());
+        assert_eq!(read.as_deref(), expected, "{folder}");
+    }
+
+    #[test]
+    fn a_folder_is_below_the_drive_of_programs() {
+        check(r"TNC:\fit", Some(r"TNC:\fit\"));
+        check(r"tnc:\nc_prog\a-1\", Some(r"TNC:\nc_prog\a-1\"));
+        check(r"TNC:\", Some(r"TNC:\"));
+        check(r"TNC:fit", None);
+        check(r"C:\fit", None);
+        check(r"TNC:\fit\..\x", None);
+        check(r"TNC:\my fit", None);
+        check(r"TNC:\a\\b", None);
+        check("TNC:\\fit\n", Some(r"TNC:\fit\"));
+        check("TNC:\\fit\\;x", None);
+        check("é", None);
+        check("", None);
+        check(&format!(r"TNC:\{}", "x".repeat(80)), None);
+    }
+
+    #[test]
+    fn usual_folders_and_codes_read_back() {
+        for control in Control::ALL {
+            let folder = control.usual_folder();
+            assert_eq!(folder.to_string().parse::<ControlFolder>().unwrap(), folder);
+            assert_eq!(Control::from_code(control.code()), Some(control));
+        }
+        assert_eq!(Control::from_code("TNC620"), Some(Control::Tnc640));
+        assert_eq!(Control::from_code("tnc426"), None);
+    }
+}

@@ -1,0 +1,157 @@
+//! Which features a set measures, and where.
+
+use super::error::{At, PlanError, PlanFault};
+use crate::length::Length;
+use crate::probing::cycle::Angle;
+use crate::probing::cycles::cycle;
+use crate::tolerance::{Callout, Limits, Sources, Tolerance};
+
+/// The most features of a plan: a control opens a window for each.
+pub const MOST_FEATURES: usize = 1_000;
+
+/// The lateral clearance where none is given, 2 mm: it is added to the probe's own.
+pub const DEFAULT_CLEARANCE: Length = Length::from_micrometres(2_000);
+
+/// The clearance height where none is given, 50 mm above the preset.
+pub const DEFAULT_CLEARANCE_HEIGHT: Length = Length::from_micrometres(50_000);
+
+/// The most characters of a feature's name: with what stands around it a file name of at most 29.
+const LONGEST_NAME: usize = 20;
+
+/// A feature of a plan: the seven inputs of NC-Solution 8255 (seed `000_2e707c2d138629e0.txt`), the clearance height that
+/// it leaves open, and a name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NcFeature {
+    /// Its name: ASCII letters, digits and `_`, at most 20; without one it gets `F` and its number.
+    pub name: String,
+    /// Nominal size and class (Q1, QS1).
+    pub callout: Callout,
+    /// Centre in X (Q11), ±99999.9999 mm.
+    pub x: Length,
+    /// Centre in Y (Q21), ±99999.9999 mm.
+    pub y: Length,
+    /// Measuring height in Z (Q31), ±99999.9999 mm.
+    pub z: Length,
+    /// Angle of the first contact from +X (Q41), ±360 degrees.
+    pub angle: Angle,
+    /// Lateral set-up clearance (Q51), 0 to 99999.9999 mm, added to the probe's own.
+    pub clearance: Length,
+    /// Where the probe moves without a collision (Q61), above the measuring height.
+    pub clearance_height: Length,
+}
+
+impl NcFeature {
+    /// A feature at X, Y, Z without a name; angle 0, and the usual clearances.
+    pub fn new(callout: Callout, [x, y, z]: [Length; 3]) -> Self {
+        Self {
+            name: String::new(),
+            callout,
+            x,
+            y,
+            z,
+            angle: Angle::default(),
+            clearance: DEFAULT_CLEARANCE,
+            clearance_height: DEFAULT_CLEARANCE_HEIGHT,
+        }
+    }
+
+    /// What of it no program could take.
+    fn check(&self) -> Result<(), PlanFault> {
+        let callout = self.callout;
+        match callout.tolerance() {
+            Tolerance::Class(_) => {}
+            Tolerance::Fit { .. } => return Err(PlanFault::Fit { callout }),
+            _ => return Err(PlanFault::NoClass { callout }),
+        }
+        let is_sound = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
+        if LONGEST_NAME < self.name.chars().count() || !self.name.bytes().all(is_sound) {
+            let name = self.name.chars().take(2 * LONGEST_NAME).collect();
+            return Err(PlanFault::Name { name, most: LONGEST_NAME });
+        }
+        in_range("Q273", &self.x)?;
+        in_range("Q274", &self.y)?;
+        in_range("Q261", &self.z)?;
+        in_range("Q325", &self.angle)?;
+        in_range("Q320", &self.clearance)?;
+        in_range("Q260", &self.clearance_height)?;
+        if self.clearance_height <= self.z {
+            return Err(PlanFault::ClearanceHeight { height: self.clearance_height, z: self.z });
+        }
+        Ok(())
+    }
+}
+
+/// A plan that a program can be made of: at least one feature, every value in its range, every name once.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NcPlan {
+    features: Vec<NcFeature>,
+    /// Where each of them stands in its file.
+    lines: Vec<usize>,
+}
+
+impl NcPlan {
+    /// A plan of features; those without a name get one.
+    ///
+    /// # Errors
+    /// [`PlanError`] names the first feature that cannot be.
+    pub fn new(features: Vec<NcFeature>) -> Result<Self, PlanError> {
+        Self::of_lines(features, Vec::new())
+    }
+
+    /// The same of a file; `lines` are those of the features.
+    pub(super) fn of_lines(mut features: Vec<NcFeature>, lines: Vec<usize>) -> Result<Self, PlanError> {
+        if features.is_empty() {
+            return Err(PlanError { at: At::Whole, what: PlanFault::NoFeatures });
+        }
+        if MOST_FEATURES < features.len() {
+            return Err(PlanError { at: At::Whole, what: PlanFault::TooMany { most: MOST_FEATURES } });
+        }
+        let at = |number: usize| place(&lines, number);
+        let mut names = std::collections::BTreeSet::new();
+        for (number, feature) in features.iter_mut().enumerate() {
+            feature.check().map_err(|what| PlanError { at: at(number), what })?;
+            if feature.name.is_empty() {
+                feature.name = format!("F{}", number + 1);
+            }
+            // The files of the results differ by it, and a control takes a and A for the same file.
+            if !names.insert(feature.name.to_ascii_uppercase()) {
+                let what = PlanFault::SameName { name: feature.name.clone() };
+                return Err(PlanError { at: at(number), what });
+            }
+        }
+        Ok(Self { features, lines })
+    }
+
+    /// The features, in the order in which they are measured.
+    pub fn features(&self) -> &[NcFeature] {
+        &self.features
+    }
+
+    /// The limits of every feature.
+    pub(super) fn limits(&self, sources: &Sources) -> Result<Vec<Limits>, PlanError> {
+        let limits = self.features.iter().enumerate().map(|(number, feature)| {
+            let callout = feature.callout;
+            let limits =
+                sources.limits(&callout, None).map_err(|error| PlanFault::Limits { callout, error: Box::new(error) });
+            // Far below a millimetre a class can reach below 0, which no cycle takes.
+            let checked = limits.and_then(|limits| in_range("Q276", &limits.minimum()).map(|()| limits));
+            checked.map_err(|what| PlanError { at: place(&self.lines, number), what })
+        });
+        limits.collect()
+    }
+}
+
+/// Holds a value against the range of a parameter; both cycles have these parameters, with the same ranges.
+fn in_range(key: &str, value: &impl ToString) -> Result<(), PlanFault> {
+    let Some(parameter) = cycle(421).and_then(|cycle| cycle.parameter_named(key)) else { return Ok(()) };
+    let value = value.to_string();
+    match parameter.accept(value.trim_end_matches('°')) {
+        Ok(_value) => Ok(()),
+        Err(error) => Err(PlanFault::Range(Box::new(error))),
+    }
+}
+
+/// The line of a feature, or its number where there is no file.
+fn place(lines: &[usize], number: usize) -> At {
+    lines.get(number).map_or(At::Feature(number + 1), |&line| At::Line(line))
+}

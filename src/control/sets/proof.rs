@@ -1,0 +1,128 @@
+//! A set is run before it is given out: every feature on a workpiece in the middle of its zone.
+//!
+//! Only the set's own files are there, at their paths on the control. Each cycle must get exactly the plan's limits
+//! and call the workpiece good; then the program, the tables, the mask and every path in them fit together.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::error::SetError;
+use super::names::Names;
+use super::{Planned, SetFile};
+use crate::control::machine::{Contacts, Machine, NcPath, Settings, Step, Store, StoreError};
+use crate::control::mask::FileUse;
+use crate::control::program::Program;
+use crate::length::Length;
+use crate::probing::Contact;
+use crate::probing::cycle::Angle;
+use crate::verdict::Status;
+
+/// How often a run may pause: once a feature, and not for ever.
+const BLOCKS: u64 = 10_000_000;
+
+/// The files of a set and nothing else. Results are printed to nowhere.
+struct OnControl(BTreeMap<String, Vec<u8>>);
+
+impl Store for OnControl {
+    fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
+        self.0.get(&path.to_string()).cloned().ok_or_else(|| StoreError::Missing { path: path.clone() })
+    }
+
+    fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
+        Err(StoreError::ReadOnly)
+    }
+}
+
+/// Runs the set; the first file is its main program.
+pub(super) fn run(files: &[SetFile], planned: &[Planned<'_>], names: &Names<'_>) -> Result<(), SetError> {
+    let failed = |reason: String| SetError::Proof { reason };
+    let store = files.iter().map(|file| (names.path(&file.name), file.bytes.clone())).collect();
+    let main = files.first().map(|file| file.bytes.as_slice()).unwrap_or_default();
+    let (program, _warnings) = Program::read(main).map_err(|error| failed(error.to_string()))?;
+    let contacts = planned.iter().flat_map(contacts).collect();
+    // No mask of a set prints the time.
+    let settings = Settings::new(names.target.language, jiff::civil::DateTime::default());
+    let path = names.path(&names.main);
+    let mut machine = Machine::new(&path, Arc::new(program), OnControl(store), Contacts::Recorded(contacts), settings);
+    loop {
+        match machine.run(BLOCKS).map_err(|fault| failed(fault.to_string()))? {
+            Step::Ended => break,
+            Step::Paused(_) => {}
+            Step::Went => return Err(failed("the program does not end".to_owned())),
+        }
+    }
+    let measured = machine.cycles().iter().map(|run| &run.result);
+    let found: Vec<_> = measured.map(|result| (result.status, result.checks.first())).collect();
+    if found.len() != planned.len() || machine.windows().len() != planned.len() {
+        return Err(failed(format!("{} of {} features were measured", found.len(), planned.len())));
+    }
+    for (planned, (status, check)) in planned.iter().zip(found) {
+        let limits = check.map(|check| (check.minimum, check.maximum));
+        let expected = (planned.limits.minimum(), planned.limits.maximum());
+        if status != Some(Status::Good) || limits != Some(expected) {
+            return Err(failed(format!("{}: another verdict than Fitcheck's", planned.feature.name)));
+        }
+    }
+    Ok(())
+}
+
+/// The four contacts on a workpiece in the middle of the zone.
+fn contacts(planned: &Planned<'_>) -> [Contact; 4] {
+    let feature = planned.feature;
+    let radius = planned.limits.middle().to_mm_f64() / 2.0;
+    let [x, y, z] = [feature.x, feature.y, feature.z].map(Length::to_mm_f64);
+    [0, 1, 2, 3].map(|number| {
+        let [cos, sin] = feature.angle.stepped(Angle::from_degrees(90), number).direction();
+        Contact { x: x + radius * cos, y: y + radius * sin, z }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::sets::{Control, NcFeature, NcPlan, NcSet, Target};
+    use crate::tolerance::Sources;
+    use crate::words::Language;
+
+    /// Makes a set, changes a text in one of its files, and runs it again.
+    #[track_caller]
+    fn check(name: &str, from: &str, to: &str, expected: &str) {
+        let target = Target::new(Control::Tnc7, Language::En);
+        let places = [["0", "0", "0"], ["100", "0", "-5.5"]].map(|place| place.map(|mm| mm.parse().unwrap()));
+        let callouts = ["25 H7", "20 g6"].map(|callout| callout.parse().unwrap());
+        let features = callouts.into_iter().zip(places).map(|(callout, place)| NcFeature::new(callout, place));
+        let plan = NcPlan::new(features.collect()).unwrap();
+        let mut set = NcSet::make(&plan, &target, &Sources::default()).unwrap();
+        let file = set.files.iter_mut().find(|file| file.name == name).unwrap();
+        let text = String::from_utf8(file.bytes.clone()).unwrap();
+        assert!(text.contains(from), "{text}");
+        file.bytes = text.replace(from, to).into_bytes();
+        let limits = plan.limits(&Sources::default()).unwrap();
+        let planned: Vec<Planned<'_>> =
+            plan.features().iter().zip(&limits).map(|(feature, limits)| Planned { feature, limits }).collect();
+        let error = run(&set.files, &planned, &Names::new(&target)).map_err(|error| error.to_string());
+        assert_eq!(error, Err(format!("the set was run and is not given out: {expected}")));
+    }
+
+    #[test]
+    fn a_set_that_does_not_run_or_judges_otherwise_is_not_given_out() {
+        check("FIT_MAIN.H", "Q1 = 20", "Q1 = 20.001", "F2: another verdict than Fitcheck's");
+        check("FIT_MAIN.H", "\"g6\"", "\"g5\"", &missing_column());
+        check("FIT_MAIN.H", "14 STOP", "14 M30", "1 of 2 features were measured");
+        check("FIT_CHECK.H", "Q5 / 1000", "Q5 / 1000 + 0.000001", "F1: another verdict than Fitcheck's");
+        check("FIT_CHECK.H", "22 LBL 99", "22 LBL 199", &format!("{}LBL 99 does not occur in the program", fault(17)));
+    }
+
+    fn fault(block: u32) -> String {
+        format!(r"TNC:\nc_prog\fitcheck\FIT_CHECK.H, block {block}, FN 9: IF +0 EQU +0 GOTO LBL 99: ")
+    }
+
+    fn missing_column() -> String {
+        let columns =
+            "d9, e8, f7, g6, h5, h6, h7, h8, h9, h11, js5, js6, js13, js14, k5, k6, m5, m6, n6, p6, r6, s6, s7";
+        format!(
+            "TNC:\\nc_prog\\fitcheck\\FIT_CHECK.H, block 14, FN 28: TABREAD Q4 = +Q22/QS1 ;UPPER DEVIATION, UM: table \
+             FIT_SHAFT.TAB has no column g5; its columns are NR, BEREICH, {columns}"
+        )
+    }
+}

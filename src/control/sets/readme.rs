@@ -1,0 +1,90 @@
+//! The page that says what goes where, from a text of each language in `assets/nc`.
+//!
+//! A line may begin with the controls that it is for, `[tnc640 tnc7] text`. `{main}` and its like are put in; `{features}`
+//! and `{nominal}` stand alone on their lines and become as many as there are.
+
+use super::Planned;
+use super::error::SetRemark;
+use super::names::Names;
+use crate::tolerance::Feature;
+use crate::words::Language;
+
+/// The page as a file: Windows-1252, CRLF.
+pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRemark]) -> Vec<u8> {
+    let template = match names.target.language {
+        Language::En => include_str!("../../../assets/nc/readme_en.txt"),
+        Language::Nl => include_str!("../../../assets/nc/readme_nl.txt"),
+        Language::De => include_str!("../../../assets/nc/readme_de.txt"),
+        Language::It => include_str!("../../../assets/nc/readme_it.txt"),
+    };
+    let mut page = String::new();
+    for line in template.lines() {
+        let Some(line) = for_control(line, names.target.control.code()) else { continue };
+        match line.trim() {
+            "{features}" => planned.iter().for_each(|planned| add(&mut page, &feature(*planned, names))),
+            "{nominal}" => {
+                let moved: Vec<String> = remarks.iter().filter_map(nominal).collect();
+                if moved.is_empty() {
+                    add(&mut page, "  -");
+                }
+                for line in moved {
+                    add(&mut page, &line);
+                }
+            }
+            _ => add(&mut page, &filled(line, names)),
+        }
+    }
+    encoding_rs::WINDOWS_1252.encode(&page).0.into_owned()
+}
+
+fn add(page: &mut String, line: &str) {
+    page.push_str(line.trim_end());
+    page.push_str("\r\n");
+}
+
+/// The line without what it is for, or nothing where it is for other controls.
+fn for_control<'a>(line: &'a str, code: &str) -> Option<&'a str> {
+    let Some((controls, text)) = line.strip_prefix('[').and_then(|line| line.split_once(']')) else {
+        return Some(line);
+    };
+    controls.split(' ').any(|control| control == code).then(|| text.strip_prefix(' ').unwrap_or(text))
+}
+
+fn filled(line: &str, names: &Names<'_>) -> String {
+    let control = names.target.control;
+    let marks = [
+        ("{main}", names.main.clone()),
+        ("{check}", names.check.clone()),
+        ("{mask}", names.mask.clone()),
+        ("{hole}", names.table(Feature::Hole).to_owned()),
+        ("{shaft}", names.table(Feature::Shaft).to_owned()),
+        ("{result}", names.result("*")),
+        ("{control}", control.name().to_owned()),
+        ("{clearance}", control.clearance().to_owned()),
+        ("{folder}", names.target.folder.to_string()),
+        ("{version}", env!("CARGO_PKG_VERSION").to_owned()),
+    ];
+    let mut line = line.to_owned();
+    for (mark, text) in marks {
+        line = line.replace(mark, &text);
+    }
+    line
+}
+
+/// Name, callout, limits and place of a feature: figures alone, the same in every language.
+fn feature(planned: Planned<'_>, names: &Names<'_>) -> String {
+    let (feature, limits) = (planned.feature, planned.limits);
+    let (callout, result) = (feature.callout.to_string(), names.result(&feature.name));
+    let limits = format!("{} ... {}", limits.minimum(), limits.maximum());
+    format!(
+        "  {:<20} {callout:<12} {limits:<24} X{} Y{} Z{} ({}) -> {result}",
+        feature.name, feature.x, feature.y, feature.z, feature.clearance_height
+    )
+}
+
+fn nominal(remark: &SetRemark) -> Option<String> {
+    match remark {
+        SetRemark::MovedNominal { name, callout, value } => Some(format!("  {name:<20} {callout}: Q262 = {value}")),
+        SetRemark::OwnColumn { .. } | SetRemark::FewerColumns { .. } => None,
+    }
+}

@@ -1,0 +1,122 @@
+//! The two tables of a set: the 47 classes of NC-Solution 8255, and what the plan needs beside them.
+
+use std::collections::BTreeSet;
+
+use super::Planned;
+use super::error::{SetError, SetRemark};
+use super::names::Names;
+use crate::control::deviations::to_control_table;
+use crate::control::shipped_tables;
+use crate::control::table::WriteError;
+use crate::length::Length;
+use crate::tolerance::table::Column;
+use crate::tolerance::{Callout, DeviationTable, Deviations, Feature, Source, Sources, ToleranceClass};
+
+/// A table and what is worth knowing about it.
+#[derive(Debug)]
+pub(super) struct Made {
+    pub(super) bytes: Vec<u8>,
+    pub(super) remarks: Vec<SetRemark>,
+}
+
+/// The table of holes or of shafts. Size ranges are those of the shipped table, cut where the user's own tables or the
+/// classes of the plan need it, so that no cell ever stands for two values.
+///
+/// An iTNC 530 takes 30 columns at most: where the classes beyond the 47 do not fit, only the plan's are written.
+pub(super) fn table(
+    feature: Feature,
+    planned: &[Planned<'_>],
+    sources: &Sources,
+    names: &Names<'_>,
+) -> Result<Made, SetError> {
+    let name = names.table(feature);
+    let asked: Vec<&Planned<'_>> = planned.iter().filter(|planned| planned.limits.feature == feature).collect();
+    let usual = usual_classes(feature);
+    let mut own: Vec<ToleranceClass> = Vec::new();
+    let mut wanted: Vec<ToleranceClass> = Vec::new();
+    for class in asked.iter().filter_map(|planned| planned.feature.callout.class()) {
+        if !wanted.contains(&class) {
+            wanted.push(class);
+        }
+        if !usual.contains(&class) && !own.contains(&class) {
+            own.push(class);
+        }
+    }
+    let ends = ends(feature, &asked, sources);
+    let all: Vec<ToleranceClass> = usual.iter().chain(&own).copied().collect();
+    let mut remarks: Vec<SetRemark> = own.iter().map(|&class| SetRemark::OwnColumn { class, table: name }).collect();
+    let generation = names.target.control.generation();
+    let mut table = made(name, &all, &ends, sources)?;
+    let bytes = match to_control_table(&table, generation).write() {
+        Err(WriteError::TooManyColumns { .. } | WriteError::TooLong { .. }) if !own.is_empty() => {
+            table = made(name, &wanted, &ends, sources)?;
+            let classes = wanted.iter().map(ToleranceClass::as_str).collect::<Vec<_>>().join(" ");
+            remarks.push(SetRemark::FewerColumns { table: name, classes });
+            to_control_table(&table, generation).write()
+        }
+        written => written,
+    };
+    let bytes = bytes.map_err(|error| SetError::Table { table: name, error })?;
+    check(name, table, &asked)?;
+    Ok(Made { bytes, remarks })
+}
+
+/// The classes of the shipped table.
+fn usual_classes(feature: Feature) -> Vec<ToleranceClass> {
+    let tables = shipped_tables();
+    let classes = tables.iter().flat_map(|table| table.columns().iter().map(|column| column.class));
+    classes.filter(|class| class.feature() == feature).collect()
+}
+
+fn ends(feature: Feature, asked: &[&Planned<'_>], sources: &Sources) -> Vec<Length> {
+    let holds = |table: &DeviationTable| table.columns().iter().any(|column| column.class.feature() == feature);
+    let tables = shipped_tables();
+    let tables = tables.iter().chain(sources.tables()).filter(|table| holds(table));
+    let mut ends: BTreeSet<Length> = tables.flat_map(|table| table.ends().iter().copied()).collect();
+    for (over, to) in asked.iter().filter_map(|planned| range(&planned.limits.source)) {
+        ends.extend([over, to]);
+    }
+    ends.remove(&Length::ZERO);
+    ends.into_iter().collect()
+}
+
+/// The size range that limits were found in.
+const fn range(source: &Source) -> Option<(Length, Length)> {
+    match *source {
+        Source::Iso286 { over, to, .. } | Source::Table { over, to, .. } => Some((over, to)),
+        Source::Iso2768 { .. } | Source::Callout | Source::File(_) => None,
+    }
+}
+
+fn made(
+    name: &'static str,
+    classes: &[ToleranceClass],
+    ends: &[Length],
+    sources: &Sources,
+) -> Result<DeviationTable, SetError> {
+    let ranges = || std::iter::once(Length::ZERO).chain(ends.iter().copied()).zip(ends.iter().copied());
+    let column = |&class| Column { class, cells: ranges().map(|range| cell(class, range, sources)).collect() };
+    DeviationTable::new(name, false, ends.to_vec(), classes.iter().map(column).collect())
+        .map_err(|error| SetError::Shape { table: name, error })
+}
+
+/// A cell is filled where one value of the source counts in all of the range.
+fn cell(class: ToleranceClass, (over, to): (Length, Length), sources: &Sources) -> Option<Deviations> {
+    let callout = Callout::new(to, class).ok()?;
+    let (deviations, source) = sources.deviations(&callout, None).ok()?;
+    let (from, _) = range(&source)?;
+    (from <= over).then_some(deviations)
+}
+
+/// The table alone must give the limits that the plan was made with.
+fn check(name: &'static str, table: DeviationTable, asked: &[&Planned<'_>]) -> Result<(), SetError> {
+    let alone = Sources::of_tables([table]);
+    for planned in asked {
+        let callout = planned.feature.callout;
+        let limits = alone.limits(&callout, None).map(|limits| (limits.minimum(), limits.maximum()));
+        if limits != Ok((planned.limits.minimum(), planned.limits.maximum())) {
+            return Err(SetError::OtherLimits { table: name, callout });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,178 @@
+//! Several files into one folder: all of them or none.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use super::{FileError, make_readable, system};
+
+/// Writes files into a folder, whole, and gives their paths. A folder that is not there is made; its parent must be.
+///
+/// Everything is written beside first. A new folder then appears with all its files at once; in an old one they are
+/// renamed one after the other, and those of a failure before the end are taken away again, but for files that were
+/// overwritten.
+///
+/// # Errors
+/// [`FileError::Exists`] where a file is there already and `overwrite` is not set: then nothing is written.
+pub fn write_folder(folder: &Path, files: &[(&str, &[u8])], overwrite: bool) -> Result<Vec<PathBuf>, FileError> {
+    let paths: Vec<PathBuf> = files.iter().map(|(name, _)| folder.join(name)).collect();
+    if folder.is_dir() {
+        into_old(folder, &paths, files, overwrite)?;
+    } else {
+        into_new(folder, files)?;
+    }
+    Ok(paths)
+}
+
+/// Writes a file whole or not at all, and never over another one.
+///
+/// # Errors
+/// [`FileError::Exists`] where there is one.
+pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+    if path.exists() {
+        return Err(FileError::Exists { path: path.to_owned() });
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
+    let beside = beside(folder, bytes).map_err(|error| system(path, &error))?;
+    persist(beside, path, false)
+}
+
+fn into_new(folder: &Path, files: &[(&str, &[u8])]) -> Result<(), FileError> {
+    if folder.exists() {
+        return Err(FileError::Exists { path: folder.to_owned() });
+    }
+    let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
+    let whole = || -> std::io::Result<()> {
+        let made = tempfile::Builder::new().prefix(".fitcheck-").tempdir_in(parent)?;
+        for (name, bytes) in files {
+            let beside = beside(made.path(), bytes)?;
+            beside.persist_noclobber(made.path().join(name)).map_err(|error| error.error)?;
+        }
+        make_open(made.path())?;
+        std::fs::rename(made.path(), folder)?;
+        // Its name is another one now: there is nothing left to take away.
+        let _renamed = made.keep();
+        Ok(())
+    };
+    whole().map_err(|error| system(folder, &error))
+}
+
+fn into_old(folder: &Path, paths: &[PathBuf], files: &[(&str, &[u8])], overwrite: bool) -> Result<(), FileError> {
+    for path in paths {
+        if path.is_dir() {
+            return Err(FileError::IsFolder { path: path.clone() });
+        }
+        if !overwrite && path.exists() {
+            return Err(FileError::Exists { path: path.clone() });
+        }
+    }
+    let beside = files.iter().map(|(_, bytes)| beside(folder, bytes)).collect::<std::io::Result<Vec<_>>>();
+    let beside = beside.map_err(|error| system(folder, &error))?;
+    let mut done: Vec<&PathBuf> = Vec::new();
+    for (file, path) in beside.into_iter().zip(paths) {
+        if let Err(error) = persist(file, path, overwrite) {
+            if !overwrite {
+                // What cannot be removed either is whole; the first error says what went wrong.
+                for path in done {
+                    drop(std::fs::remove_file(path));
+                }
+            }
+            return Err(error);
+        }
+        done.push(path);
+    }
+    Ok(())
+}
+
+/// A file in a folder under a name of its own, synced.
+fn beside(folder: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
+    let mut beside = tempfile::Builder::new().prefix(".fitcheck-").tempfile_in(folder)?;
+    beside.write_all(bytes)?;
+    beside.as_file().sync_all()?;
+    make_readable(beside.as_file())?;
+    Ok(beside)
+}
+
+fn persist(beside: NamedTempFile, path: &Path, overwrite: bool) -> Result<(), FileError> {
+    let done = if overwrite { beside.persist(path) } else { beside.persist_noclobber(path) };
+    match done {
+        Ok(_file) => Ok(()),
+        Err(error) if error.error.kind() == std::io::ErrorKind::AlreadyExists => {
+            Err(FileError::Exists { path: path.to_owned() })
+        }
+        Err(error) => Err(system(path, &error.error)),
+    }
+}
+
+/// Temporary folders are private; what a user saves is read by others, too.
+#[cfg(unix)]
+fn make_open(folder: &Path) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt as _;
+    std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755))
+}
+
+#[cfg(not(unix))]
+fn make_open(_folder: &Path) -> std::io::Result<()> {
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILES: [(&str, &[u8]); 2] = [("a.h", b"one"), ("b.tab", b"two")];
+
+    fn names(folder: &Path) -> Vec<String> {
+        let name =
+            |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name().to_string_lossy().into_owned();
+        let mut names: Vec<String> = std::fs::read_dir(folder).unwrap().map(name).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_new_folder_comes_with_all_its_files() {
+        let parent = tempfile::tempdir().unwrap();
+        let folder = parent.path().join("set");
+        let paths = write_folder(&folder, &FILES, false).unwrap();
+        assert_eq!(paths, [folder.join("a.h"), folder.join("b.tab")]);
+        assert_eq!(names(&folder), ["a.h", "b.tab"]);
+        assert_eq!(names(parent.path()), ["set"]);
+    }
+
+    #[test]
+    fn nothing_is_written_where_one_file_is_there_already() {
+        let folder = tempfile::tempdir().unwrap();
+        let there = folder.path().join("b.tab");
+        super::super::write(&there, b"mine").unwrap();
+        let refused = write_folder(folder.path(), &FILES, false);
+        assert_eq!(refused, Err(FileError::Exists { path: there.clone() }));
+        assert_eq!(names(folder.path()), ["b.tab"]);
+        assert_eq!(std::fs::read(&there).unwrap(), b"mine");
+        write_folder(folder.path(), &FILES, true).unwrap();
+        assert_eq!(names(folder.path()), ["a.h", "b.tab"]);
+        assert_eq!(std::fs::read(&there).unwrap(), b"two");
+    }
+
+    #[test]
+    fn a_failure_takes_back_what_was_written() {
+        let parent = tempfile::tempdir().unwrap();
+        let twice = [FILES[0], FILES[0]];
+        assert!(write_folder(&parent.path().join("set"), &twice, false).is_err());
+        assert!(write_folder(parent.path(), &twice, false).is_err());
+        assert!(names(parent.path()).is_empty());
+        let missing = parent.path().join("none").join("set");
+        assert_eq!(write_folder(&missing, &FILES, false), Err(FileError::Missing { path: missing }));
+    }
+
+    #[test]
+    fn a_new_file_never_takes_the_place_of_another() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("set.zip");
+        write_new(&path, b"one").unwrap();
+        assert_eq!(write_new(&path, b"two"), Err(FileError::Exists { path: path.clone() }));
+        assert_eq!(std::fs::read(&path).unwrap(), b"one");
+        assert_eq!(write_folder(&path, &FILES, true), Err(FileError::Exists { path }));
+    }
+}

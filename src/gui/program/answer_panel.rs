@@ -1,0 +1,142 @@
+//! Right: the windows that the program opens, files that it would write, what was measured.
+
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{
+    Button, CollapsingHeader, Frame, Label, Margin, RichText, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2,
+};
+
+use crate::control::machine::{CycleRun, Window};
+use crate::gui::shapes;
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::verdict_card::status_id;
+use crate::gui::view::{View, heading, quiet};
+use crate::probing::cycle::Value;
+use crate::session::program::Run;
+use crate::session::{Command, ProgramCommand};
+use crate::words::{Message, Words};
+
+/// The most windows and cycles that are drawn; the last ones count.
+const MOST: usize = 20;
+
+/// The panel's content: the verdict first.
+pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let run = view.session.program().run();
+    verdict_ui(ui, view, run);
+    let Some(run) = run else {
+        quiet(ui, view.text("program-page-no-windows"));
+        return;
+    };
+    let open: Vec<_> = run.windows().iter().filter(|window| window.is_open).collect();
+    if open.is_empty() {
+        quiet(ui, view.text("program-page-no-windows"));
+    }
+    for window in open.iter().rev().take(MOST) {
+        window_ui(ui, view, window);
+    }
+    cycles_ui(ui, view, run);
+    outputs_ui(ui, view, run);
+}
+
+/// The verdict in one line, so that the program's own window stays in sight.
+fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&Run>) {
+    let status = run.and_then(Run::status);
+    let measured = run.and_then(|run| run.cycles().last()).and_then(|cycle| main_value(view.words, cycle));
+    let word = view.text(status_id(status));
+    let (fill, colour) = palette(ui.ctx()).of_status(status);
+    let size = if status.is_some() { sizes().status * 0.5 } else { sizes().value };
+    let card = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::symmetric(12, 8)).show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        ui.horizontal(|ui| {
+            let (rect, _) = ui.allocate_exact_size(vec2(space(9.0), space(9.0)), Sense::hover());
+            shapes::status(ui.painter(), rect, status, colour);
+            ui.label(RichText::new(&word).font(theme::bold(size)).color(colour));
+            if let Some(measured) = &measured {
+                ui.label(RichText::new(measured).font(theme::bold(sizes().limits)).color(colour));
+            }
+        });
+    });
+    let said = std::iter::once(word).chain(measured).collect::<Vec<_>>().join(". ");
+    let response = ui.interact(card.response.rect, ui.scope_id().with("verdict"), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Assertive));
+}
+
+/// The diameter that a cycle measured, or its first result.
+fn main_value(words: &Words, run: &CycleRun) -> Option<String> {
+    let result = &run.result;
+    let length = result.circle.as_ref().map(|circle| circle.diameter).or_else(|| {
+        result.results.iter().find_map(|found| match found.value {
+            Value::Length(length) => Some(length),
+            _ => None,
+        })
+    })?;
+    Some(format!("{} mm", words.number(&length.rounded(crate::length::Unit::Millimetre, 4))))
+}
+
+/// A window of FN 16, as the control shows it.
+fn window_ui(ui: &mut Ui, view: &View<'_>, window: &Window) {
+    let palette = palette(ui.ctx());
+    let frame = Frame::new().fill(palette.popup.0).stroke(Stroke::new(2.0, palette.popup_title.0)).corner_radius(2.0);
+    frame.show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        Frame::new().fill(palette.popup_title.0).inner_margin(Margin::symmetric(8, 3)).show(ui, |ui| {
+            ui.set_min_width(ui.available_width());
+            let title = Message::new("program-page-window").text("mask", window.mask.file_name());
+            let title = RichText::new(view.words.say(&title)).size(sizes().small).color(palette.on_popup_title.0);
+            ui.label(title);
+        });
+        Frame::new().inner_margin(Margin::same(8)).show(ui, |ui| {
+            let area = ScrollArea::both().id_salt((&window.place.program, window.place.block));
+            area.max_height(space(60.0)).auto_shrink([false, true]).show(ui, |ui| {
+                let text = RichText::new(window.text.trim_end()).font(theme::mono(sizes().mono));
+                ui.add(Label::new(text.color(palette.text.0)).extend().selectable(true));
+            });
+        });
+    });
+}
+
+/// What was measured, one a line: shape, word, cycle, value; a click shows the block.
+fn cycles_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
+    let cycles = run.cycles();
+    if cycles.is_empty() {
+        return;
+    }
+    ui.add_space(space(1.0));
+    heading(ui, view.text("program-page-cycles"));
+    if MOST < cycles.len() {
+        let message = Message::new("program-page-last-of").count("shown", MOST).count("all", cycles.len());
+        quiet(ui, view.words.say(&message));
+    }
+    for cycle in cycles.iter().rev().take(MOST).rev() {
+        ui.horizontal(|ui| {
+            let status = cycle.result.status;
+            let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
+            shapes::status(ui.painter(), mark, status, palette(ui.ctx()).text.0);
+            let word = view.text(status_id(status));
+            let value = main_value(view.words, cycle).unwrap_or_default();
+            let text = format!("{}  {word}  {value}", cycle.cycle.code);
+            let button = Button::new(text).frame(false).min_size(vec2(0.0, sizes().field));
+            if ui.add(button).on_hover_text(view.text("program-page-show-block")).clicked() {
+                view.send(Command::Program(ProgramCommand::GoTo(cycle.place.clone())));
+            }
+        });
+    }
+}
+
+/// What would have been written, file by file; nothing is.
+fn outputs_ui(ui: &mut Ui, view: &View<'_>, run: &Run) {
+    let outputs = run.outputs();
+    if outputs.is_empty() {
+        return;
+    }
+    ui.add_space(space(1.0));
+    heading(ui, view.text("program-page-outputs"));
+    quiet(ui, view.text("program-page-outputs-hint"));
+    for (number, output) in outputs.iter().enumerate().rev().take(MOST) {
+        let title = output.path.to_string();
+        CollapsingHeader::new(title).id_salt(("output", number)).show_unindented(ui, |ui| {
+            let text = RichText::new(output.text.trim_end()).font(theme::mono(sizes().small));
+            ui.add(Label::new(text).extend().selectable(true));
+        });
+    }
+}

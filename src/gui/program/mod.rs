@@ -1,0 +1,148 @@
+//! The program page: an NC program is read, run, stepped and watched, next to Fitcheck's own answer.
+//!
+//! | file | what |
+//! |---|---|
+//! | `tool_bar` | above: which program; run, pause, single block, breakpoints, speed; what the run does |
+//! | `listing` | middle: the lines in sight, and the keys that walk through them |
+//! | `paint` | how a line looks |
+//! | `form_panel` | left: the inputs of 8255, the workpiece, program and native answer side by side |
+//! | `answer_panel` | right: windows, files, what was measured |
+//! | `watch_panel` | right, below: parameters |
+//! | `path_panel` | below the listing: the way of the probe |
+//! | `problems_panel` | below the listing: what is wrong, to be jumped to |
+
+mod answer_panel;
+mod form_panel;
+mod listing;
+mod paint;
+mod path_panel;
+mod problems_panel;
+mod tool_bar;
+mod watch_panel;
+
+use std::time::Duration;
+
+use eframe::egui::{CentralPanel, Frame, Id, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
+
+use super::cycles::bench_window;
+use super::dialogs::just_opened;
+use super::field;
+use super::theme::{palette, space};
+use super::view::View;
+use crate::session::program::Speed;
+use crate::session::{Command, ProgramCommand, ProgramField, Purpose};
+
+const OPEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::O);
+const RUN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F5);
+const RESET: KeyboardShortcut = KeyboardShortcut::new(Modifiers::SHIFT, Key::F5);
+const STEP: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F10);
+const STEP_OVER: KeyboardShortcut = KeyboardShortcut::new(Modifiers::SHIFT, Key::F10);
+const TO_SELECTED: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::F10);
+const BREAKPOINT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F9);
+const PAUSE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Escape);
+
+/// The page: left what goes in, middle the program, right what comes out.
+pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
+    focus_first(ui, view);
+    shortcuts(ui, view);
+    tick(ui, view);
+    let size = ui.available_size();
+    // Where the window is low, the way of the probe stands below the inputs.
+    let (narrow, low) = (size.x < 1200.0, size.y < 640.0);
+    Panel::top("program-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
+    let side = if narrow { space(64.0) } else { space(74.0) };
+    Panel::left("program-inputs").exact_size(side).show(ui, |ui| {
+        column_ui(ui, "program-inputs", |ui| {
+            form_panel::form_ui(ui, view);
+            if low && path_panel::has_path(view) {
+                ui.separator();
+                path_panel::path_ui(ui, view);
+            }
+        });
+    });
+    let side = if narrow { space(78.0) } else { space(90.0).max(size.x * 0.26) };
+    Panel::right("program-answer").exact_size(side).show(ui, |ui| {
+        // The parameters keep a share of the height whatever there is above them.
+        let height = (ui.available_height() * 0.4).max(space(44.0));
+        Panel::bottom("program-watch").exact_size(height).show(ui, |ui| watch_panel::watch_ui(ui, view));
+        CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
+            column_ui(ui, "program-answers", |ui| answer_panel::answer_ui(ui, view));
+        });
+    });
+    let frame = Frame::new().fill(palette(ui.ctx()).panel.0);
+    CentralPanel::default().frame(frame).show(ui, |ui| {
+        problems_panel::problems_ui(ui, view);
+        if !low && path_panel::has_path(view) {
+            let height = ui.available_height() * 0.36;
+            Panel::bottom("program-path").exact_size(height).show(ui, |ui| path_panel::path_ui(ui, view));
+        }
+        listing::listing_ui(ui, view);
+    });
+    bench_window::bench_ui(ui, view);
+}
+
+/// The page opens ready for typing, or for walking through the program where it has no inputs.
+fn focus_first(ui: &Ui, view: &View<'_>) {
+    if just_opened(ui, Id::unique("program-page")) {
+        let input = view.session.program().inputs().next();
+        let first = input.map_or_else(listing::id, |input| field::id(ProgramField::Input(input)));
+        ui.memory_mut(|memory| memory.request_focus(first));
+    }
+}
+
+/// A column that scrolls where the window is low; the floating bar never lies on its content.
+fn column_ui(ui: &mut Ui, id: &str, content: impl FnOnce(&mut Ui)) {
+    ScrollArea::vertical().id_salt(id).auto_shrink(false).show(ui, |ui| {
+        ui.set_max_width(ui.available_width() - space(2.5));
+        ui.spacing_mut().item_spacing.y = space(1.0);
+        content(ui);
+    });
+}
+
+/// The keys of the page, wherever the focus is.
+fn shortcuts(ui: &Ui, view: &mut View<'_>) {
+    if view.session.dialog().is_some() || view.session.cycles().bench_is_open() {
+        return;
+    }
+    let pressed = |shortcut: &KeyboardShortcut| ui.input_mut(|input| input.consume_shortcut(shortcut));
+    // The longer shortcut first: the shorter one would take it.
+    for (shortcut, command) in [
+        (RESET, ProgramCommand::Reset),
+        (RUN, ProgramCommand::Run),
+        (TO_SELECTED, ProgramCommand::RunToSelected),
+        (STEP_OVER, ProgramCommand::StepOver),
+        (STEP, ProgramCommand::Step),
+        (BREAKPOINT, ProgramCommand::ToggleBreakpoint(None)),
+    ] {
+        if pressed(&shortcut) {
+            view.send(Command::Program(command));
+        }
+    }
+    if pressed(&OPEN) {
+        view.send(Command::OpenDialog(Purpose::OpenProgram));
+    }
+    // Only while a run goes on is Escape the page's.
+    if view.session.program().is_running() && pressed(&PAUSE) {
+        view.send(Command::Program(ProgramCommand::Pause));
+    }
+}
+
+/// Asks for the next slice when it is due; without a run that goes on, nothing is repainted.
+fn tick(ui: &Ui, view: &mut View<'_>) {
+    let program = view.session.program();
+    if !program.is_running() {
+        return;
+    }
+    let (id, now) = (Id::unique("program-tick"), ui.input(|input| input.time));
+    let interval = program.speed().interval();
+    let last = ui.data(|data| data.get_temp::<f64>(id)).unwrap_or(f64::NEG_INFINITY);
+    // A clock that was set back does not stop the run.
+    let waited = (now - last).abs();
+    if program.speed() == Speed::Fast || interval <= waited {
+        ui.data_mut(|data| data.insert_temp(id, now));
+        view.send(Command::Program(ProgramCommand::Tick));
+        ui.request_repaint_after(Duration::from_secs_f64(interval));
+    } else {
+        ui.request_repaint_after(Duration::from_secs_f64((interval - waited).clamp(0.0, 1.0)));
+    }
+}

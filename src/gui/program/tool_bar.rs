@@ -1,0 +1,203 @@
+//! Above: which program; run, pause, single block, breakpoints, speed; what the run does, in words.
+
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{Button, ComboBox, KeyboardShortcut, RichText, Sense, Ui, WidgetInfo, vec2};
+
+use super::{BREAKPOINT, OPEN, PAUSE, RESET, RUN, STEP, STEP_OVER, TO_SELECTED, paint};
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::view::{View, list_height};
+use crate::session::program::{Document, EntryKind, Origin, Run, SHIPPED, Speed, State, Switch};
+use crate::session::{Command, ProgramCommand, Purpose};
+
+/// Two rows: what is done with the program, and where the run is.
+pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.add_space(space(1.0));
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = space(1.5);
+        choice_ui(ui, view);
+        ui.separator();
+        run_ui(ui, view);
+    });
+    ui.horizontal_wrapped(|ui| {
+        ui.set_min_height(sizes().field);
+        state_ui(ui, view);
+        calls_ui(ui, view);
+        ui.separator();
+        outline_ui(ui, view);
+        speed_ui(ui, view);
+        options_ui(ui, view);
+    });
+    ui.add_space(space(1.0));
+}
+
+fn button(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    (id, enabled): (&str, bool),
+    shortcut: KeyboardShortcut,
+    command: ProgramCommand,
+) {
+    let button = Button::new(view.text(id)).min_size(vec2(0.0, sizes().field));
+    let response = ui.add_enabled(enabled, button).on_hover_text(ui.ctx().format_shortcut(&shortcut));
+    if response.clicked() {
+        view.send(Command::Program(command));
+    }
+}
+
+fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = view.text("program-page-choice");
+    let shown = view.session.program().main().map(|document| document.title().to_owned()).unwrap_or_default();
+    let combo = ComboBox::from_id_salt("program-choice")
+        .selected_text(shown)
+        .width(space(36.0))
+        .truncate()
+        .height(list_height(ui));
+    let response = combo.show_ui(ui, |ui| {
+        for (language, file) in SHIPPED {
+            let chosen = view.session.program().origin() == Some(&Origin::Shipped(file));
+            let text = format!("{file}, {}", language.name());
+            if ui.selectable_label(chosen, text).clicked() {
+                view.send(Command::Program(ProgramCommand::OpenShipped(file)));
+            }
+        }
+        for path in view.session.program().recent() {
+            let chosen = view.session.program().origin() == Some(&Origin::File(path.clone()));
+            if ui.selectable_label(chosen, path.display().to_string()).clicked() {
+                // As if it were opened anew: it may have changed.
+                view.send(Command::OpenDialog(Purpose::OpenProgram));
+                view.send(Command::Picked(Some(path.clone())));
+            }
+        }
+    });
+    response.response.accessible_name(name);
+    let open = Button::new(view.text("program-page-open")).min_size(vec2(0.0, sizes().field));
+    if ui.add(open).on_hover_text(ui.ctx().format_shortcut(&OPEN)).clicked() {
+        view.send(Command::OpenDialog(Purpose::OpenProgram));
+    }
+}
+
+fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let program = view.session.program();
+    let (running, begun) = (program.is_running(), program.run().is_some());
+    let over = program.run().is_some_and(Run::is_over);
+    if running {
+        button(ui, view, ("program-page-pause", true), PAUSE, ProgramCommand::Pause);
+    } else {
+        let palette = palette(ui.ctx());
+        let text = RichText::new(view.text("program-page-run")).color(palette.on_accent.0);
+        let button = Button::new(text.font(theme::bold(sizes().body))).fill(palette.accent.0);
+        let button = ui.add(button.min_size(vec2(space(20.0), sizes().field)));
+        if button.on_hover_text(ui.ctx().format_shortcut(&RUN)).clicked() {
+            view.send(Command::Program(ProgramCommand::Run));
+        }
+    }
+    let can_step = !running && !over;
+    button(ui, view, ("program-page-step", can_step), STEP, ProgramCommand::Step);
+    button(ui, view, ("program-page-step-over", can_step), STEP_OVER, ProgramCommand::StepOver);
+    button(ui, view, ("program-page-to-selected", !running), TO_SELECTED, ProgramCommand::RunToSelected);
+    button(ui, view, ("program-page-breakpoint", true), BREAKPOINT, ProgramCommand::ToggleBreakpoint(None));
+    button(ui, view, ("program-page-reset", begun), RESET, ProgramCommand::Reset);
+}
+
+const fn speed_id(speed: Speed) -> &'static str {
+    match speed {
+        Speed::Slow => "program-page-speed-slow",
+        Speed::Medium => "program-page-speed-medium",
+        Speed::Fast => "program-page-speed-fast",
+    }
+}
+
+fn speed_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let speed = view.session.program().speed();
+    let name = view.text("program-page-speed");
+    let combo = ComboBox::from_id_salt("program-speed").selected_text(view.text(speed_id(speed))).width(space(26.0));
+    let response = combo.show_ui(ui, |ui| {
+        for choice in Speed::ALL {
+            if ui.selectable_label(choice == speed, view.text(speed_id(choice))).clicked() {
+                view.send(Command::Program(ProgramCommand::SetSpeed(choice)));
+            }
+        }
+    });
+    response.response.accessible_name(name);
+}
+
+fn options_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.menu_button(view.text("program-page-options"), |ui| {
+        for switch in Switch::ALL {
+            let id = match switch {
+                Switch::SkipUnknown => "program-page-skip-unknown",
+                Switch::BlockSkip => "program-page-block-skip",
+                Switch::OptionalStop => "program-page-optional-stop",
+            };
+            let mut on = view.session.program().is_on(switch);
+            if ui.checkbox(&mut on, view.text(id)).clicked() {
+                view.send(Command::Program(ProgramCommand::Switch(switch, on)));
+            }
+        }
+    });
+}
+
+/// What the run does and why it waits: a live region.
+fn state_ui(ui: &mut Ui, view: &View<'_>) {
+    let program = view.session.program();
+    let (mark, _) = ui.allocate_exact_size(vec2(space(5.0), space(5.0)), Sense::hover());
+    paint::state(ui.painter(), mark, program.run().map(Run::state), palette(ui.ctx()));
+    let said = view.words.say(&program.state_message());
+    let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));
+    label.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
+    ui.ctx().accesskit_node_builder(label.id, |node| node.set_live(Live::Polite));
+}
+
+/// The programs that called one another; each can be shown.
+fn calls_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let program = view.session.program();
+    let Some(run) = program.run().filter(|run| run.state() != State::Ended) else { return };
+    let programs = run.programs();
+    if programs.len() < 2 && program.shown().map(Document::path) == programs.first() {
+        return;
+    }
+    ui.separator();
+    for (number, path) in programs.into_iter().enumerate() {
+        if 0 < number {
+            ui.label("→");
+        }
+        let shown = program.shown().is_some_and(|document| *document.path() == path);
+        if ui.add(Button::selectable(shown, path.file_name())).clicked() {
+            view.send(Command::Program(ProgramCommand::ShowProgram(path)));
+        }
+    }
+}
+
+/// Structure blocks and labels: the list jumps to them.
+fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let Some(document) = view.session.program().shown() else { return };
+    let outline = document.outline();
+    if outline.is_empty() {
+        return;
+    }
+    let name = ui.label(view.text("program-page-outline"));
+    let under = document.under(document.selected());
+    let text = under.and_then(|number| outline.get(number)).map(|entry| entry.text.clone());
+    let text = text.unwrap_or_else(|| view.text("program-page-outline-none"));
+    let height = list_height(ui);
+    let combo = ComboBox::from_id_salt("program-outline").selected_text(text).width(space(46.0)).truncate();
+    let response = combo.height(height).show_ui(ui, |ui| {
+        ui.set_min_width(space(70.0));
+        // Only the entries in sight: there may be thousands.
+        let area = eframe::egui::ScrollArea::vertical().max_height(height).id_salt("outline");
+        area.show_rows(ui, sizes().field, outline.len(), |ui, rows| {
+            for (number, entry) in rows.clone().zip(outline.get(rows).unwrap_or_default()) {
+                let depth = entry.depth.saturating_sub(1) + usize::from(entry.kind == EntryKind::Label);
+                let text = format!("{}{}", "    ".repeat(depth.min(8)), entry.text);
+                let button = Button::selectable(under == Some(number), text).truncate();
+                if ui.add(button.min_size(vec2(0.0, sizes().field))).clicked() {
+                    let program = document.path().clone();
+                    let place = crate::control::machine::BlockPlace { program, block: entry.block };
+                    view.send(Command::Program(ProgramCommand::GoTo(place)));
+                    ui.close();
+                }
+            }
+        });
+    });
+    response.response.labelled_by(name.id);
+}

@@ -1,0 +1,148 @@
+//! Right, below: parameters with names and values; what the last command changed stands out, by more than colour.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Align2, Button, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
+
+use crate::control::machine::shown;
+use crate::control::variables::Value;
+use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::view::{View, heading, quiet};
+use crate::session::program::{Name, Watched};
+use crate::session::{Command, ProgramCommand, ProgramField};
+use crate::words::Message;
+
+/// The panel's content.
+pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.spacing_mut().item_spacing.y = space(1.0);
+    ui.horizontal(|ui| {
+        heading(ui, view.text("program-page-parameters"));
+        let name = quiet(ui, view.text("program-page-filter"));
+        let look = Look { font: theme::font(sizes().body), ..Look::large(ui.available_width() - space(5.0)) };
+        field_ui(ui, view, ProgramField::Filter, name.id, look);
+    });
+    given_ui(ui, view);
+    let program = view.session.program();
+    let watched = program.watched();
+    if watched.is_empty() {
+        let id = if program.run().is_some() { "program-page-none-found" } else { "program-page-no-parameters" };
+        quiet(ui, view.text(id));
+        return;
+    }
+    let height = space(7.0);
+    ui.spacing_mut().item_spacing.y = 0.0;
+    ScrollArea::vertical().id_salt("watch").auto_shrink(false).show_rows(ui, height, watched.len(), |ui, rows| {
+        for watched in watched.get(rows).unwrap_or_default() {
+            row_ui(ui, view, watched, height);
+        }
+    });
+}
+
+/// A value that the next run begins with.
+fn given_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space(1.5);
+        let name = quiet(ui, view.text("program-page-set"));
+        let small = |width| Look { font: theme::font(sizes().body), ..Look::large(width) };
+        field_ui(ui, view, ProgramField::Name, name.id, small(space(14.0)));
+        let value = quiet(ui, "=");
+        let give = view.text("program-page-give");
+        let font = theme::font(sizes().body);
+        let room = ui.painter().layout_no_wrap(give.clone(), font, palette(ui.ctx()).text.0).size().x;
+        let width = (ui.available_width() - room - space(12.0)).max(space(8.0));
+        let id = value.id;
+        value.widget_info(|| WidgetInfo::labeled(Role::Label, true, view.text("program-page-value")));
+        field_ui(ui, view, ProgramField::Value, id, small(width));
+        let button = Button::new(give).min_size(vec2(0.0, sizes().field));
+        if ui.add(button).on_hover_text(view.text("program-page-give-hint")).clicked() {
+            view.send(Command::Program(ProgramCommand::SetValue));
+        }
+    });
+    error_ui(ui, view, ProgramField::Name);
+    error_ui(ui, view, ProgramField::Value);
+    let given: Vec<_> = view.session.program().given().map(|(parameter, value)| (parameter, shown(value))).collect();
+    if given.is_empty() {
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        quiet(ui, view.text("program-page-given"));
+        for (parameter, value) in given {
+            let text = format!("{parameter} = {}", view.words.number(&value));
+            let hint = view.text("program-page-drop");
+            let name = format!("{text}, {hint}");
+            if ui.button(format!("{text}  ×")).accessible_name(name).on_hover_text(hint).clicked() {
+                view.send(Command::Program(ProgramCommand::DropValue(parameter)));
+            }
+        }
+    });
+}
+
+/// `▪ Q153  measured diameter  25.0105`, with a button that keeps it at the top.
+fn row_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, height: f32) {
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - space(2.5), height), Sense::hover());
+    let palette = palette(ui.ctx());
+    let name = match view.session.program().name_of(watched.parameter) {
+        Some(Name::Control(id)) => view.text(id),
+        Some(Name::Program(name)) => name.to_owned(),
+        None => String::new(),
+    };
+    let value = match watched.value {
+        Some(value @ Value::Text(_)) => shown(value),
+        Some(value) => view.words.number(&shown(value)),
+        None => view.text("program-page-undefined"),
+    };
+    if watched.is_changed {
+        changed_mark(ui, rect);
+    }
+    let font = |is_bold: bool| if is_bold { theme::bold(sizes().body) } else { theme::font(sizes().body) };
+    let painter = ui.painter().with_clip_rect(rect);
+    let pin = Rect::from_min_max(pos2(rect.right() - space(6.0), rect.top()), rect.max);
+    let y = rect.center().y;
+    let text = watched.parameter.to_string();
+    painter.text(pos2(rect.left() + space(3.5), y), Align2::LEFT_CENTER, text, font(true), palette.text.0);
+    let value_rect = painter.text(
+        pos2(pin.left() - space(1.5), y),
+        Align2::RIGHT_CENTER,
+        &value,
+        font(watched.is_changed),
+        palette.text.0,
+    );
+    let room = Rect::from_min_max(
+        pos2(rect.left() + space(16.0), rect.top()),
+        pos2((value_rect.left() - space(2.0)).max(rect.left()), rect.bottom()),
+    );
+    let small = theme::font(sizes().small);
+    ui.painter().with_clip_rect(room.intersect(ui.clip_rect())).text(
+        room.left_center(),
+        Align2::LEFT_CENTER,
+        &name,
+        small,
+        palette.quiet.0,
+    );
+    let changed = if watched.is_changed { "program-page-parameter-changed" } else { "program-page-parameter" };
+    let said = Message::new(changed).text("parameter", watched.parameter).text("name", &name).text("value", &value);
+    let said = view.words.say(&said);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
+    if !name.is_empty() {
+        response.on_hover_text(&name);
+    }
+    pin_ui(ui, view, watched, pin);
+}
+
+/// The mark of a changed value: a square before it.
+fn changed_mark(ui: &Ui, rect: Rect) {
+    let palette = palette(ui.ctx());
+    let mark = Rect::from_center_size(pos2(rect.left() + space(1.5), rect.center().y), vec2(space(1.5), space(1.5)));
+    ui.painter().rect_filled(mark, 0.0, palette.accent.0);
+}
+
+fn pin_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, rect: Rect) {
+    let id = if watched.is_pinned { "program-page-unpin" } else { "program-page-pin" };
+    let message = Message::new(id).text("parameter", watched.parameter);
+    let name = view.words.say(&message);
+    let text = RichText::new(if watched.is_pinned { "−" } else { "+" });
+    let button = Button::new(text).frame(false).min_size(rect.size());
+    if ui.put(rect, button).accessible_name(name.clone()).on_hover_text(name).clicked() {
+        view.send(Command::Program(ProgramCommand::Pin(watched.parameter, !watched.is_pinned)));
+    }
+}

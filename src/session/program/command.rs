@@ -1,0 +1,143 @@
+//! What can be done on the program page, and the names of its fields and choices.
+
+use std::path::PathBuf;
+
+use super::Document;
+use super::inputs::Input;
+use super::run::Speed;
+use crate::control::machine::{BlockPlace, NcPath};
+use crate::control::program::ProgramWarning;
+use crate::control::variables::Parameter;
+use crate::words::Message;
+
+/// What can be done on the program page.
+#[derive(Debug, Clone)]
+pub enum ProgramCommand {
+    /// Opens a shipped program by its file name.
+    OpenShipped(&'static str),
+    /// A program's file was read, or not.
+    Read {
+        /// Its path.
+        path: PathBuf,
+        /// The program, and what is odd about it.
+        result: Result<(Box<Document>, Vec<ProgramWarning>), Message>,
+    },
+    /// Replaces the text of a field.
+    Type(ProgramField, String),
+    /// Chooses what is measured. Contacts are asked for where there are none.
+    ChooseWorkpiece(WorkpieceFrom),
+    /// Runs until a stop, a breakpoint, a fault or the end; goes on where it paused.
+    Run,
+    /// Runs one block.
+    Step,
+    /// Runs one block with all that it calls.
+    StepOver,
+    /// Runs up to the selected block.
+    RunToSelected,
+    /// Runs the next slice; asked for by the window while a run goes on.
+    Tick,
+    /// Pauses.
+    Pause,
+    /// Goes back to before the first block.
+    Reset,
+    /// Chooses how fast a run goes.
+    SetSpeed(Speed),
+    /// Switches something about the run; takes effect at its next start.
+    Switch(Switch, bool),
+    /// Sets or takes a breakpoint, by block of the shown program; the selected block where none is named.
+    ToggleBreakpoint(Option<usize>),
+    /// Selects a block of the shown program.
+    Select(usize),
+    /// Selects a block near the selected one.
+    Move(BlockStep),
+    /// Shows a program of the call stack by its path.
+    ShowProgram(NcPath),
+    /// Shows a block of any program of the run and selects it.
+    GoTo(BlockPlace),
+    /// Keeps a parameter at the top of the list, or not.
+    Pin(Parameter, bool),
+    /// Gives the parameter of its field the value of its field at the next start.
+    SetValue,
+    /// Takes such a value back.
+    DropValue(Parameter),
+}
+
+/// A step from block to block; it ends at the program's ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BlockStep {
+    /// To the block before.
+    Up,
+    /// To the next block.
+    Down,
+    /// So many blocks up.
+    PageUp,
+    /// So many blocks down.
+    PageDown,
+    /// To the first block.
+    First,
+    /// To the last block.
+    Last,
+}
+
+/// What can be switched about a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Switch {
+    /// Blocks that are not known are passed over with a remark, instead of ending the run.
+    SkipUnknown,
+    /// Blocks with a `/` are passed over.
+    BlockSkip,
+    /// M1 stops.
+    OptionalStop,
+}
+
+impl Switch {
+    /// All of them, in the order of the menu.
+    pub const ALL: [Self; 3] = [Self::SkipUnknown, Self::BlockSkip, Self::OptionalStop];
+}
+
+/// A text field of the page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum ProgramField {
+    /// An input of 8255.
+    Input(Input),
+    /// Diameter of the workpiece, mm.
+    Diameter,
+    /// Where its centre really lies, X, mm.
+    WorkpieceX,
+    /// The same in Y.
+    WorkpieceY,
+    /// Which parameters are listed.
+    Filter,
+    /// The parameter that is given a value before a run.
+    Name,
+    /// That value.
+    Value,
+}
+
+/// What is measured.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum WorkpieceFrom {
+    /// A perfect one in the middle of the limits, where they are known; else at nominal.
+    #[default]
+    Perfect,
+    /// A perfect one with the diameter and the centre of the fields.
+    Given,
+    /// The simulated workpiece, the same as on the cycles page.
+    Simulated,
+    /// Recorded contacts, the same as on the cycles page.
+    Recorded,
+}
+
+impl WorkpieceFrom {
+    /// Every source.
+    pub const ALL: [Self; 4] = [Self::Perfect, Self::Given, Self::Simulated, Self::Recorded];
+}
+
+/// Where the open program came from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Origin {
+    /// It is shipped; its file name.
+    Shipped(&'static str),
+    /// A file.
+    File(PathBuf),
+}

@@ -1,0 +1,304 @@
+//! The seven inputs of 8255 as fields, and Fitcheck's own answer beside the program's.
+
+use std::collections::BTreeMap;
+
+use super::{Document, ProgramField, ProgramPage};
+use crate::control::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
+use crate::control::variables::{Parameter, Value};
+use crate::length::Length;
+use crate::probing::cycle;
+use crate::probing::cycles::cycle as cycle_of;
+use crate::session::Session;
+use crate::tolerance::{Callout, Limits};
+use crate::verdict::{SizeVerdict, Status, judge_size};
+use crate::words::{Message, Say as _};
+
+/// An input of NC-Solution 8255 (seed `000_2e707c2d138629e0.txt`).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Input {
+    /// Nominal size, Q1, mm.
+    Size,
+    /// Tolerance class, QS1.
+    Class,
+    /// Centre in X, Q11, mm.
+    CentreX,
+    /// Centre in Y, Q21, mm.
+    CentreY,
+    /// Measuring height, Q31, mm.
+    Height,
+    /// Angle of the first contact, Q41, degrees.
+    Angle,
+    /// Set-up clearance, Q51, mm.
+    Clearance,
+}
+
+impl Input {
+    /// All of them, in the order of the program.
+    pub const ALL: [Self; 7] =
+        [Self::Size, Self::Class, Self::CentreX, Self::CentreY, Self::Height, Self::Angle, Self::Clearance];
+
+    /// The parameter that holds it.
+    pub const fn parameter(self) -> Parameter {
+        match self {
+            Self::Size => Parameter::q(1),
+            Self::Class => Parameter::qs(1),
+            Self::CentreX => Parameter::q(11),
+            Self::CentreY => Parameter::q(21),
+            Self::Height => Parameter::q(31),
+            Self::Angle => Parameter::q(41),
+            Self::Clearance => Parameter::q(51),
+        }
+    }
+
+    /// Its unit.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Class => "",
+            Self::Angle => "°",
+            _ => "mm",
+        }
+    }
+
+    /// The parameter of the measuring cycle that it goes to; it says what is allowed.
+    const fn of_cycle(self) -> Option<u16> {
+        match self {
+            Self::Size | Self::Class => None,
+            Self::CentreX => Some(273),
+            Self::CentreY => Some(274),
+            Self::Height => Some(261),
+            Self::Angle => Some(325),
+            Self::Clearance => Some(320),
+        }
+    }
+
+    /// Reads a text as the value of the parameter.
+    fn read(self, text: &str) -> Result<Value, Message> {
+        let Some(number) = self.of_cycle() else {
+            return match self {
+                Self::Class => Ok(Value::Text(text.trim().to_owned())),
+                _ => size(text).map(Value::Length),
+            };
+        };
+        let parameter = cycle_of(421).and_then(|cycle| cycle.parameter(number));
+        match parameter.map(|parameter| parameter.accept(text)) {
+            Some(Ok(cycle::Value::Length(length))) => Ok(Value::Length(length)),
+            Some(Ok(cycle::Value::Angle(angle))) => Ok(Value::Number(angle.to_degrees_f64())),
+            Some(Err(error)) => Err(error.message()),
+            Some(Ok(_)) | None => Err(Message::new("field-not-whole").text("given", text.trim())),
+        }
+    }
+}
+
+/// A size above zero, within the control's ±99999.9999 mm.
+fn size(text: &str) -> Result<Length, Message> {
+    let length = text.parse::<Length>().map_err(|error| error.message())?;
+    let largest = Length::from_nanometres(99_999_999_900).unwrap_or_default();
+    let outside = |id| Err(Message::new(id).mm("given", length).mm("limit", largest));
+    match length {
+        length if length <= Length::ZERO => outside("field-above-zero"),
+        length if largest < length => outside("field-range"),
+        length => Ok(length),
+    }
+}
+
+/// A length of any sign.
+pub(super) fn length(text: &str) -> Result<Length, Message> {
+    text.parse::<Length>().map_err(|error| error.message())
+}
+
+/// What a program assigns to the inputs before it calls, jumps or measures: plain values only.
+pub(super) fn assigned(program: &Program) -> BTreeMap<Input, String> {
+    let mut found = BTreeMap::new();
+    for block in program.blocks() {
+        let (to, text) = match &block.body {
+            Body::Assign { to, value } => match plain(value) {
+                Some(number) => (*to, number.to_string()),
+                None => continue,
+            },
+            Body::AssignText { to, value: TextExpression::Value(TextOperand::Text(text)) } => (*to, text.clone()),
+            Body::Begin { .. }
+            | Body::Nothing
+            | Body::Heading { .. }
+            | Body::AssignText { .. }
+            | Body::ToolCall { .. }
+            | Body::Move(_)
+            | Body::Other => continue,
+            _ => break,
+        };
+        if let Some(input) = Input::ALL.into_iter().find(|input| input.parameter() == to) {
+            found.entry(input).or_insert(text);
+        }
+    }
+    found
+}
+
+/// A number, perhaps with a minus sign before it.
+fn plain(value: &Expression) -> Option<f64> {
+    match value {
+        Expression::Value(Operand::Number(number)) => Some(*number),
+        Expression::Function(NumberFunction::Negative, number) => plain(number).map(|number| -number),
+        _ => None,
+    }
+}
+
+/// Whether program and native answer say the same.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Agreement {
+    /// They do.
+    Agrees,
+    /// Neither has an answer, each for its own reason.
+    BothRefuse,
+    /// They do not; what differs, one sentence each.
+    Differs(Vec<Message>),
+}
+
+impl ProgramPage {
+    /// Whether the open program has the inputs of 8255: at least size and class.
+    pub fn has_inputs(&self) -> bool {
+        let has = |input| self.main().is_some_and(|document| document.assigned().contains_key(&input));
+        has(Input::Size) && has(Input::Class)
+    }
+
+    /// The inputs that the open program assigns.
+    pub fn inputs(&self) -> impl Iterator<Item = Input> {
+        self.main().into_iter().flat_map(|document| document.assigned().keys().copied())
+    }
+
+    fn input(&self, input: Input) -> Option<Value> {
+        input.read(self.text(ProgramField::Input(input))).ok()
+    }
+
+    /// An input that is a length, mm.
+    pub(super) fn input_length(&self, input: Input) -> Option<Length> {
+        match self.input(input) {
+            Some(Value::Length(length)) => Some(length),
+            _ => None,
+        }
+    }
+
+    /// The inputs that were changed, as values to begin with.
+    pub(super) fn changed_inputs(&self) -> Vec<(Parameter, Value)> {
+        let assigned = self.main().into_iter().flat_map(Document::assigned);
+        let all = assigned.filter_map(|(&input, own)| {
+            let value = self.input(input)?;
+            (input.read(own).ok().as_ref() != Some(&value)).then(|| (input.parameter(), value))
+        });
+        all.collect()
+    }
+
+    /// Reads the inputs anew.
+    pub(super) fn check_inputs(&mut self) {
+        for input in Input::ALL {
+            let field = ProgramField::Input(input);
+            self.errors.remove(&field);
+            if !self.inputs().any(|assigned| assigned == input) {
+                continue;
+            }
+            if let Err(problem) = input.read(self.text(field)) {
+                self.errors.insert(field, problem);
+            }
+        }
+    }
+}
+
+impl Session {
+    /// Fitcheck's own limits for the program's inputs; `None` where the program has none.
+    pub fn program_limits(&self) -> Option<Result<Limits, Message>> {
+        if !self.program.has_inputs() {
+            return None;
+        }
+        let size = self.program.input_length(Input::Size)?;
+        let class = self.program.text(ProgramField::Input(Input::Class)).trim();
+        let callout = format!("{size} {class}").parse::<Callout>().map_err(|error| error.message());
+        let limits = callout
+            .and_then(|callout| self.sources.limits(&callout, callout.feature()).map_err(|error| error.message()));
+        Some(limits)
+    }
+
+    /// What Fitcheck makes of the diameter that the program measured (Q153), by its own limits.
+    pub fn program_verdict(&self) -> Option<(Length, SizeVerdict)> {
+        let limits = self.program_limits()?.ok()?;
+        let run = self.program.run()?;
+        run.status()?;
+        let measured = run.length(Parameter::q(153))?;
+        Some((measured, judge_size(&limits, measured)))
+    }
+
+    /// Whether the program's answer is Fitcheck's: its limits Q33 and Q23, and its status. Known once it measured, or
+    /// ended otherwise.
+    pub fn program_agreement(&self) -> Option<Agreement> {
+        let native = self.program_limits()?;
+        let run = self.program.run()?;
+        let Ok(limits) = native else {
+            // Both refuse, each in its own words: that is no difference.
+            return match (run.fault(), run.status()) {
+                (Some(_), _) => Some(Agreement::BothRefuse),
+                (None, Some(_)) => Some(Agreement::Differs(vec![Message::new("program-page-differs-native-refuses")])),
+                (None, None) => None,
+            };
+        };
+        let Some(status) = run.status() else {
+            return run.fault().map(|_| Agreement::Differs(vec![Message::new("program-page-differs-fault")]));
+        };
+        let mut differences = Vec::new();
+        for (id, parameter, own) in [
+            ("program-page-differs-minimum", Parameter::q(33), limits.minimum()),
+            ("program-page-differs-maximum", Parameter::q(23), limits.maximum()),
+        ] {
+            match run.length(parameter) {
+                Some(theirs) if theirs != own => {
+                    differences.push(Message::new(id).mm("program", theirs).mm("own", own));
+                }
+                _ => {}
+            }
+        }
+        if let Some((_, verdict)) = self.program_verdict().filter(|(_, verdict)| verdict.status != status) {
+            let word = |status: Status| Message::new(status_id(status));
+            let difference = Message::new("program-page-differs-status");
+            differences.push(difference.message("program", word(status)).message("own", word(verdict.status)));
+        }
+        Some(if differences.is_empty() { Agreement::Agrees } else { Agreement::Differs(differences) })
+    }
+}
+
+const fn status_id(status: Status) -> &'static str {
+    match status {
+        Status::Good => "word-good",
+        Status::Rework => "word-rework",
+        Status::Scrap => "word-scrap",
+        Status::ReMeasure => "word-re-measure",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_plain_values_before_the_first_call_are_inputs() {
+        let text = "0 BEGIN PGM x MM\n1 * - Head\n2 Q1 = 25\n3 DECLARE STRING QS1 = \"H7\"\n4 Q11 = Q1 + 1\n\
+            5 Q31 = - 5.5\n6 Q1 = 30\n7 CALL PGM y.h\n8 Q41 = 0\n9 END PGM x MM\n";
+        let (program, _) = Program::read(text.as_bytes()).unwrap();
+        let found: Vec<_> = assigned(&program).into_iter().collect();
+        let expected = [(Input::Size, "25"), (Input::Class, "H7"), (Input::Height, "-5.5")];
+        assert_eq!(found, expected.map(|(input, text)| (input, text.to_owned())));
+    }
+
+    #[test]
+    fn an_input_is_what_its_cycle_allows() {
+        let length = |mm: &str| Ok(Value::Length(mm.parse().unwrap()));
+        assert_eq!(Input::Size.read("25,5"), length("25.5"));
+        assert_eq!(Input::Height.read("-5"), length("-5"));
+        assert_eq!(Input::Angle.read("45"), Ok(Value::Number(45.0)));
+        assert_eq!(Input::Class.read(" h7 "), Ok(Value::Text("h7".to_owned())));
+        for (input, text) in [
+            (Input::Size, "0"),
+            (Input::Size, "100000"),
+            (Input::Size, ""),
+            (Input::Clearance, "-1"),
+            (Input::Angle, "x"),
+        ] {
+            assert!(input.read(text).is_err(), "{input:?} {text}");
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! What a line of a program is made of, so that it can be told apart on screen. Nothing is decided by this.
+
+use std::ops::Range;
+
+/// A part of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Token {
+    /// Anything else.
+    Plain,
+    /// The block number, and the `/` before it.
+    Number,
+    /// A word of the language.
+    Keyword,
+    /// A Q, QL, QR or QS parameter.
+    Parameter,
+    /// A text in quotation marks.
+    Text,
+    /// A comment with its `;`.
+    Comment,
+    /// A structure block.
+    Heading,
+}
+
+/// The words of the language, in order.
+const KEYWORDS: [&str; 63] = [
+    "ABS", "ACOS", "ANG", "ASIN", "ATAN", "BEGIN", "BLK", "CALL", "COS", "CYCL", "DECLARE", "DEF", "DEFINED", "DIV",
+    "END", "EQU", "ERROR", "EXP", "F", "FAUTO", "FMAX", "FN", "FORM", "FRAC", "GOTO", "GT", "IF", "INCH", "INSTR",
+    "INT", "IS", "L", "LBL", "LEN", "LN", "LOG", "LT", "M", "MM", "NE", "NEG", "PGM", "PI", "PRINT", "PROBE", "REP",
+    "SCREEN", "SET", "SGN", "SIN", "SQ", "SQRT", "STOP", "STRCOMP", "STRING", "STRLEN", "SUBSTR", "TAN", "TCH", "THEN",
+    "TOCHAR", "TONUMB", "TOOL",
+];
+
+/// Words behind FN, in order.
+const FUNCTIONS: [&str; 4] = ["TABOPEN", "TABREAD", "TABWRITE", "UNDEFINED"];
+
+/// Takes a line apart; every byte belongs to exactly one part. `begins` is whether a block begins in the line: only
+/// there stands a block number.
+pub fn tokens(line: &str, begins: bool) -> Vec<(Range<usize>, Token)> {
+    let mut found = Found::default();
+    let front = if begins { front(line) } else { 0 };
+    found.add(front, Token::Number);
+    let rest = line.get(front..).unwrap_or_default();
+    if rest.trim_start().starts_with('*') {
+        found.add(line.len(), Token::Heading);
+        return found.parts;
+    }
+    while let Some(rest) = line.get(found.end..).filter(|rest| !rest.is_empty()) {
+        let (length, token) = first(rest);
+        found.add(found.end + length, token);
+    }
+    found.parts
+}
+
+/// The parts so far; equal neighbours are one.
+#[derive(Debug, Default)]
+struct Found {
+    parts: Vec<(Range<usize>, Token)>,
+    end: usize,
+}
+
+impl Found {
+    fn add(&mut self, end: usize, token: Token) {
+        if end <= self.end {
+            return;
+        }
+        match self.parts.last_mut() {
+            Some((range, last)) if *last == token => range.end = end,
+            _ => self.parts.push((self.end..end, token)),
+        }
+        self.end = end;
+    }
+}
+
+/// How long the number of a block is, with what stands around it.
+fn front(line: &str) -> usize {
+    let rest = line.trim_start_matches(|c: char| c.is_whitespace() || c == '/');
+    let behind = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+    let number = rest.len() - behind.len();
+    let has_mark = line.trim_start().starts_with('/');
+    match (number, behind.chars().next()) {
+        (0, _) if has_mark => line.len() - rest.len(),
+        (0, _) => 0,
+        // `5L` would be a word, `5` alone is a number.
+        (_, Some(c)) if !c.is_whitespace() && c != '/' && c != ';' => 0,
+        _ => line.len() - behind.len(),
+    }
+}
+
+/// The first part of a text that is not empty.
+fn first(text: &str) -> (usize, Token) {
+    let length = |more: fn(char) -> bool| text.len() - text.trim_start_matches(more).len();
+    match text.chars().next() {
+        Some(';') => (text.len(), Token::Comment),
+        Some('"') => {
+            let closed = text.get(1..).and_then(|rest| rest.find('"'));
+            // A mark that is not closed quotes nothing.
+            closed.map_or((1, Token::Plain), |inner| (inner + 2, Token::Text))
+        }
+        Some(c) if c.is_alphabetic() => word(text, length(char::is_alphabetic)),
+        Some(c) if c.is_ascii_digit() => (length(|c| c.is_ascii_digit()), Token::Plain),
+        Some(c) => (c.len_utf8(), Token::Plain),
+        None => (0, Token::Plain),
+    }
+}
+
+/// A word of so many bytes at the beginning of a text: a parameter, a word of the language, or another one.
+fn word(text: &str, length: usize) -> (usize, Token) {
+    let (word, behind) = text.split_at_checked(length).unwrap_or((text, ""));
+    let digits = behind.len() - behind.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let upper = word.to_ascii_uppercase();
+    if 0 < digits {
+        let family = ["QS", "QL", "QR", "Q"].into_iter().find(|family| upper.ends_with(family));
+        return match family {
+            Some(family) if family.len() == length => (length + digits, Token::Parameter),
+            // `FQ1822`: the feed from a parameter.
+            Some(family) => (length - family.len(), Token::Keyword),
+            None if is_keyword(&upper) => (length, Token::Keyword),
+            None => (length + digits, Token::Plain),
+        };
+    }
+    (length, if is_keyword(&upper) { Token::Keyword } else { Token::Plain })
+}
+
+fn is_keyword(word: &str) -> bool {
+    KEYWORDS.binary_search(&word).is_ok() || FUNCTIONS.binary_search(&word).is_ok()
+}
+
+/// The comment behind a line, without its `;`.
+pub(super) fn comment(line: &str) -> Option<&str> {
+    let (range, _) = tokens(line, true).into_iter().find(|(_, token)| *token == Token::Comment)?;
+    let text = line.get(range)?.trim_start_matches(';').trim_end_matches(|c: char| c == '~' || c.is_whitespace());
+    Some(text.trim()).filter(|text| !text.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(line: &str, begins: bool, expected: &[(&str, Token)]) {
+        let parts = tokens(line, begins);
+        let found: Vec<_> = parts.iter().map(|(range, token)| (line.get(range.clone()).unwrap(), *token)).collect();
+        assert_eq!(found, expected, "{line}");
+        assert_eq!(parts.iter().map(|(range, _)| range.len()).sum::<usize>(), line.len());
+    }
+
+    #[test]
+    fn words_are_in_order() {
+        assert!(KEYWORDS.is_sorted() && FUNCTIONS.is_sorted());
+    }
+
+    #[test]
+    fn a_line_is_told_apart() {
+        use Token::{Comment, Heading, Keyword, Number, Parameter, Plain, Text};
+        check(
+            "7 Q1 = 25 ;NOMINAL",
+            true,
+            &[("7", Number), (" ", Plain), ("Q1", Parameter), (" = 25 ", Plain), (";NOMINAL", Comment)],
+        );
+        check(
+            "3 DECLARE STRING QS1 = \"H;7\"",
+            true,
+            &[
+                ("3", Number),
+                (" ", Plain),
+                ("DECLARE", Keyword),
+                (" ", Plain),
+                ("STRING", Keyword),
+                (" ", Plain),
+                ("QS1", Parameter),
+                (" = ", Plain),
+                ("\"H;7\"", Text),
+            ],
+        );
+        check(
+            "/12 L X+Q11 FQ5",
+            true,
+            &[
+                ("/12", Number),
+                (" ", Plain),
+                ("L", Keyword),
+                (" X+", Plain),
+                ("Q11", Parameter),
+                (" ", Plain),
+                ("F", Keyword),
+                ("Q5", Parameter),
+            ],
+        );
+        check("4 * - Kopf ; \"x", true, &[("4", Number), (" * - Kopf ; \"x", Heading)]);
+        check(
+            "  Q263=+20 ;1. PUNTO ~",
+            false,
+            &[("  ", Plain), ("Q263", Parameter), ("=+20 ", Plain), (";1. PUNTO ~", Comment)],
+        );
+        check("3D ROT", true, &[("3D ROT", Plain)]);
+        check("", true, &[]);
+        check("5", true, &[("5", Number)]);
+        check("9 \"é", true, &[("9", Number), (" \"é", Plain)]);
+    }
+
+    #[test]
+    fn the_comment_names_a_parameter() {
+        for (line, expected) in [
+            ("7 Q1 = 25 ; NOMINAL SIZE ~ ", Some("NOMINAL SIZE")),
+            ("7 QS1 = \"a;b\"", None),
+            ("7 Q1 = 25 ;", None),
+            (";all", Some("all")),
+        ] {
+            assert_eq!(comment(line), expected, "{line}");
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! Parameters with their names and changes, and values that are given beforehand.
+
+use super::{ProgramField, ProgramPage};
+use crate::control::variables::{Family, Parameter, Value};
+use crate::length::Length;
+use crate::session::Session;
+use crate::words::Message;
+
+/// A parameter in the list.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Watched<'a> {
+    /// Which.
+    pub parameter: Parameter,
+    /// Its value; `None` where a pinned one has none yet.
+    pub value: Option<&'a Value>,
+    /// Whether the last command changed it.
+    pub is_changed: bool,
+    /// Whether it stays at the top.
+    pub is_pinned: bool,
+}
+
+/// What is known about a parameter.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Name<'a> {
+    /// The control's own, by its text.
+    Control(&'static str),
+    /// The program's comment.
+    Program(&'a str),
+}
+
+/// What the control itself puts into parameters, by the ids of their texts.
+const CONTROL: [(u16, &str); 16] = [
+    (113, "program-page-q113"),
+    (115, "program-page-q115"),
+    (116, "program-page-q116"),
+    (117, "program-page-q117"),
+    (150, "program-page-q150"),
+    (151, "found-centre-1"),
+    (152, "found-centre-2"),
+    (153, "found-diameter"),
+    (157, "found-coordinate"),
+    (161, "found-centre-deviation-1"),
+    (162, "found-centre-deviation-2"),
+    (163, "found-diameter-deviation"),
+    (180, "found-good"),
+    (181, "found-rework"),
+    (182, "found-scrap"),
+    (183, "found-status"),
+];
+
+impl ProgramPage {
+    /// The parameters that the filter leaves, the pinned ones first.
+    pub fn watched(&self) -> Vec<Watched<'_>> {
+        let pinned = self.pinned.iter().map(|&parameter| self.watch(parameter, self.value(parameter), true));
+        let run = self.run.iter().flat_map(|run| run.variables().iter());
+        // Before a run there is what was given to it.
+        let given = self.given.iter().filter(|_| self.run.is_none()).map(|(parameter, value)| (*parameter, value));
+        let filter = self.text(ProgramField::Filter).trim().to_lowercase();
+        let rest = run.chain(given).filter(|(parameter, _)| !self.pinned.contains(parameter));
+        let rest = rest.filter(|(parameter, value)| self.is_wanted(*parameter, value, &filter));
+        pinned.chain(rest.map(|(parameter, value)| self.watch(parameter, Some(value), false))).collect()
+    }
+
+    fn watch<'a>(&self, parameter: Parameter, value: Option<&'a Value>, is_pinned: bool) -> Watched<'a> {
+        let is_changed = self.run.as_ref().is_some_and(|run| run.is_changed(parameter));
+        Watched { parameter, value, is_changed, is_pinned }
+    }
+
+    /// The value of a parameter now, or the one that it is given beforehand.
+    pub fn value(&self, parameter: Parameter) -> Option<&Value> {
+        match &self.run {
+            Some(run) => run.variables().get(parameter),
+            None => self.given.get(&parameter),
+        }
+    }
+
+    fn is_wanted(&self, parameter: Parameter, value: &Value, filter: &str) -> bool {
+        if filter.is_empty() {
+            return true;
+        }
+        let name = match self.name_of(parameter) {
+            Some(Name::Program(name)) => name.to_lowercase(),
+            _ => String::new(),
+        };
+        let text = match value {
+            Value::Text(text) => text.to_lowercase(),
+            _ => String::new(),
+        };
+        parameter.to_string().to_lowercase().starts_with(filter) || name.contains(filter) || text.contains(filter)
+    }
+
+    /// What a parameter is called: by the control, or by a comment of the shown program, the open one, or another of the
+    /// run.
+    pub fn name_of(&self, parameter: Parameter) -> Option<Name<'_>> {
+        let own = || CONTROL.iter().find(|(number, _)| Parameter::q(*number) == parameter).map(|(_, id)| *id);
+        let mut documents = self.shown().into_iter().chain(self.main()).chain(self.documents.values());
+        let comment = documents.find_map(|document| document.name_of(parameter));
+        own().map(Name::Control).or_else(|| comment.map(Name::Program))
+    }
+
+    /// Values that are given to the next run.
+    pub fn given(&self) -> impl Iterator<Item = (Parameter, &Value)> {
+        self.given.iter().map(|(parameter, value)| (*parameter, value))
+    }
+}
+
+/// A parameter by its name: `Q5`, `ql7`, `QS 3`.
+fn parameter(text: &str) -> Option<Parameter> {
+    let text: String = text.trim().to_uppercase().chars().filter(|c| !c.is_whitespace()).collect();
+    let digits = text.find(|c: char| c.is_ascii_digit())?;
+    let (family, number) = text.split_at_checked(digits)?;
+    let family = match family {
+        "Q" => Family::Q,
+        "QL" => Family::Ql,
+        "QR" => Family::Qr,
+        "QS" => Family::Qs,
+        _ => return None,
+    };
+    // As many as the controls have: Q and QS to 1999, QL and QR to 499.
+    let most = if matches!(family, Family::Q | Family::Qs) { 1_999 } else { 499 };
+    let number = number.parse::<u16>().ok().filter(|number| *number <= most)?;
+    Some(Parameter { family, number })
+}
+
+/// What is typed for a parameter, as its value: any text for QS, a number for all others.
+fn value_of(parameter: Parameter, text: &str) -> Option<Value> {
+    if parameter.family == Family::Qs {
+        return Some(Value::Text(text.to_owned()));
+    }
+    let number = text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite())?;
+    // Six decimals and fewer are exact as a length.
+    Some(text.parse::<Length>().map_or(Value::Number(number), Value::Length))
+}
+
+impl Session {
+    /// The next run begins with the value of the fields; a run that was begun is cleared.
+    pub(super) fn give_value(&mut self) {
+        let page = &mut self.program;
+        for field in [ProgramField::Name, ProgramField::Value] {
+            page.errors.remove(&field);
+        }
+        let name = page.text(ProgramField::Name).trim().to_owned();
+        let Some(parameter) = parameter(&name) else {
+            let problem = Message::new("program-page-no-parameter").text("given", name);
+            page.errors.insert(ProgramField::Name, problem);
+            return;
+        };
+        let text = page.text(ProgramField::Value).trim().to_owned();
+        let Some(value) = value_of(parameter, &text) else {
+            let problem = Message::new("program-page-no-number").text("given", text);
+            page.errors.insert(ProgramField::Value, problem);
+            return;
+        };
+        page.given.insert(parameter, value);
+        page.texts.remove(&ProgramField::Name);
+        page.texts.remove(&ProgramField::Value);
+        self.reset_program();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parameters_are_named_as_on_the_control() {
+        assert_eq!(parameter("q5"), Some(Parameter::q(5)));
+        assert_eq!(parameter(" QS 12"), Some(Parameter::qs(12)));
+        assert_eq!(parameter("QL499"), Some(Parameter { family: Family::Ql, number: 499 }));
+        for text in ["", "Q", "5", "QL500", "Q2000", "QX1", "Q1a", "Q99999"] {
+            assert_eq!(parameter(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,849 @@
+//! Running NC programs: documented values, every fault by its name, and nothing that a program could do harm with.
+
+use std::sync::Arc;
+
+use fitcheck::control::machine::{
+    Budget, Contacts, FaultKind, Folders, InMemory, Machine, Pause, Settings, Shipped, Step, TravelKind, UsedUp,
+};
+use fitcheck::control::program::Program;
+use fitcheck::control::shipped_tables;
+use fitcheck::control::status::status_window;
+use fitcheck::control::variables::{Family, Parameter, Value};
+use fitcheck::journal::Record;
+use fitcheck::length::Length;
+use fitcheck::probing::simulated::Bench;
+use fitcheck::probing::{Measurement, Origin};
+use fitcheck::tolerance::{Callout, Sources};
+use fitcheck::verdict::{Status, judge};
+use fitcheck::words::{Language, Words};
+use proptest::prelude::*;
+
+fn sample(name: &str) -> Vec<u8> {
+    std::fs::read(format!("{}/tests/data/samples/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn settings() -> Settings {
+    Settings::new(Language::En, jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0))
+}
+
+fn program(text: &[u8]) -> Arc<Program> {
+    Arc::new(Program::read(text).unwrap().0)
+}
+
+/// A program of these blocks.
+fn text(blocks: &str) -> String {
+    format!("BEGIN PGM main MM\n{blocks}\nEND PGM main MM\n")
+}
+
+fn machine_in(store: InMemory, blocks: &str) -> Machine {
+    Machine::new(r"TNC:\fit\main.h", program(text(blocks).as_bytes()), store, Contacts::Perfect, settings())
+}
+
+fn machine(blocks: &str) -> Machine {
+    machine_in(InMemory::new(), blocks)
+}
+
+/// Runs to the end; pauses are passed over.
+#[track_caller]
+fn to_end(machine: &mut Machine) {
+    loop {
+        match machine.run(u64::MAX).unwrap_or_else(|fault| panic!("{fault}")) {
+            Step::Ended => return,
+            Step::Paused(_) => {}
+            Step::Went => panic!("the machine went on"),
+        }
+    }
+}
+
+#[track_caller]
+fn ran(blocks: &str) -> Machine {
+    let mut machine = machine(blocks);
+    to_end(&mut machine);
+    machine
+}
+
+/// The fault without its place, said in both languages.
+#[track_caller]
+fn fault_of(machine: &mut Machine) -> String {
+    let fault = loop {
+        match machine.run(u64::MAX) {
+            Ok(Step::Ended) => panic!("it ran to its end: {:?}", machine.variables()),
+            Ok(_) => {}
+            Err(fault) => break fault,
+        }
+    };
+    assert_eq!(machine.step(), Err(fault.clone()), "a run that failed stays so");
+    assert_eq!(Words::new(Language::En).told(&fault), fault.to_string());
+    let dutch = Words::new(Language::Nl).told(&fault);
+    assert!(!dutch.contains("machine-") && dutch != fault.to_string(), "{dutch}");
+    fault.kind.to_string()
+}
+
+#[track_caller]
+fn fault(blocks: &str) -> String {
+    fault_of(&mut machine(blocks))
+}
+
+#[track_caller]
+fn number(machine: &Machine, name: &str) -> f64 {
+    match value(machine, name) {
+        Some(Value::Number(number)) => number,
+        Some(Value::Length(length)) => length.to_mm_f64(),
+        other => panic!("{name} is {other:?}"),
+    }
+}
+
+fn value(machine: &Machine, name: &str) -> Option<Value> {
+    let (family, number) = match name.split_at(name.find(|c: char| c.is_ascii_digit()).unwrap()) {
+        ("Q", number) => (Family::Q, number),
+        ("QL", number) => (Family::Ql, number),
+        ("QR", number) => (Family::Qr, number),
+        (_, number) => (Family::Qs, number),
+    };
+    machine.variables().get(Parameter { family, number: number.parse().unwrap() }).cloned()
+}
+
+fn text_value(machine: &Machine, name: &str) -> String {
+    match value(machine, name) {
+        Some(Value::Text(text)) => text,
+        other => panic!("{name} is {other:?}"),
+    }
+}
+
+#[track_caller]
+fn check_values(machine: &Machine, expected: &[(&str, f64)]) {
+    for (name, expected) in expected {
+        let found = number(machine, name);
+        assert!((found - expected).abs() <= 1e-9, "{name} is {found}, not {expected}");
+    }
+}
+
+#[test]
+fn the_syntax_zoo_leaves_the_documented_values() {
+    let mut with = settings();
+    with.skip_unknown = true;
+    let zoo = program(&sample("programs/syntax_zoo.h"));
+    let mut machine = Machine::new("syntax_zoo.h", Arc::clone(&zoo), InMemory::new(), Contacts::Perfect, with);
+    to_end(&mut machine);
+    check_values(
+        &machine,
+        &[
+            ("Q1", 60.0),
+            ("Q2", 55.0),
+            ("Q3", 5.0),
+            ("Q4", 9.0),
+            ("Q5", 1.125),
+            ("Q6", 2.0),
+            ("Q7", 35.0),
+            ("Q8", 73.0),
+            ("Q9", -15.0),
+            ("Q10", 9.0),
+            ("Q12", 29.0),
+            ("Q13", 40.0),
+            ("Q14", -40.0),
+            ("Q15", -1.0),
+            ("Q16", 0.75),
+            ("QL1", 15.0),
+            ("QR3", 15.0),
+            ("Q20", 1.125),
+            ("Q21", 4.0),
+            ("Q24", 14.0),
+            ("Q25", 1.0),
+            ("Q30", 4.0),
+            ("Q31", 4.0),
+            ("Q32", 7.0),
+            ("Q41", -200.66),
+        ],
+    );
+    // Binary arithmetic as on the control.
+    assert_eq!(value(&machine, "Q12"), Some(Value::Number(28.999_999_999_999_996)));
+    for (name, expected) in [("QS12", "WORKPIECEPIECE"), ("QS13", "1.125"), ("QS14", "PIE")] {
+        assert_eq!(text_value(&machine, name), expected);
+    }
+    let remarks: Vec<String> = machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect();
+    assert_eq!(remarks, ["the block is not known here and was passed over"]);
+    assert_eq!(machine.position(), [Some(12.5), Some(60.0), Some(100.0)]);
+
+    // Without leave to skip, the run stops at FN 18.
+    let mut machine = Machine::new("syntax_zoo.h", zoo, InMemory::new(), Contacts::Perfect, settings());
+    let fault = machine.run(u64::MAX).unwrap_err();
+    assert_eq!(
+        fault.to_string(),
+        r"TNC:\syntax_zoo.h, block 45, FN 18: SYSREAD Q40 = ID270 NR1 IDX1: this block is not known here: nothing is run that is not understood"
+    );
+}
+
+/// The sample programs with the small tables of the samples.
+fn fit(contacts: Contacts) -> Machine {
+    let store = InMemory::new()
+        .with("fit_check.h", sample("programs/fit_check.h"))
+        .with("FIT_HOLE.TAB", sample("tables/generation1_plain.tab"))
+        .with("FIT_SHAFT.TAB", sample("tables/generation2_struct.tab"))
+        .with("status_en.a", sample("masks/status_en.a"));
+    Machine::new(r"TNC:\fitcheck\fit_main.h", program(&sample("programs/fit_main.h")), store, contacts, settings())
+}
+
+fn bore(diameter: &str) -> Contacts {
+    let text = format!("[bore]\ncentre = [40.0, 30.0]\ndiameter = {diameter}\n");
+    Contacts::Workpiece(Bench::read(&text).unwrap())
+}
+
+#[track_caller]
+fn check_fit(diameter: &str, word: &str, status: Status, printed: &str) {
+    let mut machine = fit(bore(diameter));
+    assert_eq!(machine.run(u64::MAX), Ok(Step::Paused(Pause::Stop)));
+    assert_eq!(machine.run(u64::MAX), Ok(Step::Ended));
+    let expected = String::from_utf8(sample("masks/status_en.expected.txt")).unwrap();
+    let expected = expected.replace("GOOD", word).replace("25.0134", printed);
+    let window = &machine.windows()[0];
+    assert_eq!(window.text, expected);
+    assert_eq!(window.mask.to_string(), r"TNC:\fitcheck\status_en.a");
+    assert_eq!(machine.status(), Some(status));
+    check_values(&machine, &[("Q23", 25.021), ("Q33", 25.0), ("Q22", 9.0), ("Q2", -1.0)]);
+}
+
+#[test]
+fn the_sample_fit_check_is_good_rework_or_scrap_with_limits_inside() {
+    check_fit("25.0134", "GOOD", Status::Good, "25.0134");
+    check_fit("25.0", "GOOD", Status::Good, "25.0000");
+    check_fit("25.021", "GOOD", Status::Good, "25.0210");
+    check_fit("24.999999", "REWORK", Status::Rework, "25.0000");
+    check_fit("25.021001", "SCRAP", Status::Scrap, "25.0210");
+    check_fit("24.9", "REWORK", Status::Rework, "24.9000");
+}
+
+#[test]
+fn jumps_calls_and_repeats_go_where_the_control_goes() {
+    let blocks = "Q1 = 0\nCALL LBL \"ADD\"\nCALL LBL \"ADD\"\nLBL 1\nQ1 = Q1 + 1\nCALL LBL 1 REP 3\nQ2 = Q1\nM30\n\
+                  LBL \"ADD\"\nQ1 = Q1 + 100\nLBL 0";
+    check_values(&ran(blocks), &[("Q2", 204.0)]);
+    // A count that was used up begins anew: three times two rounds.
+    let blocks = "Q1 = 0\nQ2 = 0\nLBL 1\nLBL 2\nQ1 = Q1 + 1\nCALL LBL 2 REP 1\nQ2 = Q2 + 1\nCALL LBL 1 REP 2";
+    check_values(&ran(blocks), &[("Q1", 6.0), ("Q2", 3.0)]);
+    // A subprogram in the normal flow is run through once; LBL 0 is passed over.
+    check_values(&ran("Q1 = 0\nLBL 5\nQ1 = Q1 + 1\nLBL 0\nQ1 = Q1 + 10"), &[("Q1", 11.0)]);
+    // Labels from parameters; numbers and names are separate.
+    let blocks = "QS5 = \"7\"\nQ5 = 7\nFN 9: IF +0 EQU +0 GOTO LBL QS5\nM30\nLBL 7\nQ1 = 2\nM30\nLBL \"7\"\nQ1 = 1";
+    check_values(&ran(blocks), &[("Q1", 1.0)]);
+    let blocks = "Q1 = 0\nFN 9: IF +Q9 IS UNDEFINED GOTO LBL 1\nM30\nLBL 1\nQ9 = 1\nFN 0: Q9 SET UNDEFINED\n\
+                  FN 9: IF +Q9 IS DEFINED GOTO LBL 2\nQ1 = 5\nLBL 2";
+    check_values(&ran(blocks), &[("Q1", 5.0)]);
+    // As they are in binary.
+    let blocks = "Q1 = 0.1 + 0.2\nQ2 = 1\nFN 9: IF +Q1 EQU +0.3 GOTO LBL 1\nQ2 = 0\nLBL 1";
+    check_values(&ran(blocks), &[("Q2", 0.0)]);
+}
+
+#[test]
+fn called_programs_share_q_and_keep_ql_for_themselves() {
+    let store = InMemory::new().with(
+        r"TNC:\fit\sub\called.h",
+        "BEGIN PGM called MM\nQ1 = Q1 + 1\nFN 9: IF +QL1 IS DEFINED GOTO LBL 1\nQ2 = 1\nLBL 1\nQL1 = 99\n\
+         CALL PGM ..\\other.h\nEND PGM called MM\n",
+    );
+    let store = store.with(r"TNC:\fit\other.h", "BEGIN PGM other MM\nQS1 = \"here\"\nEND PGM other MM\n");
+    let mut machine = machine_in(store, "Q1 = 1\nQL1 = 5\nCALL PGM sub\\called.h\nCALL PGM TNC:\\fit\\sub\\called");
+    to_end(&mut machine);
+    check_values(&machine, &[("Q1", 3.0), ("Q2", 1.0), ("QL1", 5.0)]);
+    assert_eq!(text_value(&machine, "QS1"), "here");
+}
+
+#[test]
+fn m30_in_a_called_program_ends_the_run_with_a_remark() {
+    let store = InMemory::new().with("sub.h", "BEGIN PGM sub MM\nM30\nEND PGM sub MM\n");
+    let mut machine = machine_in(store, "Q1 = 1\nCALL PGM sub.h\nQ1 = 2");
+    to_end(&mut machine);
+    check_values(&machine, &[("Q1", 1.0)]);
+    let (place, remark) = &machine.remarks()[0];
+    assert_eq!(place.program.to_string(), r"TNC:\fit\sub.h");
+    assert_eq!(remark.to_string(), "M30 in a called program ended the run: a control does not allow it there");
+}
+
+#[test]
+fn stop_and_m0_pause_and_m1_where_it_is_wanted() {
+    let mut machine = machine("STOP\nM1\nL X+1 R0 M0\nSTOP M30\nQ1 = 1");
+    assert_eq!(machine.run(9), Ok(Step::Paused(Pause::Stop)));
+    assert_eq!(machine.run(9), Ok(Step::Paused(Pause::Stop)));
+    assert_eq!(machine.run(9), Ok(Step::Ended));
+    assert_eq!(machine.run(9), Ok(Step::Ended));
+    assert_eq!(value(&machine, "Q1"), None);
+    let mut with = settings();
+    with.optional_stop = true;
+    let mut machine = Machine::new("a.h", program(text("M1").as_bytes()), InMemory::new(), Contacts::Perfect, with);
+    assert_eq!(machine.run(9), Ok(Step::Paused(Pause::OptionalStop)));
+}
+
+#[test]
+fn breakpoints_stop_before_their_block_and_let_go_on() {
+    let mut machine = machine("Q1 = 1\nLBL 1\nQ1 = Q1 + 1\nCALL LBL 1 REP 2");
+    machine.toggle_breakpoint(r"TNC:\fit\main.h", 3);
+    for expected in [1.0, 2.0, 3.0] {
+        assert_eq!(machine.run(99), Ok(Step::Paused(Pause::Breakpoint)));
+        assert_eq!(machine.place().block, 3);
+        check_values(&machine, &[("Q1", expected)]);
+    }
+    machine.toggle_breakpoint(r"TNC:\fit\main.h", 3);
+    assert_eq!(machine.run(99), Ok(Step::Ended));
+}
+
+#[test]
+fn blocks_with_a_skip_sign_run_unless_they_are_skipped() {
+    let blocks = "Q1 = 1\n/Q1 = 2";
+    check_values(&ran(blocks), &[("Q1", 2.0)]);
+    let mut with = settings();
+    with.block_skip = true;
+    let mut machine = Machine::new("a.h", program(text(blocks).as_bytes()), InMemory::new(), Contacts::Perfect, with);
+    to_end(&mut machine);
+    check_values(&machine, &[("Q1", 1.0)]);
+}
+
+#[test]
+fn a_given_value_wins_over_the_first_assignment_in_the_main_program() {
+    let mut machine = machine("Q1 = 25\nQ2 = Q2 + 1\nQ3 = Q1\nQ1 = 30\nDECLARE STRING QS1 = \"H7\"");
+    machine.set(Parameter::q(1), Value::Number(50.0)).unwrap();
+    machine.set(Parameter::q(2), Value::Number(7.0)).unwrap();
+    machine.set(Parameter::qs(1), Value::Text("g6".to_owned())).unwrap();
+    to_end(&mut machine);
+    check_values(&machine, &[("Q1", 30.0), ("Q2", 8.0), ("Q3", 50.0)]);
+    assert_eq!(text_value(&machine, "QS1"), "g6");
+    let remarks: Vec<String> = machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect();
+    assert_eq!(
+        remarks,
+        [
+            "Q1 = 50 was given before the run and stands in place of this block's value",
+            "QS1 = \"g6\" was given before the run and stands in place of this block's value"
+        ]
+    );
+}
+
+#[test]
+fn the_machine_may_go_to_another_thread() {
+    fn is_send<T: Send>(_: &T) {}
+    is_send(&machine(""));
+}
+
+#[test]
+fn budgets_have_a_fault_each() {
+    let kind = |blocks: &str, change: fn(&mut Budget)| {
+        let mut with = settings();
+        change(&mut with.budget);
+        let mask = "\"%S\", QS1;\n";
+        let store = InMemory::new().with("m.a", mask);
+        let mut machine =
+            Machine::new(r"TNC:\main.h", program(text(blocks).as_bytes()), store, Contacts::Perfect, with);
+        machine.set(Parameter::qs(1), Value::Text("x".repeat(100))).unwrap();
+        machine.set(Parameter::q(1), Value::Number(0.0)).unwrap();
+        let fault = loop {
+            match machine.run(u64::MAX) {
+                Ok(Step::Ended) => panic!("{blocks}"),
+                Ok(_) => {}
+                Err(fault) => break fault,
+            }
+        };
+        *fault.kind
+    };
+    let forever = |block: &str| format!("LBL 1\n{block}\nFN 9: IF +0 EQU +0 GOTO LBL 1");
+    assert_eq!(kind(&forever("Q1 = Q1 + 1"), |_| {}), UsedUp::Blocks(10_000_000).into());
+    assert_eq!(kind(&forever("Q1 = Q1 + 1"), |budget| budget.blocks = 100), UsedUp::Blocks(100).into());
+    assert_eq!(kind("LBL 1\nCALL LBL 1", |_| {}), UsedUp::LabelCalls(20).into());
+    assert_eq!(kind("CALL PGM main.h", |_| {}), UsedUp::ProgramCalls(10).into());
+    let print = forever("FN 16: F-PRINT m.a / SCREEN:");
+    assert_eq!(kind(&print, |budget| budget.windows = 3), UsedUp::Windows(3).into());
+    assert_eq!(kind(&print, |budget| budget.output_bytes = 1_000), UsedUp::Output(1_000).into());
+    let print = forever("FN 16: F-PRINT m.a / out.txt");
+    assert_eq!(kind(&print, |budget| budget.outputs = 3), UsedUp::Outputs(3).into());
+    assert_eq!(kind(&print, |budget| budget.traffic = 1_000), UsedUp::Traffic(1_000).into());
+    let step = forever("L IX+1 Y+0 Z+0 R0 FMAX");
+    let step = format!("L X+0 Y+0 Z+0\n{step}");
+    assert_eq!(kind(&step, |budget| budget.path = 10), UsedUp::Path(10).into());
+    let touch = forever("TCH PROBE 421 X ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+10");
+    assert_eq!(kind(&touch, |budget| budget.cycles = 2), UsedUp::Cycles(2).into());
+    assert_eq!(kind("CALL PGM none.h", |budget| budget.files = 0).to_string(), r"there is no file TNC:\none.h");
+    let grow = forever("QS1 = QS1 || QS1");
+    assert_eq!(kind(&grow, |_| {}), FaultKind::TextTooLong { length: 400, most: 255 });
+    assert_eq!(UsedUp::Blocks(100).to_string(), "the run has used up its 100 blocks: does it loop for ever?");
+}
+
+#[test]
+fn what_numbers_cannot_do_is_said() {
+    assert_eq!(fault("Q1 = Q2 + 1"), "Q2 is undefined");
+    assert_eq!(fault("FN 11: IF +Q7 GT +1 GOTO LBL 1"), "Q7 is undefined");
+    assert_eq!(fault("QS2 = QS1"), "QS1 is undefined");
+    assert_eq!(fault("L X+Q5"), "Q5 is undefined");
+    assert_eq!(fault("Q1 = 1 / 0"), "division by zero");
+    assert_eq!(fault("FN 4: Q1 = +1 DIV +0"), "division by zero");
+    assert_eq!(fault("Q1 = 5 % 0"), "division by zero");
+    assert_eq!(fault("FN 5: Q1 = SQRT -4"), "the root of -4 does not exist");
+    assert_eq!(fault("Q1 = ( 0 - 8 ) ^ 0.5"), "the root of -8 does not exist");
+    assert_eq!(fault("Q1 = ASIN 2"), "ASIN 2 does not exist");
+    assert_eq!(fault("Q1 = LN 0"), "LN 0 does not exist");
+    assert_eq!(fault("Q1 = 100000 * 1000000"), "100000000000 is beyond the range of values, 10^10 either way");
+    assert_eq!(fault("Q1 = EXP 9999 - EXP 9999"), "inf is beyond the range of values, 10^10 either way");
+    check_values(&ran("Q1 = 100000 * 100000"), &[("Q1", 1e10)]);
+    assert_eq!(fault("QS1 = \"x\"\nQ1 = TONUMB ( SRC_QS1 )"), "QS1 = \"x\" is no number");
+    assert_eq!(
+        fault("QS1 = \"abc\"\nQS2 = SUBSTR ( SRC_QS1 BEG4 LEN1 )"),
+        "the text has 3 characters, nothing begins at 4"
+    );
+    assert_eq!(
+        fault("Q2 = - 1\nQS1 = \"abc\"\nQS2 = SUBSTR ( SRC_QS1 BEG+Q2 )"),
+        "BEG = -1: a whole number from 0 is needed"
+    );
+    assert_eq!(fault("QS1 = SYSSTR ( ID5 NR0 )"), "ID5 NR0 is not known here; known are date and time, ID10321");
+    assert_eq!(fault("FN 14: ERROR= 1072"), "the program stopped itself with error 1072");
+}
+
+#[test]
+fn what_texts_can_do() {
+    let blocks = "QS1 = \"abc\"\nQS2 = SUBSTR ( SRC_QS1 BEG1 LEN9 )\nQ1 = STRLEN ( SRC_QS9 )\nQS3 = \"x\"\n\
+                  Q2 = INSTR ( SRC_QS1 SEA_QS3 BEG0 )\nQ3 = STRCOMP ( SRC_QS3 SEA_QS1 )\nQ4 = STRCOMP ( SRC_QS1 SEA_QS1 )\n\
+                  QS4 = \"ab\"\nQ5 = STRCOMP ( SRC_QS4 SEA_QS1 )\nQS5 = TOCHAR ( DAT+25 )\nQS6 = TOCHAR ( DAT-2.5 DECIMALS0 )\n\
+                  Q6 = 25 + 21 / 1000 - 42 / 1000\nQS7 = TOCHAR ( DAT+Q6 )\nQS8 = SYSSTR ( ID10321 NR0 )\nQS11 = \"12,5\"\n\
+                  Q7 = TONUMB ( SRC_QS11 )\nQS12 = \"A\"\nQS13 = \"a\"\nQ8 = STRCOMP ( SRC_QS12 SEA_QS13 )";
+    let machine = ran(blocks);
+    for (name, expected) in
+        [("QS2", "bc"), ("QS5", "25"), ("QS6", "-3"), ("QS7", "24.979"), ("QS8", "07.03.2026 08:05:09")]
+    {
+        assert_eq!(text_value(&machine, name), expected, "{name}");
+    }
+    // Capitals come before small letters, the beginning of a text before the text.
+    check_values(
+        &machine,
+        &[("Q1", -1.0), ("Q2", 3.0), ("Q3", 1.0), ("Q4", 0.0), ("Q5", -1.0), ("Q7", 12.5), ("Q8", -1.0)],
+    );
+}
+
+#[test]
+fn labels_that_cannot_be_gone_to_are_named() {
+    assert_eq!(fault("FN 9: IF +0 EQU +0 GOTO LBL \"NOWHERE\""), "LBL \"NOWHERE\" does not occur in the program");
+    assert_eq!(fault("CALL LBL 7"), "LBL 7 does not occur in the program");
+    assert_eq!(fault("LBL 7\nLBL 7\nCALL LBL 7"), "LBL 7 is defined twice, in line 2 and line 3");
+    assert_eq!(fault("CALL LBL 0"), "LBL 0 ends subprograms, nothing can jump to it");
+    assert_eq!(fault("QS5 = \"X\"\nCALL LBL QS5"), "LBL \"X\" does not occur in the program");
+    assert_eq!(fault("Q5 = 1.5\nCALL LBL Q5"), "Q5 = 1.5 is no label");
+}
+
+const TABLE: &str = "BEGIN own.tab\nNR  BEREICH  H7    NOTE\n0   3        +10   a b\n1            0     -\n2   6        x     -\n[END]\n";
+
+#[track_caller]
+fn table_fault(blocks: &str) -> String {
+    fault_of(&mut machine_in(InMemory::new().with("own.tab", TABLE), blocks))
+}
+
+#[test]
+fn tables_are_read_by_row_and_column() {
+    let mut machine = machine_in(
+        InMemory::new().with("own.tab", TABLE),
+        "FN 26: TABOPEN own.tab\nFN 28: TABREAD Q5 = 0/\"BEREICH,H7\"\nQ1 = 1\nQS1 = \"H7\"\n\
+         FN 28: TABREAD Q2 = +Q1/QS1\nFN 28: TABREAD QS2 = 0/\"NOTE\"",
+    );
+    to_end(&mut machine);
+    check_values(&machine, &[("Q5", 3.0), ("Q6", 10.0), ("Q2", 0.0)]);
+    assert_eq!(text_value(&machine, "QS2"), "a b");
+}
+
+#[test]
+fn what_tables_cannot_do_is_said() {
+    let open = "FN 26: TABOPEN own.tab\n";
+    assert_eq!(table_fault("FN 28: TABREAD Q1 = 0/\"H7\""), "no table is open");
+    assert_eq!(table_fault("FN 26: TABOPEN none.tab"), r"there is no file TNC:\fit\none.tab");
+    assert_eq!(
+        table_fault(&format!("{open}FN 28: TABREAD Q1 = 0/\"h7\"")),
+        "table own.tab has no column h7; its columns are NR, BEREICH, H7, NOTE"
+    );
+    assert_eq!(
+        table_fault(&format!("{open}FN 28: TABREAD Q1 = 3/\"H7\"")),
+        "table own.tab has no row 3: its rows are 0 to 2"
+    );
+    assert_eq!(
+        table_fault(&format!("{open}FN 28: TABREAD Q1 = 1/\"BEREICH\"")),
+        "table own.tab, row 1, column BEREICH: the cell is empty"
+    );
+    assert_eq!(
+        table_fault(&format!("{open}FN 28: TABREAD Q1 = 2/\"H7\"")),
+        "table own.tab, row 2, column H7: x is no number"
+    );
+    assert_eq!(
+        table_fault(&format!("{open}FN 28: TABREAD Q1 = 0.5/\"H7\"")),
+        "row = 0.5: a whole number from 0 is needed"
+    );
+    assert_eq!(table_fault(&format!("{open}FN 28: TABREAD Q1999 = 0/\"NR,H7\"")), "there is no parameter Q2000");
+}
+
+#[test]
+fn fn_27_changes_the_open_table_and_writes_it_when_it_is_closed() {
+    let blocks = "FN 26: TABOPEN own.tab\nQ1 = 12.5\nFN 27: TABWRITE 2/\"H7\" = Q1\nFN 28: TABREAD Q2 = 2/\"H7\"\n\
+                  FN 26: TABOPEN 82553_hole.tab\nFN 26: TABOPEN own.tab\nFN 28: TABREAD Q3 = 2/\"H7\"";
+    let mut machine = machine_in(InMemory::new().with("own.tab", TABLE), blocks);
+    to_end(&mut machine);
+    check_values(&machine, &[("Q2", 12.5), ("Q3", 12.5)]);
+    // Nothing is written into folders that were given for reading only; the change lives on in memory.
+    let folder = tempfile::tempdir().unwrap();
+    fitcheck::files::write(&folder.path().join("own.tab"), TABLE.as_bytes()).unwrap();
+    let store = Folders::new().reading(folder.path());
+    let mut machine = Machine::new("main.h", program(text(blocks).as_bytes()), store, Contacts::Perfect, settings());
+    to_end(&mut machine);
+    check_values(&machine, &[("Q3", 12.5)]);
+    assert_eq!(std::fs::read(folder.path().join("own.tab")).unwrap(), TABLE.as_bytes());
+    assert_eq!(machine.remarks()[0].1.to_string(), r"TNC:\own.tab was not written: no folder was chosen for outputs");
+    let too_wide = "FN 26: TABOPEN own.tab\nFN 27: TABWRITE 2/\"H7\" = Q1";
+    let mut machine = machine_in(InMemory::new().with("own.tab", TABLE), too_wide);
+    machine.set(Parameter::q(1), Value::Number(1234.567)).unwrap();
+    assert_eq!(fault_of(&mut machine), "table own.tab: row 2, column H7: 1234.567 does not fit into 6 characters");
+}
+
+#[test]
+fn fn_16_opens_windows_and_closes_them() {
+    let store = InMemory::new().with("m.a", "\"%9.4F|%S\", Q1, QS1;\n");
+    let mut machine = machine_in(
+        store,
+        "Q1 = 25 + 21 / 1000\nQS1 = \"GOOD\"\nFN 16: F-PRINT m.a / SCREEN:\nFN 16: F-PRINT m.a / SCLR:",
+    );
+    to_end(&mut machine);
+    assert_eq!(machine.windows()[0].text, "  25.0210|GOOD\n");
+    assert!(!machine.windows()[0].is_open);
+    let undefined = InMemory::new().with("m.a", "\"%9.4F\", Q1;\n");
+    assert_eq!(
+        fault_of(&mut machine_in(undefined, "FN 16: F-PRINT m.a / SCREEN:")),
+        r"mask TNC:\fit\m.a: line 1, column 2: Q1 is not defined"
+    );
+    let broken = InMemory::new().with("m.a", "\"%9.4Z\", Q1;\n");
+    assert!(
+        fault_of(&mut machine_in(broken, "FN 16: F-PRINT m.a / SCREEN:")).starts_with(r"mask TNC:\fit\m.a: line 1")
+    );
+}
+
+#[test]
+fn fn_16_writes_below_the_chosen_folder_and_nowhere_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    std::fs::create_dir(&out).unwrap();
+    let masks = folder.path().join("masks");
+    std::fs::create_dir(&masks).unwrap();
+    fitcheck::files::write(&masks.join("open.a"), b"\"one %F\", Q1;\n").unwrap();
+    fitcheck::files::write(&masks.join("close.a"), b"\"two\";\nM_CLOSE;\n").unwrap();
+    fitcheck::files::write(&masks.join("append.a"), b"M_APPEND;\n\"three\";\nM_CLOSE;\n").unwrap();
+    let store = || Folders::new().reading(&masks).writing(&out);
+    let run = |blocks: &str| {
+        let program = program(text(blocks).as_bytes());
+        let mut machine = Machine::new(r"TNC:\fit\main.h", program, store(), Contacts::Perfect, settings());
+        machine.set(Parameter::q(1), Value::Number(1.0)).unwrap();
+        machine
+    };
+    let print = |mask: &str, to: &str| format!("FN 16: F-PRINT {mask}.a / {to}\n");
+    // Outputs are collected until a mask closes the file; then it begins anew, or is added to.
+    let blocks = [print("open", "res.txt"), print("close", "res.txt"), print("append", "res.txt")].concat();
+    to_end(&mut run(&blocks));
+    let read = |name: &str| std::fs::read_to_string(out.join(name)).unwrap();
+    assert_eq!(read("fit/res.txt"), "one 1.000000\r\ntwo\r\nthree\r\n");
+    to_end(&mut run(&print("close", r"TNC:\res.txt")));
+    assert_eq!(read("res.txt"), "two\r\n");
+    for (to, expected) in [
+        (r"..\..\x.txt", r"..\..\x.txt leads out of the folder"),
+        (r"C:\x.txt", r"C:\x.txt is no path on TNC: and none from the program's folder"),
+        (r"\\server\x.txt", r"\\server\x.txt is no path on TNC: and none from the program's folder"),
+        ("NUL", "NUL in NUL is no name for a file or a folder"),
+    ] {
+        assert_eq!(fault_of(&mut run(&print("close", to))), expected);
+    }
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink(folder.path(), out.join("link")).unwrap();
+        let to = r"TNC:\link\x.txt";
+        assert_eq!(
+            fault_of(&mut run(&print("close", to))),
+            r"TNC:\link\x.txt leads out of the folders that were given"
+        );
+        std::os::unix::fs::symlink("/etc/hostname", masks.join("etc.a")).unwrap();
+        let blocks = print("etc", "SCREEN:");
+        assert_eq!(fault_of(&mut run(&blocks)), r"TNC:\fit\etc.a leads out of the folders that were given");
+    }
+    assert!(!folder.path().join("x.txt").exists());
+    // Without a folder the run goes on, and the text is kept.
+    let program = program(text(&print("close", "res.txt")).as_bytes());
+    let reading = Folders::new().reading(&masks);
+    let mut machine = Machine::new("main.h", program, reading, Contacts::Perfect, settings());
+    to_end(&mut machine);
+    assert_eq!((machine.outputs()[0].text.as_str(), machine.outputs()[0].is_saved), ("two\n", false));
+    assert_eq!(machine.remarks().len(), 1);
+}
+
+const CYCLE_427: &str = "TCH PROBE 427 MEASURE COORDINATE ~\nQ263=+35 ~\nQ264=+45 ~\nQ261=+5 ~\nQ272=+3 ~\nQ267=-1 ~\n\
+                         Q288=+5,1 ~\nQ289=+4.95";
+
+#[test]
+fn a_cycle_hands_its_results_over_and_its_way_is_kept() {
+    let blocks = format!("TOOL CALL 1 Z\nL X+0 Y+0 R0 FMAX\nL Z+50 R0 FMAX\n{CYCLE_427}\nL IZ+5 R0 F100");
+    let machine = ran(&blocks);
+    check_values(&machine, &[("Q160", 5.0), ("Q180", 1.0), ("Q181", 0.0), ("Q182", 0.0), ("Q198", 427.0)]);
+    assert_eq!(value(&machine, "Q160"), Some(Value::Length("5".parse().unwrap())));
+    assert_eq!(machine.status(), Some(Status::Good));
+    let path = machine.path();
+    let is_at = |one: [f64; 3], other: [f64; 3]| one.iter().zip(&other).all(|(one, other)| (one - other).abs() <= 0.0);
+    assert!(is_at(path[0].from, [0.0, 0.0, 50.0]));
+    assert!(path.windows(2).all(|pair| is_at(pair[0].to, pair[1].from)), "{path:?}");
+    assert_eq!(path.last().unwrap().kind, TravelKind::Feed);
+    assert_eq!(machine.cycles()[0].cycle.number, 427);
+}
+
+#[test]
+fn a_stop_of_q309_pauses_with_its_reason() {
+    let blocks =
+        "TCH PROBE 421 MEASURE HOLE ~\nQ273=+40 ~\nQ274=+30 ~\nQ262=+25 ~\nQ275=+25.021 ~\nQ276=+25 ~\nQ309=+1\nQ1 = 1";
+    let mut machine = Machine::new("a.h", program(text(blocks).as_bytes()), InMemory::new(), bore("25.1"), settings());
+    let Ok(Step::Paused(Pause::Tolerance(stop))) = machine.run(99) else { panic!("no stop") };
+    assert_eq!(
+        stop.to_string(),
+        "program stop by Q309 = 1: measured diameter 25.1 mm is above its maximum 25.021 mm: SCRAP"
+    );
+    assert_eq!(machine.run(99), Ok(Step::Ended));
+    check_values(&machine, &[("Q1", 1.0), ("Q182", 1.0)]);
+}
+
+#[test]
+fn what_cycles_cannot_do_is_said() {
+    let with = |line: &str| format!("{CYCLE_427} ~\n{line}");
+    assert_eq!(fault(&with("Q275=+1")), "cycle 427 has no parameter Q275");
+    assert_eq!(fault(&with("Q263=+1")), "cycle 427: Q263 is given twice");
+    assert_eq!(
+        fault(&with("Q320=-1")),
+        "cycle 427: Q320 SET-UP CLEARANCE = -1 mm: at least 0 mm, at most 99999.9999 mm"
+    );
+    assert_eq!(fault(&with("Q320=+Q77")), "Q77 is undefined");
+    assert_eq!(fault("TCH PROBE 427 X ~\nQ263=+35"), "cycle 427: Q264 1ST POINT 2ND AXIS is missing");
+    assert_eq!(
+        fault(&with("Q320= PREDEF")),
+        "cycle 427: Q320 SET-UP CLEARANCE = PREDEF: no GLOBAL DEF has given a value"
+    );
+    assert_eq!(
+        fault("TCH PROBE 431 MEASURE PLANE ~\nQ263=+35"),
+        "cycle 431 is not known here; known are 421, 422, 427, 444"
+    );
+    let mut machine = Machine::new(
+        "a.h",
+        program(format!("BEGIN PGM a INCH\n{CYCLE_427}\nEND PGM a INCH\n").as_bytes()),
+        InMemory::new(),
+        Contacts::Perfect,
+        settings(),
+    );
+    assert_eq!(fault_of(&mut machine), "cycles are run in programs in MM only");
+    let mut machine = Machine::new(
+        "a.h",
+        program(text(CYCLE_427).as_bytes()),
+        InMemory::new(),
+        Contacts::Recorded(Vec::new()),
+        settings(),
+    );
+    assert_eq!(fault_of(&mut machine), "cycle 427: touch 1: the file has only 0 contacts");
+}
+
+#[test]
+fn a_broken_file_is_named() {
+    let run = |text: &str| {
+        let mut machine = Machine::new("a.h", program(text.as_bytes()), InMemory::new(), Contacts::Perfect, settings());
+        fault_of(&mut machine)
+    };
+    assert_eq!(run("BEGIN PGM a MM\nQ1 = 1\n"), "the program is broken: END PGM is missing");
+    assert_eq!(run("Q1 = 1\nEND PGM a MM\n"), "the program is broken: BEGIN PGM is missing");
+    let store = InMemory::new().with("sub.h", [1_u8, 2, 3, 4, 5, 6, 7, 8]);
+    assert_eq!(
+        fault_of(&mut machine_in(store, "CALL PGM sub.h")),
+        r"TNC:\fit\sub.h: the file is no text: 8 of its 8 bytes are no characters"
+    );
+}
+
+/// Runs the shipped Dutch programs with a nominal size and a class on a bore or a stud.
+fn shipped(nominal: &str, class: &str, workpiece: &str) -> Machine {
+    let main = program(Shipped::file("8255_nl.h").unwrap());
+    let contacts = Contacts::Workpiece(Bench::read(workpiece).unwrap());
+    let mut machine = Machine::new(r"TNC:\8255_nl.h", main, Shipped, contacts, settings());
+    machine.set(Parameter::q(1), Value::Number(nominal.parse().unwrap())).unwrap();
+    machine.set(Parameter::qs(1), Value::Text(class.to_owned())).unwrap();
+    machine
+}
+
+#[test]
+fn the_shipped_programs_print_the_native_window() {
+    for (callout, measured) in
+        [("25 H7", "25.0134"), ("24.99995 H7", "25.02095"), ("8 JS7", "7.9925"), ("18 g6", "17.9945")]
+    {
+        let parsed: Callout = callout.parse().unwrap();
+        let measured: Length = measured.parse().unwrap();
+        let limits = Sources::of_tables(shipped_tables()).limits(&parsed, None).unwrap();
+        let record = Record {
+            time: settings().time,
+            id: String::new(),
+            callout: Some(parsed),
+            verdict: judge(&limits, measured, None),
+            doubt: None,
+            limits,
+            measurement: Measurement::of_diameter(measured, Origin::Typed),
+        };
+        let kind = if callout.contains('g') { "stud" } else { "bore" };
+        let workpiece = format!("[{kind}]\ncentre = [40.0, 30.0]\ndiameter = {measured}\n");
+        let (nominal, class) = callout.split_once(' ').unwrap();
+        let mut machine = shipped(nominal, class, &workpiece);
+        to_end(&mut machine);
+        assert_eq!(machine.windows()[0].text, status_window(&record, Language::Nl, None).unwrap(), "{callout}");
+        assert_eq!(machine.status(), Some(record.verdict.status()), "{callout}");
+    }
+}
+
+#[test]
+fn a_restart_forgets_the_run_and_sees_changed_files() {
+    let mut machine = fit(bore("25.0134"));
+    machine.toggle_breakpoint(r"TNC:\fitcheck\fit_main.h", 3);
+    for (diameter, status) in [("25.0134", Status::Good), ("25.1", Status::Scrap), ("24.9", Status::Rework)] {
+        machine.restart(bore(diameter));
+        assert_eq!((machine.status(), machine.blocks_run(), machine.place().block), (None, 0, 0));
+        to_end(&mut machine);
+        assert_eq!((machine.status(), machine.windows().len()), (Some(status), 1));
+        assert_eq!(machine.breakpoints().count(), 1);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fitcheck::files::write(&folder.path().join(name), text.as_bytes()).unwrap();
+    let blocks = "CALL PGM sub.h\nFN 26: TABOPEN own.tab\nFN 28: TABREAD Q2 = 0/\"H7\"";
+    let store = Folders::new().reading(folder.path());
+    let main = program(text(blocks).as_bytes());
+    let mut machine = Machine::new("main.h", main, store, Contacts::Perfect, settings());
+    for (number, cell) in [("1", "+10"), ("2", "+20")] {
+        write("sub.h", &format!("BEGIN PGM sub MM\nQ1 = {number}\nEND PGM sub MM\n"));
+        write("own.tab", &TABLE.replace("+10", cell));
+        machine.restart(Contacts::Perfect);
+        to_end(&mut machine);
+        check_values(&machine, &[("Q1", number.parse().unwrap()), ("Q2", cell.parse().unwrap())]);
+    }
+}
+
+#[test]
+fn where_the_original_is_weak_the_control_s_error_is_ours() {
+    let bore = "[bore]\ncentre = [40.0, 30.0]\ndiameter = 25.0\n";
+    assert!(fault_of(&mut shipped("400.0001", "H7", bore)).starts_with("table 82553_hole.tab has no row 42"));
+    assert!(
+        fault_of(&mut shipped("25", "H10", bore))
+            .starts_with("table 82553_hole.tab has no column H10; its columns are")
+    );
+}
+
+/// Blocks that do something, and pieces that make them do something else.
+const PIECES: [&str; 44] = [
+    "LBL 1\n",
+    "LBL 2\n",
+    "LBL 0\n",
+    "CALL LBL 1\n",
+    "CALL LBL 2 REP 3\n",
+    "CALL PGM sub.h\n",
+    "CALL PGM main.h\n",
+    "Q1 = Q1 + 1\n",
+    "Q1 = Q2 * Q1 ^ 2 - SIN Q3\n",
+    "Q2 = SQRT Q1 / Q2\n",
+    "QL1 = 1\n",
+    "Q3 = - Q1 % 7\n",
+    "FN 0: Q2 SET UNDEFINED\n",
+    "FN 9: IF +Q1 EQU +0 GOTO LBL 1\n",
+    "FN 12: IF +Q1 LT +9 GOTO LBL 2\n",
+    "FN 10: IF +Q2 IS DEFINED GOTO LBL 1\n",
+    "FN 16: F-PRINT m.a / SCREEN:\n",
+    "FN 16: F-PRINT m.a / SCLR:\n",
+    "FN 16: F-PRINT m.a / out.txt\n",
+    "FN 26: TABOPEN own.tab\n",
+    "FN 26: TABOPEN 82553_hole.tab\n",
+    "FN 27: TABWRITE 1/\"H7\" = Q1\n",
+    "FN 28: TABREAD Q1 = +Q3/\"H7,BEREICH\"\n",
+    "FN 28: TABREAD QS1 = 0/\"NOTE\"\n",
+    "QS1 = QS1 || QS2 || QS1\n",
+    "DECLARE STRING QS2 = \"ab\"\n",
+    "QS1 = SUBSTR ( SRC_QS2 BEG1 LEN+Q1 )\n",
+    "QS2 = TOCHAR ( DAT+Q1 DECIMALS3 )\n",
+    "Q2 = INSTR ( SRC_QS1 SEA_QS2 BEG+Q3 )\n",
+    "Q1 = TONUMB ( SRC_QS2 )\n",
+    "QS1 = SYSSTR ( ID10321 NR+Q1 )\n",
+    "TOOL CALL Q1 Z\n",
+    "L X+Q1 IY-2 Z+0 R0 FMAX M91\n",
+    "L IX+1e300 Y+Q1 FQ2 M0\n",
+    "TCH PROBE 421 X ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+Q1\n",
+    "TCH PROBE 427 X ~\nQ263=+0 ~\nQ264=+Q1 ~\nQ261=+5 ~\nQ272=+3 ~\nQ267=-1 ~\nQ281=+2\n",
+    "TCH PROBE 444 X ~\nQ263=+0 ~\nQ264=+0 ~\nQ294=+0 ~\nQ581=+Q1 ~\nQ582=+0 ~\nQ583=+1 ~\nQS400=\"0.4-0.1\"\n",
+    "STOP\n",
+    "/M30\n",
+    "M1\n",
+    "END PGM main MM\n",
+    "FN 14: ERROR= Q1\n",
+    "CYCL DEF 7.0 DATUM SHIFT\n",
+    "\u{0}\u{ff}(((((",
+];
+
+/// What a run may use while anything is tried.
+const SMALL: Budget = Budget {
+    blocks: 3_000,
+    label_calls: 20,
+    program_calls: 10,
+    text: 255,
+    windows: 20,
+    outputs: 20,
+    output_bytes: 10_000,
+    cycles: 20,
+    path: 500,
+    files: 5,
+    file_bytes: 100_000,
+    traffic: 5_000_000,
+    remarks: 50,
+};
+
+/// Runs anything within a small budget, and holds every bound against what is there afterwards.
+fn run_anything(text: &[u8], sub: &[u8], skip_unknown: bool) {
+    let Ok((program, _)) = Program::read(text) else { return };
+    let store = InMemory::new()
+        .with("sub.h", sub)
+        .with("main.h", text)
+        .with("own.tab", TABLE)
+        .with("m.a", "\"%9.4F%S\", Q1, QS1;\n");
+    let mut with = settings();
+    with.budget = SMALL;
+    with.skip_unknown = skip_unknown;
+    let mut machine = Machine::new(r"TNC:\main.h", Arc::new(program), store, Contacts::Perfect, with);
+    for number in 1..=3 {
+        machine.set(Parameter::q(number), Value::Number(0.0)).unwrap();
+        machine.set(Parameter::qs(number), Value::Text("x".to_owned())).unwrap();
+    }
+    let ended = loop {
+        match machine.run(1_000) {
+            Ok(Step::Ended) => break Ok(()),
+            Ok(_) => {}
+            Err(fault) => break Err(fault),
+        }
+    };
+    if let Err(fault) = ended {
+        assert!(!fault.to_string().is_empty());
+        assert_eq!(Words::new(Language::En).told(&fault), fault.to_string());
+    }
+    assert!(machine.is_over() && machine.blocks_run() <= SMALL.blocks);
+    assert!(machine.windows().len() <= SMALL.windows && machine.outputs().len() <= SMALL.outputs);
+    assert!(machine.cycles().len() <= SMALL.cycles && machine.path().len() <= SMALL.path);
+    assert!(machine.remarks().len() <= SMALL.remarks && machine.calls().len() <= 30);
+    for (parameter, value) in machine.variables().iter() {
+        match value {
+            Value::Text(text) => assert!(text.chars().count() <= SMALL.text, "{parameter}"),
+            Value::Number(number) => assert!(number.abs() <= 1e10, "{parameter} = {number}"),
+            Value::Length(_) => {}
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
+
+    #[test]
+    fn any_program_ends_within_its_budget(
+        pieces in prop::collection::vec(prop::sample::select(&PIECES[..]), 0..40),
+        sub in prop::collection::vec(prop::sample::select(&PIECES[..]), 0..10),
+        skip_unknown: bool,
+    ) {
+        run_anything(text(&pieces.concat()).as_bytes(), text(&sub.concat()).as_bytes(), skip_unknown);
+    }
+
+    #[test]
+    fn any_bytes_end_within_their_budget(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+        run_anything(&bytes, &bytes, true);
+        run_anything(&[b"BEGIN PGM a MM\n", bytes.as_slice()].concat(), &bytes, true);
+    }
+}

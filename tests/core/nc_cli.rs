@@ -1,0 +1,170 @@
+//! `fitcheck nc`, through the built program.
+#![expect(clippy::disallowed_methods, reason = "a test writes small files that nobody else reads")]
+
+use std::path::Path;
+
+use assert_cmd::cargo::cargo_bin_cmd;
+
+struct Answer {
+    code: Option<i32>,
+    out: String,
+    err: String,
+}
+
+fn fitcheck(folder: &Path, args: &[&str], input: &str) -> Answer {
+    let answer = cargo_bin_cmd!("fitcheck").current_dir(folder).args(args).write_stdin(input).assert();
+    let output = answer.get_output();
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    Answer { code: output.status.code(), out: text(&output.stdout), err: text(&output.stderr) }
+}
+
+fn nc(folder: &Path, args: &[&str]) -> Answer {
+    fitcheck(folder, &[&["nc"], args].concat(), "")
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+const BORE: [&str; 7] = ["25 H7", "--x", "40", "--y", "30", "--z", "-8"];
+
+fn bore<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&BORE[..], more].concat()
+}
+
+#[test]
+fn a_callout_becomes_a_folder_that_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let answer = nc(folder.path(), &bore(&["--control", "tnc7", "-o", "set"]));
+    let wrote = ["FIT_MAIN.H", "FIT_CHECK.H", "FIT_STATUS.A", "FIT_HOLE.TAB", "FIT_SHAFT.TAB", "README.TXT"]
+        .map(|name| format!("wrote {}\n", Path::new("set").join(name).display()));
+    let note = "note: the clearance height is 50 mm: --clearance-height gives another\n";
+    assert_eq!((answer.code, answer.out.as_str()), (Some(0), ""));
+    assert_eq!(answer.err, format!("{note}{}", wrote.concat()));
+    assert_eq!(names(folder.path()), ["set"]);
+    std::fs::write(folder.path().join("bore.toml"), "[bore]\ncentre = [40, 30]\ndiameter = 24.998\n").unwrap();
+    let run = ["run", "set/FIT_MAIN.H", "--workpiece", "bore.toml", "--output-folder", "."];
+    let answer = fitcheck(folder.path(), &run, "");
+    assert_eq!(answer.code, Some(10), "{}", answer.err);
+    let window = "FIT STATUS: REWORK\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  24.9980\n";
+    assert_eq!(answer.out, window);
+    let result = folder.path().join("nc_prog").join("fitcheck").join("FIT_F1.TXT");
+    assert_eq!(std::fs::read_to_string(result).unwrap(), window.replace('\n', "\r\n"));
+}
+
+#[test]
+fn a_plan_becomes_a_zip_and_notes_say_what_is_special() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = "name;callout;x;y;z\nA;25 D10;40;30;-8\nB;24 ZA8;0;4,5;-2\n";
+    std::fs::write(folder.path().join("plan.csv"), plan).unwrap();
+    let answer = nc(folder.path(), &["plan.csv", "--control", "tnc7", "--language", "de", "-o", "set.zip"]);
+    assert_eq!(answer.code, Some(0), "{}", answer.err);
+    assert_eq!(
+        answer.err,
+        "note: ZA8 is none of the 47 classes of NC-Solution 8255: FIT_HOLE.TAB has a column more\n\
+         note: A: the nominal size of 25 D10 is outside the limits, which a TNC7 refuses: Q262 is 25.065 mm, and Q163 counts \
+         from there\n\
+         note: B: the nominal size of 24 ZA8 is outside the limits, which a TNC7 refuses: Q262 is 23.902 mm, and Q163 counts \
+         from there\n\
+         wrote set.zip (6 files)\n"
+    );
+    assert_eq!(names(folder.path()), ["plan.csv", "set.zip"]);
+    let zip = std::fs::File::open(folder.path().join("set.zip")).unwrap();
+    let mut zip = zip::ZipArchive::new(zip).unwrap();
+    assert!(zip.by_name("LIESMICH.TXT").is_ok());
+    // The same through standard input, for an older control and another folder.
+    let args = ["nc", "-", "--control", "itnc530", "--folder", r"TNC:\order", "-o", "set"];
+    let answer = fitcheck(folder.path(), &args, plan);
+    assert_eq!(answer.code, Some(0), "{}", answer.err);
+    let main = std::fs::read_to_string(folder.path().join("set").join("8255_en.h")).unwrap();
+    assert!(main.contains("CALL PGM TNC:\\order\\82551_en.h\r\n"), "{main}");
+}
+
+#[test]
+fn files_that_are_there_stay_unless_forced() {
+    let folder = tempfile::tempdir().unwrap();
+    let mine = folder.path().join("set").join("FIT_HOLE.TAB");
+    std::fs::create_dir(folder.path().join("set")).unwrap();
+    std::fs::write(&mine, "mine").unwrap();
+    std::fs::write(folder.path().join("set.zip"), "mine").unwrap();
+    for (output, there) in [("set", Path::new("set").join("FIT_HOLE.TAB")), ("set.zip", "set.zip".into())] {
+        let answer = nc(folder.path(), &bore(&["--control", "tnc640", "-o", output]));
+        let why =
+            format!("fitcheck: there is such a file or folder already: {}; --force overwrites\n", there.display());
+        assert_eq!(answer.code, Some(1));
+        assert!(answer.err.ends_with(&why), "{}", answer.err);
+    }
+    assert_eq!(names(&folder.path().join("set")), ["FIT_HOLE.TAB"]);
+    assert_eq!(std::fs::read(&mine).unwrap(), b"mine");
+    for output in ["set", "set.zip"] {
+        let answer = nc(folder.path(), &bore(&["--control", "tnc640", "-o", output, "--force"]));
+        assert_eq!(answer.code, Some(0), "{}", answer.err);
+    }
+    assert_eq!(names(&folder.path().join("set")).len(), 6);
+    assert!(std::fs::read(&mine).unwrap().starts_with(b"BEGIN FIT_HOLE.TAB"));
+}
+
+#[track_caller]
+fn refused(args: &[&str], why: &str) {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = "callout,x,y,z\n25 H7,40,30,-8\n12 ±0.02,1,2,3\n";
+    std::fs::write(folder.path().join("plan.csv"), plan).unwrap();
+    let answer = nc(folder.path(), &[args, &["--control", "tnc7", "-o", "set"]].concat());
+    assert_eq!((answer.code, answer.err.as_str()), (Some(1), format!("fitcheck: {why}\n").as_str()));
+    assert_eq!(names(folder.path()), ["plan.csv"], "nothing is written");
+}
+
+#[test]
+fn what_the_program_cannot_do_is_refused() {
+    let place = ["--x", "0", "--y", "0", "--z", "0"];
+    let at = |callout: &'static str| [&[callout][..], &place].concat();
+    let no_class = "has no tolerance class: the programs look a class up in a table, such as H7";
+    refused(&["plan.csv"], &format!("plan.csv: line 3: 12 ±0.02 {no_class}"));
+    refused(&at("10m"), &format!("10m {no_class}"));
+    refused(&at("25 H7/g6"), "25 H7/g6 is a fit: write the hole and the shaft as two features");
+    refused(&at("0.8 N9"), "0.8 N9: N9 is not defined at 0.8 mm in ISO 286; it is defined over 1 up to 3150 mm");
+    refused(&at("0.01 P9"), "Q276 MINIMUM DIMENSION = -0.021 mm: at least 0 mm, at most 99999.9999 mm");
+    refused(&["25 H7", "--x", "0", "--y", "0"], "--z is missing: a single callout needs --x, --y and --z");
+    refused(&bore(&["--clearance-height", "-8"]), "clearance height -8 mm is not above the measuring height, -8 mm");
+    refused(&bore(&["--name", "../x"]), "name ../x: letters A to Z, digits and _ are allowed, at most 20");
+    refused(
+        &bore(&["--angle", "1,2.3"]),
+        "--angle: 1,2.3 is ambiguous: write one decimal sign and no thousands separator",
+    );
+    refused(&["plan.csv", "--x", "1"], "--x is for a single callout: a plan has a column for it");
+    refused(
+        &bore(&["--folder", r"C:\fit"]),
+        r"C:\fit is no folder for programs: write TNC:\, then names of letters, digits, _ and -, apart by \",
+    );
+    refused(&["none.csv"], "no such file or folder: none.csv");
+}
+
+#[test]
+fn a_broken_path_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = Path::new("none").join("set");
+    let answer = nc(folder.path(), &bore(&["--control", "tnc7", "-o", output.to_str().unwrap()]));
+    assert_eq!(answer.code, Some(1));
+    assert!(
+        answer.err.ends_with(&format!("fitcheck: no such file or folder: {}\n", output.display())),
+        "{}",
+        answer.err
+    );
+    assert!(names(folder.path()).is_empty());
+}
+
+#[test]
+fn help_shows_examples_and_the_columns_of_a_plan() {
+    let folder = tempfile::tempdir().unwrap();
+    let help = nc(folder.path(), &["--help"]);
+    assert_eq!(help.code, Some(0));
+    for text in ["fitcheck nc \"25 H7\" --x 40", "clearance_height", "Exit codes"] {
+        assert!(help.out.contains(text), "{}", help.out);
+    }
+    let answer = nc(folder.path(), &bore(&["--control", "tnc426", "-o", "set"]));
+    assert_eq!(answer.code, Some(2));
+}

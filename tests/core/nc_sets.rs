@@ -1,0 +1,485 @@
+//! Sets for a control: what is written reads back and runs to the verdict that Fitcheck gives.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use fitcheck::control::deviations::read_table;
+use fitcheck::control::machine::{Contacts, Machine, NcPath, Settings, Step, Store, StoreError};
+use fitcheck::control::mask::FileUse;
+use fitcheck::control::program::{Body, Program, TextExpression, TextOperand};
+use fitcheck::control::sets::{Control, MOST_FEATURES, NcFeature, NcPlan, NcSet, SetError, SetRemark, Target};
+use fitcheck::control::shipped_tables;
+use fitcheck::control::status::status_window;
+use fitcheck::control::variables::{Parameter, Value};
+use fitcheck::journal::Record;
+use fitcheck::length::Length;
+use fitcheck::probing::cycle::{Angle, Plane, Remark};
+use fitcheck::probing::measure::{ProbePosition, cycle_number, measure};
+use fitcheck::probing::simulated::{Bench, Surface, Workpiece};
+use fitcheck::probing::{Measurement, Origin};
+use fitcheck::tolerance::table_edit::standard_table;
+use fitcheck::tolerance::{Callout, Limits, Sources, ToleranceClass, iso286};
+use fitcheck::verdict::{Status, judge};
+use fitcheck::words::Language;
+use proptest::prelude::*;
+
+fn mm(text: &str) -> Length {
+    text.parse().unwrap()
+}
+
+fn feature(callout: &str, place: [&str; 3]) -> NcFeature {
+    NcFeature::new(callout.parse().unwrap(), place.map(mm))
+}
+
+fn time() -> jiff::civil::DateTime {
+    jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0)
+}
+
+fn make(features: Vec<NcFeature>, control: Control, language: Language) -> NcSet {
+    let plan = NcPlan::new(features).unwrap();
+    NcSet::make(&plan, &Target::new(control, language), &Sources::default()).unwrap()
+}
+
+/// The files of a set at their paths on the control and nothing else: no shipped file takes the place of a missing one.
+#[derive(Default)]
+struct OnControl(BTreeMap<String, Vec<u8>>);
+
+impl OnControl {
+    fn with(set: &NcSet, control: Control) -> Self {
+        let path = |name: &str| format!("{}{name}", control.usual_folder());
+        Self(set.files.iter().map(|file| (path(&file.name), file.bytes.clone())).collect())
+    }
+}
+
+impl Store for OnControl {
+    fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
+        self.0.get(&path.to_string()).cloned().ok_or_else(|| StoreError::Missing { path: path.clone() })
+    }
+
+    fn write(&mut self, path: &NcPath, bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
+        self.0.insert(path.to_string(), bytes.to_vec());
+        Ok(bytes.len())
+    }
+}
+
+/// The set's main program on these contacts, run to its end.
+#[track_caller]
+fn run(set: &NcSet, control: Control, language: Language, contacts: Contacts) -> Machine {
+    let main = &set.files[0];
+    let (program, warnings) = Program::read(&main.bytes).unwrap();
+    assert_eq!(warnings, []);
+    let path = format!("{}{}", control.usual_folder(), main.name);
+    let store = OnControl::with(set, control);
+    let mut machine = Machine::new(&path, Arc::new(program), store, contacts, Settings::new(language, time()));
+    while machine.run(u64::MAX).unwrap_or_else(|fault| panic!("{fault}")) != Step::Ended {}
+    machine
+}
+
+/// The native measurement of a feature on a workpiece of this diameter.
+fn measured(feature: &NcFeature, limits: &Limits, diameter: Length) -> Measurement {
+    let centre = [feature.x, feature.y].map(Length::to_mm_f64);
+    let workpiece = Workpiece::round(limits.feature, centre, diameter.to_mm_f64());
+    let position = ProbePosition {
+        centre: [feature.x, feature.y],
+        height: feature.z,
+        first_angle: feature.angle,
+        clearance: feature.clearance,
+        ..ProbePosition::default()
+    };
+    let mut machine = Bench::perfect(Surface::Round(workpiece, Plane::Xy)).machine().unwrap();
+    let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: 1 };
+    measure(limits, &position, &mut machine, origin).unwrap().0
+}
+
+/// The native answer: window and status.
+fn native(callout: Callout, limits: &Limits, measurement: Measurement, language: Language) -> (String, Status) {
+    let verdict = judge(limits, measurement.diameter, None);
+    let record = Record {
+        time: time(),
+        id: String::new(),
+        callout: Some(callout),
+        verdict,
+        doubt: None,
+        limits: limits.clone(),
+        measurement,
+    };
+    (status_window(&record, language, None).unwrap(), verdict.status())
+}
+
+/// Runs a set on one workpiece a feature and compares everything that it says. Gives the statuses.
+#[track_caller]
+fn check(
+    features: &[NcFeature],
+    diameters: &[Length],
+    control: Control,
+    language: Language,
+    sources: &Sources,
+) -> Vec<Status> {
+    let plan = NcPlan::new(features.to_vec()).unwrap();
+    let set = NcSet::make(&plan, &Target::new(control, language), sources).unwrap();
+    let mut contacts = Vec::new();
+    let mut expected = Vec::new();
+    for (feature, &diameter) in plan.features().iter().zip(diameters) {
+        let limits = sources.limits(&feature.callout, None).unwrap();
+        let measurement = measured(feature, &limits, diameter);
+        contacts.extend(measurement.contacts.iter().copied());
+        expected.push(native(feature.callout, &limits, measurement, language));
+    }
+    let machine = run(&set, control, language, Contacts::Recorded(contacts));
+    let statuses: Vec<Status> = machine.cycles().iter().map(|run| run.result.status.unwrap()).collect();
+    let windows = machine.windows().iter().map(|window| window.text.clone());
+    assert_eq!(windows.zip(statuses.iter().copied()).collect::<Vec<_>>(), expected, "{control:?} {language}");
+    // One file a feature, with the window's text.
+    let files: Vec<String> = machine.outputs().iter().map(|written| written.path.file_name().to_owned()).collect();
+    let before = if control == Control::Itnc530 { "8255_" } else { "FIT_" };
+    let ending = if control == Control::Itnc530 { "txt" } else { "TXT" };
+    let names: Vec<String> = plan.features().iter().map(|f| format!("{before}{}.{ending}", f.name)).collect();
+    assert_eq!(files, names);
+    let outputs: Vec<&String> = machine.outputs().iter().map(|written| &written.text).collect();
+    assert_eq!(outputs, expected.iter().map(|(window, _)| window).collect::<Vec<_>>());
+    statuses
+}
+
+/// Classes inside, on and outside their zone, one beyond the 47, one beyond 400 mm, half micrometres.
+fn plan() -> Vec<NcFeature> {
+    let mut features = vec![
+        feature("25 H7", ["40", "30", "-8"]),
+        feature("25 D10", ["-12.5", "0.0004", "0"]),
+        feature("8 JS7", ["0", "0", "-1"]),
+        feature("20 g6", ["100", "-100", "-3.25"]),
+        feature("55 r6", ["1", "2", "3"]),
+        feature("24 ZA8", ["-1", "-2", "-3"]),
+        feature("500 H7", ["0", "0", "0"]),
+    ];
+    features[1].name = "Bore_2".to_owned();
+    features[1].angle = Angle::from_degrees(-45);
+    features[3].clearance_height = mm("120.5");
+    features[3].clearance = mm("0.75");
+    features
+}
+
+#[test]
+fn every_control_and_language_gives_the_native_verdicts() {
+    let sources = Sources::default();
+    let features = plan();
+    let limits: Vec<Limits> = features.iter().map(|feature| sources.limits(&feature.callout, None).unwrap()).collect();
+    let off = |length: Length, nm: i64| Length::from_nanometres(length.nanometres() + nm).unwrap();
+    for control in Control::ALL {
+        for language in Language::ALL {
+            // Below, on, within, on and above the limits: each feature has its turn.
+            let mut statuses = Vec::new();
+            for turn in 0..3 {
+                let diameters: Vec<Length> = limits
+                    .iter()
+                    .enumerate()
+                    .map(|(number, limits)| match (number + turn) % 3 {
+                        0 => off(limits.minimum(), -1),
+                        1 => {
+                            if turn == 2 {
+                                limits.maximum()
+                            } else {
+                                limits.minimum()
+                            }
+                        }
+                        _ => off(limits.maximum(), 1),
+                    })
+                    .collect();
+                statuses.extend(check(&features, &diameters, control, language, &sources));
+            }
+            let count = |status| statuses.iter().filter(|given| **given == status).count();
+            // Of seven features each is once too small, once good, once too large.
+            assert_eq!([Status::Good, Status::Rework, Status::Scrap].map(count), [7, 7, 7]);
+        }
+    }
+}
+
+#[test]
+fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
+    for control in Control::ALL {
+        for (callout, below, above) in
+            [("25 H7", Status::Rework, Status::Scrap), ("25 h7", Status::Scrap, Status::Rework)]
+        {
+            let one = feature(callout, ["40", "30", "-8"]);
+            let limits = Sources::default().limits(&one.callout, None).unwrap();
+            let set = make(vec![one], control, Language::En);
+            for (diameter, status) in [
+                (limits.minimum().saturating_sub(mm("0.000001")), below),
+                (limits.minimum(), Status::Good),
+                (limits.middle(), Status::Good),
+                (limits.maximum(), Status::Good),
+                (limits.maximum().checked_add(mm("0.000001")).unwrap(), above),
+            ] {
+                let workpiece = Workpiece::round(limits.feature, [40.0, 30.0], diameter.to_mm_f64());
+                let bench = Bench::perfect(Surface::Round(workpiece, Plane::Xy));
+                let machine = run(&set, control, Language::En, Contacts::Workpiece(bench));
+                assert_eq!(machine.status(), Some(status), "{callout} {diameter} {control:?}");
+            }
+        }
+    }
+}
+
+/// What a probe does on its way: at clearance height before and after, never lower on the way to the centre.
+#[test]
+fn the_probe_moves_between_features_at_clearance_height() {
+    let features = vec![feature("25 H7", ["40", "30", "-8"]), feature("20 g6", ["90", "30", "-8"])];
+    for control in Control::ALL {
+        let set = make(features.clone(), control, Language::En);
+        let machine = run(&set, control, Language::En, Contacts::Perfect);
+        let between = machine.path().iter().filter(|step| 25.0 < (step.to[0] - step.from[0]).abs());
+        let heights: Vec<f64> = between.flat_map(|step| [step.from[2], step.to[2]]).collect();
+        assert_eq!(heights, [50.0, 50.0], "{control:?}");
+    }
+}
+
+#[test]
+fn names_follow_the_control() {
+    let names = |control, language| {
+        let set = make(vec![feature("25 H7", ["0", "0", "0"])], control, language);
+        set.files.iter().map(|file| file.name.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        names(Control::Itnc530, Language::De),
+        ["8255_de.h", "82551_de.h", "82552_de.a", "82553_hole.tab", "82553_shaft.tab", "LIESMICH.TXT"]
+    );
+    for control in [Control::Tnc640, Control::Tnc7] {
+        assert_eq!(
+            names(control, Language::Nl),
+            ["FIT_MAIN.H", "FIT_CHECK.H", "FIT_STATUS.A", "FIT_HOLE.TAB", "FIT_SHAFT.TAB", "LEESMIJ.TXT"]
+        );
+    }
+}
+
+fn text_of(set: &NcSet, number: usize) -> String {
+    String::from_utf8(set.files[number].bytes.clone()).unwrap()
+}
+
+#[test]
+fn what_differs_between_the_controls() {
+    let of = |control| make(plan(), control, Language::En);
+    let [itnc, tnc640, tnc7] = Control::ALL.map(of);
+    // The set-up clearance is added to a machine parameter or to the table's SET_UP.
+    assert!(text_of(&itnc, 0).contains("Q51 = 2 ;LATERAL SET-UP CLEARANCE, ADDED TO MP6140\r\n"));
+    for later in [&tnc640, &tnc7] {
+        assert!(text_of(later, 0).contains("Q51 = 2 ;LATERAL SET-UP CLEARANCE, ADDED TO SET_UP\r\n"));
+        assert!(!later.files.iter().any(|file| String::from_utf8_lossy(&file.bytes).contains("MP6140")));
+    }
+    // Numbers of masks.
+    assert_eq!([&itnc, &tnc640, &tnc7].map(|set| text_of(set, 2).contains("%9.4LF")), [true, false, false]);
+    assert_eq!([&itnc, &tnc640, &tnc7].map(|set| text_of(set, 2).contains("%9.4F")), [false, true, true]);
+    // Headers of tables.
+    assert_eq!([&itnc, &tnc640, &tnc7].map(|set| text_of(set, 3).contains("#STRUCTBEGIN")), [true, false, false]);
+    assert_eq!([&itnc, &tnc640, &tnc7].map(|set| text_of(set, 3).contains("TableDescription")), [false, true, true]);
+    // Q262 moves between the limits on a TNC7 alone.
+    assert_eq!([&itnc, &tnc640, &tnc7].map(|set| text_of(set, 1).matches("Q262=+Q1 ").count()), [2, 2, 0]);
+    assert_eq!([&itnc, &tnc640, &tnc7].map(|set| text_of(set, 1).matches("Q262=+Q62 ").count()), [0, 0, 2]);
+    // Folders.
+    assert!(text_of(&itnc, 0).contains("CALL PGM TNC:\\8255\\82551_en.h\r\n"));
+    assert!(text_of(&tnc7, 1).contains("FN 26: TABOPEN TNC:\\nc_prog\\fitcheck\\FIT_SHAFT.TAB\r\n"));
+}
+
+/// For every class of the tables: the nominal diameter of the cycle lies between its limits on a TNC7, and is the
+/// nominal size elsewhere.
+#[test]
+fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
+    let classes: Vec<ToleranceClass> =
+        shipped_tables().iter().flat_map(|table| table.columns().iter().map(|column| column.class)).collect();
+    let features: Vec<NcFeature> = classes
+        .iter()
+        .map(|class| NcFeature::new(Callout::new(mm("25"), *class).unwrap(), ["40", "30", "-8"].map(mm)))
+        .collect();
+    let outside = |machine: &Machine| {
+        let is_outside = |remark: &Remark| matches!(remark, Remark::NominalOutsideLimits { .. });
+        machine.cycles().iter().filter(|run| run.result.remarks.iter().any(is_outside)).count()
+    };
+    for control in Control::ALL {
+        let set = make(features.clone(), control, Language::En);
+        let machine = run(&set, control, Language::En, Contacts::Perfect);
+        let moved = set.remarks.iter().filter(|remark| matches!(remark, SetRemark::MovedNominal { .. })).count();
+        // 24 of the 47 classes lie beside the nominal size at 25 mm (`docs/SOURCES.md`, sets for a control).
+        let expected = if control == Control::Tnc7 { (0, 24) } else { (24, 0) };
+        assert_eq!((outside(&machine), moved), expected, "{control:?}");
+    }
+    // The note names the very value that the cycle gets.
+    for class in ["D10", "g6", "s7", "P9", "k6"] {
+        let one = feature(&format!("25 {class}"), ["0", "0", "0"]);
+        let set = make(vec![one], Control::Tnc7, Language::En);
+        let machine = run(&set, Control::Tnc7, Language::En, Contacts::Perfect);
+        let Some(SetRemark::MovedNominal { value, .. }) = set.remarks.first() else { panic!("{class}") };
+        let Some(Value::Number(given)) = machine.variables().get(Parameter::q(62)) else { panic!("{class}") };
+        assert_eq!(Length::from_mm_f64(*given).unwrap(), *value, "{class}");
+    }
+}
+
+/// Least common ground of all controls: no system data, no joins of literals, ASCII, CRLF, numbers from 0.
+#[test]
+fn programs_keep_to_the_common_ground() {
+    for control in Control::ALL {
+        for language in Language::ALL {
+            let set = make(plan(), control, language);
+            for file in &set.files[..2] {
+                assert!(file.bytes.is_ascii(), "{}", file.name);
+                let text = String::from_utf8(file.bytes.clone()).unwrap();
+                assert!(text.lines().count() == text.matches("\r\n").count() && text.ends_with("\r\n"));
+                let (program, warnings) = Program::read(&file.bytes).unwrap();
+                assert_eq!(warnings, []);
+                assert_eq!(program.name(), Some(file.name.rsplit_once('.').unwrap().0));
+                for (number, block) in program.blocks().iter().enumerate() {
+                    assert_eq!(block.number, Some(u32::try_from(number).unwrap()));
+                    assert!(!matches!(block.body, Body::Other), "{:?}", program.text_of(number).next());
+                    if let Body::AssignText { value: TextExpression::Join(items), .. } = &block.body {
+                        let is_parameter =
+                            |item: &TextExpression| matches!(item, TextExpression::Value(TextOperand::Parameter(_)));
+                        assert!(items.iter().all(is_parameter));
+                    }
+                }
+            }
+            let page = encoding_rs::WINDOWS_1252.decode(&set.files[5].bytes).0.into_owned();
+            assert!(!page.contains(['{', '}', '[', '\u{fffd}']), "{page}");
+            assert!(page.lines().all(|line| line.chars().count() <= 132), "{page}");
+            assert!(plan().len() <= page.matches("-> ").count());
+            assert!(page.contains(control.name()) && page.contains(&control.usual_folder().to_string()));
+        }
+    }
+}
+
+#[test]
+fn tables_hold_the_47_classes_and_what_the_plan_needs_beside_them() {
+    let set = make(plan(), Control::Tnc640, Language::En);
+    let table = |number: usize| {
+        let file = &set.files[number];
+        let (table, warnings) = read_table(&file.bytes, &file.name, &file.name, false).unwrap();
+        assert_eq!(warnings, []);
+        table.unwrap()
+    };
+    let (hole, shaft) = (table(3), table(4));
+    assert_eq!((hole.columns().len(), shaft.columns().len()), (25, 23));
+    let own = "ZA8".parse().unwrap();
+    assert_eq!(set.remarks, [SetRemark::OwnColumn { class: own, table: "FIT_HOLE.TAB" }]);
+    // ZA changes at 24 mm, so the range to 30 mm is cut there; 500 H7 needs a range more.
+    let ends: Vec<String> = hole.ends().iter().map(ToString::to_string).collect();
+    assert_eq!(ends.join(" "), "1 3 6 10 18 24 30 50 65 80 100 120 140 160 180 200 225 250 280 315 355 400 500");
+    // Every filled cell is the standard's, everywhere in its range.
+    let alone = Sources::of_tables([hole.clone(), shaft]);
+    for (class, size) in [("ZA8", "24"), ("ZA8", "24.0001"), ("H7", "450"), ("R7", "51"), ("g6", "400"), ("JS9", "20")]
+    {
+        let callout: Callout = format!("{size} {class}").parse().unwrap();
+        let [ours, theirs] = [&alone, &Sources::default()].map(|sources| sources.limits(&callout, None).unwrap());
+        assert_eq!(ours.deviations, theirs.deviations, "{callout}");
+    }
+    // R has two values over 400 up to 500 mm: the cell is empty rather than wrong.
+    assert!(alone.limits(&"450 R7".parse().unwrap(), None).is_err());
+}
+
+#[test]
+fn an_itnc_530_takes_thirty_columns_and_then_only_those_of_the_plan() {
+    let few = ["25 ZA8", "25 U7"].map(|callout| feature(callout, ["0", "0", "0"])).to_vec();
+    let set = make(few, Control::Itnc530, Language::En);
+    assert!(!set.remarks.iter().any(|remark| matches!(remark, SetRemark::FewerColumns { .. })));
+    let many: Vec<NcFeature> =
+        ["ZA8", "U7", "S7", "T7", "H7"].map(|class| feature(&format!("25 {class}"), ["0", "0", "0"])).to_vec();
+    let set = make(many.clone(), Control::Itnc530, Language::En);
+    let fewer = SetRemark::FewerColumns { table: "82553_hole.tab", classes: "ZA8 U7 S7 T7 H7".to_owned() };
+    assert_eq!(set.remarks.last(), Some(&fewer));
+    let sources = Sources::default();
+    let diameters: Vec<Length> =
+        many.iter().map(|feature| sources.limits(&feature.callout, None).unwrap().minimum()).collect();
+    assert_eq!(check(&many, &diameters, Control::Itnc530, Language::It, &sources), [Status::Good; 5]);
+    // More than even those: refused with the control's limit, nothing is left out.
+    let letters = "CD D E EF F FG G H J JS K M N P R S T U V X Y Z ZA ZB ZC".split(' ');
+    let all: Vec<NcFeature> = letters
+        .flat_map(|letter| [6, 7].map(|grade| format!("8 {letter}{grade}")))
+        .filter(|callout| sources.limits(&callout.parse().unwrap(), None).is_ok())
+        .map(|callout| feature(&callout, ["0", "0", "0"]))
+        .collect();
+    let plan = NcPlan::new(all).unwrap();
+    let refused = NcSet::make(&plan, &Target::new(Control::Itnc530, Language::En), &sources).unwrap_err();
+    assert!(matches!(refused, SetError::Table { table: "82553_hole.tab", .. }), "{refused}");
+    assert!(NcSet::make(&plan, &Target::new(Control::Tnc7, Language::En), &sources).is_ok());
+}
+
+/// A user's own table comes first, with ranges and values of its own.
+#[test]
+fn own_tables_are_what_the_control_gets() {
+    let class: ToleranceClass = "H8".parse().unwrap();
+    let own = standard_table("shop.tab", &[class], mm("40"), iso286::Options::default()).unwrap();
+    let mut edit = fitcheck::tolerance::table_edit::TableEdit::new(own);
+    let wide = fitcheck::tolerance::Deviations::new(mm("0.1"), mm("0.0005")).unwrap();
+    for range in 0..edit.table().ends().len() {
+        edit.set(class, range, Some(wide));
+    }
+    let sources = Sources::default().with_own([edit.table().clone()]);
+    let features = ["20 H8", "35 H8", "60 H8"].map(|callout| feature(callout, ["0", "0", "0"])).to_vec();
+    let diameters = [mm("20.1"), mm("35.0004"), mm("60.046")];
+    for control in Control::ALL {
+        let statuses = check(&features, &diameters, control, Language::En, &sources);
+        assert_eq!(statuses, [Status::Good, Status::Rework, Status::Good]);
+    }
+    // The control's own tables alone: classes beyond the 47 are refused, with the line's place.
+    let sources = Sources::of_tables(shipped_tables());
+    let plan = NcPlan::read(b"callout,x,y,z\n25 H7,0,0,0\n25 U7,0,0,0\n").unwrap();
+    let refused = NcSet::make(&plan, &Target::new(Control::Tnc7, Language::En), &sources).unwrap_err().to_string();
+    assert!(refused.starts_with("line 3: 25 U7: U7 is not in table 82553_hole.tab"), "{refused}");
+}
+
+#[test]
+fn the_same_plan_gives_the_same_bytes_and_the_zip_holds_them() {
+    use std::io::Read as _;
+    let set = make(plan(), Control::Tnc7, Language::Nl);
+    assert_eq!(set, make(plan(), Control::Tnc7, Language::Nl));
+    let bytes = set.zip().unwrap();
+    assert_eq!(bytes, set.zip().unwrap());
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
+    assert_eq!(archive.len(), set.files.len());
+    for file in &set.files {
+        let mut found = Vec::new();
+        archive.by_name(&file.name).unwrap().read_to_end(&mut found).unwrap();
+        assert_eq!(found, file.bytes, "{}", file.name);
+    }
+}
+
+#[test]
+fn plans_are_bounded() {
+    let one = feature("25 H7", ["0", "0", "0"]);
+    let most = NcPlan::new(vec![one.clone(); MOST_FEATURES]).unwrap();
+    assert_eq!(most.features().last().unwrap().name, "F1000");
+    let refused = NcPlan::new(vec![one; MOST_FEATURES + 1]).unwrap_err();
+    assert_eq!(refused.to_string(), "the plan has more than 1000 features");
+    let refused = NcPlan::new(vec![]).unwrap_err();
+    assert_eq!(refused.to_string(), "the plan has no feature");
+    let far = format!("callout,x,y,z\n{}", "25 H7,0,0,0\n".repeat(MOST_FEATURES + 5));
+    let refused = NcPlan::read(far.as_bytes()).unwrap_err();
+    assert_eq!(refused.to_string(), "line 1002: the plan has more than 1000 features");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Any class that has limits, at any size: the set agrees to the nanometre, whatever the control.
+    #[test]
+    fn any_class_and_size_agrees(
+        letter in 0..28_usize, hole in any::<bool>(), grade in 4..14_u8, hundredths in 100..315_000_i64,
+        off in -2..3_i64, at_maximum in any::<bool>(), control in 0..3_usize,
+    ) {
+        let letters = ["a", "b", "c", "cd", "d", "e", "ef", "f", "fg", "g", "h", "j", "js", "k", "m", "n", "p", "r", "s",
+            "t", "u", "v", "x", "y", "z", "za", "zb", "zc"];
+        let letter = if hole { letters[letter].to_uppercase() } else { letters[letter].to_owned() };
+        let nominal = Length::from_nanometres(hundredths * 10_000).unwrap();
+        let callout: Callout = format!("{nominal} {letter}{grade}").parse().unwrap();
+        let sources = Sources::default();
+        if let Ok(limits) = sources.limits(&callout, None) {
+            prop_assume!(mm("0.01") < limits.minimum());
+            let border = if at_maximum { limits.maximum() } else { limits.minimum() };
+            let diameter = Length::from_nanometres(border.nanometres() + off).unwrap();
+            let one = NcFeature::new(callout, ["0", "0", "0"].map(mm));
+            check(&[one], &[diameter], Control::ALL[control], Language::Nl, &sources);
+        }
+    }
+
+    /// No bytes make the reader of plans panic, and what it reads stays within its bounds.
+    #[test]
+    fn any_bytes_are_a_plan_or_an_error(text in "(callout,x,y,z\n)?[-0-9Hhg,;\\. \"\n\tnamecxyz±]{0,60}") {
+        if let Ok(plan) = NcPlan::read(text.as_bytes()) {
+            prop_assert!(plan.features().len() <= MOST_FEATURES);
+        }
+    }
+}

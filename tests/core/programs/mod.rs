@@ -1,0 +1,6 @@
+//! Reading and writing NC programs.
+
+mod properties;
+mod reading;
+mod refusing;
+mod samples;

@@ -1,0 +1,254 @@
+//! `fitcheck run`: the sample programs through the program, every way in and every way out.
+
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+struct Said {
+    code: Option<i32>,
+    out: String,
+    err: String,
+}
+
+fn fitcheck(args: &[&str]) -> Said {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_fitcheck"));
+    let output = command.arg("run").args(args).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    Said { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) }
+}
+
+fn samples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples")
+}
+
+/// The sample programs with their tables and mask, and bores of three sizes, in a folder that goes with the test.
+struct Shop {
+    folder: tempfile::TempDir,
+}
+
+impl Shop {
+    fn new() -> Self {
+        let shop = Self { folder: tempfile::tempdir().unwrap() };
+        for (from, to) in [
+            ("programs/fit_main.h", "fit_main.h"),
+            ("programs/fit_check.h", "fit_check.h"),
+            ("programs/syntax_zoo.h", "syntax_zoo.h"),
+            ("tables/generation1_plain.tab", "fit_hole.tab"),
+            ("tables/generation2_struct.tab", "FIT_SHAFT.TAB"),
+            ("masks/status_en.a", "status_en.a"),
+        ] {
+            std::fs::copy(samples().join(from), shop.folder.path().join(to)).unwrap();
+        }
+        for (name, diameter) in [("good", "25.0134"), ("rework", "24.99"), ("scrap", "25.03")] {
+            let bore = format!("[bore]\ncentre = [40.0, 30.0]\ndiameter = {diameter}\n");
+            shop.file(&format!("{name}.toml"), &bore);
+        }
+        shop
+    }
+
+    fn file(&self, name: &str, text: &str) -> String {
+        fitcheck::files::write(&self.folder.path().join(name), text.as_bytes()).unwrap();
+        self.path(name)
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.folder.path().join(name).display().to_string()
+    }
+
+    /// A program of these blocks.
+    fn program(&self, blocks: &str) -> String {
+        self.file("own.h", &format!("BEGIN PGM own MM\n{blocks}\nEND PGM own MM\n"))
+    }
+}
+
+fn json(args: &[&str]) -> (Option<i32>, Value) {
+    let said = fitcheck(&[args, &["--format", "json"]].concat());
+    (said.code, serde_json::from_str(&said.out).unwrap_or_else(|error| panic!("{error}: {}{}", said.out, said.err)))
+}
+
+#[test]
+fn the_window_is_printed_and_the_exit_code_follows_the_verdict() {
+    let shop = Shop::new();
+    let run = |bore: &str| fitcheck(&[&shop.path("fit_main.h"), "--workpiece", &shop.path(bore)]);
+    let good = run("good.toml");
+    assert_eq!(good.out, std::fs::read_to_string(samples().join("masks/status_en.expected.txt")).unwrap());
+    assert_eq!((good.code, good.err.as_str()), (Some(0), ""));
+    let rework = run("rework.toml");
+    assert!(rework.out.starts_with("FIT STATUS: REWORK\n"), "{}", rework.out);
+    assert_eq!((rework.code, run("scrap.toml").code), (Some(10), Some(11)));
+}
+
+#[test]
+fn a_given_value_stands_in_place_of_the_programs() {
+    let shop = Shop::new();
+    let program = shop.path("fit_main.h");
+    let said = fitcheck(&[&program, "--set", "Q1=18", "QS1=g6", "Q11=0", "Q21=0", "--set", "Q41=45,5"]);
+    assert_eq!(said.code, Some(10), "{}", said.err);
+    assert_eq!(
+        said.out,
+        "FIT STATUS: REWORK\nCHECKED FIT: 18 g6\nMINIMUM SIZE:  17.9830\nMAXIMUM SIZE:  17.9940\nMEASURED DIAMETER:  18.0000\n"
+    );
+}
+
+#[test]
+fn a_trace_lists_every_block_with_the_values_it_changed() {
+    let shop = Shop::new();
+    let program = shop.program("Q1 = 5\nQ2 = Q1 * 2\nFN 0: Q1 SET UNDEFINED\nDECLARE STRING QS1 = \"H7\"");
+    let said = fitcheck(&[&program, "--trace"]);
+    assert_eq!(
+        said.out,
+        "own.h:1  BEGIN PGM own MM\nown.h:2  Q1 = 5\n    Q1 = 5\nown.h:3  Q2 = Q1 * 2\n    Q2 = 10\n\
+         own.h:4  FN 0: Q1 SET UNDEFINED\n    Q1 undefined\nown.h:5  DECLARE STRING QS1 = \"H7\"\n    QS1 = \"H7\"\n\
+         own.h:6  END PGM own MM\n"
+    );
+    let (code, answer) = json(&[&program, "--trace"]);
+    assert_eq!((code, answer["trace"].as_array().unwrap().len()), (Some(0), 6));
+    assert_eq!(answer["trace"][2]["changed"], serde_json::json!({"Q2": 10.0}));
+}
+
+#[test]
+fn json_has_everything() {
+    let shop = Shop::new();
+    let (code, answer) = json(&[&shop.path("fit_main.h"), "--workpiece", &shop.path("rework.toml")]);
+    assert_eq!((code, &answer["status"]), (Some(10), &Value::from("REWORK")));
+    assert_eq!(answer["parameters"]["QS2"], "25 H7");
+    assert_eq!(answer["windows"][0]["mask"], r"TNC:\fitcheck\status_en.a");
+    assert_eq!(answer["cycles"][0]["results"]["Q153"], 24.99);
+    assert_eq!(answer["pauses"], serde_json::json!(["the program has stopped: STOP or M0"]));
+    assert_eq!(answer["faults"], serde_json::json!([]));
+    // A fault does not take away what was found before it.
+    let program = shop.program("Q1 = 5\nQ2 = Q9");
+    let (code, answer) = json(&[&program]);
+    assert_eq!((code, &answer["parameters"]["Q1"]), (Some(1), &Value::from(5.0)));
+    assert_eq!(
+        answer["faults"],
+        serde_json::json!([{
+            "program": r"TNC:\own.h", "line": 3, "number": null, "text": "Q2 = Q9", "message": "Q9 is undefined",
+        }])
+    );
+}
+
+#[test]
+fn contacts_come_from_a_file_too() {
+    let shop = Shop::new();
+    let contacts = shop.file("c.csv", "x,y,z\n52.51,30,-8\n40,42.51,-8\n27.49,30,-8\n40,17.49,-8\n");
+    let (code, answer) = json(&[&shop.path("fit_main.h"), "--contacts", &contacts]);
+    assert_eq!((code, &answer["parameters"]["Q153"]), (Some(0), &Value::from(25.02)));
+}
+
+#[track_caller]
+fn check_stopped(args: &[&str], expected: &str) {
+    let said = fitcheck(args);
+    assert_eq!((said.code, said.err.as_str()), (Some(1), format!("fitcheck: {expected}\n").as_str()));
+}
+
+#[test]
+fn what_could_do_harm_is_stopped_with_its_own_message() {
+    let shop = Shop::new();
+    let run = |blocks: &str, expected: &str| check_stopped(&[&shop.program(blocks)], expected);
+    let endless = shop.program("LBL 1\nFN 9: IF +0 EQU +0 GOTO LBL 1");
+    check_stopped(
+        &[&endless, "--max-blocks", "1000"],
+        r"TNC:\own.h, line 3, FN 9: IF +0 EQU +0 GOTO LBL 1: the run has used up its 1000 blocks: does it loop for ever?",
+    );
+    run(
+        "CALL PGM own.h",
+        r"TNC:\own.h, line 2, CALL PGM own.h: 10 calls of programs are within one another, one more is not allowed: does the program call itself?",
+    );
+    run(
+        "LBL 1\nCALL LBL 1",
+        r"TNC:\own.h, line 3, CALL LBL 1: 20 calls of labels are within one another, one more is not allowed: does the program call itself?",
+    );
+    run(r"CALL PGM ..\secret.h", r"TNC:\own.h, line 2, CALL PGM ..\secret.h: ..\secret.h leads out of the folder");
+    run(
+        "FN 16: F-PRINT status_en.a / C:\\out.txt",
+        r"TNC:\own.h, line 2, FN 16: F-PRINT status_en.a / C:\out.txt: C:\out.txt is no path on TNC: and none from the program's folder",
+    );
+    run(
+        "QS1 = \"0123456789\"\nLBL 1\nQS1 = QS1 || QS1\nFN 9: IF +0 EQU +0 GOTO LBL 1",
+        r"TNC:\own.h, line 4, QS1 = QS1 || QS1: the text has 320 characters, a parameter holds at most 255",
+    );
+    shop.file("broken.h", "\u{1}\u{2}\u{3}\u{4}");
+    run(
+        "CALL PGM broken.h",
+        r"TNC:\own.h, line 2, CALL PGM broken.h: TNC:\broken.h: the file is no text: 4 of its 4 bytes are no characters",
+    );
+    let cut_off = shop.file("cut.h", "BEGIN PGM cut MM\nQ1 = 1\n");
+    let said = fitcheck(&[&cut_off, "--trace"]);
+    assert_eq!(said.out, "cut.h:1  BEGIN PGM cut MM\ncut.h:2  Q1 = 1\n    Q1 = 1\n");
+    assert!(said.err.ends_with("fitcheck: TNC:\\cut.h, line 2, Q1 = 1: the program is broken: END PGM is missing\n"));
+    let broken = shop.path("broken.h");
+    check_stopped(&[&broken], "broken.h: the file is no text: 4 of its 4 bytes are no characters");
+}
+
+#[test]
+fn unknown_blocks_stop_or_are_passed_over() {
+    let shop = Shop::new();
+    let zoo = shop.path("syntax_zoo.h");
+    check_stopped(
+        &[&zoo],
+        r"TNC:\syntax_zoo.h, block 45, FN 18: SYSREAD Q40 = ID270 NR1 IDX1: this block is not known here: nothing is run that is not understood",
+    );
+    let said = fitcheck(&[&zoo, "--skip-unknown"]);
+    assert_eq!(said.code, Some(0));
+    assert_eq!(said.err, "note: syntax_zoo.h:47: the block is not known here and was passed over\n");
+    let said = fitcheck(&[&zoo, "--skip-unknown", "--language", "nl"]);
+    assert_eq!(said.err, "note: syntax_zoo.h:47: de NC-regel is hier niet bekend en is overgeslagen\n");
+}
+
+#[test]
+fn outputs_go_below_the_output_folder_only() {
+    let shop = Shop::new();
+    shop.file("m.a", "\"one\";\nM_CLOSE;\n");
+    let program = shop.program(r"FN 16: F-PRINT m.a / TNC:\logs\out.txt");
+    let said = fitcheck(&[&program]);
+    assert_eq!(
+        (said.code, said.err.as_str()),
+        (Some(0), "note: own.h:2: TNC:\\logs\\out.txt was not written: no folder was chosen for outputs\n")
+    );
+    let out = shop.folder.path().join("out");
+    std::fs::create_dir(&out).unwrap();
+    let said = fitcheck(&[&program, "--output-folder", &out.display().to_string()]);
+    assert_eq!((said.code, said.err.as_str()), (Some(0), "wrote TNC:\\logs\\out.txt\n"));
+    assert_eq!(std::fs::read(out.join("logs/out.txt")).unwrap(), b"one\r\n");
+}
+
+#[test]
+fn programs_and_tables_may_lie_in_other_folders() {
+    let shop = Shop::new();
+    let other = tempfile::tempdir().unwrap();
+    let main = other.path().join("fit_main.h");
+    std::fs::copy(samples().join("programs/fit_main.h"), &main).unwrap();
+    let main = main.display().to_string();
+    check_stopped(
+        &[&main],
+        r"TNC:\fit_main.h, block 11, CALL PGM TNC:\fitcheck\fit_check.h: there is no file TNC:\fitcheck\fit_check.h",
+    );
+    assert_eq!(fitcheck(&[&main, "--folder", &shop.path("")]).code, Some(0));
+}
+
+#[test]
+fn the_probe_comes_from_a_table() {
+    let shop = Shop::new();
+    let table = samples().join("tables/tchprobe.tp").display().to_string();
+    let said = fitcheck(&[&shop.path("fit_main.h"), "--probe-table", &table]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    assert_eq!(said.err, "note: fit_check.h:34: tool TOUCH_PROBE is not in the touch-probe table: probe 1 was used\n");
+}
+
+#[test]
+fn wrong_usage_is_told_apart_from_bad_data() {
+    let shop = Shop::new();
+    let main = shop.path("fit_main.h");
+    assert_eq!(fitcheck(&[]).code, Some(2));
+    assert_eq!(fitcheck(&[&main, "--workpiece", "a", "--contacts", "b"]).code, Some(2));
+    check_stopped(&["none.h"], "no such file or folder: none.h");
+    check_stopped(&[&main, "--set", "Q1=x"], "--set Q1=x: this is no number");
+    check_stopped(
+        &[&main, "--set", "R1=1"],
+        "--set R1=1: R1 is no parameter, allowed are Q, QL, QR and QS with a number",
+    );
+    check_stopped(&[&main, "--set", "Q2000=1"], "--set Q2000=1: there is no parameter Q2000");
+    check_stopped(&[&main, "--folder", "none"], "no such folder: none");
+}

@@ -1,0 +1,364 @@
+//! The program page without a window: what is open, what a run does slice by slice, and when it is cleared.
+
+#![cfg(test)]
+
+use std::path::PathBuf;
+
+use fitcheck::control::machine::BlockPlace;
+use fitcheck::control::variables::{Parameter, Value};
+use fitcheck::session::program::{
+    Agreement, BlockStep, Document, Input, ProblemKind, Run, Speed, State, Switch, WorkpieceFrom,
+};
+use fitcheck::session::{Command, Effect, Page, ProgramCommand, ProgramField, Purpose, Session};
+use fitcheck::verdict::Status;
+use fitcheck::words::{Language, Message, Words};
+use jiff::civil::{DateTime, date};
+
+fn now() -> DateTime {
+    date(2026, 11, 21).at(10, 42, 7, 0)
+}
+
+fn session() -> Session {
+    let mut session = Session::new(Language::En);
+    session.apply(Command::OpenPage(Page::Program), now());
+    session
+}
+
+fn send(session: &mut Session, command: ProgramCommand) {
+    assert_eq!(session.apply(Command::Program(command), now()), []);
+}
+
+/// Opens a program as the window does once its file was read.
+fn opened(body: &str) -> Session {
+    let mut session = session();
+    let text = format!("BEGIN PGM x MM\n{body}\nEND PGM x MM\n");
+    let (document, warnings) = Document::read("x.h", text.as_bytes()).unwrap();
+    let result = Ok((Box::new(document), warnings));
+    send(&mut session, ProgramCommand::Read { path: PathBuf::from("x.h"), result });
+    session
+}
+
+fn type_text(session: &mut Session, field: ProgramField, text: &str) {
+    send(session, ProgramCommand::Type(field, text.to_owned()));
+}
+
+fn run(session: &Session) -> &Run {
+    session.program().run().unwrap()
+}
+
+fn said(message: &Message) -> String {
+    Words::new(Language::En).say(message)
+}
+
+fn state(session: &Session) -> String {
+    said(&session.program().state_message())
+}
+
+fn block(session: &Session) -> usize {
+    run(session).place().unwrap().block
+}
+
+fn number(session: &Session, parameter: Parameter) -> Option<f64> {
+    match run(session).variables().get(parameter)? {
+        Value::Number(number) => Some(*number),
+        Value::Length(length) => Some(length.to_mm_f64()),
+        Value::Text(_) => None,
+    }
+}
+
+#[test]
+fn the_shipped_program_of_the_language_is_open() {
+    for (language, name) in [(Language::En, "8255_en.h"), (Language::Nl, "8255_nl.h")] {
+        let mut session = Session::new(language);
+        assert!(session.program().main().is_none(), "nothing is read before the page is opened");
+        session.apply(Command::OpenPage(Page::Program), now());
+        assert_eq!(session.program().main().unwrap().title(), name);
+        let inputs: Vec<_> = session.program().inputs().collect();
+        assert_eq!(inputs, Input::ALL);
+        assert_eq!(session.program().text(ProgramField::Input(Input::Size)), "25");
+        assert_eq!(session.program().text(ProgramField::Input(Input::Class)), "H7");
+    }
+}
+
+#[test]
+fn every_shipped_program_runs_and_agrees() {
+    let mut session = session();
+    for (_, name) in fitcheck::session::program::SHIPPED {
+        send(&mut session, ProgramCommand::OpenShipped(name));
+        for (size, class) in [("25", "H7"), ("25", "g6"), ("400", "H11"), ("3", "js6"), ("0.5", "M7")] {
+            type_text(&mut session, ProgramField::Input(Input::Size), size);
+            type_text(&mut session, ProgramField::Input(Input::Class), class);
+            send(&mut session, ProgramCommand::Run);
+            assert_eq!(session.program_agreement(), Some(Agreement::Agrees), "{name} {size} {class}");
+            assert_eq!(run(&session).status(), Some(Status::Good), "{name} {size} {class}");
+            send(&mut session, ProgramCommand::Run);
+            assert_eq!(run(&session).state(), State::Ended);
+        }
+    }
+}
+
+#[test]
+fn limits_belong_to_the_zone_and_a_nanometre_more_does_not_in_both_answers() {
+    let mut session = session();
+    send(&mut session, ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Given));
+    for (class, diameter, status) in [
+        ("H7", "25", Status::Good),
+        ("H7", "25.021", Status::Good),
+        ("H7", "24.999999", Status::Rework),
+        ("H7", "25.021001", Status::Scrap),
+        ("g6", "24.993", Status::Good),
+        ("g6", "24.98", Status::Good),
+        ("g6", "24.993001", Status::Rework),
+        ("g6", "24.979999", Status::Scrap),
+    ] {
+        type_text(&mut session, ProgramField::Input(Input::Class), class);
+        type_text(&mut session, ProgramField::Diameter, diameter);
+        send(&mut session, ProgramCommand::Run);
+        assert_eq!(run(&session).status(), Some(status), "{class} {diameter}");
+        assert_eq!(session.program_verdict().map(|(_, verdict)| verdict.status), Some(status), "{class} {diameter}");
+        assert_eq!(session.program_agreement(), Some(Agreement::Agrees), "{class} {diameter}");
+    }
+}
+
+#[test]
+fn the_workpiece_may_lie_beside_its_place() {
+    let mut session = session();
+    send(&mut session, ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Given));
+    for (field, text) in
+        [(ProgramField::Diameter, "25.01"), (ProgramField::WorkpieceX, "40.1"), (ProgramField::WorkpieceY, "29.95")]
+    {
+        type_text(&mut session, field, text);
+    }
+    send(&mut session, ProgramCommand::Run);
+    assert_eq!(number(&session, Parameter::q(151)).map(|x| (x * 1e6).round() / 1e6), Some(40.1));
+    assert_eq!(number(&session, Parameter::q(152)).map(|y| (y * 1e6).round() / 1e6), Some(29.95));
+}
+
+#[test]
+fn a_program_that_differs_says_in_what() {
+    // A maximum that is wrong by a micrometre, and a verdict that follows it.
+    let mut session = opened(
+        "Q1 = 25\nDECLARE STRING QS1 = \"H7\"\nCALL LBL 1\nQ23 = 25.022\nQ33 = 25\nTCH PROBE 421 X ~\nQ273=+0 ~\nQ274=+0 ~\n\
+        Q262=+25 ~\nQ325=+0 ~\nQ247=+90 ~\nQ261=-5 ~\nQ320=+2 ~\nQ260=+50 ~\nQ301=+0 ~\nQ275=+Q23 ~\nQ276=+Q33 ~\nQ279=+0 ~\n\
+        Q280=+0 ~\nQ281=+0 ~\nQ309=+0 ~\nQ330=+0\nM30\nLBL 1\nLBL 0",
+    );
+    assert!(session.program().has_inputs());
+    send(&mut session, ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Given));
+    type_text(&mut session, ProgramField::Diameter, "25.0215");
+    send(&mut session, ProgramCommand::Run);
+    assert_eq!(state(&session), "Ended after 10 blocks");
+    let Some(Agreement::Differs(differences)) = session.program_agreement() else { panic!("no difference") };
+    let differences: Vec<_> = differences.iter().map(said).collect();
+    assert_eq!(differences, ["its maximum is 25.022 mm, Fitcheck’s 25.021 mm", "it says GOOD, Fitcheck says SCRAP"]);
+}
+
+#[test]
+fn any_changed_input_clears_the_run() {
+    let mut session = session();
+    let changes = [
+        ProgramCommand::Type(ProgramField::Input(Input::Clearance), "3".to_owned()),
+        ProgramCommand::Type(ProgramField::Diameter, "25.01".to_owned()),
+        ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Perfect),
+        ProgramCommand::Switch(Switch::SkipUnknown, true),
+        ProgramCommand::Reset,
+        ProgramCommand::OpenShipped("8255_de.h"),
+    ];
+    for change in changes {
+        send(&mut session, ProgramCommand::Run);
+        assert!(session.program().run().is_some());
+        send(&mut session, change.clone());
+        assert!(session.program().run().is_none(), "{change:?}");
+        assert_eq!(state(&session), "Ready to run");
+        assert_eq!(session.program().shown().unwrap().path(), session.program().main().unwrap().path());
+    }
+    send(&mut session, ProgramCommand::Run);
+    type_text(&mut session, ProgramField::Filter, "Q1");
+    assert!(session.program().run().is_some(), "looking changes nothing");
+}
+
+#[test]
+fn an_unreadable_input_keeps_the_program_from_running() {
+    let mut session = session();
+    let field = ProgramField::Input(Input::Height);
+    type_text(&mut session, field, "deep");
+    assert_eq!(
+        session.program().error(field).map(said).as_deref(),
+        Some("Q261 MEASURING HEIGHT: deep is not a number")
+    );
+    for command in [ProgramCommand::Run, ProgramCommand::Step] {
+        send(&mut session, command);
+        assert!(session.program().run().is_none());
+        assert_eq!(state(&session), "An input cannot be read");
+    }
+    type_text(&mut session, field, "-3");
+    assert_eq!(state(&session), "Ready to run");
+}
+
+#[test]
+fn a_loop_runs_in_slices_and_pauses_where_it_is() {
+    let mut session = opened("LBL 1\nQ1 = 1\nFN 9: IF +0 EQU +0 GOTO LBL 1");
+    send(&mut session, ProgramCommand::Run);
+    assert!(session.program().is_running());
+    assert_eq!(run(&session).blocks_run(), 2_000);
+    send(&mut session, ProgramCommand::Tick);
+    assert_eq!(run(&session).blocks_run(), 4_000);
+    send(&mut session, ProgramCommand::SetSpeed(Speed::Slow));
+    send(&mut session, ProgramCommand::Tick);
+    assert_eq!(run(&session).blocks_run(), 4_001);
+    send(&mut session, ProgramCommand::Pause);
+    assert_eq!((state(&session).as_str(), run(&session).state()), ("Paused", State::Paused));
+    send(&mut session, ProgramCommand::Tick);
+    assert_eq!(run(&session).blocks_run(), 4_001);
+}
+
+#[test]
+fn an_endless_loop_ends_by_its_budget() {
+    let mut session = opened("LBL 1\nFN 9: IF +0 EQU +0 GOTO LBL 1");
+    send(&mut session, ProgramCommand::Run);
+    while session.program().is_running() {
+        send(&mut session, ProgramCommand::Tick);
+    }
+    assert_eq!(run(&session).state(), State::Faulted);
+    let problem = session.program().problem(0).unwrap();
+    assert!(said(&problem.message).contains("has used up its 10000000 blocks"), "{}", said(&problem.message));
+}
+
+#[test]
+fn breakpoints_hold_at_every_place_of_a_slice() {
+    // The second round of the loop ends one block before the border between two parts of a slice.
+    let mut session = opened("LBL 1\nQ1 = 1\nQ1 = 2\nQ1 = 3\nFN 9: IF +0 EQU +0 GOTO LBL 1");
+    send(&mut session, ProgramCommand::ToggleBreakpoint(Some(3)));
+    assert!(session.program().has_breakpoint(3));
+    for round in 0..150 {
+        send(&mut session, ProgramCommand::Run);
+        assert_eq!(state(&session), "Paused at a breakpoint");
+        assert_eq!((block(&session), run(&session).blocks_run()), (3, 3 + round * 5));
+    }
+    send(&mut session, ProgramCommand::ToggleBreakpoint(None));
+    assert!(!session.program().has_breakpoint(3), "the block of the pause is selected");
+    send(&mut session, ProgramCommand::Run);
+    assert!(session.program().is_running());
+}
+
+#[test]
+fn a_breakpoint_in_the_middle_of_a_long_way_is_not_missed() {
+    for wanted in [99, 100, 101, 199, 200, 201, 1_999, 2_000, 2_001] {
+        let body = "Q1 = 1\n".repeat(2_500);
+        let mut session = opened(body.trim_end());
+        send(&mut session, ProgramCommand::ToggleBreakpoint(Some(wanted)));
+        send(&mut session, ProgramCommand::Run);
+        while session.program().is_running() {
+            send(&mut session, ProgramCommand::Tick);
+        }
+        assert_eq!(state(&session), "Paused at a breakpoint", "{wanted}");
+        assert_eq!(block(&session), wanted);
+    }
+}
+
+#[test]
+fn to_the_cursor_and_over_a_call() {
+    let mut session = opened("Q1 = 1\nCALL LBL 7\nQ2 = 1\nM30\nLBL 7\nQ3 = 1\nLBL 0");
+    send(&mut session, ProgramCommand::Select(2));
+    send(&mut session, ProgramCommand::RunToSelected);
+    assert_eq!((block(&session), state(&session).as_str()), (2, "Paused at the cursor"));
+    send(&mut session, ProgramCommand::StepOver);
+    assert_eq!((block(&session), state(&session).as_str()), (3, "Paused behind the call"));
+    assert_eq!(number(&session, Parameter::q(3)), Some(1.0));
+    // A block that calls nothing is one step.
+    send(&mut session, ProgramCommand::StepOver);
+    assert_eq!(block(&session), 4);
+    send(&mut session, ProgramCommand::Select(2));
+    send(&mut session, ProgramCommand::RunToSelected);
+    assert_eq!(run(&session).state(), State::Ended, "it is not reached again");
+    // A run that is over begins anew.
+    send(&mut session, ProgramCommand::Run);
+    assert_eq!(run(&session).state(), State::Ended);
+    assert_eq!(run(&session).blocks_run(), 8);
+}
+
+#[test]
+fn only_what_the_last_command_changed_is_marked() {
+    let mut session = opened("Q1 = 1\nQ2 = 1\nQ2 = 1\nQ3 = 5");
+    let changed = |session: &Session| -> Vec<_> {
+        let watched = session.program().watched();
+        watched.iter().filter(|watched| watched.is_changed).map(|watched| watched.parameter.to_string()).collect()
+    };
+    for expected in [&[][..], &["Q1"], &["Q2"], &[], &["Q3"]] {
+        send(&mut session, ProgramCommand::Step);
+        assert_eq!(changed(&session), expected);
+    }
+    send(&mut session, ProgramCommand::Reset);
+    send(&mut session, ProgramCommand::Run);
+    assert_eq!(changed(&session), ["Q1", "Q2", "Q3"]);
+}
+
+#[test]
+fn problems_name_their_block() {
+    let mut session = opened("5 Q1 = 1\nCP IPA+360 DR+\n3 Q2 = 0\nQ3 = Q1 / Q2");
+    send(&mut session, ProgramCommand::Switch(Switch::SkipUnknown, true));
+    send(&mut session, ProgramCommand::Run);
+    let problems: Vec<_> = (0..session.program().problem_count())
+        .filter_map(|number| session.program().problem(number))
+        .map(|problem| (problem.kind, problem.place.block))
+        .collect();
+    assert_eq!(problems.first(), Some(&(ProblemKind::Fault, 4)), "{problems:?}");
+    assert_eq!(problems.get(1), Some(&(ProblemKind::Remark, 2)), "{problems:?}");
+    // Block number 3 behind block number 5.
+    assert_eq!(problems.get(2), Some(&(ProblemKind::Warning, 3)), "{problems:?}");
+    assert!(session.program().problem(problems.len()).is_none());
+    let place = session.program().problem(1).unwrap().place;
+    send(&mut session, ProgramCommand::GoTo(place));
+    assert_eq!(session.program().shown().unwrap().selected(), 2);
+}
+
+#[test]
+fn the_selection_stays_within_the_program() {
+    let mut session = opened("Q1 = 1");
+    for (step, expected) in [
+        (BlockStep::Up, 0),
+        (BlockStep::PageDown, 2),
+        (BlockStep::Down, 2),
+        (BlockStep::First, 0),
+        (BlockStep::Last, 2),
+        (BlockStep::PageUp, 0),
+    ] {
+        send(&mut session, ProgramCommand::Move(step));
+        assert_eq!(session.program().shown().unwrap().selected(), expected, "{step:?}");
+    }
+    send(&mut session, ProgramCommand::Select(99));
+    assert_eq!(session.program().shown().unwrap().selected(), 2);
+    send(&mut session, ProgramCommand::ToggleBreakpoint(Some(99)));
+    let elsewhere = BlockPlace { program: session.program().main().unwrap().path().clone(), block: 99 };
+    send(&mut session, ProgramCommand::GoTo(elsewhere));
+    assert_eq!(session.program().shown().unwrap().selected(), 2);
+}
+
+#[test]
+fn the_outline_holds_headings_and_labels() {
+    let session = opened("* - one\n* -   two\nLBL 5\nLBL \"NAME\"\nLBL 0");
+    let document = session.program().main().unwrap();
+    let entries: Vec<_> = document.outline().iter().map(|entry| (entry.block, entry.text.as_str())).collect();
+    assert_eq!(entries, [(1, "one"), (2, "two"), (3, "LBL 5"), (4, "LBL \"NAME\"")]);
+    assert_eq!((document.under(0), document.under(2), document.under(6)), (None, Some(1), Some(3)));
+}
+
+#[test]
+fn a_program_is_opened_by_the_dialog() {
+    let mut session = session();
+    session.apply(Command::OpenDialog(Purpose::OpenProgram), now());
+    let effects = session.apply(Command::Picked(Some(PathBuf::from("/parts/a.h"))), now());
+    assert_eq!(effects, [Effect::ReadProgram(PathBuf::from("/parts/a.h"))]);
+    let problem = Message::new("program-empty");
+    send(&mut session, ProgramCommand::Read { path: PathBuf::from("/parts/a.h"), result: Err(problem.clone()) });
+    assert_eq!(session.dialog().unwrap().problem, Some(problem));
+    assert_eq!(session.program().main().unwrap().title(), "8255_en.h");
+    assert!(session.program().recent().is_empty());
+}
+
+#[test]
+fn recorded_contacts_are_asked_for() {
+    let mut session = session();
+    send(&mut session, ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Recorded));
+    assert!(session.dialog().is_some());
+    assert_eq!(session.program().workpiece(), WorkpieceFrom::Perfect);
+}

@@ -1,0 +1,510 @@
+//! The program page: the shipped program opened, filled in, stepped, run and read, by label and key.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Theme, Vec2, ViewportId, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::gui::App;
+use fitcheck::session::Page;
+use fitcheck::session::program::Run;
+use fitcheck::verdict::Status;
+use fitcheck::words::Language;
+
+use crate::dialogs::Dropped;
+use crate::harness::{DESK, Window, type_into};
+use crate::pictures::can_paint;
+
+type Harnessed = Harness<'static, App>;
+
+fn open(window: Window) -> Harnessed {
+    let mut page = window.open();
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num5);
+    page.run();
+    assert_eq!(page.state().session().page(), Page::Program);
+    page
+}
+
+fn page() -> Harnessed {
+    open(Window::default())
+}
+
+fn click(page: &mut Harnessed, role: Role, label: &str) {
+    page.get_by_role_and_label(role, label).click_accesskit();
+    page.run();
+}
+
+fn key(page: &mut Harnessed, modifiers: Modifiers, key: Key) {
+    page.key_press_modifiers(modifiers, key);
+    page.run();
+}
+
+fn press(page: &mut Harnessed, pressed: Key) {
+    key(page, Modifiers::NONE, pressed);
+}
+
+/// Opens a file by its typed path.
+fn open_file(page: &mut Harnessed, path: &Path) {
+    key(page, Modifiers::COMMAND, Key::O);
+    page.get_by_role_and_label(Role::TextInput, "File").type_text(&path.display().to_string());
+    page.run();
+    press(page, Key::Enter);
+}
+
+fn put(path: &Path, text: &str) {
+    use std::io::Write as _;
+    std::fs::File::create(path).unwrap().write_all(text.as_bytes()).unwrap();
+}
+
+/// A program in a folder of its own.
+fn program(folder: &Path, name: &str, body: &str) -> PathBuf {
+    let path = folder.join(name);
+    let stem = name.trim_end_matches(".h");
+    put(&path, &format!("BEGIN PGM {stem} MM\n{body}\nEND PGM {stem} MM\n"));
+    path
+}
+
+/// What the page says, region by region.
+fn said(page: &Harnessed) -> Vec<String> {
+    let regions = page.get_all_by_role(Role::Status);
+    regions.filter_map(|node| node.accesskit_node().label()).collect()
+}
+
+#[track_caller]
+fn says(page: &Harnessed, wanted: &str) {
+    let said = said(page);
+    assert!(said.iter().any(|said| said.contains(wanted)), "{wanted}: {said:?}");
+}
+
+fn run(page: &Harnessed) -> &Run {
+    page.state().session().program().run().unwrap()
+}
+
+/// Selects a block by how its line begins.
+fn select(page: &mut Harnessed, line: &str) {
+    page.get_by(|node| node.role() == Role::ListItem && node.label().is_some_and(|label| label.starts_with(line)))
+        .click_accesskit();
+    page.run();
+}
+
+#[test]
+fn the_shipped_program_runs_to_the_end_and_agrees() {
+    let mut page = page();
+    page.get_by_role_and_label(Role::List, "8255_en.h, 15 blocks");
+    says(&page, "Ready to run");
+    press(&mut page, Key::F5);
+    says(&page, "The program stopped itself");
+    page.get_by_label_contains("FIT STATUS");
+    press(&mut page, Key::F5);
+    says(&page, "Ended after");
+    says(&page, "GOOD");
+    says(&page, "The program agrees with Fitcheck");
+    assert_eq!(run(&page).status(), Some(Status::Good));
+}
+
+/// The parameters in sight, as a screen reader hears them.
+fn parameters(page: &Harnessed) -> Vec<String> {
+    let labels = page.get_all_by_role(Role::Label).filter_map(|node| node.accesskit_node().value());
+    labels.filter(|label| label.starts_with('Q') && label.contains(" = ")).collect()
+}
+
+/// The line of the block that runs next.
+fn current(page: &Harnessed) -> String {
+    let lines = page.get_all_by_role(Role::ListItem).filter_map(|node| node.accesskit_node().label());
+    lines.filter(|label| label.ends_with("next block")).collect()
+}
+
+#[test]
+fn single_blocks_show_what_they_change() {
+    let mut page = page();
+    type_into(&mut page, "Q1 Nominal size", "30,5");
+    type_into(&mut page, "QS1 Class", "g6");
+    for _ in 0..4 {
+        press(&mut page, Key::F10);
+    }
+    says(&page, "Single block");
+    assert_eq!(current(&page), "4  DECLARE STRING QS1 = \"H7\" ;TOLERANCE CLASS, next block");
+    press(&mut page, Key::F10);
+    press(&mut page, Key::F10);
+    assert_eq!(current(&page), "6  Q21 = 30 ;MEASURING CENTRE Y, next block");
+    let parameters = parameters(&page);
+    assert!(parameters.contains(&"Q1 NOMINAL SIZE = 30.5".to_owned()), "{parameters:?}");
+    assert!(parameters.contains(&"Q11 MEASURING CENTRE X = 40, changed".to_owned()), "{parameters:?}");
+    assert!(parameters.contains(&"QS1 TOLERANCE CLASS = \"g6\"".to_owned()), "{parameters:?}");
+}
+
+#[test]
+fn a_value_that_cannot_be_read_is_said_beside_its_field_and_nothing_runs() {
+    let mut page = page();
+    type_into(&mut page, "Q1 Nominal size", "25..5");
+    page.get_by_label_contains("25..5");
+    press(&mut page, Key::F5);
+    says(&page, "An input cannot be read");
+    assert!(page.state().session().program().run().is_none());
+    type_into(&mut page, "Q1 Nominal size", "0");
+    page.get_by_label_contains("is not above 0");
+}
+
+#[test]
+fn a_breakpoint_in_the_called_program_is_reached_and_left() {
+    let mut page = page();
+    // Into the called program, to set the breakpoint there.
+    for _ in 0..12 {
+        press(&mut page, Key::F10);
+    }
+    page.get_by_role_and_label(Role::Button, "82551_en.h");
+    select(&mut page, "19 Q22 = Q22 + 2");
+    press(&mut page, Key::F9);
+    page.get_by_label("19 Q22 = Q22 + 2, breakpoint");
+    key(&mut page, Modifiers::SHIFT, Key::F5);
+    says(&page, "Ready to run");
+    page.get_by_role_and_label(Role::List, "8255_en.h, 15 blocks");
+    press(&mut page, Key::F5);
+    says(&page, "Paused at a breakpoint");
+    page.get_by_label("19 Q22 = Q22 + 2, breakpoint, next block");
+    let before = run(&page).blocks_run();
+    press(&mut page, Key::F5);
+    says(&page, "Paused at a breakpoint");
+    // Once round the loop that looks for the size range.
+    assert_eq!(run(&page).blocks_run() - before, 6);
+    press(&mut page, Key::F9);
+    press(&mut page, Key::F5);
+    says(&page, "The program stopped itself");
+}
+
+#[test]
+fn the_run_goes_to_the_cursor_and_over_a_call() {
+    let mut page = page();
+    select(&mut page, "11 CALL PGM");
+    key(&mut page, Modifiers::COMMAND, Key::F10);
+    says(&page, "Paused at the cursor");
+    assert!(current(&page).starts_with("11 CALL PGM 82551_en.h"));
+    key(&mut page, Modifiers::SHIFT, Key::F10);
+    says(&page, "Paused behind the call");
+    assert!(current(&page).starts_with("12 STOP"));
+    says(&page, "GOOD");
+}
+
+#[test]
+fn the_listing_is_walked_by_key() {
+    let mut page = page();
+    select(&mut page, "3  Q1");
+    for (pressed, line) in [(Key::ArrowDown, 4), (Key::ArrowUp, 3), (Key::End, 14), (Key::Home, 0)] {
+        press(&mut page, pressed);
+        assert_eq!(page.state().session().program().shown().unwrap().selected(), line, "{pressed:?}");
+    }
+}
+
+#[test]
+fn a_scrap_workpiece_is_scrap_in_both_answers() {
+    let mut page = page();
+    click(&mut page, Role::ComboBox, "Workpiece");
+    click(&mut page, Role::Button, "perfect, diameter given");
+    type_into(&mut page, "True diameter", "25.05");
+    press(&mut page, Key::F5);
+    says(&page, "SCRAP. 25.0500 mm");
+    page.get_by_label_contains("FIT STATUS: SCRAP");
+    says(&page, "The program agrees with Fitcheck");
+    assert_eq!(run(&page).status(), Some(Status::Scrap));
+    // Any other workpiece clears the verdict.
+    type_into(&mut page, "True diameter", "25.01");
+    says(&page, "Ready to run");
+    assert!(page.query_by_label_contains("FIT STATUS").is_none());
+    press(&mut page, Key::F5);
+    says(&page, "GOOD. 25.0100 mm");
+}
+
+#[test]
+fn the_simulated_workpiece_is_that_of_the_cycles_page() {
+    let mut page = page();
+    click(&mut page, Role::ComboBox, "Workpiece");
+    click(&mut page, Role::Button, "simulated");
+    click(&mut page, Role::Button, "Workpiece and probe…");
+    click(&mut page, Role::Button, "Fit to cycle");
+    click(&mut page, Role::Button, "Close");
+    press(&mut page, Key::F5);
+    says(&page, "GOOD");
+    says(&page, "The program agrees with Fitcheck");
+    let bench = page.state().session().cycles().bench().bench().copied().unwrap();
+    assert!(format!("{:?}", bench.surface).contains("centre: [40.0, 30.0]"), "{bench:?}");
+}
+
+#[test]
+fn a_class_that_neither_knows_is_refused_by_both() {
+    let mut page = page();
+    type_into(&mut page, "QS1 Class", "I7");
+    page.get_by_label_contains("I7");
+    press(&mut page, Key::F5);
+    says(&page, "Stopped with an error");
+    says(&page, "Neither the program nor Fitcheck gives an answer");
+}
+
+#[test]
+fn a_size_beyond_the_tables_differs_and_says_how() {
+    let mut page = page();
+    type_into(&mut page, "Q1 Nominal size", "450");
+    press(&mut page, Key::F5);
+    says(&page, "The program differs: it stopped with an error");
+}
+
+#[test]
+fn an_error_is_shown_and_a_click_goes_to_its_block() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut body = "Q1 = 5\nQ2 = 0\n".to_owned();
+    for _ in 0..100 {
+        body += "Q3 = 1\n";
+    }
+    let path = program(folder.path(), "fault.h", &(body + "Q4 = Q1 / Q2"));
+    let mut page = page();
+    open_file(&mut page, &path);
+    page.get_by_role_and_label(Role::List, "fault.h, 105 blocks");
+    press(&mut page, Key::F5);
+    says(&page, "Stopped with an error");
+    page.get_by_label("Q4 = Q1 / Q2, error here");
+    // Away from it, and back by the list of problems.
+    page.get_by_role(Role::List).focus();
+    page.run();
+    press(&mut page, Key::Home);
+    assert!(page.query_by_label("Q4 = Q1 / Q2, error here").is_none());
+    page.get_by(|node| {
+        node.role() == Role::Button && node.label().is_some_and(|label| label.contains("division by zero"))
+    })
+    .click();
+    page.run();
+    page.get_by_label("Q4 = Q1 / Q2, error here");
+    assert_eq!(page.state().session().program().shown().unwrap().selected(), 103);
+}
+
+#[test]
+fn an_unknown_block_stops_the_run_or_is_passed_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = program(folder.path(), "unknown.h", "Q1 = 5\nCP IPA+360 DR+\nQ2 = Q1 + 1");
+    let mut page = page();
+    open_file(&mut page, &path);
+    press(&mut page, Key::F5);
+    says(&page, "Stopped with an error");
+    click(&mut page, Role::Button, "Options");
+    click(&mut page, Role::CheckBox, "Pass over unknown blocks");
+    says(&page, "Ready to run");
+    press(&mut page, Key::F5);
+    says(&page, "Ended after 5 blocks");
+    page.get_by_label_contains("was passed over");
+}
+
+#[test]
+fn values_are_given_filtered_and_pinned() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = program(folder.path(), "sum.h", "Q10 = Q5 + QL7 ;TOTAL");
+    let mut page = page();
+    open_file(&mut page, &path);
+    for (name, value) in [("Q5", "2,5"), ("ql7", "4")] {
+        type_into(&mut page, "Start with", name);
+        type_into(&mut page, "Value", value);
+        press(&mut page, Key::Enter);
+    }
+    type_into(&mut page, "Start with", "X5");
+    press(&mut page, Key::Enter);
+    page.get_by_label("X5 is no parameter: Q5, QL5, QR5 or QS5");
+    press(&mut page, Key::F5);
+    says(&page, "Ended after");
+    page.get_by_label("Q10 TOTAL = 6.5, changed");
+    type_into(&mut page, "Filter", "total");
+    assert_eq!(parameters(&page), ["Q10 TOTAL = 6.5, changed"]);
+    click(&mut page, Role::Button, "Keep Q10 at the top");
+    type_into(&mut page, "Filter", "Q5");
+    assert_eq!(parameters(&page), ["Q10 TOTAL = 6.5, changed", "Q5  = 2.5"]);
+    click(&mut page, Role::Button, "Q5 = 2.5, take back");
+    says(&page, "Ready to run");
+}
+
+#[test]
+fn a_stop_and_a_skipped_block_are_switched() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = program(folder.path(), "stops.h", "Q1 = 1\nM1\n/Q1 = 2\nQ2 = Q1");
+    let mut page = page();
+    open_file(&mut page, &path);
+    for option in ["Pass over blocks with /", "Stop at M1"] {
+        click(&mut page, Role::Button, "Options");
+        click(&mut page, Role::CheckBox, option);
+        press(&mut page, Key::Escape);
+    }
+    press(&mut page, Key::F5);
+    says(&page, "M1");
+    press(&mut page, Key::F5);
+    says(&page, "Ended");
+    page.get_by_label("Q2  = 1, changed");
+}
+
+#[test]
+fn tables_and_called_programs_lie_beside_the_program_and_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    program(folder.path(), "sub.h", "Q7 = 42");
+    put(&folder.path().join("mask.a"), "\"VALUE %3.0LF\", Q7;\r\n");
+    let body = "CALL PGM sub.h\nFN 16: F-PRINT mask.a / out.txt\nFN 16: F-PRINT mask.a / SCREEN:";
+    let path = program(folder.path(), "main.h", body);
+    let mut page = page();
+    open_file(&mut page, &path);
+    press(&mut page, Key::F5);
+    says(&page, "Ended");
+    page.get_by_label_contains("VALUE  42");
+    page.get_by_label("TNC:\\out.txt");
+    assert!(!folder.path().join("out.txt").exists());
+}
+
+#[test]
+fn a_slow_run_goes_block_by_block_and_is_paused_by_escape() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = program(folder.path(), "loop.h", "LBL 1\nQ1 = 1\nFN 9: IF +0 EQU +0 GOTO LBL 1");
+    let mut page = page();
+    open_file(&mut page, &path);
+    click(&mut page, Role::ComboBox, "Speed");
+    click(&mut page, Role::Button, "20 blocks/s");
+    page.key_press(Key::F5);
+    page.run_steps(10);
+    says(&page, "Running");
+    let blocks = run(&page).blocks_run();
+    assert!((2..=12).contains(&blocks), "{blocks}");
+    page.key_press(Key::Escape);
+    page.run_steps(2);
+    says(&page, "Paused");
+    let blocks = run(&page).blocks_run();
+    page.run_steps(5);
+    assert_eq!(run(&page).blocks_run(), blocks);
+    let output = page.output();
+    assert_eq!(output.viewport_output[&ViewportId::ROOT].repaint_delay, std::time::Duration::MAX);
+}
+
+#[test]
+fn an_endless_loop_at_full_speed_leaves_the_window_alive() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = program(folder.path(), "loop.h", "LBL 1\nQ1 = 1\nFN 9: IF +0 EQU +0 GOTO LBL 1");
+    let mut page = page();
+    open_file(&mut page, &path);
+    page.key_press(Key::F5);
+    page.run_steps(5);
+    says(&page, "Running");
+    page.get_by_role_and_label(Role::Button, "Pause").click_accesskit();
+    page.run_steps(3);
+    says(&page, "Paused");
+    assert!(2_000 <= run(&page).blocks_run());
+}
+
+#[test]
+fn a_hundred_thousand_blocks_are_opened_and_walked() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut body = String::new();
+    for number in 1..=99_998 {
+        match number % 1_000 {
+            0 => writeln!(body, "{number} * - part {number}").unwrap(),
+            _ => writeln!(body, "{number} L X+{} Y-{number}", number % 100).unwrap(),
+        }
+    }
+    let path = program(folder.path(), "long.h", body.trim_end());
+    let mut page = page();
+    open_file(&mut page, &path);
+    page.get_by_role_and_label(Role::List, "long.h, 100000 blocks");
+    let rows = page.get_all_by_role(Role::ListItem).count();
+    assert!((10..80).contains(&rows), "{rows} rows");
+    page.get_by_role(Role::List).focus();
+    page.run();
+    press(&mut page, Key::End);
+    page.get_by_label("END PGM long MM");
+    assert!(page.get_all_by_role(Role::ListItem).count() < 80);
+    // By the outline.
+    click(&mut page, Role::ComboBox, "Go to");
+    page.get_by_role_and_label(Role::Button, "part 1000").click();
+    page.run();
+    page.get_by_label("1000 * - part 1000");
+}
+
+#[test]
+fn a_file_that_is_no_program_is_refused_in_the_dialog() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("empty.h");
+    put(&path, "");
+    let mut page = page();
+    open_file(&mut page, &path);
+    page.get_by_label_contains("the program is empty");
+    press(&mut page, Key::Escape);
+    page.get_by_role_and_label(Role::List, "8255_en.h, 15 blocks");
+}
+
+#[test]
+fn the_settled_page_asks_for_no_repaint() {
+    let mut page = page();
+    press(&mut page, Key::F5);
+    let output = page.output();
+    assert_eq!(output.viewport_output[&ViewportId::ROOT].repaint_delay, std::time::Duration::MAX);
+}
+
+#[test]
+fn programs_workpieces_and_contacts_are_dropped_on_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = page();
+    let drop = |page: &mut Harnessed, name: &str, text: &str| {
+        let path = folder.path().join(name);
+        put(&path, text);
+        page.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(path)));
+        page.run();
+    };
+    drop(&mut page, "bore.toml", "[bore]\ncentre = [40.0, 30.0]\ndiameter = 24.99\n[probe]\nball_radius = 3.0\n");
+    says(&page, "Ready to run");
+    press(&mut page, Key::F5);
+    says(&page, "REWORK. 24.99");
+    says(&page, "The program agrees with Fitcheck");
+    drop(&mut page, "bore.csv", "x,y,z\n52.505,30,-8\n40,42.505,-8\n27.495,30,-8\n40,17.495,-8\n");
+    says(&page, "Ready to run");
+    page.get_by_label("4 contacts from bore.csv");
+    press(&mut page, Key::F5);
+    says(&page, "GOOD. 25.0100 mm");
+    drop(&mut page, "own.h", "BEGIN PGM own MM\nQ1 = 2\nEND PGM own MM\n");
+    page.get_by_role_and_label(Role::List, "own.h, 3 blocks");
+}
+
+fn picture(name: &str, theme: Theme, size: Vec2, language: Language, steps: impl FnOnce(&mut Harnessed)) {
+    if !can_paint(name) {
+        return;
+    }
+    let mut page = open(Window { size, theme, language, ..Window::default() });
+    steps(&mut page);
+    page.remove_cursor();
+    page.run();
+    page.snapshot(name);
+}
+
+#[test]
+fn picture_after_the_run_in_light() {
+    picture("program_light", Theme::Light, DESK, Language::En, |page| {
+        press(page, Key::F5);
+    });
+}
+
+#[test]
+fn picture_within_the_called_program_in_dark() {
+    picture("program_dark", Theme::Dark, DESK, Language::En, |page| {
+        type_into(page, "Q1 Nominal size", "30");
+        type_into(page, "QS1 Class", "g6");
+        for _ in 0..20 {
+            press(page, Key::F10);
+        }
+    });
+}
+
+#[test]
+fn picture_of_the_small_window_in_dutch() {
+    picture("program_small", Theme::Light, vec2(1024.0, 600.0), Language::Nl, |page| {
+        press(page, Key::F5);
+    });
+}
+
+#[test]
+fn picture_of_an_error_in_light() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = program(folder.path(), "fault.h", "* - sums\nQ1 = 5\nQ2 = 0\nQ3 = Q1 / Q2\nCYCL DEF 7.0 DATUM\nSTOP");
+    picture("program_fault", Theme::Light, vec2(1024.0, 600.0), Language::En, |page| {
+        open_file(page, &path);
+        press(page, Key::F5);
+    });
+}
