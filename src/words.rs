@@ -88,8 +88,8 @@ macro_rules! files {
     };
 }
 
-const EN: [(&str, &str); 6] = files!("en": "tolerance" "probing" "control" "exchange" "report" "window");
-const NL: [(&str, &str); 6] = files!("nl": "tolerance" "probing" "control" "exchange" "report" "window");
+const EN: [(&str, &str); 7] = files!("en": "tolerance" "probing" "control" "exchange" "report" "window" "cycles-page");
+const NL: [(&str, &str); 7] = files!("nl": "tolerance" "probing" "control" "exchange" "report" "window" "cycles-page");
 
 /// A sentence without its language: the name of a text and what is put into it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -195,6 +195,11 @@ impl Words {
     /// The text of a name without arguments.
     pub fn get(&self, id: &str) -> String {
         self.format(id, None)
+    }
+
+    /// The text of a name without arguments, where there is one.
+    pub fn find(&self, id: &str) -> Option<String> {
+        self.bundle.has_message(id).then(|| self.get(id))
     }
 
     /// A sentence in this language.

@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `text` | bytes to lines: encodings and line ends |
+//! | `cycle_status` | the status window of a measuring cycle |
 //! | `variables` | Q, QL, QR and QS parameters |
 //! | `table` | freely definable tables `.TAB`, three header generations, read and written |
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
@@ -14,6 +15,7 @@
 //! | `cycle_log` | from a cycle's result to its log |
 
 pub mod cycle_log;
+pub mod cycle_status;
 pub mod deviations;
 pub mod log;
 pub mod log444;

@@ -40,11 +40,7 @@ pub fn status_variables(record: &Record, language: Language) -> Variables {
     let mut variables = Variables::new();
     let limits = &record.limits;
     let (number, length) = (Value::Number, Value::Length);
-    // The decimal text is exact, the product of a float and 1000 is not: 0.5015 mm would be 501.49999999999994 µm.
-    let um = |length: Length| {
-        let exact = length.exact(Unit::Micrometre, 0).parse();
-        number(exact.unwrap_or_else(|_never| length.to_mm_f64() * 1000.0))
-    };
+    let um = micrometres;
     let mut set = |parameter, value| variables.set(parameter, value);
     let class = record.callout.and_then(|callout| callout.class()).map(|class| class.to_string()).unwrap_or_default();
     let fit = record.callout.map_or_else(|| limits.nominal.to_string(), |callout| callout.to_string());
@@ -75,6 +71,13 @@ pub fn status_variables(record: &Record, language: Language) -> Variables {
     variables
 }
 
+/// A length in micrometres. The decimal text is exact, the product of a float and 1000 is not: 0.5015 mm would be
+/// 501.49999999999994 µm.
+pub(super) fn micrometres(length: Length) -> Value {
+    let exact = length.exact(Unit::Micrometre, 0).parse();
+    Value::Number(exact.unwrap_or_else(|_never| length.to_mm_f64() * 1000.0))
+}
+
 /// The shipped mask of a language: `82552_nl.a` is the seed's, byte for byte.
 pub fn shipped_mask(language: Language) -> &'static Mask {
     static MASKS: LazyLock<[Mask; 4]> = LazyLock::new(|| {
@@ -95,7 +98,7 @@ pub fn shipped_mask(language: Language) -> &'static Mask {
 }
 
 /// A mask that is part of the program; tests read and render all of them.
-fn shipped(bytes: &[u8]) -> Mask {
+pub(super) fn shipped(bytes: &[u8]) -> Mask {
     #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
     Mask::read(bytes).expect("a shipped mask can be read").0
 }

@@ -7,7 +7,7 @@ use super::effects::{Errands, Runner};
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{check, dialogs, field, fit, keypad, tables, top_bar};
+use super::{check, cycles, dialogs, field, fit, keypad, tables, top_bar};
 use crate::session::{Command, Effect, Field, Page, Saved, Session, Theme};
 use crate::words::{Language, Words};
 
@@ -169,6 +169,7 @@ fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
     match view.session.page() {
         Page::Check => check::check_ui(ui, view),
         Page::Fit => fit::fit_ui(ui, view),
+        Page::Cycles => cycles::cycles_ui(ui, view),
         Page::Tables => tables::tables_ui(ui, view),
     }
     keypad::keypad_ui(ui, view);

@@ -1,5 +1,7 @@
 //! The file dialog with its typed path, and notices.
 
+use std::path::Path;
+
 use eframe::egui::{
     Align2, Button, Id, Key, KeyboardShortcut, Modal, Modifiers, ScrollArea, TextEdit, Ui, Window, vec2,
 };
@@ -7,15 +9,18 @@ use eframe::egui::{
 use super::field::select_all;
 use super::theme::{sizes, space};
 use super::view::{View, heading, problem, quiet};
-use crate::session::{Command, Dialog, Notice, Page, Purpose};
+use crate::session::{Command, CycleFile, Dialog, Notice, Page, Purpose};
 use crate::words::Message;
 
 /// Files dropped on the window are imported; Ctrl+O opens the import and Ctrl+S the report.
 fn shortcuts(ui: &Ui, view: &mut View<'_>) {
     let dropped = ui.input(|input| input.raw.dropped_files.clone());
     for file in dropped {
-        let is_table = view.session.page() == Page::Tables;
-        view.send(Command::OpenDialog(if is_table { Purpose::OpenTable } else { Purpose::Import }));
+        view.send(Command::OpenDialog(match view.session.page() {
+            Page::Tables => Purpose::OpenTable,
+            Page::Cycles => Purpose::OpenCycleFile(cycle_file(file.path())),
+            Page::Check | Page::Fit => Purpose::Import,
+        }));
         view.send(Command::Picked(Some(file.path().to_owned())));
     }
     let pressed = |key| ui.input_mut(|input| input.consume_shortcut(&KeyboardShortcut::new(Modifiers::COMMAND, key)));
@@ -27,6 +32,16 @@ fn shortcuts(ui: &Ui, view: &mut View<'_>) {
     }
     if pressed(Key::S) && !view.session.history().is_empty() {
         view.send(Command::OpenDialog(Purpose::Export(0)));
+    }
+}
+
+/// What a file that is dropped on the cycles page is, by its ending.
+fn cycle_file(path: &Path) -> CycleFile {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+    match ending.as_str() {
+        "toml" => CycleFile::Bench,
+        "tp" => CycleFile::Probes,
+        _ => CycleFile::Contacts,
     }
 }
 
@@ -79,6 +94,10 @@ const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::LoadTables => "dialog-tables",
         Purpose::Export(_) => "dialog-export",
         Purpose::ExportStatus => "dialog-export-status",
+        Purpose::OpenCycleFile(CycleFile::Contacts) => "cycles-dialog-contacts",
+        Purpose::OpenCycleFile(CycleFile::Bench) => "cycles-dialog-bench",
+        Purpose::OpenCycleFile(CycleFile::Probes) => "cycles-dialog-probes",
+        Purpose::SaveBench => "cycles-dialog-save-bench",
         Purpose::OpenTable => "tables-dialog-open",
         Purpose::SaveTable(_) => "tables-dialog-save",
     }
@@ -86,8 +105,10 @@ const fn title_id(purpose: Purpose) -> &'static str {
 
 const fn confirm_id(purpose: Purpose) -> &'static str {
     match purpose {
-        Purpose::Import | Purpose::LoadMask | Purpose::LoadTables | Purpose::OpenTable => "dialog-open",
-        Purpose::Export(_) | Purpose::ExportStatus | Purpose::SaveTable(_) => "dialog-save",
+        Purpose::Import | Purpose::LoadMask | Purpose::LoadTables | Purpose::OpenTable | Purpose::OpenCycleFile(_) => {
+            "dialog-open"
+        }
+        Purpose::Export(_) | Purpose::ExportStatus | Purpose::SaveTable(_) | Purpose::SaveBench => "dialog-save",
     }
 }
 

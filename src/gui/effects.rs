@@ -11,10 +11,14 @@ use jiff::civil::DateTime;
 
 use crate::control::deviations;
 use crate::control::mask::Mask;
-use crate::exchange::{self, tables::TABLE_FORMATS};
+use crate::control::probe_table::ProbeTable;
+use crate::control::text::decode;
+use crate::exchange::{self, contacts, tables::TABLE_FORMATS};
 use crate::files;
+use crate::probing::Contact;
+use crate::probing::simulated::Bench;
 use crate::report::RENDERINGS;
-use crate::session::{Command, Effect, Purpose, TablesCommand};
+use crate::session::{Command, CycleFile, CyclesCommand, Effect, Purpose, TablesCommand};
 use crate::tolerance::{DeviationTable, Sources};
 use crate::words::{Message, Say as _};
 
@@ -85,6 +89,7 @@ fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) ->
             let result = read_table(&path);
             Command::Tables(TablesCommand::Read { name: name(&path), result })
         }
+        Effect::ReadCycleFile(file, path) => Command::Cycles(read_cycle_file(file, &path)),
         Effect::Save(path, bytes) => {
             let result = files::write(&path, &bytes);
             Command::Saved { path, result }
@@ -126,6 +131,31 @@ fn read_table(path: &Path) -> Result<(Box<DeviationTable>, Vec<Message>), Messag
     }
 }
 
+fn read_cycle_file(file: CycleFile, path: &Path) -> CyclesCommand {
+    match file {
+        CycleFile::Contacts => CyclesCommand::ContactsRead { name: name(path), result: read_contacts(path) },
+        CycleFile::Bench => CyclesCommand::BenchRead(read_bench(path)),
+        CycleFile::Probes => CyclesCommand::ProbesRead { name: name(path), result: read_probes(path) },
+    }
+}
+
+fn read_contacts(path: &Path) -> Result<(Vec<Contact>, Vec<Message>), Message> {
+    let bytes = files::read(path).map_err(|error| error.message())?;
+    let read = contacts::read(&bytes).map_err(|error| error.message())?;
+    let ignored = read.ignored.iter().map(|column| Message::new("cycles-column-ignored").text("column", column));
+    Ok((read.contacts, ignored.collect()))
+}
+
+fn read_bench(path: &Path) -> Result<Box<Bench>, Message> {
+    let bytes = files::read(path).map_err(|error| error.message())?;
+    Bench::read(&decode(&bytes)).map(Box::new).map_err(|error| error.message())
+}
+
+fn read_probes(path: &Path) -> Result<ProbeTable, Message> {
+    let bytes = files::read(path).map_err(|error| error.message())?;
+    ProbeTable::read(&bytes, &name(path)).map_err(|error| error.message())
+}
+
 /// The system's own dialog. `None` when it was left, or when there is none: the typed path remains.
 fn pick(purpose: Purpose) -> Option<PathBuf> {
     let dialog = rfd::FileDialog::new();
@@ -140,6 +170,16 @@ fn pick(purpose: Purpose) -> Option<PathBuf> {
         Purpose::LoadMask => dialog.add_filter("Mask", &both(&["a"])).add_filter("*", &["*"]).pick_file(),
         Purpose::LoadTables => dialog.pick_folder(),
         Purpose::OpenTable => dialog.add_filter("TAB", &both(&["tab"])).add_filter("*", &["*"]).pick_file(),
+        Purpose::OpenCycleFile(CycleFile::Contacts) => {
+            dialog.add_filter("Contacts", &both(&["csv", "txt"])).add_filter("*", &["*"]).pick_file()
+        }
+        Purpose::OpenCycleFile(CycleFile::Bench) => {
+            dialog.add_filter("TOML", &both(&["toml"])).add_filter("*", &["*"]).pick_file()
+        }
+        Purpose::OpenCycleFile(CycleFile::Probes) => {
+            dialog.add_filter("TP", &both(&["tp"])).add_filter("*", &["*"]).pick_file()
+        }
+        Purpose::SaveBench => dialog.add_filter("TOML", &both(&["toml"])).set_file_name("workpiece.toml").save_file(),
         Purpose::SaveTable(number) => {
             let format = TABLE_FORMATS.get(number)?;
             dialog.add_filter(format.name, &both(format.endings)).save_file()

@@ -11,7 +11,8 @@ use eframe::egui::{Align, FontId, Id, Key, Response, Stroke, TextBuffer, TextEdi
 use super::keypad;
 use super::theme;
 use super::view::{View, problem};
-use crate::session::{Command, Field};
+use crate::session::{Command, CycleField, CyclesCommand, Field, Session};
+use crate::words::Message;
 
 /// How a field looks.
 pub(super) struct Look {
@@ -21,33 +22,89 @@ pub(super) struct Look {
     pub width: f32,
     /// Where the text stands.
     pub align: Align,
+    /// What counts while nothing is typed.
+    pub hint: String,
 }
 
 impl Look {
     /// A small field for a number, right aligned.
     pub fn number(width: f32) -> Self {
-        Self { font: theme::font(theme::sizes().body), width, align: Align::RIGHT }
+        Self { font: theme::font(theme::sizes().body), width, align: Align::RIGHT, hint: String::new() }
     }
 
     /// A large field over a width.
     pub fn large(width: f32) -> Self {
-        Self { font: theme::font(theme::sizes().value), width, align: Align::LEFT }
+        Self { font: theme::font(theme::sizes().value), width, align: Align::LEFT, hint: String::new() }
+    }
+}
+
+/// A text field of any page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Target {
+    /// One that every session has.
+    Field(Field),
+    /// One that a measuring cycle or its workpiece asks for.
+    Cycle(CycleField),
+}
+
+impl From<Field> for Target {
+    fn from(field: Field) -> Self {
+        Self::Field(field)
+    }
+}
+
+impl From<CycleField> for Target {
+    fn from(field: CycleField) -> Self {
+        Self::Cycle(field)
+    }
+}
+
+impl Target {
+    /// Its text.
+    pub fn text(self, session: &Session) -> &str {
+        match self {
+            Self::Field(field) => session.inputs().text(field),
+            Self::Cycle(field) => session.cycles().text(field),
+        }
+    }
+
+    /// The command that replaces its text.
+    pub fn typed(self, text: String) -> Command {
+        match self {
+            Self::Field(field) => Command::Type(field, text),
+            Self::Cycle(field) => Command::Cycles(CyclesCommand::Type(field, text)),
+        }
+    }
+
+    fn error(self, session: &Session) -> Option<&Message> {
+        match self {
+            Self::Field(field) => session.error(field),
+            Self::Cycle(field) => session.cycles().error(field),
+        }
+    }
+
+    fn culprit(self, session: &Session) -> Option<&Range<usize>> {
+        match self {
+            Self::Field(field) => session.culprit(field),
+            Self::Cycle(_) => None,
+        }
     }
 }
 
 /// The id of a field, the same wherever it is drawn.
-pub(super) fn id(field: Field) -> Id {
-    Id::unique(("field", field))
+pub(super) fn id(field: impl Into<Target>) -> Id {
+    Id::unique(("field", field.into()))
 }
 
 /// Draws the field alone. `name` is what a screen reader says.
 ///
 /// Tab or a click into the field selects its text, so that typing replaces it; Enter measures and keeps the focus, so
 /// that the next value can come at once.
-pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id, look: Look) -> Response {
-    let mut text = view.session.inputs().text(field).to_owned();
+pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Target>, name: Id, look: Look) -> Response {
+    let field = field.into();
+    let mut text = field.text(view.session).to_owned();
     let id = id(field);
-    let culprit = view.session.culprit(field);
+    let culprit = field.culprit(view.session);
     let font = look.font.clone();
     let marked = |ui: &Ui, buffer: &dyn TextBuffer, _width: f32| {
         let job = underlined(ui, buffer.as_str(), &font, culprit);
@@ -59,13 +116,14 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id,
         .font(look.font)
         .desired_width(look.width)
         .align(eframe::egui::Align2([look.align, Align::Center]))
+        .hint_text(look.hint)
         .min_size(eframe::egui::vec2(look.width, theme::sizes().field));
     if culprit.is_some() {
         edit = edit.layouter(&mut layouter);
     }
     let response = ui.add(edit).labelled_by(name);
     if response.changed() {
-        view.send(Command::Type(field, text.clone()));
+        view.send(field.typed(text.clone()));
     }
     if response.has_focus() {
         keypad::aim(ui, field);
@@ -78,7 +136,7 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id,
     if entered || (response.gained_focus() && !response.is_pointer_button_down_on()) {
         select_all(ui, id, &text);
     }
-    if let Some(error) = view.session.error(field) {
+    if let Some(error) = field.error(view.session) {
         let said = view.words.say(error);
         ui.ctx().accesskit_node_builder(id, |node| {
             node.set_invalid(eframe::egui::accesskit::Invalid::True);
@@ -117,8 +175,8 @@ pub(super) fn select_all(ui: &Ui, id: Id, text: &str) {
 }
 
 /// What is wrong with a field, below it.
-pub(super) fn error_ui(ui: &mut Ui, view: &View<'_>, field: Field) {
-    if let Some(error) = view.session.error(field) {
+pub(super) fn error_ui(ui: &mut Ui, view: &View<'_>, field: impl Into<Target>) {
+    if let Some(error) = field.into().error(view.session) {
         problem(ui, view.words.say(error));
     }
 }

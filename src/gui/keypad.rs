@@ -4,6 +4,7 @@
 
 use eframe::egui::{Align2, Button, Grid, Id, RichText, Ui, Window, vec2};
 
+use super::field::Target;
 use super::theme::{self, sizes, space};
 use super::view::View;
 use crate::session::{Command, Field, Page, TablesCommand};
@@ -30,7 +31,7 @@ fn target_id() -> Id {
 }
 
 /// Remembers the field that the keypad types into.
-pub(super) fn aim(ui: &Ui, field: Field) {
+pub(super) fn aim(ui: &Ui, field: Target) {
     ui.data_mut(|data| data.insert_temp(target_id(), field));
 }
 
@@ -39,7 +40,7 @@ pub(super) fn keypad_ui(ui: &Ui, view: &mut View<'_>) {
     if !view.session.has_keypad() {
         return;
     }
-    let field = ui.data(|data| data.get_temp(target_id())).unwrap_or(Field::Measured);
+    let field = ui.data(|data| data.get_temp(target_id())).unwrap_or(Target::Field(Field::Measured));
     Window::new(view.text("keypad"))
         .id(Id::unique("keypad"))
         .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -space(4.0)))
@@ -57,7 +58,7 @@ pub(super) fn keypad_ui(ui: &Ui, view: &mut View<'_>) {
         });
 }
 
-fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, key: Key) {
+fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Target, key: Key) {
     let decimal = view.words.language().decimal_sign();
     let (shown, name) = match key {
         Key::Type(' ') => (view.text("key-blank"), view.text("key-blank")),
@@ -73,7 +74,7 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, key: Key) {
     if !ui.add_sized(size, button).accessible_name(name).clicked() {
         return;
     }
-    let mut text = view.session.inputs().text(field).to_owned();
+    let mut text = field.text(view.session).to_owned();
     match key {
         Key::Type('.') => text.push(decimal),
         Key::Type(figure) => text.push(figure),
@@ -84,5 +85,5 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, key: Key) {
         }
         Key::Measure => return view.send(Command::Measure),
     }
-    view.send(Command::Type(field, text));
+    view.send(field.typed(text));
 }

@@ -6,25 +6,28 @@
 //! | `effects` | files, dialogs and the clipboard, off the frame's thread |
 //! | `store` | the state file |
 //! | `theme` | colours, sizes, fonts |
-//! | `check`, `fit`, `tables` | the pages |
+//! | `check`, `fit`, `cycles`, `tables` | the pages |
 //! | `top_bar`, `dialogs` | what belongs to every page |
-//! | `class_chooser`, `field`, `keypad`, `shapes` | widgets of our own |
+//! | `class_chooser`, `field`, `keypad`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! No decision and no arithmetic on lengths happens here; egui is named nowhere else.
 
 mod app;
 mod check;
 mod class_chooser;
+mod cycles;
 mod dialogs;
 mod effects;
 mod field;
 mod fit;
 mod keypad;
+mod popup;
 mod shapes;
 mod store;
 mod tables;
 mod theme;
 mod top_bar;
+mod verdict_card;
 mod view;
 
 pub use app::{App, Setup};

@@ -122,3 +122,27 @@ pub(super) fn hatch(painter: &Painter, rect: Rect, hatch: Hatch, stroke: Stroke)
         x += STEP;
     }
 }
+
+/// The largest factor of 1, 2 or 5 times a power of ten by which the largest deviation stays within reach; at least 1.
+/// Both in the same unit.
+pub(super) fn magnification(reach: f64, largest: f64) -> f64 {
+    // An exact part has nothing to magnify; a few million are already more than any scatter needs.
+    let wanted = (reach / largest.max(reach * 1e-7 / 0.3)).max(1.0);
+    let decade = 10_f64.powf(wanted.log10().floor());
+    [5.0, 2.0, 1.0].into_iter().map(|step| step * decade).find(|factor| *factor <= wanted * (1.0 + 1e-9)).unwrap_or(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_factor_is_round_and_keeps_deviations_in_sight() {
+        for (radius, largest, expected) in
+            [(12.5, 0.01, 200.0), (12.5, 0.0075, 500.0), (12.5, 3.0, 1.0), (12.5, 0.0, 2e6), (12.5, 20.0, 1.0)]
+        {
+            let factor = magnification(0.3 * radius, largest);
+            assert!((factor - expected).abs() < expected * 1e-9, "{radius} {largest}");
+        }
+    }
+}

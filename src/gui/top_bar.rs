@@ -36,7 +36,7 @@ pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The pages by name; Ctrl+1 and so on open them from the keyboard.
 fn pages_ui(ui: &mut Ui, view: &mut View<'_>) {
-    for (page, key) in Page::ALL.into_iter().zip([Key::Num1, Key::Num2, Key::Num3]) {
+    for (page, key) in Page::ALL.into_iter().zip([Key::Num1, Key::Num2, Key::Num3, Key::Num4]) {
         let open = view.session.page() == page;
         let text = RichText::new(view.text(page_id(page))).font(theme::bold(sizes().heading));
         let shortcut = KeyboardShortcut::new(Modifiers::COMMAND, key);
@@ -52,6 +52,7 @@ const fn page_id(page: Page) -> &'static str {
     match page {
         Page::Check => "page-check",
         Page::Fit => "page-fit",
+        Page::Cycles => "page-cycles",
         Page::Tables => "page-tables",
     }
 }

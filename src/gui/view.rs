@@ -45,12 +45,16 @@ pub(super) enum Digits {
 impl Digits {
     pub fn of(record: &Record) -> Self {
         let size = &record.verdict.size;
-        let near = |distance: Length| distance.abs() < Length::from_micrometres(1) && distance != Length::ZERO;
-        if record.measurement.circle.is_none() || near(size.above_minimum) || near(size.below_maximum) {
-            Self::Exact
-        } else {
-            Self::Rounded
+        match record.measurement.circle {
+            Some(_) => Self::of_distances(&[size.above_minimum, size.below_maximum]),
+            None => Self::Exact,
         }
+    }
+
+    /// For a computed value so far from its limits.
+    pub fn of_distances(distances: &[Length]) -> Self {
+        let near = |distance: &Length| distance.abs() < Length::from_micrometres(1) && *distance != Length::ZERO;
+        if distances.iter().any(near) { Self::Exact } else { Self::Rounded }
     }
 
     /// A size in millimetres with at least so many decimals.

@@ -8,6 +8,7 @@
 //! | `cycle` | what a measuring cycle declares: parameters, ranges, results |
 //! | `cycles` | the cycles, one file each |
 //! | `measure` | from a fit and a position to a measurement |
+//! | `source` | where a cycle's contacts come from |
 //! | `touch_probe` | what the touch-probe table says about a probe |
 //! | `simulated` | a workpiece and a probe that exist only here |
 //!
@@ -20,9 +21,11 @@ pub mod cycles;
 pub mod measure;
 pub mod measurement;
 pub mod simulated;
+pub mod source;
 pub mod touch_probe;
 
 pub use circle::Circle;
 pub use contact::{Contact, NoContact, Prober, Recorded, Touch};
 pub use measurement::{Caveat, Measurement, Origin, measure_contacts};
+pub use source::{Source, SourceError};
 pub use touch_probe::TouchProbe;

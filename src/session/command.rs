@@ -4,6 +4,7 @@
 
 use std::path::PathBuf;
 
+use super::cycles::CyclesCommand;
 use super::fit::FitCommand;
 use super::inputs::{Field, MeasureBy};
 use super::tables::TablesCommand;
@@ -28,7 +29,7 @@ pub enum Command {
     MeasureBy(MeasureBy),
     /// Shows or hides the keypad.
     ShowKeypad(bool),
-    /// Measures and judges, on the check page.
+    /// Measures and judges on the check page, runs the cycle on the cycles page.
     Measure,
     /// Clears the result and the typed value; the history stays.
     ClearResult,
@@ -102,6 +103,8 @@ pub enum Command {
     Fit(FitCommand),
     /// Does something on the table page.
     Tables(TablesCommand),
+    /// Does something on the cycles page.
+    Cycles(CyclesCommand),
 }
 
 /// What a file dialog is for.
@@ -121,6 +124,21 @@ pub enum Purpose {
     OpenTable,
     /// Writing the shown table in a format of the tables' list, by its number there.
     SaveTable(usize),
+    /// Reading something for the cycles page.
+    OpenCycleFile(CycleFile),
+    /// Writing the simulated workpiece.
+    SaveBench,
+}
+
+/// A file that the cycles page reads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum CycleFile {
+    /// Recorded contacts.
+    Contacts,
+    /// A simulated workpiece and probe.
+    Bench,
+    /// A touch-probe table.
+    Probes,
 }
 
 /// A page of the window.
@@ -132,13 +150,15 @@ pub enum Page {
     Check,
     /// Hole against shaft.
     Fit,
+    /// Measuring cycles.
+    Cycles,
     /// Tables of deviations.
     Tables,
 }
 
 impl Page {
     /// Every page in the order of the top bar.
-    pub const ALL: [Self; 3] = [Self::Check, Self::Fit, Self::Tables];
+    pub const ALL: [Self; 4] = [Self::Check, Self::Fit, Self::Cycles, Self::Tables];
 }
 
 /// What limits are looked up in after the user's own tables.
@@ -178,6 +198,8 @@ pub enum Effect {
     ReadTables(PathBuf),
     /// Read one table and send [`TablesCommand::Read`].
     ReadTable(PathBuf),
+    /// Read a file for the cycles page and send [`Command::Cycles`].
+    ReadCycleFile(CycleFile, PathBuf),
     /// Write a file and send [`Command::Saved`].
     Save(PathBuf, Vec<u8>),
     /// Close the window.

@@ -23,7 +23,12 @@ impl Session {
             }
             Purpose::ExportStatus => "fitcheck-status.txt".to_owned(),
             Purpose::SaveTable(format) => self.table_file_name(format),
-            Purpose::Import | Purpose::LoadMask | Purpose::LoadTables | Purpose::OpenTable => String::new(),
+            Purpose::SaveBench => "workpiece.toml".to_owned(),
+            Purpose::Import
+            | Purpose::LoadMask
+            | Purpose::LoadTables
+            | Purpose::OpenTable
+            | Purpose::OpenCycleFile(_) => String::new(),
         };
         self.dialog = Some(Dialog { purpose, path, problem: None, busy: false });
     }
@@ -60,6 +65,14 @@ impl Session {
                 }
             },
             Purpose::Export(format) => match self.export(format, now) {
+                Ok(bytes) => Effect::Save(path, bytes),
+                Err(problem) => {
+                    self.refuse_dialog(problem);
+                    return Vec::new();
+                }
+            },
+            Purpose::OpenCycleFile(file) => Effect::ReadCycleFile(file, path),
+            Purpose::SaveBench => match self.bench_bytes() {
                 Ok(bytes) => Effect::Save(path, bytes),
                 Err(problem) => {
                     self.refuse_dialog(problem);

@@ -8,6 +8,7 @@
 //! | `command` | everything that can be done |
 //! | `inputs` | the text fields |
 //! | `asked` | what the texts mean: callout, limits, errors beside their fields |
+//! | `cycles` | the cycles page: a measuring cycle on a workpiece or on recorded contacts |
 //! | `fit` | the fit page: hole against shaft |
 //! | `files` | dialogs, and what comes back from files |
 //! | `measuring` | from the fields to a measurement |
@@ -16,6 +17,7 @@
 
 mod asked;
 mod command;
+mod cycles;
 mod files;
 mod fit;
 mod inputs;
@@ -30,13 +32,17 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 pub use asked::Asked;
-pub use command::{Command, Effect, Page, Purpose, SourceChoice, Theme};
+pub use command::{Command, CycleFile, Effect, Page, Purpose, SourceChoice, Theme};
+pub use cycles::{
+    Axis, BenchField, BenchForm, BenchKind, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage,
+    RecordedContacts, Step,
+};
 pub use fit::{
     ClassMap, Direction, Equivalent, FitCommand, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit,
     expansion_field, extremes, measured_field,
 };
 pub use inputs::{Field, Inputs, MeasureBy};
-pub use saved::{Saved, SavedError};
+pub use saved::{Saved, SavedCycles, SavedError};
 pub use tables::{TablesCommand, TablesPage};
 
 use crate::control::mask::Mask;
@@ -129,6 +135,7 @@ pub struct Session {
     notices: Vec<Notice>,
     leaving: bool,
     tables: TablesPage,
+    cycles: CyclesPage,
 }
 
 /// The source that a choice stands for.
@@ -171,6 +178,7 @@ impl Session {
             leaving: false,
             materials: Materials::shipped().clone(),
             tables: TablesPage::default(),
+            cycles: CyclesPage::default(),
         }
     }
 
@@ -300,6 +308,7 @@ impl Session {
             Command::MeasureBy(by) => self.inputs.by = by,
             Command::ShowKeypad(shown) => self.keypad = shown,
             Command::Measure if self.page == Page::Check => self.measure(now),
+            Command::Measure if self.page == Page::Cycles => return self.apply_cycles(CyclesCommand::Run, now),
             Command::Measure => {}
             Command::ClearResult => self.clear_result(),
             Command::Show(number) => self.show(number),
@@ -339,6 +348,7 @@ impl Session {
             Command::Saved { path, result } => self.saved_file(&path, result),
             Command::Fit(command) => self.apply_fit(&command),
             Command::Tables(command) => self.apply_tables(command),
+            Command::Cycles(command) => return self.apply_cycles(command, now),
             Command::CopyStatus => return self.status_text().map(Effect::Copy).into_iter().collect(),
         }
         Vec::new()
@@ -534,6 +544,7 @@ impl Session {
             source: self.source_choice(),
             standard: self.sources.options(),
             inputs: self.inputs.clone(),
+            cycles: self.cycles.saved(),
             ..Saved::default()
         }
     }
@@ -544,6 +555,7 @@ impl Session {
         let mut session = Self { keypad: saved.keypad, ..Self::with(saved.language, saved.theme, saved.inputs) };
         let sources = Sources::default().with_base(base(saved.source)).with_options(saved.standard);
         session.sources = Arc::new(sources);
+        session.cycles.restore(&saved.cycles);
         session.read_fields();
         (session, effects)
     }

@@ -2,6 +2,7 @@
 //!
 //! A TOML text with a version number. Reading and writing files is done elsewhere.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
@@ -33,6 +34,18 @@ pub struct Saved {
     pub standard: iso286::Options,
     /// The text fields.
     pub inputs: Inputs,
+    /// The cycles page.
+    pub cycles: SavedCycles,
+}
+
+/// What is kept of the cycles page.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SavedCycles {
+    /// The chosen cycle's number.
+    pub cycle: Option<u16>,
+    /// What was typed, by cycle and parameter: `427 Q263`.
+    pub texts: BTreeMap<String, String>,
 }
 
 impl Default for Saved {
@@ -46,6 +59,7 @@ impl Default for Saved {
             source: SourceChoice::default(),
             standard: iso286::Options::default(),
             inputs: Inputs::default(),
+            cycles: SavedCycles::default(),
         }
     }
 }

@@ -29,6 +29,7 @@ mod probe_blocks;
 mod report;
 mod report_cli;
 mod session;
+mod session_cycles;
 mod session_fit;
 mod session_tables;
 mod table_cli;

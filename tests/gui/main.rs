@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 mod check_page;
+mod cycle_page;
 mod dialogs;
 mod fit_page;
 mod harness;

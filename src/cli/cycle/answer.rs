@@ -6,20 +6,13 @@ use serde_json::{Map, Value as Json, json};
 use super::super::limits::csv_error;
 use super::{CliError, Io, Run, Source};
 use crate::length::Length;
-use crate::probing::circle::{Evaluation, evaluate};
 use crate::probing::cycle::{Check, LogTarget, Move, Value};
 use crate::words::Language;
 
-/// The evaluation of a circle's contacts; `None` for cycles without a circle.
-pub(super) fn evaluation(run: &Run<'_>) -> Option<Evaluation> {
-    run.result.circle.as_ref()?;
-    evaluate(&run.result.plane_contacts()).ok()
-}
-
 /// What the contacts cannot tell, and where the log says something else.
 pub(super) fn warnings(run: &Run<'_>) -> Vec<String> {
-    let contacts = evaluation(run).into_iter().flat_map(|found| found.warnings).map(|warning| warning.to_string());
-    contacts.chain(run.log.other.map(|other| other.to_string())).collect()
+    let contacts = run.result.evaluation().into_iter().flat_map(|found| found.warnings);
+    contacts.map(|warning| warning.to_string()).chain(run.log.other.map(|other| other.to_string())).collect()
 }
 
 /// The answer; the names are a contract.
@@ -124,7 +117,7 @@ fn probe(run: &Run<'_>) -> Json {
 
 fn circle(run: &Run<'_>) -> Option<Json> {
     let found = run.result.circle.as_ref()?;
-    let evaluation = evaluation(run);
+    let evaluation = run.result.evaluation();
     let [axis_1, axis_2] = found.position.axes;
     Some(json!({
         "plane": found.plane,

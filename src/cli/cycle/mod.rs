@@ -25,10 +25,10 @@ use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
 use crate::exchange::contacts;
 use crate::length::Length;
-use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase};
+use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Key, Move};
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::Bench;
-use crate::probing::{Prober, Recorded, TouchProbe};
+use crate::probing::{self, Contact, Prober, Recorded, SourceError, TouchProbe};
 use crate::words::Language;
 
 const EXAMPLES: &str = "\
@@ -127,7 +127,7 @@ enum Source {
     /// A file of a simulated machine.
     Workpiece { file: String, bench: Bench },
     /// A file of contacts.
-    Contacts { file: String, count: usize },
+    Contacts { file: String, contacts: Vec<Contact> },
 }
 
 /// Everything that is printed.
@@ -276,28 +276,22 @@ impl Args {
             for column in &read.ignored {
                 io.tell(format_args!("warning: {file}: column {column} is not used"))?;
             }
-            let count = read.contacts.len();
-            return Ok((Source::Contacts { file, count }, Box::new(Recorded::new(read.contacts))));
+            let prober = Box::new(Recorded::new(read.contacts.clone()));
+            return Ok((Source::Contacts { file, contacts: read.contacts }, prober));
         }
-        let (file, mut bench) = if let Some(path) = &self.workpiece {
-            let (file, bytes) = read_input(path, io)?;
-            let bench = Bench::read(&decode(&bytes)).map_err(|error| data(&file, &error))?;
-            (Some(file), bench)
-        } else {
-            let nominal = self.cycle.nominal(inputs).map_err(|error| self.refused(&error))?;
-            (None, Bench::perfect(nominal.into()))
+        let Some(path) = &self.workpiece else {
+            return match probing::Source::Perfect.prober(self.cycle, inputs) {
+                Ok(prober) => Ok((Source::Perfect, prober)),
+                Err(SourceError::Cycle(error)) => Err(self.refused(&error)),
+                Err(error) => Err(data("workpiece at nominal", &error)),
+            };
         };
+        let (file, bytes) = read_input(path, io)?;
+        let mut bench = Bench::read(&decode(&bytes)).map_err(|error| data(&file, &error))?;
         bench.seed = self.seed.unwrap_or(bench.seed);
-        let machine = bench.machine().map(|machine| machine.calibrated(inputs.probe()));
-        match (file, machine) {
-            (Some(file), Ok(machine)) => Ok((Source::Workpiece { file, bench }, Box::new(machine))),
-            (Some(file), Err(error)) => Err(data(&file, &error)),
-            (None, Ok(machine)) => Ok((Source::Perfect, Box::new(machine))),
-            // The cycle itself says better what is wrong with its inputs.
-            (None, Err(error)) => match self.cycle.measure(inputs, &mut Recorded::new(Vec::new())) {
-                Err(refused) if !matches!(refused, CycleError::NoContact(_)) => Err(self.refused(&refused)),
-                _ => Err(data("workpiece at nominal", &error)),
-            },
+        match probing::Source::Simulated(&bench).prober(self.cycle, inputs) {
+            Ok(prober) => Ok((Source::Workpiece { file, bench }, prober)),
+            Err(error) => Err(data(&file, &error)),
         }
     }
 
@@ -308,9 +302,10 @@ impl Args {
 
 /// Contacts that the cycle did not ask for.
 fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
-    let Source::Contacts { file, count } = source else { return Ok(()) };
-    let used = path.iter().filter(|step| step.phase == Phase::Contact).count();
-    if used < *count {
+    let Source::Contacts { file, contacts } = source else { return Ok(()) };
+    let (count, unused) = (contacts.len(), probing::Source::Recorded(contacts).unused(path));
+    if 0 < unused {
+        let used = count - unused;
         io.tell(format_args!("warning: {file}: the cycle took {used} of {count} contacts"))?;
     }
     Ok(())

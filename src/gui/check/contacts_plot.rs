@@ -6,6 +6,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, LineStyle, MarkerShape, PlotPoint, PlotPoints, Points};
 
+use crate::gui::shapes::magnification;
 use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
@@ -98,7 +99,7 @@ impl Picture {
             })
             .collect();
         let largest = polar.iter().map(|(_, deviation)| deviation.abs()).fold(0.0, f64::max);
-        let factor = factor(radius, largest.max(off[0].hypot(off[1])));
+        let factor = magnification(REACH * radius, largest.max(off[0].hypot(off[1])));
         let at = |(angle, deviation): (f64, f64)| {
             let length = 1.0 + deviation * factor / radius;
             [length * angle.cos(), length * angle.sin()]
@@ -190,26 +191,4 @@ fn deviations(record: &Record) -> Vec<String> {
         if text == "+0.0" || text == "-0.0" { "0.0".to_owned() } else { text }
     };
     record.measurement.contacts.iter().map(deviation).collect()
-}
-
-/// The largest factor of 1, 2 or 5 times a power of ten that keeps the largest deviation within reach; at least 1.
-fn factor(radius: f64, largest: f64) -> f64 {
-    // An exact part has nothing to magnify; a million is already more than any scatter needs.
-    let wanted = (REACH * radius / largest.max(radius * 1e-7)).max(1.0);
-    let decade = 10_f64.powf(wanted.log10().floor());
-    [5.0, 2.0, 1.0].into_iter().map(|step| step * decade).find(|factor| *factor <= wanted * (1.0 + 1e-9)).unwrap_or(1.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_factor_is_round_and_keeps_deviations_in_sight() {
-        for (radius, largest, expected) in
-            [(12.5, 0.01, 200.0), (12.5, 0.0075, 500.0), (12.5, 3.0, 1.0), (12.5, 0.0, 2e6), (12.5, 20.0, 1.0)]
-        {
-            assert!((factor(radius, largest) - expected).abs() < expected * 1e-9, "{radius} {largest}");
-        }
-    }
 }

@@ -3,9 +3,9 @@
 use eframe::egui::{Align, Button, Checkbox, Id, Layout, RichText, Sense, Ui, UiBuilder, vec2};
 use egui_extras::{Column, TableBuilder};
 
-use super::answer_panel::status_id;
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::verdict_card::status_id;
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::session::Command;

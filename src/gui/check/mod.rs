@@ -14,8 +14,8 @@ mod contacts_plot;
 mod history_panel;
 mod status_panel;
 
-pub(super) use answer_panel::status_id;
 use eframe::egui::{CentralPanel, Panel, ScrollArea, Ui};
+pub(super) use status_panel::mask_chooser_ui;
 
 use super::theme::space;
 use super::view::View;

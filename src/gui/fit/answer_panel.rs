@@ -3,10 +3,10 @@
 use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{Align, Button, Frame, Grid, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
-use crate::gui::check::status_id;
 use crate::gui::class_chooser::feature_picture;
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::length::Length;
 use crate::session::{Command, Equivalent, FitCommand, Parts, WarmFit, extremes};

@@ -27,6 +27,7 @@ pub(in crate::probing) use course::{along, nearest};
 pub use error::{CycleError, Reason};
 pub use inputs::Inputs;
 pub use key::Key;
+pub(crate) use parameter::number;
 pub use parameter::{Parameter, Range, Texts, Unset, UnsetWhere};
 pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Remark, Stop};
 pub(in crate::probing) use value::QUARTER_TURN;

@@ -366,7 +366,7 @@ fn whole(text: &str) -> Option<i64> {
 }
 
 /// A finite decimal number with point or comma. Words such as `nan` and `inf` are none.
-fn number(text: &str) -> Option<f64> {
+pub(crate) fn number(text: &str) -> Option<f64> {
     let plain = text.trim().replace(',', ".").replace('\u{2212}', "-");
     let begins = plain.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit() || c == '.');
     let figures = plain.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));

@@ -7,9 +7,9 @@ use super::inputs::Inputs;
 use super::key::Key;
 use super::value::Value;
 use crate::length::Length;
-use crate::probing::circle::Circle;
+use crate::probing::circle::{Circle, Evaluation, evaluate};
 use crate::probing::contact::Contact;
-use crate::verdict::{PositionVerdict, Status};
+use crate::verdict::{PositionVerdict, Removal, Status};
 use crate::words::{Message, Say};
 
 /// What a cycle found.
@@ -49,6 +49,12 @@ impl CycleResult {
     pub fn plane_contacts(&self) -> Vec<Contact> {
         let plane = self.circle.as_ref().map_or(Plane::Xy, |circle| circle.plane);
         self.contacts.iter().map(|contact| Contact::at(plane.within(contact.place()))).collect()
+    }
+
+    /// The evaluation of a circle's contacts by every criterion; `None` for cycles without a circle.
+    pub fn evaluation(&self) -> Option<Evaluation> {
+        self.circle.as_ref()?;
+        evaluate(&self.plane_contacts()).ok()
     }
 }
 
@@ -221,6 +227,24 @@ impl Check {
     /// Whether the value is outside its limits.
     pub fn is_out(&self) -> bool {
         self.status != Status::Good
+    }
+
+    /// How far the value lies above its minimum; below zero where it is too small.
+    pub fn above_minimum(&self) -> Length {
+        self.measured.saturating_sub(self.minimum)
+    }
+
+    /// How far the value lies below its maximum; below zero where it is too large.
+    pub fn below_maximum(&self) -> Length {
+        self.maximum.saturating_sub(self.measured)
+    }
+
+    /// How much to take off, where that makes the part good.
+    pub fn removal(&self) -> Option<Removal> {
+        let middle = self.minimum.midpoint(self.maximum);
+        let beyond = self.above_minimum().min(self.below_maximum()).negated();
+        let to_middle = self.measured.saturating_sub(middle).abs();
+        (self.status == Status::Rework).then_some(Removal { to_limit: beyond, to_middle })
     }
 }
 

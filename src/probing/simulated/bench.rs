@@ -24,7 +24,7 @@
 //! `[face]` has point, normal, wave and `surface_scatter`; `[point]` has point, normal, deviation, radius and
 //! `surface_scatter`. Lengths are millimetres. A key that is not known is refused.
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use super::{Face, FreePoint, Lobes, Machine, Probe, Surface, Workpiece, WorkpieceError, in_range};
 use crate::probing::cycle::Plane;
@@ -92,7 +92,7 @@ impl Say for BenchError {
 }
 
 /// The file as it is written.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
     #[serde(default = "first_seed")]
@@ -101,9 +101,13 @@ struct File {
     temperature: f64,
     #[serde(default = "steel")]
     expansion: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
     bore: Option<Round>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     stud: Option<Round>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     face: Option<Face>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     point: Option<FreePoint>,
     #[serde(default)]
     probe: Probe,
@@ -121,7 +125,7 @@ const fn steel() -> f64 {
     STEEL
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Round {
     centre: [f64; 2],
@@ -137,6 +141,11 @@ struct Round {
 }
 
 impl Round {
+    const fn of(workpiece: &Workpiece, plane: Plane) -> Self {
+        let Workpiece { centre, diameter, ovality, lobes, surface_scatter, .. } = *workpiece;
+        Self { centre, diameter, plane, ovality, lobes, surface_scatter }
+    }
+
     const fn surface(&self, feature: Feature) -> Surface {
         let Self { centre, diameter, plane, ovality, lobes, surface_scatter } = *self;
         Surface::Round(Workpiece { feature, centre, diameter, ovality, lobes, surface_scatter }, plane)
@@ -178,6 +187,24 @@ impl Bench {
         let bench = Self { surface, probe: file.probe, seed, temperature, expansion };
         bench.check().map_err(|error| BenchError::CannotBe { line: line_of(text, kind, error.what), error })?;
         Ok(bench)
+    }
+
+    /// The machine as a file that [`Self::read`] reads back as the same.
+    ///
+    /// # Errors
+    /// What the writer of TOML says, for figures that no file can hold.
+    pub fn write(&self) -> Result<String, toml::ser::Error> {
+        let (seed, temperature, expansion, probe) = (self.seed, self.temperature, self.expansion, self.probe);
+        let mut file = File { seed, temperature, expansion, bore: None, stud: None, face: None, point: None, probe };
+        match self.surface {
+            Surface::Round(workpiece, plane) => match workpiece.feature {
+                Feature::Hole => file.bore = Some(Round::of(&workpiece, plane)),
+                Feature::Shaft => file.stud = Some(Round::of(&workpiece, plane)),
+            },
+            Surface::Face(face) => file.face = Some(face),
+            Surface::Point(point) => file.point = Some(point),
+        }
+        toml::to_string(&file)
     }
 
     fn check(&self) -> Result<(), WorkpieceError> {

@@ -1,0 +1,148 @@
+# The cycles page: the form of a measuring cycle, its workpiece, its path and its results.
+
+page-cycles = Cycles
+
+cycles-cycle = Cycle
+cycles-contacts-from = Contacts from
+cycles-perfect = Perfect part
+cycles-simulated = Simulated
+cycles-recorded = Recorded
+cycles-workpiece = Workpiece…
+cycles-suit = Fit to cycle
+cycles-open-contacts = Contacts…
+cycles-no-file = no file yet
+cycles-contacts-of = { $count } contacts, { $file }
+cycles-probe = Probe
+cycles-probe-is = SET_UP { $set-up } mm, DIST { $dist } mm
+cycles-open-probes = Own touch-probe table…
+cycles-shipped-probes = Built-in table
+cycles-run = Run
+cycles-needed = needed
+cycles-none = none
+cycles-predef = PREDEF stands for
+cycles-predef-missing = PREDEF: type the value that GLOBAL DEF gives
+cycles-without-effect = Accepted without effect
+cycles-position = Where the ball stands
+cycles-ball-stands = Ball stands at
+cycles-paste-block = NC block…
+cycles-copy-block = Copy as NC block
+cycles-block = NC block
+cycles-block-hint = Paste a block such as TCH PROBE 427 … Q263=+35 ;TEXT ~ or G785 R0 BR0 K2: it replaces the form
+cycles-fill = Fill the form
+
+cycles-nothing-seen = Path and contacts appear with the run: Enter or F5
+cycles-allowed = Allowed: { $range } { $unit }
+cycles-must-be-given = Must be given
+cycles-may-be-left-out = May be left out
+cycles-default = { $value } when nothing is typed
+cycles-may-be-predef = PREDEF may be typed
+cycles-path = Path of the ball
+cycles-first = First
+cycles-back = Back
+cycles-next = Next
+cycles-last = Last
+cycles-move = Move
+cycles-phase-pre-position = pre-position
+cycles-phase-approach = approach
+cycles-phase-contact = contact
+cycles-phase-retract = retract
+cycles-phase-leave = leave
+cycles-move-contact = { $number } of { $count }: { $phase }, touch { $touch }, at { $to }
+cycles-move-of-touch = { $number } of { $count }: { $phase }, touch { $touch }, from { $from } to { $to }
+cycles-move-of-none = { $number } of { $count }: { $phase }, from { $from } to { $to }
+cycles-criteria = Criteria side by side
+
+cycles-word-stopped = Not measured
+cycles-word-no-verdict = No verdict
+cycles-no-limits = no limits were given
+cycles-no-window = No limits of size: the control shows no status window
+cycles-results = Result parameters
+cycles-log-file = The control writes { $name }
+cycles-log-screen = The control stops and shows its log on screen
+cycles-log-shown = The control shows the result on screen
+cycles-from-perfect = Measured on a perfect workpiece at nominal, with a point as probe
+cycles-from-simulated = Measured on the simulated workpiece, seed { $seed }
+cycles-from-recorded = Contacts from { $file }
+cycles-unused = The cycle left { $count ->
+    [one] one contact
+   *[other] { $count } contacts
+    } of the file unused
+
+cycles-fields-wrong = { $count ->
+    [one] one field
+   *[other] { $count } fields
+    } cannot be used: see the form
+cycles-no-bench = the simulated workpiece is not complete
+cycles-bench-wrong = simulated workpiece: { $problem }
+cycles-no-contacts = no file of contacts was opened yet
+cycles-cannot-suit = No workpiece suits yet: { $problem }
+cycles-not-written = the workpiece cannot be written: { $reason }
+cycles-contacts-loaded = Contacts of { $name } are used
+cycles-column-ignored = column { $column } is not used
+cycles-probes-loaded = Touch-probe table { $name } is used
+cycles-dialog-contacts = Open recorded contacts
+cycles-dialog-bench = Open a simulated workpiece
+cycles-dialog-probes = Open a touch-probe table
+cycles-dialog-save-bench = Save the simulated workpiece
+
+cycles-open-bench = Open…
+cycles-save-bench = Save…
+cycles-kind-bore = Bore
+cycles-kind-stud = Stud
+cycles-kind-face = Face
+cycles-kind-point = Free surface point
+cycles-plane = Plane
+cycles-bench-probe = Probe
+cycles-bench-machine = Scatter and temperature
+cycles-bench-centre-1 = Centre, 1st axis
+cycles-bench-centre-2 = Centre, 2nd axis
+cycles-bench-ovality-angle = Ovality angle
+cycles-bench-lobe-angle = Lobe angle
+cycles-bench-point-x = Point X
+cycles-bench-point-y = Point Y
+cycles-bench-point-z = Point Z
+cycles-bench-normal-x = Normal X
+cycles-bench-normal-y = Normal Y
+cycles-bench-normal-z = Normal Z
+cycles-bench-wave-height = Wave amplitude
+cycles-bench-wave-length = Wave length
+cycles-bench-wave-x = Wave direction X
+cycles-bench-wave-y = Wave direction Y
+cycles-bench-wave-z = Wave direction Z
+cycles-bench-deviation = Deviation along the normal
+cycles-bench-radius = Radius of the surface
+cycles-bench-ball = Ball radius
+cycles-bench-trigger = Trigger scatter 1σ
+cycles-bench-calibration = Calibration error
+cycles-bench-offset-x = Offset of the ball X
+cycles-bench-offset-y = Offset of the ball Y
+cycles-bench-lobing-count = Lobes of the pre-travel
+cycles-bench-lobing = Pre-travel amplitude
+cycles-bench-lobing-angle = Pre-travel angle
+cycles-bench-temperature = Workpiece temperature
+cycles-bench-expansion = Expansion
+
+cycles-choice-q301-0 = at measuring height
+cycles-choice-q301-1 = at clearance height
+cycles-choice-q365-0 = straight
+cycles-choice-q365-1 = on an arc
+cycles-choice-q423-3 = contacts
+cycles-choice-q423-4 = contacts
+cycles-choice-q281-0 = no log
+cycles-choice-q281-1 = log in a file
+cycles-choice-q281-2 = stop, log on screen
+cycles-choice-q309-0 = no stop
+cycles-choice-q309-1 = stop if out of tolerance
+cycles-choice-q309-2 = stop on undersize only
+cycles-choice-q272-1 = reference axis X
+cycles-choice-q272-2 = minor axis Y
+cycles-choice-q272-3 = probe axis Z
+cycles-choice-q267-minus-1 = negative direction
+cycles-choice-q267-1 = positive direction
+cycles-choice-q498-0 = no
+cycles-choice-q498-1 = yes
+cycles-choice-r-0 = X/Y, G17
+cycles-choice-r-1 = Z/X, G18
+cycles-choice-r-2 = Y/Z, G19
+cycles-choice-br-0 = inside
+cycles-choice-br-1 = outside

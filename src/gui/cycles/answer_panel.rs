@@ -1,0 +1,159 @@
+//! Right: the verdict, the status window, the result parameters as the control lists them, and what is worth knowing.
+
+use eframe::egui::{Align, Button, Label, Layout, RichText, Ui, vec2};
+
+use crate::gui::check::mask_chooser_ui;
+use crate::gui::popup::popup_ui;
+use crate::gui::theme::{self, sizes, space};
+use crate::gui::verdict_card::{card_ui, half_um, status_id};
+use crate::gui::view::{Digits, View, heading, quiet, quiet_cut};
+use crate::length::Length;
+use crate::probing::cycle::{Check, CycleResult, FoundName, LogTarget, Value};
+use crate::session::{Command, CycleRun, CyclesCommand};
+use crate::words::{Message, Words};
+
+/// The panel.
+pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let session = view.session;
+    let run = session.cycles().run();
+    verdict_ui(ui, view, run);
+    if let Some(stop) = run.and_then(|run| run.found()?.stop.as_ref()) {
+        ui.label(RichText::new(view.words.told(stop)).font(theme::bold(sizes().body)));
+    }
+    ui.add_space(space(1.0));
+    let window = session.cycle_window();
+    let is_measured = run.is_some_and(|run| run.found().is_some());
+    popup_ui(ui, view, window.as_ref(), if is_measured { "cycles-no-window" } else { "popup-empty" });
+    ui.horizontal(|ui| {
+        let has_window = window.as_ref().is_some_and(Result::is_ok);
+        if ui.add_enabled(has_window, Button::new(view.text("copy"))).clicked() {
+            view.send(Command::Cycles(CyclesCommand::CopyStatus));
+        }
+        mask_chooser_ui(ui, view);
+    });
+    if let Some((run, result)) = run.and_then(|run| Some((run, run.found()?))) {
+        results_ui(ui, view, result);
+        notes_ui(ui, view, run, result);
+    }
+}
+
+fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&CycleRun>) {
+    let words = view.words;
+    match run.map(|run| &run.result) {
+        None => card_ui(ui, None, &view.text("word-none"), &[]),
+        Some(Err(problem)) => card_ui(ui, None, &view.text("cycles-word-stopped"), &[words.say(problem)]),
+        Some(Ok(result)) => {
+            let status = result.status.filter(|_| !result.checks.is_empty());
+            let word = if status.is_some() { status_id(status) } else { "cycles-word-no-verdict" };
+            card_ui(ui, status, &view.text(word), &lines(words, result));
+        }
+    }
+}
+
+/// What stands below the word: the value, how far it is from its limits, what to remove, what else is out.
+fn lines(words: &Words, result: &CycleResult) -> Vec<String> {
+    let Some(first) = result.checks.iter().find(|check| check.is_out()).or_else(|| result.checks.first()) else {
+        return main_value(words, result).into_iter().chain([words.get("cycles-no-limits")]).collect();
+    };
+    let mut lines = check_lines(words, first);
+    for other in result.checks.iter().filter(|other| *other != first && other.is_out()) {
+        lines.extend(check_lines(words, other));
+    }
+    lines
+}
+
+fn digits(check: &Check) -> Digits {
+    Digits::of_distances(&[check.above_minimum(), check.below_maximum()])
+}
+
+fn check_lines(words: &Words, check: &Check) -> Vec<String> {
+    let digits = digits(check);
+    let um = |length: Length| digits.um(words, length);
+    let distance = |distance: Length, inside: &'static str, outside: &'static str| {
+        let id = if distance < Length::ZERO { outside } else { inside };
+        words.say(&Message::new(id).text("um", um(distance.abs())))
+    };
+    let mut lines = vec![format!("{} mm", digits.mm(words, check.measured, 3)), words.told(&check.what)];
+    let below = distance(check.below_maximum(), "below-maximum", "above-maximum");
+    let above = distance(check.above_minimum(), "above-minimum", "below-minimum");
+    match check.removal() {
+        Some(removal) => {
+            lines.push(if check.below_maximum() < Length::ZERO { below } else { above });
+            lines.push(words.say(&Message::new("remove-to-limit").text("um", um(removal.to_limit))));
+            lines.push(words.say(&Message::new("remove-to-middle").text("um", um(removal.to_middle))));
+            if check.what == FoundName::DIAMETER {
+                let half = match digits {
+                    Digits::Exact => words.number(&half_um(removal.to_limit)),
+                    Digits::Rounded => um(removal.to_limit.midpoint(Length::ZERO)),
+                };
+                lines.push(words.say(&Message::new("remove-per-side").text("um", half)));
+            }
+        }
+        None if check.above_minimum() < Length::ZERO => lines.push(above),
+        None if check.below_maximum() < Length::ZERO => lines.push(below),
+        None => lines.extend([above, below]),
+    }
+    lines
+}
+
+/// The value that the cycle is about: a diameter, a deviation along the normal, or the first one.
+fn main_value(words: &Words, result: &CycleResult) -> Option<String> {
+    let about = [FoundName::DIAMETER, FoundName::DEVIATION_ALONG];
+    let found = result.results.iter().find(|found| about.contains(&found.name)).or_else(|| result.results.first())?;
+    Some(value(words, &found.value))
+}
+
+fn value(words: &Words, value: &Value) -> String {
+    match value {
+        Value::Length(length) => format!("{} mm", words.mm(*length, 3)),
+        Value::Text(text) => text.clone(),
+        other => words.number(&other.with_unit()),
+    }
+}
+
+/// The result parameters, values below each other.
+fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
+    ui.separator();
+    ui.horizontal(|ui| {
+        heading(ui, view.text("cycles-results"));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if ui.button(view.text("copy")).clicked() {
+                view.send(Command::Cycles(CyclesCommand::CopyResults));
+            }
+        });
+    });
+    for found in &result.results {
+        let text = RichText::new(value(view.words, &found.value)).font(theme::font(sizes().body));
+        let row = vec2(ui.available_width(), sizes().body + space(1.0));
+        ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+            let text_of_key = RichText::new(found.key.to_string()).font(theme::bold(sizes().body));
+            ui.allocate_ui_with_layout(vec2(space(11.0), row.y), Layout::left_to_right(Align::Center), |ui| {
+                ui.set_min_width(space(11.0));
+                ui.label(text_of_key);
+            });
+            let name = view.words.told(&found.name);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.add(Label::new(text).selectable(true));
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| quiet_cut(ui, name));
+            });
+        });
+    }
+}
+
+/// The log, where contacts came from, remarks and warnings.
+fn notes_ui(ui: &mut Ui, view: &View<'_>, run: &CycleRun, result: &CycleResult) {
+    ui.separator();
+    let words = view.words;
+    let log = match result.log {
+        LogTarget::None => None,
+        LogTarget::File(name) => Some(words.say(&Message::new("cycles-log-file").text("name", name))),
+        LogTarget::Screen => Some(view.text("cycles-log-screen")),
+        LogTarget::Shown => Some(view.text("cycles-log-shown")),
+    };
+    for line in log.into_iter().chain([words.say(&run.from)]) {
+        quiet(ui, line);
+    }
+    for remark in run.remarks() {
+        quiet(ui, words.say(&remark));
+    }
+}

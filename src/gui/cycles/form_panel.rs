@@ -1,0 +1,224 @@
+//! Left: the cycle, where its contacts come from, and its parameters, made from the declaration.
+
+use eframe::egui::{Button, CollapsingHeader, ComboBox, Id, RichText, Ui, vec2};
+
+use super::column_ui;
+use super::parameter_row::{figure_ui, parameter_ui};
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
+use crate::probing::cycle::{Cycle, Key};
+use crate::probing::cycles::CYCLES;
+use crate::session::{Axis, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Purpose};
+use crate::words::Message;
+
+/// The panel.
+pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.spacing_mut().item_spacing.y = space(1.0);
+    ui.add_space(space(1.0));
+    chooser_ui(ui, view);
+    source_ui(ui, view);
+    run_ui(ui, view);
+    ui.separator();
+    column_ui(ui, |ui| {
+        parameters_ui(ui, view);
+        position_ui(ui, view);
+        block_buttons_ui(ui, view);
+    });
+}
+
+fn title(view: &View<'_>, cycle: &Cycle) -> String {
+    format!("{}  {}", cycle.code, cycle.name(view.words.language()))
+}
+
+/// All cycles, by the name that the control has for them.
+fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = heading(ui, view.text("cycles-cycle"));
+    let chosen = view.session.cycles().cycle();
+    ComboBox::from_id_salt("cycle")
+        .selected_text(title(view, chosen))
+        .width(ui.available_width() - space(2.5))
+        .truncate()
+        .height(list_height(ui))
+        .show_ui(ui, |ui| {
+            for cycle in CYCLES {
+                if ui.selectable_label(cycle.number == chosen.number, title(view, cycle)).clicked() {
+                    view.send(Command::Cycles(CyclesCommand::Choose(cycle.number)));
+                    ui.close();
+                }
+            }
+        })
+        .response
+        .labelled_by(name.id);
+}
+
+pub(super) const fn from_id(from: ContactsFrom) -> &'static str {
+    match from {
+        ContactsFrom::Perfect => "cycles-perfect",
+        ContactsFrom::Simulated => "cycles-simulated",
+        ContactsFrom::Recorded => "cycles-recorded",
+    }
+}
+
+/// Where contacts come from, and what belongs to it.
+fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
+    quiet(ui, view.text("cycles-contacts-from"));
+    let from = view.session.cycles().from();
+    ui.horizontal_wrapped(|ui| {
+        for choice in ContactsFrom::ALL {
+            if ui.radio(from == choice, view.text(from_id(choice))).clicked() {
+                view.send(Command::Cycles(CyclesCommand::From(choice)));
+            }
+        }
+    });
+    match from {
+        ContactsFrom::Perfect => {}
+        ContactsFrom::Simulated => {
+            ui.horizontal(|ui| simulated_ui(ui, view));
+            // The dialog says it beside the field.
+            let page = view.session.cycles();
+            if let Some(error) = page.bench().problem().filter(|_| !page.bench_is_open()) {
+                problem(ui, view.words.say(error));
+            }
+        }
+        ContactsFrom::Recorded => _ = ui.horizontal(|ui| recorded_ui(ui, view)),
+    }
+    probe_ui(ui, view);
+}
+
+fn simulated_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if ui.button(view.text("cycles-workpiece")).clicked() {
+        view.send(Command::Cycles(CyclesCommand::ShowBench(true)));
+    }
+    if ui.button(view.text("cycles-suit")).clicked() {
+        view.send(Command::Cycles(CyclesCommand::SuitBench));
+    }
+}
+
+fn recorded_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if ui.button(view.text("cycles-open-contacts")).clicked() {
+        view.send(Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Contacts)));
+    }
+    match view.session.cycles().recorded() {
+        Some(recorded) => {
+            let said = Message::new("cycles-contacts-of").count("count", recorded.contacts.len());
+            quiet_cut(ui, view.words.say(&said.text("file", &recorded.name)));
+        }
+        None => _ = quiet(ui, view.text("cycles-no-file")),
+    }
+}
+
+/// The row of the touch-probe table.
+fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal(|ui| {
+        let page = view.session.cycles();
+        let name = quiet(ui, view.text("cycles-probe"));
+        let probe = page.probe();
+        ComboBox::from_id_salt("cycle-probe")
+            .selected_text(probe.number.to_string())
+            .width(space(14.0))
+            .height(list_height(ui))
+            .show_ui(ui, |ui| {
+                for row in page.probes() {
+                    if ui.selectable_label(row.number == probe.number, row.number.to_string()).clicked() {
+                        view.send(Command::Cycles(CyclesCommand::ChooseProbe(row.number)));
+                        ui.close();
+                    }
+                }
+                if ui.button(view.text("cycles-open-probes")).clicked() {
+                    view.send(Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Probes)));
+                    ui.close();
+                }
+                if page.probes_name().is_some() && ui.button(view.text("cycles-shipped-probes")).clicked() {
+                    view.send(Command::Cycles(CyclesCommand::ShippedProbes));
+                    ui.close();
+                }
+            })
+            .response
+            .labelled_by(name.id);
+        let said = Message::new("cycles-probe-is").mm("set-up", probe.set_up).mm("dist", probe.longest_path);
+        quiet_cut(ui, view.words.say(&said));
+    });
+}
+
+fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal(|ui| {
+        let palette = palette(ui.ctx());
+        ui.spacing_mut().item_spacing.x = space(1.5);
+        // The two small buttons keep their words whole.
+        let small = |ui: &Ui, id: &str| {
+            let galley = ui.painter().layout_no_wrap(view.words.get(id), theme::font(sizes().body), palette.text.0);
+            galley.size().x + 2.0 * ui.spacing().button_padding.x + space(1.0)
+        };
+        let widths = [small(ui, "clear"), small(ui, "keypad")];
+        let width = ui.available_width() - widths.iter().sum::<f32>() - space(5.0);
+        let text = RichText::new(view.text("cycles-run")).color(palette.on_accent.0).font(theme::bold(sizes().body));
+        let button = Button::new(text).fill(palette.accent.0).min_size(vec2(width, sizes().touch));
+        if ui.add(button).on_hover_text("F5").clicked() {
+            view.send(Command::Cycles(CyclesCommand::Run));
+        }
+        let clear = Button::new(view.text("clear")).min_size(vec2(0.0, sizes().touch));
+        if ui.add(clear).clicked() {
+            view.send(Command::Cycles(CyclesCommand::Clear));
+        }
+        let keypad = view.session.has_keypad();
+        let button = Button::new(view.text("keypad")).selected(keypad).min_size(vec2(0.0, sizes().touch));
+        if ui.add(button).clicked() {
+            view.send(Command::ShowKeypad(!keypad));
+        }
+    });
+}
+
+fn last_id() -> Id {
+    Id::unique("cycle-parameter")
+}
+
+/// The parameter that had the focus last.
+pub(super) fn last_focused(ui: &Ui) -> Option<Key> {
+    ui.data(|data| data.get_temp(last_id()))
+}
+
+fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let cycle = view.session.cycles().cycle();
+    let mut focused = None;
+    for parameter in cycle.parameters.iter().filter(|parameter| parameter.has_effect) {
+        if parameter_ui(ui, view, parameter) {
+            focused = Some(parameter.key);
+        }
+    }
+    let idle = || cycle.parameters.iter().filter(|parameter| !parameter.has_effect);
+    if idle().next().is_some() {
+        CollapsingHeader::new(view.text("cycles-without-effect")).id_salt("without-effect").show_unindented(ui, |ui| {
+            for parameter in idle() {
+                if parameter_ui(ui, view, parameter) {
+                    focused = Some(parameter.key);
+                }
+            }
+        });
+    }
+    if let Some(key) = focused {
+        ui.data_mut(|data| data.insert_temp(last_id(), key));
+    }
+}
+
+/// Where the ball stands before the cycle.
+fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
+    CollapsingHeader::new(view.text("cycles-position")).id_salt("cycle-position").show_unindented(ui, |ui| {
+        for axis in Axis::ALL {
+            let name = format!("{} {}", view.text("cycles-ball-stands"), axis.letter());
+            figure_ui(ui, view, CycleField::Position(axis), name, "mm");
+        }
+    });
+}
+
+fn block_buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.add_space(space(1.0));
+    ui.horizontal(|ui| {
+        if ui.button(view.text("cycles-paste-block")).clicked() {
+            view.send(Command::Cycles(CyclesCommand::ShowBlock(true)));
+        }
+        let copy = Button::new(view.text("cycles-copy-block"));
+        if ui.add_enabled(view.session.cycles().is_complete(), copy).clicked() {
+            view.send(Command::Cycles(CyclesCommand::CopyBlock));
+        }
+    });
+}

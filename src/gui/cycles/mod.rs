@@ -1,0 +1,80 @@
+//! The cycles page: a measuring cycle on a workpiece that can be bent, or on recorded contacts.
+//!
+//! | file | what |
+//! |---|---|
+//! | `form_panel` | left: the cycle, where contacts come from, its parameters |
+//! | `parameter_row` | one parameter: question, field or choice, unit, error |
+//! | `bench_window` | the dialog of the simulated workpiece |
+//! | `block_window` | an NC block typed or pasted |
+//! | `seen_panel` | middle: the parameter in focus, the path step by step, contacts, criteria |
+//! | `answer_panel` | right: verdict, status window, result parameters |
+//! | `picture` | the drawings |
+
+mod answer_panel;
+mod bench_window;
+mod block_window;
+mod form_panel;
+mod parameter_row;
+mod picture;
+mod seen_panel;
+
+use eframe::egui::{CentralPanel, Id, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
+
+use super::dialogs::just_opened;
+use super::field;
+use super::theme::space;
+use super::view::View;
+use crate::session::{Command, CycleField, CyclesCommand, Step};
+
+/// The page: left what is asked, middle what is seen, right the answer.
+pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if just_opened(ui, Id::unique("cycles-page"))
+        && let Some(first) = view.session.cycles().cycle().parameters.first()
+    {
+        ui.memory_mut(|memory| memory.request_focus(field::id(CycleField::Parameter(first.key))));
+    }
+    shortcuts(ui, view);
+    let size = ui.available_size();
+    let narrow = size.x < 1200.0;
+    let side = if narrow { space(80.0) } else { space(94.0) };
+    Panel::left("cycles-form").exact_size(side).show(ui, |ui| form_panel::form_ui(ui, view));
+    let side = if narrow { space(74.0) } else { space(82.0).max(size.x * 0.25) };
+    Panel::right("cycles-answer").exact_size(side).show(ui, |ui| {
+        column_ui(ui, |ui| answer_panel::answer_ui(ui, view));
+    });
+    CentralPanel::default().show(ui, |ui| seen_panel::seen_ui(ui, view));
+    bench_window::bench_ui(ui, view);
+    block_window::block_ui(ui, view);
+}
+
+/// Run and step from the keyboard, wherever the focus is.
+fn shortcuts(ui: &Ui, view: &mut View<'_>) {
+    if view.session.dialog().is_some() {
+        return;
+    }
+    let pressed = |modifiers, key| ui.input_mut(|input| input.consume_shortcut(&KeyboardShortcut::new(modifiers, key)));
+    if pressed(Modifiers::NONE, Key::F5) {
+        view.send(Command::Cycles(CyclesCommand::Run));
+    }
+    if view.session.cycles().run().is_none() {
+        return;
+    }
+    for (key, step) in STEP_KEYS {
+        if pressed(Modifiers::ALT, key) {
+            view.send(Command::Cycles(CyclesCommand::Step(step)));
+        }
+    }
+}
+
+/// The keys that step along the path, with Alt.
+const STEP_KEYS: [(Key, Step); 4] =
+    [(Key::Home, Step::First), (Key::ArrowLeft, Step::Back), (Key::ArrowRight, Step::Next), (Key::End, Step::Last)];
+
+/// A column that scrolls where the window is low; the floating bar never lies on its content.
+fn column_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ui.set_max_width(ui.available_width() - space(2.5));
+        ui.spacing_mut().item_spacing.y = space(1.0);
+        content(ui);
+    });
+}

@@ -1,0 +1,160 @@
+//! One parameter of a cycle: the control's question, a field or a choice, the unit, and an error below.
+
+use eframe::egui::{Align, ComboBox, Event, Id, Layout, RichText, Ui, vec2};
+
+use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::theme::{palette, sizes, space};
+use crate::gui::view::{View, list_height, quiet, quiet_cut};
+use crate::probing::cycle::{Key, Parameter, Range, Unset, Value};
+use crate::session::{Command, CycleField, CyclesCommand};
+
+/// How wide a field is.
+const FIELD: f32 = 24.0;
+
+/// How wide a unit is.
+const UNIT: f32 = 7.0;
+
+/// The row; answers whether it has the focus.
+pub(super) fn parameter_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static Parameter) -> bool {
+    let key = parameter.key;
+    let question = parameter.question(view.words.language());
+    let mut has_focus = false;
+    row_ui(ui, format!("{key}  {question}"), |ui, name| {
+        has_focus = match parameter.range {
+            Range::OneOf(allowed) => choice_ui(ui, view, (parameter, allowed), name),
+            _ => number_ui(ui, view, CycleField::Parameter(key), name, (parameter, &hint(view, parameter))),
+        };
+    });
+    error_ui(ui, view, CycleField::Parameter(key));
+    if view.session.cycles().is_predef(key) {
+        row_ui(ui, format!("{key}  {}", view.text("cycles-predef")), |ui, name| {
+            has_focus |= number_ui(ui, view, CycleField::Global(key), name, (parameter, ""));
+        });
+        error_ui(ui, view, CycleField::Global(key));
+    }
+    has_focus
+}
+
+/// A name on the left and its field at the right edge.
+pub(super) fn row_ui(ui: &mut Ui, name: String, field: impl FnOnce(&mut Ui, Id)) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space(1.0);
+        let width = (ui.available_width() - space(FIELD + UNIT + 2.0)).max(space(10.0));
+        let label =
+            ui.allocate_ui_with_layout(vec2(width, sizes().field), Layout::left_to_right(Align::Center), |ui| {
+                ui.set_min_width(width);
+                quiet_cut(ui, name)
+            });
+        field(ui, label.inner.id);
+    });
+}
+
+/// What counts while nothing is typed.
+fn hint(view: &View<'_>, parameter: &Parameter) -> String {
+    match (parameter.default_with(view.session.cycles().inputs()), parameter.unset) {
+        (Some(value @ (Value::Length(_) | Value::Angle(_) | Value::Number(_))), _) => {
+            view.words.number(value.to_string().trim_end_matches('°'))
+        }
+        (Some(_), _) | (None, Unset::Empty | Unset::Value(_)) => view.text("cycles-none"),
+        (None, Unset::Refused) => view.text("cycles-needed"),
+    }
+}
+
+fn number_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    of: CycleField,
+    name: Id,
+    (parameter, hint): (&Parameter, &str),
+) -> bool {
+    let look = Look { hint: hint.to_owned(), ..Look::number(space(FIELD)) };
+    let response = field_ui(ui, view, of, name, look);
+    quiet(ui, parameter.range.unit().unwrap_or_default());
+    if response.gained_focus() {
+        response.scroll_to_me(None);
+    }
+    response.has_focus()
+}
+
+/// What a number of a choice means, where that is known.
+fn meaning(view: &View<'_>, key: Key, number: i64) -> Option<String> {
+    let number = if number < 0 { format!("minus-{}", number.unsigned_abs()) } else { number.to_string() };
+    view.words.find(&format!("cycles-choice-{}", format!("{key}-{number}").to_lowercase()))
+}
+
+/// One of a few numbers, each with what it means.
+fn choice_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    (parameter, allowed): (&'static Parameter, &'static [i64]),
+    name: Id,
+) -> bool {
+    let key = parameter.key;
+    let said = |number: i64| {
+        let figure = view.words.number(&number.to_string());
+        meaning(view, key, number).map_or_else(|| figure.clone(), |meaning| format!("{figure}  {meaning}"))
+    };
+    let typed = view.session.cycles().text(CycleField::Parameter(key)).trim().to_owned();
+    let chosen = match (parameter.read(&typed).ok(), parameter.default_value()) {
+        (Some(Value::Whole(number)), _) => Some(number),
+        (_, Some(Value::Whole(number))) if typed.is_empty() => Some(number),
+        _ => None,
+    };
+    let quiet = palette(ui.ctx()).quiet.0;
+    let shown = match chosen {
+        Some(number) if typed.is_empty() => RichText::new(said(number)).color(quiet),
+        Some(number) => RichText::new(said(number)),
+        None if typed.is_empty() => RichText::new(view.text("cycles-needed")).color(quiet),
+        None => RichText::new(typed.clone()),
+    };
+    let mut choice = None;
+    let response = ComboBox::from_id_salt(("cycle-choice", key))
+        .selected_text(shown)
+        .width(space(FIELD + UNIT - 1.0))
+        .truncate()
+        .height(list_height(ui))
+        .show_ui(ui, |ui| {
+            ui.set_min_width(space(60.0));
+            for number in allowed.iter().copied() {
+                if ui.selectable_label(chosen == Some(number), said(number)).clicked() {
+                    choice = Some(number);
+                    ui.close();
+                }
+            }
+        })
+        .response
+        .labelled_by(name);
+    if response.has_focus() {
+        choice = choice.or_else(|| typed_number(ui, allowed));
+    }
+    if let Some(number) = choice {
+        let field = CycleField::Parameter(key);
+        view.send(Command::Cycles(CyclesCommand::Type(field, number.to_string())));
+    }
+    response.has_focus()
+}
+
+/// The choice whose number was just typed; a minus is the negative one.
+fn typed_number(ui: &Ui, allowed: &[i64]) -> Option<i64> {
+    let typed = ui.input(|input| {
+        let text = |event: &Event| if let Event::Text(text) = event { Some(text.clone()) } else { None };
+        input.events.iter().find_map(text)
+    })?;
+    let number = typed.parse().ok();
+    allowed.iter().copied().find(|allowed| Some(*allowed) == number || (typed == "-" && *allowed < 0))
+}
+
+/// A field without a parameter's declaration, such as a figure of the workpiece; one that may be empty says so.
+pub(super) fn figure_ui(ui: &mut Ui, view: &mut View<'_>, of: CycleField, name: String, unit: &str) {
+    let is_optional = match of {
+        CycleField::Bench(field) => field.is_optional(),
+        CycleField::Position(_) => true,
+        CycleField::Parameter(_) | CycleField::Global(_) => false,
+    };
+    let hint = if is_optional { view.text("cycles-none") } else { String::new() };
+    row_ui(ui, name, |ui, name| {
+        field_ui(ui, view, of, name, Look { hint, ..Look::number(space(FIELD)) });
+        quiet(ui, unit);
+    });
+    error_ui(ui, view, of);
+}

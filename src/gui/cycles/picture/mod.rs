@@ -1,0 +1,33 @@
+//! The drawings of the cycles page. They show what they are given and decide nothing; nothing in them moves.
+//!
+//! | file | what |
+//! |---|---|
+//! | `meaning` | what a parameter of a cycle means, for its drawing |
+//! | `parameter` | the drawing of a parameter, and its sentence |
+//! | `plan`, `section`, `choice`, `general` | its views: from above, from the side, one of a few numbers, any other |
+//! | `path`, `scale` | the way of the ball's centre, from above and from the side; one view of it |
+//! | `contacts` | contacts about a circle, deviations magnified; `bar`: one deviation between its limits |
+//! | `criteria` | every criterion of a circle side by side |
+//! | `canvas` | lines, arrows, dimensions, labels: what all drawings are made of |
+//!
+//! Every drawing says in words, as the name of its figure, what it shows.
+
+mod bar;
+mod canvas;
+mod choice;
+mod contacts;
+mod criteria;
+mod general;
+mod meaning;
+mod parameter;
+mod path;
+mod plan;
+mod scale;
+mod section;
+#[cfg(test)]
+mod tests;
+
+pub(in crate::gui) use contacts::contacts_picture;
+pub(in crate::gui) use criteria::criteria_table;
+pub(in crate::gui) use parameter::parameter_picture;
+pub(in crate::gui) use path::path_picture;

@@ -1,0 +1,198 @@
+//! The way of the ball's centre, from above and from the side: what is done, what is to come, where the ball is.
+
+use std::f64::consts::{PI, TAU};
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Align2, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
+
+use super::canvas::Canvas;
+use super::criteria::plain;
+use super::scale::{Scale, legend};
+use crate::gui::theme::{palette, sizes, space};
+use crate::gui::view::View;
+use crate::probing::cycle::{Move, Nominal, Phase, Plane};
+use crate::words::{Message, Words};
+
+/// Points on an arc of the way.
+const STEPS: u8 = 48;
+
+/// The way of the probe after so many moves (`step`, from 0 to their number), with the surface that the cycle expects and
+/// the ball to scale (`ball_radius`, mm; 0 where contacts are points of the surface).
+pub(in crate::gui) fn path_picture(
+    ui: &mut Ui,
+    view: &View<'_>,
+    path: &[Move],
+    step: usize,
+    nominal: Option<Nominal>,
+    ball_radius: f64,
+) {
+    let moves: Vec<Move> = path.iter().copied().filter(is_finite).collect();
+    // Moves that cannot be drawn are none; the step counts those that can.
+    let step = path.iter().take(step).filter(|one| is_finite(one)).count();
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height(ui)), Sense::hover());
+    if ui.is_rect_visible(rect) {
+        let canvas = Canvas::new(ui.painter(), palette(ui.ctx()), rect);
+        let way = Way { moves: &moves, step, nominal, ball_radius: ball_radius.abs().min(1e6) };
+        draw(&canvas, &way, view.words);
+    }
+    let said = describe(view.words, &moves, step);
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
+}
+
+/// As high as there is room, in a list that scrolls three quarters of the width.
+pub(super) fn height(ui: &Ui) -> f32 {
+    let most = (ui.available_width() * 0.75).max(space(40.0));
+    ui.available_height().clamp(space(40.0), most)
+}
+
+fn is_finite(one: &Move) -> bool {
+    let about = one.about.unwrap_or_default();
+    one.from.iter().chain(&one.to).chain(&about).all(|value| value.abs() < 1e9)
+}
+
+/// The name of a phase's word.
+pub(super) const fn phase_id(phase: Phase) -> &'static str {
+    match phase {
+        Phase::PrePosition => "cycle-picture-phase-pre-position",
+        Phase::Approach => "cycle-picture-phase-approach",
+        Phase::Contact => "cycle-picture-phase-contact",
+        Phase::Retract => "cycle-picture-phase-retract",
+        Phase::Leave => "cycle-picture-phase-leave",
+    }
+}
+
+fn describe(words: &Words, moves: &[Move], step: usize) -> String {
+    let Some(at) = place(moves, step) else { return words.get("cycle-picture-no-path") };
+    let [x, y, z] = at.map(|value| words.number(&plain(value, 3)));
+    let contacts = moves.iter().filter(|one| one.phase == Phase::Contact).count();
+    let message = Message::new("cycle-picture-path").text("step", step).text("moves", moves.len());
+    let said = words.say(&message.count("contacts", contacts).text("x", x).text("y", y).text("z", z));
+    let Some(now) = step.checked_sub(1).and_then(|last| moves.get(last)) else { return said };
+    let phase = words.get(phase_id(now.phase));
+    match now.touch {
+        Some(touch) => {
+            let now = Message::new("cycle-picture-path-touch").text("phase", phase).text("touch", touch);
+            format!("{said} {}", words.say(&now))
+        }
+        None => format!("{said} {phase}"),
+    }
+}
+
+/// Where the ball is after so many moves.
+pub(super) fn place(moves: &[Move], step: usize) -> Option<[f64; 3]> {
+    match step.checked_sub(1).and_then(|last| moves.get(last)) {
+        Some(last) => Some(last.to),
+        None => moves.first().map(|first| first.from),
+    }
+}
+
+/// What is shown.
+pub(super) struct Way<'a> {
+    pub(super) moves: &'a [Move],
+    pub(super) step: usize,
+    pub(super) nominal: Option<Nominal>,
+    pub(super) ball_radius: f64,
+}
+
+impl Way<'_> {
+    pub(super) fn plane(&self) -> Plane {
+        match self.nominal {
+            Some(Nominal::Circle { plane, .. }) => plane,
+            _ => Plane::Xy,
+        }
+    }
+
+    /// Places of the way, in the coordinates of a view.
+    pub(super) fn places(&self, eye: Eye) -> Vec<[f64; 2]> {
+        self.moves.iter().flat_map(|one| trace(one, self.plane())).map(|place| eye.see(place)).collect()
+    }
+}
+
+/// The places of a move in plane coordinates: two ends, or the points of an arc the shorter way round.
+pub(super) fn trace(one: &Move, plane: Plane) -> Vec<[f64; 3]> {
+    let (from, to) = (plane.within(one.from), plane.within(one.to));
+    let Some(about) = one.about.map(|about| plane.within(about)) else { return vec![from, to] };
+    let about_centre = |[x, y, _]: [f64; 3]| {
+        let [centre_x, centre_y, _] = about;
+        (x - centre_x, y - centre_y)
+    };
+    let ((from_x, from_y), (to_x, to_y)) = (about_centre(from), about_centre(to));
+    let (begin, end) = (from_y.atan2(from_x), to_y.atan2(to_x));
+    let turn = (end - begin + PI).rem_euclid(TAU) - PI;
+    let (first, last) = (from_x.hypot(from_y), to_x.hypot(to_y));
+    let ([_, _, low], [_, _, high]) = (from, to);
+    (0..=STEPS)
+        .map(|step| {
+            let share = f64::from(step) / f64::from(STEPS);
+            let (sin, cos) = (begin + turn * share).sin_cos();
+            let radius = first + (last - first) * share;
+            let [centre_x, centre_y, _] = about;
+            [centre_x + radius * cos, centre_y + radius * sin, low + (high - low) * share]
+        })
+        .collect()
+}
+
+/// From where the way is looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Eye {
+    /// Onto the plane.
+    Above,
+    /// Along the second axis.
+    Side,
+    /// Along the first axis.
+    Front,
+}
+
+impl Eye {
+    pub(super) const fn see(self, [first, second, height]: [f64; 3]) -> [f64; 2] {
+        match self {
+            Self::Above => [first, second],
+            Self::Side => [first, height],
+            Self::Front => [second, height],
+        }
+    }
+
+    /// The side from which a face is seen as a line, where there is one.
+    fn beside(nominal: Option<Nominal>) -> Self {
+        match nominal {
+            Some(Nominal::Face { normal: [x, y, _], .. }) if x.abs() < y.abs() => Self::Front,
+            _ => Self::Side,
+        }
+    }
+
+    pub(super) const fn names(self, plane: Plane) -> [&'static str; 2] {
+        let [first, second] = plane.axes();
+        let third = match plane {
+            Plane::Xy => "Z",
+            Plane::Zx => "Y",
+            Plane::Yz => "X",
+        };
+        match self {
+            Self::Above => [first, second],
+            Self::Side => [first, third],
+            Self::Front => [second, third],
+        }
+    }
+}
+
+fn draw(canvas: &Canvas<'_>, way: &Way<'_>, words: &Words) {
+    let line = sizes().small + space(2.0);
+    let body = Rect::from_min_max(canvas.rect.min, canvas.rect.max - vec2(0.0, line));
+    legend(canvas, Rect::from_min_max(pos2(body.left(), body.bottom()), canvas.rect.max), words);
+    if way.moves.is_empty() {
+        canvas.note(body.center(), Align2::CENTER_CENTER, &words.get("cycle-picture-no-path"));
+        return;
+    }
+    let gap = space(2.0);
+    let (above, side) = if body.height() * 1.15 < body.width() {
+        let (left, right) = body.split_left_right_at_fraction(0.58);
+        (left.with_max_x(left.right() - gap), right.with_min_x(right.left() + gap))
+    } else {
+        let (top, bottom) = body.split_top_bottom_at_fraction(0.6);
+        (top.with_max_y(top.bottom() - gap), bottom.with_min_y(bottom.top() + gap))
+    };
+    let beside = Eye::beside(way.nominal);
+    for (eye, rect) in [(Eye::Above, above), (beside, side)] {
+        Scale::of(way, eye, rect).view(canvas, way, words);
+    }
+}

@@ -1,0 +1,297 @@
+//! Parameters that are seen from above: centres, diameters, angles, points, limits; and the normal, seen at an angle.
+
+use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
+
+use super::canvas::{BESIDE, Canvas, polar};
+use super::meaning::{Axis, Meaning, Scene};
+
+/// The datum.
+const DATUM: Pos2 = pos2(46.0, 128.0);
+/// The centre of the circle, and its radius.
+const CENTRE: Pos2 = pos2(160.0, 62.0);
+const RADIUS: f32 = 42.0;
+/// The ball.
+const BALL: f32 = 9.0;
+/// The angle of the first contact, and the step to the next.
+const FIRST: f32 = 50.0;
+const STEP: f32 = 80.0;
+/// The face that is touched, from above.
+const FACE: Rect = Rect { min: pos2(72.0, 20.0), max: pos2(168.0, 112.0) };
+/// Below and left of the datum is room for dimensions.
+const BELOW: f32 = 147.0;
+const ASIDE: f32 = 20.0;
+
+struct Plan<'a> {
+    canvas: &'a Canvas<'a>,
+    scene: Scene,
+    key: &'a str,
+}
+
+pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &str) {
+    let plan = Plan { canvas, scene, key };
+    match meaning {
+        Meaning::Centre(axis) => plan.centre(axis),
+        Meaning::CentreTolerance(axis) => plan.centre_tolerance(axis),
+        Meaning::Diameter => plan.diameter(),
+        Meaning::StartDiameter => plan.start_diameter(),
+        Meaning::MaximumSize => plan.limit(RADIUS + 10.0),
+        Meaning::MinimumSize => plan.limit(RADIUS - 8.0),
+        Meaning::FirstAngle => plan.first_angle(),
+        Meaning::Step => plan.step(),
+        Meaning::Path => plan.path(),
+        Meaning::Point(axis) => plan.point(axis),
+        Meaning::MaximumCoordinate => plan.coordinate(14.0),
+        Meaning::MinimumCoordinate => plan.coordinate(-14.0),
+        Meaning::Normal(axis) => plan.normal(axis),
+        _ => super::general::draw(canvas, meaning, key),
+    }
+}
+
+impl Plan<'_> {
+    fn at(&self, place: Pos2) -> Pos2 {
+        self.canvas.rect.min + place.to_vec2()
+    }
+
+    fn axes(&self) {
+        let names = if self.scene == Scene::Turned { ["1", "2"] } else { ["X", "Y"] };
+        let [first, second] = names;
+        let origin = self.at(DATUM);
+        self.canvas.arrow(origin, self.at(pos2(254.0, DATUM.y)), self.canvas.thin());
+        self.canvas.arrow(origin, self.at(pos2(DATUM.x, 6.0)), self.canvas.thin());
+        self.canvas.note(self.at(pos2(254.0, DATUM.y + 3.0)), Align2::RIGHT_TOP, first);
+        self.canvas.note(self.at(pos2(DATUM.x - 6.0, 6.0)), Align2::RIGHT_TOP, second);
+        self.canvas.circle(origin, 3.5, self.canvas.palette.panel.0, self.canvas.edge());
+    }
+
+    fn circle(&self) {
+        let centre = self.at(CENTRE);
+        let palette = self.canvas.palette;
+        if self.scene == Scene::Stud {
+            self.canvas.circle(centre, RADIUS, palette.none.0, self.canvas.edge());
+        } else {
+            self.canvas.block(Rect::from_center_size(centre, vec2(156.0, 112.0)));
+            self.canvas.circle(centre, RADIUS, palette.panel.0, self.canvas.edge());
+        }
+        self.canvas.cross(centre, 5.0, self.canvas.thin());
+    }
+
+    /// The ball where it touches the circle in a direction, from the side that is probed.
+    fn touching(&self, degrees: f32) -> Pos2 {
+        let off = if self.scene == Scene::Stud { BALL } else { -BALL };
+        polar(self.at(CENTRE), RADIUS + off, degrees)
+    }
+
+    /// A line from what is measured to its dimension.
+    fn extension(&self, from: Pos2, to: Pos2) {
+        self.canvas.line(from, to, self.canvas.thin());
+    }
+
+    /// A coordinate of a place in an axis.
+    fn coordinate_of(&self, place: Pos2, axis: Axis) {
+        let (origin, place) = (self.at(DATUM), self.at(place));
+        if axis == Axis::First {
+            let y = self.at(pos2(0.0, BELOW)).y;
+            self.extension(place, pos2(place.x, y + 4.0));
+            self.extension(origin, pos2(origin.x, y + 4.0));
+            self.canvas.dimension(pos2(origin.x, y), pos2(place.x, y));
+            self.canvas.key(pos2(f32::midpoint(origin.x, place.x), y), Align2::CENTER_CENTER, self.key);
+        } else {
+            let x = self.at(pos2(ASIDE, 0.0)).x;
+            self.extension(place, pos2(x - 4.0, place.y));
+            self.extension(origin, pos2(x - 4.0, origin.y));
+            self.canvas.dimension(pos2(x, origin.y), pos2(x, place.y));
+            self.canvas.key(pos2(x, f32::midpoint(origin.y, place.y)), Align2::CENTER_CENTER, self.key);
+        }
+    }
+
+    fn centre(&self, axis: Axis) {
+        self.circle();
+        self.axes();
+        self.coordinate_of(CENTRE, axis);
+        self.canvas.cross(self.at(CENTRE), 7.0, self.canvas.strong());
+    }
+
+    fn centre_tolerance(&self, axis: Axis) {
+        const HALF: f32 = 22.0;
+        self.circle();
+        self.axes();
+        let centre = self.at(CENTRE);
+        let (along, across) = if axis == Axis::First { (Vec2::X, Vec2::Y) } else { (Vec2::Y, Vec2::X) };
+        let zone = Rect::from_two_pos(centre - along * HALF - across * 30.0, centre + along * HALF + across * 30.0);
+        self.canvas.painter.rect_filled(zone, 0.0, self.canvas.palette.zone.0);
+        let edge = Stroke::new(1.0, self.canvas.palette.zone_edge.0);
+        for side in [-1.0, 1.0] {
+            let place = centre + along * HALF * side;
+            self.canvas.line(place - across * 30.0, place + across * 30.0, edge);
+        }
+        self.canvas.dimension(centre - along * HALF, centre + along * HALF);
+        self.canvas.cross(centre, 7.0, self.canvas.edge());
+        let text = format!("± {}", self.key);
+        if axis == Axis::First {
+            self.canvas.key(centre + vec2(0.0, 18.0), Align2::CENTER_CENTER, &text);
+        } else {
+            self.canvas.key(centre + vec2(BESIDE + 5.0, 0.0), Align2::LEFT_CENTER, &text);
+        }
+    }
+
+    fn diameter(&self) {
+        self.circle();
+        self.axes();
+        self.across(RADIUS, -25.0);
+    }
+
+    /// A dimension through the centre.
+    fn across(&self, radius: f32, degrees: f32) {
+        let centre = self.at(CENTRE);
+        self.canvas.dimension(polar(centre, radius, degrees + 180.0), polar(centre, radius, degrees));
+        self.canvas.key(centre, Align2::CENTER_CENTER, self.key);
+    }
+
+    fn start_diameter(&self) {
+        self.circle();
+        self.axes();
+        let (centre, radius) = (self.at(CENTRE), RADIUS * 0.7);
+        self.canvas.ring(centre, radius, self.canvas.strong());
+        for step in 0..3_u8 {
+            self.canvas.ball(polar(centre, radius, 60.0 + 120.0 * f32::from(step)), BALL * 0.6);
+        }
+        self.across(radius, -25.0);
+    }
+
+    /// A limit of size, beside the edge.
+    fn limit(&self, radius: f32) {
+        self.circle();
+        self.axes();
+        let centre = self.at(CENTRE);
+        self.canvas.ring(centre, radius, self.canvas.strong());
+        self.across(radius, -25.0);
+    }
+
+    fn first_angle(&self) {
+        self.circle();
+        self.axes();
+        let centre = self.at(CENTRE);
+        // On the side where the ball is not.
+        let radius = if self.scene == Scene::Stud { RADIUS * 0.65 } else { RADIUS + 14.0 };
+        for degrees in [0.0, FIRST] {
+            self.canvas.line(centre, polar(centre, radius.max(RADIUS) + 6.0, degrees), self.canvas.thin());
+        }
+        self.canvas.ball(self.touching(FIRST), BALL);
+        self.canvas.contact(polar(centre, RADIUS, FIRST), self.canvas.palette.accent.0);
+        self.canvas.arc_arrow(centre, radius, [0.0, FIRST], self.canvas.strong());
+        let beside = polar(centre, radius.max(RADIUS) + 4.0, FIRST * 0.4);
+        self.canvas.key(beside, Align2::LEFT_CENTER, self.key);
+    }
+
+    fn step(&self) {
+        self.circle();
+        self.axes();
+        let centre = self.at(CENTRE);
+        for (number, touch) in ["1", "2", "3"].into_iter().zip(0_u8..) {
+            let degrees = 15.0 + STEP * f32::from(touch);
+            self.canvas.line(centre, polar(centre, RADIUS, degrees), self.canvas.thin());
+            let colour = if touch < 2 { self.canvas.palette.accent.0 } else { self.canvas.palette.text.0 };
+            self.canvas.contact(polar(centre, RADIUS, degrees), colour);
+            let place = polar(centre, RADIUS - 11.0, degrees + 18.0);
+            self.canvas.note(place, Align2::CENTER_CENTER, number);
+        }
+        self.canvas.arc_arrow(centre, RADIUS * 0.42, [15.0, 15.0 + STEP], self.canvas.strong());
+        let place = polar(centre, RADIUS + 14.0, 15.0 + STEP / 2.0);
+        self.canvas.key(place + vec2(2.0, 2.0), Align2::LEFT_BOTTOM, self.key);
+    }
+
+    fn path(&self) {
+        self.circle();
+        self.axes();
+        let centre = self.at(CENTRE);
+        let from = polar(centre, 10.0, 20.0);
+        let to = polar(centre, RADIUS + 22.0, 20.0);
+        self.canvas.ball(from, BALL);
+        self.canvas.ghost(polar(centre, RADIUS - BALL, 20.0), BALL);
+        self.canvas.arrow(from, to, self.canvas.strong());
+        self.canvas.key(to + vec2(2.0, -5.0), Align2::CENTER_BOTTOM, &format!("+{}", self.key));
+        let back = polar(centre, 30.0, 200.0);
+        self.canvas.dashed(&[polar(centre, 2.0, 200.0), back], self.canvas.strong(), 4.0, 3.0);
+        self.canvas.head(back, polar(Pos2::ZERO, 1.0, 200.0).to_vec2(), self.canvas.palette.accent.0);
+        self.canvas.key(polar(centre, RADIUS + 8.0, 200.0), Align2::RIGHT_CENTER, &format!("−{}", self.key));
+    }
+
+    /// The block with the point on its face.
+    fn face(&self) -> Pos2 {
+        let block = Rect::from_min_max(self.at(FACE.min), self.at(FACE.max));
+        self.canvas.block(block);
+        self.axes();
+        pos2(FACE.right(), FACE.center().y)
+    }
+
+    fn point(&self, axis: Axis) {
+        let point = self.face();
+        let ball = self.at(point) + vec2(BALL, 0.0);
+        self.canvas.arrow(ball + vec2(50.0, 0.0), ball + vec2(BALL, 0.0), self.canvas.thin());
+        self.canvas.ball(ball, BALL);
+        self.coordinate_of(point, axis);
+        self.canvas.contact(self.at(point), self.canvas.palette.accent.0);
+    }
+
+    /// A limit of the face's coordinate, beside the face.
+    fn coordinate(&self, off: f32) {
+        let point = self.face();
+        let top = self.at(pos2(point.x, FACE.top() - 12.0));
+        let limit = pos2(point.x + off, point.y);
+        let [x, y] = [self.at(limit).x, top.y];
+        self.canvas.dashed(&[pos2(x, y), pos2(x, self.at(DATUM).y)], self.canvas.strong(), 6.0, 4.0);
+        let ball = self.at(point) + vec2(BALL, 0.0);
+        self.canvas.arrow(ball + vec2(50.0, 0.0), ball + vec2(BALL, 0.0), self.canvas.thin());
+        self.canvas.ball(ball, BALL);
+        let (origin, y) = (self.at(DATUM), self.at(pos2(0.0, BELOW)).y);
+        self.extension(pos2(x, origin.y), pos2(x, y + 4.0));
+        self.extension(origin, pos2(origin.x, y + 4.0));
+        self.canvas.dimension(pos2(origin.x, y), pos2(x, y));
+        self.canvas.key(pos2(f32::midpoint(origin.x, x), y), Align2::CENTER_CENTER, self.key);
+    }
+
+    /// The normal of a surface in space, and one component of it.
+    fn normal(&self, axis: Axis) {
+        // Second axis into the drawing.
+        let (x, y, z) = (vec2(62.0, 0.0), vec2(46.0, -28.0), vec2(0.0, -66.0));
+        let point = self.at(pos2(92.0, 126.0));
+        let tip = point + x + y + z;
+        self.patch(point, tip - point);
+        for (axis, name) in [(x, "X"), (y, "Y"), (z, "Z")] {
+            let end = point + axis + axis.normalized() * 20.0;
+            self.canvas.arrow(point, end, self.canvas.thin());
+            self.canvas.note(end + axis.normalized() * 9.0, Align2::CENTER_CENTER, name);
+        }
+        // The box whose diagonal the normal is.
+        let ways = [[x, y, z], [x, z, y], [y, x, z], [y, z, x], [z, x, y], [z, y, x]];
+        for [first, second, third] in ways {
+            let (one, two) = (point + first, point + first + second);
+            self.canvas.dashed(&[one, two], self.canvas.thin(), 3.0, 3.0);
+            self.canvas.dashed(&[two, two + third], self.canvas.thin(), 3.0, 3.0);
+        }
+        self.canvas.arrow(point, tip, self.canvas.edge());
+        let (along, share, off, anchor) = match axis {
+            Axis::First => (x, 0.8, vec2(BESIDE, 4.0), Align2::CENTER_TOP),
+            Axis::Second => (y, 0.5, vec2(BESIDE, BESIDE), Align2::LEFT_CENTER),
+            Axis::Third => (z, 0.8, vec2(-BESIDE, 0.0), Align2::RIGHT_CENTER),
+        };
+        self.canvas.arrow(point, point + along, self.canvas.strong());
+        self.canvas.key(point + along * share + off, anchor, self.key);
+        self.canvas.contact(point, self.canvas.palette.text.0);
+    }
+
+    /// A piece of the surface, seen at an angle.
+    fn patch(&self, centre: Pos2, normal: Vec2) {
+        let along = vec2(-normal.y, normal.x).normalized() * 40.0;
+        let flat = normal.normalized() * 13.0;
+        let points: Vec<Pos2> = (0..48_u8)
+            .map(|step| (f32::from(step) * 7.5).to_radians().sin_cos())
+            .map(|(sin, cos)| centre + along * cos + flat * sin)
+            .collect();
+        self.canvas.painter.add(eframe::egui::epaint::PathShape::convex_polygon(
+            points,
+            self.canvas.palette.none.0,
+            self.canvas.edge(),
+        ));
+    }
+}

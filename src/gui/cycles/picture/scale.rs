@@ -1,0 +1,281 @@
+//! One view of the way of the ball's centre: the same scale on both axes, the nominal surface, moves, ball, contacts.
+
+use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
+
+use super::canvas::{Canvas, screen};
+use super::path::{Eye, Way, phase_id, place, trace};
+use crate::gui::theme::{sizes, space};
+use crate::probing::cycle::{Move, Nominal, Phase, Plane};
+use crate::tolerance::Feature;
+use crate::words::{Message, Words};
+
+/// The share of the room that is left around a view.
+const MARGIN: f64 = 0.08;
+
+/// The least that is shown, mm, where the way has no extent.
+const LEAST_MM: f64 = 1e-3;
+
+/// Where a view shows what, with the same scale on both axes.
+pub(super) struct Scale {
+    eye: Eye,
+    rect: Rect,
+    /// What is in the middle, mm.
+    middle: [f64; 2],
+    points_per_mm: f64,
+}
+
+impl Scale {
+    /// As large as everything on the way has room.
+    pub(super) fn of(way: &Way<'_>, eye: Eye, rect: Rect) -> Self {
+        let mut places = way.places(eye);
+        let ball = way.ball_radius;
+        let mut around = ball;
+        match way.nominal {
+            Some(Nominal::Circle { centre: [first, second], diameter, .. }) if diameter < 1e9 => {
+                let radius = diameter / 2.0;
+                // From the side only as far as it is wide.
+                let height = places.first().map_or(0.0, |[_, height]| *height);
+                let across = [first - radius, first + radius];
+                match eye {
+                    Eye::Above => {
+                        places.extend(across.map(|first| [first, second]));
+                        places.extend([second - radius, second + radius].map(|second| [first, second]));
+                    }
+                    _ => places.extend(across.map(|first| [first, height])),
+                }
+                around = around.max(radius * MARGIN);
+            }
+            Some(Nominal::Face { point, .. }) if point.iter().all(|value| value.abs() < 1e9) => {
+                places.push(eye.see(way.plane().within(point)));
+            }
+            _ => {}
+        }
+        let fold = |axis: fn(&[f64; 2]) -> f64| {
+            let (least, most) = places
+                .iter()
+                .map(axis)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
+            (f64::midpoint(least, most), most - least)
+        };
+        let ((x, wide), (y, high)) = (fold(|[x, _]| *x), fold(|[_, y]| *y));
+        // A ball that moves little still has some room around it.
+        let size = |extent: f64| ((extent + 2.0 * around) * (1.0 + 2.0 * MARGIN)).max(6.0 * ball).max(LEAST_MM);
+        let room = rect.shrink(space(2.0));
+        let [width, height] = [room.width(), room.height()].map(|side| f64::from(side.max(1.0)));
+        Self { eye, rect, middle: [x, y], points_per_mm: (width / size(wide)).min(height / size(high)) }
+    }
+
+    fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
+        let [middle_x, middle_y] = self.middle;
+        let scaled = |off: f64| screen((off * self.points_per_mm).clamp(-1e5, 1e5));
+        self.rect.center() + vec2(scaled(x - middle_x), -scaled(y - middle_y))
+    }
+
+    fn length(&self, mm: f64) -> f32 {
+        screen((mm * self.points_per_mm).clamp(0.0, 1e5))
+    }
+
+    /// Draws the view.
+    pub(super) fn view(&self, canvas: &Canvas<'_>, way: &Way<'_>, words: &Words) {
+        let canvas = Canvas::new(&canvas.painter, canvas.palette, self.rect);
+        let frame = Stroke::new(1.0, canvas.palette.line.0);
+        canvas.painter.rect_filled(self.rect, 4.0, canvas.palette.panel.0);
+        self.nominal(&canvas, way);
+        canvas.painter.rect_stroke(self.rect, 4.0, frame, eframe::egui::StrokeKind::Inside);
+        for (number, one) in way.moves.iter().enumerate().rev() {
+            self.go(&canvas, one, way.plane(), number < way.step);
+        }
+        if let Some(at) = place(way.moves, way.step) {
+            let at = self.at(self.eye.see(way.plane().within(at)));
+            canvas.ball(at, self.length(way.ball_radius).max(3.0));
+        }
+        if self.eye == Eye::Above {
+            self.contacts(&canvas, way);
+        }
+        self.names(&canvas, way, words);
+    }
+
+    fn nominal(&self, canvas: &Canvas<'_>, way: &Way<'_>) {
+        match way.nominal {
+            Some(Nominal::Circle { feature, centre: [first, second], diameter, .. }) if diameter < 1e9 => {
+                let radius = diameter / 2.0;
+                if self.eye == Eye::Above {
+                    let (centre, radius) = (self.at([first, second]), self.length(radius));
+                    let (out, within) = match feature {
+                        Feature::Hole => (canvas.palette.none.0, canvas.palette.panel.0),
+                        Feature::Shaft => (canvas.palette.panel.0, canvas.palette.none.0),
+                    };
+                    canvas.painter.rect_filled(self.rect, 4.0, out);
+                    canvas.circle(centre, radius, within, canvas.edge());
+                    canvas.cross(centre, 5.0, canvas.thin());
+                } else {
+                    self.walls(canvas, way, feature, [first - radius, first + radius]);
+                }
+            }
+            Some(Nominal::Face { point, normal }) if point.iter().all(|value| value.abs() < 1e9) => {
+                let plane = way.plane();
+                self.face(canvas, self.eye.see(plane.within(point)), self.eye.see(plane.within(normal)));
+            }
+            _ => {}
+        }
+    }
+
+    /// A hole or stud from the side, as far up as it is certain to reach: a ball's radius above the contacts.
+    fn walls(&self, canvas: &Canvas<'_>, way: &Way<'_>, feature: Feature, [left, right]: [f64; 2]) {
+        let contacts = way.moves.iter().filter(|one| one.phase == Phase::Contact);
+        let heights = contacts.map(|one| self.eye.see(way.plane().within(one.to))).map(|[_, height]| height);
+        let Some(top) = heights.reduce(f64::max) else { return };
+        let y = self.at([0.0, top + way.ball_radius]).y.min(self.rect.bottom());
+        let [left, right] = [left, right].map(|x| self.at([x, top]).x);
+        let block = |from: f32, to: f32| {
+            let rect = Rect::from_min_max(pos2(from, y), pos2(to, self.rect.bottom() + 4.0));
+            if rect.is_positive() {
+                canvas.cut(rect);
+            }
+        };
+        match feature {
+            Feature::Hole => {
+                block(self.rect.left() - 4.0, left);
+                block(right, self.rect.right() + 4.0);
+            }
+            Feature::Shaft => block(left, right),
+        }
+    }
+
+    /// A face as a line with its material behind it; seen from in front, the whole view is its material.
+    fn face(&self, canvas: &Canvas<'_>, point: [f64; 2], [normal_x, normal_y]: [f64; 2]) {
+        let largest = normal_x.abs().max(normal_y.abs());
+        if largest.is_nan() || largest < 1e-9 {
+            canvas.painter.rect_filled(self.rect, 4.0, canvas.palette.none.0);
+            canvas.cross(self.at(point), 6.0, canvas.thin());
+            return;
+        }
+        let out = vec2(screen(normal_x / largest), -screen(normal_y / largest)).normalized();
+        let along = vec2(-out.y, out.x);
+        let reach = self.rect.size().length();
+        let point = self.at(point);
+        canvas.line(point - along * reach, point + along * reach, canvas.edge());
+        // Short strokes into the material, as long as a line of them crosses the view.
+        let mut off = -reach;
+        while off < reach {
+            let from = point + along * off;
+            canvas.line(from, from - out * 7.0 + along * 7.0, Stroke::new(1.0, canvas.palette.quiet.0));
+            off += 9.0;
+        }
+        canvas.cross(point, 4.0, canvas.thin());
+    }
+
+    fn go(&self, canvas: &Canvas<'_>, one: &Move, plane: Plane, is_done: bool) {
+        let points: Vec<Pos2> = trace(one, plane).into_iter().map(|place| self.at(self.eye.see(place))).collect();
+        let (Some(from), Some(to)) = (points.first().copied(), points.last().copied()) else { return };
+        if one.phase == Phase::Contact || (to - from).length() < 1.5 {
+            return;
+        }
+        stroke(canvas, &points, one.phase, is_done);
+    }
+
+    /// Every contact as a mark on the surface with its number beyond it; several at one place share their mark.
+    fn contacts(&self, canvas: &Canvas<'_>, way: &Way<'_>) {
+        let mut marks: Vec<(Pos2, Vec2, String, bool)> = Vec::new();
+        // From the ball's centre to where it touches, on screen.
+        let mut towards = Vec2::ZERO;
+        for (number, one) in way.moves.iter().enumerate() {
+            let seen = |place| self.at(self.eye.see(way.plane().within(place)));
+            if one.phase == Phase::Approach {
+                let ([from_x, from_y, from_z], [to_x, to_y, to_z]) = (one.from, one.to);
+                let off = [to_x - from_x, to_y - from_y, to_z - from_z];
+                let length = off.iter().map(|part| part * part).sum::<f64>().sqrt();
+                let unit = off.map(|part| if 0.0 < length { part / length } else { 0.0 });
+                let [x, y] = self.eye.see(way.plane().within(unit));
+                towards = vec2(screen(x), -screen(y));
+            }
+            let (Phase::Contact, Some(touch)) = (one.phase, one.touch) else { continue };
+            let at = seen(one.to) + towards * self.length(way.ball_radius);
+            let is_done = number < way.step;
+            match marks.iter_mut().find(|(place, ..)| (*place - at).length() < 4.0) {
+                Some((_, _, text, done)) => {
+                    *text = format!("{text}, {touch}");
+                    *done |= is_done;
+                }
+                None => marks.push((at, towards, touch.to_string(), is_done)),
+            }
+        }
+        for (at, towards, text, is_done) in marks {
+            if is_done {
+                canvas.contact(at, canvas.palette.accent.0);
+            } else {
+                canvas.circle(at, 4.0, canvas.palette.panel.0, canvas.thin());
+            }
+            let beyond = if towards.length() < 0.01 { vec2(14.0, -12.0) } else { towards.normalized() * 15.0 };
+            canvas.note(at + beyond, Align2::CENTER_CENTER, &text);
+        }
+    }
+
+    /// The axes' names, and a length to compare with.
+    fn names(&self, canvas: &Canvas<'_>, way: &Way<'_>, words: &Words) {
+        let inner = self.rect.shrink(space(2.0));
+        let id = if self.eye == Eye::Above { "cycle-picture-from-above" } else { "cycle-picture-from-side" };
+        let [first, second] = self.eye.names(way.plane());
+        let title = Message::new(id).text("first", first).text("second", second);
+        canvas.note(inner.left_top(), Align2::LEFT_TOP, &words.say(&title));
+        let mm = round_below(f64::from(self.rect.width()) * 0.25 / self.points_per_mm);
+        let right = inner.right_bottom();
+        let left = right - vec2(self.length(mm), 0.0);
+        let text = format!("{} mm", words.number(&format!("{mm}")));
+        // On a ground of its own: material may be behind it.
+        let top = right - vec2(self.length(mm).max(space(11.0)), sizes().small + space(2.0));
+        let ground = Rect::from_two_pos(top, right).expand(space(1.0));
+        canvas.painter.rect_filled(ground, 2.0, canvas.palette.panel.0);
+        canvas.line(left, right, canvas.edge());
+        for end in [left, right] {
+            canvas.line(end - vec2(0.0, 3.0), end + vec2(0.0, 3.0), canvas.edge());
+        }
+        canvas.note(left + (right - left) / 2.0 - vec2(0.0, 4.0), Align2::CENTER_BOTTOM, &text);
+    }
+}
+
+/// How the phases differ, also without colour: dashes, a full line with an arrow, dots beside it, long dashes.
+fn stroke(canvas: &Canvas<'_>, points: &[Pos2], phase: Phase, is_done: bool) {
+    let palette = canvas.palette;
+    let colour = |done| if is_done { done } else { palette.line.0 };
+    let (Some(before), Some(last)) = (points.iter().rev().nth(1), points.last()) else { return };
+    match phase {
+        Phase::PrePosition => canvas.dashed(points, Stroke::new(1.5, colour(palette.text.0)), 6.0, 4.0),
+        Phase::Approach => {
+            let stroke = Stroke::new(2.5, colour(palette.accent.0));
+            canvas.polyline(points.to_vec(), stroke);
+            if 12.0 < (*last - *before).length() {
+                canvas.head(*last, *last - *before, stroke.color);
+            }
+        }
+        Phase::Retract => {
+            // It goes back where the approach came: drawn beside it.
+            let along = (*last - *before).normalized();
+            let beside = vec2(-along.y, along.x) * 5.0;
+            let points: Vec<Pos2> = points.iter().map(|point| *point + beside).collect();
+            canvas.dashed(&points, Stroke::new(2.0, colour(palette.text.0)), 2.0, 4.0);
+        }
+        Phase::Leave => canvas.dashed(points, Stroke::new(1.5, colour(palette.text.0)), 12.0, 5.0),
+        Phase::Contact => {}
+    }
+}
+
+/// A sample of each line with its word.
+pub(super) fn legend(canvas: &Canvas<'_>, rect: Rect, words: &Words) {
+    let mut x = rect.left() + space(1.0);
+    for phase in [Phase::PrePosition, Phase::Approach, Phase::Retract, Phase::Leave] {
+        let (from, to) = (pos2(x, rect.center().y), pos2(x + space(8.0), rect.center().y));
+        stroke(canvas, &[from, to], phase, true);
+        let text = words.get(phase_id(phase));
+        let font = crate::gui::theme::font(sizes().small);
+        let placed =
+            canvas.label(pos2(to.x + space(1.5), to.y), Align2::LEFT_CENTER, &text, font, canvas.palette.quiet.0);
+        x = placed.right() + space(5.0);
+    }
+}
+
+/// The largest of 1, 2 or 5 times a power of ten that is not above a length.
+fn round_below(mm: f64) -> f64 {
+    let decade = 10_f64.powf(mm.log10().floor());
+    [5.0, 2.0].into_iter().map(|step| step * decade).find(|step| *step <= mm).unwrap_or(decade)
+}

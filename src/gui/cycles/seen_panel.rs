@@ -1,0 +1,196 @@
+//! Middle: the parameter in focus, the path step by step, contacts with their deviations, criteria side by side.
+
+use eframe::egui::{Button, Label, Slider, Ui, vec2};
+
+use super::form_panel::last_focused;
+use super::{column_ui, picture};
+use crate::gui::theme::{sizes, space};
+use crate::gui::view::{View, heading, quiet};
+use crate::probing::cycle::{Move, Parameter, Phase, Range, Unset, Value};
+use crate::session::{Command, CycleRun, CyclesCommand, Step};
+use crate::words::{Message, Words};
+
+/// The panel.
+pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let cycle = view.session.cycles().cycle();
+    let shown = last_focused(ui).and_then(|key| cycle.parameter(key)).or_else(|| cycle.parameters.first());
+    if let Some(parameter) = shown {
+        focused_ui(ui, view, parameter);
+        ui.separator();
+    }
+    let session = view.session;
+    // Path and contacts share what is left; criteria follow below.
+    let height = ((ui.available_height() - space(40.0)) / 2.0).max(space(40.0));
+    column_ui(ui, |ui| match session.cycles().run() {
+        None => _ = quiet(ui, view.text("cycles-nothing-seen")),
+        Some(run) => {
+            path_ui(ui, view, run, height);
+            if let Some(result) = run.found() {
+                ui.separator();
+                heading(ui, view.text("contacts"));
+                of_height(ui, height, |ui| picture::contacts_picture(ui, view, result, run.evaluation.as_ref()));
+            }
+            if let Some(evaluation) = &run.evaluation {
+                ui.separator();
+                heading(ui, view.text("cycles-criteria"));
+                picture::criteria_table(ui, view, evaluation);
+            }
+        }
+    });
+}
+
+/// A part of the column with a height of its own.
+fn of_height(ui: &mut Ui, height: f32, content: impl FnOnce(&mut Ui)) {
+    let size = vec2(ui.available_width(), height);
+    ui.allocate_ui(size, |ui| {
+        ui.set_max_height(height);
+        content(ui);
+    });
+}
+
+/// What the parameter is, drawn and in words: question, range, default.
+fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
+    let cycle = view.session.cycles().cycle();
+    ui.horizontal_top(|ui| {
+        picture::parameter_picture(ui, view, cycle, parameter.key);
+        ui.vertical(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            heading(ui, parameter.key.to_string());
+            ui.label(parameter.question(view.words.language()));
+            quiet(ui, allowed(view, parameter));
+            quiet(ui, default(view, parameter));
+            if parameter.may_be_predef {
+                quiet(ui, view.text("cycles-may-be-predef"));
+            }
+        });
+    });
+}
+
+/// What the parameter may be.
+fn allowed(view: &View<'_>, parameter: &Parameter) -> String {
+    if matches!(parameter.range, Range::Tool | Range::Band) {
+        return view.words.told(&parameter.range);
+    }
+    let range = view.words.number(&parameter.range.short());
+    let unit = parameter.range.unit().unwrap_or_default();
+    view.words.say(&Message::new("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
+}
+
+/// What counts when nothing is typed.
+fn default(view: &View<'_>, parameter: &Parameter) -> String {
+    match (parameter.default_with(view.session.cycles().inputs()), parameter.unset) {
+        (None, Unset::Refused) => view.text("cycles-must-be-given"),
+        (None | Some(Value::Band(None)), _) => view.text("cycles-may-be-left-out"),
+        (Some(value), _) => {
+            let value = view.words.number(&value.with_unit());
+            view.words.say(&Message::new("cycles-default").text("value", value))
+        }
+    }
+}
+
+/// The path up to a move, the buttons that step along it, and the move in words.
+fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
+    let step = view.session.cycles().step();
+    let Some(now) = run.path.get(step) else { return };
+    let said = said(view.words, now, step, run.path.len());
+    // Beside the heading where there is room for it.
+    let wide = space(120.0) < ui.available_width();
+    ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = 0.0;
+        heading(ui, view.text("cycles-path"));
+        if wide {
+            ui.add(Label::new(&said).truncate());
+        }
+    });
+    steps_ui(ui, view, run.path.len(), step);
+    if !wide {
+        ui.label(said);
+    }
+    of_height(ui, height, |ui| picture::path_picture(ui, view, &run.path, step + 1, run.nominal, run.ball_radius));
+}
+
+fn steps_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
+    let last = count.saturating_sub(1);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space(1.0);
+        for (id, key, to, enabled) in [
+            ("cycles-first", "Alt+Home", Step::First, 0 < step),
+            ("cycles-back", "Alt+←", Step::Back, 0 < step),
+            ("cycles-next", "Alt+→", Step::Next, step < last),
+            ("cycles-last", "Alt+End", Step::Last, step < last),
+        ] {
+            let button = Button::new(view.text(id)).min_size(vec2(space(14.0), sizes().touch));
+            if ui.add_enabled(enabled, button).on_hover_text(key).clicked() {
+                view.send(Command::Cycles(CyclesCommand::Step(to)));
+            }
+        }
+        let mut number = step + 1;
+        ui.spacing_mut().slider_width = (ui.available_width() - space(4.0)).max(space(8.0));
+        let slider = Slider::new(&mut number, 1..=count).show_value(false);
+        let slider = ui.add_enabled(1 < count, slider).accessible_name(view.text("cycles-move"));
+        if slider.changed() {
+            view.send(Command::Cycles(CyclesCommand::Step(Step::To(number.saturating_sub(1)))));
+        }
+    });
+}
+
+const fn phase_id(phase: Phase) -> &'static str {
+    match phase {
+        Phase::PrePosition => "cycles-phase-pre-position",
+        Phase::Approach => "cycles-phase-approach",
+        Phase::Contact => "cycles-phase-contact",
+        Phase::Retract => "cycles-phase-retract",
+        Phase::Leave => "cycles-phase-leave",
+    }
+}
+
+/// `3 of 17: approach, touch 1, to X 35 Y 45 Z 5`.
+fn said(words: &Words, now: &Move, step: usize, count: usize) -> String {
+    let place = |place: [f64; 3]| {
+        let parts = ["X", "Y", "Z"].into_iter().zip(place);
+        let parts = parts.map(|(axis, mm)| format!("{axis} {}", words.number(&figure(mm))));
+        parts.collect::<Vec<_>>().join("  ")
+    };
+    let id = match (now.phase, now.touch) {
+        (Phase::Contact, _) => "cycles-move-contact",
+        (_, Some(_)) => "cycles-move-of-touch",
+        (_, None) => "cycles-move-of-none",
+    };
+    let message = Message::new(id)
+        .count("number", step + 1)
+        .count("count", count)
+        .message("phase", Message::new(phase_id(now.phase)))
+        .count("touch", now.touch.unwrap_or_default())
+        .text("from", place(now.from))
+        .text("to", place(now.to));
+    words.say(&message)
+}
+
+/// Millimetres to the ten-thousandth, as a control shows them, without a sign on zero.
+fn figure(mm: f64) -> String {
+    let text = format!("{mm:.4}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::Language;
+
+    #[test]
+    fn a_move_is_said_in_words() {
+        let step = Move {
+            phase: Phase::Approach,
+            touch: Some(1),
+            from: [35.0, 45.0, 20.0],
+            to: [35.0, 45.0, -0.00001],
+            about: None,
+        };
+        let words = Words::new(Language::En);
+        assert_eq!(said(&words, &step, 1, 5), "2 of 5: approach, touch 1, from X 35  Y 45  Z 20 to X 35  Y 45  Z 0");
+        let contact = Move { phase: Phase::Contact, from: [0.5, -1.25, 3.0], to: [0.5, -1.25, 3.0], ..step };
+        let words = Words::new(Language::Nl);
+        assert_eq!(said(&words, &contact, 2, 5), "3 van 5: contact, aanraking 1, op X 0,5  Y −1,25  Z 3");
+    }
+}

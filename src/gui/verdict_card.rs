@@ -1,0 +1,68 @@
+//! The verdict's card: one word that is read from two metres, its shape, and the lines below it.
+
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{Align, Frame, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
+
+use super::shapes;
+use super::theme::{self, palette, sizes, space};
+use crate::length::{Length, Unit};
+use crate::verdict::Status;
+
+/// The name of a status in the locale files.
+pub(super) const fn status_id(status: Option<Status>) -> &'static str {
+    match status {
+        Some(Status::Good) => "word-good",
+        Some(Status::Rework) => "word-rework",
+        Some(Status::Scrap) => "word-scrap",
+        Some(Status::ReMeasure) => "word-re-measure",
+        None => "word-none",
+    }
+}
+
+/// The card, which is also a live region: a screen reader says the word and the lines.
+pub(super) fn card_ui(ui: &mut Ui, status: Option<Status>, word: &str, lines: &[String]) {
+    let (fill, colour) = palette(ui.ctx()).of_status(status);
+    let card = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::same(12)).show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        ui.set_min_height(space(54.0));
+        ui.with_layout(Layout::top_down(Align::Center), |ui| {
+            let (rect, _) = ui.allocate_exact_size(vec2(space(18.0), space(18.0)), Sense::hover());
+            shapes::status(ui.painter(), rect, status, colour);
+            // A long word (German, Italian) is set smaller rather than cut.
+            // 64 points and up, following the panel; no result is no news.
+            let wanted = sizes().status.max(ui.available_width() * 0.2);
+            let wanted = if status.is_some() { wanted } else { sizes().value };
+            let galley = ui.painter().layout_no_wrap(word.to_owned(), theme::bold(wanted), colour);
+            let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0));
+            ui.label(RichText::new(word).font(theme::bold(size.floor())).color(colour));
+            for (number, line) in lines.iter().enumerate() {
+                let font = if number == 0 { theme::bold(sizes().value) } else { theme::font(sizes().limits) };
+                ui.label(RichText::new(line).font(font).color(colour));
+            }
+        });
+    });
+    let said = std::iter::once(word).chain(lines.iter().map(String::as_str)).collect::<Vec<_>>().join(". ");
+    let response = ui.interact(card.response.rect, ui.scope_id().with("verdict"), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Assertive));
+}
+
+/// Half of a length in µm, exact.
+pub(super) fn half_um(length: Length) -> String {
+    let nm = length.nanometres();
+    let whole =
+        Length::from_nanometres(nm / 2).unwrap_or_default().exact(Unit::Micrometre, if nm % 2 == 0 { 0 } else { 3 });
+    if nm % 2 == 0 { whole } else { format!("{whole}5") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_of_a_length_is_exact() {
+        for (nm, half) in [(2_000, "1"), (25_000, "12.5"), (1, "0.0005"), (3, "0.0015"), (9_001, "4.5005")] {
+            assert_eq!(half_um(Length::from_nanometres(nm).unwrap()), half);
+        }
+    }
+}

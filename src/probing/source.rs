@@ -1,0 +1,67 @@
+//! Where a cycle's contacts come from: a perfect workpiece at nominal, a simulated one, or contacts that were recorded.
+
+use super::contact::{Contact, Prober, Recorded};
+use super::cycle::{Cycle, CycleError, Inputs, Move, Phase};
+use super::simulated::{Bench, WorkpieceError};
+use crate::words::{Message, Say};
+
+/// Where contacts come from.
+#[derive(Debug, Clone, Copy)]
+pub enum Source<'a> {
+    /// A workpiece without faults where the cycle expects it, and a point as probe.
+    Perfect,
+    /// A simulated machine.
+    Simulated(&'a Bench),
+    /// Contacts in probing order, points of the surface.
+    Recorded(&'a [Contact]),
+}
+
+/// Why there is nothing to touch.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SourceError {
+    /// The cycle's inputs name no workpiece.
+    #[error(transparent)]
+    Cycle(#[from] CycleError),
+    /// The workpiece cannot be.
+    #[error(transparent)]
+    Workpiece(#[from] WorkpieceError),
+}
+
+impl Say for SourceError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Cycle(error) => error.message(),
+            Self::Workpiece(error) => error.message(),
+        }
+    }
+}
+
+impl Source<'_> {
+    /// What answers the touches of a cycle.
+    ///
+    /// # Errors
+    /// [`SourceError`] where the inputs or the figures of the workpiece make none.
+    pub fn prober(self, cycle: &Cycle, inputs: &Inputs) -> Result<Box<dyn Prober>, SourceError> {
+        let bench = match self {
+            Self::Recorded(contacts) => return Ok(Box::new(Recorded::new(contacts.to_vec()))),
+            Self::Simulated(bench) => *bench,
+            Self::Perfect => Bench::perfect(cycle.nominal(inputs)?.into()),
+        };
+        let machine = bench.machine().map_err(|error| self.refused(error, cycle, inputs))?;
+        Ok(Box::new(machine.calibrated(inputs.probe())))
+    }
+
+    /// Where the perfect workpiece cannot be, the cycle itself says better what is wrong with its inputs.
+    fn refused(self, error: WorkpieceError, cycle: &Cycle, inputs: &Inputs) -> SourceError {
+        match (self, cycle.measure(inputs, &mut Recorded::new(Vec::new()))) {
+            (Self::Perfect, Err(refused)) if !matches!(refused, CycleError::NoContact(_)) => refused.into(),
+            _ => error.into(),
+        }
+    }
+
+    /// How many recorded contacts a way did not ask for.
+    pub fn unused(self, path: &[Move]) -> usize {
+        let Self::Recorded(contacts) = self else { return 0 };
+        contacts.len().saturating_sub(path.iter().filter(|step| step.phase == Phase::Contact).count())
+    }
+}

@@ -1,0 +1,358 @@
+//! The simulated workpiece and probe as text fields, read anew at every change.
+
+use std::collections::BTreeMap;
+
+use super::bench_field::{BenchField, BenchKind};
+use crate::length::{Length, LengthError};
+use crate::probing::cycle::{Nominal, Plane, number};
+use crate::probing::simulated::{Bench, Face, FreePoint, Lobes, Probe, Surface, Wave, Workpiece};
+use crate::tolerance::Feature;
+use crate::words::{Message, Say as _};
+
+/// The simulated machine as it is typed.
+#[derive(Debug, Clone)]
+pub struct BenchForm {
+    kind: BenchKind,
+    plane: Plane,
+    texts: BTreeMap<BenchField, String>,
+    errors: BTreeMap<BenchField, Message>,
+    bench: Option<Bench>,
+}
+
+impl Default for BenchForm {
+    /// A bore as a shop makes it, and a usual probe with a ball.
+    fn default() -> Self {
+        let bore = Surface::Round(Workpiece::usual(Feature::Hole, 25.0), Plane::Xy);
+        Self::of(&Bench { probe: Probe { ball_radius: 3.0, ..Probe::USUAL }, ..Bench::perfect(bore) })
+    }
+}
+
+impl BenchForm {
+    /// The fields of a machine.
+    pub fn of(bench: &Bench) -> Self {
+        let (kind, plane) = match bench.surface {
+            Surface::Round(workpiece, plane) if workpiece.feature == Feature::Hole => (BenchKind::Bore, plane),
+            Surface::Round(_, plane) => (BenchKind::Stud, plane),
+            Surface::Face(_) => (BenchKind::Face, Plane::Xy),
+            Surface::Point(_) => (BenchKind::Point, Plane::Xy),
+        };
+        let mut form = Self { kind, plane, texts: BTreeMap::new(), errors: BTreeMap::new(), bench: Some(*bench) };
+        form.fill_surface(&bench.surface);
+        form.fill_probe(&bench.probe);
+        form.fill(&[
+            (BenchField::Seed, bench.seed.to_string()),
+            (BenchField::Temperature, bench.temperature.to_string()),
+            (BenchField::Expansion, bench.expansion.to_string()),
+        ]);
+        form.read();
+        form
+    }
+
+    fn fill(&mut self, texts: &[(BenchField, String)]) {
+        self.texts.extend(texts.iter().cloned());
+    }
+
+    fn fill_3(&mut self, fields: [BenchField; 3], parts: [f64; 3]) {
+        self.texts.extend(fields.into_iter().zip(parts.map(|part| part.to_string())));
+    }
+
+    fn fill_lobes(&mut self, [count, height, angle]: [BenchField; 3], lobes: &Lobes) {
+        self.fill(&[
+            (count, lobes.count.to_string()),
+            (height, lobes.amplitude.to_string()),
+            (angle, lobes.angle.to_string()),
+        ]);
+    }
+
+    fn fill_surface(&mut self, surface: &Surface) {
+        use BenchField as F;
+        // What other kinds ask for keeps a sensible start.
+        self.fill_3([F::PointX, F::PointY, F::PointZ], [0.0; 3]);
+        self.fill_3([F::NormalX, F::NormalY, F::NormalZ], [0.0, 0.0, 1.0]);
+        self.fill_3([F::WaveX, F::WaveY, F::WaveZ], [1.0, 0.0, 0.0]);
+        self.fill_3([F::CentreX, F::CentreY, F::Diameter], [0.0, 0.0, 25.0]);
+        self.fill_3([F::Ovality, F::OvalityAngle, F::Deviation], [0.0; 3]);
+        self.fill(&[(F::WaveHeight, String::new()), (F::Radius, String::new()), (F::WaveLength, "10".to_owned())]);
+        self.fill_lobes([F::LobeCount, F::LobeHeight, F::LobeAngle], &Lobes { count: 3, ..Lobes::default() });
+        match surface {
+            Surface::Round(round, _) => {
+                let [x, y] = round.centre;
+                self.fill_3([F::CentreX, F::CentreY, F::Diameter], [x, y, round.diameter]);
+                self.fill(&[
+                    (F::Ovality, round.ovality.amplitude.to_string()),
+                    (F::OvalityAngle, round.ovality.angle.to_string()),
+                    (F::SurfaceScatter, round.surface_scatter.to_string()),
+                ]);
+                if 0 < round.lobes.count {
+                    self.fill_lobes([F::LobeCount, F::LobeHeight, F::LobeAngle], &round.lobes);
+                }
+            }
+            Surface::Face(face) => {
+                self.fill_3([F::PointX, F::PointY, F::PointZ], face.point);
+                self.fill_3([F::NormalX, F::NormalY, F::NormalZ], face.normal);
+                self.fill(&[(F::SurfaceScatter, face.surface_scatter.to_string())]);
+                if let Some(wave) = &face.wave {
+                    self.fill(&[(F::WaveHeight, wave.amplitude.to_string()), (F::WaveLength, wave.length.to_string())]);
+                    self.fill_3([F::WaveX, F::WaveY, F::WaveZ], wave.direction);
+                }
+            }
+            Surface::Point(point) => {
+                self.fill_3([F::PointX, F::PointY, F::PointZ], point.point);
+                self.fill_3([F::NormalX, F::NormalY, F::NormalZ], point.normal);
+                self.fill(&[
+                    (F::Deviation, point.deviation.to_string()),
+                    (F::Radius, point.radius.map(|radius| radius.to_string()).unwrap_or_default()),
+                    (F::SurfaceScatter, point.surface_scatter.to_string()),
+                ]);
+            }
+        }
+    }
+
+    fn fill_probe(&mut self, probe: &Probe) {
+        use BenchField as F;
+        let parts = [probe.ball_radius, probe.trigger_scatter, probe.calibration_error];
+        self.fill_3([F::BallRadius, F::TriggerScatter, F::CalibrationError], parts);
+        let offset = |axis: usize| {
+            let offset = probe.offset.and_then(|offset| offset.get(axis).copied());
+            offset.map(|part| part.to_string()).unwrap_or_default()
+        };
+        self.fill(&[(F::OffsetX, offset(0)), (F::OffsetY, offset(1))]);
+        self.fill_lobes([F::LobingCount, F::LobingHeight, F::LobingAngle], &probe.lobing);
+    }
+
+    /// What kind of surface it is.
+    pub const fn kind(&self) -> BenchKind {
+        self.kind
+    }
+
+    /// The plane of a round surface.
+    pub const fn plane(&self) -> Plane {
+        self.plane
+    }
+
+    /// The text of a field.
+    pub fn text(&self, field: BenchField) -> &str {
+        self.texts.get(&field).map_or("", String::as_str)
+    }
+
+    /// What is wrong with a field.
+    pub fn error(&self, field: BenchField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    /// The first thing that is wrong.
+    pub fn problem(&self) -> Option<&Message> {
+        self.errors.values().next()
+    }
+
+    /// The machine, where every field can be used.
+    pub const fn bench(&self) -> Option<&Bench> {
+        self.bench.as_ref()
+    }
+
+    pub(super) fn set(&mut self, field: BenchField, text: String) {
+        self.texts.insert(field, text);
+        self.read();
+    }
+
+    pub(super) fn set_kind(&mut self, kind: BenchKind) {
+        self.kind = kind;
+        self.read();
+    }
+
+    pub(super) fn set_plane(&mut self, plane: Plane) {
+        self.plane = plane;
+        self.read();
+    }
+
+    /// A workpiece that a cycle expects, with the form and the roughness that a shop gives it; probe, seed and
+    /// temperature stay.
+    pub(super) fn suited(&self, nominal: Nominal) -> Bench {
+        let rough: f64 = 0.0003;
+        let surface = match Surface::from(nominal) {
+            Surface::Round(round, plane) => {
+                // A tiny circle would not be round with a micrometre of ovality.
+                let height = 0.001_f64.min(round.diameter / 100.0);
+                let ovality = Lobes { count: 2, amplitude: height, angle: 0.0 };
+                let surface_scatter = rough.min(round.diameter / 100.0);
+                Surface::Round(Workpiece { ovality, surface_scatter, ..round }, plane)
+            }
+            Surface::Face(Face { point, normal, .. }) if self.kind == BenchKind::Point => {
+                Surface::Point(FreePoint { point, normal, deviation: 0.0, radius: None, surface_scatter: rough })
+            }
+            Surface::Face(face) => Surface::Face(Face { surface_scatter: rough, ..face }),
+            Surface::Point(point) => Surface::Point(point),
+        };
+        let machine = self
+            .bench
+            .unwrap_or_else(|| Bench { probe: Probe { ball_radius: 3.0, ..Probe::USUAL }, ..Bench::perfect(surface) });
+        Bench { surface, ..machine }
+    }
+
+    fn read(&mut self) {
+        self.errors.clear();
+        let bench = self.read_bench();
+        self.bench = bench.filter(|_| self.errors.is_empty());
+        if let Some(Err(error)) = self.bench.map(|bench| bench.machine()) {
+            self.errors.insert(BenchField::named(&error, self.kind), error.message());
+            self.bench = None;
+        }
+    }
+
+    fn read_bench(&mut self) -> Option<Bench> {
+        use BenchField as F;
+        let surface = match self.kind {
+            BenchKind::Bore => self.read_round(Feature::Hole),
+            BenchKind::Stud => self.read_round(Feature::Shaft),
+            BenchKind::Face => self.read_face(),
+            BenchKind::Point => self.read_point(),
+        };
+        let probe = self.read_probe();
+        let seed = self.whole(F::Seed);
+        let (temperature, expansion) = (self.figure(F::Temperature), self.figure(F::Expansion));
+        Some(Bench { surface: surface?, probe: probe?, seed: seed?, temperature: temperature?, expansion: expansion? })
+    }
+
+    fn read_round(&mut self, feature: Feature) -> Option<Surface> {
+        use BenchField as F;
+        let [x, y, diameter] = self.figures([F::CentreX, F::CentreY, F::Diameter])?;
+        let [amplitude, angle, surface_scatter] = self.figures([F::Ovality, F::OvalityAngle, F::SurfaceScatter])?;
+        let lobes = self.lobes([F::LobeCount, F::LobeHeight, F::LobeAngle])?;
+        let ovality = Lobes { count: 2, amplitude, angle };
+        let round = Workpiece { feature, centre: [x, y], diameter, ovality, lobes, surface_scatter };
+        Some(Surface::Round(round, self.plane))
+    }
+
+    fn read_face(&mut self) -> Option<Surface> {
+        use BenchField as F;
+        let point = self.figures([F::PointX, F::PointY, F::PointZ])?;
+        let normal = self.figures([F::NormalX, F::NormalY, F::NormalZ])?;
+        let surface_scatter = self.figure(F::SurfaceScatter)?;
+        let wave = if self.text(F::WaveHeight).trim().is_empty() {
+            None
+        } else {
+            let direction = self.figures([F::WaveX, F::WaveY, F::WaveZ])?;
+            Some(Wave { amplitude: self.figure(F::WaveHeight)?, length: self.figure(F::WaveLength)?, direction })
+        };
+        Some(Surface::Face(Face { point, normal, wave, surface_scatter }))
+    }
+
+    fn read_point(&mut self) -> Option<Surface> {
+        use BenchField as F;
+        let point = self.figures([F::PointX, F::PointY, F::PointZ])?;
+        let normal = self.figures([F::NormalX, F::NormalY, F::NormalZ])?;
+        let (deviation, surface_scatter) = (self.figure(F::Deviation)?, self.figure(F::SurfaceScatter)?);
+        let is_flat = self.text(F::Radius).trim().is_empty();
+        let radius = if is_flat { None } else { Some(self.figure(F::Radius)?) };
+        Some(Surface::Point(FreePoint { point, normal, deviation, radius, surface_scatter }))
+    }
+
+    fn read_probe(&mut self) -> Option<Probe> {
+        use BenchField as F;
+        let [ball_radius, trigger_scatter, calibration_error] =
+            self.figures([F::BallRadius, F::TriggerScatter, F::CalibrationError])?;
+        let is_known = [F::OffsetX, F::OffsetY].iter().all(|field| self.text(*field).trim().is_empty());
+        let offset = if is_known { None } else { Some([self.figure(F::OffsetX)?, self.figure(F::OffsetY)?]) };
+        let lobing = self.lobes([F::LobingCount, F::LobingHeight, F::LobingAngle])?;
+        Some(Probe { trigger_scatter, ball_radius, calibration_error, offset, lobing })
+    }
+
+    fn lobes(&mut self, [count, height, angle]: [BenchField; 3]) -> Option<Lobes> {
+        let count = self.whole(count);
+        let (amplitude, angle) = (self.figure(height), self.figure(angle));
+        let lobes = Lobes { count: count?, amplitude: amplitude?, angle: angle? };
+        // None are none, however many there would be.
+        Some(if lobes.amplitude <= 0.0 && lobes.count < 2 { Lobes { count: 0, ..lobes } } else { lobes })
+    }
+
+    fn figures(&mut self, fields: [BenchField; 3]) -> Option<[f64; 3]> {
+        let [one, two, three] = fields.map(|field| self.figure(field));
+        Some([one?, two?, three?])
+    }
+
+    fn figure(&mut self, field: BenchField) -> Option<f64> {
+        let text = self.text(field).trim().to_owned();
+        if text.is_empty() && field.is_optional() {
+            return Some(0.0);
+        }
+        // A length may name its unit.
+        let length = || match field.unit() {
+            "mm" => text.parse().map(Length::to_mm_f64),
+            _ if text.is_empty() => Err(LengthError::Empty),
+            _ => Err(LengthError::NotANumber { text: text.clone() }),
+        };
+        match number(&text).map_or_else(length, Ok) {
+            Ok(figure) => Some(figure),
+            Err(error) => {
+                self.errors.insert(field, error.message());
+                None
+            }
+        }
+    }
+
+    fn whole<T: std::str::FromStr>(&mut self, field: BenchField) -> Option<T> {
+        let text = self.text(field).trim().to_owned();
+        let value = text.parse().ok();
+        if value.is_none() {
+            self.errors.insert(field, Message::new("field-not-whole").text("given", text));
+        }
+        value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(toml: &str) {
+        let bench = Bench::read(toml).unwrap();
+        let form = BenchForm::of(&bench);
+        assert_eq!(form.problem(), None);
+        let read = form.bench().unwrap();
+        let again = Bench::read(&read.write().unwrap()).unwrap();
+        assert_eq!(*read, again, "what is written is read as the same");
+        assert_eq!(BenchForm::of(&again).bench(), Some(read));
+    }
+
+    #[test]
+    fn every_kind_of_machine_goes_through_the_fields_and_a_file_unchanged() {
+        check(
+            "[bore]\ncentre = [50, 20]\ndiameter = 25.0123456789\nplane = 'ZX'\novality = { count = 2, amplitude = 0.001, angle = 30 }\n",
+        );
+        check(
+            "seed = 7\ntemperature = 23.7\n[stud]\ncentre = [0, -1]\ndiameter = 8\nlobes = { count = 5, amplitude = 0.0005, angle = -3 }\nsurface_scatter = 0.0003\n",
+        );
+        check(
+            "[face]\npoint = [1, 2, 3]\nnormal = [0, 0, 2]\nwave = { amplitude = 0.01, length = 4, direction = [1, 1, 0] }\n[probe]\nball_radius = 3\noffset = [0.01, 0]\n",
+        );
+        check(
+            "[point]\npoint = [1, 2, 3]\nnormal = [0, 1, 1]\ndeviation = -0.02\nradius = -30\n[probe]\nlobing = { count = 3, amplitude = 0.0004 }\n",
+        );
+    }
+
+    #[test]
+    fn a_figure_that_cannot_be_is_told_beside_its_field() {
+        let mut form = BenchForm::default();
+        for (field, text, id) in [
+            (BenchField::Diameter, "-1", "workpiece-cannot-be"),
+            (BenchField::Diameter, "7.5.2", "length-not-a-number"),
+            (BenchField::Diameter, "", "length-empty"),
+            (BenchField::Ovality, "5", "workpiece-cannot-be"),
+            (BenchField::LobeCount, "x", "field-not-whole"),
+            (BenchField::Temperature, "500", "workpiece-cannot-be"),
+            (BenchField::Temperature, "20 mm", "length-not-a-number"),
+            (BenchField::CalibrationError, "-4", "workpiece-cannot-be"),
+        ] {
+            let before = form.text(field).to_owned();
+            form.set(field, text.to_owned());
+            assert_eq!(form.error(field).map(|error| error.id), Some(id), "{field:?} {text}");
+            assert!(form.bench().is_none());
+            form.set(field, before);
+            assert!(form.bench().is_some(), "{field:?}");
+        }
+        form.set(BenchField::Ovality, "2 µm".to_owned());
+        let Surface::Round(round, _) = form.bench().unwrap().surface else { panic!("no bore") };
+        assert!((round.ovality.amplitude - 0.002).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,173 @@
+//! From the fields to a run, and stepping along its path.
+
+use std::sync::Arc;
+
+use jiff::civil::DateTime;
+
+use super::{ContactsFrom, CycleField, CyclesPage};
+use crate::control::cycle_status::cycle_window;
+use crate::control::mask::Mask;
+use crate::probing::circle::Evaluation;
+use crate::probing::cycle::{Cycle, CycleError, CycleResult, Move, Nominal};
+use crate::probing::{Source, SourceError};
+use crate::session::{MaskChoice, Session};
+use crate::words::{Language, Message, Say as _};
+
+/// A run of a cycle.
+#[derive(Debug, Clone)]
+pub struct CycleRun {
+    /// The cycle.
+    pub cycle: &'static Cycle,
+    /// Where its contacts came from.
+    pub from: Message,
+    /// The way of the ball's centre, also where the cycle did not come to its end.
+    pub path: Vec<Move>,
+    /// The surface that the cycle expects.
+    pub nominal: Option<Nominal>,
+    /// The ball's radius as calibrated, mm.
+    pub ball_radius: f64,
+    /// What it found, or why it did not.
+    pub result: Result<Arc<CycleResult>, Message>,
+    /// The evaluation of a circle's contacts.
+    pub evaluation: Option<Evaluation>,
+    /// How many recorded contacts it did not ask for.
+    pub unused: usize,
+    /// When.
+    pub time: DateTime,
+}
+
+impl CycleRun {
+    /// What it found.
+    pub fn found(&self) -> Option<&CycleResult> {
+        self.result.as_deref().ok()
+    }
+
+    /// What is worth knowing: remarks of the cycle, warnings of the circle, contacts that were left over.
+    pub fn remarks(&self) -> Vec<Message> {
+        let remarks = self.found().into_iter().flat_map(|result| &result.remarks).map(crate::words::Say::message);
+        let warnings = self.evaluation.iter().flat_map(|found| &found.warnings).map(crate::words::Say::message);
+        let unused = (0 < self.unused).then(|| Message::new("cycles-unused").count("count", self.unused));
+        remarks.chain(warnings).chain(unused).collect()
+    }
+
+    /// A run that did not begin.
+    fn refused(cycle: &'static Cycle, problem: Message, time: DateTime) -> Self {
+        Self {
+            cycle,
+            from: Message::new("cycles-from-perfect"),
+            path: Vec::new(),
+            nominal: None,
+            ball_radius: 0.0,
+            result: Err(problem),
+            evaluation: None,
+            unused: 0,
+            time,
+        }
+    }
+}
+
+/// A step along the path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Step {
+    /// To the first move.
+    First,
+    /// To the move before.
+    Back,
+    /// To the next move.
+    Next,
+    /// To the last move.
+    Last,
+    /// To a move by its number from 0.
+    To(usize),
+}
+
+impl CyclesPage {
+    pub(super) fn go(&mut self, step: Step) {
+        let last = self.run.as_ref().map_or(0, |run| run.path.len()).saturating_sub(1);
+        self.step = match step {
+            Step::First => 0,
+            Step::Back => self.step.saturating_sub(1),
+            Step::Next => self.step.saturating_add(1).min(last),
+            Step::Last => last,
+            Step::To(number) => number.min(last),
+        };
+    }
+
+    pub(super) fn measure(&mut self, now: DateTime) {
+        self.clear();
+        self.read();
+        let missing: Vec<_> = self.missing().collect();
+        for parameter in &missing {
+            let (key, name) = (parameter.key, parameter.name);
+            self.errors.insert(CycleField::Parameter(key), CycleError::Missing { key, name }.message());
+        }
+        let run = match self.errors.len() {
+            0 => self.run_source(now),
+            count => Err(Message::new("cycles-fields-wrong").count("count", count)),
+        };
+        self.run = Some(run.unwrap_or_else(|problem| CycleRun::refused(self.cycle, problem, now)));
+        self.go(Step::Last);
+    }
+
+    fn run_source(&self, time: DateTime) -> Result<CycleRun, Message> {
+        let (cycle, inputs) = (self.cycle, &self.inputs);
+        let (source, from) = self.source()?;
+        let refused = |error: SourceError| error.message();
+        let mut prober = source.prober(cycle, inputs).map_err(refused)?;
+        let (path, result) = cycle.measure_along(inputs, &mut *prober);
+        let evaluation = result.as_ref().ok().and_then(CycleResult::evaluation);
+        Ok(CycleRun {
+            cycle,
+            from,
+            nominal: cycle.nominal(inputs).ok(),
+            ball_radius: prober.ball_radius(),
+            unused: if result.is_ok() { source.unused(&path) } else { 0 },
+            path,
+            result: result.map(Arc::new).map_err(|error| error.message()),
+            evaluation,
+            time,
+        })
+    }
+
+    /// Where contacts come from, and how that is said.
+    fn source(&self) -> Result<(Source<'_>, Message), Message> {
+        match self.from {
+            ContactsFrom::Perfect => Ok((Source::Perfect, Message::new("cycles-from-perfect"))),
+            ContactsFrom::Simulated => {
+                let bench = self.bench.bench().ok_or_else(|| {
+                    let problem = self.bench.problem().cloned().unwrap_or_else(|| Message::new("cycles-no-bench"));
+                    Message::new("cycles-bench-wrong").message("problem", problem)
+                })?;
+                let said = Message::new("cycles-from-simulated").text("seed", bench.seed);
+                Ok((Source::Simulated(bench), said))
+            }
+            ContactsFrom::Recorded => {
+                let recorded = self.recorded.as_ref().ok_or_else(|| Message::new("cycles-no-contacts"))?;
+                let said = Message::new("cycles-from-recorded").text("file", &recorded.name);
+                Ok((Source::Recorded(&recorded.contacts), said))
+            }
+        }
+    }
+
+    pub(super) fn results_text(&self) -> Option<String> {
+        let result = self.run.as_ref()?.found()?;
+        let line = |found: &crate::probing::cycle::Found| format!("{} = {}\n", found.key, found.value.with_unit());
+        Some(result.results.iter().map(line).collect())
+    }
+}
+
+impl Session {
+    /// The status window of the shown run; `None` where nothing was compared with limits.
+    pub fn cycle_window(&self) -> Option<Result<String, Message>> {
+        let run = self.cycles.run()?;
+        let own: Option<&Mask>;
+        let language: Language;
+        (language, own) = match self.mask() {
+            MaskChoice::OfLanguage => (self.language(), None),
+            MaskChoice::Shipped(language) => (*language, None),
+            MaskChoice::Own { mask, .. } => (self.language(), Some(mask.as_ref())),
+        };
+        let window = cycle_window(run.cycle, run.found()?, language, own, run.time)?;
+        Some(window.map_err(|error| error.message()))
+    }
+}

@@ -1,0 +1,327 @@
+//! The cycles page without a window: what fields mean, what a run keeps, and what clears it.
+
+use fitcheck::length::Length;
+use fitcheck::probing::Contact;
+use fitcheck::probing::cycle::{Key, Value};
+use fitcheck::probing::cycles::CYCLES;
+use fitcheck::probing::simulated::Bench;
+use fitcheck::session::{
+    Axis, BenchField, BenchKind, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose,
+    Saved, Session, Step,
+};
+use fitcheck::verdict::Status;
+use fitcheck::words::{Language, Words};
+
+fn send(session: &mut Session, command: CyclesCommand) -> Vec<Effect> {
+    session.apply(Command::Cycles(command), jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0))
+}
+
+fn apply(session: &mut Session, command: Command) -> Vec<Effect> {
+    session.apply(command, jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0))
+}
+
+/// A parameter of the chosen cycle by the name that people type.
+fn field(session: &Session, name: &str) -> CycleField {
+    CycleField::Parameter(session.cycles().cycle().parameter_named(name).unwrap().key)
+}
+
+fn fill(session: &mut Session, settings: &[&str]) {
+    for setting in settings {
+        let (name, text) = setting.split_once('=').unwrap();
+        let field = field(session, name);
+        send(session, CyclesCommand::Type(field, text.to_owned()));
+    }
+}
+
+fn with(number: u16, settings: &[&str]) -> Session {
+    let mut session = Session::new(Language::En);
+    apply(&mut session, Command::OpenPage(Page::Cycles));
+    send(&mut session, CyclesCommand::Choose(number));
+    fill(&mut session, settings);
+    session
+}
+
+const FACE: [&str; 8] = ["Q263=35", "Q264=45", "Q261=5", "Q272=3", "Q267=-1", "Q260=20", "Q288=5,1", "Q289=4.95"];
+const STUD: [&str; 5] = ["Q273=50", "Q274=50", "Q262=75", "Q277=74.9", "Q278=74.8"];
+
+fn status(session: &Session) -> Option<Status> {
+    session.cycles().run().and_then(|run| run.found()).and_then(|result| result.status)
+}
+
+fn problem(session: &Session) -> String {
+    let problem = session.cycles().run().and_then(|run| run.result.as_ref().err());
+    problem.map(|problem| Words::new(Language::En).say(problem)).unwrap_or_default()
+}
+
+#[test]
+fn a_run_is_kept_with_its_inputs_and_any_change_clears_it() {
+    let mut session = with(427, &FACE);
+    let now = |session: &mut Session| {
+        apply(session, Command::Measure);
+        assert_eq!(status(session), Some(Status::Good));
+    };
+    now(&mut session);
+    let changes: Vec<CyclesCommand> = vec![
+        CyclesCommand::Type(field(&session, "Q288"), "5.2".into()),
+        CyclesCommand::Type(CycleField::Position(Axis::X), String::new()),
+        CyclesCommand::From(ContactsFrom::Perfect),
+        CyclesCommand::ChooseProbe(1),
+        CyclesCommand::ShippedProbes,
+        CyclesCommand::Choose(427),
+        CyclesCommand::Clear,
+    ];
+    for change in changes {
+        now(&mut session);
+        send(&mut session, change.clone());
+        assert!(session.cycles().run().is_none(), "{change:?}");
+        assert!(session.cycle_window().is_none());
+    }
+    // The simulated workpiece is no input as long as it is not touched.
+    now(&mut session);
+    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Diameter), "30".into()));
+    send(&mut session, CyclesCommand::ChooseKind(BenchKind::Face));
+    assert!(session.cycles().run().is_some());
+    send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
+    apply(&mut session, Command::Measure);
+    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::PointZ), "5".into()));
+    assert!(session.cycles().run().is_none());
+}
+
+#[test]
+fn what_is_typed_is_kept_for_each_cycle_and_over_a_restart() {
+    let mut session = with(427, &["Q263=35,5"]);
+    send(&mut session, CyclesCommand::Choose(444));
+    fill(&mut session, &["Q263=1", "QS400=0.4-0.1"]);
+    send(&mut session, CyclesCommand::Choose(427));
+    assert_eq!(session.cycles().text(field(&session, "Q263")), "35,5");
+    let (mut again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
+    assert_eq!((again.cycles().cycle().number, again.cycles().text(field(&again, "Q263"))), (427, "35,5"));
+    send(&mut again, CyclesCommand::Choose(444));
+    assert_eq!(again.cycles().text(field(&again, "QS400")), "0.4-0.1");
+    assert!(again.cycles().run().is_none());
+}
+
+#[test]
+fn errors_stand_beside_their_field_as_soon_as_typed() {
+    let words = Words::new(Language::En);
+    let mut session = with(427, &FACE);
+    let told = |session: &Session, name: &str| {
+        session.cycles().error(field(session, name)).map(|error| words.say(error)).unwrap_or_default()
+    };
+    for (setting, said) in [
+        ("Q263=x", "Q263 1ST POINT 1ST AXIS: x is not a number"),
+        ("Q263=100000", "Q263 1ST POINT 1ST AXIS = 100000 mm: at least -99999.9999 mm, at most 99999.9999 mm"),
+        ("Q320=-0.0001", "Q320 SET-UP CLEARANCE = -0.0001 mm: at least 0 mm, at most 99999.9999 mm"),
+        ("Q272=4", "Q272 MEASURING AXIS = 4: not one of 1, 2, 3"),
+    ] {
+        let name = setting.split_once('=').unwrap().0;
+        let before = session.cycles().text(field(&session, name)).to_owned();
+        fill(&mut session, &[setting]);
+        assert_eq!(told(&session, name), said);
+        apply(&mut session, Command::Measure);
+        assert_eq!(problem(&session), "one field cannot be used: see the form");
+        fill(&mut session, &[&format!("{name}={before}")]);
+        assert_eq!(told(&session, name), "");
+    }
+    fill(&mut session, &["Q263=", "Q264="]);
+    assert!(!session.cycles().is_complete());
+    assert_eq!(told(&session, "Q263"), "", "nothing typed is no error before the run");
+    apply(&mut session, Command::Measure);
+    assert_eq!(told(&session, "Q263"), "Q263 1ST POINT 1ST AXIS is missing");
+    assert_eq!(problem(&session), "2 fields cannot be used: see the form");
+}
+
+#[test]
+fn predef_asks_for_what_it_stands_for() {
+    let mut session = with(427, &FACE);
+    fill(&mut session, &["Q320=predef"]);
+    let global = CycleField::Global(Key::Q(320));
+    assert!(session.cycles().is_predef(Key::Q(320)));
+    for text in ["", "PREDEF", "-1"] {
+        send(&mut session, CyclesCommand::Type(global, text.into()));
+        assert!(session.cycles().error(global).is_some(), "{text:?}");
+    }
+    send(&mut session, CyclesCommand::Type(global, "4".into()));
+    apply(&mut session, Command::Measure);
+    let run = session.cycles().run().unwrap();
+    assert_eq!(run.found().unwrap().inputs.value(320), Some(&Value::Length(Length::from_micrometres(4_000))));
+}
+
+#[test]
+fn every_cycle_is_run_and_stepped() {
+    for (number, settings, moves) in [
+        (421, &["Q273=0", "Q274=0", "Q262=75"][..], 17),
+        (422, &STUD[..], 17),
+        (427, &FACE[..], 5),
+        (444, &["Q263=1", "Q264=2", "Q294=3", "Q581=0", "Q582=1", "Q583=1"][..], 4),
+        (785, &["K=2", "RC=60"][..], 9),
+    ] {
+        let mut session = with(number, settings);
+        send(&mut session, CyclesCommand::Run);
+        assert_eq!(problem(&session), "", "{number}");
+        let run = session.cycles().run().unwrap();
+        assert_eq!((run.path.len(), session.cycles().step()), (moves, moves - 1), "{number}");
+        for (step, at) in [
+            (Step::Next, moves - 1),
+            (Step::First, 0),
+            (Step::Back, 0),
+            (Step::Next, 1),
+            (Step::To(2), 2),
+            (Step::To(usize::MAX), moves - 1),
+            (Step::Back, moves - 2),
+            (Step::Last, moves - 1),
+        ] {
+            send(&mut session, CyclesCommand::Step(step));
+            assert_eq!(session.cycles().step(), at, "{number} {step:?}");
+        }
+    }
+}
+
+#[test]
+fn a_cycle_that_does_not_come_to_its_end_shows_its_way() {
+    let mut session = with(427, &FACE);
+    send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
+    send(&mut session, CyclesCommand::ChooseKind(BenchKind::Face));
+    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::PointZ), "-60".into()));
+    send(&mut session, CyclesCommand::Run);
+    assert_eq!(problem(&session), "touch 1: no contact within the probing path of 50 mm");
+    assert!(!session.cycles().run().unwrap().path.is_empty());
+    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Temperature), "hot".into()));
+    send(&mut session, CyclesCommand::Run);
+    assert_eq!(problem(&session), "simulated workpiece: hot is not a number");
+}
+
+#[test]
+fn a_workpiece_suits_every_cycle() {
+    for (number, settings) in [
+        (421, &["Q273=50", "Q274=20", "Q262=75"][..]),
+        (422, &STUD[..]),
+        (427, &FACE[..]),
+        (444, &["Q263=1", "Q264=2", "Q294=3", "Q581=0", "Q582=1", "Q583=1"][..]),
+        (785, &["K=2", "RC=60"][..]),
+        (785, &["K=-4", "D=30", "RC=120", "BR=1", "R=1"][..]),
+    ] {
+        let mut session = with(number, settings);
+        send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
+        send(&mut session, CyclesCommand::SuitBench);
+        send(&mut session, CyclesCommand::Run);
+        assert_eq!(problem(&session), "", "{number} {settings:?}");
+    }
+    let mut session = with(427, &[]);
+    send(&mut session, CyclesCommand::SuitBench);
+    assert_eq!(session.notices()[0].message.id, "cycles-cannot-suit");
+}
+
+#[test]
+fn the_workpiece_is_saved_and_opened_as_a_file() {
+    let mut session = with(421, &[]);
+    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Diameter), "25.012".into()));
+    apply(&mut session, Command::OpenDialog(Purpose::SaveBench));
+    let effects = apply(&mut session, Command::Confirm);
+    let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
+    assert_eq!(path.display().to_string(), "workpiece.toml");
+    let bench = Bench::read(std::str::from_utf8(bytes).unwrap()).unwrap();
+    assert_eq!(Some(&bench), session.cycles().bench().bench());
+    let mut other = with(421, &[]);
+    apply(&mut other, Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Bench)));
+    apply(&mut other, Command::TypePath("workpiece.toml".into()));
+    let effects = apply(&mut other, Command::Confirm);
+    assert_eq!(effects, [Effect::ReadCycleFile(CycleFile::Bench, "workpiece.toml".into())]);
+    send(&mut other, CyclesCommand::BenchRead(Ok(Box::new(bench))));
+    assert!(other.dialog().is_none());
+    assert_eq!(other.cycles().from(), ContactsFrom::Simulated);
+    assert_eq!(other.cycles().text(CycleField::Bench(BenchField::Diameter)), "25.012");
+}
+
+#[test]
+fn recorded_contacts_are_measured_in_their_order() {
+    let mut session = with(421, &["Q273=0", "Q274=0", "Q262=25", "Q275=25.021", "Q276=25"]);
+    send(&mut session, CyclesCommand::From(ContactsFrom::Recorded));
+    send(&mut session, CyclesCommand::Run);
+    assert_eq!(problem(&session), "no file of contacts was opened yet");
+    let places = [[12.5, 0.0, 0.0], [0.0, 12.502, 0.0], [-12.5, 0.0, 0.0], [0.0, -12.502, 0.0], [1.0, 1.0, 1.0]];
+    let contacts = places.map(Contact::at).to_vec();
+    send(&mut session, CyclesCommand::ContactsRead { name: "bore.csv".into(), result: Ok((contacts, Vec::new())) });
+    send(&mut session, CyclesCommand::Run);
+    assert_eq!(status(&session), Some(Status::Good));
+    let run = session.cycles().run().unwrap();
+    assert_eq!(run.found().unwrap().value(153), Some(&Value::Length(Length::from_micrometres(25_002))));
+    let words = Words::new(Language::En);
+    let said: Vec<_> = run.remarks().iter().map(|remark| words.say(remark)).collect();
+    assert!(said.contains(&"The cycle left one contact of the file unused".to_owned()), "{said:?}");
+    assert_eq!(words.say(&run.from), "Contacts from bore.csv");
+}
+
+#[test]
+fn a_block_fills_the_form_or_changes_nothing() {
+    let mut session = with(421, &["Q273=1"]);
+    send(&mut session, CyclesCommand::ShowBlock(true));
+    let block = "11 TCH PROBE 427 MISURAZ. COORDINATA ~\nQ263=+35 ;1. PUNTO 1. ASSE ~\nQ272=+3 ;ASSE ~\nQ999=+1 ;? ~\n";
+    send(&mut session, CyclesCommand::TypeBlock(block.into()));
+    send(&mut session, CyclesCommand::TakeBlock);
+    let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
+    assert!(said.unwrap().starts_with("line 4: cycle 427 has no parameter Q999: it has Q263, Q264, "));
+    assert_eq!(session.cycles().cycle().number, 421);
+    // Another block of the program, or a block that is cut off, is not half taken either.
+    for (changed, expected) in [
+        (block.replace("Q999=+1 ;? ~\n", ""), "line 3: the block ends with ~, so a line is missing: it may be cut off"),
+        (
+            format!("L Z+50\n{}", block.replace(" ~\nQ999=+1 ;? ~\n", "\n")),
+            "line 1: L Z+50 is not part of the probing cycle and was not used",
+        ),
+    ] {
+        send(&mut session, CyclesCommand::TypeBlock(changed));
+        send(&mut session, CyclesCommand::TakeBlock);
+        let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
+        assert_eq!(said.as_deref(), Some(expected));
+        assert_eq!(session.cycles().cycle().number, 421);
+    }
+    send(&mut session, CyclesCommand::TypeBlock(block.replace(" ~\nQ999=+1 ;? ~\n", "\n")));
+    send(&mut session, CyclesCommand::TakeBlock);
+    assert_eq!((session.cycles().cycle().number, session.cycles().block()), (427, None));
+    assert_eq!(session.cycles().text(field(&session, "Q263")), "35");
+    let effects = send(&mut session, CyclesCommand::CopyBlock);
+    let [Effect::Copy(text)] = effects.as_slice() else { panic!("{effects:?}") };
+    assert!(text.contains("Q263=+35"), "{text}");
+}
+
+#[test]
+fn the_status_window_speaks_the_language_of_the_window_or_of_the_mask() {
+    let mut session = with(422, &STUD);
+    send(&mut session, CyclesCommand::Run);
+    assert_eq!(status(&session), Some(Status::Rework));
+    let first = |session: &Session| session.cycle_window().unwrap().unwrap().lines().next().unwrap().to_owned();
+    assert_eq!(first(&session), "FIT STATUS: REWORK");
+    apply(&mut session, Command::SetLanguage(Language::Nl));
+    assert_eq!(first(&session), "STATUS VAN DE PASSING: Nabewerking");
+    apply(&mut session, Command::SetMask(Some(Language::It)));
+    assert_eq!(first(&session), "STATO ACCOPPIAMENTO: Ripresa");
+    let effects = send(&mut session, CyclesCommand::CopyStatus);
+    assert!(matches!(effects.as_slice(), [Effect::Copy(text)] if text.contains("75 (422)")), "{effects:?}");
+}
+
+#[test]
+fn half_a_position_is_refused() {
+    let mut session = with(785, &["K=2", "RC=60"]);
+    send(&mut session, CyclesCommand::Type(CycleField::Position(Axis::X), "1".into()));
+    assert!(session.cycles().error(CycleField::Position(Axis::Y)).is_some());
+    send(&mut session, CyclesCommand::Type(CycleField::Position(Axis::Y), "0".into()));
+    send(&mut session, CyclesCommand::Type(CycleField::Position(Axis::Z), "-3,5".into()));
+    assert_eq!(session.cycles().inputs().position(), Some([1.0, 0.0, -3.5]));
+}
+
+#[test]
+fn no_text_in_any_field_makes_the_page_panic() {
+    let mut session = with(421, &[]);
+    let strange = ["", " ", "nan", "-", "1e400", "99999999999999999999", "PREDEF", "\u{0}", "é", "1.234,5", "𝟙"];
+    for cycle in CYCLES {
+        send(&mut session, CyclesCommand::Choose(cycle.number));
+        for text in strange {
+            for parameter in cycle.parameters {
+                send(&mut session, CyclesCommand::Type(CycleField::Parameter(parameter.key), text.into()));
+            }
+            send(&mut session, CyclesCommand::Run);
+            send(&mut session, CyclesCommand::SuitBench);
+        }
+    }
+}

@@ -1,0 +1,514 @@
+//! The cycles page: every cycle of the seeds typed into its form, run, stepped and read back.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, OutputCommand, Theme, Vec2, ViewportId, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::gui::App;
+use fitcheck::probing::cycles::cycle_named;
+use fitcheck::session::{CycleField, Page};
+use fitcheck::words::Language;
+
+use crate::harness::{DESK, Window, type_into, verdict};
+use crate::pictures::can_paint;
+
+/// The page, opened by its key.
+fn open(window: Window) -> Harness<'static, App> {
+    let mut harness = window.open();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Num3);
+    harness.run();
+    assert_eq!(harness.state().session().page(), Page::Cycles);
+    harness
+}
+
+fn page() -> Harness<'static, App> {
+    open(Window::default())
+}
+
+fn click(window: &mut Harness<'_, App>, role: Role, label: &str) {
+    window.get_by_role_and_label(role, label).click_accesskit();
+    window.run();
+}
+
+fn key(window: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
+    window.key_press_modifiers(modifiers, key);
+    window.run();
+}
+
+/// Chooses a cycle by what the list calls it.
+fn choose(window: &mut Harness<'_, App>, name: &str) {
+    click(window, Role::ComboBox, "Cycle");
+    click(window, Role::Button, name);
+}
+
+/// The name of a parameter's field: its key and the control's question.
+fn name(window: &Harness<'_, App>, key: &str) -> String {
+    let cycle = window.state().session().cycles().cycle();
+    let parameter = cycle.parameter_named(key).unwrap_or_else(|| panic!("no {key}"));
+    format!("{}  {}", parameter.key, parameter.question(window.state().session().language()))
+}
+
+/// Fills the form: fields are typed, choices are picked from their list.
+fn fill(window: &mut Harness<'_, App>, settings: &[(&str, &str)]) {
+    for (parameter, text) in settings {
+        let name = name(window, parameter);
+        if window.query_by_role_and_label(Role::ComboBox, &name).is_some() {
+            click(window, Role::ComboBox, &name);
+            let choice = window.get_all_by_role(Role::Button).find(|node| {
+                let label = node.accesskit_node().label().unwrap_or_default();
+                label.split("  ").next() == Some(&text.replace('-', "−")) && label.contains("  ")
+            });
+            choice.unwrap_or_else(|| panic!("no choice {text} for {name}")).click_accesskit();
+            window.run();
+        } else {
+            type_into(window, &name, text);
+        }
+    }
+}
+
+/// What stands in the list of results behind a key.
+fn result(window: &Harness<'_, App>, key: &str) -> String {
+    let run = window.state().session().cycles().run().expect("a run");
+    let found = run.found().unwrap_or_else(|| panic!("{:?}", run.result));
+    let found = found.results.iter().find(|found| found.key.to_string() == key).expect(key);
+    // The list shows it, too.
+    window.get_by_label(key);
+    found.value.to_string()
+}
+
+const BLOCK_427: [(&str, &str); 12] = [
+    ("Q263", "+35"),
+    ("Q264", "+45"),
+    ("Q261", "+5"),
+    ("Q320", "+0"),
+    ("Q272", "3"),
+    ("Q267", "-1"),
+    ("Q260", "+20"),
+    ("Q281", "1"),
+    ("Q288", "+5,1"),
+    ("Q289", "+4.95"),
+    ("Q309", "0"),
+    ("Q330", "+0"),
+];
+
+/// The page with the block of seed 004, typed.
+fn coordinate(window: Window) -> Harness<'static, App> {
+    let mut window = open(window);
+    choose(&mut window, "427  MEASURE COORDINATE");
+    fill(&mut window, &BLOCK_427);
+    window
+}
+
+/// The page with cycle 422 on a stud that is a tenth too thick.
+fn stud(window: Window) -> Harness<'static, App> {
+    let mut window = open(window);
+    choose(&mut window, "422  MEAS. CIRCLE OUTSIDE");
+    let block = [("Q273", "50"), ("Q274", "50"), ("Q262", "75"), ("Q277", "74.9"), ("Q278", "74.8"), ("Q309", "1")];
+    fill(&mut window, &block);
+    window
+}
+
+#[test]
+fn the_block_of_seed_004_is_typed_run_and_read_back() {
+    let mut window = coordinate(Window::default());
+    assert_eq!(verdict(&window), "No result");
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(verdict(&window), "GOOD. 5.0000 mm. measured coordinate. 50.0 µm above minimum. 100.0 µm below maximum");
+    assert_eq!((result(&window, "Q160"), result(&window, "Q180")), ("5".to_owned(), "1".to_owned()));
+    window.get_by_label_contains("COORDINATE STATUS: GOOD");
+    window.get_by_label("The control writes TCHPR427.TXT");
+    window.get_by_label_contains("an outside dimension is assumed");
+}
+
+/// Runs the cycle and compares the picture.
+fn picture(name: &str, open: fn(Window) -> Harness<'static, App>, theme: Theme, size: Vec2) {
+    if can_paint(name) {
+        let mut window = open(Window { size, theme, ..Window::default() });
+        key(&mut window, Modifiers::NONE, Key::Enter);
+        window.remove_cursor();
+        window.snapshot(name);
+    }
+}
+
+#[test]
+fn a_coordinate_in_light() {
+    picture("cycle_427_light", coordinate, Theme::Light, DESK);
+}
+
+#[test]
+fn a_stud_to_rework_in_dark() {
+    picture("cycle_422_dark", stud, Theme::Dark, DESK);
+}
+
+#[test]
+fn a_stud_in_a_small_window() {
+    picture("cycle_422_small", stud, Theme::Light, vec2(1024.0, 600.0));
+}
+
+#[test]
+fn a_simulated_bore_in_light() {
+    picture("cycle_421_light", hole, Theme::Light, DESK);
+}
+
+#[test]
+fn a_point_in_dark() {
+    picture("cycle_444_dark", point, Theme::Dark, DESK);
+}
+
+#[test]
+fn a_circle_of_a_lathe_in_light() {
+    picture("cycle_g785_light", lathe, Theme::Light, DESK);
+}
+
+/// The page with cycle 421 on a bore that is a little oval and lies a little off.
+fn hole(window: Window) -> Harness<'static, App> {
+    let mut window = open(window);
+    let block = [
+        ("Q273", "50"),
+        ("Q274", "20"),
+        ("Q262", "25"),
+        ("Q261", "-5"),
+        ("Q275", "25.021"),
+        ("Q276", "25"),
+        ("Q281", "1"),
+    ];
+    fill(&mut window, &block);
+    click(&mut window, Role::RadioButton, "Simulated");
+    click(&mut window, Role::Button, "Fit to cycle");
+    click(&mut window, Role::Button, "Workpiece…");
+    for (name, text) in [("True diameter", "25.012"), ("Centre, 1st axis", "50.003")] {
+        type_into(&mut window, name, text);
+    }
+    click(&mut window, Role::Button, "Close");
+    fill(&mut window, &[("Q273", "50")]);
+    window
+}
+
+/// The page with cycle 444 on a slanted surface.
+fn point(window: Window) -> Harness<'static, App> {
+    let mut window = open(window);
+    choose(&mut window, "444  PROBING IN 3-D");
+    let block = [
+        ("Q263", "1"),
+        ("Q264", "2"),
+        ("Q294", "3"),
+        ("Q581", "0"),
+        ("Q582", "1"),
+        ("Q583", "1"),
+        ("QS400", "0.4-0.1"),
+    ];
+    fill(&mut window, &block);
+    window
+}
+
+/// The page with the block of seed 003.
+fn lathe(window: Window) -> Harness<'static, App> {
+    let mut window = open(window);
+    choose(&mut window, "G785  CIRCLE MEASUREMENT");
+    fill(&mut window, &[("R", "0"), ("BR", "0"), ("K", "2"), ("C", "0"), ("RC", "60"), ("I", "0"), ("J", "0")]);
+    window
+}
+
+#[test]
+fn all_other_cycles_are_run_and_read_back() {
+    let mut window = lathe(Window::default());
+    key(&mut window, Modifiers::NONE, Key::F5);
+    assert_eq!(verdict(&window), "No verdict. 2.000 mm. no limits were given");
+    assert_eq!((result(&window, "#i99"), result(&window, "X")), ("2".to_owned(), "0".to_owned()));
+    window.get_by_label("No limits of size: the control shows no status window");
+    assert_eq!(window.get_all_by_label_contains("3.0 times that of 3 contacts at 120°").count(), 2);
+
+    let mut window = page();
+    let block = [("Q273", "50"), ("Q274", "50"), ("Q262", "75"), ("Q275", "75.12"), ("Q276", "74.95"), ("Q423", "3")];
+    fill(&mut window, &block);
+    click(&mut window, Role::Button, "Run");
+    assert!(verdict(&window).starts_with("GOOD. 75.0000 mm. measured diameter. 50.0 µm above minimum"));
+    assert_eq!((result(&window, "Q153"), result(&window, "Q151")), ("75".to_owned(), "50".to_owned()));
+    assert_eq!(window.state().session().cycles().run().unwrap().found().unwrap().contacts.len(), 3);
+
+    let mut window = point(Window::default());
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    assert!(verdict(&window).starts_with("GOOD. 0.0000 mm. deviation along the normal. 100.0 µm above minimum"));
+    assert_eq!((result(&window, "Q183"), result(&window, "Q153")), ("0".to_owned(), "3".to_owned()));
+    window.get_by_label_contains("TOLERANCE: 0.4-0.1");
+    window.get_by_label("The control writes TCHPR444.html");
+}
+
+#[test]
+fn rework_says_how_much_stops_and_shows_the_control_s_window() {
+    let mut window = stud(Window::default());
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(
+        verdict(&window),
+        "REWORK. 75.0000 mm. measured diameter. 100.0 µm above maximum. Remove 100.0 µm to the nearest limit. \
+         150.0 µm to the middle of the zone. on the diameter; 50.0 µm per side"
+    );
+    window.get_by_label("program stop by Q309 = 1: measured diameter 75 mm is above its maximum 74.9 mm: REWORK");
+    window.get_by_label_contains("FIT STATUS: REWORK\nCHECKED FIT: 75 (422)\nMINIMUM SIZE:  74.8000");
+    assert_eq!(result(&window, "Q181"), "1");
+}
+
+#[test]
+fn scrap_of_a_simulated_face() {
+    let mut window = coordinate(Window::default());
+    click(&mut window, Role::RadioButton, "Simulated");
+    click(&mut window, Role::Button, "Fit to cycle");
+    click(&mut window, Role::Button, "Workpiece…");
+    for (name, text) in [("Point Z", "4,9"), ("Surface scatter 1σ", "0"), ("Trigger scatter 1σ", "0")] {
+        type_into(&mut window, name, text);
+    }
+    click(&mut window, Role::Button, "Close");
+    key(&mut window, Modifiers::NONE, Key::F5);
+    assert_eq!(verdict(&window), "SCRAP. 4.9000 mm. measured coordinate. 50.0 µm below minimum");
+    window.get_by_label_contains("COORDINATE STATUS: SCRAP");
+    window.get_by_label("Measured on the simulated workpiece, seed 1");
+    assert_eq!(result(&window, "Q182"), "1");
+    // No verdict beside other inputs.
+    fill(&mut window, &[("Q289", "4.8")]);
+    assert_eq!(verdict(&window), "No result");
+    assert!(window.query_by_label_contains("COORDINATE STATUS").is_none());
+}
+
+#[test]
+fn what_was_typed_is_kept_when_another_cycle_is_chosen() {
+    let mut window = coordinate(Window::default());
+    choose(&mut window, "421  MEASURE HOLE");
+    choose(&mut window, "427  MEASURE COORDINATE");
+    let name = name(&window, "Q288");
+    let field = window.get_by_role_and_label(Role::TextInput, &name);
+    assert_eq!(field.accesskit_node().value().as_deref(), Some("+5,1"));
+}
+
+#[test]
+fn an_error_stands_beside_its_field_and_the_range_shows_on_focus() {
+    let mut window = page();
+    fill(&mut window, &[("Q247", "130")]);
+    window.get_by_label("Q247 STEPPING ANGLE = 130°: at least 5° in size, at most 120°");
+    window.get_by_label("Allowed: ±5 … ±120 °");
+    window.get_by_label("90° when nothing is typed");
+    fill(&mut window, &[("Q262", "7.5.2")]);
+    window.get_by_label("Q262 NOMINAL DIAMETER: 7.5.2 is not a number");
+    window.get_by_label("Must be given");
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(verdict(&window), "Not measured. 4 fields cannot be used: see the form");
+    window.get_by_label("Q273 CENTER IN 1ST AXIS is missing");
+    // Its drawing describes itself.
+    window.get_by_role_and_label(Role::Figure, "Q262: nominal diameter");
+}
+
+#[test]
+fn predef_asks_what_it_stands_for() {
+    let mut window = coordinate(Window::default());
+    fill(&mut window, &[("Q320", "predef")]);
+    window.get_by_label("PREDEF: type the value that GLOBAL DEF gives");
+    type_into(&mut window, "Q320  PREDEF stands for", "4");
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+}
+
+#[test]
+fn the_path_is_stepped_by_button_by_key_and_by_slider() {
+    let mut window = coordinate(Window::default());
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    window.get_by_label("5 of 5: leave, from X 35  Y 45  Z 7 to X 35  Y 45  Z 20");
+    click(&mut window, Role::Button, "First");
+    window.get_by_label("1 of 5: pre-position, touch 1, from X 35  Y 45  Z 20 to X 35  Y 45  Z 7");
+    click(&mut window, Role::Button, "Next");
+    window.get_by_label("2 of 5: approach, touch 1, from X 35  Y 45  Z 7 to X 35  Y 45  Z 5");
+    key(&mut window, Modifiers::ALT, Key::ArrowRight);
+    window.get_by_label("3 of 5: contact, touch 1, at X 35  Y 45  Z 5");
+    key(&mut window, Modifiers::ALT, Key::ArrowLeft);
+    window.get_by_label_contains("2 of 5: approach");
+    key(&mut window, Modifiers::ALT, Key::End);
+    window.get_by_label_contains("5 of 5: leave");
+    key(&mut window, Modifiers::ALT, Key::Home);
+    window.get_by_label_contains("1 of 5: pre");
+    window.get_by_role_and_label(Role::Slider, "Move").focus();
+    window.run();
+    key(&mut window, Modifiers::NONE, Key::ArrowRight);
+    window.get_by_label_contains("2 of 5: approach");
+    click(&mut window, Role::Button, "Last");
+    click(&mut window, Role::Button, "Back");
+    window.get_by_label_contains("4 of 5: retract");
+}
+
+#[test]
+fn recorded_contacts_are_opened_and_measured() {
+    let folder = tempfile::tempdir().unwrap();
+    let path: PathBuf = folder.path().join("bore.csv");
+    let csv = "x,y,z,remark\n12.5,0,0,a\n0,12.502,0,b\n-12.5,0,0,c\n0,-12.502,0,d\n1,1,1,e\n";
+    fitcheck::files::write(&path, csv.as_bytes()).unwrap();
+    let mut window = page();
+    fill(&mut window, &[("Q273", "0"), ("Q274", "0"), ("Q262", "25"), ("Q275", "25.021"), ("Q276", "25")]);
+    click(&mut window, Role::RadioButton, "Recorded");
+    window.get_by_label("no file yet");
+    click(&mut window, Role::Button, "Contacts…");
+    type_into(&mut window, "File", &path.display().to_string());
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    window.get_by_label("Contacts of bore.csv are used");
+    window.get_by_label("column remark is not used");
+    click(&mut window, Role::Button, "Close");
+    window.get_by_label("5 contacts, bore.csv");
+    key(&mut window, Modifiers::NONE, Key::F5);
+    assert!(verdict(&window).starts_with("GOOD. 25.0020 mm"), "{}", verdict(&window));
+    assert_eq!(result(&window, "Q153"), "25.002");
+    window.get_by_label("The cycle left one contact of the file unused");
+    window.get_by_label("Contacts from bore.csv");
+    window.get_by_label("Criteria side by side");
+}
+
+#[test]
+fn the_workpiece_is_bent_saved_and_opened_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bore.toml");
+    let mut window = hole(Window::default());
+    key(&mut window, Modifiers::NONE, Key::F5);
+    let before = result(&window, "Q153");
+    click(&mut window, Role::Button, "Workpiece…");
+    type_into(&mut window, "True diameter", "-1");
+    window.get_by_label("diameter = -1: at least 0.001, at most 100000");
+    type_into(&mut window, "True diameter", "25.012");
+    click(&mut window, Role::Button, "Save…");
+    type_into(&mut window, "File", &path.display().to_string());
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    click_last(&mut window, "Close");
+    type_into(&mut window, "True diameter", "24.9");
+    click(&mut window, Role::Button, "Open…");
+    type_into(&mut window, "File", &path.display().to_string());
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    let field = window.get_by_role_and_label(Role::TextInput, "True diameter");
+    assert_eq!(field.accesskit_node().value().as_deref(), Some("25.012"));
+    click(&mut window, Role::Button, "Close");
+    key(&mut window, Modifiers::NONE, Key::F5);
+    assert_eq!(result(&window, "Q153"), before, "the same seed gives the same result");
+    click(&mut window, Role::Button, "Workpiece…");
+    for kind in ["Stud", "Face", "Free surface point", "Bore"] {
+        click(&mut window, Role::RadioButton, kind);
+        assert!(window.state().session().cycles().bench().bench().is_some(), "{kind}");
+    }
+    click(&mut window, Role::RadioButton, "Z/X");
+    assert_eq!(window.state().session().cycles().bench().plane(), fitcheck::probing::cycle::Plane::Zx);
+}
+
+/// Presses the last of several buttons of the same name: that of what lies on top.
+fn click_last(window: &mut Harness<'_, App>, label: &str) {
+    window.get_all_by_role_and_label(Role::Button, label).last().unwrap().click_accesskit();
+    window.run();
+}
+
+#[test]
+fn a_block_is_pasted_and_copied() {
+    let mut window = page();
+    click(&mut window, Role::Button, "NC block…");
+    let block =
+        "TCH PROBE 427 MISURAZ. COORDINATA ~ Q263=+35 ;1. PUNTO ~ Q264=+45 ~ Q261=+5 ~ Q272=+3 ~ Q267=-1 ~ Q9=+1";
+    window.get_by(|node| node.role() == Role::MultilineTextInput).type_text(block);
+    window.run();
+    click(&mut window, Role::Button, "Fill the form");
+    let known = cycle_named("427").unwrap().parameters.iter().map(|parameter| parameter.key.to_string());
+    let known = known.collect::<Vec<_>>().join(", ");
+    window.get_by_label(&format!("line 1: cycle 427 has no parameter Q9: it has {known}"));
+    for _ in 0.." ~ Q9=+1".len() {
+        window.key_press(Key::Backspace);
+    }
+    window.run();
+    click(&mut window, Role::Button, "Fill the form");
+    assert_eq!(window.state().session().cycles().cycle().code, "427");
+    key(&mut window, Modifiers::NONE, Key::F5);
+    assert_eq!(result(&window, "Q160"), "5");
+    window.get_by_role_and_label(Role::Button, "Copy as NC block").click_accesskit();
+    // The text is in the frame of the click only.
+    let copied = (0..4).find_map(|_| {
+        window.step();
+        window.output().platform_output.commands.iter().find_map(|command| match command {
+            OutputCommand::CopyText(text) => Some(text.clone()),
+            _ => None,
+        })
+    });
+    assert!(copied.unwrap().starts_with("TCH PROBE 427 MEASURE COORDINATE ~\n    Q263=+35"), "copied");
+}
+
+#[test]
+fn a_probe_is_chosen_from_a_table() {
+    let mut window = coordinate(Window::default());
+    click(&mut window, Role::ComboBox, "Probe");
+    click(&mut window, Role::Button, "Own touch-probe table…");
+    let table = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/samples/tables/tchprobe.tp");
+    type_into(&mut window, "File", table);
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    click(&mut window, Role::ComboBox, "Probe");
+    click(&mut window, Role::Button, "2");
+    window.get_by_label("SET_UP 1.5 mm, DIST 6 mm");
+    key(&mut window, Modifiers::NONE, Key::F5);
+    click(&mut window, Role::Button, "First");
+    window.get_by_label_contains("to X 35  Y 45  Z 6.5");
+}
+
+#[test]
+fn the_page_works_by_key_alone_and_in_dutch() {
+    let mut window = open(Window { language: Language::Nl, ..Window::default() });
+    assert!(focused(&window).starts_with("Q273"), "{}", focused(&window));
+    for text in ["50", "50", "75"] {
+        let now = focused(&window);
+        window.get_by_role_and_label(Role::TextInput, &now).type_text(text);
+        key(&mut window, Modifiers::NONE, Key::Tab);
+    }
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(verdict(&window), "Geen oordeel. 75,000 mm. er zijn geen grenzen opgegeven");
+    let chooser = window.get_by_role_and_label(Role::ComboBox, "Cyclus");
+    assert_eq!(chooser.accesskit_node().value().as_deref(), Some("421  METEN BORING"));
+    window.get_by_label_contains("17 van 17: wegrijden");
+    // The settled page asks for no repaint.
+    let delay = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
+    assert_eq!(delay, Duration::MAX);
+}
+
+/// The name of what has the focus.
+#[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone is not general over lifetimes")]
+fn focused(window: &Harness<'_, App>) -> String {
+    window.get_by(|node| node.is_focused()).accesskit_node().label().unwrap_or_default()
+}
+
+#[test]
+fn parameters_without_effect_are_folded_away() {
+    let mut window = coordinate(Window::default());
+    let name = name(&window, "Q531");
+    assert!(window.query_by_label(&name).is_none());
+    window.get_by_label("Accepted without effect").click_accesskit();
+    window.run();
+    type_into(&mut window, &name, "5");
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    window.get_by_label("Q531 is accepted and has no effect");
+}
+
+#[test]
+fn the_keypad_types_into_a_parameter_and_runs() {
+    let mut window = coordinate(Window::default());
+    click(&mut window, Role::Button, "Keypad");
+    fill(&mut window, &[("Q288", "5")]);
+    for pressed in ["Decimal sign", "Key 2", "Measure with Enter"] {
+        click(&mut window, Role::Button, pressed);
+    }
+    let cycles = window.state().session().cycles();
+    assert_eq!(cycles.text(CycleField::Parameter(288.into())), "5.2");
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+}
+
+#[test]
+fn choices_are_made_by_typing_their_number_too() {
+    let mut window = page();
+    choose(&mut window, "427  MEASURE COORDINATE");
+    for (parameter, typed, chosen) in [("Q272", "3", "3"), ("Q267", "-", "-1"), ("Q267", "1", "1"), ("Q272", "7", "3")]
+    {
+        let name = name(&window, parameter);
+        window.get_by_role_and_label(Role::ComboBox, &name).focus();
+        window.run();
+        window.get_by_role_and_label(Role::ComboBox, &name).type_text(typed);
+        window.run();
+        let key = window.state().session().cycles().cycle().parameter_named(parameter).unwrap().key;
+        assert_eq!(window.state().session().cycles().text(CycleField::Parameter(key)), chosen, "{parameter} {typed}");
+    }
+}
