@@ -17,7 +17,7 @@ mod write;
 use std::fmt;
 
 pub use fault::{ProbeBlockError, ProbeBlockFault};
-pub use read::read;
+pub use read::{read, read_or_lines};
 pub use write::write;
 
 use crate::probing::cycle::{Cycle, Inputs};

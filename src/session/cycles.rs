@@ -118,7 +118,7 @@ impl CyclesPage {
 
     /// The value of a parameter: what was typed or its default, where that can be used.
     pub fn value(&self, parameter: &Parameter) -> Option<Value> {
-        self.inputs.value(parameter.key).cloned().or_else(|| parameter.default_value())
+        self.inputs.value(parameter.key).cloned().or_else(|| parameter.default_with(&self.inputs))
     }
 
     /// Whether PREDEF was typed for a parameter, so that its value has to be said elsewhere.
@@ -338,7 +338,7 @@ impl Session {
             CyclesCommand::TakeBlock => page.take_block(),
             CyclesCommand::CopyBlock => match page.written(self.language) {
                 Ok(block) => return vec![Effect::Copy(block)],
-                Err(error) => self.tell(error.message()),
+                Err(problem) => self.tell(problem),
             },
             CyclesCommand::CopyResults => return page.results_text().map(Effect::Copy).into_iter().collect(),
             CyclesCommand::CopyStatus => {

@@ -184,6 +184,8 @@ fn the_declaration_is_listed() {
         text.contains("Distanza di sicurezza?            0                0 … 99999.9999 mm, or PREDEF\n"),
         "{text}"
     );
+    let text = fitcheck(&["421", "--list"], "").out;
+    assert!(text.contains("90°              ±5 … ±120 °, 120° with Q423 = 3\n"), "{text}");
     for code in ["421", "422", "427", "444", "G785"] {
         let json: Value = serde_json::from_str(&fitcheck(&[code, "--list", "--format", "json"], "").out).unwrap();
         assert!(json.as_array().unwrap().iter().all(|row| row["question"].is_string()), "{json}");

@@ -1,6 +1,6 @@
 //! The block of a probing cycle: the seeds' examples read, every cycle written and read back.
 
-use fitcheck::control::probe_block::{ProbeBlockError, ProbeBlockFault, read, write};
+use fitcheck::control::probe_block::{ProbeBlockError, ProbeBlockFault, read, read_or_lines, write};
 use fitcheck::length::Length;
 use fitcheck::probing::Recorded;
 use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Unset, Value};
@@ -172,6 +172,28 @@ fn a_value_that_is_none_is_named_with_its_line_and_a_program_s_parameter_as_such
     assert_eq!(said("TCH PROBE 444 ~\nQS400=QS5"), "line 2: QS400 = QS5: only a running program knows what is in QS5");
     // A tool may be called anything.
     assert!(read("TCH PROBE 427 ~\nQS330=\"Q1\"").unwrap().put_into(Inputs::new()).unwrap().is_given(330));
+}
+
+#[test]
+fn lines_without_their_head_are_those_of_the_cycle_that_is_named() {
+    let taken = |text: &str, code: &str| match read_or_lines(text, cycle_named(code).unwrap()) {
+        Ok(block) => {
+            let pairs: Vec<_> = block.settings.iter().map(|pair| format!("{}={}", pair.key, pair.text)).collect();
+            format!("{}: {}", block.cycle.code, pairs.join(" "))
+        }
+        Err(error) => told(&error),
+    };
+    assert_eq!(taken("QS400=\"0.4-0.1\" ;TOLERANCE", "444"), "444: QS400=0.4-0.1");
+    assert_eq!(taken("  Q263=+35 ;A ~\n  Q264=+45 ;B", "427"), "427: Q263=+35 Q264=+45");
+    assert_eq!(taken("K2 RC60", "G785"), "G785: K=2 RC=60");
+    // A head says more than the name beside it.
+    assert_eq!(taken(SEED_003, "427"), "G785: R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0");
+    assert_eq!(taken("Q263=+1 ~\nQ999=+1", "427").split(':').next(), Some("line 2"));
+    assert_eq!(taken("L X+10 R0", "427"), "line 1: L X+10 R0 is no parameter: one is written as Q263=+35");
+    for blank in ["", " \n"] {
+        let none = "line 1: no probing cycle here: a block begins with TCH PROBE and a number, or with G785";
+        assert_eq!(taken(blank, "427"), none);
+    }
 }
 
 #[test]

@@ -188,7 +188,7 @@ fn a_cycle_that_does_not_come_to_its_end_shows_its_way() {
     assert!(!session.cycles().run().unwrap().path.is_empty());
     send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Temperature), "hot".into()));
     send(&mut session, CyclesCommand::Run);
-    assert_eq!(problem(&session), "simulated workpiece: hot is not a number");
+    assert_eq!(problem(&session), "simulated workpiece: Workpiece temperature: hot is not a number");
 }
 
 #[test]
@@ -260,9 +260,23 @@ fn a_block_fills_the_form_or_changes_nothing() {
     send(&mut session, CyclesCommand::TypeBlock(block.into()));
     send(&mut session, CyclesCommand::TakeBlock);
     let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
-    assert_eq!(said.as_deref(), Some("line 4: cycle 427 has no parameter Q999"));
+    assert!(said.unwrap().starts_with("line 4: cycle 427 has no parameter Q999: it has Q263, Q264, "));
     assert_eq!(session.cycles().cycle().number, 421);
-    send(&mut session, CyclesCommand::TypeBlock(block.replace("Q999=+1 ;? ~\n", "")));
+    // Another block of the program, or a block that is cut off, is not half taken either.
+    for (changed, expected) in [
+        (block.replace("Q999=+1 ;? ~\n", ""), "line 3: the block ends with ~, so a line is missing: it may be cut off"),
+        (
+            format!("L Z+50\n{}", block.replace(" ~\nQ999=+1 ;? ~\n", "\n")),
+            "line 1: L Z+50 is not part of the probing cycle and was not used",
+        ),
+    ] {
+        send(&mut session, CyclesCommand::TypeBlock(changed));
+        send(&mut session, CyclesCommand::TakeBlock);
+        let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
+        assert_eq!(said.as_deref(), Some(expected));
+        assert_eq!(session.cycles().cycle().number, 421);
+    }
+    send(&mut session, CyclesCommand::TypeBlock(block.replace(" ~\nQ999=+1 ;? ~\n", "\n")));
     send(&mut session, CyclesCommand::TakeBlock);
     assert_eq!((session.cycles().cycle().number, session.cycles().block()), (427, None));
     assert_eq!(session.cycles().text(field(&session, "Q263")), "35");

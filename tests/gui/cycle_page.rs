@@ -8,6 +8,7 @@ use eframe::egui::{Key, Modifiers, OutputCommand, Theme, Vec2, ViewportId, vec2}
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
+use fitcheck::probing::cycles::cycle_named;
 use fitcheck::session::{CycleField, Page};
 use fitcheck::words::Language;
 
@@ -407,7 +408,9 @@ fn a_block_is_pasted_and_copied() {
     window.get_by(|node| node.role() == Role::MultilineTextInput).type_text(block);
     window.run();
     click(&mut window, Role::Button, "Fill the form");
-    window.get_by_label("line 1: cycle 427 has no parameter Q9");
+    let known = cycle_named("427").unwrap().parameters.iter().map(|parameter| parameter.key.to_string());
+    let known = known.collect::<Vec<_>>().join(", ");
+    window.get_by_label(&format!("line 1: cycle 427 has no parameter Q9: it has {known}"));
     for _ in 0.." ~ Q9=+1".len() {
         window.key_press(Key::Backspace);
     }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::super::limits::csv_error;
 use super::{CliError, Format, Io};
-use crate::probing::cycle::{Cycle, Parameter, Unset};
+use crate::probing::cycle::{Cycle, Inputs, Parameter, Unset, Value};
 use crate::words::Language;
 
 /// One parameter; the names are a contract.
@@ -19,6 +19,9 @@ struct Row {
     required: bool,
     predef: bool,
     effect: bool,
+    /// Another default where another parameter has a certain value, for people.
+    #[serde(skip)]
+    otherwise: Option<String>,
 }
 
 impl Row {
@@ -33,6 +36,10 @@ impl Row {
             required: parameter.unset == Unset::Refused,
             predef: parameter.may_be_predef,
             effect: parameter.has_effect,
+            otherwise: parameter.unset_where.and_then(|other| {
+                let inputs = Inputs::new().with(other.key, Value::Whole(other.is));
+                Some(format!("{} with {} = {}", parameter.default_with(&inputs)?, other.key, other.is))
+            }),
         }
     }
 
@@ -69,7 +76,8 @@ pub(super) fn print(cycle: &Cycle, language: Language, format: Format, io: &mut 
                 let effect = if row.effect { "" } else { "   no effect" };
                 let (key, question, range, unset) = (&row.key, row.question, &row.range, row.unset());
                 let line = format!("  {key:<6} {question:<width$}  {unset:<16} {range} {unit}");
-                writeln!(io.out, "{}{predef}{effect}", line.trim_end())?;
+                let otherwise = row.otherwise.as_ref().map(|other| format!(", {other}")).unwrap_or_default();
+                writeln!(io.out, "{}{predef}{otherwise}{effect}", line.trim_end())?;
             }
         }
     }

@@ -27,7 +27,7 @@ fn every_fault_is_said() {
     let (parameter, table, column) = (Parameter::q(1234), || "own.tab".to_owned(), || "H7".to_owned());
     let place = Place { file: Arc::from("own.tab"), line: 1234, column: 5 };
     let workpiece = WorkpieceError { what: "diameter", given: -1.0, least: 0.001, most: 1.0 };
-    let missing = CycleError::NoSuchParameter { cycle: "421", parameter: "Q1".to_owned() };
+    let missing = CycleError::NoSuchParameter { cycle: "421", parameter: "Q1".to_owned(), known: "Q273".to_owned() };
     let render = RenderError::Undefined { line: 1, column: 2, name: "Q1".to_owned() };
     for kind in [
         FaultKind::UsedUp(UsedUp::Blocks(12_345)),

@@ -43,6 +43,20 @@ pub fn read(text: &str) -> Result<ProbeBlock, ProbeBlockError> {
     reader.end()
 }
 
+/// As [`read()`], but a text that begins no block is taken for lines of this cycle's: what people cut out of a program.
+///
+/// # Errors
+/// As for [`read()`].
+pub fn read_or_lines(text: &str, cycle: &'static Cycle) -> Result<ProbeBlock, ProbeBlockError> {
+    match read(text) {
+        Err(ProbeBlockError { fault: ProbeBlockFault::NoBlock, .. }) if !text.trim().is_empty() => {
+            let head = if is_lathe(cycle) { cycle.code.to_owned() } else { format!("TCH PROBE {} ~", cycle.code) };
+            read(&format!("{head} {text}"))
+        }
+        answer => answer,
+    }
+}
+
 /// What stands between two `~`, or a line without one.
 #[derive(Debug)]
 struct Segment<'a> {

@@ -52,7 +52,7 @@ pub(super) fn row_ui(ui: &mut Ui, name: String, field: impl FnOnce(&mut Ui, Id))
 
 /// What counts while nothing is typed.
 fn hint(view: &View<'_>, parameter: &Parameter) -> String {
-    match (parameter.default_value(), parameter.unset) {
+    match (parameter.default_with(view.session.cycles().inputs()), parameter.unset) {
         (Some(value @ (Value::Length(_) | Value::Angle(_) | Value::Number(_))), _) => {
             view.words.number(value.to_string().trim_end_matches('°'))
         }

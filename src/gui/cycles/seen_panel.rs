@@ -78,7 +78,7 @@ fn allowed(view: &View<'_>, parameter: &Parameter) -> String {
 
 /// What counts when nothing is typed.
 fn default(view: &View<'_>, parameter: &Parameter) -> String {
-    match (parameter.default_value(), parameter.unset) {
+    match (parameter.default_with(view.session.cycles().inputs()), parameter.unset) {
         (None, Unset::Refused) => view.text("cycles-must-be-given"),
         (None | Some(Value::Band(None)), _) => view.text("cycles-may-be-left-out"),
         (Some(value), _) => {

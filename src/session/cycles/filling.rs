@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use super::{BenchForm, ContactsFrom, CyclesPage, RecordedContacts};
-use crate::control::probe_block::{self, ProbeBlockError};
+use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
-use crate::probing::cycle::Inputs;
 use crate::probing::cycles::cycle;
 use crate::probing::simulated::{Bench, Probe};
 use crate::probing::{Contact, Source};
@@ -53,29 +52,32 @@ impl CyclesPage {
         let Some(text) = &self.block else { return };
         match self.taken(&text.clone()) {
             Ok(()) => (self.block, self.block_problem) = (None, None),
-            Err(error) => self.block_problem = Some(error.message()),
+            Err(problem) => self.block_problem = Some(problem),
         }
     }
 
-    fn taken(&mut self, text: &str) -> Result<(), ProbeBlockError> {
-        let block = probe_block::read(text)?;
-        // Names and values are checked here, with their lines; ranges beside the fields.
-        block.put_into(Inputs::new())?;
+    fn taken(&mut self, text: &str) -> Result<(), Message> {
+        let block = probe_block::read_or_lines(text, self.cycle).map_err(|error| error.message())?;
+        if let Some(unused) = &block.unused {
+            return Err(unused.message());
+        }
         let cycle = block.cycle;
         self.texts.retain(|(number, _), _| *number != cycle.number);
         for setting in &block.settings {
+            // The reader has refused what the cycle does not have.
             if let Some(parameter) = cycle.parameter_named(&setting.key) {
-                let value = setting.text.trim_start_matches('+').to_owned();
-                self.texts.insert((cycle.number, parameter.key), value);
+                let text = setting.text.trim_start_matches('+').to_owned();
+                self.texts.insert((cycle.number, parameter.key), text);
             }
         }
         self.choose(cycle.number);
         Ok(())
     }
 
-    /// The inputs as a block for the clipboard, which other programs break into lines by themselves.
-    pub(super) fn written(&self, language: Language) -> Result<String, ProbeBlockError> {
-        probe_block::write(self.cycle, &self.inputs, language).map(|block| block.replace("\r\n", "\n"))
+    /// The form as a block for the clipboard, with the line ends of a text.
+    pub(super) fn written(&self, language: Language) -> Result<String, Message> {
+        let block = probe_block::write(self.cycle, &self.inputs, language);
+        block.map(|block| block.replace("\r\n", "\n")).map_err(|error| error.message())
     }
 
     /// A workpiece that suits the cycle: where the ball does not go into it, a point measures.
