@@ -188,7 +188,7 @@ fn a_cycle_that_does_not_come_to_its_end_shows_its_way() {
     assert!(!session.cycles().run().unwrap().path.is_empty());
     send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Temperature), "hot".into()));
     send(&mut session, CyclesCommand::Run);
-    assert_eq!(problem(&session), "simulated workpiece: hot is not a number");
+    assert_eq!(problem(&session), "simulated workpiece: Workpiece temperature: hot is not a number");
 }
 
 #[test]
