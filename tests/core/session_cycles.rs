@@ -325,3 +325,59 @@ fn no_text_in_any_field_makes_the_page_panic() {
         }
     }
 }
+
+/// Whatever is done in whatever order: a shown result is what a new run with the fields on screen finds.
+#[test]
+fn a_shown_result_is_always_that_of_what_is_on_screen() {
+    let contacts = [[12.5, 0.0, 0.0], [0.0, 12.502, 0.0], [-12.5, 0.0, 0.0], [0.0, -12.502, 0.0]].map(Contact::at);
+    let bench = |text: &str| Box::new(Bench::read(text).unwrap());
+    let mut commands = vec![
+        CyclesCommand::ShowBench(true),
+        CyclesCommand::SuitBench,
+        CyclesCommand::SuitBench,
+        CyclesCommand::ChooseProbe(1),
+        CyclesCommand::ShippedProbes,
+        CyclesCommand::Clear,
+        CyclesCommand::Step(Step::Back),
+        CyclesCommand::ShowBlock(true),
+        CyclesCommand::TypeBlock("TCH PROBE 421 ~\nQ273=0~\nQ274=0~\nQ262=25.01~\nQ275=25.02~\nQ276=25".into()),
+        CyclesCommand::TakeBlock,
+        CyclesCommand::CopyResults,
+        CyclesCommand::ContactsRead { name: "a.csv".into(), result: Ok((contacts.to_vec(), Vec::new())) },
+        CyclesCommand::BenchRead(Ok(bench("[bore]\ncentre = [0, 0]\ndiameter = 25.03\n"))),
+        CyclesCommand::BenchRead(Ok(bench("seed = 4\n[point]\npoint = [0, 0, 5]\nnormal = [0, 0, 1]\n"))),
+        CyclesCommand::BenchRead(Err(fitcheck::words::Message::new("cycles-no-bench"))),
+    ];
+    commands.extend(ContactsFrom::ALL.map(CyclesCommand::From));
+    commands.extend(CYCLES.iter().map(|cycle| CyclesCommand::Choose(cycle.number)));
+    commands.extend(BenchKind::ALL.map(CyclesCommand::ChooseKind));
+    commands.extend(
+        ["25", "25,02", "0", "x"].map(|text| CyclesCommand::Type(CycleField::Bench(BenchField::Diameter), text.into())),
+    );
+    commands.extend(["1", ""].map(|text| CyclesCommand::Type(CycleField::Bench(BenchField::BallRadius), text.into())));
+    commands.extend(["0", ""].map(|text| CyclesCommand::Type(CycleField::Position(Axis::X), text.into())));
+    commands.extend(["PREDEF", "0.5"].map(|text| CyclesCommand::Type(CycleField::Parameter(Key::Q(320)), text.into())));
+    commands.extend(["1", "2"].map(|text| CyclesCommand::Type(CycleField::Global(Key::Q(320)), text.into())));
+    let mut session = with(421, &["Q273=0", "Q274=0", "Q262=25", "Q275=25.021", "Q276=25"]);
+    for (number, block) in [(422, &STUD[..]), (427, &FACE[..]), (785, &["K=2", "RC=60"])] {
+        send(&mut session, CyclesCommand::Choose(number));
+        fill(&mut session, block);
+    }
+    let (mut random, mut compared) = (1_u64, 0);
+    for _ in 0..6_000 {
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let chosen = usize::try_from(random >> 33).unwrap() % (2 * commands.len());
+        let command = commands.get(chosen).cloned().unwrap_or(CyclesCommand::Run);
+        send(&mut session, command.clone());
+        let shown = session.cycles().run().map(|run| (run.cycle.code, run.found().cloned()));
+        let Some(shown) = shown else { continue };
+        let (window, mut again) = (session.cycle_window().map(Result::ok), session);
+        send(&mut again, CyclesCommand::Run);
+        let anew = again.cycles().run().map(|run| (run.cycle.code, run.found().cloned()));
+        assert_eq!(Some(&shown), anew.as_ref(), "after {command:?}");
+        assert_eq!(again.cycle_window().map(Result::ok), window, "after {command:?}");
+        compared += usize::from(shown.1.is_some());
+        session = again;
+    }
+    assert!(500 < compared, "{compared}");
+}

@@ -216,7 +216,7 @@ fn lathe(window: Window) -> Harness<'static, App> {
 fn all_other_cycles_are_run_and_read_back() {
     let mut window = lathe(Window::default());
     key(&mut window, Modifiers::NONE, Key::F5);
-    assert_eq!(verdict(&window), "No verdict. 2.000 mm. no limits were given");
+    assert_eq!(verdict(&window), "No verdict. 2.0000 mm. no limits were given");
     assert_eq!((result(&window, "#i99"), result(&window, "X")), ("2".to_owned(), "0".to_owned()));
     window.get_by_label("No limits of size: the control shows no status window");
     assert_eq!(window.get_all_by_label_contains("3.0 times that of 3 contacts at 120°").count(), 2);
@@ -457,7 +457,7 @@ fn the_page_works_by_key_alone_and_in_dutch() {
         key(&mut window, Modifiers::NONE, Key::Tab);
     }
     key(&mut window, Modifiers::NONE, Key::Enter);
-    assert_eq!(verdict(&window), "Geen oordeel. 75,000 mm. er zijn geen grenzen opgegeven");
+    assert_eq!(verdict(&window), "Geen oordeel. 75,0000 mm. er zijn geen grenzen opgegeven");
     let chooser = window.get_by_role_and_label(Role::ComboBox, "Cyclus");
     assert_eq!(chooser.accesskit_node().value().as_deref(), Some("421  METEN BORING"));
     window.get_by_label_contains("17 van 17: wegrijden");
@@ -589,4 +589,26 @@ fn a_run_that_cannot_begin_leads_to_the_first_field_that_is_wrong() {
     click(&mut window, Role::Button, "Run");
     assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
     assert_eq!(window.state().session().cycles().text(CycleField::Parameter(280.into())), "0,1");
+}
+
+#[test]
+fn result_parameters_show_all_their_digits_with_the_decimal_signs_below_each_other() {
+    let mut window = hole(Window::default());
+    fill(&mut window, &[("Q275", ""), ("Q276", "")]);
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    let found = window.state().session().cycles().run().unwrap().found().unwrap().clone();
+    let lengths = found.results.iter().filter_map(|found| match found.value {
+        fitcheck::probing::cycle::Value::Length(length) => Some(length),
+        _ => None,
+    });
+    let lengths: Vec<_> = lengths.collect();
+    assert_eq!(lengths.len(), 6);
+    for length in lengths {
+        let text = format!("{} mm", length.exact(fitcheck::length::Unit::Millimetre, 6)).replace('-', "\u{2212}");
+        window.get_by_label(&text);
+    }
+    // The card rounds to 0.1 µm with and without limits.
+    let said = verdict(&window);
+    let figure = said.split_once(". ").and_then(|(_, rest)| rest.split_once(" mm")).map(|(figure, _)| figure).unwrap();
+    assert_eq!(figure.split_once('.').map(|(_, decimals)| decimals.len()), Some(4), "{said}");
 }

@@ -7,8 +7,8 @@ use crate::gui::popup::popup_ui;
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::verdict_card::{card_ui, half_um, status_id};
 use crate::gui::view::{Digits, View, heading, quiet, quiet_cut};
-use crate::length::Length;
-use crate::probing::cycle::{Check, CycleResult, FoundName, LogTarget, Value};
+use crate::length::{Length, Unit};
+use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
 use crate::session::{Command, CycleRun, CyclesCommand};
 use crate::words::{Message, Words};
 
@@ -100,15 +100,31 @@ fn check_lines(words: &Words, check: &Check) -> Vec<String> {
 fn main_value(words: &Words, result: &CycleResult) -> Option<String> {
     let about = [FoundName::DIAMETER, FoundName::DEVIATION_ALONG];
     let found = result.results.iter().find(|found| about.contains(&found.name)).or_else(|| result.results.first())?;
-    Some(value(words, &found.value))
+    Some(match found.value {
+        // As beside limits: a measured value has more digits than it deserves.
+        Value::Length(length) => format!("{} mm", Digits::Rounded.mm(words, length, 3)),
+        ref other => value(words, other, 3),
+    })
 }
 
-fn value(words: &Words, value: &Value) -> String {
+/// A value; a length with at least so many decimals.
+fn value(words: &Words, value: &Value, decimals: usize) -> String {
     match value {
-        Value::Length(length) => format!("{} mm", words.mm(*length, 3)),
+        Value::Length(length) => format!("{} mm", words.mm(*length, decimals)),
         Value::Text(text) => text.clone(),
         other => words.number(&other.with_unit()),
     }
+}
+
+/// How many decimals show all lengths exactly, their decimal signs below each other.
+fn decimals(result: &CycleResult) -> usize {
+    let of_value = |found: &Found| match found.value {
+        Value::Length(length) => {
+            length.exact(Unit::Millimetre, 3).split_once('.').map_or(0, |(_, decimals)| decimals.len())
+        }
+        _ => 0,
+    };
+    result.results.iter().map(of_value).max().unwrap_or_default()
 }
 
 /// The result parameters, values below each other.
@@ -122,8 +138,9 @@ fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
             }
         });
     });
+    let decimals = decimals(result);
     for found in &result.results {
-        let text = RichText::new(value(view.words, &found.value)).font(theme::font(sizes().body));
+        let text = RichText::new(value(view.words, &found.value, decimals)).font(theme::font(sizes().body));
         let row = vec2(ui.available_width(), sizes().body + space(1.0));
         ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
             let text_of_key = RichText::new(found.key.to_string()).font(theme::bold(sizes().body));

@@ -18,7 +18,7 @@ mod parameter_row;
 pub(super) mod picture;
 mod seen_panel;
 
-use eframe::egui::{CentralPanel, Id, Key, KeyboardShortcut, Modifiers, Panel, Response, ScrollArea, Ui};
+use eframe::egui::{CentralPanel, Id, Key, KeyboardShortcut, Memory, Modifiers, Panel, Response, ScrollArea, Ui};
 
 use super::dialogs::just_opened;
 use super::field;
@@ -102,7 +102,7 @@ fn column_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
 
 /// Scrolls to what has got the focus among what was just drawn.
 fn follow_focus(ui: &Ui) {
-    let focused = ui.memory(|memory| memory.focused());
+    let focused = ui.memory(Memory::focused);
     let last =
         ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(ui.unique_id().with("focused")), focused));
     let Some(rect) = focused.filter(|_| focused != last).and_then(|id| ui.ctx().read_response(id)) else { return };
