@@ -110,6 +110,7 @@ const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::OpenCycleFile(CycleFile::Bench) => "cycles-dialog-bench",
         Purpose::OpenCycleFile(CycleFile::Probes) => "cycles-dialog-probes",
         Purpose::SaveBench => "cycles-dialog-save-bench",
+        Purpose::SaveCycleLog => "cycles-dialog-save-log",
         Purpose::OpenTable => "tables-dialog-open",
         Purpose::OpenProgram => "program-page-dialog-open",
         Purpose::SaveTable(_) => "tables-dialog-save",
@@ -124,7 +125,11 @@ const fn confirm_id(purpose: Purpose) -> &'static str {
         | Purpose::OpenTable
         | Purpose::OpenProgram
         | Purpose::OpenCycleFile(_) => "dialog-open",
-        Purpose::Export(_) | Purpose::ExportStatus | Purpose::SaveTable(_) | Purpose::SaveBench => "dialog-save",
+        Purpose::Export(_)
+        | Purpose::ExportStatus
+        | Purpose::SaveTable(_)
+        | Purpose::SaveBench
+        | Purpose::SaveCycleLog => "dialog-save",
     }
 }
 

@@ -193,6 +193,10 @@ fn pick(purpose: Purpose) -> Option<PathBuf> {
             dialog.add_filter("TP", &both(&["tp"])).add_filter("*", &["*"]).pick_file()
         }
         Purpose::SaveBench => dialog.add_filter("TOML", &both(&["toml"])).set_file_name("workpiece.toml").save_file(),
+        Purpose::SaveCycleLog => {
+            // As the control ends them: text, and HTML for cycle 444.
+            dialog.add_filter("Log", &both(&["txt", "html"])).save_file()
+        }
         Purpose::SaveTable(number) => {
             let format = TABLE_FORMATS.get(number)?;
             dialog.add_filter(format.name, &both(format.endings)).save_file()

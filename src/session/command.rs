@@ -131,6 +131,8 @@ pub enum Purpose {
     OpenCycleFile(CycleFile),
     /// Writing the simulated workpiece.
     SaveBench,
+    /// Writing the measuring log of the cycle that was run.
+    SaveCycleLog,
     /// Reading an NC program.
     OpenProgram,
 }

@@ -24,7 +24,7 @@ use jiff::civil::DateTime;
 pub use bench::BenchForm;
 pub use bench_field::{BenchField, BenchKind};
 pub use command::{Axis, ContactsFrom, CycleField, CyclesCommand};
-pub use running::{CycleRun, Step};
+pub use running::{CycleRun, RunLog, Step};
 
 use super::{Effect, Session};
 use crate::control::probe_table::ProbeTable;
@@ -327,7 +327,7 @@ impl Session {
                 (page.probes, page.probe) = (None, None);
                 page.changed();
             }
-            CyclesCommand::Run => page.measure(now),
+            CyclesCommand::Run => page.measure(now, self.language),
             CyclesCommand::Clear => page.clear(),
             CyclesCommand::Step(step) => page.go(step),
             CyclesCommand::ShowBlock(is_open) => {

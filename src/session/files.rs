@@ -24,6 +24,7 @@ impl Session {
             Purpose::ExportStatus => "fitcheck-status.txt".to_owned(),
             Purpose::SaveTable(format) => self.table_file_name(format),
             Purpose::SaveBench => "workpiece.toml".to_owned(),
+            Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
             Purpose::Import
             | Purpose::LoadMask
             | Purpose::LoadTables
@@ -81,6 +82,13 @@ impl Session {
                     return Vec::new();
                 }
             },
+            Purpose::SaveCycleLog => {
+                let Some(log) = self.cycles.log() else {
+                    self.refuse_dialog(Message::new("cycles-no-log"));
+                    return Vec::new();
+                };
+                Effect::Save(path, log.bytes.clone())
+            }
             Purpose::ExportStatus => {
                 let Some(text) = self.status_text() else {
                     self.refuse_dialog(Message::new("dialog-no-status"));

@@ -37,7 +37,7 @@ pub use asked::Asked;
 pub use command::{Command, CycleFile, Effect, Page, Purpose, SourceChoice, Theme};
 pub use cycles::{
     Axis, BenchField, BenchForm, BenchKind, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage,
-    RecordedContacts, Step,
+    RecordedContacts, RunLog, Step,
 };
 pub use fit::{
     ClassMap, Direction, Equivalent, FitCommand, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit,

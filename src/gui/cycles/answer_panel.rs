@@ -9,7 +9,7 @@ use crate::gui::verdict_card::{card_ui, half_um, status_id};
 use crate::gui::view::{Digits, View, heading, quiet, quiet_cut};
 use crate::length::{Length, Unit};
 use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
-use crate::session::{Command, CycleRun, CyclesCommand};
+use crate::session::{Command, CycleRun, CyclesCommand, Purpose, RunLog};
 use crate::words::{Message, Words};
 
 /// The panel.
@@ -157,8 +157,20 @@ fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
     }
 }
 
+/// The measuring log: its text where the control shows it, and a button that keeps it as a file.
+fn log_ui(ui: &mut Ui, view: &mut View<'_>, log: &RunLog) {
+    if let Some(text) = &log.shown {
+        let text = RichText::new(text).font(theme::mono(sizes().small));
+        ui.add(Label::new(text).selectable(true).wrap());
+    }
+    let button = view.text("cycles-save-log");
+    if ui.button(button).clicked() {
+        view.send(Command::OpenDialog(Purpose::SaveCycleLog));
+    }
+}
+
 /// The log, where contacts came from, remarks and warnings.
-fn notes_ui(ui: &mut Ui, view: &View<'_>, run: &CycleRun, result: &CycleResult) {
+fn notes_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, result: &CycleResult) {
     ui.separator();
     let words = view.words;
     let log = match result.log {
@@ -167,9 +179,13 @@ fn notes_ui(ui: &mut Ui, view: &View<'_>, run: &CycleRun, result: &CycleResult) 
         LogTarget::Screen => Some(view.text("cycles-log-screen")),
         LogTarget::Shown => Some(view.text("cycles-log-shown")),
     };
-    for line in log.into_iter().chain([words.say(&run.from)]) {
+    if let Some(line) = log {
         quiet(ui, line);
     }
+    if let Some(log) = view.session.cycles().log() {
+        log_ui(ui, view, log);
+    }
+    quiet(ui, words.say(&run.from));
     for remark in run.remarks() {
         quiet(ui, words.say(&remark));
     }

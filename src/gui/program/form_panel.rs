@@ -180,7 +180,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
                 view.send(Command::Cycles(CyclesCommand::ShowBench(true)));
             }
             if let Some(error) = view.session.cycles().bench().problem() {
-                problem(ui, view.words.say(error));
+                problem(ui, view.words.say(&error));
             }
         }
         WorkpieceFrom::Recorded => {

@@ -5,10 +5,13 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::{ContactsFrom, CycleField, CyclesPage};
+use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use crate::control::cycle_status::cycle_window;
 use crate::control::mask::Mask;
+use crate::control::text::decode;
+use crate::length::Unit;
 use crate::probing::circle::Evaluation;
-use crate::probing::cycle::{Cycle, CycleError, CycleResult, Move, Nominal};
+use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move, Nominal};
 use crate::probing::{Source, SourceError};
 use crate::session::{MaskChoice, Session};
 use crate::words::{Language, Message, Say as _};
@@ -32,8 +35,42 @@ pub struct CycleRun {
     pub evaluation: Option<Evaluation>,
     /// How many recorded contacts it did not ask for.
     pub unused: usize,
+    /// Its measuring log, where it asks for one (Q281), or why there is none.
+    pub log: Option<Result<RunLog, Message>>,
     /// When.
     pub time: DateTime,
+}
+
+/// The measuring log of a run.
+#[derive(Debug, Clone)]
+pub struct RunLog {
+    /// What the control calls the file.
+    pub name: String,
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// The text of a log that the control shows on its screen.
+    pub shown: Option<String>,
+    /// Where its rounded figures say something else than the cycle.
+    pub other: Option<OtherVerdict>,
+}
+
+impl RunLog {
+    /// The log of a result, as Q281 asks for it; a page (cycle 444) is written only, never shown.
+    fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Language) -> Option<Result<Self, Message>> {
+        let (name, is_shown) = match result.log {
+            LogTarget::File(name) => (name.to_owned(), false),
+            LogTarget::Screen => (format!("TCHPR{}.TXT", cycle.code), true),
+            LogTarget::None | LogTarget::Shown => return None,
+        };
+        let heading = Heading { date_time: Some(time), program: None, unit: Unit::Millimetre };
+        let log = CycleLog::of(cycle, result, &heading, language)?;
+        Some(log.write(language).map_err(|error| error.message()).map(|bytes| Self {
+            name,
+            shown: is_shown.then(|| decode(&bytes).replace("\r\n", "\n").trim_end().to_owned()),
+            bytes,
+            other: log.other_verdict(result, language),
+        }))
+    }
 }
 
 impl CycleRun {
@@ -47,7 +84,11 @@ impl CycleRun {
         let remarks = self.found().into_iter().flat_map(|result| &result.remarks).map(crate::words::Say::message);
         let warnings = self.evaluation.iter().flat_map(|found| &found.warnings).map(crate::words::Say::message);
         let unused = (0 < self.unused).then(|| Message::new("cycles-unused").count("count", self.unused));
-        remarks.chain(warnings).chain(unused).collect()
+        let log = self.log.iter().filter_map(|log| match log {
+            Ok(log) => log.other.map(|other| other.message()),
+            Err(problem) => Some(problem.clone()),
+        });
+        remarks.chain(warnings).chain(unused).chain(log).collect()
     }
 
     /// A run that did not begin.
@@ -61,6 +102,7 @@ impl CycleRun {
             result: Err(problem),
             evaluation: None,
             unused: 0,
+            log: None,
             time,
         }
     }
@@ -93,7 +135,7 @@ impl CyclesPage {
         };
     }
 
-    pub(super) fn measure(&mut self, now: DateTime) {
+    pub(super) fn measure(&mut self, now: DateTime, language: Language) {
         self.clear();
         self.read();
         let missing: Vec<_> = self.missing().collect();
@@ -102,14 +144,14 @@ impl CyclesPage {
             self.errors.insert(CycleField::Parameter(key), CycleError::Missing { key, name }.message());
         }
         let run = match self.errors.len() {
-            0 => self.run_source(now),
+            0 => self.run_source(now, language),
             count => Err(Message::new("cycles-fields-wrong").count("count", count)),
         };
         self.run = Some(run.unwrap_or_else(|problem| CycleRun::refused(self.cycle, problem, now)));
         self.go(Step::Last);
     }
 
-    fn run_source(&self, time: DateTime) -> Result<CycleRun, Message> {
+    fn run_source(&self, time: DateTime, language: Language) -> Result<CycleRun, Message> {
         let (cycle, inputs) = (self.cycle, &self.inputs);
         let (source, from) = self.source()?;
         let refused = |error: SourceError| error.message();
@@ -119,6 +161,7 @@ impl CyclesPage {
         Ok(CycleRun {
             cycle,
             from,
+            log: result.as_ref().ok().and_then(|result| RunLog::of(cycle, result, time, language)),
             nominal: cycle.nominal(inputs).ok(),
             ball_radius: prober.ball_radius(),
             unused: if result.is_ok() { source.unused(&path) } else { 0 },
@@ -147,6 +190,11 @@ impl CyclesPage {
                 Ok((Source::Recorded(&recorded.contacts), said))
             }
         }
+    }
+
+    /// The measuring log of the shown run.
+    pub fn log(&self) -> Option<&RunLog> {
+        self.run.as_ref()?.log.as_ref()?.as_ref().ok()
     }
 
     pub(super) fn results_text(&self) -> Option<String> {
