@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use fitcheck::control::log::{self, Log, Values};
 use fitcheck::control::machine::{
     Budget, Contacts, FaultKind, Folders, InMemory, Machine, Pause, Settings, Shipped, Step, TravelKind, UsedUp,
 };
@@ -583,6 +584,40 @@ fn a_cycle_hands_its_results_over_and_its_way_is_kept() {
     assert!(path.windows(2).all(|pair| is_at(pair[0].to, pair[1].from)), "{path:?}");
     assert_eq!(path.last().unwrap().kind, TravelKind::Feed);
     assert_eq!(machine.cycles()[0].cycle.number, 427);
+}
+
+#[test]
+fn q281_writes_the_measuring_log_beside_the_program_or_shows_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let block = |x: &str, log: &str| {
+        format!(
+            "TCH PROBE 427 X ~\nQ263=+{x} ~\nQ264=+0 ~\nQ261=+5 ~\nQ272=+1 ~\nQ267=-1 ~\nQ281=+{log} ~\nQ288=+40 ~\nQ289=+30\n"
+        )
+    };
+    let store = Folders::new().writing(folder.path());
+    let blocks = text(&[block("35", "1"), block("36.5", "1"), block("20", "2"), block("1", "0")].concat());
+    let mut machine =
+        Machine::new(r"TNC:\fit\main.h", program(blocks.as_bytes()), store, Contacts::Perfect, settings());
+    to_end(&mut machine);
+    let [one, two] = machine.outputs() else { panic!("{:?}", machine.outputs()) };
+    assert_eq!((one.path.to_string().as_str(), one.is_saved, two.is_saved), (r"TNC:\fit\TCHPR427.TXT", true, true));
+    let logs: Vec<_> = log::read(&std::fs::read(folder.path().join("fit/TCHPR427.TXT")).unwrap())
+        .into_iter()
+        .map(|log| match log.unwrap() {
+            Log { values: Values::Coordinate(found), program, .. } => (found.actual.to_string(), program),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    let of = |actual: &str| (actual.to_owned(), Some(r"TNC:\fit\main.h".to_owned()));
+    assert_eq!(logs, [of("35"), of("36.5")]);
+    let [window] = machine.windows() else { panic!("{:?}", machine.windows()) };
+    assert!(window.text.contains("20.0000"), "{}", window.text);
+    // Without a folder the text is there all the same.
+    let program = program(text(&block("35", "1")).as_bytes());
+    let mut machine = Machine::new(r"TNC:\fit\main.h", program, Shipped, Contacts::Perfect, settings());
+    to_end(&mut machine);
+    assert_eq!((machine.outputs().len(), machine.outputs()[0].is_saved), (1, false));
+    assert!(machine.remarks()[0].1.to_string().ends_with("no folder was chosen for outputs"));
 }
 
 #[test]

@@ -213,6 +213,35 @@ fn a_workpiece_suits_every_cycle() {
 }
 
 #[test]
+fn the_measuring_log_is_shown_or_saved_as_q281_asks() {
+    let mut session = with(427, &FACE);
+    fill(&mut session, &["Q281=0"]);
+    send(&mut session, CyclesCommand::Run);
+    assert!(session.cycles().run().unwrap().found().is_some() && session.cycles().log().is_none());
+    apply(&mut session, Command::OpenDialog(Purpose::SaveCycleLog));
+    assert!(apply(&mut session, Command::Confirm).is_empty(), "no log, no file");
+    apply(&mut session, Command::Close);
+    fill(&mut session, &["Q281=1"]);
+    assert!(session.cycles().log().is_none(), "a changed input clears the log");
+    send(&mut session, CyclesCommand::Run);
+    assert_eq!(session.cycles().log().unwrap().shown, None);
+    apply(&mut session, Command::OpenDialog(Purpose::SaveCycleLog));
+    let effects = apply(&mut session, Command::Confirm);
+    let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
+    assert_eq!(path.display().to_string(), "TCHPR427.TXT");
+    let logs = fitcheck::control::log::read(bytes);
+    let [Ok(log)] = logs.as_slice() else { panic!("{logs:?}") };
+    assert_eq!(log.date, Some(jiff::civil::date(2026, 11, 21)));
+    let fitcheck::control::log::Values::Coordinate(found) = &log.values else { panic!("{log:?}") };
+    assert_eq!(found.actual, "5".parse().unwrap());
+    apply(&mut session, Command::Close);
+    fill(&mut session, &["Q281=2"]);
+    send(&mut session, CyclesCommand::Run);
+    let shown = session.cycles().log().unwrap().shown.clone().unwrap();
+    assert!(shown.contains("5.0000") && !shown.contains('\r'), "{shown}");
+}
+
+#[test]
 fn the_workpiece_is_saved_and_opened_as_a_file() {
     let mut session = with(421, &[]);
     send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Diameter), "25.012".into()));

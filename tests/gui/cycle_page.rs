@@ -120,6 +120,7 @@ fn the_block_of_seed_004_is_typed_run_and_read_back() {
     assert_eq!((result(&window, "Q160"), result(&window, "Q180")), ("5".to_owned(), "1".to_owned()));
     window.get_by_label_contains("COORDINATE STATUS: GOOD");
     window.get_by_label("The control writes TCHPR427.TXT");
+    window.get_by_role_and_label(Role::Button, "Save log…");
     window.get_by_label_contains("an outside dimension is assumed");
 }
 

@@ -68,6 +68,7 @@ impl Machine {
         let failed = |error| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) };
         let result = result.map_err(failed)?;
         self.hand_over(cycle, &result)?;
+        self.log(at, cycle, &result)?;
         let step = match (&result.stop, result.log) {
             (Some(stop), _) => Step::Paused(Pause::Tolerance(Box::new(stop.clone()))),
             (None, LogTarget::Screen) => Step::Paused(Pause::Log),

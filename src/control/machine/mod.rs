@@ -10,6 +10,7 @@
 //! | `known` | what was read before is not taken apart twice |
 //! | `tables` | FN 26, FN 27, FN 28 |
 //! | `prints` | FN 16: windows and files |
+//! | `logs` | the measuring logs of cycles (Q281) |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
 //! | `moves` | straight lines and the way of the ball's centre |
 //! | `path`, `store`, `folders` | paths of the control; where files come from and go to |
@@ -28,6 +29,7 @@ mod fault;
 mod flow;
 mod folders;
 mod known;
+mod logs;
 mod moves;
 mod path;
 mod prints;

@@ -23,12 +23,12 @@ pub enum Remark {
         /// Its value.
         value: String,
     },
-    /// FN 16 or FN 27 wrote no file: no folder was chosen.
+    /// FN 16, FN 27 or a measuring log wrote no file: no folder was chosen.
     NotWritten {
         /// The file.
         path: NcPath,
     },
-    /// A table that FN 27 has changed could not be written after the run had already failed.
+    /// A table that FN 27 has changed could not be written after the run had already failed, or a measuring log.
     NotSaved {
         /// The file.
         path: NcPath,
