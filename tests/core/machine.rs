@@ -493,6 +493,34 @@ fn fn_27_changes_the_open_table_and_writes_it_when_it_is_closed() {
 }
 
 #[test]
+fn a_loop_around_changed_tables_ends_even_where_nothing_is_written() {
+    let change = |table: &str| format!("FN 26: TABOPEN {table}\nFN 27: TABWRITE 2/\"H7\" = Q1\n");
+    let blocks = ["Q1 = 5\nLBL 1\n", &change("a.tab"), &change("b.tab"), "FN 9: IF +0 EQU +0 GOTO LBL 1"].concat();
+    let folder = tempfile::tempdir().unwrap();
+    for table in ["a.tab", "b.tab"] {
+        fitcheck::files::write(&folder.path().join(table), TABLE.as_bytes()).unwrap();
+    }
+    let mut with = settings();
+    with.budget.traffic = 10_000;
+    with.budget.blocks = 10_000;
+    let store = Folders::new().reading(folder.path());
+    let mut machine = Machine::new("main.h", program(text(&blocks).as_bytes()), store, Contacts::Perfect, with);
+    assert_eq!(*machine.run(u64::MAX).unwrap_err().kind, UsedUp::Traffic(10_000).into());
+}
+
+#[test]
+fn a_loop_full_of_remarks_goes_on_as_fast() {
+    let unknown: String = (0..2_000).map(|number| format!("APPR {number}\n")).collect();
+    let mut with = settings();
+    with.skip_unknown = true;
+    with.budget.blocks = 1_000_000;
+    let blocks = format!("LBL 1\n{unknown}FN 9: IF +0 EQU +0 GOTO LBL 1");
+    let mut machine = Machine::new("main.h", program(text(&blocks).as_bytes()), Shipped, Contacts::Perfect, with);
+    assert_eq!(*machine.run(u64::MAX).unwrap_err().kind, UsedUp::Blocks(1_000_000).into());
+    assert_eq!(machine.remarks().len(), 1_000);
+}
+
+#[test]
 fn fn_16_opens_windows_and_closes_them() {
     let store = InMemory::new().with("m.a", "\"%9.4F|%S\", Q1, QS1;\n");
     let mut machine = machine_in(

@@ -71,6 +71,8 @@ pub struct Machine {
     pub(super) position: Position,
     pub(super) path: Vec<Travel>,
     pub(super) remarks: Vec<(BlockPlace, Remark)>,
+    /// Which of the remarks are about a block.
+    remarks_of: BTreeMap<BlockPlace, Vec<usize>>,
     pub(super) unlisted: usize,
     pub(super) breakpoints: BTreeSet<(NcPath, usize)>,
     pub(super) blocks_run: u64,
@@ -130,6 +132,7 @@ impl Machine {
             position: Position::default(),
             path: Vec::new(),
             remarks: Vec::new(),
+            remarks_of: BTreeMap::new(),
             unlisted: 0,
             breakpoints: BTreeSet::new(),
             blocks_run: 0,
@@ -322,11 +325,13 @@ impl Machine {
     /// Remembers what is worth knowing, once a block; so many, then they are counted only.
     pub(super) fn remark(&mut self, at: usize, remark: Remark) {
         let place = self.place_of(at);
-        let is_known = self.remarks.iter().rev().any(|(known, said)| *known == place && *said == remark);
-        if is_known {
+        // Only those of the block are looked through: a loop makes the same ones again and again.
+        let said = self.remarks_of.get(&place).into_iter().flatten();
+        if said.filter_map(|number| self.remarks.get(*number)).any(|(_, said)| *said == remark) {
             return;
         }
         if self.remarks.len() < self.settings.budget.remarks {
+            self.remarks_of.entry(place.clone()).or_default().push(self.remarks.len());
             self.remarks.push((place, remark));
         } else {
             self.unlisted += 1;
