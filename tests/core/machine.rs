@@ -466,7 +466,10 @@ fn what_tables_cannot_do_is_said() {
         table_fault(&format!("{open}FN 28: TABREAD Q1 = 0.5/\"H7\"")),
         "row = 0.5: a whole number from 0 is needed"
     );
-    assert_eq!(table_fault(&format!("{open}FN 28: TABREAD Q1999 = 0/\"NR,H7\"")), "there is no parameter Q2000");
+    assert_eq!(
+        table_fault(&format!("{open}FN 28: TABREAD Q1999 = 0/\"NR,H7\"")),
+        "there is no parameter Q2000: Q and QS go up to 1999, QL and QR up to 499"
+    );
 }
 
 #[test]

@@ -34,7 +34,7 @@ machine-broken = the program is broken: { $what } is missing
 machine-at-file = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is no label
 machine-undefined = { $parameter } is undefined
-machine-no-parameter = there is no parameter { $parameter }
+machine-no-parameter = there is no parameter { $parameter }: Q and QS go up to 1999, QL and QR up to 499
 machine-not-number = { $parameter } holds a text, a number is needed
 machine-not-text = { $parameter } holds a number, a text is needed
 machine-division-by-zero = division by zero

@@ -34,7 +34,7 @@ machine-broken = het programma is beschadigd: { $what } ontbreekt
 machine-at-file = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is geen label
 machine-undefined = { $parameter } is niet gedefinieerd
-machine-no-parameter = parameter { $parameter } bestaat niet
+machine-no-parameter = parameter { $parameter } bestaat niet: Q en QS gaan tot 1999, QL en QR tot 499
 machine-not-number = { $parameter } bevat een tekst, er is een getal nodig
 machine-not-text = { $parameter } bevat een getal, er is een tekst nodig
 machine-division-by-zero = deling door nul
