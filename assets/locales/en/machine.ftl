@@ -68,6 +68,8 @@ machine-remark-given-wins = { $parameter } = { $value } was given before the run
 machine-remark-not-written = { $path } was not written: no folder was chosen for outputs
 machine-remark-not-saved = { $path } was not written: { $reason }
 machine-remark-full = { $path } has reached its { $kilobytes } kilobytes, nothing was added
+machine-remark-table-written = { $path } was written
+machine-remark-contacts-left = the cycles took { $used } of { $count } recorded contacts
 machine-remark-more = { $count } more remarks are not listed
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
 
