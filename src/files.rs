@@ -7,7 +7,7 @@ mod folder;
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
-pub use folder::{write_folder, write_new};
+pub use folder::{make_folder, write_folder, write_new};
 
 use crate::words::{Message, Say};
 

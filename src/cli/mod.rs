@@ -189,8 +189,14 @@ impl Outcome {
 impl Io<'_> {
     /// Writes a line to standard error; nobody listening there is no error, so that the rest is still done.
     fn tell(&mut self, line: std::fmt::Arguments<'_>) -> Result<(), CliError> {
-        heard_or_not(writeln!(self.err, "{line}"))
+        heard_or_not(writeln!(self.err, "{}", tame(&line.to_string())))
     }
+}
+
+/// A text from a file as a terminal may get it: control characters, which could write a title or hide a line, become
+/// blanks.
+fn tame(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() && c != '\n' && c != '\t' { ' ' } else { c }).collect()
 }
 
 /// A closed pipe is not an error, and must never end a subcommand before its verdict.
@@ -228,7 +234,7 @@ impl Cli {
             Err(CliError::Stream(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => 0,
             Err(error) => {
                 // Standard error may be closed as well; there is nobody left to tell.
-                let _unheard = writeln!(io.err, "fitcheck: {error}");
+                let _unheard = writeln!(io.err, "fitcheck: {}", tame(&error.to_string()));
                 Outcome::BadData.code()
             }
         }

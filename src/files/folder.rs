@@ -38,11 +38,29 @@ pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     persist(beside, path, false)
 }
 
-fn into_new(folder: &Path, files: &[(&str, &[u8])]) -> Result<(), FileError> {
-    if folder.exists() {
+/// Makes a folder where there is none; its parent must be.
+///
+/// # Errors
+/// [`FileError::Missing`] names the parent, [`FileError::Exists`] a file of that name.
+pub fn make_folder(folder: &Path) -> Result<(), FileError> {
+    if folder.is_dir() {
+        return Ok(());
+    }
+    let parent = parent_of_new(folder)?;
+    std::fs::create_dir(folder).map_err(|error| system(parent, &error))
+}
+
+/// The folder that a new one is made in: what is missing is this one, and the error says so.
+fn parent_of_new(folder: &Path) -> Result<&Path, FileError> {
+    if folder.symlink_metadata().is_ok() {
         return Err(FileError::Exists { path: folder.to_owned() });
     }
     let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
+    if parent.is_dir() { Ok(parent) } else { Err(FileError::Missing { path: parent.to_owned() }) }
+}
+
+fn into_new(folder: &Path, files: &[(&str, &[u8])]) -> Result<(), FileError> {
+    let parent = parent_of_new(folder)?;
     let whole = || -> std::io::Result<()> {
         let made = tempfile::Builder::new().prefix(".fitcheck-").tempdir_in(parent)?;
         for (name, bytes) in files {
@@ -162,8 +180,10 @@ mod tests {
         assert!(write_folder(&parent.path().join("set"), &twice, false).is_err());
         assert!(write_folder(parent.path(), &twice, false).is_err());
         assert!(names(parent.path()).is_empty());
-        let missing = parent.path().join("none").join("set");
-        assert_eq!(write_folder(&missing, &FILES, false), Err(FileError::Missing { path: missing }));
+        let missing = parent.path().join("none");
+        let refused = Err(FileError::Missing { path: missing.clone() });
+        assert_eq!(write_folder(&missing.join("set"), &FILES, false).map(drop), refused);
+        assert_eq!(make_folder(&missing.join("set")), refused);
     }
 
     #[test]

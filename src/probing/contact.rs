@@ -113,6 +113,11 @@ impl Recorded {
     pub const fn new(contacts: Vec<Contact>) -> Self {
         Self { contacts, next: 0 }
     }
+
+    /// How many contacts there are, and how many of them were handed out.
+    pub fn handed_out(&self) -> (usize, usize) {
+        (self.contacts.len(), self.next.min(self.contacts.len()))
+    }
 }
 
 impl Prober for Recorded {

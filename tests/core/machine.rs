@@ -467,7 +467,10 @@ fn what_tables_cannot_do_is_said() {
         table_fault(&format!("{open}FN 28: TABREAD Q1 = 0.5/\"H7\"")),
         "row = 0.5: a whole number from 0 is needed"
     );
-    assert_eq!(table_fault(&format!("{open}FN 28: TABREAD Q1999 = 0/\"NR,H7\"")), "there is no parameter Q2000");
+    assert_eq!(
+        table_fault(&format!("{open}FN 28: TABREAD Q1999 = 0/\"NR,H7\"")),
+        "there is no parameter Q2000: Q and QS go up to 1999, QL and QR up to 499"
+    );
 }
 
 #[test]
@@ -493,6 +496,34 @@ fn fn_27_changes_the_open_table_and_writes_it_when_it_is_closed() {
 }
 
 #[test]
+fn recorded_contacts_that_no_cycle_took_are_told() {
+    let contact = |[x, y]: [f64; 2]| fitcheck::probing::Contact { x, y, z: -8.0 };
+    let four = [[12.5, 0.0], [0.0, 12.5], [-12.5, 0.0], [0.0, -12.5]].map(contact);
+    let left = |contacts: Vec<_>| {
+        let blocks = "TCH PROBE 421 X ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+25 ~\nQ261=-8 ~\nQ260=+50";
+        let contacts = Contacts::Recorded(contacts);
+        let mut machine = Machine::new("main.h", program(text(blocks).as_bytes()), Shipped, contacts, settings());
+        to_end(&mut machine);
+        machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect::<Vec<_>>()
+    };
+    assert!(left(four.to_vec()).is_empty());
+    assert_eq!(left([four, four].concat()), ["the cycles took 4 of 8 recorded contacts"]);
+}
+
+#[test]
+fn a_table_that_is_written_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    fitcheck::files::write(&folder.path().join("own.tab"), TABLE.as_bytes()).unwrap();
+    let blocks = "Q1 = 5\nFN 26: TABOPEN own.tab\nFN 27: TABWRITE 0/\"H7\" = Q1";
+    let store = Folders::new().writing(folder.path());
+    let mut machine = Machine::new("main.h", program(text(blocks).as_bytes()), store, Contacts::Perfect, settings());
+    to_end(&mut machine);
+    assert_eq!(machine.remarks()[0].1.to_string(), r"TNC:\own.tab was written");
+    let written = String::from_utf8(std::fs::read(folder.path().join("own.tab")).unwrap()).unwrap();
+    assert!(written.contains("\n0   3        5     a b"), "{written}");
+}
+
+#[test]
 fn a_loop_around_changed_tables_ends_even_where_nothing_is_written() {
     let change = |table: &str| format!("FN 26: TABOPEN {table}\nFN 27: TABWRITE 2/\"H7\" = Q1\n");
     let blocks = ["Q1 = 5\nLBL 1\n", &change("a.tab"), &change("b.tab"), "FN 9: IF +0 EQU +0 GOTO LBL 1"].concat();
@@ -510,7 +541,7 @@ fn a_loop_around_changed_tables_ends_even_where_nothing_is_written() {
 
 #[test]
 fn a_loop_full_of_remarks_goes_on_as_fast() {
-    let unknown: String = (0..2_000).map(|number| format!("APPR {number}\n")).collect();
+    let unknown = "APPR 1\n".repeat(2_000);
     let mut with = settings();
     with.skip_unknown = true;
     with.budget.blocks = 1_000_000;

@@ -150,7 +150,8 @@ fn a_broken_path_leaves_nothing_behind() {
     let answer = nc(folder.path(), &bore(&["--control", "tnc7", "-o", output.to_str().unwrap()]));
     assert_eq!(answer.code, Some(1));
     assert!(
-        answer.err.ends_with(&format!("fitcheck: no such file or folder: {}\n", output.display())),
+        // What is missing is the folder that the set would stand in.
+        answer.err.ends_with("fitcheck: no such file or folder: none\n"),
         "{}",
         answer.err
     );

@@ -208,10 +208,32 @@ fn outputs_go_below_the_output_folder_only() {
         (Some(0), "note: own.h:2: TNC:\\logs\\out.txt was not written: no folder was chosen for outputs\n")
     );
     let out = shop.folder.path().join("out");
-    std::fs::create_dir(&out).unwrap();
     let said = fitcheck(&[&program, "--output-folder", &out.display().to_string()]);
     assert_eq!((said.code, said.err.as_str()), (Some(0), "wrote TNC:\\logs\\out.txt\n"));
     assert_eq!(std::fs::read(out.join("logs/out.txt")).unwrap(), b"one\r\n");
+}
+
+#[test]
+fn a_file_that_is_printed_to_twice_is_told_once() {
+    let shop = Shop::new();
+    shop.file("m.a", "\"one\";\nM_APPEND;\nM_CLOSE;\n");
+    let program = shop.program("LBL 1\nFN 16: F-PRINT m.a / b.txt\nFN 16: F-PRINT m.a / a.txt\nCALL LBL 1 REP 2");
+    let said = fitcheck(&[&program, "--output-folder", &shop.path("")]);
+    assert_eq!((said.code, said.err.as_str()), (Some(0), "wrote TNC:\\a.txt\nwrote TNC:\\b.txt\n"));
+}
+
+#[test]
+fn a_program_cannot_talk_to_the_terminal() {
+    let shop = Shop::new();
+    shop.file("m.a", "\"\u{1b}]0;title\u{7}%S\", QS1;\n");
+    let program = shop.program(
+        "QS1 = \"\u{1b}[2Jx\"\nFN 16: F-PRINT m.a / SCREEN:\nFN 26: TABOPEN 82553_hole.tab\n\
+         FN 28: TABREAD Q1 = 0/QS1",
+    );
+    let said = fitcheck(&[&program, "--trace"]);
+    assert_eq!(said.code, Some(1), "{}", said.err);
+    assert!(said.out.contains(" ]0;title  [2Jx\n") && said.err.contains("no column  [2Jx"), "{}{}", said.out, said.err);
+    assert!(!(said.out + &said.err).contains(['\u{1b}', '\u{7}']));
 }
 
 #[test]
@@ -243,12 +265,19 @@ fn wrong_usage_is_told_apart_from_bad_data() {
     let main = shop.path("fit_main.h");
     assert_eq!(fitcheck(&[]).code, Some(2));
     assert_eq!(fitcheck(&[&main, "--workpiece", "a", "--contacts", "b"]).code, Some(2));
-    check_stopped(&["none.h"], "no such file or folder: none.h");
+    check_stopped(
+        &["none.h"],
+        "no such file or folder: none.h; built-in programs are 8255_nl.h, 8255_en.h, 8255_de.h, 8255_it.h",
+    );
+    check_stopped(&["folder/none.h"], "no such file or folder: folder/none.h");
     check_stopped(&[&main, "--set", "Q1=x"], "--set Q1=x: this is no number");
     check_stopped(
         &[&main, "--set", "R1=1"],
         "--set R1=1: R1 is no parameter, allowed are Q, QL, QR and QS with a number",
     );
-    check_stopped(&[&main, "--set", "Q2000=1"], "--set Q2000=1: there is no parameter Q2000");
+    check_stopped(
+        &[&main, "--set", "Q2000=1"],
+        "--set Q2000=1: there is no parameter Q2000: Q and QS go up to 1999, QL and QR up to 499",
+    );
     check_stopped(&[&main, "--folder", "none"], "no such folder: none");
 }

@@ -34,7 +34,7 @@ machine-broken = the program is broken: { $what } is missing
 machine-at-file = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is no label
 machine-undefined = { $parameter } is undefined
-machine-no-parameter = there is no parameter { $parameter }
+machine-no-parameter = there is no parameter { $parameter }: Q and QS go up to 1999, QL and QR up to 499
 machine-not-number = { $parameter } holds a text, a number is needed
 machine-not-text = { $parameter } holds a number, a text is needed
 machine-division-by-zero = division by zero
@@ -68,6 +68,8 @@ machine-remark-given-wins = { $parameter } = { $value } was given before the run
 machine-remark-not-written = { $path } was not written: no folder was chosen for outputs
 machine-remark-not-saved = { $path } was not written: { $reason }
 machine-remark-full = { $path } has reached its { $kilobytes } kilobytes, nothing was added
+machine-remark-table-written = { $path } was written
+machine-remark-contacts-left = the cycles took { $used } of { $count } recorded contacts
 machine-remark-more = { $count } more remarks are not listed
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
 

@@ -34,7 +34,7 @@ machine-broken = het programma is beschadigd: { $what } ontbreekt
 machine-at-file = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is geen label
 machine-undefined = { $parameter } is niet gedefinieerd
-machine-no-parameter = parameter { $parameter } bestaat niet
+machine-no-parameter = parameter { $parameter } bestaat niet: Q en QS gaan tot 1999, QL en QR tot 499
 machine-not-number = { $parameter } bevat een tekst, er is een getal nodig
 machine-not-text = { $parameter } bevat een getal, er is een tekst nodig
 machine-division-by-zero = deling door nul
@@ -68,6 +68,8 @@ machine-remark-given-wins = { $parameter } = { $value } is vooraf opgegeven en k
 machine-remark-not-written = { $path } is niet geschreven: er is geen map voor uitvoer gekozen
 machine-remark-not-saved = { $path } is niet geschreven: { $reason }
 machine-remark-full = { $path } heeft zijn { $kilobytes } kilobyte bereikt, er is niets toegevoegd
+machine-remark-table-written = { $path } is geschreven
+machine-remark-contacts-left = de cycli hebben { $used } van de { $count } opgenomen contacten gebruikt
 machine-remark-more = nog { $count } opmerkingen staan niet in de lijst
 machine-remark-other-probe = gereedschap { $tool } staat niet in de tastsysteemtabel: taster { $probe } is gebruikt
 

@@ -15,10 +15,11 @@ use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
 
 use super::cycle::{data, pairs, probe_table, read_bench, read_contacts};
-use super::{CliError, Io, Outcome, now, read_input};
+use super::{CliError, Io, Outcome, now, read_input, tame};
 use crate::control::machine::{Contacts, Fault, Folders, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::control::program::Program;
 use crate::control::variables::{Family, Parameter, Value};
+use crate::files::{self, FileError};
 use crate::words::Language;
 
 const EXAMPLES: &str = "\
@@ -30,7 +31,7 @@ Examples:
 A value of --set stands in place of the main program's own first assignment to that parameter.
 TNC:\\fit\\a.tab is looked for as fit/a.tab and as a.tab: in the output folder, in the program's own folder,
 in the folders of --folder in their order, and then among the built-in files. Files that FN 16 prints go below
-the output folder and nowhere else; without one they are not written. STOP and M0 do not wait. Without
+the output folder and nowhere else; it is made where there is none, and without one they are not written. STOP and M0 do not wait. Without
 --workpiece and --contacts every cycle measures a perfect workpiece at nominal. A workpiece file is
 described in fitcheck cycle --help.
 
@@ -147,12 +148,13 @@ impl Args {
         }
         let own = folder.into_iter().chain(self.folders.iter().cloned());
         let mut store = own.fold(Folders::new(), Folders::reading);
-        for folder in self.folders.iter().chain(&self.output_folder) {
+        for folder in &self.folders {
             if !folder.is_dir() {
                 return Err(CliError::Data(format!("no such folder: {}", folder.display())));
             }
         }
         if let Some(folder) = &self.output_folder {
+            files::make_folder(folder)?;
             store = store.writing(folder);
         }
         let mut settings = Settings::new(language, now());
@@ -170,7 +172,15 @@ impl Args {
         if let Some(bytes) = embedded {
             return Ok((self.program.display().to_string(), bytes.to_vec(), None));
         }
-        let (name, bytes) = read_input(&self.program, io)?;
+        let is_bare = self.program.parent().is_some_and(|folder| folder.as_os_str().is_empty());
+        let (name, bytes) = read_input(&self.program, io).map_err(|error| match error {
+            CliError::File(error @ FileError::Missing { .. }) if is_bare => {
+                // Those that begin by themselves: the others are called by them.
+                let names: Vec<&str> = Shipped::names().filter(|name| name.starts_with("8255_")).collect();
+                CliError::Data(format!("{error}; built-in programs are {}", names.join(", ")))
+            }
+            error => error,
+        })?;
         let is_file = self.program.as_os_str() != "-";
         let folder = self.program.parent().filter(|_| is_file).map(|folder| {
             // The folder of a bare name is the one that we are in.

@@ -1,6 +1,6 @@
 //! What came of a run, for people: windows and trace on standard output, notes on standard error.
 
-use super::{CliError, Ended, Io, Listener, place};
+use super::{CliError, Ended, Io, Listener, place, tame};
 use crate::control::machine::{BlockPlace, Fault, Machine, Pause, shown};
 use crate::words::{Language, Message, Words};
 
@@ -21,10 +21,10 @@ impl Printer {
         let (file, line) = place(machine, program, *block);
         let program = machine.program(&program.to_string());
         let Some(text) = program.and_then(|program| program.text_of(*block).next()) else { return Ok(()) };
-        writeln!(io.out, "{file}:{line}  {}", text.trim())?;
+        writeln!(io.out, "{file}:{line}  {}", tame(text.trim()))?;
         for parameter in machine.changed() {
             match machine.variables().get(*parameter) {
-                Some(value) => writeln!(io.out, "    {parameter} = {}", shown(value))?,
+                Some(value) => writeln!(io.out, "    {parameter} = {}", tame(&shown(value)))?,
                 None => writeln!(io.out, "    {parameter} undefined")?,
             }
         }
@@ -46,7 +46,7 @@ impl Listener for Printer {
             if 0 < self.windows && !self.trace {
                 writeln!(io.out)?;
             }
-            io.out.write_all(window.text.as_bytes())?;
+            io.out.write_all(tame(&window.text).as_bytes())?;
             self.windows += 1;
         }
         Ok(())
@@ -75,8 +75,13 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &m
             io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)))?;
         }
     }
-    for output in machine.outputs().iter().filter(|output| output.is_saved) {
-        io.tell(format_args!("wrote {}", output.path))?;
+    let mut written: Vec<_> =
+        machine.outputs().iter().filter(|output| output.is_saved).map(|output| &output.path).collect();
+    written.sort();
+    // A file that is printed to a thousand times is one file.
+    written.dedup();
+    for path in written {
+        io.tell(format_args!("wrote {path}"))?;
     }
     Ok(())
 }

@@ -37,6 +37,12 @@ impl Workbench {
         }
     }
 
+    /// How many recorded contacts there are and how many the cycles took, where they did not take all.
+    pub(super) fn left(&self) -> Option<(usize, usize)> {
+        let Self::Recorded(recorded) = self else { return None };
+        Some(recorded.handed_out()).filter(|(count, used)| used < count)
+    }
+
     /// Runs a cycle.
     pub(super) fn measure(&mut self, cycle: &Cycle, inputs: &Inputs) -> Result<Measured, FaultKind> {
         if let Self::Workpiece(bench) = self {

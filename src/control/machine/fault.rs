@@ -116,7 +116,7 @@ pub enum FaultKind {
     #[error("{0} is undefined")]
     Undefined(Parameter),
     /// A parameter that no control has.
-    #[error("there is no parameter {0}")]
+    #[error("there is no parameter {0}: Q and QS go up to 1999, QL and QR up to 499")]
     NoParameter(Parameter),
     /// A text where a number is needed.
     #[error("{0} holds a text, a number is needed")]

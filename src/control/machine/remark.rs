@@ -42,6 +42,18 @@ pub enum Remark {
         /// Its size, kilobytes.
         kilobytes: u32,
     },
+    /// FN 27 has changed a table, and the file was written.
+    TableWritten {
+        /// The file.
+        path: NcPath,
+    },
+    /// The run is over and recorded contacts are left: perhaps they belong to other features than those they were given to.
+    ContactsLeft {
+        /// How many there were.
+        count: usize,
+        /// How many the cycles took.
+        used: usize,
+    },
     /// The tool is not in the touch-probe table, the first probe was used.
     OtherProbe {
         /// The tool.
@@ -66,6 +78,8 @@ impl fmt::Display for Remark {
             Self::Full { path, kilobytes } => {
                 write!(f, "{path} has reached its {kilobytes} kilobytes, nothing was added")
             }
+            Self::TableWritten { path } => write!(f, "{path} was written"),
+            Self::ContactsLeft { count, used } => write!(f, "the cycles took {used} of {count} recorded contacts"),
             Self::OtherProbe { tool, probe } => {
                 write!(f, "tool {tool} is not in the touch-probe table: probe {probe} was used")
             }
@@ -87,6 +101,10 @@ impl Say for Remark {
             }
             Self::Full { path, kilobytes } => {
                 Message::new("machine-remark-full").text("path", path).text("kilobytes", kilobytes)
+            }
+            Self::TableWritten { path } => Message::new("machine-remark-table-written").text("path", path),
+            Self::ContactsLeft { count, used } => {
+                Message::new("machine-remark-contacts-left").text("count", count).text("used", used)
             }
             Self::OtherProbe { tool, probe } => {
                 Message::new("machine-remark-other-probe").text("tool", tool).text("probe", probe)

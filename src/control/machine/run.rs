@@ -181,6 +181,9 @@ impl Machine {
         let mut done = self.block(at);
         if matches!(done, Ok(Step::Ended)) {
             self.state = State::Ended;
+            if let Some((count, used)) = self.workbench.left() {
+                self.remark(at, Remark::ContactsLeft { count, used });
+            }
             // Another error of the end counts as one of the block that ended the run.
             if let Err(kind) = self.write_tables() {
                 done = Err(kind);

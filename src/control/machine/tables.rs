@@ -176,7 +176,11 @@ impl Machine {
                 // It was put together all the same: a loop around a large table would go on for days.
                 self.moved(bytes.len())
             }
-            done => self.moved(done?),
+            done => {
+                let size = done?;
+                self.remark(changed_at, Remark::TableWritten { path: open.path });
+                self.moved(size)
+            }
         }
     }
 }

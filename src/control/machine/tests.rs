@@ -116,6 +116,8 @@ fn every_remark_and_pause_is_said() {
     check(&Remark::NotWritten { path: path() });
     check(&Remark::NotSaved { path: path(), reason: "no".to_owned() });
     check(&Remark::Full { path: path(), kilobytes: 12_345 });
+    check(&Remark::TableWritten { path: path() });
+    check(&Remark::ContactsLeft { count: 12_345, used: 1234 });
     check(&Remark::OtherProbe { tool: "5".to_owned(), probe: 12_345 });
     check(&Pause::Stop);
     check(&Pause::OptionalStop);
