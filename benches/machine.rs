@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use fitcheck::control::machine::{Contacts, Machine, Settings, Shipped, Step};
-use fitcheck::control::program::Program;
+use fitcheck::nc::machine::{Contacts, Machine, Settings, Shipped, Step};
+use fitcheck::nc::program::Program;
 use fitcheck::words::Language;
 
 fn program(text: &[u8]) -> Arc<Program> {

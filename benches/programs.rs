@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use fitcheck::control::program::{Program, write};
+use fitcheck::nc::program::{Program, write};
 
 /// A program of many blocks: `round` writes some of them, given the number of the first.
 fn program(blocks: usize, blocks_a_round: usize, round: impl Fn(&mut String, usize)) -> Vec<u8> {

@@ -9,6 +9,7 @@
 //! | [`probing`] | contacts, circles, measuring cycles, the simulated workpiece |
 //! | [`verdict`] | good, rework, scrap |
 //! | [`control`] | the control's tables, masks and logs |
+//! | [`nc`] | NC programs: read, written, run |
 //! | [`exchange`] | files of other tools |
 //! | [`journal`] | what was checked, when, by which rule |
 //! | [`report`] | inspection reports |
@@ -25,6 +26,7 @@ pub mod files;
 pub mod gui;
 pub mod journal;
 pub mod length;
+pub mod nc;
 pub mod probing;
 pub mod report;
 pub mod session;

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::builder::PossibleValuesParser;
 
 use super::{CliError, Io, Outcome, TableArgs, read_input};
-use crate::control::sets::{
+use crate::files;
+use crate::length::{Length, LengthError};
+use crate::nc::sets::{
     At, Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, NcFeature, NcPlan, NcSet, PlanError,
     SetError, Target,
 };
-use crate::files;
-use crate::length::{Length, LengthError};
 use crate::tolerance::Callout;
 use crate::words::Language;
 

@@ -7,9 +7,6 @@
 //! | `variables` | Q, QL, QR and QS parameters |
 //! | `table` | freely definable tables `.TAB`, three header generations, read and written |
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
-//! | `machine` | runs NC programs, within bounds |
-//! | `program` | NC programs in Klartext, read and written |
-//! | `sets` | programs, tables and mask with which a control measures a plan |
 //! | `deviations` | such a table as a table of deviations; the two shipped ones |
 //! | `mask` | FN 16 masks, read and rendered |
 //! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT`, read and written |
@@ -22,12 +19,9 @@ pub mod cycle_status;
 pub mod deviations;
 pub mod log;
 pub mod log444;
-pub mod machine;
 pub mod mask;
 pub mod probe_block;
 pub mod probe_table;
-pub mod program;
-pub mod sets;
 pub mod status;
 pub mod table;
 pub mod text;

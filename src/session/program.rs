@@ -43,9 +43,9 @@ pub use tokens::{Token, tokens};
 pub use watching::{Name, Watched};
 
 use super::{Effect, Session};
-use crate::control::machine::{BlockPlace, NcPath};
-use crate::control::program::ProgramWarning;
 use crate::control::variables::{Parameter, Value};
+use crate::nc::machine::{BlockPlace, NcPath};
+use crate::nc::program::ProgramWarning;
 use crate::words::Message;
 
 /// The state of the program page.

@@ -3,15 +3,15 @@
 use std::sync::Arc;
 
 use fitcheck::control::log::{self, Log, Values};
-use fitcheck::control::machine::{
-    Budget, Contacts, FaultKind, Folders, InMemory, Machine, Pause, Settings, Shipped, Step, TravelKind, UsedUp,
-};
-use fitcheck::control::program::Program;
 use fitcheck::control::shipped_tables;
 use fitcheck::control::status::status_window;
 use fitcheck::control::variables::{Family, Parameter, Value};
 use fitcheck::journal::Record;
 use fitcheck::length::Length;
+use fitcheck::nc::machine::{
+    Budget, Contacts, FaultKind, Folders, InMemory, Machine, Pause, Settings, Shipped, Step, TravelKind, UsedUp,
+};
+use fitcheck::nc::program::Program;
 use fitcheck::probing::simulated::Bench;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::tolerance::{Callout, Sources};

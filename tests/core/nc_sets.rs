@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use fitcheck::control::deviations::read_table;
-use fitcheck::control::machine::{Contacts, Machine, NcPath, Settings, Step, Store, StoreError};
 use fitcheck::control::mask::FileUse;
-use fitcheck::control::program::{Body, Program, TextExpression, TextOperand};
-use fitcheck::control::sets::{Control, MOST_FEATURES, NcFeature, NcPlan, NcSet, SetError, SetRemark, Target};
 use fitcheck::control::shipped_tables;
 use fitcheck::control::status::status_window;
 use fitcheck::control::variables::{Parameter, Value};
 use fitcheck::journal::Record;
 use fitcheck::length::Length;
+use fitcheck::nc::machine::{Contacts, Machine, NcPath, Settings, Step, Store, StoreError};
+use fitcheck::nc::program::{Body, Program, TextExpression, TextOperand};
+use fitcheck::nc::sets::{Control, MOST_FEATURES, NcFeature, NcPlan, NcSet, SetError, SetRemark, Target};
 use fitcheck::probing::cycle::{Angle, Plane, Remark};
 use fitcheck::probing::measure::{ProbePosition, cycle_number, measure};
 use fitcheck::probing::simulated::{Bench, Surface, Workpiece};

@@ -4,8 +4,8 @@
 
 use std::path::PathBuf;
 
-use fitcheck::control::machine::BlockPlace;
 use fitcheck::control::variables::{Parameter, Value};
+use fitcheck::nc::machine::BlockPlace;
 use fitcheck::session::program::{
     Agreement, BlockStep, Document, Input, ProblemKind, Run, Speed, State, Switch, WorkpieceFrom,
 };

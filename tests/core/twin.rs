@@ -8,13 +8,13 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use fitcheck::control::machine::{Contacts, Fault, InMemory, Machine, Settings, Shipped, Step};
-use fitcheck::control::program::{Body, Program};
 use fitcheck::control::shipped_tables;
 use fitcheck::control::status::{status_window, status_word};
 use fitcheck::control::variables::{Parameter, Value};
 use fitcheck::journal::Record;
 use fitcheck::length::{Length, Unit};
+use fitcheck::nc::machine::{Contacts, Fault, InMemory, Machine, Settings, Shipped, Step};
+use fitcheck::nc::program::{Body, Program};
 use fitcheck::probing::cycle::Plane;
 use fitcheck::probing::measure::{ProbePosition, cycle_number, measure};
 use fitcheck::probing::simulated::{Bench, Surface, Workpiece};

@@ -5,8 +5,8 @@
 
 use std::sync::Arc;
 
-use fitcheck::control::machine::{Budget, Contacts, InMemory, Machine, Settings, Step};
-use fitcheck::control::program::Program;
+use fitcheck::nc::machine::{Budget, Contacts, InMemory, Machine, Settings, Step};
+use fitcheck::nc::program::Program;
 use fitcheck::control::variables::{Parameter, Value};
 use fitcheck::words::Language;
 use libfuzzer_sys::fuzz_target;

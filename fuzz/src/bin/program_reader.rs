@@ -3,7 +3,7 @@
 
 #![no_main]
 
-use fitcheck::control::program::{Body, Place, Program, write};
+use fitcheck::nc::program::{Body, Place, Program, write};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {

@@ -4,8 +4,8 @@ use serde_json::{Map, Value as Json, json};
 
 use super::super::cycle::answer::{check, value as result_value};
 use super::{CliError, Ended, Io, Listener, place};
-use crate::control::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath};
 use crate::control::variables::{Parameter, Value};
+use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath};
 
 /// The most blocks that a trace keeps.
 const MOST: usize = 100_000;

@@ -16,10 +16,10 @@ use clap::builder::PossibleValuesParser;
 
 use super::cycle::{data, pairs, probe_table, read_bench, read_contacts};
 use super::{CliError, Io, Outcome, now, read_input, tame};
-use crate::control::machine::{Contacts, Fault, Folders, Machine, NcPath, Pause, Settings, Shipped, Step};
-use crate::control::program::Program;
 use crate::control::variables::{Family, Parameter, Value};
 use crate::files::{self, FileError};
+use crate::nc::machine::{Contacts, Fault, Folders, Machine, NcPath, Pause, Settings, Shipped, Step};
+use crate::nc::program::Program;
 use crate::words::Language;
 
 const EXAMPLES: &str = "\

@@ -1,7 +1,7 @@
 //! What came of a run, for people: windows and trace on standard output, notes on standard error.
 
 use super::{CliError, Ended, Io, Listener, place, tame};
-use crate::control::machine::{BlockPlace, Fault, Machine, Pause, shown};
+use crate::nc::machine::{BlockPlace, Fault, Machine, Pause, shown};
 use crate::words::{Language, Message, Words};
 
 /// Prints windows as they open, and with a trace every block before.

@@ -5,11 +5,11 @@ use eframe::egui::{
     Button, CollapsingHeader, Frame, Label, Margin, RichText, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2,
 };
 
-use crate::control::machine::{CycleRun, Window};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, quiet};
+use crate::nc::machine::{CycleRun, Window};
 use crate::probing::cycle::Value;
 use crate::session::program::Run;
 use crate::session::{Command, ProgramCommand};

@@ -9,9 +9,9 @@ use eframe::egui::{
 };
 
 use super::paint;
-use crate::control::program::Body;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
+use crate::nc::program::Body;
 use crate::session::program::{BlockStep, Document, Run, State};
 use crate::session::{Command, ProgramCommand};
 use crate::words::Message;

@@ -192,7 +192,7 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
                 let button = Button::selectable(under == Some(number), text).truncate();
                 if ui.add(button.min_size(vec2(0.0, sizes().field))).clicked() {
                     let program = document.path().clone();
-                    let place = crate::control::machine::BlockPlace { program, block: entry.block };
+                    let place = crate::nc::machine::BlockPlace { program, block: entry.block };
                     view.send(Command::Program(ProgramCommand::GoTo(place)));
                     ui.close();
                 }

@@ -3,11 +3,11 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Button, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
-use crate::control::machine::shown;
 use crate::control::variables::Value;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
+use crate::nc::machine::shown;
 use crate::session::program::{Name, Watched};
 use crate::session::{Command, ProgramCommand, ProgramField};
 use crate::words::Message;

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use super::Document;
 use super::inputs::Input;
 use super::run::Speed;
-use crate::control::machine::{BlockPlace, NcPath};
-use crate::control::program::ProgramWarning;
 use crate::control::variables::Parameter;
+use crate::nc::machine::{BlockPlace, NcPath};
+use crate::nc::program::ProgramWarning;
 use crate::words::Message;
 
 /// What can be done on the program page.

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use super::inputs::{Input, assigned};
 use super::tokens::comment;
-use crate::control::machine::NcPath;
-use crate::control::program::{Body, Columns, Program, ProgramError, ProgramWarning, Target};
 use crate::control::variables::Parameter;
+use crate::nc::machine::NcPath;
+use crate::nc::program::{Body, Columns, Program, ProgramError, ProgramWarning, Target};
 
 /// A shown program.
 #[derive(Debug, Clone)]

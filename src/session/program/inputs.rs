@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::{Document, ProgramField, ProgramPage};
-use crate::control::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
+use crate::nc::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
 use crate::probing::cycle;
 use crate::probing::cycles::cycle as cycle_of;
 use crate::session::Session;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::{Document, Origin, ProgramField, WorkpieceFrom};
-use crate::control::machine::Shipped;
-use crate::control::program::ProgramWarning;
+use crate::nc::machine::Shipped;
+use crate::nc::program::ProgramWarning;
 use crate::session::Session;
 use crate::words::{Language, Message, Say as _};
 

@@ -1,7 +1,7 @@
 //! What is wrong, block by block: what reading remarked, what the run remarked, and the error that ended it.
 
 use super::ProgramPage;
-use crate::control::machine::BlockPlace;
+use crate::nc::machine::BlockPlace;
 use crate::words::{Message, Say as _};
 
 /// Something that is wrong or worth knowing.

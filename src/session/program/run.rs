@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::control::machine::{
-    BlockPlace, CycleRun, Fault, Machine, NcPath, Pause, Remark, Step, Travel, TravelKind, Window, Written,
-};
-use crate::control::program::Program;
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::length::Length;
+use crate::nc::machine::{
+    BlockPlace, CycleRun, Fault, Machine, NcPath, Pause, Remark, Step, Travel, TravelKind, Window, Written,
+};
+use crate::nc::program::Program;
 use crate::probing::cycle::{Move, Phase};
 use crate::verdict::Status;
 use crate::words::{Message, Say as _};

@@ -6,7 +6,7 @@ use jiff::civil::DateTime;
 
 use super::run::{Goal, Run, State};
 use super::{Origin, ProgramField, ProgramPage, Speed};
-use crate::control::machine::{BlockPlace, Folders, Machine, Settings};
+use crate::nc::machine::{BlockPlace, Folders, Machine, Settings};
 use crate::session::Session;
 use crate::words::{Message, Say as _};
 

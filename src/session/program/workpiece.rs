@@ -4,8 +4,8 @@ use jiff::civil::DateTime;
 
 use super::inputs::{Input, length};
 use super::{ProgramField, ProgramPage, WorkpieceFrom};
-use crate::control::machine::Contacts;
 use crate::length::Length;
+use crate::nc::machine::Contacts;
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::{Bench, Surface, Workpiece};
 use crate::session::{CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Session};

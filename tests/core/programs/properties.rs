@@ -1,11 +1,11 @@
 //! What holds for any bytes, and for any body that is written.
 
-use fitcheck::control::program::{
+use fitcheck::control::variables::{Family, Parameter};
+use fitcheck::nc::program::{
     Axis, AxisWord, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, Expression, Feed, MachineFunction,
     Movement, NumberFunction, Operand, Operation, Place, Program, Relation, Target, TextExpression, TextOperand, Tool,
     Unit, write,
 };
-use fitcheck::control::variables::{Family, Parameter};
 use proptest::prelude::*;
 use proptest::sample::select;
 

@@ -1,10 +1,10 @@
 //! What blocks say, block by block.
 
-use fitcheck::control::program::{
+use fitcheck::control::variables::{Family, Parameter};
+use fitcheck::nc::program::{
     Axis, AxisWord, Body, Columns, Condition, CycleValue, Expression, Feed, MachineFunction, NumberFunction, Operand,
     Operation, Program, Relation, Target, TextExpression, TextOperand, Tool, Unit,
 };
-use fitcheck::control::variables::{Family, Parameter};
 
 /// The bodies between BEGIN and END; there must be no warning.
 #[track_caller]

@@ -1,7 +1,7 @@
 //! What is odd about programs, said with line and column; and what is no program.
 
-use fitcheck::control::program::{Body, LabelFault, Program, ProgramError, Target};
 use fitcheck::control::variables::Parameter;
+use fitcheck::nc::program::{Body, LabelFault, Program, ProgramError, Target};
 
 #[track_caller]
 fn warnings(text: &str) -> Vec<String> {

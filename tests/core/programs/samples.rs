@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use fitcheck::control::program::{Body, Program, Target, Unit, write};
+use fitcheck::nc::program::{Body, Program, Target, Unit, write};
 
 fn sample(name: &str) -> Vec<u8> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples/programs");

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::*;
 use crate::control::mask::{MaskError, RenderError};
-use crate::control::program::{LabelFault, ProgramError, Target};
 use crate::control::table::{Located, Place, TableFault, WriteError};
 use crate::control::variables::Parameter;
+use crate::nc::program::{LabelFault, ProgramError, Target};
 use crate::probing::cycle::CycleError;
 use crate::probing::simulated::WorkpieceError;
 use crate::words::{Language, Say, Words};

@@ -5,9 +5,9 @@ use super::flow::whole;
 use super::path::NcPath;
 use super::remark::Remark;
 use super::run::Machine;
-use crate::control::program::{Expression, Operand, TextExpression, TextOperand};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::length::Length;
+use crate::nc::program::{Expression, Operand, TextExpression, TextOperand};
 
 /// The range of values in a control: 10^10 either way.
 const MOST: f64 = 1e10;

@@ -16,7 +16,7 @@
 //!
 //! A program keeps its text and is written byte for byte as it was read; a block is a range of its lines and what they
 //! say. What is not known is kept as text ([`Body::Other`]), never refused: real programs hold far more than Fitcheck
-//! runs. Running is the business of `control::machine`. Grammar: manuals and public programs, see `docs/SOURCES.md`.
+//! runs. Running is the business of `nc::machine`. Grammar: manuals and public programs, see `docs/SOURCES.md`.
 
 mod block;
 mod body;

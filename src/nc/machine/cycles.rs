@@ -6,9 +6,9 @@ use super::remark::Remark;
 use super::run::Machine;
 use super::step::{Pause, Step};
 use super::values::length_of;
-use crate::control::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool, Unit};
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
+use crate::nc::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool, Unit};
 use crate::probing::cycle::{self, Cycle, CycleError, CycleResult, Inputs, Key, LogTarget, Move, Phase, Range};
 use crate::probing::cycles::CYCLES;
 

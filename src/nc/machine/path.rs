@@ -68,12 +68,12 @@ impl NcPath {
     /// A path from the root: `TNC:\fit\a.h`, or without its drive.
     ///
     /// ```
-    /// use fitcheck::control::machine::NcPath;
+    /// use fitcheck::nc::machine::NcPath;
     ///
     /// let main = NcPath::new(r"TNC:\fit\main.h")?;
     /// assert_eq!(main.resolve(r"..\tables\own.tab")?.to_string(), r"TNC:\tables\own.tab");
     /// assert!(main.resolve(r"..\..\own.tab").is_err());
-    /// # Ok::<(), fitcheck::control::machine::PathError>(())
+    /// # Ok::<(), fitcheck::nc::machine::PathError>(())
     /// ```
     ///
     /// # Errors

@@ -5,8 +5,8 @@ use jiff::civil::DateTime;
 use super::fault::FaultKind;
 use super::flow::whole;
 use super::run::Machine;
-use crate::control::program::{Operand, TextExpression};
 use crate::control::variables::Parameter;
+use crate::nc::program::{Operand, TextExpression};
 
 /// Date and time; the only group of `SYSSTR` that is run.
 const DATE_AND_TIME: usize = 10_321;

@@ -9,9 +9,9 @@ use super::run::Machine;
 use super::store::StoreError;
 use crate::control::cycle_log::{CycleLog, Heading};
 use crate::control::mask::FileUse;
-use crate::control::program::TextOperand;
 use crate::control::text::decode;
 use crate::length::Unit;
+use crate::nc::program::TextOperand;
 use crate::probing::cycle::{Cycle, CycleResult, LogTarget};
 
 impl Machine {

@@ -12,8 +12,8 @@ use super::prints::{Window, Written};
 use super::remark::Remark;
 use super::run::{Machine, State};
 use super::tables::OpenTable;
-use crate::control::program::Program;
 use crate::control::variables::{Parameter, Variables};
+use crate::nc::program::Program;
 use crate::verdict::Status;
 
 impl Machine {

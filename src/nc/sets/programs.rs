@@ -4,10 +4,10 @@ use super::error::SetRemark;
 use super::listing::{Listing, formula_number};
 use super::names::{Control, Names};
 use super::{Planned, Target};
-use crate::control::machine::Shipped;
-use crate::control::program::{Body, Program};
 use crate::control::variables::Parameter;
 use crate::length::Length;
+use crate::nc::machine::Shipped;
+use crate::nc::program::{Body, Program};
 use crate::tolerance::Feature;
 use crate::words::Language;
 

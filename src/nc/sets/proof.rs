@@ -9,10 +9,10 @@ use std::sync::Arc;
 use super::error::SetError;
 use super::names::Names;
 use super::{Planned, SetFile};
-use crate::control::machine::{Contacts, Machine, NcPath, Settings, Step, Store, StoreError};
 use crate::control::mask::FileUse;
-use crate::control::program::Program;
 use crate::length::Length;
+use crate::nc::machine::{Contacts, Machine, NcPath, Settings, Step, Store, StoreError};
+use crate::nc::program::Program;
 use crate::probing::Contact;
 use crate::probing::cycle::Angle;
 use crate::verdict::Status;
@@ -80,7 +80,7 @@ fn contacts(planned: &Planned<'_>) -> [Contact; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::sets::{Control, NcFeature, NcPlan, NcSet, Target};
+    use crate::nc::sets::{Control, NcFeature, NcPlan, NcSet, Target};
     use crate::tolerance::Sources;
     use crate::words::Language;
 

@@ -25,7 +25,7 @@ impl Program {
     /// Reads a program: UTF-8 or Windows-1252, any line ends. Text never fails; what is odd about it is listed.
     ///
     /// ```
-    /// use fitcheck::control::program::{Body, Program, Target};
+    /// use fitcheck::nc::program::{Body, Program, Target};
     ///
     /// let text = "0 BEGIN PGM fit MM\n1 LBL 11\n2 BLK FORM 0.1 Z X+0 Y+0 Z-20\n3 END PGM fit MM\n";
     /// let (program, warnings) = Program::read(text.as_bytes())?;
@@ -34,7 +34,7 @@ impl Program {
     /// assert_eq!(program.blocks()[2].body, Body::Other);
     /// assert_eq!(program.label(&Target::Number(11)), Ok(1));
     /// assert_eq!(program.write(), text.as_bytes());
-    /// # Ok::<(), fitcheck::control::program::ProgramError>(())
+    /// # Ok::<(), fitcheck::nc::program::ProgramError>(())
     /// ```
     ///
     /// # Errors

@@ -20,11 +20,11 @@ impl NcPlan {
     /// Reads a plan.
     ///
     /// ```
-    /// use fitcheck::control::sets::NcPlan;
+    /// use fitcheck::nc::sets::NcPlan;
     ///
     /// let plan = NcPlan::read(b"name;callout;x;y;z\nA1;25 H7;40;30,5;-8\n")?;
     /// assert_eq!(plan.features()[0].y.to_string(), "30.5");
-    /// # Ok::<(), fitcheck::control::sets::PlanError>(())
+    /// # Ok::<(), fitcheck::nc::sets::PlanError>(())
     /// ```
     ///
     /// # Errors

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::path::NcPath;
-use crate::control::program::{Program, ProgramError};
 use crate::control::table::{ControlTable, TableError, TableFile};
+use crate::nc::program::{Program, ProgramError};
 
 /// How many tables are remembered.
 const MOST_TABLES: usize = 4;

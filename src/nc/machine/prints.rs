@@ -9,7 +9,7 @@ use super::remark::Remark;
 use super::run::Machine;
 use super::store::StoreError;
 use crate::control::mask::{Context, FileUse, Mask, Output};
-use crate::control::program::TextOperand;
+use crate::nc::program::TextOperand;
 
 /// A window that FN 16 has opened.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -29,8 +29,8 @@ pub use error::{At, PlanError, PlanFault, SetError, SetRemark};
 pub use names::{Control, ControlFolder};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, MOST_FEATURES, NcFeature, NcPlan};
 
-use super::mask::Mask;
 use super::program::Program;
+use crate::control::mask::Mask;
 use crate::tolerance::{Feature, Limits, Sources};
 use crate::words::Language;
 use names::Names;
@@ -82,7 +82,7 @@ impl NcSet {
     /// Makes the files for a plan.
     ///
     /// ```
-    /// use fitcheck::control::sets::{Control, NcFeature, NcPlan, NcSet, Target};
+    /// use fitcheck::nc::sets::{Control, NcFeature, NcPlan, NcSet, Target};
     /// use fitcheck::tolerance::Sources;
     /// use fitcheck::words::Language;
     ///

@@ -9,8 +9,8 @@ use super::path::NcPath;
 use super::run::Machine;
 use super::step::Step;
 use super::store::StoreError;
-use crate::control::program::{Program, Target, TextOperand, Unit};
 use crate::control::variables::{Family, Parameter, Value};
+use crate::nc::program::{Program, Target, TextOperand, Unit};
 
 /// A program that runs: where it is and what is its own.
 #[derive(Debug)]

@@ -16,8 +16,8 @@ use super::remark::Remark;
 use super::step::{Pause, Step};
 use super::store::{Shipped, Store};
 use super::tables::OpenTable;
-use crate::control::program::{Block, Body, MachineFunction, Program, Unit};
 use crate::control::variables::{Parameter, Value, Variables};
+use crate::nc::program::{Block, Body, MachineFunction, Program, Unit};
 use crate::probing::TouchProbe;
 
 #[derive(Debug)]
@@ -32,8 +32,8 @@ pub(super) enum State {
 /// ```
 /// use std::sync::Arc;
 ///
-/// use fitcheck::control::machine::{Contacts, Machine, Settings, Shipped, Step};
-/// use fitcheck::control::program::Program;
+/// use fitcheck::nc::machine::{Contacts, Machine, Settings, Shipped, Step};
+/// use fitcheck::nc::program::Program;
 /// use fitcheck::control::variables::{Parameter, Value};
 /// use fitcheck::words::Language;
 ///

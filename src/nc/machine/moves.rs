@@ -3,7 +3,7 @@
 use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, FaultKind};
 use super::run::Machine;
-use crate::control::program::{Axis, Feed, Movement, Unit};
+use crate::nc::program::{Axis, Feed, Movement, Unit};
 use crate::probing::cycle::{Move, Phase};
 
 /// Millimetres in an inch.

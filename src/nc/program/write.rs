@@ -33,7 +33,7 @@ pub fn program<'a>(blocks: impl IntoIterator<Item = (&'a Body, &'a str)>) -> Str
 /// Texts are cleaned of what would end them: line ends, quotation marks within others, a `~` at a line's end.
 ///
 /// ```
-/// use fitcheck::control::program::{Body, Target, write};
+/// use fitcheck::nc::program::{Body, Target, write};
 ///
 /// let call = Body::CallLabel { label: Target::Name("LOOP".to_owned()), repeat: Some(3) };
 /// assert_eq!(write::block(7, &call), ["7  CALL LBL \"LOOP\" REP 3"]);

@@ -6,8 +6,8 @@ use super::fault::FaultKind;
 use super::run::Machine;
 use super::values::in_range;
 use crate::control::mask;
-use crate::control::program::{Condition, Expression, NumberFunction, Operand, Operation, Relation};
 use crate::control::variables::{Parameter, Value};
+use crate::nc::program::{Condition, Expression, NumberFunction, Operand, Operation, Relation};
 
 impl Machine {
     /// The value of a formula.

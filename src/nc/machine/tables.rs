@@ -9,9 +9,9 @@ use super::remark::Remark;
 use super::run::Machine;
 use super::store::StoreError;
 use crate::control::mask::FileUse;
-use crate::control::program::{Columns, Operand, TextOperand};
 use crate::control::table::{TableFile, WriteError, is_blank, is_number};
 use crate::control::variables::{Family, Parameter, Value};
+use crate::nc::program::{Columns, Operand, TextOperand};
 
 /// A table that FN 26 has opened.
 #[derive(Debug, Clone)]
