@@ -6,7 +6,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use eframe::egui::{CentralPanel, Ui};
 use egui_kittest::Harness;
 use fitcheck::gui::{App, Errands, Setup, Store};
-use fitcheck::session::{Command, Field, Page};
+use fitcheck::session::{CheckCommand, Command, Field, FitField, Page};
 use fitcheck::words::Language;
 
 fn setup() -> Setup {
@@ -45,7 +45,7 @@ fn frames(criterion: &mut Criterion) {
     let mut fits = Harness::builder().with_size(size).build_eframe(|cc| App::new(cc, setup()));
     let ctx = fits.ctx.clone();
     fits.state_mut().send(&ctx, Command::OpenPage(Page::Fit));
-    fits.state_mut().send(&ctx, Command::Type(Field::FitCallout, "50 H7/p6".to_owned()));
+    fits.state_mut().send(&ctx, Field::from(FitField::Callout).typed("50 H7/p6".to_owned()));
     fits.run();
     criterion.bench_function("settled frame, fit page", |bencher| bencher.iter(|| fits.step()));
     let rows: Vec<String> = (0..10_000).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
@@ -56,7 +56,8 @@ fn frames(criterion: &mut Criterion) {
         fitcheck::exchange::import("parts.csv", format!("id,callout,measured\n{rows}").as_bytes(), &sources, now);
     assert_eq!(imported.records.len(), 10_000);
     let ctx = harness.ctx.clone();
-    let command = Command::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(imported)) };
+    let command =
+        Command::Check(CheckCommand::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(imported)) });
     harness.state_mut().send(&ctx, command);
     harness.run();
     criterion.bench_function("settled frame, Fitcheck with 10 000 checks", |bencher| bencher.iter(|| harness.step()));

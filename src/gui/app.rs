@@ -7,8 +7,8 @@ use super::effects::{Errands, Runner};
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{check, cycles, dialogs, field, fit, keypad, program, tables, top_bar};
-use crate::session::{Command, Effect, Field, Page, Saved, Session, Theme};
+use super::{check, cycles, dialogs, field, fit, keypad, keys, program, tables, top_bar};
+use crate::session::{CheckField, Command, Effect, Page, Saved, Session, Theme};
 use crate::words::{Language, Words};
 
 /// What the window is started with.
@@ -100,6 +100,9 @@ impl App {
     }
 
     fn run(&self, ctx: &Context, effect: Effect) {
+        if let Effect::Focus(field) = effect {
+            return field::go_to(ctx, field, self.session.text(field));
+        }
         self.runner.run(ctx, effect, self.session.sources(), (self.clock)());
     }
 
@@ -148,7 +151,7 @@ impl eframe::App for App {
         let commands = view.commands;
         if self.first_frame {
             self.first_frame = false;
-            ui.memory_mut(|memory| memory.request_focus(field::id(Field::Callout)));
+            ui.memory_mut(|memory| memory.request_focus(field::id(CheckField::Callout)));
         }
         let ctx = ui.ctx().clone();
         self.apply(&ctx, commands);
@@ -165,6 +168,7 @@ impl eframe::App for App {
 
 /// The top bar, the open page, and what lies over it.
 fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
+    keys::keys_ui(ui, view);
     top_bar::top_bar_ui(ui, view);
     match view.session.page() {
         Page::Check => check::check_ui(ui, view),

@@ -5,12 +5,12 @@ use eframe::egui::{ComboBox, Id, Sense, Ui, vec2};
 use super::shapes;
 use super::theme::{self, palette, space};
 use super::view::{View, heading, list_height};
-use crate::session::Command;
+use crate::session::CheckCommand;
 use crate::tolerance::Feature;
 
 /// The chooser; `name` is what a screen reader says.
 pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
-    let chosen = view.session.callout().and_then(|callout| callout.class());
+    let chosen = view.session.check().asked().callout().and_then(|callout| callout.class());
     let shown = chosen.map_or_else(|| view.text("class-none"), |class| class.to_string());
     let response = ComboBox::from_id_salt("class-chooser")
         .selected_text(shown)
@@ -28,7 +28,7 @@ pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
                         let size = vec2(space(14.0), theme::sizes().field);
                         let button = eframe::egui::Button::selectable(chosen == Some(class), class.as_str());
                         if ui.add_sized(size, button).clicked() {
-                            view.send(Command::ChooseClass(class));
+                            view.send(CheckCommand::ChooseClass(class));
                             ui.close();
                         }
                     }

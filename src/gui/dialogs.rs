@@ -2,18 +2,16 @@
 
 use std::path::Path;
 
-use eframe::egui::{
-    Align2, Button, Id, Key, KeyboardShortcut, Modal, Modifiers, ScrollArea, TextEdit, Ui, Window, vec2,
-};
+use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
 
 use super::field::select_all;
 use super::theme::{sizes, space};
 use super::view::{View, heading, problem, quiet};
-use crate::session::{Command, CycleFile, Dialog, Notice, Page, Purpose};
+use crate::session::{Action, Command, CycleFile, Dialog, Notice, Page, Purpose};
 use crate::words::Message;
 
-/// Files dropped on the window are imported; Ctrl+O opens the import and Ctrl+S the report.
-fn shortcuts(ui: &Ui, view: &mut View<'_>) {
+/// Files dropped on the window are read, each as the open page takes it.
+fn dropped(ui: &Ui, view: &mut View<'_>) {
     let dropped = ui.input(|input| input.raw.dropped_files.clone());
     for file in dropped {
         view.send(Command::OpenDialog(match view.session.page() {
@@ -23,16 +21,6 @@ fn shortcuts(ui: &Ui, view: &mut View<'_>) {
             Page::Check | Page::Fit => Purpose::Import,
         }));
         view.send(Command::Picked(Some(file.path().to_owned())));
-    }
-    let pressed = |key| ui.input_mut(|input| input.consume_shortcut(&KeyboardShortcut::new(Modifiers::COMMAND, key)));
-    if view.session.dialog().is_some() {
-        return;
-    }
-    if pressed(Key::O) {
-        view.send(Command::OpenDialog(Purpose::Import));
-    }
-    if pressed(Key::S) && !view.session.history().is_empty() {
-        view.send(Command::OpenDialog(Purpose::Export(0)));
     }
 }
 
@@ -59,7 +47,7 @@ fn cycle_file(path: &Path) -> CycleFile {
 
 /// Draws the open dialog, or the oldest notice.
 pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
-    shortcuts(ui, view);
+    dropped(ui, view);
     if view.session.is_leaving() {
         Modal::new(Id::unique("leaving")).show(ui, |ui| leaving_ui(ui, view));
     } else if let Some(dialog) = view.session.dialog().cloned() {
@@ -72,9 +60,6 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
             .collapsible(false)
             .resizable(false)
             .show(ui, |ui| notice_ui(ui, view, &notice));
-    }
-    if ui.input(|input| input.key_pressed(Key::Escape)) && !ui.ctx().text_edit_focused() {
-        view.send(if view.session.is_leaving() { Command::Leave(false) } else { Command::Close });
     }
 }
 
@@ -145,15 +130,12 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     // The path is asked for: when the dialog opens it has the focus, and typing replaces a proposed name.
     if just_opened(ui, id) {
         field.request_focus();
-        select_all(ui, id, &path);
+        select_all(ui.ctx(), id, &path);
     }
     if field.changed() {
         view.send(Command::TypePath(path.clone()));
     }
     let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-    if ui.input(|input| input.key_pressed(Key::Escape)) {
-        view.send(Command::Close);
-    }
     if let Some(text) = &dialog.problem {
         problem(ui, view.words.say(text));
     }
@@ -203,8 +185,6 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
             },
         );
     }
-    let close = Button::new(view.text("close")).min_size(vec2(space(24.0), sizes().touch));
-    if ui.add(close).clicked() {
-        view.send(Command::Close);
-    }
+    let close = view.named(Action::Close).min_size(vec2(space(24.0), sizes().touch));
+    view.button_as(ui, Action::Close, close);
 }

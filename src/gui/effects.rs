@@ -20,7 +20,9 @@ use crate::probing::Contact;
 use crate::probing::simulated::Bench;
 use crate::report::RENDERINGS;
 use crate::session::program::Document;
-use crate::session::{Command, CycleFile, CyclesCommand, Effect, ProgramCommand, Purpose, TablesCommand};
+use crate::session::{
+    CheckCommand, Command, CycleFile, CyclesCommand, Effect, ProgramCommand, Purpose, TablesCommand, WorkpieceCommand,
+};
 use crate::tolerance::{DeviationTable, Sources};
 use crate::words::{Message, Say as _};
 
@@ -81,7 +83,9 @@ impl Runner {
 fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) -> Command {
     match effect {
         Effect::Browse(purpose) => Command::Picked((errands == Errands::OnThread).then(|| pick(purpose)).flatten()),
-        Effect::Import(path) => Command::Imported { name: name(&path), result: import(&path, sources, now) },
+        Effect::Import(path) => {
+            CheckCommand::Imported { name: name(&path), result: import(&path, sources, now) }.into()
+        }
         Effect::ReadMask(path) => Command::MaskRead { name: name(&path), result: read_mask(&path) },
         Effect::ReadTables(folder) => {
             let result = read_tables(&folder);
@@ -91,7 +95,7 @@ fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) ->
             let result = read_table(&path);
             Command::Tables(TablesCommand::Read { name: name(&path), result })
         }
-        Effect::ReadCycleFile(file, path) => Command::Cycles(read_cycle_file(file, &path)),
+        Effect::ReadCycleFile(file, path) => read_cycle_file(file, &path),
         Effect::ReadProgram(path) => {
             let result = read_program(&path);
             Command::Program(ProgramCommand::Read { path, result })
@@ -100,7 +104,7 @@ fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) ->
             let result = files::write(&path, &bytes);
             Command::Saved { path, result }
         }
-        Effect::Copy(_) | Effect::Leave => Command::Picked(None),
+        Effect::Copy(_) | Effect::Focus(_) | Effect::Leave => Command::Picked(None),
     }
 }
 
@@ -143,11 +147,11 @@ fn read_program(path: &Path) -> Result<(Box<Document>, Vec<ProgramWarning>), Mes
     Ok((Box::new(document), warnings))
 }
 
-fn read_cycle_file(file: CycleFile, path: &Path) -> CyclesCommand {
+fn read_cycle_file(file: CycleFile, path: &Path) -> Command {
     match file {
-        CycleFile::Contacts => CyclesCommand::ContactsRead { name: name(path), result: read_contacts(path) },
-        CycleFile::Bench => CyclesCommand::BenchRead(read_bench(path)),
-        CycleFile::Probes => CyclesCommand::ProbesRead { name: name(path), result: read_probes(path) },
+        CycleFile::Contacts => WorkpieceCommand::ContactsRead { name: name(path), result: read_contacts(path) }.into(),
+        CycleFile::Bench => WorkpieceCommand::Read(read_bench(path)).into(),
+        CycleFile::Probes => CyclesCommand::ProbesRead { name: name(path), result: read_probes(path) }.into(),
     }
 }
 

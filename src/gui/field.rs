@@ -6,13 +6,12 @@ use std::ops::Range;
 
 use eframe::egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{Align, FontId, Id, Key, Response, Stroke, TextBuffer, TextEdit, Ui};
+use eframe::egui::{Align, Context, FontId, Id, Key, Response, Stroke, TextBuffer, TextEdit, Ui};
 
 use super::keypad;
 use super::theme;
 use super::view::{View, problem};
-use crate::session::{Command, CycleField, CyclesCommand, Field, ProgramCommand, ProgramField, Session};
-use crate::words::Message;
+use crate::session::{Action, Field};
 
 /// How a field looks.
 pub(super) struct Look {
@@ -38,81 +37,8 @@ impl Look {
     }
 }
 
-/// A text field of any page.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Target {
-    /// One that every session has.
-    Field(Field),
-    /// One that a measuring cycle or its workpiece asks for.
-    Cycle(CycleField),
-    /// One of the program page.
-    Program(ProgramField),
-}
-
-impl From<Field> for Target {
-    fn from(field: Field) -> Self {
-        Self::Field(field)
-    }
-}
-
-impl From<CycleField> for Target {
-    fn from(field: CycleField) -> Self {
-        Self::Cycle(field)
-    }
-}
-
-impl From<ProgramField> for Target {
-    fn from(field: ProgramField) -> Self {
-        Self::Program(field)
-    }
-}
-
-impl Target {
-    /// Its text.
-    pub fn text(self, session: &Session) -> &str {
-        match self {
-            Self::Field(field) => session.inputs().text(field),
-            Self::Cycle(field) => session.cycles().text(field),
-            Self::Program(field) => session.program().text(field),
-        }
-    }
-
-    /// The command that replaces its text.
-    pub fn typed(self, text: String) -> Command {
-        match self {
-            Self::Field(field) => Command::Type(field, text),
-            Self::Cycle(field) => Command::Cycles(CyclesCommand::Type(field, text)),
-            Self::Program(field) => Command::Program(ProgramCommand::Type(field, text)),
-        }
-    }
-
-    /// What Enter does.
-    pub const fn entered(self) -> Option<Command> {
-        match self {
-            Self::Program(ProgramField::Filter) => None,
-            Self::Program(ProgramField::Name | ProgramField::Value) => Some(Command::Program(ProgramCommand::SetValue)),
-            _ => Some(Command::Measure),
-        }
-    }
-
-    fn error(self, session: &Session) -> Option<&Message> {
-        match self {
-            Self::Field(field) => session.error(field),
-            Self::Cycle(field) => session.cycles().error(field),
-            Self::Program(field) => session.program().error(field),
-        }
-    }
-
-    fn culprit(self, session: &Session) -> Option<&Range<usize>> {
-        match self {
-            Self::Field(field) => session.culprit(field),
-            Self::Cycle(_) | Self::Program(_) => None,
-        }
-    }
-}
-
 /// The id of a field, the same wherever it is drawn.
-pub(super) fn id(field: impl Into<Target>) -> Id {
+pub(super) fn id(field: impl Into<Field>) -> Id {
     Id::unique(("field", field.into()))
 }
 
@@ -120,11 +46,11 @@ pub(super) fn id(field: impl Into<Target>) -> Id {
 ///
 /// Tab or a click into the field selects its text, so that typing replaces it; Enter measures and keeps the focus, so
 /// that the next value can come at once.
-pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Target>, name: Id, look: Look) -> Response {
+pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>, name: Id, look: Look) -> Response {
     let field = field.into();
-    let mut text = field.text(view.session).to_owned();
+    let mut text = view.session.text(field).to_owned();
     let id = id(field);
-    let culprit = field.culprit(view.session);
+    let culprit = view.session.culprit(field);
     let font = look.font.clone();
     let marked = |ui: &Ui, buffer: &dyn TextBuffer, _width: f32| {
         let job = underlined(ui, buffer.as_str(), &font, culprit);
@@ -150,15 +76,15 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Target
     }
     let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if entered {
-        if let Some(command) = field.entered() {
-            view.send(command);
+        if let Some(action) = Action::on_enter(field, view.session.page()) {
+            view.act(action);
         }
         response.request_focus();
     }
     if entered || (response.gained_focus() && !response.is_pointer_button_down_on()) {
-        select_all(ui, id, &text);
+        select_all(ui.ctx(), id, &text);
     }
-    if let Some(error) = field.error(view.session) {
+    if let Some(error) = view.session.error(field) {
         let said = view.words.say(error);
         ui.ctx().accesskit_node_builder(id, |node| {
             node.set_invalid(eframe::egui::accesskit::Invalid::True);
@@ -188,17 +114,23 @@ fn underlined(ui: &Ui, text: &str, font: &FontId, culprit: Option<&Range<usize>>
     job
 }
 
-/// Selects the whole text of a field, so that typing replaces it.
-pub(super) fn select_all(ui: &Ui, id: Id, text: &str) {
-    let mut state = TextEditState::load(ui.ctx(), id).unwrap_or_default();
+/// Gives the focus to a field and selects its text, so that typing replaces it.
+pub(super) fn go_to(ctx: &Context, field: Field, text: &str) {
+    ctx.memory_mut(|memory| memory.request_focus(id(field)));
+    select_all(ctx, id(field), text);
+}
+
+/// Selects the whole text of a field.
+pub(super) fn select_all(ctx: &Context, id: Id, text: &str) {
+    let mut state = TextEditState::load(ctx, id).unwrap_or_default();
     let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
     state.cursor.set_char_range(Some(all));
-    state.store(ui.ctx(), id);
+    state.store(ctx, id);
 }
 
 /// What is wrong with a field, below it.
-pub(super) fn error_ui(ui: &mut Ui, view: &View<'_>, field: impl Into<Target>) {
-    if let Some(error) = field.into().error(view.session) {
+pub(super) fn error_ui(ui: &mut Ui, view: &View<'_>, field: impl Into<Field>) {
+    if let Some(error) = view.session.error(field) {
         problem(ui, view.words.say(error));
     }
 }

@@ -4,10 +4,9 @@
 
 use eframe::egui::{Align2, Button, Grid, Id, RichText, Ui, Window, vec2};
 
-use super::field::Target;
 use super::theme::{self, sizes, space};
 use super::view::View;
-use crate::session::{Command, Field, Page, TablesCommand};
+use crate::session::{Action, CheckField, Field, Page};
 
 /// What a key does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,7 +30,7 @@ fn target_id() -> Id {
 }
 
 /// Remembers the field that the keypad types into.
-pub(super) fn aim(ui: &Ui, field: Target) {
+pub(super) fn aim(ui: &Ui, field: Field) {
     ui.data_mut(|data| data.insert_temp(target_id(), field));
 }
 
@@ -40,7 +39,7 @@ pub(super) fn keypad_ui(ui: &Ui, view: &mut View<'_>) {
     if !view.session.has_keypad() {
         return;
     }
-    let field = ui.data(|data| data.get_temp(target_id())).unwrap_or(Target::Field(Field::Measured));
+    let field = ui.data(|data| data.get_temp(target_id())).unwrap_or(Field::Check(CheckField::Measured));
     Window::new(view.text("keypad"))
         .id(Id::unique("keypad"))
         .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -space(4.0)))
@@ -58,7 +57,7 @@ pub(super) fn keypad_ui(ui: &Ui, view: &mut View<'_>) {
         });
 }
 
-fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Target, key: Key) {
+fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, key: Key) {
     let decimal = view.words.language().decimal_sign();
     let (shown, name) = match key {
         Key::Type(' ') => (view.text("key-blank"), view.text("key-blank")),
@@ -74,18 +73,17 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Target, key: Key) {
     if !ui.add_sized(size, button).accessible_name(name).clicked() {
         return;
     }
-    let mut text = field.text(view.session).to_owned();
+    let mut text = view.session.text(field).to_owned();
     match key {
         Key::Type('.') => text.push(decimal),
         Key::Type(figure) => text.push(figure),
         Key::Back => _ = text.pop(),
         Key::Clear => text.clear(),
-        Key::Measure if view.session.page() == Page::Tables => {
-            return view.send(Command::Tables(TablesCommand::SetCell));
-        }
         Key::Measure => {
-            if let Some(command) = field.entered() {
-                view.send(command);
+            let page = view.session.page();
+            let set = (page == Page::Tables).then_some(Action::SetCell);
+            if let Some(action) = set.or_else(|| Action::on_enter(field, page)) {
+                view.act(action);
             }
             return;
         }

@@ -8,6 +8,7 @@
 //! | `theme` | colours, sizes, fonts |
 //! | `check`, `fit`, `cycles`, `tables`, `program` | the pages |
 //! | `top_bar`, `dialogs` | what belongs to every page |
+//! | `view`, `keys` | actions as buttons, entries of menus and keys |
 //! | `class_chooser`, `field`, `keypad`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! No decision and no arithmetic on lengths happens here; egui is named nowhere else.
@@ -21,6 +22,7 @@ mod effects;
 mod field;
 mod fit;
 mod keypad;
+mod keys;
 mod popup;
 mod program;
 mod shapes;

@@ -1,12 +1,13 @@
 //! What every panel gets: the state, the words, and a place to put its commands.
 
-use eframe::egui::{self, RichText, Ui};
+use eframe::egui::{self, Button, Response, RichText, Ui};
 use egui_plot::Plot;
 
+use super::keys::told;
 use super::theme;
 use crate::journal::Record;
 use crate::length::{Length, Unit};
-use crate::session::{Command, Session};
+use crate::session::{Action, Command, Session};
 use crate::words::Words;
 
 /// The arguments of every panel.
@@ -21,13 +22,74 @@ pub(super) struct View<'a> {
 
 impl View<'_> {
     /// Sends a command.
-    pub fn send(&mut self, command: Command) {
-        self.commands.push(command);
+    pub fn send(&mut self, command: impl Into<Command>) {
+        self.commands.push(command.into());
     }
 
     /// A text by name.
     pub fn text(&self, id: &str) -> String {
         self.words.get(id)
+    }
+
+    /// Does an action, as its button and its keys do: nothing where it is not possible.
+    pub fn act(&mut self, action: Action) {
+        self.commands.extend(action.command(self.session));
+    }
+
+    /// A button with the name of an action.
+    pub fn named(&self, action: Action) -> Button<'static> {
+        Button::new(action.text(self.session, self.words))
+    }
+
+    /// Draws an action as a button.
+    pub fn button(&mut self, ui: &mut Ui, action: Action) -> Response {
+        let button = self.named(action);
+        self.button_as(ui, action, button)
+    }
+
+    /// The same with a button of another look. Its keys show under the pointer.
+    pub fn button_as(&mut self, ui: &mut Ui, action: Action, button: Button<'_>) -> Response {
+        let mut response = ui.add_enabled(self.session.can(action), button);
+        let keys = action.shortcut_on(self.session.page()).map(|keys| told(ui, keys));
+        let hint: Vec<String> = action.hint().map(|id| self.text(id)).into_iter().chain(keys).collect();
+        if !hint.is_empty() {
+            response = response.on_hover_text(hint.join("\n"));
+        }
+        if response.clicked() {
+            self.act(action);
+        }
+        response
+    }
+
+    /// Draws an action as an entry of a menu, with its keys behind it.
+    pub fn menu_item(&mut self, ui: &mut Ui, action: Action) {
+        let name = action.text(self.session, self.words);
+        let mut button = Button::new(&name);
+        if let Some(keys) = action.shortcut_on(self.session.page()) {
+            button = button.shortcut_text(told(ui, keys));
+        }
+        if ui.add_enabled(self.session.can(action), button).accessible_name(name).clicked() {
+            self.act(action);
+            ui.close();
+        }
+    }
+
+    /// Draws an action as one of several choices; answers whether it was taken.
+    pub fn radio(&mut self, ui: &mut Ui, action: Action) -> bool {
+        let is_on = action.is_on(self.session).unwrap_or(false);
+        let is_taken = ui.radio(is_on, action.text(self.session, self.words)).clicked();
+        if is_taken {
+            self.act(action);
+        }
+        is_taken
+    }
+
+    /// Draws an action that switches something on and off.
+    pub fn checkbox(&mut self, ui: &mut Ui, action: Action) {
+        let mut is_on = action.is_on(self.session).unwrap_or(false);
+        if ui.checkbox(&mut is_on, action.text(self.session, self.words)).clicked() {
+            self.act(action);
+        }
     }
 }
 

@@ -4,44 +4,39 @@
 
 use std::path::PathBuf;
 
+use super::check::CheckCommand;
 use super::cycles::CyclesCommand;
+use super::field::Field;
 use super::fit::FitCommand;
-use super::inputs::{Field, MeasureBy};
 use super::program::ProgramCommand;
 use super::tables::TablesCommand;
+use super::workpiece::WorkpieceCommand;
 use crate::control::mask::Mask;
-use crate::exchange::Imported;
 use crate::files::FileError;
-use crate::tolerance::{DeviationTable, Feature, ToleranceClass, iso286};
+use crate::tolerance::{DeviationTable, iso286};
 use crate::words::{Language, Message};
 
 /// A change of the state.
 #[derive(Debug, Clone)]
 pub enum Command {
+    /// Does something on the check page.
+    Check(CheckCommand),
+    /// Does something on the fit page.
+    Fit(FitCommand),
+    /// Does something on the cycles page.
+    Cycles(CyclesCommand),
+    /// Does something on the table page.
+    Tables(TablesCommand),
+    /// Does something on the program page.
+    Program(ProgramCommand),
+    /// Does something with the simulated workpiece or recorded contacts.
+    Workpiece(WorkpieceCommand),
     /// Opens a page.
     OpenPage(Page),
-    /// Replaces the text of a field. A changed callout clears the result.
-    Type(Field, String),
-    /// Takes a class from the chooser; the nominal size stays.
-    ChooseClass(ToleranceClass),
-    /// Says whether a hole or a shaft is meant, for a callout that does not say it.
-    ChooseFeature(Feature),
-    /// Chooses where the next measurement comes from.
-    MeasureBy(MeasureBy),
+    /// Goes to a field and selects its text.
+    GoTo(Field),
     /// Shows or hides the keypad.
     ShowKeypad(bool),
-    /// Measures and judges on the check page, runs the cycle on the cycles page.
-    Measure,
-    /// Clears the result and the typed value; the history stays.
-    ClearResult,
-    /// Shows a record of the history again, by its number.
-    Show(usize),
-    /// Marks a record for the report, or takes the mark off.
-    Choose(usize, bool),
-    /// Empties the history.
-    ClearHistory,
-    /// Takes back the last change of the history.
-    Undo,
     /// Speaks another language.
     SetLanguage(Language),
     /// Light, dark, or as the system.
@@ -64,13 +59,6 @@ pub enum Command {
     AskToLeave,
     /// Closes the window whatever is unsaved, or goes on.
     Leave(bool),
-    /// A file was read and understood, or not.
-    Imported {
-        /// Its name without the folder.
-        name: String,
-        /// What it holds.
-        result: Result<Box<Imported>, Message>,
-    },
     /// A mask was read, or not.
     MaskRead {
         /// Its name without the folder.
@@ -98,16 +86,42 @@ pub enum Command {
         /// Whether.
         result: Result<(), FileError>,
     },
-    /// Puts the status window's text on the clipboard.
-    CopyStatus,
-    /// Does something on the fit page.
-    Fit(FitCommand),
-    /// Does something on the table page.
-    Tables(TablesCommand),
-    /// Does something on the cycles page.
-    Cycles(CyclesCommand),
-    /// Does something on the program page.
-    Program(ProgramCommand),
+}
+
+impl From<CheckCommand> for Command {
+    fn from(command: CheckCommand) -> Self {
+        Self::Check(command)
+    }
+}
+
+impl From<FitCommand> for Command {
+    fn from(command: FitCommand) -> Self {
+        Self::Fit(command)
+    }
+}
+
+impl From<CyclesCommand> for Command {
+    fn from(command: CyclesCommand) -> Self {
+        Self::Cycles(command)
+    }
+}
+
+impl From<TablesCommand> for Command {
+    fn from(command: TablesCommand) -> Self {
+        Self::Tables(command)
+    }
+}
+
+impl From<ProgramCommand> for Command {
+    fn from(command: ProgramCommand) -> Self {
+        Self::Program(command)
+    }
+}
+
+impl From<WorkpieceCommand> for Command {
+    fn from(command: WorkpieceCommand) -> Self {
+        Self::Workpiece(command)
+    }
 }
 
 /// What a file dialog is for.
@@ -149,7 +163,7 @@ pub enum CycleFile {
 }
 
 /// A page of the window.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Page {
     /// One part: good, rework or scrap.
@@ -171,7 +185,7 @@ impl Page {
 }
 
 /// What limits are looked up in after the user's own tables.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SourceChoice {
     /// ISO 286.
@@ -182,7 +196,7 @@ pub enum SourceChoice {
 }
 
 /// Light or dark.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Theme {
     /// As the system has it.
@@ -199,7 +213,7 @@ pub enum Theme {
 pub enum Effect {
     /// Show the system's file dialog and send [`Command::Picked`].
     Browse(Purpose),
-    /// Read measurements and send [`Command::Imported`].
+    /// Read measurements and send [`CheckCommand::Imported`].
     Import(PathBuf),
     /// Read a mask and send [`Command::MaskRead`].
     ReadMask(PathBuf),
@@ -207,7 +221,7 @@ pub enum Effect {
     ReadTables(PathBuf),
     /// Read one table and send [`TablesCommand::Read`].
     ReadTable(PathBuf),
-    /// Read a file for the cycles page and send [`Command::Cycles`].
+    /// Read a file for the cycles page and send [`Command::Cycles`] or [`Command::Workpiece`].
     ReadCycleFile(CycleFile, PathBuf),
     /// Read an NC program and send [`ProgramCommand::Read`].
     ReadProgram(PathBuf),
@@ -217,4 +231,6 @@ pub enum Effect {
     Leave,
     /// Put a text on the clipboard.
     Copy(String),
+    /// Give the focus to a field and select its text.
+    Focus(Field),
 }

@@ -5,24 +5,25 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
+use super::Session;
 use super::command::{Effect, Purpose};
-use super::{Dialog, MaskChoice, Notice, Session, measuring};
+use super::shared::{MaskChoice, News};
 use crate::control::mask::Mask;
-use crate::exchange::Imported;
 use crate::files::FileError;
-use crate::report;
-use crate::tolerance::{DeviationTable, Sources};
+use crate::journal::Record;
+use crate::report::{RENDERINGS, Report};
+use crate::tolerance::DeviationTable;
 use crate::words::{Message, Say as _, Words};
 
 impl Session {
     pub(super) fn open_dialog(&mut self, purpose: Purpose) {
         let path = match purpose {
             Purpose::Export(format) => {
-                let ending = report::RENDERINGS.get(format).and_then(|rendering| rendering.endings.first());
+                let ending = RENDERINGS.get(format).and_then(|rendering| rendering.endings.first());
                 ending.map(|ending| format!("fitcheck.{ending}")).unwrap_or_default()
             }
             Purpose::ExportStatus => "fitcheck-status.txt".to_owned(),
-            Purpose::SaveTable(format) => self.table_file_name(format),
+            Purpose::SaveTable(format) => self.tables.file_name(format),
             Purpose::SaveBench => "workpiece.toml".to_owned(),
             Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
             Purpose::Import
@@ -32,149 +33,80 @@ impl Session {
             | Purpose::OpenCycleFile(_)
             | Purpose::OpenProgram => String::new(),
         };
-        self.dialog = Some(Dialog { purpose, path, problem: None, busy: false });
+        self.shared.open_dialog(purpose, path);
     }
 
     pub(super) fn picked(&mut self, path: Option<PathBuf>, now: DateTime) -> Vec<Effect> {
-        let (Some(dialog), Some(path)) = (&mut self.dialog, path) else { return Vec::new() };
+        let (Some(dialog), Some(path)) = (&mut self.shared.dialog, path) else { return Vec::new() };
         dialog.path = path.display().to_string();
         self.confirm(now)
     }
 
     pub(super) fn confirm(&mut self, now: DateTime) -> Vec<Effect> {
-        let Some(dialog) = self.dialog.as_ref().filter(|dialog| !dialog.busy) else { return Vec::new() };
-        let text = dialog.path.trim();
-        if text.is_empty() {
-            self.refuse_dialog(Message::new("dialog-no-path"));
-            return Vec::new();
-        }
-        let path = PathBuf::from(text);
-        let purpose = dialog.purpose;
-        let effect = match purpose {
-            Purpose::Import => Effect::Import(path),
-            Purpose::LoadMask => Effect::ReadMask(path),
-            Purpose::LoadTables => Effect::ReadTables(path),
-            Purpose::OpenTable if !self.settle_cell() => {
-                self.refuse_dialog(Message::new("tables-cell-unreadable"));
-                return Vec::new();
+        let Some(dialog) = self.shared.dialog.as_ref().filter(|dialog| !dialog.busy) else { return Vec::new() };
+        let (purpose, path) = (dialog.purpose, PathBuf::from(dialog.path.trim()));
+        match self.errand(purpose, path, now) {
+            Ok(effect) => {
+                if let Some(dialog) = &mut self.shared.dialog {
+                    (dialog.busy, dialog.problem) = (true, None);
+                }
+                vec![effect]
             }
-            Purpose::OpenTable => Effect::ReadTable(path),
-            Purpose::SaveTable(format) => match self.table_bytes(format, &path) {
-                Ok(bytes) => Effect::Save(path, bytes),
-                Err(problem) => {
-                    self.refuse_dialog(problem);
-                    return Vec::new();
-                }
-            },
-            Purpose::Export(format) => match self.export(format, now) {
-                Ok(bytes) => Effect::Save(path, bytes),
-                Err(problem) => {
-                    self.refuse_dialog(problem);
-                    return Vec::new();
-                }
-            },
-            Purpose::OpenCycleFile(file) => Effect::ReadCycleFile(file, path),
-            Purpose::OpenProgram => Effect::ReadProgram(path),
-            Purpose::SaveBench => match self.bench_bytes() {
-                Ok(bytes) => Effect::Save(path, bytes),
-                Err(problem) => {
-                    self.refuse_dialog(problem);
-                    return Vec::new();
-                }
-            },
+            Err(problem) => {
+                self.shared.refuse_dialog(problem);
+                Vec::new()
+            }
+        }
+    }
+
+    /// What a dialog asks of the world outside, or why not.
+    fn errand(&mut self, purpose: Purpose, path: PathBuf, now: DateTime) -> Result<Effect, Message> {
+        if path.as_os_str().is_empty() {
+            return Err(Message::new("dialog-no-path"));
+        }
+        let bytes = match purpose {
+            Purpose::Import => return Ok(Effect::Import(path)),
+            Purpose::LoadMask => return Ok(Effect::ReadMask(path)),
+            Purpose::LoadTables => return Ok(Effect::ReadTables(path)),
+            Purpose::OpenTable if !self.tables.settle_cell(&mut self.shared) => {
+                return Err(Message::new("tables-cell-unreadable"));
+            }
+            Purpose::OpenTable => return Ok(Effect::ReadTable(path)),
+            Purpose::OpenCycleFile(file) => return Ok(Effect::ReadCycleFile(file, path)),
+            Purpose::OpenProgram => return Ok(Effect::ReadProgram(path)),
+            Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?,
+            Purpose::Export(format) => self.export(format, now)?,
+            Purpose::SaveBench => self.shared.workpiece.bytes()?,
             Purpose::SaveCycleLog => {
-                let Some(log) = self.cycles.log() else {
-                    self.refuse_dialog(Message::new("cycles-no-log"));
-                    return Vec::new();
-                };
-                Effect::Save(path, log.bytes.clone())
+                let log = self.cycles.log().ok_or_else(|| Message::new("cycles-no-log"))?;
+                log.bytes.clone()
             }
             Purpose::ExportStatus => {
-                let Some(text) = self.status_text() else {
-                    self.refuse_dialog(Message::new("dialog-no-status"));
-                    return Vec::new();
-                };
-                Effect::Save(path, text.into_bytes())
+                let text = self.check.status_text().ok_or_else(|| Message::new("dialog-no-status"))?;
+                text.as_bytes().to_vec()
             }
         };
-        if let Some(dialog) = &mut self.dialog {
-            (dialog.busy, dialog.problem) = (true, None);
-        }
-        vec![effect]
-    }
-
-    fn refuse_dialog(&mut self, problem: Message) {
-        if let Some(dialog) = &mut self.dialog {
-            (dialog.busy, dialog.problem) = (false, Some(problem));
-        }
-    }
-
-    /// Whether the dialog that sent a file to work is still open; it may have been closed, and another one opened.
-    fn dialog_waits(&self) -> bool {
-        self.dialog.as_ref().is_some_and(|dialog| dialog.busy)
-    }
-
-    /// The file that a dialog asked for is done.
-    pub(super) fn file_done(&mut self) {
-        if self.dialog_waits() {
-            self.dialog = None;
-        }
-    }
-
-    /// The file that a dialog asked for could not be read or written: told in any case.
-    pub(super) fn file_failed(&mut self, problem: Message) {
-        if self.dialog_waits() { self.refuse_dialog(problem) } else { self.tell(problem) }
+        Ok(Effect::Save(path, bytes))
     }
 
     /// The chosen records, or all of them when none is chosen, as a file's bytes.
     fn export(&self, format: usize, now: DateTime) -> Result<Vec<u8>, Message> {
-        let all = self.history.iter().enumerate();
-        let wanted = all.filter(|(number, _)| self.chosen.is_empty() || self.chosen.contains(number));
-        let words = Words::new(self.language);
-        measuring::export(format, wanted.map(|(_, record)| record.as_ref().clone()).collect(), &words, now)
-    }
-
-    pub(super) fn status_text(&self) -> Option<String> {
-        self.shown.as_ref().and_then(|shown| shown.window.clone().ok())
+        let Some(rendering) = RENDERINGS.get(format) else { return Err(Message::new("dialog-no-path")) };
+        let records: Vec<Record> = self.shared.history.for_report().map(|record| record.as_ref().clone()).collect();
+        let words = Words::new(self.shared.language);
+        (rendering.render)(&Report::new(now, records), &words).map_err(|error| error.message())
     }
 
     pub(super) fn close(&mut self) {
-        if self.dialog.take().is_none() && !self.notices.is_empty() {
-            self.notices.remove(0);
+        if self.shared.dialog.take().is_none() && !self.shared.notices.is_empty() {
+            self.shared.notices.remove(0);
         }
-    }
-
-    pub(super) fn imported(&mut self, name: &str, result: Result<Box<Imported>, Message>, now: DateTime) {
-        let imported = match result {
-            Ok(imported) => *imported,
-            Err(problem) => {
-                self.file_failed(problem);
-                return;
-            }
-        };
-        self.file_done();
-        self.notices.push(measuring::import_notice(name, &imported));
-        let mut records: Vec<_> = imported.records.into_iter().map(Arc::new).collect();
-        if let Some(contacts) = imported.contacts {
-            match measuring::judge_contacts(name, &contacts, &self.asked, now) {
-                Ok(record) => records.push(Arc::new(record)),
-                Err(problem) => self.tell(problem),
-            }
-        }
-        self.add(records);
     }
 
     pub(super) fn mask_read(&mut self, name: String, result: Result<(Box<Mask>, Vec<Message>), Message>) {
-        match result {
-            Ok((mask, details)) => {
-                self.file_done();
-                if !details.is_empty() {
-                    let message = Message::new("mask-loaded-with-warnings").text("name", &name);
-                    self.notices.push(Notice { message, details, is_problem: false });
-                }
-                self.set_mask(MaskChoice::Own { name, mask: Arc::new(*mask) });
-            }
-            Err(problem) => self.file_failed(problem),
+        if let Some((mask, details)) = self.shared.from_file(result) {
+            self.shared.note_details(Message::new("mask-loaded-with-warnings").text("name", &name), details);
+            self.shared.set_mask(MaskChoice::Own { name, mask: Arc::new(*mask) });
         }
     }
 
@@ -183,41 +115,24 @@ impl Session {
         folder: PathBuf,
         result: Result<(Vec<DeviationTable>, Vec<Message>), Message>,
     ) {
-        match result {
-            Ok((tables, details)) => {
-                self.file_done();
-                let count = tables.len();
-                let message = Message::new("tables-loaded").count("count", count).text("folder", folder.display());
-                self.notices.push(Notice { message, details, is_problem: false });
-                self.use_tables(tables, Some(folder));
-            }
-            Err(problem) => self.file_failed(problem),
+        if let Some((tables, details)) = self.shared.from_file(result) {
+            let message = Message::new("tables-loaded").count("count", tables.len()).text("folder", folder.display());
+            self.shared.note(message, details);
+            self.use_tables(tables, Some(folder));
         }
     }
 
     pub(super) fn use_tables(&mut self, own: Vec<DeviationTable>, folder: Option<PathBuf>) {
-        self.tables_folder = folder;
-        let sources = self.sources.as_ref().clone().with_own(own);
-        self.use_sources(sources);
-        self.folder_of_tables_changed();
-    }
-
-    /// Limits from elsewhere: no verdict stays beside limits that it was not made with.
-    pub(super) fn use_sources(&mut self, sources: Sources) {
-        self.sources = Arc::new(sources);
-        self.callout_changed(true);
-        self.sources_of_tables_changed();
+        self.shared.tables_folder = folder;
+        let sources = self.shared.sources.as_ref().clone().with_own(own);
+        self.shared.use_sources(sources);
+        self.shared.spread(News::OwnTables);
     }
 
     pub(super) fn saved_file(&mut self, path: &Path, result: Result<(), FileError>) {
-        match result {
-            Ok(()) => {
-                self.file_done();
-                self.table_saved(path);
-                let message = Message::new("file-written").text("path", path.display());
-                self.notices.push(Notice { message, details: Vec::new(), is_problem: false });
-            }
-            Err(error) => self.file_failed(error.message()),
+        if self.shared.from_file(result.map_err(|error| error.message())).is_some() {
+            self.tables.saved(path);
+            self.shared.note(Message::new("file-written").text("path", path.display()), Vec::new());
         }
     }
 }

@@ -9,7 +9,7 @@ use assert_cmd::cargo::cargo_bin_cmd;
 use fitcheck::exchange::import;
 use fitcheck::files::FileError;
 use fitcheck::report::RENDERINGS;
-use fitcheck::session::{Command, Effect, Field, MeasureBy, Purpose, Session};
+use fitcheck::session::{CheckCommand, CheckField, Command, Effect, Field, MeasureBy, Purpose, Session};
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Message, Say as _, Words};
@@ -28,26 +28,33 @@ fn run(session: &mut Session, commands: impl IntoIterator<Item = Command>) -> Ve
     commands.into_iter().map(|command| session.apply(command, now())).last().unwrap_or_default()
 }
 
-fn typed(field: Field, text: &str) -> Command {
-    Command::Type(field, text.to_owned())
+fn typed(field: impl Into<Field>, text: &str) -> Command {
+    field.into().typed(text.to_owned())
 }
 
 /// Types a callout and a diameter and measures.
 fn measure(session: &mut Session, callout: &str, measured: &str) {
-    run(session, [typed(Field::Callout, callout), typed(Field::Measured, measured), Command::Measure]);
+    run(
+        session,
+        [
+            typed(CheckField::Callout, callout),
+            typed(CheckField::Measured, measured),
+            Command::Check(CheckCommand::Measure),
+        ],
+    );
 }
 
 fn status(session: &Session) -> Option<Status> {
-    session.shown().map(|shown| shown.record.verdict.status())
+    session.check().shown().map(|shown| shown.record.verdict.status())
 }
 
 fn window(session: &Session) -> &str {
-    session.shown().unwrap().window.as_ref().unwrap()
+    session.check().shown().unwrap().window.as_ref().unwrap()
 }
 
 /// The limits on screen, mm.
 fn limits(session: &Session) -> Option<(String, String)> {
-    session.asked().limits().map(|limits| (limits.minimum().to_string(), limits.maximum().to_string()))
+    session.check().asked().limits().map(|limits| (limits.minimum().to_string(), limits.maximum().to_string()))
 }
 
 fn mm(minimum: &str, maximum: &str) -> (String, String) {
@@ -57,19 +64,19 @@ fn mm(minimum: &str, maximum: &str) -> (String, String) {
 /// No verdict beside limits that it was not made with.
 #[track_caller]
 fn check_limits_belong_to_the_verdict(session: &Session) {
-    if let Some(shown) = session.shown() {
-        assert_eq!(session.asked().limits(), Some(&shown.record.limits));
+    if let Some(shown) = session.check().shown() {
+        assert_eq!(session.check().asked().limits(), Some(&shown.record.limits));
     }
 }
 
-fn told(session: &Session, field: Field) -> Option<String> {
-    session.asked().error(field).map(|problem| Words::new(session.language()).say(problem))
+fn told(session: &Session, field: CheckField) -> Option<String> {
+    session.check().asked().error(field).map(|problem| Words::new(session.language()).say(problem))
 }
 
 /// What the world outside answers when a file of these bytes is imported.
 fn imported(session: &Session, name: &str, bytes: &[u8]) -> Command {
     let imported = import(name, bytes, session.sources(), now());
-    Command::Imported { name: name.to_owned(), result: Ok(Box::new(imported)) }
+    Command::Check(CheckCommand::Imported { name: name.to_owned(), result: Ok(Box::new(imported)) })
 }
 
 fn log() -> Vec<u8> {
@@ -89,21 +96,24 @@ fn limits_follow_as_the_callout_is_typed() {
         ("25,5 h6", Some(mm("25.487", "25.5"))),
         ("", None),
     ] {
-        run(&mut session, [typed(Field::Callout, text)]);
+        run(&mut session, [typed(CheckField::Callout, text)]);
         assert_eq!(limits(&session), expected, "{text:?}");
-        assert_eq!(told(&session, Field::Callout).is_some(), expected.is_none() && !text.is_empty(), "{text:?}");
+        assert_eq!(told(&session, CheckField::Callout).is_some(), expected.is_none() && !text.is_empty(), "{text:?}");
     }
 }
 
 #[test]
 fn nominal_size_and_class_are_two_halves_of_the_callout() {
     let mut session = session();
-    run(&mut session, [typed(Field::Nominal, "25"), Command::ChooseClass("H7".parse().unwrap())]);
-    assert_eq!(session.inputs().text(Field::Callout), "25 H7");
-    run(&mut session, [typed(Field::Nominal, "30")]);
-    assert_eq!((session.inputs().text(Field::Callout), limits(&session)), ("30 H7", Some(mm("30", "30.021"))));
-    run(&mut session, [typed(Field::Callout, "40 g6")]);
-    assert_eq!(session.inputs().text(Field::Nominal), "40");
+    run(
+        &mut session,
+        [typed(CheckField::Nominal, "25"), Command::Check(CheckCommand::ChooseClass("H7".parse().unwrap()))],
+    );
+    assert_eq!(session.text(CheckField::Callout), "25 H7");
+    run(&mut session, [typed(CheckField::Nominal, "30")]);
+    assert_eq!((session.text(CheckField::Callout), limits(&session)), ("30 H7", Some(mm("30", "30.021"))));
+    run(&mut session, [typed(CheckField::Callout, "40 g6")]);
+    assert_eq!(session.text(CheckField::Nominal), "40");
 }
 
 #[test]
@@ -121,14 +131,14 @@ fn typed_values_are_judged() {
 #[test]
 fn what_cannot_be_measured_is_told_beside_its_field_and_changes_nothing() {
     let mut session = session();
-    run(&mut session, [Command::Measure]);
-    assert!(told(&session, Field::Callout).is_some());
+    run(&mut session, [Command::Check(CheckCommand::Measure)]);
+    assert!(told(&session, CheckField::Callout).is_some());
     for measured in ["", "abc", "0", "-25", "25.0000001", "1.234,5"] {
         measure(&mut session, "25 H7", measured);
-        assert!(told(&session, Field::Measured).is_some(), "{measured:?}");
+        assert!(told(&session, CheckField::Measured).is_some(), "{measured:?}");
     }
     measure(&mut session, "25 Q7", "25");
-    assert!(told(&session, Field::Callout).unwrap().starts_with("Q7 is no class of ISO 286"));
+    assert!(told(&session, CheckField::Callout).unwrap().starts_with("Q7 is no class of ISO 286"));
     assert_eq!((session.history().len(), status(&session), session.can_undo()), (0, None, false));
 }
 
@@ -136,11 +146,19 @@ fn what_cannot_be_measured_is_told_beside_its_field_and_changes_nothing() {
 fn the_same_seed_measures_the_same_and_counts_up() {
     let measured = |seed| {
         let mut session = session();
-        let by = Command::MeasureBy(MeasureBy::Simulating);
-        run(&mut session, [typed(Field::Callout, "25 H7"), by, typed(Field::Seed, seed), Command::Measure]);
-        assert_eq!(session.inputs().text(Field::Seed), (seed.parse::<u64>().unwrap() + 1).to_string());
+        let by = Command::Check(CheckCommand::MeasureBy(MeasureBy::Simulating));
+        run(
+            &mut session,
+            [
+                typed(CheckField::Callout, "25 H7"),
+                by,
+                typed(CheckField::Seed, seed),
+                Command::Check(CheckCommand::Measure),
+            ],
+        );
+        assert_eq!(session.text(CheckField::Seed), (seed.parse::<u64>().unwrap() + 1).to_string());
         check_limits_belong_to_the_verdict(&session);
-        session.shown().unwrap().record.measurement.clone()
+        session.check().shown().unwrap().record.measurement.clone()
     };
     assert_eq!(measured("7"), measured("7"));
     assert_ne!(measured("7"), measured("8"));
@@ -149,22 +167,22 @@ fn the_same_seed_measures_the_same_and_counts_up() {
 #[test]
 fn a_changed_callout_clears_the_verdict_and_the_value_it_was_made_of() {
     for change in [
-        typed(Field::Callout, "25 H8"),
-        typed(Field::Callout, "25 X"),
-        typed(Field::Nominal, "26"),
-        Command::ChooseClass("g6".parse().unwrap()),
+        typed(CheckField::Callout, "25 H8"),
+        typed(CheckField::Callout, "25 X"),
+        typed(CheckField::Nominal, "26"),
+        Command::Check(CheckCommand::ChooseClass("g6".parse().unwrap())),
         Command::NoOwnTables,
     ] {
         let mut session = session();
         measure(&mut session, "25 H7", "25.012");
         run(&mut session, [change.clone()]);
-        assert_eq!((status(&session), session.inputs().text(Field::Measured)), (None, ""), "{change:?}");
+        assert_eq!((status(&session), session.text(CheckField::Measured)), (None, ""), "{change:?}");
         assert_eq!(session.history().len(), 1);
     }
     // A value that nobody has judged yet stays.
     let mut session = session();
-    run(&mut session, [typed(Field::Measured, "25.012"), typed(Field::Callout, "25 H7")]);
-    assert_eq!(session.inputs().text(Field::Measured), "25.012");
+    run(&mut session, [typed(CheckField::Measured, "25.012"), typed(CheckField::Callout, "25 H7")]);
+    assert_eq!(session.text(CheckField::Measured), "25.012");
 }
 
 #[test]
@@ -172,13 +190,13 @@ fn a_check_from_the_history_brings_its_callout_back() {
     let mut session = session();
     measure(&mut session, "25 H7", "25.012");
     measure(&mut session, "40 g6", "39.9");
-    run(&mut session, [Command::Show(0)]);
-    assert_eq!(session.inputs().text(Field::Callout), "25 H7");
-    assert_eq!((session.inputs().text(Field::Nominal), limits(&session)), ("25", Some(mm("25", "25.021"))));
+    run(&mut session, [Command::Check(CheckCommand::Show(0))]);
+    assert_eq!(session.text(CheckField::Callout), "25 H7");
+    assert_eq!((session.text(CheckField::Nominal), limits(&session)), ("25", Some(mm("25", "25.021"))));
     assert_eq!(status(&session), Some(Status::Good));
-    run(&mut session, [Command::Show(1)]);
+    run(&mut session, [Command::Check(CheckCommand::Show(1))]);
     assert_eq!((status(&session), limits(&session)), (Some(Status::Scrap), Some(mm("39.975", "39.991"))));
-    run(&mut session, [Command::Show(2), Command::Choose(2, true)]);
+    run(&mut session, [Command::Check(CheckCommand::Show(2)), Command::Check(CheckCommand::Choose(2, true))]);
     assert_eq!((status(&session), session.chosen_count()), (Some(Status::Scrap), 0));
 }
 
@@ -188,22 +206,24 @@ fn limits_of_a_log_stay_while_its_verdict_is_shown() {
     measure(&mut session, "25 H7", "25.012");
     let answer = imported(&session, "TCHPR421.TXT", &log());
     run(&mut session, [answer]);
-    let record = Arc::clone(&session.shown().unwrap().record);
+    let record = Arc::clone(&session.check().shown().unwrap().record);
     assert_eq!(record.callout, None);
     // The callout in the field belonged to other limits.
-    assert_eq!(session.inputs().text(Field::Callout), "");
-    for change in [typed(Field::Part, "Bore A"), typed(Field::Measured, "9.9"), typed(Field::CentreX, "1")] {
+    assert_eq!(session.text(CheckField::Callout), "");
+    for change in
+        [typed(CheckField::Part, "Bore A"), typed(CheckField::Measured, "9.9"), typed(CheckField::CentreX, "1")]
+    {
         run(&mut session, [change]);
-        assert!(session.shown().is_some());
+        assert!(session.check().shown().is_some());
         check_limits_belong_to_the_verdict(&session);
     }
     // The next check is made with the limits on screen, and the typed value stays readable.
-    run(&mut session, [typed(Field::Measured, "10.001"), Command::Measure]);
-    assert_eq!((session.history().len(), session.inputs().text(Field::Measured)), (3, "10.001"));
-    assert_eq!(session.shown().unwrap().record.limits, record.limits);
-    run(&mut session, [Command::Show(0)]);
-    assert_eq!((session.inputs().text(Field::Callout), limits(&session)), ("25 H7", Some(mm("25", "25.021"))));
-    run(&mut session, [Command::Show(1), Command::ClearResult]);
+    run(&mut session, [typed(CheckField::Measured, "10.001"), Command::Check(CheckCommand::Measure)]);
+    assert_eq!((session.history().len(), session.text(CheckField::Measured)), (3, "10.001"));
+    assert_eq!(session.check().shown().unwrap().record.limits, record.limits);
+    run(&mut session, [Command::Check(CheckCommand::Show(0))]);
+    assert_eq!((session.text(CheckField::Callout), limits(&session)), ("25 H7", Some(mm("25", "25.021"))));
+    run(&mut session, [Command::Check(CheckCommand::Show(1)), Command::Check(CheckCommand::Clear)]);
     assert_eq!((status(&session), limits(&session)), (None, None));
 }
 
@@ -212,13 +232,16 @@ fn clearing_the_history_can_be_taken_back() {
     let mut session = session();
     measure(&mut session, "25 H7", "25.012");
     measure(&mut session, "25 H7", "24.998");
-    run(&mut session, [Command::Choose(1, true), Command::ClearHistory]);
+    run(&mut session, [Command::Check(CheckCommand::Choose(1, true)), Command::Check(CheckCommand::ClearHistory)]);
     assert_eq!((session.history().len(), session.chosen_count(), status(&session)), (0, 0, None));
-    run(&mut session, [Command::Undo]);
+    run(&mut session, [Command::Check(CheckCommand::Undo)]);
     assert_eq!((session.history().len(), session.is_chosen(0), session.is_chosen(1)), (2, false, true));
-    run(&mut session, [Command::Undo, Command::Undo, Command::Undo]);
+    run(
+        &mut session,
+        [Command::Check(CheckCommand::Undo), Command::Check(CheckCommand::Undo), Command::Check(CheckCommand::Undo)],
+    );
     assert_eq!((session.history().len(), session.can_undo()), (0, false));
-    run(&mut session, [Command::ClearHistory]);
+    run(&mut session, [Command::Check(CheckCommand::ClearHistory)]);
     assert!(!session.can_undo(), "an empty history is nothing to take back");
 }
 
@@ -235,7 +258,7 @@ fn rows_of_a_file_fill_the_history_and_bad_ones_are_told() {
     let [notice] = session.notices() else { panic!("{:?}", session.notices()) };
     assert_eq!((notice.details.len(), notice.is_problem), (2, false));
     check_limits_belong_to_the_verdict(&session);
-    run(&mut session, [Command::Undo]);
+    run(&mut session, [Command::Check(CheckCommand::Undo)]);
     assert_eq!(session.history().len(), 0, "one import is one step");
 }
 
@@ -244,7 +267,7 @@ fn contacts_are_not_judged_while_the_centres_tolerance_cannot_be_read() {
     let contacts = b"x,y\n12.605,0\n0.1,12.505\n-12.405,0\n0.1,-12.505\n";
     let import = |tolerance: &str| {
         let mut session = session();
-        run(&mut session, [typed(Field::Callout, "25 H7"), typed(Field::CentreTolerance, tolerance)]);
+        run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::CentreTolerance, tolerance)]);
         let answer = imported(&session, "bore.csv", contacts);
         run(&mut session, [answer]);
         session
@@ -257,7 +280,7 @@ fn contacts_are_not_judged_while_the_centres_tolerance_cannot_be_read() {
     assert!(refused.notices().iter().any(|notice| notice.is_problem));
     // What the position does not need, does not stop it.
     let mut session = session();
-    run(&mut session, [typed(Field::Callout, "25 H7"), typed(Field::Height, "high")]);
+    run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Height, "high")]);
     let answer = imported(&session, "bore.csv", contacts);
     run(&mut session, [answer]);
     assert_eq!(status(&session), Some(Status::Good));
@@ -272,9 +295,9 @@ fn contacts_of_a_file_are_judged_by_the_limits_on_screen() {
     assert_eq!(session.history().len(), 0);
     assert!(session.notices().iter().any(|notice| notice.is_problem), "{:?}", session.notices());
     for (callout, expected) in [("25 H7", Status::Good), ("25.1 H7", Status::Rework), ("25 h6", Status::Rework)] {
-        run(&mut session, [typed(Field::Callout, callout), answer.clone()]);
+        run(&mut session, [typed(CheckField::Callout, callout), answer.clone()]);
         assert_eq!(status(&session), Some(expected), "{callout}");
-        assert_eq!(session.shown().unwrap().record.measurement.contacts.len(), 4);
+        assert_eq!(session.check().shown().unwrap().record.measurement.contacts.len(), 4);
     }
 }
 
@@ -293,7 +316,8 @@ fn a_dialog_says_what_is_wrong_and_stays() {
     // A second Enter does not read the file twice.
     assert_eq!(run(&mut session, [Command::Confirm]), []);
     let missing = FileError::Missing { path: "none.csv".into() }.message();
-    let failed = || Command::Imported { name: "none.csv".to_owned(), result: Err(missing.clone()) };
+    let failed =
+        || Command::Check(CheckCommand::Imported { name: "none.csv".to_owned(), result: Err(missing.clone()) });
     run(&mut session, [failed()]);
     assert_eq!((problem(&session), session.dialog().unwrap().busy), (Some("file-missing"), false));
     run(&mut session, [Command::Close]);
@@ -302,7 +326,7 @@ fn a_dialog_says_what_is_wrong_and_stays() {
     run(&mut session, [Command::OpenDialog(Purpose::ExportStatus), Command::Confirm]);
     assert_eq!(problem(&session), Some("dialog-no-status"));
     assert_eq!(run(&mut session, [Command::Picked(None)]), []);
-    assert_eq!(run(&mut session, [Command::CopyStatus]), []);
+    assert_eq!(run(&mut session, [Command::Check(CheckCommand::CopyStatus)]), []);
 }
 
 #[test]
@@ -310,7 +334,7 @@ fn an_answer_after_its_dialog_was_closed_is_told_and_leaves_the_next_dialog_alon
     let path = || PathBuf::from("folder");
     let refusal = || FileError::IsFolder { path: path() };
     let failures: [Command; 4] = [
-        Command::Imported { name: "folder".to_owned(), result: Err(refusal().message()) },
+        Command::Check(CheckCommand::Imported { name: "folder".to_owned(), result: Err(refusal().message()) }),
         Command::MaskRead { name: "folder".to_owned(), result: Err(refusal().message()) },
         Command::TablesRead { folder: path(), result: Err(refusal().message()) },
         Command::Saved { path: path(), result: Err(refusal()) },
@@ -340,7 +364,7 @@ fn another_language_redraws_the_status_window() {
     run(&mut session, [Command::SetMask(None)]);
     assert!(window(&session).starts_with("STATUS VAN DE PASSING: Nabewerking\n"));
     let text = window(&session).to_owned();
-    assert_eq!(run(&mut session, [Command::CopyStatus]), [Effect::Copy(text)]);
+    assert_eq!(run(&mut session, [Command::Check(CheckCommand::CopyStatus)]), [Effect::Copy(text)]);
     assert_eq!((session.history().len(), session.can_undo()), (1, true));
 }
 
@@ -372,7 +396,7 @@ fn only_chosen_checks_are_exported() {
     measure(&mut session, "25 H7", "24.998");
     let csv = RENDERINGS.iter().position(|rendering| rendering.name == "csv").unwrap();
     let dialog = Command::OpenDialog(Purpose::Export(csv));
-    let effects = run(&mut session, [Command::Choose(1, true), dialog, Command::Confirm]);
+    let effects = run(&mut session, [Command::Check(CheckCommand::Choose(1, true)), dialog, Command::Confirm]);
     let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
     let text = String::from_utf8(bytes.clone()).unwrap();
     assert_eq!((path.to_str(), text.lines().count()), (Some("fitcheck.csv"), 2));
@@ -387,16 +411,26 @@ fn only_chosen_checks_are_exported() {
 #[test]
 fn the_other_part_of_a_fit_can_be_chosen_after_a_verdict() {
     let mut session = session();
-    run(&mut session, [typed(Field::Callout, "25 H7/g6"), Command::ChooseFeature(Feature::Hole)]);
-    run(&mut session, [typed(Field::Measured, "25.01"), Command::Measure]);
-    assert_eq!((status(&session), session.asked().needs_feature()), (Some(Status::Good), true));
-    assert_eq!(session.shown().unwrap().record.callout.unwrap().to_string(), "25 H7");
-    run(&mut session, [typed(Field::Part, "Bush")]);
-    assert!(session.asked().needs_feature());
+    run(
+        &mut session,
+        [typed(CheckField::Callout, "25 H7/g6"), Command::Check(CheckCommand::ChooseFeature(Feature::Hole))],
+    );
+    run(&mut session, [typed(CheckField::Measured, "25.01"), Command::Check(CheckCommand::Measure)]);
+    assert_eq!((status(&session), session.check().asked().needs_feature()), (Some(Status::Good), true));
+    assert_eq!(session.check().shown().unwrap().record.callout.unwrap().to_string(), "25 H7");
+    run(&mut session, [typed(CheckField::Part, "Bush")]);
+    assert!(session.check().asked().needs_feature());
     check_limits_belong_to_the_verdict(&session);
-    run(&mut session, [Command::ChooseFeature(Feature::Shaft)]);
+    run(&mut session, [Command::Check(CheckCommand::ChooseFeature(Feature::Shaft))]);
     assert_eq!((status(&session), limits(&session)), (None, Some(mm("24.98", "24.993"))));
-    run(&mut session, [typed(Field::Measured, "24.99"), Command::Measure, Command::Show(0)]);
-    assert_eq!((session.inputs().text(Field::Callout), session.asked().needs_feature()), ("25 H7", false));
+    run(
+        &mut session,
+        [
+            typed(CheckField::Measured, "24.99"),
+            Command::Check(CheckCommand::Measure),
+            Command::Check(CheckCommand::Show(0)),
+        ],
+    );
+    assert_eq!((session.text(CheckField::Callout), session.check().asked().needs_feature()), ("25 H7", false));
     check_limits_belong_to_the_verdict(&session);
 }

@@ -7,13 +7,13 @@ use fitcheck::probing::cycles::CYCLES;
 use fitcheck::probing::simulated::Bench;
 use fitcheck::session::{
     Axis, BenchField, BenchKind, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose,
-    Saved, Session, Step,
+    Saved, Session, Step, WorkpieceCommand,
 };
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 
-fn send(session: &mut Session, command: CyclesCommand) -> Vec<Effect> {
-    session.apply(Command::Cycles(command), jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0))
+fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
+    session.apply(command.into(), jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0))
 }
 
 fn apply(session: &mut Session, command: Command) -> Vec<Effect> {
@@ -57,7 +57,7 @@ fn problem(session: &Session) -> String {
 fn a_run_is_kept_with_its_inputs_and_any_change_clears_it() {
     let mut session = with(427, &FACE);
     let now = |session: &mut Session| {
-        apply(session, Command::Measure);
+        apply(session, Command::Cycles(CyclesCommand::Run));
         assert_eq!(status(session), Some(Status::Good));
     };
     now(&mut session);
@@ -74,16 +74,16 @@ fn a_run_is_kept_with_its_inputs_and_any_change_clears_it() {
         now(&mut session);
         send(&mut session, change.clone());
         assert!(session.cycles().run().is_none(), "{change:?}");
-        assert!(session.cycle_window().is_none());
+        assert!(session.cycles().window(session.drawn_with()).is_none());
     }
     // The simulated workpiece is no input as long as it is not touched.
     now(&mut session);
-    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Diameter), "30".into()));
-    send(&mut session, CyclesCommand::ChooseKind(BenchKind::Face));
+    send(&mut session, WorkpieceCommand::Type(BenchField::Diameter, "30".into()));
+    send(&mut session, WorkpieceCommand::ChooseKind(BenchKind::Face));
     assert!(session.cycles().run().is_some());
     send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
-    apply(&mut session, Command::Measure);
-    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::PointZ), "5".into()));
+    apply(&mut session, Command::Cycles(CyclesCommand::Run));
+    send(&mut session, WorkpieceCommand::Type(BenchField::PointZ, "5".into()));
     assert!(session.cycles().run().is_none());
 }
 
@@ -118,7 +118,7 @@ fn errors_stand_beside_their_field_as_soon_as_typed() {
         let before = session.cycles().text(field(&session, name)).to_owned();
         fill(&mut session, &[setting]);
         assert_eq!(told(&session, name), said);
-        apply(&mut session, Command::Measure);
+        apply(&mut session, Command::Cycles(CyclesCommand::Run));
         assert_eq!(problem(&session), "one field cannot be used: see the form");
         fill(&mut session, &[&format!("{name}={before}")]);
         assert_eq!(told(&session, name), "");
@@ -126,7 +126,7 @@ fn errors_stand_beside_their_field_as_soon_as_typed() {
     fill(&mut session, &["Q263=", "Q264="]);
     assert!(!session.cycles().is_complete());
     assert_eq!(told(&session, "Q263"), "", "nothing typed is no error before the run");
-    apply(&mut session, Command::Measure);
+    apply(&mut session, Command::Cycles(CyclesCommand::Run));
     assert_eq!(told(&session, "Q263"), "Q263 1ST POINT 1ST AXIS is missing");
     assert_eq!(problem(&session), "2 fields cannot be used: see the form");
 }
@@ -142,7 +142,7 @@ fn predef_asks_for_what_it_stands_for() {
         assert!(session.cycles().error(global).is_some(), "{text:?}");
     }
     send(&mut session, CyclesCommand::Type(global, "4".into()));
-    apply(&mut session, Command::Measure);
+    apply(&mut session, Command::Cycles(CyclesCommand::Run));
     let run = session.cycles().run().unwrap();
     assert_eq!(run.found().unwrap().inputs.value(320), Some(&Value::Length(Length::from_micrometres(4_000))));
 }
@@ -181,12 +181,12 @@ fn every_cycle_is_run_and_stepped() {
 fn a_cycle_that_does_not_come_to_its_end_shows_its_way() {
     let mut session = with(427, &FACE);
     send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
-    send(&mut session, CyclesCommand::ChooseKind(BenchKind::Face));
-    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::PointZ), "-60".into()));
+    send(&mut session, WorkpieceCommand::ChooseKind(BenchKind::Face));
+    send(&mut session, WorkpieceCommand::Type(BenchField::PointZ, "-60".into()));
     send(&mut session, CyclesCommand::Run);
     assert_eq!(problem(&session), "touch 1: no contact within the probing path of 50 mm");
     assert!(!session.cycles().run().unwrap().path.is_empty());
-    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Temperature), "hot".into()));
+    send(&mut session, WorkpieceCommand::Type(BenchField::Temperature, "hot".into()));
     send(&mut session, CyclesCommand::Run);
     assert_eq!(problem(&session), "simulated workpiece: Workpiece temperature: hot is not a number");
 }
@@ -203,12 +203,12 @@ fn a_workpiece_suits_every_cycle() {
     ] {
         let mut session = with(number, settings);
         send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
-        send(&mut session, CyclesCommand::SuitBench);
+        send(&mut session, WorkpieceCommand::Suit);
         send(&mut session, CyclesCommand::Run);
         assert_eq!(problem(&session), "", "{number} {settings:?}");
     }
     let mut session = with(427, &[]);
-    send(&mut session, CyclesCommand::SuitBench);
+    send(&mut session, WorkpieceCommand::Suit);
     assert_eq!(session.notices()[0].message.id, "cycles-cannot-suit");
 }
 
@@ -244,22 +244,22 @@ fn the_measuring_log_is_shown_or_saved_as_q281_asks() {
 #[test]
 fn the_workpiece_is_saved_and_opened_as_a_file() {
     let mut session = with(421, &[]);
-    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Diameter), "25.012".into()));
+    send(&mut session, WorkpieceCommand::Type(BenchField::Diameter, "25.012".into()));
     apply(&mut session, Command::OpenDialog(Purpose::SaveBench));
     let effects = apply(&mut session, Command::Confirm);
     let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
     assert_eq!(path.display().to_string(), "workpiece.toml");
     let bench = Bench::read(std::str::from_utf8(bytes).unwrap()).unwrap();
-    assert_eq!(Some(&bench), session.cycles().bench().bench());
+    assert_eq!(Some(&bench), session.bench().bench());
     let mut other = with(421, &[]);
     apply(&mut other, Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Bench)));
     apply(&mut other, Command::TypePath("workpiece.toml".into()));
     let effects = apply(&mut other, Command::Confirm);
     assert_eq!(effects, [Effect::ReadCycleFile(CycleFile::Bench, "workpiece.toml".into())]);
-    send(&mut other, CyclesCommand::BenchRead(Ok(Box::new(bench))));
+    send(&mut other, WorkpieceCommand::Read(Ok(Box::new(bench))));
     assert!(other.dialog().is_none());
     assert_eq!(other.cycles().from(), ContactsFrom::Simulated);
-    assert_eq!(other.cycles().text(CycleField::Bench(BenchField::Diameter)), "25.012");
+    assert_eq!(other.text(BenchField::Diameter), "25.012");
 }
 
 #[test]
@@ -270,7 +270,7 @@ fn recorded_contacts_are_measured_in_their_order() {
     assert_eq!(problem(&session), "no file of contacts was opened yet");
     let places = [[12.5, 0.0, 0.0], [0.0, 12.502, 0.0], [-12.5, 0.0, 0.0], [0.0, -12.502, 0.0], [1.0, 1.0, 1.0]];
     let contacts = places.map(Contact::at).to_vec();
-    send(&mut session, CyclesCommand::ContactsRead { name: "bore.csv".into(), result: Ok((contacts, Vec::new())) });
+    send(&mut session, WorkpieceCommand::ContactsRead { name: "bore.csv".into(), result: Ok((contacts, Vec::new())) });
     send(&mut session, CyclesCommand::Run);
     assert_eq!(status(&session), Some(Status::Good));
     let run = session.cycles().run().unwrap();
@@ -319,7 +319,9 @@ fn the_status_window_speaks_the_language_of_the_window_or_of_the_mask() {
     let mut session = with(422, &STUD);
     send(&mut session, CyclesCommand::Run);
     assert_eq!(status(&session), Some(Status::Rework));
-    let first = |session: &Session| session.cycle_window().unwrap().unwrap().lines().next().unwrap().to_owned();
+    let first = |session: &Session| {
+        session.cycles().window(session.drawn_with()).unwrap().unwrap().lines().next().unwrap().to_owned()
+    };
     assert_eq!(first(&session), "FIT STATUS: REWORK");
     apply(&mut session, Command::SetLanguage(Language::Nl));
     assert_eq!(first(&session), "STATUS VAN DE PASSING: Nabewerking");
@@ -350,7 +352,7 @@ fn no_text_in_any_field_makes_the_page_panic() {
                 send(&mut session, CyclesCommand::Type(CycleField::Parameter(parameter.key), text.into()));
             }
             send(&mut session, CyclesCommand::Run);
-            send(&mut session, CyclesCommand::SuitBench);
+            send(&mut session, WorkpieceCommand::Suit);
         }
     }
 }
@@ -360,33 +362,39 @@ fn no_text_in_any_field_makes_the_page_panic() {
 fn a_shown_result_is_always_that_of_what_is_on_screen() {
     let contacts = [[12.5, 0.0, 0.0], [0.0, 12.502, 0.0], [-12.5, 0.0, 0.0], [0.0, -12.502, 0.0]].map(Contact::at);
     let bench = |text: &str| Box::new(Bench::read(text).unwrap());
-    let mut commands = vec![
-        CyclesCommand::ShowBench(true),
-        CyclesCommand::SuitBench,
-        CyclesCommand::SuitBench,
-        CyclesCommand::ChooseProbe(1),
-        CyclesCommand::ShippedProbes,
-        CyclesCommand::Clear,
-        CyclesCommand::Step(Step::Back),
-        CyclesCommand::ShowBlock(true),
-        CyclesCommand::TypeBlock("TCH PROBE 421 ~\nQ273=0~\nQ274=0~\nQ262=25.01~\nQ275=25.02~\nQ276=25".into()),
-        CyclesCommand::TakeBlock,
-        CyclesCommand::CopyResults,
-        CyclesCommand::ContactsRead { name: "a.csv".into(), result: Ok((contacts.to_vec(), Vec::new())) },
-        CyclesCommand::BenchRead(Ok(bench("[bore]\ncentre = [0, 0]\ndiameter = 25.03\n"))),
-        CyclesCommand::BenchRead(Ok(bench("seed = 4\n[point]\npoint = [0, 0, 5]\nnormal = [0, 0, 1]\n"))),
-        CyclesCommand::BenchRead(Err(fitcheck::words::Message::new("cycles-no-bench"))),
+    let mut commands: Vec<Command> = vec![
+        WorkpieceCommand::Show(true).into(),
+        WorkpieceCommand::Suit.into(),
+        WorkpieceCommand::Suit.into(),
+        CyclesCommand::ChooseProbe(1).into(),
+        CyclesCommand::ShippedProbes.into(),
+        CyclesCommand::Clear.into(),
+        CyclesCommand::Step(Step::Back).into(),
+        CyclesCommand::ShowBlock(true).into(),
+        CyclesCommand::TypeBlock("TCH PROBE 421 ~\nQ273=0~\nQ274=0~\nQ262=25.01~\nQ275=25.02~\nQ276=25".into()).into(),
+        CyclesCommand::TakeBlock.into(),
+        CyclesCommand::CopyResults.into(),
+        WorkpieceCommand::ContactsRead { name: "a.csv".into(), result: Ok((contacts.to_vec(), Vec::new())) }.into(),
+        WorkpieceCommand::Read(Ok(bench("[bore]\ncentre = [0, 0]\ndiameter = 25.03\n"))).into(),
+        WorkpieceCommand::Read(Ok(bench("seed = 4\n[point]\npoint = [0, 0, 5]\nnormal = [0, 0, 1]\n"))).into(),
+        WorkpieceCommand::Read(Err(fitcheck::words::Message::new("cycles-no-bench"))).into(),
     ];
-    commands.extend(ContactsFrom::ALL.map(CyclesCommand::From));
-    commands.extend(CYCLES.iter().map(|cycle| CyclesCommand::Choose(cycle.number)));
-    commands.extend(BenchKind::ALL.map(CyclesCommand::ChooseKind));
+    commands.extend(ContactsFrom::ALL.map(CyclesCommand::From).map(Command::from));
+    commands.extend(CYCLES.iter().map(|cycle| CyclesCommand::Choose(cycle.number).into()));
+    commands.extend(BenchKind::ALL.map(WorkpieceCommand::ChooseKind).map(Command::from));
     commands.extend(
-        ["25", "25,02", "0", "x"].map(|text| CyclesCommand::Type(CycleField::Bench(BenchField::Diameter), text.into())),
+        ["25", "25,02", "0", "x"].map(|text| Command::from(WorkpieceCommand::Type(BenchField::Diameter, text.into()))),
     );
-    commands.extend(["1", ""].map(|text| CyclesCommand::Type(CycleField::Bench(BenchField::BallRadius), text.into())));
-    commands.extend(["0", ""].map(|text| CyclesCommand::Type(CycleField::Position(Axis::X), text.into())));
-    commands.extend(["PREDEF", "0.5"].map(|text| CyclesCommand::Type(CycleField::Parameter(Key::Q(320)), text.into())));
-    commands.extend(["1", "2"].map(|text| CyclesCommand::Type(CycleField::Global(Key::Q(320)), text.into())));
+    commands.extend(["1", ""].map(|text| Command::from(WorkpieceCommand::Type(BenchField::BallRadius, text.into()))));
+    commands
+        .extend(["0", ""].map(|text| Command::from(CyclesCommand::Type(CycleField::Position(Axis::X), text.into()))));
+    commands.extend(
+        ["PREDEF", "0.5"]
+            .map(|text| Command::from(CyclesCommand::Type(CycleField::Parameter(Key::Q(320)), text.into()))),
+    );
+    commands.extend(
+        ["1", "2"].map(|text| Command::from(CyclesCommand::Type(CycleField::Global(Key::Q(320)), text.into()))),
+    );
     let mut session = with(421, &["Q273=0", "Q274=0", "Q262=25", "Q275=25.021", "Q276=25"]);
     for (number, block) in [(422, &STUD[..]), (427, &FACE[..]), (785, &["K=2", "RC=60"])] {
         send(&mut session, CyclesCommand::Choose(number));
@@ -396,15 +404,15 @@ fn a_shown_result_is_always_that_of_what_is_on_screen() {
     for _ in 0..6_000 {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let chosen = usize::try_from(random >> 33).unwrap() % (2 * commands.len());
-        let command = commands.get(chosen).cloned().unwrap_or(CyclesCommand::Run);
+        let command = commands.get(chosen).cloned().unwrap_or(Command::Cycles(CyclesCommand::Run));
         send(&mut session, command.clone());
         let shown = session.cycles().run().map(|run| (run.cycle.code, run.found().cloned()));
         let Some(shown) = shown else { continue };
-        let (window, mut again) = (session.cycle_window().map(Result::ok), session);
+        let (window, mut again) = (session.cycles().window(session.drawn_with()).map(Result::ok), session);
         send(&mut again, CyclesCommand::Run);
         let anew = again.cycles().run().map(|run| (run.cycle.code, run.found().cloned()));
         assert_eq!(Some(&shown), anew.as_ref(), "after {command:?}");
-        assert_eq!(again.cycle_window().map(Result::ok), window, "after {command:?}");
+        assert_eq!(again.cycles().window(again.drawn_with()).map(Result::ok), window, "after {command:?}");
         compared += usize::from(shown.1.is_some());
         session = again;
     }

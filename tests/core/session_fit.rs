@@ -4,8 +4,8 @@
 
 use fitcheck::length::Length;
 use fitcheck::session::{
-    Command, Direction, Field, FitCommand, Mark, Page, Parts, Session, SourceChoice, expansion_field, extremes,
-    measured_field,
+    CheckCommand, CheckField, Command, Direction, Field, FitCommand, FitField, Mark, Page, Parts, Session,
+    SourceChoice, extremes,
 };
 use fitcheck::tolerance::fit::Kind;
 use fitcheck::tolerance::fit::search::Scope;
@@ -20,17 +20,17 @@ fn apply(session: &mut Session, command: Command) {
     assert_eq!(session.apply(command, date(2026, 11, 21).at(10, 42, 7, 0)), []);
 }
 
-fn with(fields: &[(Field, &str)]) -> Session {
+fn with(fields: &[(FitField, &str)]) -> Session {
     let mut session = Session::new(Language::En);
     apply(&mut session, Command::OpenPage(Page::Fit));
     for (field, text) in fields {
-        apply(&mut session, Command::Type(*field, (*text).to_owned()));
+        apply(&mut session, Field::from(*field).typed((*text).to_owned()));
     }
     session
 }
 
 fn fit(callout: &str) -> Session {
-    with(&[(Field::FitCallout, callout)])
+    with(&[(FitField::Callout, callout)])
 }
 
 fn class(text: &str) -> ToleranceClass {
@@ -41,7 +41,7 @@ fn um(um: i32) -> Length {
     Length::from_micrometres(um)
 }
 
-fn told(session: &Session, field: Field) -> String {
+fn told(session: &Session, field: FitField) -> String {
     session.error(field).map(|error| Words::new(Language::En).say(error)).unwrap_or_default()
 }
 
@@ -71,20 +71,20 @@ fn a_callout_that_is_no_fit_says_what_is_missing() {
     ] {
         let session = fit(typed);
         assert_eq!(session.fit().hint().map(|hint| hint.id), hint, "{typed}");
-        assert_eq!(told(&session, Field::FitCallout), "", "{typed}");
+        assert_eq!(told(&session, FitField::Callout), "", "{typed}");
     }
     let session = fit("25 H7/");
-    assert_ne!(told(&session, Field::FitCallout), "");
+    assert_ne!(told(&session, FitField::Callout), "");
     assert_eq!(session.fit().class(Feature::Hole), Some(class("H7")), "the half that is there is known");
     let session = fit("25 X7g/g6");
-    assert!(session.culprit(Field::FitCallout).is_some(), "{}", told(&session, Field::FitCallout));
-    assert!(session.culprit(Field::Callout).is_none());
+    assert!(session.culprit(FitField::Callout).is_some(), "{}", told(&session, FitField::Callout));
+    assert!(session.culprit(CheckField::Callout).is_none());
 }
 
 #[test]
 fn commands_keep_the_size_as_it_is_typed() {
     let mut session = fit("25,5 H7/g6");
-    let text = |session: &Session| session.inputs().text(Field::FitCallout).to_owned();
+    let text = |session: &Session| session.text(FitField::Callout).to_owned();
     apply(&mut session, Command::Fit(FitCommand::ChooseClass(class("k6"))));
     assert_eq!(text(&session), "25,5 H7/k6");
     apply(&mut session, Command::Fit(FitCommand::ChooseClass(class("F8"))));
@@ -94,7 +94,7 @@ fn commands_keep_the_size_as_it_is_typed() {
     let mut session = fit("");
     apply(&mut session, Command::Fit(FitCommand::TakePair(class("H7"), class("g6"))));
     assert_eq!(text(&session), "H7/g6");
-    assert_ne!(told(&session, Field::FitCallout), "", "the size is missing");
+    assert_ne!(told(&session, FitField::Callout), "", "the size is missing");
 }
 
 #[test]
@@ -102,9 +102,9 @@ fn parts_are_judged_with_both_borders() {
     #[track_caller]
     fn check(hole: &str, shaft: &str, clearance: &str, conforms: bool, verdicts: (Status, Status)) {
         let session = with(&[
-            (Field::FitCallout, "50 H7/p6"),
-            (measured_field(Feature::Hole), hole),
-            (measured_field(Feature::Shaft), shaft),
+            (FitField::Callout, "50 H7/p6"),
+            (FitField::measured(Feature::Hole), hole),
+            (FitField::measured(Feature::Shaft), shaft),
         ]);
         let Some(Parts::Both(actual)) = session.fit().parts() else { panic!("no parts") };
         assert_eq!((actual.clearance.to_string().as_str(), actual.conforms), (clearance, conforms));
@@ -123,13 +123,13 @@ fn parts_are_judged_with_both_borders() {
 #[test]
 fn the_temperature_changes_the_clearance() {
     let mut session = with(&[
-        (Field::FitCallout, "50 H7/p6"),
-        (Field::HoleMeasured, "50.010"),
-        (Field::ShaftMeasured, "50.030"),
-        (expansion_field(Feature::Hole), "23,1"),
+        (FitField::Callout, "50 H7/p6"),
+        (FitField::HoleMeasured, "50.010"),
+        (FitField::ShaftMeasured, "50.030"),
+        (FitField::expansion(Feature::Hole), "23,1"),
     ]);
     assert!(session.fit().warm().is_none(), "20 °C is the size itself");
-    apply(&mut session, Command::Type(Field::Temperature, "80".into()));
+    apply(&mut session, Field::from(FitField::Temperature).typed("80".into()));
     let warm = session.fit().warm().unwrap();
     // (23.1 − 11.5) · 60 · 50 mm
     assert_eq!(warm.change.nanometres(), 34_800);
@@ -137,34 +137,34 @@ fn the_temperature_changes_the_clearance() {
     assert_eq!(warm.actual.map(Length::nanometres), Some(14_800));
     apply(&mut session, Command::Fit(FitCommand::ChooseExpansion(Feature::Hole, "11.5".parse().unwrap())));
     assert_eq!(session.fit().warm().unwrap().change, Length::ZERO);
-    apply(&mut session, Command::Type(Field::Temperature, "hot".into()));
+    apply(&mut session, Field::from(FitField::Temperature).typed("hot".into()));
     assert!(session.fit().warm().is_none());
-    assert_eq!(told(&session, Field::Temperature), "hot is not a number");
+    assert_eq!(told(&session, FitField::Temperature), "hot is not a number");
 }
 
 #[test]
 fn an_expansion_is_written_as_the_language_does() {
     let mut session = Session::new(Language::Nl);
     apply(&mut session, Command::Fit(FitCommand::ChooseExpansion(Feature::Shaft, "23.1".parse().unwrap())));
-    assert_eq!(session.inputs().text(Field::ShaftExpansion), "23,1");
+    assert_eq!(session.text(FitField::ShaftExpansion), "23,1");
 }
 
 #[test]
 fn a_search_counts_all_and_lists_the_best() {
     let mut session =
-        with(&[(Field::FitCallout, "25"), (Field::WantedMinimum, "0.007"), (Field::WantedMaximum, "41 µm")]);
+        with(&[(FitField::Callout, "25"), (FitField::WantedMinimum, "0.007"), (FitField::WantedMaximum, "41 µm")]);
     let found = |session: &Session| session.fit().found().unwrap().unwrap().clone();
     let all = found(&session);
     assert!(all.candidates.len() <= all.total);
     assert!(all.candidates.iter().any(|pair| (pair.hole, pair.shaft) == (class("H7"), class("g6"))));
     apply(&mut session, Command::Fit(FitCommand::SearchAmong(Scope::Preferred)));
     assert!(found(&session).total < all.total);
-    apply(&mut session, Command::Type(Field::WantedMinimum, "0.042".into()));
+    apply(&mut session, Field::from(FitField::WantedMinimum).typed("0.042".into()));
     let problem = session.fit().found().unwrap().unwrap_err().id;
     assert_eq!(problem, "fit-search-order");
-    apply(&mut session, Command::Type(Field::WantedMinimum, String::new()));
+    apply(&mut session, Field::from(FitField::WantedMinimum).typed(String::new()));
     assert!(session.fit().found().is_none());
-    apply(&mut session, Command::Type(Field::WantedMinimum, "0.0409".into()));
+    apply(&mut session, Field::from(FitField::WantedMinimum).typed("0.0409".into()));
     let none = found(&session);
     assert_eq!((none.total, none.candidates.len(), none.nearest.is_some()), (0, 0, true));
 }
@@ -197,8 +197,8 @@ fn the_map_and_the_limits_follow_the_sources() {
     apply(&mut session, Command::UseSource(SourceChoice::ControlTables));
     assert!(0 < count(&session) && count(&session) <= 47);
     assert!(session.fit().fit().is_some());
-    apply(&mut session, Command::Type(Field::FitCallout, "25 H7/zc9".into()));
-    assert!(told(&session, Field::FitCallout).contains("zc9 is not in table"));
+    apply(&mut session, Field::from(FitField::Callout).typed("25 H7/zc9".into()));
+    assert!(told(&session, FitField::Callout).contains("zc9 is not in table"));
 }
 
 #[test]
@@ -229,7 +229,8 @@ fn ends_are_named_by_what_they_are() {
 #[test]
 fn the_picture_shows_zones_zero_line_and_near_parts() {
     let picture = |hole: &str, shaft: &str| {
-        let fields = [(Field::FitCallout, "25 H7/g6"), (Field::HoleMeasured, hole), (Field::ShaftMeasured, shaft)];
+        let fields =
+            [(FitField::Callout, "25 H7/g6"), (FitField::HoleMeasured, hole), (FitField::ShaftMeasured, shaft)];
         with(&fields).fit().picture().unwrap()
     };
     let near = picture("25.012", "24.970");
@@ -248,19 +249,19 @@ fn the_picture_shows_zones_zero_line_and_near_parts() {
 #[test]
 fn a_side_goes_to_the_check_page_and_enter_measures_only_there() {
     let mut session = fit("25,5 H7/g6");
-    apply(&mut session, Command::Type(Field::Measured, "25.6".into()));
-    apply(&mut session, Command::Measure);
+    apply(&mut session, Field::from(CheckField::Measured).typed("25.6".into()));
+    apply(&mut session, Command::Check(CheckCommand::Measure));
     assert!(session.history().is_empty());
     apply(&mut session, Command::Fit(FitCommand::Check(Feature::Shaft)));
-    assert_eq!((session.page(), session.inputs().text(Field::Callout)), (Page::Check, "25,5 g6"));
-    apply(&mut session, Command::Measure);
+    assert_eq!((session.page(), session.text(CheckField::Callout)), (Page::Check, "25,5 g6"));
+    apply(&mut session, Command::Check(CheckCommand::Measure));
     assert_eq!(session.history().len(), 1);
 }
 
 #[test]
 fn a_search_follows_the_sources() {
-    let wanted = [(Field::WantedMinimum, "0.001"), (Field::WantedMaximum, "0.041")];
-    let mut session = with(&[&[(Field::FitCallout, "25 H7/g6")][..], &wanted].concat());
+    let wanted = [(FitField::WantedMinimum, "0.001"), (FitField::WantedMaximum, "0.041")];
+    let mut session = with(&[&[(FitField::Callout, "25 H7/g6")][..], &wanted].concat());
     let total = |session: &Session| session.fit().found().unwrap().unwrap().total;
     let all = total(&session);
     apply(&mut session, Command::UseSource(SourceChoice::ControlTables));

@@ -24,8 +24,8 @@ fn session() -> Session {
     session
 }
 
-fn send(session: &mut Session, command: ProgramCommand) {
-    assert_eq!(session.apply(Command::Program(command), now()), []);
+fn send(session: &mut Session, command: impl Into<Command>) {
+    assert_eq!(session.apply(command.into(), now()), []);
 }
 
 /// Opens a program as the window does once its file was read.
@@ -89,7 +89,11 @@ fn every_shipped_program_runs_and_agrees() {
             type_text(&mut session, ProgramField::Input(Input::Size), size);
             type_text(&mut session, ProgramField::Input(Input::Class), class);
             send(&mut session, ProgramCommand::Run);
-            assert_eq!(session.program_agreement(), Some(Agreement::Agrees), "{name} {size} {class}");
+            assert_eq!(
+                session.program().agreement(session.sources()),
+                Some(Agreement::Agrees),
+                "{name} {size} {class}"
+            );
             assert_eq!(run(&session).status(), Some(Status::Good), "{name} {size} {class}");
             send(&mut session, ProgramCommand::Run);
             assert_eq!(run(&session).state(), State::Ended);
@@ -115,8 +119,12 @@ fn limits_belong_to_the_zone_and_a_nanometre_more_does_not_in_both_answers() {
         type_text(&mut session, ProgramField::Diameter, diameter);
         send(&mut session, ProgramCommand::Run);
         assert_eq!(run(&session).status(), Some(status), "{class} {diameter}");
-        assert_eq!(session.program_verdict().map(|(_, verdict)| verdict.status), Some(status), "{class} {diameter}");
-        assert_eq!(session.program_agreement(), Some(Agreement::Agrees), "{class} {diameter}");
+        assert_eq!(
+            session.program().verdict(session.sources()).map(|(_, verdict)| verdict.status),
+            Some(status),
+            "{class} {diameter}"
+        );
+        assert_eq!(session.program().agreement(session.sources()), Some(Agreement::Agrees), "{class} {diameter}");
     }
 }
 
@@ -147,7 +155,9 @@ fn a_program_that_differs_says_in_what() {
     type_text(&mut session, ProgramField::Diameter, "25.0215");
     send(&mut session, ProgramCommand::Run);
     assert_eq!(state(&session), "Ended after 10 blocks");
-    let Some(Agreement::Differs(differences)) = session.program_agreement() else { panic!("no difference") };
+    let Some(Agreement::Differs(differences)) = session.program().agreement(session.sources()) else {
+        panic!("no difference")
+    };
     let differences: Vec<_> = differences.iter().map(said).collect();
     assert_eq!(differences, ["its maximum is 25.022 mm, Fitcheck’s 25.021 mm", "it says GOOD, Fitcheck says SCRAP"]);
 }
@@ -159,7 +169,7 @@ fn any_changed_input_clears_the_run() {
         ProgramCommand::Type(ProgramField::Input(Input::Clearance), "3".to_owned()),
         ProgramCommand::Type(ProgramField::Diameter, "25.01".to_owned()),
         ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Perfect),
-        ProgramCommand::Switch(Switch::SkipUnknown, true),
+        ProgramCommand::Toggle(Switch::SkipUnknown),
         ProgramCommand::Reset,
         ProgramCommand::OpenShipped("8255_de.h"),
     ];
@@ -295,7 +305,7 @@ fn only_what_the_last_command_changed_is_marked() {
 #[test]
 fn problems_name_their_block() {
     let mut session = opened("5 Q1 = 1\nCP IPA+360 DR+\n3 Q2 = 0\nQ3 = Q1 / Q2");
-    send(&mut session, ProgramCommand::Switch(Switch::SkipUnknown, true));
+    send(&mut session, ProgramCommand::Toggle(Switch::SkipUnknown));
     send(&mut session, ProgramCommand::Run);
     let problems: Vec<_> = (0..session.program().problem_count())
         .filter_map(|number| session.program().problem(number))

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use fitcheck::control::deviations::read_table;
 use fitcheck::session::tables::{Document, Origin, Step, TableChoice};
-use fitcheck::session::{Command, Effect, Field, Page, Purpose, Session, TablesCommand};
+use fitcheck::session::{CheckField, Command, Effect, Field, Page, Purpose, Session, TablesCommand, TablesField};
 use fitcheck::tolerance::DeviationTable;
 use fitcheck::tolerance::iso286::{JsHalves, Options};
 use fitcheck::words::{Language, Words};
@@ -26,8 +26,8 @@ fn send(session: &mut Session, command: TablesCommand) {
     session.apply(Command::Tables(command), now());
 }
 
-fn type_text(session: &mut Session, field: Field, text: &str) {
-    session.apply(Command::Type(field, text.to_owned()), now());
+fn type_text(session: &mut Session, field: impl Into<Field>, text: &str) {
+    session.apply(field.into().typed(text.to_owned()), now());
 }
 
 fn shown(session: &Session) -> &Document {
@@ -49,14 +49,14 @@ fn selected(session: &Session) -> String {
     format!("{class} {over} {to} {cell}")
 }
 
-fn error(session: &Session, field: Field) -> Option<String> {
+fn error(session: &Session, field: TablesField) -> Option<String> {
     session.error(field).map(|error| Words::new(Language::En).say(error))
 }
 
 /// A table of the standard, then changed by its cells.
 fn made(session: &mut Session, classes: &str, to: &str) {
-    type_text(session, Field::TableClasses, classes);
-    type_text(session, Field::TableTo, to);
+    type_text(session, TablesField::Classes, classes);
+    type_text(session, TablesField::To, to);
     send(session, TablesCommand::Make);
 }
 
@@ -112,7 +112,7 @@ fn steps_end_at_the_edges_and_stay_among_the_shown_classes() {
         send(&mut session, TablesCommand::Move(step));
         assert_eq!(selected(&session), expected, "{step:?}");
     }
-    type_text(&mut session, Field::TableFilter, "25 H7 JS7");
+    type_text(&mut session, TablesField::Filter, "25 H7 JS7");
     assert_eq!(selected(&session), "H7 18 30 +21/0", "the filter leads to its cell");
     send(&mut session, TablesCommand::Move(Step::Right));
     assert_eq!(selected(&session), "JS7 18 30 +10.5/\u{2212}10.5");
@@ -125,7 +125,7 @@ fn an_edit_of_a_built_in_table_leaves_it_as_it_is() {
     let mut session = session();
     let before = shown(&session).table().clone();
     select(&mut session, "H7", 5);
-    type_text(&mut session, Field::CellUpper, "+21.001");
+    type_text(&mut session, TablesField::CellUpper, "+21.001");
     send(&mut session, TablesCommand::SetCell);
     let copy = shown(&session);
     assert_eq!((copy.title(), copy.origin(), copy.is_unsaved()), ("82553_hole_copy.tab", Origin::Copy, true));
@@ -147,33 +147,33 @@ fn an_edit_of_a_built_in_table_leaves_it_as_it_is() {
 fn what_was_typed_is_never_dropped_when_another_cell_is_selected() {
     let mut session = session();
     made(&mut session, "H7", "30");
-    type_text(&mut session, Field::CellUpper, "11");
+    type_text(&mut session, TablesField::CellUpper, "11");
     send(&mut session, TablesCommand::Move(Step::Down));
     send(&mut session, TablesCommand::Move(Step::Up));
     assert_eq!(selected(&session), "H7 0 3 +11/0");
-    type_text(&mut session, Field::CellLower, "12");
+    type_text(&mut session, TablesField::CellLower, "12");
     send(&mut session, TablesCommand::Move(Step::Down));
     assert_eq!(selected(&session), "H7 0 3 +11/0");
     assert_eq!(
-        error(&session, Field::CellUpper).as_deref(),
+        error(&session, TablesField::CellUpper).as_deref(),
         Some("upper deviation +11 µm is below lower deviation +12 µm")
     );
     send(&mut session, TablesCommand::RevertCell);
-    assert_eq!((error(&session, Field::CellUpper), session.inputs().text(Field::CellLower)), (None, "0"));
+    assert_eq!((error(&session, TablesField::CellUpper), session.text(TablesField::CellLower)), (None, "0"));
     for (text, expected) in [
         ("11", None),
         ("x", Some("x is not a number")),
         ("0.0001", Some("0.0001 is finer than a nanometre")),
         ("1.234,5", Some("1.234,5 is ambiguous: write one decimal sign and no thousands separator")),
     ] {
-        type_text(&mut session, Field::CellUpper, text);
-        assert_eq!(error(&session, Field::CellUpper).as_deref(), expected, "{text}");
+        type_text(&mut session, TablesField::CellUpper, text);
+        assert_eq!(error(&session, TablesField::CellUpper).as_deref(), expected, "{text}");
     }
     // Both empty is an empty cell, one alone is not.
-    type_text(&mut session, Field::CellUpper, "");
+    type_text(&mut session, TablesField::CellUpper, "");
     send(&mut session, TablesCommand::SetCell);
-    assert_eq!(error(&session, Field::CellUpper).as_deref(), Some("a length is missing"));
-    type_text(&mut session, Field::CellLower, " ");
+    assert_eq!(error(&session, TablesField::CellUpper).as_deref(), Some("a length is missing"));
+    type_text(&mut session, TablesField::CellLower, " ");
     send(&mut session, TablesCommand::SetCell);
     assert_eq!(selected(&session), "H7 0 3 -");
 }
@@ -207,45 +207,50 @@ fn the_options_of_the_standard_count_at_once() {
     session.apply(Command::SetStandard(Options { js: JsHalves::Rounded, ..Options::default() }), now());
     let found: Vec<_> = shown(&session).comparison().differences.iter().map(|one| one.class.to_string()).collect();
     assert!(!found.is_empty() && found.iter().all(|class| class.starts_with("JS")), "{found:?}");
-    type_text(&mut session, Field::TableFilter, "H7");
+    type_text(&mut session, TablesField::Filter, "H7");
     send(&mut session, TablesCommand::NextDifference);
     assert!(selected(&session).starts_with("JS7"), "{}", selected(&session));
-    assert_eq!(session.inputs().text(Field::TableFilter), "", "a hidden difference ends the filter");
+    assert_eq!(session.text(TablesField::Filter), "", "a hidden difference ends the filter");
 }
 
 #[test]
 fn tables_and_columns_that_cannot_be_are_refused_beside_their_field() {
     let mut session = session();
     for (classes, to, field, expected) in [
-        ("", "50", Field::TableClasses, "a tolerance class is missing, such as H7 for a hole or h7 for a shaft"),
+        ("", "50", TablesField::Classes, "a tolerance class is missing, such as H7 for a hole or h7 for a shaft"),
         (
             "H7 x",
             "50",
-            Field::TableClasses,
+            TablesField::Classes,
             "x is not a tolerance class: write letters and a grade, such as H7 or js13",
         ),
-        ("H7", "0", Field::TableTo, "the last size is 0 mm: it must be above 0 and at most 3150 mm"),
+        ("H7", "0", TablesField::To, "the last size is 0 mm: it must be above 0 and at most 3150 mm"),
         (
             "H7",
             "3150.000001",
-            Field::TableTo,
+            TablesField::To,
             "the last size is 3150.000001 mm: it must be above 0 and at most 3150 mm",
         ),
-        ("H7", "", Field::TableTo, "a length is missing"),
-        ("T7", "24", Field::TableClasses, "T7 is not defined at 24 mm in ISO 286; it is defined over 24 up to 3150 mm"),
+        ("H7", "", TablesField::To, "a length is missing"),
+        (
+            "T7",
+            "24",
+            TablesField::Classes,
+            "T7 is not defined at 24 mm in ISO 286; it is defined over 24 up to 3150 mm",
+        ),
     ] {
         made(&mut session, classes, to);
         assert_eq!(error(&session, field).as_deref(), Some(expected));
         assert_eq!(session.tables().documents().len(), 2);
     }
     made(&mut session, "H7 g6", "50");
-    assert!(error(&session, Field::TableClasses).unwrap().starts_with("H7 and g6 cannot stand in one table"));
+    assert!(error(&session, TablesField::Classes).unwrap().starts_with("H7 and g6 cannot stand in one table"));
     made(&mut session, "h7, g6/h7", "50");
     assert_eq!((shown(&session).title(), shown(&session).is_unsaved()), ("iso286_shaft.tab", true));
     assert_eq!(shown(&session).differing(), 0);
-    type_text(&mut session, Field::TableClasses, "H6");
+    type_text(&mut session, TablesField::Classes, "H6");
     send(&mut session, TablesCommand::AddColumns);
-    assert!(error(&session, Field::TableClasses).unwrap().starts_with("H6 and h7 cannot stand in one table"));
+    assert!(error(&session, TablesField::Classes).unwrap().starts_with("H6 and h7 cannot stand in one table"));
 }
 
 #[test]
@@ -253,7 +258,7 @@ fn removing_the_last_column_leaves_an_empty_table_that_can_be_undone() {
     let mut session = session();
     made(&mut session, "H7", "30");
     send(&mut session, TablesCommand::RemoveColumn);
-    assert_eq!((shown(&session).selected(), session.inputs().text(Field::CellUpper)), (None, ""));
+    assert_eq!((shown(&session).selected(), session.text(TablesField::CellUpper)), (None, ""));
     for command in [TablesCommand::Move(Step::Down), TablesCommand::SetCell, TablesCommand::EmptyCell] {
         send(&mut session, command);
     }
@@ -280,7 +285,7 @@ fn read(bytes: &[u8]) -> DeviationTable {
 fn a_table_is_saved_under_its_files_name_and_an_export_saves_nothing() {
     let mut session = session();
     made(&mut session, "H7", "30");
-    type_text(&mut session, Field::CellUpper, "11");
+    type_text(&mut session, TablesField::CellUpper, "11");
     let csv = save(&mut session, 3, "/shop/holes.csv").unwrap();
     assert!(String::from_utf8(csv).unwrap().contains("H7,0,3,11,0"), "what was typed counts");
     assert!(shown(&session).is_unsaved(), "a CSV cannot be opened again");
@@ -301,7 +306,7 @@ fn a_table_that_a_control_refuses_or_that_cannot_be_read_is_not_saved() {
     let problem = session.dialog().and_then(|dialog| dialog.problem.clone()).unwrap();
     assert!(Words::new(Language::En).say(&problem).contains("does not begin with a letter"));
     session.apply(Command::Close, now());
-    type_text(&mut session, Field::CellUpper, "x");
+    type_text(&mut session, TablesField::CellUpper, "x");
     assert_eq!(save(&mut session, 0, "/shop/own.tab"), None);
     assert!(session.dialog().unwrap().problem.is_some());
 }
@@ -324,20 +329,20 @@ fn a_table_saved_while_another_one_is_shown_is_the_one_that_was_saved() {
 #[test]
 fn a_used_table_comes_first_and_its_later_edits_count_only_when_it_is_used_again() {
     let mut session = session();
-    type_text(&mut session, Field::Callout, "25 H7");
+    type_text(&mut session, CheckField::Callout, "25 H7");
     made(&mut session, "H7", "30");
     select(&mut session, "H7", 4);
-    type_text(&mut session, Field::CellUpper, "25");
+    type_text(&mut session, TablesField::CellUpper, "25");
     send(&mut session, TablesCommand::Use);
-    let maximum = |session: &Session| session.asked().limits().unwrap().maximum().to_string();
-    assert_eq!((maximum(&session).as_str(), session.uses_shown_table()), ("25.025", true));
-    type_text(&mut session, Field::CellUpper, "26");
+    let maximum = |session: &Session| session.check().asked().limits().unwrap().maximum().to_string();
+    assert_eq!((maximum(&session).as_str(), session.tables().is_used(session.sources())), ("25.025", true));
+    type_text(&mut session, TablesField::CellUpper, "26");
     send(&mut session, TablesCommand::SetCell);
-    assert_eq!((maximum(&session).as_str(), session.uses_shown_table()), ("25.025", false));
+    assert_eq!((maximum(&session).as_str(), session.tables().is_used(session.sources())), ("25.025", false));
     send(&mut session, TablesCommand::Use);
     assert_eq!((maximum(&session).as_str(), session.sources().own().len()), ("25.026", 1));
     session.apply(Command::NoOwnTables, now());
-    assert_eq!((maximum(&session).as_str(), session.uses_shown_table()), ("25.021", false));
+    assert_eq!((maximum(&session).as_str(), session.tables().is_used(session.sources())), ("25.021", false));
 }
 
 #[test]
@@ -385,11 +390,11 @@ fn open_tables_are_bounded_and_edits_are_never_closed() {
 fn undo_takes_back_what_was_typed_first_and_leads_to_what_it_changed() {
     let mut session = session();
     made(&mut session, "H7 H8", "30");
-    type_text(&mut session, Field::CellUpper, "11");
+    type_text(&mut session, TablesField::CellUpper, "11");
     select(&mut session, "H8", 4);
-    type_text(&mut session, Field::CellUpper, "99");
+    type_text(&mut session, TablesField::CellUpper, "99");
     send(&mut session, TablesCommand::Undo);
-    assert_eq!((selected(&session).as_str(), session.inputs().text(Field::CellUpper)), ("H8 18 30 +33/0", "+33"));
+    assert_eq!((selected(&session).as_str(), session.text(TablesField::CellUpper)), ("H8 18 30 +33/0", "+33"));
     send(&mut session, TablesCommand::Undo);
     assert_eq!(selected(&session), "H7 0 3 +10/0");
     send(&mut session, TablesCommand::Move(Step::Bottom));
@@ -413,7 +418,7 @@ fn an_own_table_with_a_built_in_name_is_another_table() {
 #[test]
 fn a_file_is_not_opened_while_the_cell_cannot_be_read_and_one_that_was_read_is_shown() {
     let mut session = session();
-    type_text(&mut session, Field::CellUpper, "x");
+    type_text(&mut session, TablesField::CellUpper, "x");
     session.apply(Command::OpenDialog(Purpose::OpenTable), now());
     session.apply(Command::TypePath("/shop/own.tab".into()), now());
     assert_eq!(session.apply(Command::Confirm, now()), []);
@@ -443,13 +448,13 @@ fn another_source_takes_nothing_from_an_open_table() {
     let as_saved = shown(&session).table().columns().to_vec();
     // A used edit that is taken back is not in the file, and does not come again.
     select(&mut session, "H7", 4);
-    type_text(&mut session, Field::CellUpper, "25");
+    type_text(&mut session, TablesField::CellUpper, "25");
     send(&mut session, TablesCommand::Use);
     send(&mut session, TablesCommand::Undo);
     session.apply(Command::SetStandard(options), now());
     assert_eq!((shown(&session).table().columns(), shown(&session).is_unsaved()), (&as_saved[..], false));
     // What was typed into the cell stays.
-    type_text(&mut session, Field::CellUpper, "26");
+    type_text(&mut session, TablesField::CellUpper, "26");
     session.apply(Command::SetStandard(Options::default()), now());
     assert_eq!(selected(&session), "H7 18 30 +26/0");
 }

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::{Live, Role};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use eframe::egui::{Key, Modifiers};
-use fitcheck::session::Field;
+use fitcheck::session::CheckField;
 
 use crate::harness::{check, type_into, verdict, window};
 
@@ -113,7 +113,7 @@ fn nominal_size_and_class_make_the_callout() {
     window.run();
     window.get_by_role_and_label(Role::Button, "JS9").click();
     window.run();
-    assert_eq!(window.state().session().inputs().text(Field::Callout), "40 JS9");
+    assert_eq!(window.state().session().text(CheckField::Callout), "40 JS9");
     window.get_by_label("40.031");
 }
 

@@ -7,7 +7,7 @@ use eframe::egui::{Key, Modifiers, Theme, Vec2, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Store};
-use fitcheck::session::{Field, Page};
+use fitcheck::session::{CheckField, FitField, Page};
 use fitcheck::words::Language;
 
 use crate::harness::{DESK, Window, type_into, verdict};
@@ -33,7 +33,7 @@ fn fit(callout: &str) -> Harness<'static, App> {
 }
 
 fn callout(window: &Harness<'_, App>) -> String {
-    window.state().session().inputs().text(Field::FitCallout).to_owned()
+    window.state().session().text(FitField::Callout).to_owned()
 }
 
 fn click(window: &mut Harness<'_, App>, role: Role, label: &str) {
@@ -272,7 +272,7 @@ fn both_sides_go_to_the_check_page() {
         let mut window = fit("25 H7/g6");
         click(&mut window, Role::Button, button);
         assert_eq!(window.state().session().page(), Page::Check);
-        assert_eq!(window.state().session().inputs().text(Field::Callout), text);
+        assert_eq!(window.state().session().text(CheckField::Callout), text);
         window.get_by_role_and_label(Role::TextInput, "Measured value");
     }
 }
@@ -321,7 +321,7 @@ fn decimal_commas_in_dutch() {
     window.get_by_label("50,530");
     click(&mut window, Role::ComboBox, "Materiaal as");
     click(&mut window, Role::Button, "gietijzer  10,5");
-    assert_eq!(window.state().session().inputs().text(Field::ShaftExpansion), "10,5");
+    assert_eq!(window.state().session().text(FitField::ShaftExpansion), "10,5");
 }
 
 #[test]

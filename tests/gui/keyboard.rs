@@ -7,7 +7,7 @@ use eframe::egui::{Key, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Store};
-use fitcheck::session::Field;
+use fitcheck::session::CheckField;
 
 use crate::harness::{Window, check, type_into, verdict, window};
 
@@ -99,7 +99,7 @@ fn a_check_works_by_touch_alone() {
         }
     };
     press(&mut window, &["Key 2", "Key 5"]);
-    assert_eq!(window.state().session().inputs().text(Field::Callout), "25", "the callout had the focus");
+    assert_eq!(window.state().session().text(CheckField::Callout), "25", "the callout had the focus");
     window.get_by_role_and_label(Role::ComboBox, "Class").click();
     window.run();
     press(&mut window, &["H7"]);

@@ -18,6 +18,7 @@ program-page-step-over = Step over
 program-page-to-selected = To cursor
 program-page-breakpoint = Breakpoint
 program-page-reset = Reset
+program-page-move = Go to another block
 program-page-speed = Speed
 program-page-speed-slow = 4 blocks/s
 program-page-speed-medium = 20 blocks/s

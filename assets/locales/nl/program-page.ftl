@@ -18,6 +18,7 @@ program-page-step-over = Stap over
 program-page-to-selected = Tot cursor
 program-page-breakpoint = Breekpunt
 program-page-reset = Terugzetten
+program-page-move = Naar een andere regel
 program-page-speed = Snelheid
 program-page-speed-slow = 4 regels/s
 program-page-speed-medium = 20 regels/s

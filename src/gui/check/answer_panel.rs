@@ -11,7 +11,7 @@ use crate::words::{Message, Say, Words};
 
 /// The verdict card and the reasons below it.
 pub(super) fn answer_ui(ui: &mut Ui, view: &View<'_>) {
-    let record = view.session.shown().map(|shown| shown.record.as_ref());
+    let record = view.session.check().shown().map(|shown| shown.record.as_ref());
     let lines = record.map(|record| lines(view.words, record)).unwrap_or_default();
     let status = record.map(|record| record.verdict.status());
     card_ui(ui, status, &view.text(status_id(status)), &lines);

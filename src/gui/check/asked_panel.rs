@@ -7,7 +7,7 @@ use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::length::Length;
-use crate::session::{Command, Field, MeasureBy};
+use crate::session::{Action, CheckCommand, CheckField, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 use crate::words::{Message, Say as _};
 
@@ -16,7 +16,7 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     callout_ui(ui, view);
     ui.add_space(space(1.0));
-    match view.session.asked().limits() {
+    match view.session.check().asked().limits() {
         Some(limits) => limits_ui(ui, view, limits),
         None => no_limits_ui(ui, view),
     }
@@ -33,9 +33,9 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn callout_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("callout"));
     let width = ui.available_width();
-    field_ui(ui, view, Field::Callout, name.id, Look::large(width));
-    error_ui(ui, view, Field::Callout);
-    if view.session.asked().needs_feature() {
+    field_ui(ui, view, CheckField::Callout, name.id, Look::large(width));
+    error_ui(ui, view, CheckField::Callout);
+    if view.session.check().asked().needs_feature() {
         feature_ui(ui, view);
     }
 }
@@ -45,8 +45,8 @@ fn feature_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         for (feature, id) in [(Feature::Hole, "feature-hole"), (Feature::Shaft, "feature-shaft")] {
             feature_picture(ui, feature, space(6.0));
-            if ui.radio(view.session.inputs().feature == Some(feature), view.text(id)).clicked() {
-                view.send(Command::ChooseFeature(feature));
+            if ui.radio(view.session.check().feature() == Some(feature), view.text(id)).clicked() {
+                view.send(CheckCommand::ChooseFeature(feature));
             }
         }
     });
@@ -87,7 +87,7 @@ fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
 }
 
 fn no_limits_ui(ui: &mut Ui, view: &View<'_>) {
-    if view.session.inputs().text(Field::Callout).trim().is_empty() {
+    if view.session.text(CheckField::Callout).trim().is_empty() {
         quiet(ui, view.text("callout-hint"));
     }
 }
@@ -97,33 +97,24 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>) {
     let width = ui.available_width();
     ui.horizontal(|ui| {
         let unit = space(8.0);
-        field_ui(ui, view, Field::Measured, name.id, Look::large(width - unit - space(4.0)));
+        field_ui(ui, view, CheckField::Measured, name.id, Look::large(width - unit - space(4.0)));
         quiet(ui, "mm");
     });
-    error_ui(ui, view, Field::Measured);
+    error_ui(ui, view, CheckField::Measured);
     ui.horizontal(|ui| {
-        for (by, id) in [(MeasureBy::Typing, "by-typing"), (MeasureBy::Simulating, "by-simulating")] {
-            let text = view.text(id);
-            if ui.radio(view.session.inputs().by == by, text).clicked() {
-                view.send(Command::MeasureBy(by));
-            }
+        for by in [MeasureBy::Typing, MeasureBy::Simulating] {
+            view.radio(ui, Action::MeasureBy(by));
         }
-        let keypad = view.session.has_keypad();
-        if ui.add(Button::new(view.text("keypad")).selected(keypad)).clicked() {
-            view.send(Command::ShowKeypad(!keypad));
-        }
+        let keypad = view.named(Action::Keypad).selected(view.session.has_keypad());
+        view.button_as(ui, Action::Keypad, keypad);
     });
     ui.horizontal(|ui| {
         let palette = palette(ui.ctx());
         let text = RichText::new(view.text("measure")).color(palette.on_accent.0).font(theme::bold(sizes().body));
         let button = Button::new(text).fill(palette.accent.0).min_size(vec2(width * 0.6, sizes().touch));
-        if ui.add(button).clicked() {
-            view.send(Command::Measure);
-        }
-        let clear = Button::new(view.text("clear")).min_size(vec2(0.0, sizes().touch));
-        if ui.add(clear).clicked() {
-            view.send(Command::ClearResult);
-        }
+        view.button_as(ui, Action::Measure, button);
+        let clear = view.named(Action::ClearResult).min_size(vec2(0.0, sizes().touch));
+        view.button_as(ui, Action::ClearResult, clear);
     });
 }
 
@@ -134,7 +125,7 @@ fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
             let name = ui.label(view.text("nominal-size"));
             let class = ui.label(view.text("tolerance-class"));
             ui.end_row();
-            number_ui(ui, view, Field::Nominal, name.id, "mm");
+            number_ui(ui, view, CheckField::Nominal, name.id, "mm");
             class_chooser_ui(ui, view, class.id);
             ui.end_row();
         },
@@ -142,7 +133,7 @@ fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("part-name"));
     let width = ui.available_width();
     let look = Look { font: theme::font(sizes().body), ..Look::large(width) };
-    field_ui(ui, view, Field::Part, name.id, look);
+    field_ui(ui, view, CheckField::Part, name.id, look);
 }
 
 fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -152,12 +143,12 @@ fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
         view,
         "position",
         &[
-            (Field::CentreX, "centre-x", "mm"),
-            (Field::CentreY, "centre-y", "mm"),
-            (Field::Height, "height-z", "mm"),
-            (Field::FirstAngle, "first-contact", "°"),
-            (Field::Clearance, "clearance", "mm"),
-            (Field::CentreTolerance, "centre-tolerance", "mm"),
+            (CheckField::CentreX, "centre-x", "mm"),
+            (CheckField::CentreY, "centre-y", "mm"),
+            (CheckField::Height, "height-z", "mm"),
+            (CheckField::FirstAngle, "first-contact", "°"),
+            (CheckField::Clearance, "clearance", "mm"),
+            (CheckField::CentreTolerance, "centre-tolerance", "mm"),
         ],
     );
 }
@@ -170,22 +161,22 @@ fn simulation_ui(ui: &mut Ui, view: &mut View<'_>) {
             view,
             "simulation",
             &[
-                (Field::TrueDiameter, "true-diameter", "mm"),
-                (Field::Seed, "seed", ""),
-                (Field::OffsetX, "offset-x", "mm"),
-                (Field::OffsetY, "offset-y", "mm"),
-                (Field::Ovality, "ovality", "mm"),
-                (Field::Lobes, "lobes", ""),
-                (Field::LobeHeight, "lobe-height", "mm"),
-                (Field::SurfaceScatter, "surface-scatter", "mm"),
-                (Field::ProbeScatter, "probe-scatter", "mm"),
+                (CheckField::TrueDiameter, "true-diameter", "mm"),
+                (CheckField::Seed, "seed", ""),
+                (CheckField::OffsetX, "offset-x", "mm"),
+                (CheckField::OffsetY, "offset-y", "mm"),
+                (CheckField::Ovality, "ovality", "mm"),
+                (CheckField::Lobes, "lobes", ""),
+                (CheckField::LobeHeight, "lobe-height", "mm"),
+                (CheckField::SurfaceScatter, "surface-scatter", "mm"),
+                (CheckField::ProbeScatter, "probe-scatter", "mm"),
             ],
         );
     });
 }
 
 /// Two fields a row, each with its name above it and its error below the row.
-fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, id: &str, fields: &[(Field, &str, &str)]) {
+fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, id: &str, fields: &[(CheckField, &str, &str)]) {
     for pair in fields.chunks(2) {
         Grid::new((id, pair.first().map(|(field, ..)| *field)))
             .num_columns(2)
@@ -206,7 +197,7 @@ fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, id: &str, fields: &[(Field, &str, 
     }
 }
 
-fn number_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: eframe::egui::Id, unit: &str) {
+fn number_ui(ui: &mut Ui, view: &mut View<'_>, field: CheckField, name: eframe::egui::Id, unit: &str) {
     ui.horizontal(|ui| {
         field_ui(ui, view, field, name, Look::number(space(22.0)));
         quiet(ui, unit);

@@ -15,14 +15,14 @@ use crate::words::{Message, Words};
 
 /// Heading and plot over the given height.
 pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
-    let record = view.session.shown().map(|shown| shown.record.as_ref());
+    let record = view.session.check().shown().map(|shown| shown.record.as_ref());
     ui.horizontal(|ui| {
         heading(ui, view.text("limit-band"));
-        if let Some(limits) = view.session.asked().limits() {
+        if let Some(limits) = view.session.check().asked().limits() {
             quiet(ui, title(view, limits));
         }
     });
-    let Some(limits) = view.session.asked().limits() else {
+    let Some(limits) = view.session.check().asked().limits() else {
         quiet(ui, view.text("band-empty"));
         return;
     };
@@ -36,7 +36,7 @@ fn title(view: &View<'_>, limits: &Limits) -> String {
         Feature::Hole => "feature-hole",
         Feature::Shaft => "feature-shaft",
     });
-    match view.session.callout() {
+    match view.session.check().asked().callout() {
         Some(callout) => format!("{callout}, {feature}"),
         None => feature,
     }

@@ -23,7 +23,7 @@ const STEPS: u16 = 144;
 
 /// Heading, plot and remarks.
 pub(super) fn contacts_ui(ui: &mut Ui, view: &View<'_>) {
-    let record = view.session.shown().map(|shown| shown.record.as_ref());
+    let record = view.session.check().shown().map(|shown| shown.record.as_ref());
     let picture = record.and_then(Picture::of);
     ui.horizontal(|ui| {
         heading(ui, view.text("contacts"));

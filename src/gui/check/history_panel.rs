@@ -8,7 +8,7 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
-use crate::session::Command;
+use crate::session::CheckCommand;
 use crate::words::{Message, Say as _, Words};
 
 fn unfolded_id() -> Id {
@@ -122,12 +122,12 @@ fn choose_ui(ui: &mut Ui, view: &mut View<'_>, number: usize, cells: &Cells) {
     let name = Message::new("choose-check").text("callout", &cells.callout).text("time", &cells.time);
     let response = ui.add(Checkbox::without_text(&mut chosen)).accessible_name(view.words.say(&name));
     if response.changed() {
-        view.send(Command::Choose(number, chosen));
+        view.send(CheckCommand::Choose(number, chosen));
     }
 }
 
 fn show_ui(ui: &mut Ui, view: &mut View<'_>, number: usize, cells: &Cells) {
-    let shown = view.session.shown().is_some_and(|shown| {
+    let shown = view.session.check().shown().is_some_and(|shown| {
         view.session.history().get(number).is_some_and(|record| std::sync::Arc::ptr_eq(&shown.record, record))
     });
     let name = Message::new("show-check")
@@ -136,7 +136,7 @@ fn show_ui(ui: &mut Ui, view: &mut View<'_>, number: usize, cells: &Cells) {
         .text("status", &cells.status);
     let response = ui.selectable_label(shown, &cells.time).accessible_name(view.words.say(&name));
     if response.clicked() {
-        view.send(Command::Show(number));
+        view.send(CheckCommand::Show(number));
     }
 }
 

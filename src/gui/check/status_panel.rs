@@ -4,17 +4,15 @@ use eframe::egui::{ComboBox, Ui};
 
 use crate::gui::popup::popup_ui;
 use crate::gui::view::{View, quiet};
-use crate::session::{Command, MaskChoice, Purpose};
+use crate::session::{Action, Command, MaskChoice, Purpose};
 use crate::words::Language;
 
 /// The pop-up and what can be done with it.
 pub(super) fn status_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let shown = view.session.shown().map(|shown| shown.window.clone());
+    let shown = view.session.check().shown().map(|shown| shown.window.clone());
     popup_ui(ui, view, shown.as_ref(), "popup-empty");
     ui.horizontal(|ui| {
-        if ui.add_enabled(shown.is_some(), eframe::egui::Button::new(view.text("copy"))).clicked() {
-            view.send(Command::CopyStatus);
-        }
+        view.button(ui, Action::CopyStatus);
         mask_chooser_ui(ui, view);
     });
 }

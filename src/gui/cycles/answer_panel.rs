@@ -1,6 +1,6 @@
 //! Right: the verdict, the status window, the result parameters as the control lists them, and what is worth knowing.
 
-use eframe::egui::{Align, Button, Label, Layout, RichText, Ui, vec2};
+use eframe::egui::{Align, Label, Layout, RichText, Ui, vec2};
 
 use crate::gui::check::mask_chooser_ui;
 use crate::gui::popup::popup_ui;
@@ -9,7 +9,7 @@ use crate::gui::verdict_card::{card_ui, half_um, status_id};
 use crate::gui::view::{Digits, View, heading, quiet, quiet_cut};
 use crate::length::{Length, Unit};
 use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
-use crate::session::{Command, CycleRun, CyclesCommand, Purpose, RunLog};
+use crate::session::{Action, CycleRun, RunLog};
 use crate::words::{Message, Words};
 
 /// The panel.
@@ -21,14 +21,11 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.label(RichText::new(view.words.told(stop)).font(theme::bold(sizes().body)));
     }
     ui.add_space(space(1.0));
-    let window = session.cycle_window();
+    let window = session.cycles().window(session.drawn_with());
     let is_measured = run.is_some_and(|run| run.found().is_some());
     popup_ui(ui, view, window.as_ref(), if is_measured { "cycles-no-window" } else { "popup-empty" });
     ui.horizontal(|ui| {
-        let has_window = window.as_ref().is_some_and(Result::is_ok);
-        if ui.add_enabled(has_window, Button::new(view.text("copy"))).clicked() {
-            view.send(Command::Cycles(CyclesCommand::CopyStatus));
-        }
+        view.button(ui, Action::CopyCycleStatus);
         mask_chooser_ui(ui, view);
     });
     if let Some((run, result)) = run.and_then(|run| Some((run, run.found()?))) {
@@ -133,9 +130,7 @@ fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
     ui.horizontal(|ui| {
         heading(ui, view.text("cycles-results"));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.button(view.text("copy")).clicked() {
-                view.send(Command::Cycles(CyclesCommand::CopyResults));
-            }
+            view.button(ui, Action::CopyResults);
         });
     });
     let decimals = decimals(result);
@@ -163,10 +158,7 @@ fn log_ui(ui: &mut Ui, view: &mut View<'_>, log: &RunLog) {
         let text = RichText::new(text).font(theme::mono(sizes().small));
         ui.add(Label::new(text).selectable(true).wrap());
     }
-    let button = view.text("cycles-save-log");
-    if ui.button(button).clicked() {
-        view.send(Command::OpenDialog(Purpose::SaveCycleLog));
-    }
+    view.button(ui, Action::SaveLog);
 }
 
 /// The log, where contacts came from, remarks and warnings.

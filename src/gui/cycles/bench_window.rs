@@ -1,6 +1,6 @@
 //! The dialog of the simulated workpiece: surface, probe, scatter, temperature, all from one seed and one file.
 
-use eframe::egui::{Align2, Button, Id, Key, ScrollArea, Ui, Window, vec2};
+use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, Window, vec2};
 
 use super::follow_focus;
 use super::parameter_row::figure_ui;
@@ -8,11 +8,11 @@ use crate::gui::dialogs::just_opened;
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
-use crate::session::{BenchField, BenchKind, Command, CycleField, CycleFile, CyclesCommand, Purpose};
+use crate::session::{Action, BenchField, BenchKind, WorkpieceCommand};
 
 /// The window, where it is open. What is typed counts at once.
 pub(in crate::gui) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
-    if !view.session.cycles().bench_is_open() {
+    if !view.session.bench_is_open() {
         return;
     }
     let size = ui.ctx().content_rect().size();
@@ -36,11 +36,6 @@ pub(in crate::gui) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
     if last != rect {
         ui.ctx().request_repaint();
     }
-    // What lies above is closed first.
-    let is_top = view.session.dialog().is_none() && view.session.notices().is_empty();
-    if is_top && ui.input(|input| input.key_pressed(Key::Escape)) && !ui.ctx().text_edit_focused() {
-        view.send(Command::Cycles(CyclesCommand::ShowBench(false)));
-    }
 }
 
 const fn kind_id(kind: BenchKind) -> &'static str {
@@ -54,7 +49,7 @@ const fn kind_id(kind: BenchKind) -> &'static str {
 
 fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
-    let kind = view.session.cycles().bench().kind();
+    let kind = view.session.bench().kind();
     let is_new = just_opened(ui, Id::unique("bench-kind"));
     ui.horizontal(|ui| {
         for choice in BenchKind::ALL {
@@ -63,7 +58,7 @@ fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
                 radio.request_focus();
             }
             if radio.clicked() {
-                view.send(Command::Cycles(CyclesCommand::ChooseKind(choice)));
+                view.send(WorkpieceCommand::ChooseKind(choice));
             }
         }
     });
@@ -87,10 +82,10 @@ fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn plane_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         quiet(ui, view.text("cycles-plane"));
-        let chosen = view.session.cycles().bench().plane();
+        let chosen = view.session.bench().plane();
         for plane in [Plane::Xy, Plane::Zx, Plane::Yz] {
             if ui.radio(chosen == plane, plane.axes().join("/")).clicked() {
-                view.send(Command::Cycles(CyclesCommand::ChoosePlane(plane)));
+                view.send(WorkpieceCommand::ChoosePlane(plane));
             }
         }
     });
@@ -98,26 +93,19 @@ fn plane_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[BenchField]) {
     for field in fields {
-        figure_ui(ui, view, CycleField::Bench(*field), view.text(field.name_id()), field.unit());
+        figure_ui(ui, view, *field, view.text(field.name_id()), field.unit());
     }
 }
 
 fn buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
-        let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(20.0), sizes().touch));
-        let buttons = ["cycles-suit", "cycles-open-bench", "cycles-save-bench", "close"].map(button);
-        let [suit, open, save, close] = buttons;
-        if ui.add(suit).clicked() {
-            view.send(Command::Cycles(CyclesCommand::SuitBench));
+        let size = vec2(space(20.0), sizes().touch);
+        for action in [Action::SuitWorkpiece, Action::OpenWorkpiece, Action::SaveWorkpiece] {
+            let button = view.named(action).min_size(size);
+            view.button_as(ui, action, button);
         }
-        if ui.add(open).clicked() {
-            view.send(Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Bench)));
-        }
-        if ui.add_enabled(view.session.cycles().bench().bench().is_some(), save).clicked() {
-            view.send(Command::OpenDialog(Purpose::SaveBench));
-        }
-        if ui.add(close).clicked() {
-            view.send(Command::Cycles(CyclesCommand::ShowBench(false)));
+        if ui.add(Button::new(view.text("close")).min_size(size)).clicked() {
+            view.send(WorkpieceCommand::Show(false));
         }
     });
 }

@@ -1,11 +1,11 @@
 //! An NC block, typed or pasted, that fills the form.
 
-use eframe::egui::{Align2, Button, Id, Key, TextEdit, Ui, Window, vec2};
+use eframe::egui::{Align2, Button, Id, TextEdit, Ui, Window, vec2};
 
 use crate::gui::dialogs::just_opened;
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, problem, quiet};
-use crate::session::{Command, CyclesCommand};
+use crate::session::{Action, CyclesCommand};
 
 /// The window, where it is open.
 pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
@@ -29,22 +29,18 @@ pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
                 response.request_focus();
             }
             if response.changed() {
-                view.send(Command::Cycles(CyclesCommand::TypeBlock(text.clone())));
+                view.send(CyclesCommand::TypeBlock(text.clone()));
             }
             if let Some(error) = view.session.cycles().block_problem() {
                 problem(ui, view.words.say(error));
             }
             ui.horizontal(|ui| {
                 let size = vec2(space(24.0), sizes().touch);
-                if ui.add(Button::new(view.text("cycles-fill")).min_size(size)).clicked() {
-                    view.send(Command::Cycles(CyclesCommand::TakeBlock));
-                }
+                let fill = view.named(Action::TakeBlock).min_size(size);
+                view.button_as(ui, Action::TakeBlock, fill);
                 if ui.add(Button::new(view.text("dialog-cancel")).min_size(size)).clicked() {
-                    view.send(Command::Cycles(CyclesCommand::ShowBlock(false)));
+                    view.send(CyclesCommand::ShowBlock(false));
                 }
             });
         });
-    if ui.input(|input| input.key_pressed(Key::Escape)) {
-        view.send(Command::Cycles(CyclesCommand::ShowBlock(false)));
-    }
 }

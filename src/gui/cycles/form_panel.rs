@@ -8,7 +8,7 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
 use crate::probing::cycle::{Cycle, Key};
 use crate::probing::cycles::CYCLES;
-use crate::session::{Axis, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Purpose};
+use crate::session::{Action, Axis, ContactsFrom, CycleField, CyclesCommand};
 use crate::words::Message;
 
 /// The panel.
@@ -43,7 +43,7 @@ fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
         .show_ui(ui, |ui| {
             for cycle in CYCLES {
                 if ui.selectable_label(cycle.number == chosen.number, title(view, cycle)).clicked() {
-                    view.send(Command::Cycles(CyclesCommand::Choose(cycle.number)));
+                    view.send(CyclesCommand::Choose(cycle.number));
                     is_picked = true;
                     ui.close();
                 }
@@ -71,7 +71,7 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
         for choice in ContactsFrom::ALL {
             if ui.radio(from == choice, view.text(from_id(choice))).clicked() {
-                view.send(Command::Cycles(CyclesCommand::From(choice)));
+                view.send(CyclesCommand::From(choice));
             }
         }
     });
@@ -80,8 +80,8 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
         ContactsFrom::Simulated => {
             ui.horizontal(|ui| simulated_ui(ui, view));
             // The dialog says it beside the field.
-            let page = view.session.cycles();
-            if let Some(error) = page.bench().problem().filter(|_| !page.bench_is_open()) {
+            let session = view.session;
+            if let Some(error) = session.bench().problem().filter(|_| !session.bench_is_open()) {
                 problem(ui, view.words.say(&error));
             }
         }
@@ -91,19 +91,13 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn simulated_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if opener_ui(ui, view.text("cycles-workpiece"), view.session.cycles().bench_is_open()) {
-        view.send(Command::Cycles(CyclesCommand::ShowBench(true)));
-    }
-    if ui.button(view.text("cycles-suit")).clicked() {
-        view.send(Command::Cycles(CyclesCommand::SuitBench));
-    }
+    opener_ui(ui, view, Action::EditWorkpiece, view.session.bench_is_open());
+    view.button(ui, Action::SuitWorkpiece);
 }
 
 fn recorded_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if ui.button(view.text("cycles-open-contacts")).clicked() {
-        view.send(Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Contacts)));
-    }
-    match view.session.cycles().recorded() {
+    view.button(ui, Action::OpenContacts);
+    match view.session.recorded() {
         Some(recorded) => {
             let said = Message::new("cycles-contacts-of").count("count", recorded.contacts.len());
             quiet_cut(ui, view.words.say(&said.text("file", &recorded.name)));
@@ -126,17 +120,15 @@ fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
             .show_ui(ui, |ui| {
                 for row in page.probes() {
                     if ui.selectable_label(row.number == probe.number, row.number.to_string()).clicked() {
-                        view.send(Command::Cycles(CyclesCommand::ChooseProbe(row.number)));
+                        view.send(CyclesCommand::ChooseProbe(row.number));
                         is_picked = true;
                         ui.close();
                     }
                 }
-                if ui.button(view.text("cycles-open-probes")).clicked() {
-                    view.send(Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Probes)));
+                if view.button(ui, Action::OpenProbes).clicked() {
                     ui.close();
                 }
-                if page.probes_name().is_some() && ui.button(view.text("cycles-shipped-probes")).clicked() {
-                    view.send(Command::Cycles(CyclesCommand::ShippedProbes));
+                if page.probes_name().is_some() && view.button(ui, Action::ShippedProbes).clicked() {
                     is_picked = true;
                     ui.close();
                 }
@@ -164,18 +156,11 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
         let width = ui.available_width() - widths.iter().sum::<f32>() - space(5.0);
         let text = RichText::new(view.text("cycles-run")).color(palette.on_accent.0).font(theme::bold(sizes().body));
         let button = Button::new(text).fill(palette.accent.0).min_size(vec2(width, sizes().touch));
-        if ui.add(button).on_hover_text("F5").clicked() {
-            view.send(Command::Cycles(CyclesCommand::Run));
-        }
-        let clear = Button::new(view.text("clear")).min_size(vec2(0.0, sizes().touch));
-        if ui.add(clear).clicked() {
-            view.send(Command::Cycles(CyclesCommand::Clear));
-        }
-        let keypad = view.session.has_keypad();
-        let button = Button::new(view.text("keypad")).selected(keypad).min_size(vec2(0.0, sizes().touch));
-        if ui.add(button).clicked() {
-            view.send(Command::ShowKeypad(!keypad));
-        }
+        view.button_as(ui, Action::RunCycle, button);
+        let clear = view.named(Action::ClearCycle).min_size(vec2(0.0, sizes().touch));
+        view.button_as(ui, Action::ClearCycle, clear);
+        let keypad = view.named(Action::Keypad).selected(view.session.has_keypad());
+        view.button_as(ui, Action::Keypad, keypad.min_size(vec2(0.0, sizes().touch)));
     });
 }
 
@@ -231,12 +216,7 @@ fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn block_buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal(|ui| {
-        if opener_ui(ui, view.text("cycles-paste-block"), view.session.cycles().block().is_some()) {
-            view.send(Command::Cycles(CyclesCommand::ShowBlock(true)));
-        }
-        let copy = Button::new(view.text("cycles-copy-block"));
-        if ui.add_enabled(view.session.cycles().is_complete(), copy).clicked() {
-            view.send(Command::Cycles(CyclesCommand::CopyBlock));
-        }
+        opener_ui(ui, view, Action::PasteBlock, view.session.cycles().block().is_some());
+        view.button(ui, Action::CopyBlock);
     });
 }

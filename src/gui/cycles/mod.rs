@@ -18,13 +18,13 @@ mod parameter_row;
 pub(super) mod picture;
 mod seen_panel;
 
-use eframe::egui::{CentralPanel, Id, Key, KeyboardShortcut, Memory, Modifiers, Panel, Response, ScrollArea, Ui};
+use eframe::egui::{CentralPanel, Id, Key, Memory, Panel, Response, ScrollArea, Ui};
 
 use super::dialogs::just_opened;
 use super::field;
 use super::theme::space;
 use super::view::View;
-use crate::session::{Command, CycleField, CyclesCommand, Step};
+use crate::session::{Action, Command, CycleField, CyclesCommand};
 
 /// The page: left what is asked, middle what is seen, right the answer.
 pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -33,7 +33,6 @@ pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     {
         ui.memory_mut(|memory| memory.request_focus(field::id(CycleField::Parameter(first.key))));
     }
-    shortcuts(ui, view);
     let size = ui.available_size();
     let narrow = size.x < 1200.0;
     let side = if narrow { space(80.0) } else { space(94.0) };
@@ -46,7 +45,7 @@ pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     bench_window::bench_ui(ui, view);
     block_window::block_ui(ui, view);
     // A run that cannot begin leads to what is wrong, once it was tried.
-    let is_run = |command: &Command| matches!(command, Command::Measure | Command::Cycles(CyclesCommand::Run));
+    let is_run = |command: &Command| matches!(command, Command::Cycles(CyclesCommand::Run));
     let has_run = view.commands.iter().any(is_run);
     ui.data_mut(|data| data.insert_temp(asked_id(), has_run));
 }
@@ -66,29 +65,6 @@ fn wrong_field(ui: &Ui, view: &View<'_>) -> Option<CycleField> {
     let last = form_panel::last_focused(ui).map(CycleField::Parameter);
     last.filter(|field| page.error(*field).is_some()).or_else(|| page.first_wrong())
 }
-
-/// Run and step from the keyboard, wherever the focus is.
-fn shortcuts(ui: &Ui, view: &mut View<'_>) {
-    if view.session.dialog().is_some() {
-        return;
-    }
-    let pressed = |modifiers, key| ui.input_mut(|input| input.consume_shortcut(&KeyboardShortcut::new(modifiers, key)));
-    if pressed(Modifiers::NONE, Key::F5) {
-        view.send(Command::Cycles(CyclesCommand::Run));
-    }
-    if view.session.cycles().run().is_none() {
-        return;
-    }
-    for (key, step) in STEP_KEYS {
-        if pressed(Modifiers::ALT, key) {
-            view.send(Command::Cycles(CyclesCommand::Step(step)));
-        }
-    }
-}
-
-/// The keys that step along the path, with Alt.
-const STEP_KEYS: [(Key, Step); 4] =
-    [(Key::Home, Step::First), (Key::ArrowLeft, Step::Back), (Key::ArrowRight, Step::Next), (Key::End, Step::Last)];
 
 /// A column that scrolls where the window is low; the floating bar never lies on its content.
 fn column_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
@@ -119,11 +95,10 @@ fn keep_focus(ui: &Ui, list: &Response) {
 }
 
 /// A button that opens a dialog; it gets the focus back when the dialog is closed.
-fn opener_ui(ui: &mut Ui, text: String, is_open: bool) -> bool {
-    let button = ui.button(text);
+fn opener_ui(ui: &mut Ui, view: &mut View<'_>, action: Action, is_open: bool) {
+    let button = view.button(ui, action);
     let was_open = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(button.id.with("open")), is_open));
     if was_open && !is_open {
         button.request_focus();
     }
-    button.clicked()
 }

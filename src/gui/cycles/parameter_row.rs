@@ -7,7 +7,7 @@ use crate::gui::field::{Look, error_ui, field_ui, select_all};
 use crate::gui::theme::{palette, sizes, space};
 use crate::gui::view::{View, list_height, quiet, quiet_cut};
 use crate::probing::cycle::{Key, Parameter, Range, Unset, Value};
-use crate::session::{Command, CycleField, CyclesCommand};
+use crate::session::{CycleField, CyclesCommand, Field};
 
 /// How wide a field is.
 const FIELD: f32 = 24.0;
@@ -62,10 +62,10 @@ fn hint(view: &View<'_>, parameter: &Parameter) -> String {
 }
 
 /// Gives the focus to a field that keeps a run from beginning.
-fn lead_here(ui: &Ui, view: &View<'_>, field: CycleField, response: &Response) {
-    if wrong_field(ui, view) == Some(field) {
+fn lead_here(ui: &Ui, view: &View<'_>, field: Field, response: &Response) {
+    if wrong_field(ui, view).map(Field::from) == Some(field) {
         response.request_focus();
-        select_all(ui, response.id, view.session.cycles().text(field));
+        select_all(ui.ctx(), response.id, view.session.text(field));
     }
 }
 
@@ -79,7 +79,7 @@ fn number_ui(
     let look = Look { hint: hint.to_owned(), ..Look::number(space(FIELD)) };
     let response = field_ui(ui, view, of, name, look);
     quiet(ui, parameter.range.unit().unwrap_or_default());
-    lead_here(ui, view, of, &response);
+    lead_here(ui, view, of.into(), &response);
     response.has_focus()
 }
 
@@ -143,9 +143,9 @@ fn choice_ui(
     }
     let field = CycleField::Parameter(key);
     if let Some(text) = choice {
-        view.send(Command::Cycles(CyclesCommand::Type(field, text)));
+        view.send(CyclesCommand::Type(field, text));
     }
-    lead_here(ui, view, field, &response);
+    lead_here(ui, view, field.into(), &response);
     response.has_focus()
 }
 
@@ -160,11 +160,11 @@ fn typed_number(ui: &Ui, allowed: &[i64]) -> Option<i64> {
 }
 
 /// A field without a parameter's declaration, such as a figure of the workpiece; one that may be empty says so.
-pub(super) fn figure_ui(ui: &mut Ui, view: &mut View<'_>, of: CycleField, name: String, unit: &str) {
+pub(super) fn figure_ui(ui: &mut Ui, view: &mut View<'_>, of: impl Into<Field>, name: String, unit: &str) {
+    let of = of.into();
     let is_optional = match of {
-        CycleField::Bench(field) => field.is_optional(),
-        CycleField::Position(_) => true,
-        CycleField::Parameter(_) | CycleField::Global(_) => false,
+        Field::Workpiece(field) => field.is_optional(),
+        _ => matches!(of, Field::Cycles(CycleField::Position(_))),
     };
     let hint = if is_optional { view.text("cycles-none") } else { String::new() };
     row_ui(ui, name, |ui, name| {

@@ -1,13 +1,13 @@
 //! Middle: the parameter in focus, the path step by step, contacts with their deviations, criteria side by side.
 
-use eframe::egui::{Button, Label, Slider, Ui, vec2};
+use eframe::egui::{Label, Slider, Ui, vec2};
 
 use super::form_panel::last_focused;
 use super::{column_ui, picture};
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::{Move, Parameter, Phase, Range, Unset, Value};
-use crate::session::{Command, CycleRun, CyclesCommand, Step};
+use crate::session::{Action, CycleRun, CyclesCommand, Step};
 use crate::words::{Message, Words};
 
 /// The panel.
@@ -110,26 +110,18 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
 }
 
 fn steps_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
-    let last = count.saturating_sub(1);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space(1.0);
-        for (id, key, to, enabled) in [
-            ("cycles-first", "Alt+Home", Step::First, 0 < step),
-            ("cycles-back", "Alt+←", Step::Back, 0 < step),
-            ("cycles-next", "Alt+→", Step::Next, step < last),
-            ("cycles-last", "Alt+End", Step::Last, step < last),
-        ] {
-            let button = Button::new(view.text(id)).min_size(vec2(space(14.0), sizes().touch));
-            if ui.add_enabled(enabled, button).on_hover_text(key).clicked() {
-                view.send(Command::Cycles(CyclesCommand::Step(to)));
-            }
+        for step in [Step::First, Step::Back, Step::Next, Step::Last].map(Action::StepPath) {
+            let button = view.named(step).min_size(vec2(space(14.0), sizes().touch));
+            view.button_as(ui, step, button);
         }
         let mut number = step + 1;
         ui.spacing_mut().slider_width = (ui.available_width() - space(4.0)).max(space(8.0));
         let slider = Slider::new(&mut number, 1..=count).show_value(false);
         let slider = ui.add_enabled(1 < count, slider).accessible_name(view.text("cycles-move"));
         if slider.changed() {
-            view.send(Command::Cycles(CyclesCommand::Step(Step::To(number.saturating_sub(1)))));
+            view.send(CyclesCommand::Step(Step::To(number.saturating_sub(1))));
         }
     });
 }

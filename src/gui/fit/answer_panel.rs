@@ -9,7 +9,7 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::length::Length;
-use crate::session::{Command, Equivalent, FitCommand, Parts, WarmFit, extremes};
+use crate::session::{Action, Equivalent, FitCommand, Parts, WarmFit, extremes};
 use crate::tolerance::fit::preferred::{function, preference};
 use crate::tolerance::fit::{Actual, Fit, Kind, Possible, basis};
 use crate::tolerance::{Feature, Limits};
@@ -121,9 +121,7 @@ fn said_of_ui(ui: &mut Ui, view: &View<'_>) {
 
 /// Both parts' limits, where they come from, and the way to the check page.
 fn limits_ui(ui: &mut Ui, view: &mut View<'_>, fit: &Fit) {
-    for (limits, part, button) in
-        [(fit.hole(), "feature-hole", "fit-check-hole"), (fit.shaft(), "feature-shaft", "fit-check-shaft")]
-    {
+    for (limits, part) in [(fit.hole(), "feature-hole"), (fit.shaft(), "feature-shaft")] {
         let class = view.session.fit().class(limits.feature);
         let class = class.map(|class| class.to_string()).unwrap_or_default();
         ui.horizontal(|ui| {
@@ -131,9 +129,9 @@ fn limits_ui(ui: &mut Ui, view: &mut View<'_>, fit: &Fit) {
             feature_picture(ui, limits.feature, space(6.0));
             heading(ui, format!("{} {class}", view.text(part)));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                if ui.add(Button::new(view.text(button)).min_size(vec2(0.0, sizes().field))).clicked() {
-                    view.send(Command::Fit(FitCommand::Check(limits.feature)));
-                }
+                let check = Action::CheckPart(limits.feature);
+                let button = view.named(check).min_size(vec2(0.0, sizes().field));
+                view.button_as(ui, check, button);
             });
         });
         sizes_ui(ui, view, limits);
@@ -166,7 +164,7 @@ fn equivalent_ui(ui: &mut Ui, view: &mut View<'_>, equivalent: &Equivalent) {
         let Equivalent { hole, shaft, difference } = equivalent;
         let button = Button::new(format!("{hole}/{shaft}")).min_size(vec2(space(20.0), sizes().field));
         if ui.add_enabled(difference.is_ok(), button).labelled_by(name.id).clicked() {
-            view.send(Command::Fit(FitCommand::TakePair(*hole, *shaft)));
+            view.send(FitCommand::TakePair(*hole, *shaft));
         }
     });
     match &equivalent.difference {

@@ -5,7 +5,7 @@ use eframe::egui::{Button, ComboBox, Grid, Id, Ui, vec2};
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, list_height, quiet};
-use crate::session::{Command, Field, FitCommand};
+use crate::session::{FitCommand, FitField};
 use crate::tolerance::ToleranceClass;
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
 
@@ -13,9 +13,9 @@ use crate::tolerance::fit::preferred::{Function, Preference, function, preferenc
 pub(super) fn callout_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("fit-callout"));
     let width = ui.available_width();
-    field_ui(ui, view, Field::FitCallout, name.id, Look::large(width));
-    error_ui(ui, view, Field::FitCallout);
-    if view.session.inputs().text(Field::FitCallout).trim().is_empty() {
+    field_ui(ui, view, FitField::Callout, name.id, Look::large(width));
+    error_ui(ui, view, FitField::Callout);
+    if view.session.text(FitField::Callout).trim().is_empty() {
         quiet(ui, view.text("fit-callout-hint"));
     } else if let Some(hint) = view.session.fit().hint() {
         quiet(ui, view.words.say(hint));
@@ -66,7 +66,7 @@ fn preferred_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
                     let button = Button::selectable(of_list == Some((hole, shaft)), format!("{hole}/{shaft}"));
                     let button = button.min_size(vec2(space(19.0), sizes().field));
                     if ui.add_enabled(view.session.fit().is_defined(hole, shaft), button).clicked() {
-                        view.send(Command::Fit(FitCommand::TakePair(hole, shaft)));
+                        view.send(FitCommand::TakePair(hole, shaft));
                         ui.close();
                     }
                 }
@@ -89,7 +89,7 @@ fn function_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
                     let button = Button::selectable(is, format!("{}/{}", fit.hole, fit.shaft));
                     let button = button.min_size(vec2(space(22.0), sizes().field));
                     if ui.add_enabled(view.session.fit().is_defined(fit.hole, fit.shaft), button).clicked() {
-                        view.send(Command::Fit(FitCommand::TakePair(fit.hole, fit.shaft)));
+                        view.send(FitCommand::TakePair(fit.hole, fit.shaft));
                         ui.close();
                     }
                 }

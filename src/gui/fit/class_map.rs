@@ -5,15 +5,14 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Button, EventFilter, Id, Key, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
-    pos2, vec2,
+    Align2, Button, Id, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::staircase::staircase_ui;
 use crate::gui::class_chooser::feature_classes_id;
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
-use crate::session::{ClassMap, Command, Direction, FitCommand, MapCell};
+use crate::session::{Action, ClassMap, FitCommand, MapCell};
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::{Feature, ToleranceClass};
 use crate::words::Message;
@@ -55,10 +54,9 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
             None => heading(ui, view.text("fit-classes-none")),
         };
         for feature in [Feature::Hole, Feature::Shaft] {
-            let button = Button::selectable(side == feature, view.text(feature_classes_id(feature)));
-            if ui.add(button.min_size(vec2(0.0, sizes().field))).clicked() {
-                view.send(Command::Fit(FitCommand::ShowClasses(feature)));
-            }
+            let show = Action::ShowClasses(feature);
+            let button = Button::selectable(side == feature, show.text(session, view.words));
+            view.button_as(ui, show, button.min_size(vec2(0.0, sizes().field)));
         }
     });
     let Some(map) = session.fit().map(side) else {
@@ -82,7 +80,7 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     grid_ui(ui, view, map, chosen, row);
     for class in map.others() {
         if ui.add(Button::selectable(chosen == Some(*class), class.as_str())).clicked() {
-            view.send(Command::Fit(FitCommand::ChooseClass(*class)));
+            view.send(FitCommand::ChooseClass(*class));
         }
     }
 }
@@ -95,19 +93,23 @@ pub(super) fn letter_text(letter: Letter, side: Feature) -> String {
     }
 }
 
+/// The id of a side's map: it takes the focus as a whole.
+pub(in crate::gui) fn map_id(side: Feature) -> Id {
+    Id::unique(("fit-map", side))
+}
+
 fn grid_ui(ui: &mut Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<ToleranceClass>, row: f32) {
     let side = view.session.fit().side();
     let grades: Vec<Grade> = map.grades().collect();
     let count = f32::from(u8::try_from(grades.len()).unwrap_or(u8::MAX)) + 1.0;
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), row * count), Sense::hover());
-    let id = Id::unique(("fit-map", side));
+    let id = map_id(side);
     let whole = ui.interact(rect, id, Sense::click());
     let name = view.text(feature_classes_id(side));
     whole.widget_info(|| WidgetInfo::labeled(Role::RadioGroup, true, &name));
     if let Some(class) = chosen {
         ui.ctx().accesskit_node_builder(id, |node| node.set_value(class.as_str()));
     }
-    keys_ui(ui, view, map, chosen, &whole);
     let columns = Columns::of(rect);
     let table = Table { painter: ui.painter().clone(), palette: palette(ui.ctx()), columns, row, chosen, side };
     table.letters(rect.top());
@@ -121,7 +123,7 @@ fn grid_ui(ui: &mut Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<Tole
             let response = ui.interact(place, id.with((letter, grade)), Sense::CLICK);
             table.cell(place, cell, &response);
             if response.clicked() {
-                view.send(Command::Fit(FitCommand::ChooseClass(cell.class)));
+                view.send(FitCommand::ChooseClass(cell.class));
                 whole.request_focus();
             }
             cell_hint(view, cell, response);
@@ -139,32 +141,6 @@ fn cell_hint(view: &View<'_>, cell: &MapCell, response: Response) {
         let (upper, lower) = (view.words.signed_um(upper), view.words.signed_um(lower));
         ui.label(format!("{}  {lower} … {upper} µm", cell.class));
     });
-}
-
-/// Arrows choose the next class that is defined.
-fn keys_ui(ui: &Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<ToleranceClass>, whole: &Response) {
-    if !whole.has_focus() {
-        return;
-    }
-    let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(whole.id, arrows));
-    let directions = [
-        (Key::ArrowLeft, Direction::Left),
-        (Key::ArrowRight, Direction::Right),
-        (Key::ArrowUp, Direction::Up),
-        (Key::ArrowDown, Direction::Down),
-    ];
-    for (key, direction) in directions {
-        if ui.input(|input| input.key_pressed(key)) {
-            let next = match chosen.filter(|class| map.has(*class)) {
-                Some(class) => map.next(class, direction),
-                None => map.first(),
-            };
-            if let Some(class) = next {
-                view.send(Command::Fit(FitCommand::ChooseClass(class)));
-            }
-        }
-    }
 }
 
 struct Table<'a> {

@@ -19,16 +19,18 @@ mod staircase;
 
 use eframe::egui::{CentralPanel, Id, Panel, ScrollArea, Ui};
 
+pub(super) use class_map::map_id;
+
 use super::dialogs::just_opened;
 use super::field;
 use super::theme::space;
 use super::view::View;
-use crate::session::Field;
+use crate::session::FitField;
 
 /// The page: left what is asked, middle what is seen, right the answer.
 pub(super) fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("fit-page")) {
-        ui.memory_mut(|memory| memory.request_focus(field::id(Field::FitCallout)));
+        ui.memory_mut(|memory| memory.request_focus(field::id(FitField::Callout)));
     }
     let size = ui.available_size();
     let narrow = size.x < 1200.0;

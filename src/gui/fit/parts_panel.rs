@@ -5,7 +5,7 @@ use eframe::egui::{ComboBox, Grid, Id, Ui, vec2};
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::space;
 use crate::gui::view::{View, heading, list_height, quiet};
-use crate::session::{Command, Field, FitCommand, expansion_field};
+use crate::session::{FitCommand, FitField};
 use crate::tolerance::Feature;
 
 /// The measured diameters.
@@ -14,12 +14,12 @@ pub(super) fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
     pair_ui(
         ui,
         view,
-        [(Field::HoleMeasured, "fit-hole-measured", "mm"), (Field::ShaftMeasured, "fit-shaft-measured", "mm")],
+        [(FitField::HoleMeasured, "fit-hole-measured", "mm"), (FitField::ShaftMeasured, "fit-shaft-measured", "mm")],
     );
 }
 
 /// Two fields beside each other, each with its name above it and its error below.
-pub(super) fn pair_ui(ui: &mut Ui, view: &mut View<'_>, fields: [(Field, &str, &str); 2]) {
+pub(super) fn pair_ui(ui: &mut Ui, view: &mut View<'_>, fields: [(FitField, &str, &str); 2]) {
     let [first, ..] = fields;
     let width = (ui.available_width() - space(2.0)) / 2.0;
     Grid::new(("fit-pair", first.0))
@@ -40,7 +40,7 @@ pub(super) fn pair_ui(ui: &mut Ui, view: &mut View<'_>, fields: [(Field, &str, &
     }
 }
 
-fn number_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id, width: f32, unit: &str) {
+fn number_ui(ui: &mut Ui, view: &mut View<'_>, field: FitField, name: Id, width: f32, unit: &str) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space(1.0);
         field_ui(ui, view, field, name, Look::number(width));
@@ -52,9 +52,9 @@ fn number_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id, width: f3
 pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let name = heading(ui, view.text("fit-temperature"));
-        number_ui(ui, view, Field::Temperature, name.id, space(16.0), "°C");
+        number_ui(ui, view, FitField::Temperature, name.id, space(16.0), "°C");
     });
-    error_ui(ui, view, Field::Temperature);
+    error_ui(ui, view, FitField::Temperature);
     let width = (ui.available_width() - space(2.0)) / 2.0;
     for (part, material, expansion) in [
         (Feature::Hole, "fit-hole-material", "fit-hole-expansion"),
@@ -70,10 +70,10 @@ pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
                 let expansion = quiet(ui, view.text(expansion));
                 ui.end_row();
                 material_ui(ui, view, part, material.id, width);
-                field_ui(ui, view, expansion_field(part), expansion.id, Look::number(width - space(2.0)));
+                field_ui(ui, view, FitField::expansion(part), expansion.id, Look::number(width - space(2.0)));
                 ui.end_row();
             });
-        error_ui(ui, view, expansion_field(part));
+        error_ui(ui, view, FitField::expansion(part));
     }
 }
 
@@ -97,7 +97,7 @@ fn material_ui(ui: &mut Ui, view: &mut View<'_>, part: Feature, name: Id, width:
                 let source = material.source.as_deref().unwrap_or_default();
                 let hint = if source.is_empty() { certainty } else { format!("{certainty}: {source}") };
                 if ui.selectable_label(is, text).on_hover_text(hint).clicked() {
-                    view.send(Command::Fit(FitCommand::ChooseExpansion(part, material.expansion)));
+                    view.send(FitCommand::ChooseExpansion(part, material.expansion));
                     ui.close();
                 }
             }

@@ -8,7 +8,7 @@ use crate::gui::shapes::{self, Hatch};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet, quiet_cut};
 use crate::length::Length;
-use crate::session::{Mark, Parts, Picture, PictureZone, extremes, measured_field};
+use crate::session::{FitField, Mark, Parts, Picture, PictureZone, extremes};
 use crate::tolerance::fit::Fit;
 use crate::tolerance::{Feature, Limits};
 use crate::words::{Message, Words};
@@ -51,7 +51,7 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
         said.push(format!("{} {} µm.", words.get(id), words.um(amount)));
     }
     for limits in [fit.hole(), fit.shaft()] {
-        if let Some(measured) = view.session.fit().length(measured_field(limits.feature)) {
+        if let Some(measured) = view.session.fit().length(FitField::measured(limits.feature)) {
             let deviation = words.signed_um(measured.saturating_sub(limits.nominal));
             let message = Message::new("fit-describe-measured")
                 .text("part", words.get(part_id(limits.feature)))
@@ -196,7 +196,7 @@ impl<'a> Drawing<'a> {
 
     /// A measured part across its zone, or an arrow at the edge that it is beyond; always with its deviation.
     fn mark(&self, x: Rangef, zone: &PictureZone, limits: &Limits) {
-        let measured = self.view.session.fit().length(measured_field(limits.feature));
+        let measured = self.view.session.fit().length(FitField::measured(limits.feature));
         let (Some(mark), Some(measured)) = (zone.mark, measured) else { return };
         let text = self.words.signed_um(measured.saturating_sub(limits.nominal));
         let colour = self.palette.text.0;

@@ -7,7 +7,7 @@ use super::parts_panel::pair_ui;
 use crate::gui::theme::{self, Hex, palette, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::length::Length;
-use crate::session::{Command, Field, FitCommand};
+use crate::session::{FitCommand, FitField};
 use crate::tolerance::Feature;
 use crate::tolerance::fit::search::{Candidate, Found, Scope};
 use crate::words::Message;
@@ -29,7 +29,7 @@ pub(super) fn search_ui(ui: &mut Ui, view: &mut View<'_>) {
     pair_ui(
         ui,
         view,
-        [(Field::WantedMinimum, "fit-wanted-minimum", "mm"), (Field::WantedMaximum, "fit-wanted-maximum", "mm")],
+        [(FitField::WantedMinimum, "fit-wanted-minimum", "mm"), (FitField::WantedMaximum, "fit-wanted-maximum", "mm")],
     );
     ui.horizontal(|ui| {
         let name = quiet(ui, view.text("fit-scope"));
@@ -42,7 +42,7 @@ pub(super) fn search_ui(ui: &mut Ui, view: &mut View<'_>) {
             .show_ui(ui, |ui| {
                 for scope in [Scope::All, Scope::Basis, Scope::Preferred] {
                     if ui.selectable_label(scope == now, view.text(scope_id(scope))).clicked() {
-                        view.send(Command::Fit(FitCommand::SearchAmong(scope)));
+                        view.send(FitCommand::SearchAmong(scope));
                         ui.close();
                     }
                 }
@@ -113,7 +113,7 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, candidate: &Candidate) {
     let button = Button::new((job, Atom::grow(), remark)).truncate().selected(chosen == (Some(hole), Some(shaft)));
     let size = vec2(ui.available_width(), sizes().field);
     if ui.add_sized(size, button).accessible_name(name).clicked() {
-        view.send(Command::Fit(FitCommand::TakePair(hole, shaft)));
+        view.send(FitCommand::TakePair(hole, shaft));
     }
 }
 

@@ -7,7 +7,7 @@ use super::class_map::Columns;
 use super::picture::screen;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
-use crate::session::{ClassMap, Command, FitCommand};
+use crate::session::{ClassMap, FitCommand};
 use crate::tolerance::Feature;
 use crate::tolerance::iso286::Grade;
 use crate::words::Message;
@@ -58,7 +58,7 @@ pub(super) fn staircase_ui(
         painter.rect(bar, 0.0, fill, Stroke::new(edge, palette.text.0), StrokeKind::Middle);
         let is_hit = pointer.is_some_and(|pointer| x <= pointer && pointer < x + columns.step);
         if is_hit && response.clicked() {
-            view.send(Command::Fit(FitCommand::ChooseClass(cell.class)));
+            view.send(FitCommand::ChooseClass(cell.class));
         }
     }
     let name = view.words.say(&Message::new("fit-staircase").text("grade", grade));

@@ -11,8 +11,8 @@ use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, quiet};
 use crate::nc::machine::{CycleRun, Window};
 use crate::probing::cycle::Value;
+use crate::session::ProgramCommand;
 use crate::session::program::Run;
-use crate::session::{Command, ProgramCommand};
 use crate::words::{Message, Words};
 
 /// The most windows and cycles that are drawn; the last ones count.
@@ -117,7 +117,7 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
             let text = format!("{}  {word}  {value}", cycle.cycle.code);
             let button = Button::new(text).frame(false).min_size(vec2(0.0, sizes().field));
             if ui.add(button).on_hover_text(view.text("program-page-show-block")).clicked() {
-                view.send(Command::Program(ProgramCommand::GoTo(cycle.place.clone())));
+                view.send(ProgramCommand::GoTo(cycle.place.clone()));
             }
         });
     }

@@ -9,7 +9,7 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::session::program::{Agreement, Input, Run, WorkpieceFrom};
-use crate::session::{Command, CycleFile, CyclesCommand, ProgramCommand, ProgramField, Purpose};
+use crate::session::{Action, ProgramCommand, ProgramField};
 use crate::verdict::Status;
 use crate::words::{Message, Say as _};
 
@@ -75,7 +75,7 @@ fn pair_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[(ProgramField, String, &s
 fn native_ui(ui: &mut Ui, view: &View<'_>) {
     heading(ui, view.text("program-page-answers"));
     let session = view.session;
-    let limits = match session.program_limits() {
+    let limits = match session.program().limits(session.sources()) {
         Some(Ok(limits)) => Some(limits),
         Some(Err(error)) => {
             problem(ui, view.words.say(&error));
@@ -93,7 +93,7 @@ fn native_ui(ui: &mut Ui, view: &View<'_>) {
         length.map_or_else(dash, |length| view.words.mm(length, 3))
     };
     let word = |status: Option<Status>| status.map_or_else(dash, |status| view.text(status_id(Some(status))));
-    let verdict = session.program_verdict();
+    let verdict = session.program().verdict(session.sources());
     let rows = [
         ("maximum", limits.as_ref().map_or_else(dash, |limits| view.words.mm(limits.maximum(), 3)), theirs(23)),
         ("minimum", limits.as_ref().map_or_else(dash, |limits| view.words.mm(limits.minimum(), 3)), theirs(33)),
@@ -118,7 +118,7 @@ fn native_ui(ui: &mut Ui, view: &View<'_>) {
 }
 
 fn agreement_ui(ui: &mut Ui, view: &View<'_>) {
-    let Some(agreement) = view.session.program_agreement() else { return };
+    let Some(agreement) = view.session.program().agreement(view.session.sources()) else { return };
     let (shape, said) = match agreement {
         Agreement::Agrees => (Some(Status::Good), view.text("program-page-agrees")),
         Agreement::BothRefuse => (None, view.text("program-page-both-refuse")),
@@ -157,7 +157,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
     let response = combo.width(ui.available_width() - space(2.0)).truncate().show_ui(ui, |ui| {
         for from in WorkpieceFrom::ALL {
             if ui.selectable_label(chosen == from, view.text(from_id(from, has_limits))).clicked() {
-                view.send(Command::Program(ProgramCommand::ChooseWorkpiece(from)));
+                view.send(ProgramCommand::ChooseWorkpiece(from));
             }
         }
     });
@@ -176,22 +176,18 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         WorkpieceFrom::Simulated => {
             let button = Button::new(view.text("program-page-edit-workpiece")).min_size(vec2(0.0, sizes().field));
-            if ui.add(button).clicked() {
-                view.send(Command::Cycles(CyclesCommand::ShowBench(true)));
-            }
-            if let Some(error) = view.session.cycles().bench().problem() {
+            view.button_as(ui, Action::EditWorkpiece, button);
+            if let Some(error) = view.session.bench().problem() {
                 problem(ui, view.words.say(&error));
             }
         }
         WorkpieceFrom::Recorded => {
-            if let Some(recorded) = view.session.cycles().recorded() {
+            if let Some(recorded) = view.session.recorded() {
                 let message = Message::new("program-page-recorded").text("name", &recorded.name);
                 quiet(ui, view.words.say(&message.count("count", recorded.contacts.len())));
             }
             let button = Button::new(view.text("program-page-open-contacts")).min_size(vec2(0.0, sizes().field));
-            if ui.add(button).clicked() {
-                view.send(Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Contacts)));
-            }
+            view.button_as(ui, Action::OpenContacts, button);
         }
     }
 }

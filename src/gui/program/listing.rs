@@ -1,30 +1,18 @@
-//! The lines in sight: arrows walk from block to block, a click before a block sets a breakpoint.
+//! The lines in sight; a click before a block sets a breakpoint. They take the focus as a whole.
 
 use std::ops::Range;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::style::ScrollAnimation;
-use eframe::egui::{
-    EventFilter, Id, Key, Modifiers, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
-};
+use eframe::egui::{Id, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 
 use super::paint;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::nc::program::Body;
-use crate::session::program::{BlockStep, Document, Run, State};
-use crate::session::{Command, ProgramCommand};
+use crate::session::ProgramCommand;
+use crate::session::program::{Document, Run, State};
 use crate::words::Message;
-
-/// What the keys do.
-const STEPS: [(Key, BlockStep); 6] = [
-    (Key::ArrowUp, BlockStep::Up),
-    (Key::ArrowDown, BlockStep::Down),
-    (Key::PageUp, BlockStep::PageUp),
-    (Key::PageDown, BlockStep::PageDown),
-    (Key::Home, BlockStep::First),
-    (Key::End, BlockStep::Last),
-];
 
 /// How many lines around a block come into sight with it.
 const AROUND: f32 = 3.0;
@@ -33,7 +21,7 @@ const AROUND: f32 = 3.0;
 const WIDEST: usize = 2_000;
 
 /// The id of the listing: it takes the focus as a whole.
-pub(super) fn id() -> Id {
+pub(in crate::gui) fn id() -> Id {
     Id::unique("program-listing")
 }
 
@@ -56,9 +44,6 @@ pub(super) fn listing_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = Message::new("program-page-listing").text("name", document.title());
     let name = view.words.say(&name.count("count", document.program().blocks().len()));
     listing.widget_info(|| WidgetInfo::labeled(Role::List, true, &name));
-    if listing.has_focus() {
-        keys(ui, view);
-    }
     let area = ScrollArea::both().id_salt(("listing", document.path())).auto_shrink(false);
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
@@ -70,17 +55,6 @@ pub(super) fn listing_ui(ui: &mut Ui, view: &mut View<'_>) {
     if listing.has_focus() {
         let stroke = Stroke::new(2.0, palette(ui.ctx()).accent.0);
         ui.painter().rect_stroke(rect.shrink(1.0), 0.0, stroke, StrokeKind::Inside);
-    }
-}
-
-/// The keys of the focused listing.
-fn keys(ui: &Ui, view: &mut View<'_>) {
-    let filter = EventFilter { tab: false, horizontal_arrows: false, vertical_arrows: true, escape: false };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(id(), filter));
-    for (key, step) in STEPS {
-        for _ in 0..ui.input_mut(|input| input.count_and_consume_key(Modifiers::NONE, key)) {
-            view.send(Command::Program(ProgramCommand::Move(step)));
-        }
     }
 }
 
@@ -159,9 +133,9 @@ fn marks_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &Row, block:
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_selected(is_selected));
     if response.clicked() {
         let in_gutter = response.interact_pointer_pos().is_some_and(|at| at.x < row.rect.left() + gutter());
-        view.send(Command::Program(ProgramCommand::Select(block)));
+        view.send(ProgramCommand::Select(block));
         if in_gutter {
-            view.send(Command::Program(ProgramCommand::ToggleBreakpoint(Some(block))));
+            view.send(ProgramCommand::ToggleBreakpoint(Some(block)));
         }
         ui.memory_mut(|memory| memory.request_focus(id()));
     }

@@ -22,7 +22,8 @@ mod watch_panel;
 
 use std::time::Duration;
 
-use eframe::egui::{CentralPanel, Frame, Id, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
+use eframe::egui::{CentralPanel, Frame, Id, Panel, ScrollArea, Ui};
+pub(super) use listing::id as listing_id;
 
 use super::cycles::bench_window;
 use super::dialogs::just_opened;
@@ -30,21 +31,11 @@ use super::field;
 use super::theme::{palette, space};
 use super::view::View;
 use crate::session::program::Speed;
-use crate::session::{Command, ProgramCommand, ProgramField, Purpose};
-
-const OPEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::O);
-const RUN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F5);
-const RESET: KeyboardShortcut = KeyboardShortcut::new(Modifiers::SHIFT, Key::F5);
-const STEP: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F10);
-const STEP_OVER: KeyboardShortcut = KeyboardShortcut::new(Modifiers::SHIFT, Key::F10);
-const TO_SELECTED: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::F10);
-const BREAKPOINT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F9);
-const PAUSE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Escape);
+use crate::session::{ProgramCommand, ProgramField};
 
 /// The page: left what goes in, middle the program, right what comes out.
 pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     focus_first(ui, view);
-    shortcuts(ui, view);
     tick(ui, view);
     let size = ui.available_size();
     // Where the window is low, the way of the probe stands below the inputs.
@@ -99,34 +90,6 @@ fn column_ui(ui: &mut Ui, id: &str, content: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// The keys of the page, wherever the focus is.
-fn shortcuts(ui: &Ui, view: &mut View<'_>) {
-    if view.session.dialog().is_some() || view.session.cycles().bench_is_open() {
-        return;
-    }
-    let pressed = |shortcut: &KeyboardShortcut| ui.input_mut(|input| input.consume_shortcut(shortcut));
-    // The longer shortcut first: the shorter one would take it.
-    for (shortcut, command) in [
-        (RESET, ProgramCommand::Reset),
-        (RUN, ProgramCommand::Run),
-        (TO_SELECTED, ProgramCommand::RunToSelected),
-        (STEP_OVER, ProgramCommand::StepOver),
-        (STEP, ProgramCommand::Step),
-        (BREAKPOINT, ProgramCommand::ToggleBreakpoint(None)),
-    ] {
-        if pressed(&shortcut) {
-            view.send(Command::Program(command));
-        }
-    }
-    if pressed(&OPEN) {
-        view.send(Command::OpenDialog(Purpose::OpenProgram));
-    }
-    // Only while a run goes on is Escape the page's.
-    if view.session.program().is_running() && pressed(&PAUSE) {
-        view.send(Command::Program(ProgramCommand::Pause));
-    }
-}
-
 /// Asks for the next slice when it is due; without a run that goes on, nothing is repainted.
 fn tick(ui: &Ui, view: &mut View<'_>) {
     let program = view.session.program();
@@ -140,7 +103,7 @@ fn tick(ui: &Ui, view: &mut View<'_>) {
     let waited = (now - last).abs();
     if program.speed() == Speed::Fast || interval <= waited {
         ui.data_mut(|data| data.insert_temp(id, now));
-        view.send(Command::Program(ProgramCommand::Tick));
+        view.send(ProgramCommand::Tick);
         ui.request_repaint_after(Duration::from_secs_f64(interval));
     } else {
         ui.request_repaint_after(Duration::from_secs_f64((interval - waited).clamp(0.0, 1.0)));

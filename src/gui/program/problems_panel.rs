@@ -5,8 +5,8 @@ use eframe::egui::{Button, Panel, RichText, ScrollArea, Sense, Ui, vec2};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
+use crate::session::ProgramCommand;
 use crate::session::program::{ProblemKind, Run};
-use crate::session::{Command, ProgramCommand};
 use crate::verdict::Status;
 use crate::words::Message;
 
@@ -55,7 +55,7 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, number: usize) {
         let text = RichText::new(&said).font(font).color(colour);
         let button = Button::new(text).frame(false).truncate().min_size(vec2(0.0, sizes().field));
         if ui.add(button).on_hover_text(said).clicked() {
-            view.send(Command::Program(ProgramCommand::GoTo(problem.place)));
+            view.send(ProgramCommand::GoTo(problem.place));
         }
     });
 }

@@ -1,13 +1,13 @@
 //! Above: which program; run, pause, single block, breakpoints, speed; what the run does, in words.
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Button, ComboBox, KeyboardShortcut, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{Button, ComboBox, RichText, Sense, Ui, WidgetInfo, vec2};
 
-use super::{BREAKPOINT, OPEN, PAUSE, RESET, RUN, STEP, STEP_OVER, TO_SELECTED, paint};
+use super::paint;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, list_height};
 use crate::session::program::{Document, EntryKind, Origin, Run, SHIPPED, Speed, State, Switch};
-use crate::session::{Command, ProgramCommand, Purpose};
+use crate::session::{Action, Command, ProgramCommand, Purpose};
 
 /// Two rows: what is done with the program, and where the run is.
 pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -30,18 +30,9 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
 }
 
-fn button(
-    ui: &mut Ui,
-    view: &mut View<'_>,
-    (id, enabled): (&str, bool),
-    shortcut: KeyboardShortcut,
-    command: ProgramCommand,
-) {
-    let button = Button::new(view.text(id)).min_size(vec2(0.0, sizes().field));
-    let response = ui.add_enabled(enabled, button).on_hover_text(ui.ctx().format_shortcut(&shortcut));
-    if response.clicked() {
-        view.send(Command::Program(command));
-    }
+fn button(ui: &mut Ui, view: &mut View<'_>, action: Action) {
+    let button = view.named(action).min_size(vec2(0.0, sizes().field));
+    view.button_as(ui, action, button);
 }
 
 fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -57,7 +48,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
             let chosen = view.session.program().origin() == Some(&Origin::Shipped(file));
             let text = format!("{file}, {}", language.name());
             if ui.selectable_label(chosen, text).clicked() {
-                view.send(Command::Program(ProgramCommand::OpenShipped(file)));
+                view.send(ProgramCommand::OpenShipped(file));
             }
         }
         for path in view.session.program().recent() {
@@ -70,33 +61,23 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     });
     response.response.accessible_name(name);
-    let open = Button::new(view.text("program-page-open")).min_size(vec2(0.0, sizes().field));
-    if ui.add(open).on_hover_text(ui.ctx().format_shortcut(&OPEN)).clicked() {
-        view.send(Command::OpenDialog(Purpose::OpenProgram));
-    }
+    button(ui, view, Action::OpenProgram);
 }
 
 fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let program = view.session.program();
-    let (running, begun) = (program.is_running(), program.run().is_some());
-    let over = program.run().is_some_and(Run::is_over);
-    if running {
-        button(ui, view, ("program-page-pause", true), PAUSE, ProgramCommand::Pause);
+    if view.session.program().is_running() {
+        button(ui, view, Action::PauseProgram);
     } else {
         let palette = palette(ui.ctx());
         let text = RichText::new(view.text("program-page-run")).color(palette.on_accent.0);
         let button = Button::new(text.font(theme::bold(sizes().body))).fill(palette.accent.0);
-        let button = ui.add(button.min_size(vec2(space(20.0), sizes().field)));
-        if button.on_hover_text(ui.ctx().format_shortcut(&RUN)).clicked() {
-            view.send(Command::Program(ProgramCommand::Run));
-        }
+        view.button_as(ui, Action::RunProgram, button.min_size(vec2(space(20.0), sizes().field)));
     }
-    let can_step = !running && !over;
-    button(ui, view, ("program-page-step", can_step), STEP, ProgramCommand::Step);
-    button(ui, view, ("program-page-step-over", can_step), STEP_OVER, ProgramCommand::StepOver);
-    button(ui, view, ("program-page-to-selected", !running), TO_SELECTED, ProgramCommand::RunToSelected);
-    button(ui, view, ("program-page-breakpoint", true), BREAKPOINT, ProgramCommand::ToggleBreakpoint(None));
-    button(ui, view, ("program-page-reset", begun), RESET, ProgramCommand::Reset);
+    for action in
+        [Action::StepProgram, Action::StepOver, Action::RunToSelected, Action::ToggleBreakpoint, Action::ResetProgram]
+    {
+        button(ui, view, action);
+    }
 }
 
 const fn speed_id(speed: Speed) -> &'static str {
@@ -114,7 +95,7 @@ fn speed_ui(ui: &mut Ui, view: &mut View<'_>) {
     let response = combo.show_ui(ui, |ui| {
         for choice in Speed::ALL {
             if ui.selectable_label(choice == speed, view.text(speed_id(choice))).clicked() {
-                view.send(Command::Program(ProgramCommand::SetSpeed(choice)));
+                view.send(ProgramCommand::SetSpeed(choice));
             }
         }
     });
@@ -124,15 +105,7 @@ fn speed_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn options_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.menu_button(view.text("program-page-options"), |ui| {
         for switch in Switch::ALL {
-            let id = match switch {
-                Switch::SkipUnknown => "program-page-skip-unknown",
-                Switch::BlockSkip => "program-page-block-skip",
-                Switch::OptionalStop => "program-page-optional-stop",
-            };
-            let mut on = view.session.program().is_on(switch);
-            if ui.checkbox(&mut on, view.text(id)).clicked() {
-                view.send(Command::Program(ProgramCommand::Switch(switch, on)));
-            }
+            view.checkbox(ui, Action::Switch(switch));
         }
     });
 }
@@ -163,7 +136,7 @@ fn calls_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         let shown = program.shown().is_some_and(|document| *document.path() == path);
         if ui.add(Button::selectable(shown, path.file_name())).clicked() {
-            view.send(Command::Program(ProgramCommand::ShowProgram(path)));
+            view.send(ProgramCommand::ShowProgram(path));
         }
     }
 }
@@ -193,7 +166,7 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
                 if ui.add(button.min_size(vec2(0.0, sizes().field))).clicked() {
                     let program = document.path().clone();
                     let place = crate::nc::machine::BlockPlace { program, block: entry.block };
-                    view.send(Command::Program(ProgramCommand::GoTo(place)));
+                    view.send(ProgramCommand::GoTo(place));
                     ui.close();
                 }
             }

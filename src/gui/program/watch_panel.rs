@@ -9,7 +9,7 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::nc::machine::shown;
 use crate::session::program::{Name, Watched};
-use crate::session::{Command, ProgramCommand, ProgramField};
+use crate::session::{Action, ProgramCommand, ProgramField};
 use crate::words::Message;
 
 /// The panel's content.
@@ -54,9 +54,7 @@ fn given_ui(ui: &mut Ui, view: &mut View<'_>) {
         value.widget_info(|| WidgetInfo::labeled(Role::Label, true, view.text("program-page-value")));
         field_ui(ui, view, ProgramField::Value, id, small(width));
         let button = Button::new(give).min_size(vec2(0.0, sizes().field));
-        if ui.add(button).on_hover_text(view.text("program-page-give-hint")).clicked() {
-            view.send(Command::Program(ProgramCommand::SetValue));
-        }
+        view.button_as(ui, Action::GiveValue, button);
     });
     error_ui(ui, view, ProgramField::Name);
     error_ui(ui, view, ProgramField::Value);
@@ -71,7 +69,7 @@ fn given_ui(ui: &mut Ui, view: &mut View<'_>) {
             let hint = view.text("program-page-drop");
             let name = format!("{text}, {hint}");
             if ui.button(format!("{text}  ×")).accessible_name(name).on_hover_text(hint).clicked() {
-                view.send(Command::Program(ProgramCommand::DropValue(parameter)));
+                view.send(ProgramCommand::DropValue(parameter));
             }
         }
     });
@@ -143,6 +141,6 @@ fn pin_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, rect: Rect) {
     let text = RichText::new(if watched.is_pinned { "−" } else { "+" });
     let button = Button::new(text).frame(false).min_size(rect.size());
     if ui.put(rect, button).accessible_name(name.clone()).on_hover_text(name).clicked() {
-        view.send(Command::Program(ProgramCommand::Pin(watched.parameter, !watched.is_pinned)));
+        view.send(ProgramCommand::Pin(watched.parameter, !watched.is_pinned));
     }
 }

@@ -1,7 +1,7 @@
 //! Right: the selected cell against ISO 286, and the fields that change it.
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Align, Button, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{Align, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use super::grid;
 use crate::gui::field::{Look, error_ui, field_ui};
@@ -9,7 +9,7 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::length::Length;
 use crate::session::tables::{Document, Origin};
-use crate::session::{Command, Field, TablesCommand};
+use crate::session::{Action, TablesCommand, TablesField};
 use crate::tolerance::compare::Difference;
 use crate::tolerance::{Deviations, ToleranceClass, iso286};
 use crate::words::{Message, Say as _};
@@ -43,7 +43,7 @@ pub(super) fn cell_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     title_ui(ui, view, &selected);
     figures_ui(ui, view, &selected);
     said_ui(ui, view, &selected, top);
-    buttons_ui(ui, view, &selected);
+    buttons_ui(ui, view);
 }
 
 fn title_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>) {
@@ -56,7 +56,7 @@ fn title_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>) {
 
 /// Table, ISO 286 and how far apart they are: upper over lower.
 fn figures_ui(ui: &mut Ui, view: &mut View<'_>, selected: &Selected<'_>) {
-    let rows = [(Field::CellUpper, "tables-upper"), (Field::CellLower, "tables-lower")];
+    let rows = [(TablesField::CellUpper, "tables-upper"), (TablesField::CellLower, "tables-lower")];
     Grid::new("cell-figures").num_columns(4).min_row_height(0.0).spacing(vec2(space(3.0), space(1.0))).show(ui, |ui| {
         ui.label("");
         for id in ["tables-head-table", "tables-head-standard", "tables-head-by"] {
@@ -64,7 +64,7 @@ fn figures_ui(ui: &mut Ui, view: &mut View<'_>, selected: &Selected<'_>) {
         }
         ui.end_row();
         for (field, id) in rows {
-            let part = |pair: Deviations| if field == Field::CellUpper { pair.upper() } else { pair.lower() };
+            let part = |pair: Deviations| if field == TablesField::CellUpper { pair.upper() } else { pair.lower() };
             let name = ui.label(view.text(id));
             value_ui(ui, view, field, name.id);
             let is = selected.standard.map(part);
@@ -93,17 +93,14 @@ fn right_ui(ui: &mut Ui, height: f32, figure: impl FnOnce(&mut Ui) -> Response) 
 }
 
 /// A field of the cell. Enter puts both into the table and goes back to the cells, Escape goes back without.
-fn value_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, name: Id) {
+fn value_ui(ui: &mut Ui, view: &mut View<'_>, field: TablesField, name: Id) {
     let response = field_ui(ui, view, field, name, Look::number(space(18.0)));
     let pressed = |key| ui.input(|input| input.key_pressed(key));
-    if response.has_focus() && pressed(Key::Enter) {
-        view.send(Command::Tables(TablesCommand::SetCell));
-        if view.session.cell_is_readable() {
-            ui.memory_mut(|memory| memory.request_focus(grid::id()));
-        }
+    if response.has_focus() && pressed(Key::Enter) && view.session.tables().cell_is_readable() {
+        ui.memory_mut(|memory| memory.request_focus(grid::id()));
     }
     if response.lost_focus() && pressed(Key::Escape) {
-        view.send(Command::Tables(TablesCommand::RevertCell));
+        view.send(TablesCommand::RevertCell);
         ui.memory_mut(|memory| memory.request_focus(grid::id()));
     }
 }
@@ -170,17 +167,10 @@ fn difference_text(view: &View<'_>, difference: &Difference) -> Message {
     }
 }
 
-fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, selected: &Selected<'_>) {
-    let takes = selected.standard.is_some() && selected.standard != selected.cell;
+fn buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
-        for (id, enabled, command) in [
-            ("tables-set", true, TablesCommand::SetCell),
-            ("tables-take-standard", takes, TablesCommand::TakeStandard),
-            ("tables-empty-cell", selected.cell.is_some(), TablesCommand::EmptyCell),
-        ] {
-            if ui.add_enabled(enabled, Button::new(view.text(id))).clicked() {
-                view.send(Command::Tables(command));
-            }
+        for action in [Action::SetCell, Action::TakeStandard, Action::EmptyCell] {
+            view.button(ui, action);
         }
     });
 }

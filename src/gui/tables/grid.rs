@@ -1,39 +1,23 @@
-//! The cells in sight: size ranges down, classes across, heads that stay. Arrows walk, Enter edits, Escape leaves.
+//! The cells in sight: size ranges down, classes across, heads that stay. It takes the focus as a whole.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::scroll_area::ScrollAreaOutput;
 use eframe::egui::style::ScrollAnimation;
 use eframe::egui::{
-    Align2, EventFilter, Id, Key, Modifiers, Pos2, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder, Vec2,
-    WidgetInfo, pos2, vec2,
+    Align2, Id, Pos2, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
 };
 
 use super::paint;
 use crate::gui::dialogs::just_opened;
-use crate::gui::field;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
-use crate::session::tables::{Document, Step};
-use crate::session::{Command, Field, TablesCommand};
+use crate::session::tables::Document;
+use crate::session::{Action, TablesCommand};
 use crate::tolerance::ToleranceClass;
 use crate::words::Message;
 
-/// What the keys do.
-const STEPS: [(Key, Step); 10] = [
-    (Key::ArrowLeft, Step::Left),
-    (Key::ArrowRight, Step::Right),
-    (Key::ArrowUp, Step::Up),
-    (Key::ArrowDown, Step::Down),
-    (Key::PageUp, Step::PageUp),
-    (Key::PageDown, Step::PageDown),
-    (Key::Home, Step::First),
-    (Key::End, Step::Last),
-    (Key::Home, Step::Top),
-    (Key::End, Step::Bottom),
-];
-
 /// The id of the grid: it takes the focus as a whole.
-pub(super) fn id() -> Id {
+pub(in crate::gui) fn id() -> Id {
     Id::unique("table-grid")
 }
 
@@ -60,10 +44,6 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, id()) {
         grid.request_focus();
     }
-    // The Enter that left a field and came here is not the grid's.
-    if grid.has_focus() && ui.memory(|memory| memory.had_focus_last_frame(id())) {
-        keys(ui, view);
-    }
     let body = Rect::from_min_max(rect.min + measures.head, rect.max);
     let room = UiBuilder::new().max_rect(body).id_salt("table-body");
     let output = ui.scope_builder(room, |ui| {
@@ -78,33 +58,6 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
         let stroke = Stroke::new(2.0, palette(ui.ctx()).accent.0);
         ui.painter().rect_stroke(rect.shrink(1.0), 0.0, stroke, StrokeKind::Inside);
     }
-}
-
-/// The keys of the focused grid.
-fn keys(ui: &Ui, view: &mut View<'_>) {
-    let filter = EventFilter { tab: false, horizontal_arrows: true, vertical_arrows: true, escape: false };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(id(), filter));
-    for (number, (key, step)) in STEPS.into_iter().enumerate() {
-        // The last two are with Ctrl.
-        let modifiers = if number < 8 { Modifiers::NONE } else { Modifiers::COMMAND };
-        for _ in 0..ui.input_mut(|input| input.count_and_consume_key(modifiers, key)) {
-            view.send(Command::Tables(TablesCommand::Move(step)));
-        }
-    }
-    let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
-    if pressed(Key::Enter) || pressed(Key::F2) {
-        edit(ui, view);
-    }
-    if pressed(Key::Delete) {
-        view.send(Command::Tables(TablesCommand::EmptyCell));
-    }
-}
-
-/// Goes to the first field of the cell; typing replaces it.
-fn edit(ui: &Ui, view: &View<'_>) {
-    let upper = field::id(Field::CellUpper);
-    ui.memory_mut(|memory| memory.request_focus(upper));
-    field::select_all(ui, upper, view.session.inputs().text(Field::CellUpper));
 }
 
 /// A cell that was drawn.
@@ -173,11 +126,11 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, place: &Place) {
     response.widget_info(|| WidgetInfo::labeled(Role::GridCell, true, cell_name(view, document, place)));
     ui.ctx().accesskit_node_builder(cell_id, |node| node.set_selected(selected));
     if response.clicked() {
-        view.send(Command::Tables(TablesCommand::Select(place.class, place.range)));
+        view.send(TablesCommand::Select(place.class, place.range));
         ui.memory_mut(|memory| memory.request_focus(id()));
     }
     if response.double_clicked() {
-        edit(ui, view);
+        view.act(Action::EditCell);
     }
 }
 

@@ -1,16 +1,16 @@
 //! Above the cells: which table, filter, save as, and whether the table agrees with ISO 286.
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Button, ComboBox, KeyboardShortcut, Label, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{ComboBox, Label, RichText, Sense, Ui, WidgetInfo, vec2};
 
-use super::{NEXT, OPEN, PREVIOUS, REDO, SAVE, UNDO, paint};
+use super::paint;
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::gui::field::{Look, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, list_height, quiet};
-use crate::session::tables::{Document, Origin, TableChoice};
-use crate::session::{Command, Field, Purpose, TablesCommand};
+use crate::session::tables::{Origin, TableChoice};
+use crate::session::{Action, TablesCommand, TablesField};
 use crate::verdict::Status;
 use crate::words::Message;
 
@@ -19,17 +19,17 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
         choice_ui(ui, view);
-        button(ui, view, "tables-open", true, Some(&OPEN), Command::OpenDialog(Purpose::OpenTable));
-        save_ui(ui, view);
+        button(ui, view, Action::OpenTable);
+        ui.menu_button(view.text("tables-save"), |ui| {
+            for number in 0..TABLE_FORMATS.len() {
+                view.menu_item(ui, Action::SaveTable(number));
+            }
+        });
         ui.separator();
-        let document = view.session.tables().shown();
-        let (undo, redo) = (document.is_some_and(Document::can_undo), document.is_some_and(Document::can_redo));
-        button(ui, view, "undo", undo, Some(&UNDO), Command::Tables(TablesCommand::Undo));
-        button(ui, view, "tables-redo", redo, Some(&REDO), Command::Tables(TablesCommand::Redo));
+        button(ui, view, Action::UndoEdit);
+        button(ui, view, Action::RedoEdit);
         ui.separator();
-        let can_use = !view.session.uses_shown_table();
-        let text = if can_use { "tables-use" } else { "tables-in-use" };
-        button(ui, view, text, can_use, None, Command::Tables(TablesCommand::Use));
+        button(ui, view, Action::UseTable);
     });
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(sizes().field);
@@ -40,22 +40,9 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
 }
 
-fn button(
-    ui: &mut Ui,
-    view: &mut View<'_>,
-    id: &str,
-    enabled: bool,
-    shortcut: Option<&KeyboardShortcut>,
-    command: Command,
-) {
-    let button = Button::new(view.text(id)).min_size(vec2(0.0, sizes().field));
-    let mut response = ui.add_enabled(enabled, button);
-    if let Some(shortcut) = shortcut {
-        response = response.on_hover_text(ui.ctx().format_shortcut(shortcut));
-    }
-    if response.clicked() {
-        view.send(command);
-    }
+fn button(ui: &mut Ui, view: &mut View<'_>, action: Action) {
+    let button = view.named(action).min_size(vec2(0.0, sizes().field));
+    view.button_as(ui, action, button);
 }
 
 /// The name of a table with what it is.
@@ -93,38 +80,17 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
         for (choice, text) in entries {
             let chosen = choice == TableChoice::Document(view.session.tables().number());
             if ui.selectable_label(chosen, text).clicked() {
-                view.send(Command::Tables(TablesCommand::Open(choice)));
+                view.send(TablesCommand::Open(choice));
             }
         }
     });
     response.response.labelled_by(name.id);
 }
 
-fn save_ui(ui: &mut Ui, view: &mut View<'_>) {
-    ui.menu_button(view.text("tables-save"), |ui| {
-        for (number, format) in TABLE_FORMATS.iter().enumerate() {
-            let mut button = Button::new(capitalised(&format!("{}…", view.text(format.description_id))));
-            if number == 0 {
-                button = button.shortcut_text(ui.ctx().format_shortcut(&SAVE));
-            }
-            if ui.add(button).clicked() {
-                view.send(Command::OpenDialog(Purpose::SaveTable(number)));
-                ui.close();
-            }
-        }
-    });
-}
-
-/// With a capital at the beginning, as an entry of a menu.
-fn capitalised(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
-}
-
 fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("tables-filter"));
     let look = Look { font: theme::font(sizes().body), ..Look::large(space(40.0)) };
-    let field = field_ui(ui, view, Field::TableFilter, name.id, look);
+    let field = field_ui(ui, view, TablesField::Filter, name.id, look);
     field.on_hover_text(view.text("tables-filter-hint"));
     let Some(document) = view.session.tables().shown() else { return };
     let (filter, all) = (view.session.tables().filter(), document.table().columns().len());
@@ -168,12 +134,8 @@ fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
     label.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
     ui.ctx().accesskit_node_builder(label.id, |node| node.set_live(Live::Polite));
     if 0 < found {
-        for (id, shortcut, command) in [
-            ("tables-previous", &PREVIOUS, TablesCommand::PreviousDifference),
-            ("tables-next", &NEXT, TablesCommand::NextDifference),
-        ] {
-            button(ui, view, id, true, Some(shortcut), Command::Tables(command));
-        }
+        button(ui, view, Action::PreviousDifference);
+        button(ui, view, Action::NextDifference);
     }
 }
 

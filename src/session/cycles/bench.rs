@@ -152,17 +152,17 @@ impl BenchForm {
         self.bench.as_ref()
     }
 
-    pub(super) fn set(&mut self, field: BenchField, text: String) {
+    pub(in crate::session) fn set(&mut self, field: BenchField, text: String) {
         self.texts.insert(field, text);
         self.read();
     }
 
-    pub(super) fn set_kind(&mut self, kind: BenchKind) {
+    pub(in crate::session) fn set_kind(&mut self, kind: BenchKind) {
         self.kind = kind;
         self.read();
     }
 
-    pub(super) fn set_plane(&mut self, plane: Plane) {
+    pub(in crate::session) fn set_plane(&mut self, plane: Plane) {
         self.plane = plane;
         self.read();
     }

@@ -1,10 +1,7 @@
-//! What can be done on the cycles page, and its text fields.
+//! What can be done on the cycles page.
 
-use super::{BenchField, BenchKind, Step};
+use super::{ContactsFrom, CycleField, Step};
 use crate::control::probe_table::ProbeTable;
-use crate::probing::Contact;
-use crate::probing::cycle::{Key, Plane};
-use crate::probing::simulated::Bench;
 use crate::words::Message;
 
 /// What can be done on the cycles page.
@@ -16,14 +13,6 @@ pub enum CyclesCommand {
     Type(CycleField, String),
     /// Chooses where contacts come from.
     From(ContactsFrom),
-    /// Opens or closes the dialog of the simulated workpiece.
-    ShowBench(bool),
-    /// Chooses what kind of surface the simulated workpiece has.
-    ChooseKind(BenchKind),
-    /// Chooses the plane of a round surface.
-    ChoosePlane(Plane),
-    /// Makes a simulated workpiece that suits the cycle's inputs.
-    SuitBench,
     /// Takes a row of the touch-probe table by its number.
     ChooseProbe(u32),
     /// Takes the shipped touch-probe table.
@@ -46,15 +35,6 @@ pub enum CyclesCommand {
     CopyResults,
     /// Puts the status window's text on the clipboard.
     CopyStatus,
-    /// A file of contacts was read, or not.
-    ContactsRead {
-        /// Its name without the folder.
-        name: String,
-        /// The contacts, and warnings.
-        result: Result<(Vec<Contact>, Vec<Message>), Message>,
-    },
-    /// A file of a simulated machine was read, or not.
-    BenchRead(Result<Box<Bench>, Message>),
     /// A touch-probe table was read, or not.
     ProbesRead {
         /// Its name without the folder.
@@ -62,59 +42,4 @@ pub enum CyclesCommand {
         /// The table.
         result: Result<ProbeTable, Message>,
     },
-}
-
-/// A text field of the cycles page.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum CycleField {
-    /// A parameter of the chosen cycle.
-    Parameter(Key),
-    /// What PREDEF stands for in a parameter of the chosen cycle.
-    Global(Key),
-    /// Where the ball stands before the cycle, by axis.
-    Position(Axis),
-    /// A figure of the simulated workpiece.
-    Bench(BenchField),
-}
-
-/// An axis of the machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Axis {
-    /// The first.
-    X,
-    /// The second.
-    Y,
-    /// The third.
-    Z,
-}
-
-impl Axis {
-    /// All axes.
-    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
-
-    /// Its letter.
-    pub const fn letter(self) -> &'static str {
-        match self {
-            Self::X => "X",
-            Self::Y => "Y",
-            Self::Z => "Z",
-        }
-    }
-}
-
-/// Where contacts come from.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
-pub enum ContactsFrom {
-    /// A perfect workpiece at nominal.
-    #[default]
-    Perfect,
-    /// The simulated workpiece.
-    Simulated,
-    /// Contacts recorded in a file.
-    Recorded,
-}
-
-impl ContactsFrom {
-    /// Every source.
-    pub const ALL: [Self; 3] = [Self::Perfect, Self::Simulated, Self::Recorded];
 }

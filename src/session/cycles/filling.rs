@@ -1,14 +1,12 @@
-//! What fills fields besides typing: another cycle, NC blocks, files, a workpiece that suits.
+//! What fills fields besides typing: another cycle, NC blocks, what was saved; and the workpiece that suits them.
 
-use std::sync::Arc;
-
-use super::{BenchForm, ContactsFrom, CyclesPage, RecordedContacts};
+use super::CyclesPage;
 use crate::control::probe_block;
-use crate::control::probe_table::ProbeTable;
+use crate::probing::Source;
 use crate::probing::cycles::cycle;
 use crate::probing::simulated::{Bench, Probe};
-use crate::probing::{Contact, Source};
-use crate::session::{Notice, SavedCycles, Session};
+use crate::session::saved::SavedCycles;
+use crate::session::shared::Shared;
 use crate::words::{Language, Message, Say as _};
 
 impl CyclesPage {
@@ -27,7 +25,7 @@ impl CyclesPage {
     }
 
     /// Takes what was saved; what no cycle knows any more is left out.
-    pub(in crate::session) fn restore(&mut self, saved: &SavedCycles) {
+    pub(super) fn restore(&mut self, saved: &SavedCycles) {
         for (name, text) in &saved.texts {
             let known = name.split_once(' ').and_then(|(number, key)| {
                 let cycle = cycle(number.parse().ok()?)?;
@@ -38,13 +36,6 @@ impl CyclesPage {
             }
         }
         self.choose(saved.cycle.unwrap_or(self.cycle.number));
-    }
-
-    pub(super) fn change_bench(&mut self, change: impl FnOnce(&mut BenchForm)) {
-        change(&mut self.bench);
-        if self.from == ContactsFrom::Simulated {
-            self.changed();
-        }
     }
 
     /// All of a block or nothing: half of one would run with the rest of another.
@@ -81,76 +72,14 @@ impl CyclesPage {
     }
 
     /// A workpiece that suits the cycle: where the ball does not go into it, a point measures.
-    fn suited(&self) -> Result<Bench, Message> {
+    pub(in crate::session) fn suited(&self, shared: &Shared) -> Result<Bench, Message> {
         let nominal = self.cycle.nominal(&self.inputs).map_err(|error| error.message())?;
-        let bench = self.bench.suited(nominal);
+        let bench = shared.workpiece.form.suited(nominal);
         let point = Bench { probe: Probe { ball_radius: 0.0, calibration_error: 0.0, ..bench.probe }, ..bench };
         let runs = |bench: &Bench| {
             let prober = Source::Simulated(bench).prober(self.cycle, &self.inputs);
             prober.is_ok_and(|mut prober| self.cycle.measure(&self.inputs, &mut *prober).is_ok())
         };
         Ok(if !runs(&bench) && runs(&point) { point } else { bench })
-    }
-}
-
-impl Session {
-    pub(super) fn suit_bench(&mut self) {
-        match self.cycles.suited() {
-            Ok(bench) => self.cycles.change_bench(|form| *form = BenchForm::of(&bench)),
-            Err(problem) => self.tell(Message::new("cycles-cannot-suit").message("problem", problem)),
-        }
-    }
-
-    pub(super) fn contacts_read(&mut self, name: String, result: Result<(Vec<Contact>, Vec<Message>), Message>) {
-        match result {
-            Ok((contacts, details)) => {
-                self.file_done();
-                if !details.is_empty() {
-                    let message = Message::new("cycles-contacts-loaded").text("name", &name);
-                    self.notices.push(Notice { message, details, is_problem: false });
-                }
-                self.cycles.recorded = Some(Arc::new(RecordedContacts { name, contacts }));
-                self.cycles.from = ContactsFrom::Recorded;
-                self.cycles.changed();
-            }
-            Err(problem) => self.file_failed(problem),
-        }
-    }
-
-    pub(super) fn bench_read(&mut self, result: Result<Box<Bench>, Message>) {
-        match result {
-            Ok(bench) => {
-                self.file_done();
-                self.cycles.bench = BenchForm::of(&bench);
-                self.cycles.from = ContactsFrom::Simulated;
-                self.cycles.changed();
-            }
-            Err(problem) => self.file_failed(problem),
-        }
-    }
-
-    pub(super) fn probes_read(&mut self, name: String, result: Result<ProbeTable, Message>) {
-        match result {
-            Ok(table) => {
-                self.file_done();
-                let details: Vec<_> = table.warnings.iter().map(crate::words::Say::message).collect();
-                if !details.is_empty() {
-                    let message = Message::new("cycles-probes-loaded").text("name", &name);
-                    self.notices.push(Notice { message, details, is_problem: false });
-                }
-                (self.cycles.probes, self.cycles.probe) = (Some((name, table)), None);
-                self.cycles.changed();
-            }
-            Err(problem) => self.file_failed(problem),
-        }
-    }
-
-    /// The simulated machine as a file's bytes.
-    pub(in crate::session) fn bench_bytes(&self) -> Result<Vec<u8>, Message> {
-        let form = self.cycles.bench();
-        let wrong = || form.problem().unwrap_or_else(|| Message::new("cycles-no-bench"));
-        let bench = form.bench().ok_or_else(wrong)?;
-        let refused = |error: toml::ser::Error| Message::new("cycles-not-written").text("reason", error);
-        bench.write().map(String::into_bytes).map_err(refused)
     }
 }

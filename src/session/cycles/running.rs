@@ -13,7 +13,7 @@ use crate::length::Unit;
 use crate::probing::circle::Evaluation;
 use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move, Nominal};
 use crate::probing::{Source, SourceError};
-use crate::session::{MaskChoice, Session};
+use crate::session::shared::Shared;
 use crate::words::{Language, Message, Say as _};
 
 /// A run of a cycle.
@@ -109,7 +109,7 @@ impl CycleRun {
 }
 
 /// A step along the path.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Step {
     /// To the first move.
     First,
@@ -124,8 +124,13 @@ pub enum Step {
 }
 
 impl CyclesPage {
+    /// The number of the last move, from 0.
+    pub fn last(&self) -> usize {
+        self.run.as_ref().map_or(0, |run| run.path.len()).saturating_sub(1)
+    }
+
     pub(super) fn go(&mut self, step: Step) {
-        let last = self.run.as_ref().map_or(0, |run| run.path.len()).saturating_sub(1);
+        let last = self.last();
         self.step = match step {
             Step::First => 0,
             Step::Back => self.step.saturating_sub(1),
@@ -135,7 +140,7 @@ impl CyclesPage {
         };
     }
 
-    pub(super) fn measure(&mut self, now: DateTime, language: Language) {
+    pub(super) fn measure(&mut self, shared: &Shared, now: DateTime) {
         self.clear();
         self.read();
         let missing: Vec<_> = self.missing().collect();
@@ -144,16 +149,16 @@ impl CyclesPage {
             self.errors.insert(CycleField::Parameter(key), CycleError::Missing { key, name }.message());
         }
         let run = match self.errors.len() {
-            0 => self.run_source(now, language),
+            0 => self.run_source(shared, now),
             count => Err(Message::new("cycles-fields-wrong").count("count", count)),
         };
         self.run = Some(run.unwrap_or_else(|problem| CycleRun::refused(self.cycle, problem, now)));
         self.go(Step::Last);
     }
 
-    fn run_source(&self, time: DateTime, language: Language) -> Result<CycleRun, Message> {
+    fn run_source(&self, shared: &Shared, time: DateTime) -> Result<CycleRun, Message> {
         let (cycle, inputs) = (self.cycle, &self.inputs);
-        let (source, from) = self.source()?;
+        let (source, from) = self.source(shared)?;
         let refused = |error: SourceError| error.message();
         let mut prober = source.prober(cycle, inputs).map_err(refused)?;
         let (path, result) = cycle.measure_along(inputs, &mut *prober);
@@ -161,7 +166,7 @@ impl CyclesPage {
         Ok(CycleRun {
             cycle,
             from,
-            log: result.as_ref().ok().and_then(|result| RunLog::of(cycle, result, time, language)),
+            log: result.as_ref().ok().and_then(|result| RunLog::of(cycle, result, time, shared.language)),
             nominal: cycle.nominal(inputs).ok(),
             ball_radius: prober.ball_radius(),
             unused: if result.is_ok() { source.unused(&path) } else { 0 },
@@ -173,19 +178,18 @@ impl CyclesPage {
     }
 
     /// Where contacts come from, and how that is said.
-    fn source(&self) -> Result<(Source<'_>, Message), Message> {
+    fn source<'a>(&self, shared: &'a Shared) -> Result<(Source<'a>, Message), Message> {
         match self.from {
             ContactsFrom::Perfect => Ok((Source::Perfect, Message::new("cycles-from-perfect"))),
             ContactsFrom::Simulated => {
-                let bench = self.bench.bench().ok_or_else(|| {
-                    let problem = self.bench.problem().unwrap_or_else(|| Message::new("cycles-no-bench"));
-                    Message::new("cycles-bench-wrong").message("problem", problem)
-                })?;
+                let wrong = |problem| Message::new("cycles-bench-wrong").message("problem", problem);
+                let bench = shared.workpiece.machine().map_err(wrong)?;
                 let said = Message::new("cycles-from-simulated").text("seed", bench.seed);
                 Ok((Source::Simulated(bench), said))
             }
             ContactsFrom::Recorded => {
-                let recorded = self.recorded.as_ref().ok_or_else(|| Message::new("cycles-no-contacts"))?;
+                let recorded = shared.workpiece.recorded.as_ref();
+                let recorded = recorded.ok_or_else(|| Message::new("cycles-no-contacts"))?;
                 let said = Message::new("cycles-from-recorded").text("file", &recorded.name);
                 Ok((Source::Recorded(&recorded.contacts), said))
             }
@@ -197,25 +201,17 @@ impl CyclesPage {
         self.run.as_ref()?.log.as_ref()?.as_ref().ok()
     }
 
+    /// The status window of the shown run, drawn in a language and with the user's own mask; `None` where nothing was
+    /// compared with limits.
+    pub fn window(&self, (language, own): (Language, Option<&Mask>)) -> Option<Result<String, Message>> {
+        let run = self.run.as_ref()?;
+        let window = cycle_window(run.cycle, run.found()?, language, own, run.time)?;
+        Some(window.map_err(|error| error.message()))
+    }
+
     pub(super) fn results_text(&self) -> Option<String> {
         let result = self.run.as_ref()?.found()?;
         let line = |found: &crate::probing::cycle::Found| format!("{} = {}\n", found.key, found.value.with_unit());
         Some(result.results.iter().map(line).collect())
-    }
-}
-
-impl Session {
-    /// The status window of the shown run; `None` where nothing was compared with limits.
-    pub fn cycle_window(&self) -> Option<Result<String, Message>> {
-        let run = self.cycles.run()?;
-        let own: Option<&Mask>;
-        let language: Language;
-        (language, own) = match self.mask() {
-            MaskChoice::OfLanguage => (self.language(), None),
-            MaskChoice::Shipped(language) => (*language, None),
-            MaskChoice::Own { mask, .. } => (self.language(), Some(mask.as_ref())),
-        };
-        let window = cycle_window(run.cycle, run.found()?, language, own, run.time)?;
-        Some(window.map_err(|error| error.message()))
     }
 }

@@ -20,7 +20,7 @@ pub struct MapCell {
 }
 
 /// Where to go from a class.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Direction {
     /// The letter before.
     Left,

@@ -1,10 +1,9 @@
-//! What can be done on the program page, and the names of its fields and choices.
+//! What can be done on the program page, and the names of its choices.
 
 use std::path::PathBuf;
 
-use super::Document;
-use super::inputs::Input;
 use super::run::Speed;
+use super::{Document, ProgramField};
 use crate::control::variables::Parameter;
 use crate::nc::machine::{BlockPlace, NcPath};
 use crate::nc::program::ProgramWarning;
@@ -42,8 +41,8 @@ pub enum ProgramCommand {
     Reset,
     /// Chooses how fast a run goes.
     SetSpeed(Speed),
-    /// Switches something about the run; takes effect at its next start.
-    Switch(Switch, bool),
+    /// Switches something about the run on or off; takes effect at its next start.
+    Toggle(Switch),
     /// Sets or takes a breakpoint, by block of the shown program; the selected block where none is named.
     ToggleBreakpoint(Option<usize>),
     /// Selects a block of the shown program.
@@ -63,7 +62,7 @@ pub enum ProgramCommand {
 }
 
 /// A step from block to block; it ends at the program's ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum BlockStep {
     /// To the block before.
     Up,
@@ -77,6 +76,11 @@ pub enum BlockStep {
     First,
     /// To the last block.
     Last,
+}
+
+impl BlockStep {
+    /// Every step.
+    pub const ALL: [Self; 6] = [Self::Up, Self::Down, Self::PageUp, Self::PageDown, Self::First, Self::Last];
 }
 
 /// What can be switched about a run.
@@ -93,25 +97,6 @@ pub enum Switch {
 impl Switch {
     /// All of them, in the order of the menu.
     pub const ALL: [Self; 3] = [Self::SkipUnknown, Self::BlockSkip, Self::OptionalStop];
-}
-
-/// A text field of the page.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum ProgramField {
-    /// An input of 8255.
-    Input(Input),
-    /// Diameter of the workpiece, mm.
-    Diameter,
-    /// Where its centre really lies, X, mm.
-    WorkpieceX,
-    /// The same in Y.
-    WorkpieceY,
-    /// Which parameters are listed.
-    Filter,
-    /// The parameter that is given a value before a run.
-    Name,
-    /// That value.
-    Value,
 }
 
 /// What is measured.

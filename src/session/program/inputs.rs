@@ -8,8 +8,7 @@ use crate::length::Length;
 use crate::nc::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
 use crate::probing::cycle;
 use crate::probing::cycles::cycle as cycle_of;
-use crate::session::Session;
-use crate::tolerance::{Callout, Limits};
+use crate::tolerance::{Callout, Limits, Sources};
 use crate::verdict::{SizeVerdict, Status, judge_size};
 use crate::words::{Message, Say as _};
 
@@ -201,24 +200,24 @@ impl ProgramPage {
     }
 }
 
-impl Session {
+impl ProgramPage {
     /// Fitcheck's own limits for the program's inputs; `None` where the program has none.
-    pub fn program_limits(&self) -> Option<Result<Limits, Message>> {
-        if !self.program.has_inputs() {
+    pub fn limits(&self, sources: &Sources) -> Option<Result<Limits, Message>> {
+        if !self.has_inputs() {
             return None;
         }
-        let size = self.program.input_length(Input::Size)?;
-        let class = self.program.text(ProgramField::Input(Input::Class)).trim();
+        let size = self.input_length(Input::Size)?;
+        let class = self.text(ProgramField::Input(Input::Class)).trim();
         let callout = format!("{size} {class}").parse::<Callout>().map_err(|error| error.message());
-        let limits = callout
-            .and_then(|callout| self.sources.limits(&callout, callout.feature()).map_err(|error| error.message()));
+        let limits =
+            callout.and_then(|callout| sources.limits(&callout, callout.feature()).map_err(|error| error.message()));
         Some(limits)
     }
 
     /// What Fitcheck makes of the diameter that the program measured (Q153), by its own limits.
-    pub fn program_verdict(&self) -> Option<(Length, SizeVerdict)> {
-        let limits = self.program_limits()?.ok()?;
-        let run = self.program.run()?;
+    pub fn verdict(&self, sources: &Sources) -> Option<(Length, SizeVerdict)> {
+        let limits = self.limits(sources)?.ok()?;
+        let run = self.run.as_ref()?;
         run.status()?;
         let measured = run.length(Parameter::q(153))?;
         Some((measured, judge_size(&limits, measured)))
@@ -226,9 +225,9 @@ impl Session {
 
     /// Whether the program's answer is Fitcheck's: its limits Q33 and Q23, and its status. Known once it measured, or
     /// ended otherwise.
-    pub fn program_agreement(&self) -> Option<Agreement> {
-        let native = self.program_limits()?;
-        let run = self.program.run()?;
+    pub fn agreement(&self, sources: &Sources) -> Option<Agreement> {
+        let native = self.limits(sources)?;
+        let run = self.run.as_ref()?;
         let Ok(limits) = native else {
             // Both refuse, each in its own words: that is no difference.
             return match (run.fault(), run.status()) {
@@ -252,7 +251,7 @@ impl Session {
                 _ => {}
             }
         }
-        if let Some((_, verdict)) = self.program_verdict().filter(|(_, verdict)| verdict.status != status) {
+        if let Some((_, verdict)) = self.verdict(sources).filter(|(_, verdict)| verdict.status != status) {
             let word = |status: Status| Message::new(status_id(status));
             let difference = Message::new("program-page-differs-status");
             differences.push(difference.message("program", word(status)).message("own", word(verdict.status)));

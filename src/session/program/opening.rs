@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use super::{Document, Origin, ProgramField, WorkpieceFrom};
+use super::{Document, Origin, ProgramField, ProgramPage, WorkpieceFrom};
 use crate::nc::machine::Shipped;
 use crate::nc::program::ProgramWarning;
-use crate::session::Session;
+use crate::session::shared::Shared;
 use crate::words::{Language, Message, Say as _};
 
 /// How many files are remembered.
@@ -19,25 +19,25 @@ pub const SHIPPED: [(Language, &str); 4] = [
     (Language::It, "8255_it.h"),
 ];
 
-impl Session {
+impl ProgramPage {
     /// The page is opened: the first time with the shipped program of the window's language.
-    pub(in crate::session) fn open_program_page(&mut self) {
-        if self.program.origin.is_some() {
+    pub(super) fn opened(&mut self, shared: &mut Shared) {
+        if self.origin.is_some() {
             return;
         }
-        let shipped = SHIPPED.iter().find(|(language, _)| *language == self.language);
+        let shipped = SHIPPED.iter().find(|(language, _)| *language == shared.language);
         if let Some((_, name)) = shipped.or_else(|| SHIPPED.first()) {
-            self.open_shipped(name);
+            self.open_shipped(name, shared);
         }
     }
 
-    pub(super) fn open_shipped(&mut self, name: &'static str) {
+    pub(super) fn open_shipped(&mut self, name: &'static str, shared: &mut Shared) {
         let Some(bytes) = Shipped::file(name) else {
-            return self.tell(Message::new("program-page-not-shipped").text("name", name));
+            return shared.tell(Message::new("program-page-not-shipped").text("name", name));
         };
         match Document::read(name, bytes) {
-            Ok((document, warnings)) => self.open_program(Origin::Shipped(name), document, warnings),
-            Err(error) => self.tell(error.message()),
+            Ok((document, warnings)) => self.open_program(Origin::Shipped(name), document, warnings, shared),
+            Err(error) => shared.tell(error.message()),
         }
     }
 
@@ -45,55 +45,49 @@ impl Session {
         &mut self,
         path: PathBuf,
         result: Result<(Box<Document>, Vec<ProgramWarning>), Message>,
+        shared: &mut Shared,
     ) {
-        match result {
-            Ok((document, warnings)) => {
-                self.file_done();
-                let recent = &mut self.program.recent;
-                recent.retain(|known| *known != path);
-                recent.insert(0, path.clone());
-                recent.truncate(MOST_RECENT);
-                self.open_program(Origin::File(path), *document, warnings);
-            }
-            Err(problem) => self.file_failed(problem),
+        if let Some((document, warnings)) = shared.from_file(result) {
+            self.recent.retain(|known| *known != path);
+            self.recent.insert(0, path.clone());
+            self.recent.truncate(MOST_RECENT);
+            self.open_program(Origin::File(path), *document, warnings, shared);
         }
     }
 
-    fn open_program(&mut self, origin: Origin, document: Document, warnings: Vec<ProgramWarning>) {
+    fn open_program(&mut self, origin: Origin, document: Document, warnings: Vec<ProgramWarning>, shared: &Shared) {
         let path = document.path().clone();
-        let page = &mut self.program;
-        let sign = self.language.decimal_sign().to_string();
-        page.texts.retain(|field, _| !matches!(field, ProgramField::Input(_)));
+        let sign = shared.language.decimal_sign().to_string();
+        self.texts.retain(|field, _| !matches!(field, ProgramField::Input(_)));
         for (input, text) in document.assigned() {
             let text = if input.unit().is_empty() { text.clone() } else { text.replace('.', &sign) };
-            page.texts.insert(ProgramField::Input(*input), text);
+            self.texts.insert(ProgramField::Input(*input), text);
         }
-        page.breakpoints.clear();
-        page.given.clear();
-        page.documents.clear();
-        page.documents.insert(path.clone(), document);
-        (page.main, page.shown, page.origin) = (Some(path.clone()), Some(path), Some(origin));
-        page.warnings = warnings;
-        (page.looks, page.look) = (page.looks.wrapping_add(1), 0);
-        page.check_inputs();
-        self.reset_program();
+        self.breakpoints.clear();
+        self.given.clear();
+        self.documents.clear();
+        self.documents.insert(path.clone(), document);
+        (self.main, self.shown, self.origin) = (Some(path.clone()), Some(path), Some(origin));
+        self.warnings = warnings;
+        (self.looks, self.look) = (self.looks.wrapping_add(1), 0);
+        self.check_inputs();
+        self.reset();
     }
 
-    pub(super) fn type_program_field(&mut self, field: ProgramField, text: String) {
-        let page = &mut self.program;
-        page.texts.insert(field, text);
+    pub(super) fn type_text(&mut self, field: ProgramField, text: String) {
+        self.texts.insert(field, text);
         match field {
             ProgramField::Input(_) => {
-                page.check_inputs();
-                self.reset_program();
+                self.check_inputs();
+                self.reset();
             }
             ProgramField::Diameter | ProgramField::WorkpieceX | ProgramField::WorkpieceY => {
-                page.workpiece = WorkpieceFrom::Given;
-                page.check_workpiece();
-                self.reset_program();
+                self.workpiece = WorkpieceFrom::Given;
+                self.check_workpiece();
+                self.reset();
             }
             ProgramField::Filter => {}
-            ProgramField::Name | ProgramField::Value => _ = page.errors.remove(&field),
+            ProgramField::Name | ProgramField::Value => _ = self.errors.remove(&field),
         }
     }
 }

@@ -7,7 +7,7 @@ use jiff::civil::DateTime;
 use super::run::{Goal, Run, State};
 use super::{Origin, ProgramField, ProgramPage, Speed};
 use crate::nc::machine::{BlockPlace, Folders, Machine, Settings};
-use crate::session::Session;
+use crate::session::shared::Shared;
 use crate::words::{Message, Say as _};
 
 /// How far a run goes.
@@ -58,19 +58,17 @@ impl ProgramPage {
     }
 }
 
-impl Session {
+impl ProgramPage {
     /// A machine before the first block, or why there is none.
-    fn new_run(&mut self, now: DateTime) -> Result<Run, Message> {
-        let page = &self.program;
+    fn new_run(&mut self, shared: &Shared, now: DateTime) -> Result<Run, Message> {
         let unreadable = || Message::new("program-page-refused-inputs");
-        if page.errors.keys().any(|field| matches!(field, ProgramField::Input(_))) {
+        if self.errors.keys().any(|field| matches!(field, ProgramField::Input(_))) {
             return Err(unreadable());
         }
-        let document = page.main().ok_or_else(|| Message::new("program-page-refused-none"))?;
+        let document = self.main().ok_or_else(|| Message::new("program-page-refused-none"))?;
         let (path, program) = (document.path().to_string(), Arc::clone(document.program()));
-        let contacts = self.program_contacts()?;
-        let page = &self.program;
-        let folders = match &page.origin {
+        let contacts = self.contacts(shared)?;
+        let folders = match &self.origin {
             Some(Origin::File(path)) => path.parent().map_or_else(Folders::new, |folder| {
                 // A bare file name lies in the folder that Fitcheck was started in.
                 let here = folder.as_os_str().is_empty();
@@ -78,51 +76,49 @@ impl Session {
             }),
             _ => Folders::new(),
         };
-        let mut settings = Settings::new(self.language, now);
-        settings.skip_unknown = page.switches.skip_unknown;
-        settings.block_skip = page.switches.block_skip;
-        settings.optional_stop = page.switches.optional_stop;
+        let mut settings = Settings::new(shared.language, now);
+        settings.skip_unknown = self.switches.skip_unknown;
+        settings.block_skip = self.switches.block_skip;
+        settings.optional_stop = self.switches.optional_stop;
         let mut machine = Machine::new(&path, program, folders, contacts, settings);
-        for (parameter, value) in page.changed_inputs() {
+        for (parameter, value) in self.changed_inputs() {
             machine.set(parameter, value).map_err(|fault| fault.message())?;
         }
-        for (parameter, value) in &page.given {
+        for (parameter, value) in &self.given {
             machine.set(*parameter, value.clone()).map_err(|fault| fault.message())?;
         }
-        for place in &page.breakpoints {
+        for place in &self.breakpoints {
             machine.toggle_breakpoint(&place.program.to_string(), place.block);
         }
         Ok(Run::new(machine))
     }
 
     /// The run that a command is for: the one that waits, or a new one. A run that is over stays until it is reset.
-    fn ready_run(&mut self, now: DateTime) -> Option<&mut Run> {
-        self.program.refused = None;
-        if self.program.run.is_none() {
-            match self.new_run(now) {
-                Ok(run) => self.program.run = Some(run),
+    fn ready_run(&mut self, shared: &Shared, now: DateTime) -> Option<&mut Run> {
+        self.refused = None;
+        if self.run.is_none() {
+            match self.new_run(shared, now) {
+                Ok(run) => self.run = Some(run),
                 Err(refused) => {
-                    self.program.refused = Some(refused);
+                    self.refused = Some(refused);
                     return None;
                 }
             }
         }
-        let run = self.program.run.as_mut()?;
+        let run = self.run.as_mut()?;
         run.before = run.machine.variables().clone();
         Some(run)
     }
 
-    pub(super) fn start_or_go_on(&mut self, now: DateTime, mode: Mode) {
+    pub(super) fn start_or_go_on(&mut self, shared: &Shared, now: DateTime, mode: Mode) {
         // A run that is over begins anew.
-        if self.program.run.as_ref().is_some_and(Run::is_over) {
-            self.program.run = None;
+        if self.run.as_ref().is_some_and(Run::is_over) {
+            self.run = None;
         }
-        let selected = self
-            .program
-            .shown()
-            .map(|document| BlockPlace { program: document.path().clone(), block: document.selected() });
-        let speed = self.program.speed;
-        let Some(run) = self.ready_run(now) else { return };
+        let selected =
+            self.shown().map(|document| BlockPlace { program: document.path().clone(), block: document.selected() });
+        let speed = self.speed;
+        let Some(run) = self.ready_run(shared, now) else { return };
         if run.state == State::Running {
             return;
         }
@@ -136,50 +132,48 @@ impl Session {
         self.slice(speed.blocks(), true);
     }
 
-    pub(super) fn step_program(&mut self, now: DateTime) {
-        let Some(run) = self.ready_run(now) else { return };
+    pub(super) fn step(&mut self, shared: &Shared, now: DateTime) {
+        let Some(run) = self.ready_run(shared, now) else { return };
         if run.is_over() {
             return;
         }
         // A single block out of a run that goes on pauses it.
         run.pause("program-page-state-step");
         run.step();
-        self.program.follow();
+        self.follow();
     }
 
-    pub(super) fn tick_program(&mut self) {
-        if self.program.is_running() {
-            self.slice(self.program.speed.blocks(), false);
+    pub(super) fn tick(&mut self) {
+        if self.is_running() {
+            self.slice(self.speed.blocks(), false);
         }
     }
 
     fn slice(&mut self, blocks: u64, is_first: bool) {
-        let page = &mut self.program;
-        let Some(run) = &mut page.run else { return };
-        run.slice(blocks, is_first, &page.breakpoints);
-        let is_watched = page.speed != Speed::Fast;
-        if !page.is_running() || is_watched {
-            page.follow();
+        let Some(run) = &mut self.run else { return };
+        run.slice(blocks, is_first, &self.breakpoints);
+        let is_watched = self.speed != Speed::Fast;
+        if !self.is_running() || is_watched {
+            self.follow();
         }
     }
 
-    pub(super) fn pause_program(&mut self) {
-        if let Some(run) = self.program.run.as_mut().filter(|run| run.state == State::Running) {
+    pub(super) fn pause(&mut self) {
+        if let Some(run) = self.run.as_mut().filter(|run| run.state == State::Running) {
             run.pause("program-page-state-paused");
-            self.program.follow();
+            self.follow();
         }
     }
 
     /// Back to before the first block. The open program is shown again.
-    pub(super) fn reset_program(&mut self) {
-        let page = &mut self.program;
-        (page.run, page.refused) = (None, None);
-        let main = page.main.clone();
-        page.documents.retain(|path, _| Some(path) == main.as_ref());
-        if page.shown != main {
-            page.shown = main;
-            page.looks = page.looks.wrapping_add(1);
-            page.look = 0;
+    pub(super) fn reset(&mut self) {
+        (self.run, self.refused) = (None, None);
+        let main = self.main.clone();
+        self.documents.retain(|path, _| Some(path) == main.as_ref());
+        if self.shown != main {
+            self.shown = main;
+            self.looks = self.looks.wrapping_add(1);
+            self.look = 0;
         }
     }
 }

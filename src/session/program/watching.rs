@@ -3,7 +3,6 @@
 use super::{ProgramField, ProgramPage};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::length::Length;
-use crate::session::Session;
 use crate::words::Message;
 
 /// A parameter in the list.
@@ -132,29 +131,28 @@ fn value_of(parameter: Parameter, text: &str) -> Option<Value> {
     Some(text.parse::<Length>().map_or(Value::Number(number), Value::Length))
 }
 
-impl Session {
+impl ProgramPage {
     /// The next run begins with the value of the fields; a run that was begun is cleared.
     pub(super) fn give_value(&mut self) {
-        let page = &mut self.program;
         for field in [ProgramField::Name, ProgramField::Value] {
-            page.errors.remove(&field);
+            self.errors.remove(&field);
         }
-        let name = page.text(ProgramField::Name).trim().to_owned();
+        let name = self.text(ProgramField::Name).trim().to_owned();
         let Some(parameter) = parameter(&name) else {
             let problem = Message::new("program-page-no-parameter").text("given", name);
-            page.errors.insert(ProgramField::Name, problem);
+            self.errors.insert(ProgramField::Name, problem);
             return;
         };
-        let text = page.text(ProgramField::Value).trim().to_owned();
+        let text = self.text(ProgramField::Value).trim().to_owned();
         let Some(value) = value_of(parameter, &text) else {
             let problem = Message::new("program-page-no-number").text("given", text);
-            page.errors.insert(ProgramField::Value, problem);
+            self.errors.insert(ProgramField::Value, problem);
             return;
         };
-        page.given.insert(parameter, value);
-        page.texts.remove(&ProgramField::Name);
-        page.texts.remove(&ProgramField::Value);
-        self.reset_program();
+        self.given.insert(parameter, value);
+        self.texts.remove(&ProgramField::Name);
+        self.texts.remove(&ProgramField::Value);
+        self.reset();
     }
 }
 

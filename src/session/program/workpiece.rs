@@ -1,15 +1,14 @@
 //! What is measured: a perfect workpiece, the simulated one of the cycles page, or recorded contacts.
 
-use jiff::civil::DateTime;
-
 use super::inputs::{Input, length};
 use super::{ProgramField, ProgramPage, WorkpieceFrom};
 use crate::length::Length;
 use crate::nc::machine::Contacts;
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::{Bench, Surface, Workpiece};
-use crate::session::{CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Session};
-use crate::tolerance::Feature;
+use crate::session::command::{CycleFile, Page};
+use crate::session::shared::Shared;
+use crate::tolerance::{Feature, Limits};
 use crate::words::Message;
 
 impl ProgramPage {
@@ -48,88 +47,65 @@ impl ProgramPage {
     }
 }
 
-impl Session {
-    pub(super) fn choose_workpiece(&mut self, from: WorkpieceFrom) {
-        if from == WorkpieceFrom::Recorded && self.cycles.recorded().is_none() {
-            return self.open_dialog(Purpose::OpenCycleFile(CycleFile::Contacts));
+impl ProgramPage {
+    pub(super) fn choose_workpiece(&mut self, from: WorkpieceFrom, shared: &mut Shared) {
+        if from == WorkpieceFrom::Recorded && shared.workpiece.recorded.is_none() {
+            return shared.open_cycle_file(CycleFile::Contacts);
         }
-        self.program.workpiece = from;
-        self.program.check_workpiece();
-        self.reset_program();
+        self.workpiece = from;
+        self.check_workpiece();
+        self.reset();
+    }
+
+    fn centre(&self) -> [Length; 2] {
+        [Input::CentreX, Input::CentreY].map(|input| self.input_length(input).unwrap_or_default())
     }
 
     /// The simulated workpiece that suits is that of the program's inputs, as a shop makes it.
-    fn suited_to_program(&self) -> Option<Bench> {
-        let limits = self.program_limits()?.ok()?;
-        let centre = [Input::CentreX, Input::CentreY].map(|input| self.program.input_length(input).unwrap_or_default());
+    pub(in crate::session) fn suited(&self, shared: &Shared) -> Option<Bench> {
+        let limits = self.limits(&shared.sources)?.ok()?;
         let usual = Workpiece::usual(limits.feature, limits.middle().to_mm_f64());
-        let surface = Surface::Round(Workpiece { centre: centre.map(Length::to_mm_f64), ..usual }, Plane::Xy);
-        let machine = self.cycles.bench().bench().copied().unwrap_or_else(|| Bench::perfect(surface));
+        let surface = Surface::Round(Workpiece { centre: self.centre().map(Length::to_mm_f64), ..usual }, Plane::Xy);
+        let machine = shared.workpiece.form.bench().copied().unwrap_or_else(|| Bench::perfect(surface));
         Some(Bench { surface, ..machine })
     }
 
-    /// Does a command of the workpiece's dialog, which the cycles page has as well.
-    pub(in crate::session) fn apply_cycles_for_page(&mut self, command: CyclesCommand, now: DateTime) -> Vec<Effect> {
-        let command = match command {
-            CyclesCommand::SuitBench if self.page == Page::Program => match self.suited_to_program() {
-                Some(bench) => CyclesCommand::BenchRead(Ok(Box::new(bench))),
-                None => return Vec::new(),
-            },
-            command => command,
-        };
-        let now_used = match &command {
-            CyclesCommand::Type(CycleField::Bench(_), _)
-            | CyclesCommand::ChooseKind(_)
-            | CyclesCommand::ChoosePlane(_)
-            | CyclesCommand::BenchRead(Ok(_)) => Some(WorkpieceFrom::Simulated),
-            CyclesCommand::ContactsRead { result: Ok(_), .. } => Some(WorkpieceFrom::Recorded),
-            _ => None,
-        };
-        let effects = self.apply_cycles(command, now);
-        if let Some(from) = now_used {
-            self.workpiece_changed(from);
+    /// What both pages measure was changed: a run on it is cleared. On this page it is what is measured from now on.
+    pub(super) fn workpiece_changed(&mut self, from: WorkpieceFrom, shared: &Shared) {
+        if shared.page == Page::Program {
+            self.workpiece = from;
         }
-        effects
-    }
-
-    /// The workpiece that both pages share was changed: a run on it is cleared. One that was read here is used here.
-    fn workpiece_changed(&mut self, from: WorkpieceFrom) {
-        if self.page == Page::Program {
-            self.program.workpiece = from;
-        }
-        if matches!(self.program.workpiece, WorkpieceFrom::Simulated | WorkpieceFrom::Recorded) {
-            self.reset_program();
+        if matches!(self.workpiece, WorkpieceFrom::Simulated | WorkpieceFrom::Recorded) {
+            self.reset();
         }
     }
 
     /// What the next run measures, or why that cannot be.
-    pub(super) fn program_contacts(&mut self) -> Result<Contacts, Message> {
-        let limits = self.program_limits().and_then(Result::ok);
-        let page = &mut self.program;
-        let centre = [Input::CentreX, Input::CentreY].map(|input| page.input_length(input).unwrap_or_default());
-        match page.workpiece {
+    pub(super) fn contacts(&mut self, shared: &Shared) -> Result<Contacts, Message> {
+        let limits = self.limits(&shared.sources).and_then(Result::ok);
+        match self.workpiece {
             WorkpieceFrom::Perfect => {
-                Ok(limits
-                    .map_or(Contacts::Perfect, |limits| ProgramPage::round(limits.feature, centre, limits.middle())))
+                let round = |limits: Limits| Self::round(limits.feature, self.centre(), limits.middle());
+                Ok(limits.map_or(Contacts::Perfect, round))
             }
             WorkpieceFrom::Given => {
                 let mut read = |field| {
-                    let result = page.field_length(field);
+                    let result = self.field_length(field);
                     if let Err(problem) = &result {
-                        page.errors.insert(field, problem.clone());
+                        self.errors.insert(field, problem.clone());
                     }
                     result.map_err(|_told| Message::new("program-page-refused-workpiece"))
                 };
                 let diameter = read(ProgramField::Diameter)?;
                 let centre = [read(ProgramField::WorkpieceX)?, read(ProgramField::WorkpieceY)?];
                 let feature = limits.map_or(Feature::Hole, |limits| limits.feature);
-                Ok(ProgramPage::round(feature, centre, diameter))
+                Ok(Self::round(feature, centre, diameter))
             }
-            WorkpieceFrom::Simulated => match self.cycles.bench().bench() {
+            WorkpieceFrom::Simulated => match shared.workpiece.form.bench() {
                 Some(bench) => Ok(Contacts::Workpiece(*bench)),
                 None => Err(Message::new("program-page-refused-workpiece")),
             },
-            WorkpieceFrom::Recorded => match self.cycles.recorded() {
+            WorkpieceFrom::Recorded => match &shared.workpiece.recorded {
                 Some(recorded) => Ok(Contacts::Recorded(recorded.contacts.clone())),
                 None => Err(Message::new("program-page-refused-no-contacts")),
             },

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::document::{Document, Origin};
+use super::{Document, Origin, TablesPage};
 use crate::exchange::tables::TABLE_FORMATS;
-use crate::session::{Notice, Session};
+use crate::session::shared::Shared;
 use crate::tolerance::DeviationTable;
 use crate::words::{Message, Say as _};
 
@@ -23,21 +23,26 @@ fn renamed(table: &DeviationTable, name: &str) -> DeviationTable {
     DeviationTable::new(name, false, table.ends().to_vec(), table.columns().to_vec()).unwrap_or_else(|_| table.clone())
 }
 
-impl Session {
+impl TablesPage {
     /// The proposed name of a file in a format of the list.
-    pub(in crate::session) fn table_file_name(&self, format: usize) -> String {
-        let title = self.tables.shown().map(Document::title).unwrap_or_default();
+    pub(in crate::session) fn file_name(&self, format: usize) -> String {
+        let title = self.shown().map(Document::title).unwrap_or_default();
         let stem = title.rsplit_once('.').map_or(title, |(stem, _)| stem);
         let ending = TABLE_FORMATS.get(format).and_then(|format| format.endings.first()).copied().unwrap_or("tab");
         format!("{stem}.{ending}")
     }
 
     /// The shown table's bytes in a format of the list, for a file.
-    pub(in crate::session) fn table_bytes(&mut self, format: usize, path: &Path) -> Result<Vec<u8>, Message> {
-        if !self.settle_cell() {
+    pub(in crate::session) fn bytes(
+        &mut self,
+        format: usize,
+        path: &Path,
+        shared: &mut Shared,
+    ) -> Result<Vec<u8>, Message> {
+        if !self.settle_cell(shared) {
             return Err(Message::new("tables-cell-unreadable"));
         }
-        let (Some(document), Some(format)) = (self.tables.shown(), TABLE_FORMATS.get(format)) else {
+        let (Some(document), Some(format)) = (self.shown(), TABLE_FORMATS.get(format)) else {
             return Err(Message::new("tables-nothing-to-save"));
         };
         // The table is called as its file is; a blank would end the name.
@@ -46,36 +51,35 @@ impl Session {
         // A built-in table is kept as it is, and a file in another format cannot be opened again: they save nothing.
         let saves = format.endings.contains(&"tab") && document.origin() != Origin::Shipped;
         let (document, table) = (document.title().to_owned(), document.table().clone());
-        self.tables.saving = saves.then(|| Saving { document, path: path.to_owned(), table });
+        self.saving = saves.then(|| Saving { document, path: path.to_owned(), table });
         Ok(bytes)
     }
 
     /// A file was written: where it was a table's, the table is saved as it was then, and called as its file.
-    pub(in crate::session) fn table_saved(&mut self, path: &Path) {
-        let Some(saving) = self.tables.saving.take_if(|saving| saving.path == path) else { return };
+    pub(in crate::session) fn saved(&mut self, path: &Path) {
+        let Some(saving) = self.saving.take_if(|saving| saving.path == path) else { return };
         let title = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let Some(number) = self.tables.by_title(&saving.document) else { return };
+        let Some(number) = self.by_title(&saving.document) else { return };
         // Another open table of that name is in no file any more.
-        let other = self.tables.by_title(&title).filter(|other| *other != number);
-        let free = self.tables.free_title(&title);
-        if let Some(other) = other.and_then(|other| self.tables.documents.get_mut(other)) {
+        let other = self.by_title(&title).filter(|other| *other != number);
+        let free = self.free_title(&title);
+        if let Some(other) = other.and_then(|other| self.documents.get_mut(other)) {
             other.lose_file(free);
         }
-        if let Some(document) = self.tables.documents.get_mut(number) {
+        if let Some(document) = self.documents.get_mut(number) {
             document.saved(title, saving.table);
         }
     }
 
     /// The shown table becomes the first of the user's own.
-    pub(super) fn use_shown_table(&mut self) {
-        let Some(document) = self.tables.shown() else { return };
+    pub(super) fn use_shown(&self, shared: &mut Shared) {
+        let Some(document) = self.shown() else { return };
         let title = document.title().to_owned();
         let table = Arc::new(renamed(document.table(), &title));
-        let others = self.sources.own().iter().filter(|own| !own.name().eq_ignore_ascii_case(&title)).cloned();
+        let others = shared.sources.own().iter().filter(|own| !own.name().eq_ignore_ascii_case(&title)).cloned();
         let own = std::iter::once(table).chain(others).collect::<Vec<_>>();
-        let sources = self.sources.as_ref().clone().with_own(own);
-        self.use_sources(sources);
-        let message = Message::new("tables-used").text("name", title);
-        self.notices.push(Notice { message, details: Vec::new(), is_problem: false });
+        let sources = shared.sources.as_ref().clone().with_own(own);
+        shared.use_sources(sources);
+        shared.note(Message::new("tables-used").text("name", title), Vec::new());
     }
 }

@@ -2,88 +2,85 @@
 
 use std::sync::Arc;
 
-use super::MOST_DOCUMENTS;
-use super::document::{Document, Origin};
+use super::{Document, MOST_DOCUMENTS, Origin, TablesField, TablesPage};
 use crate::control::shipped_tables;
-use crate::session::{Field, Notice, Session};
+use crate::session::shared::Shared;
 use crate::tolerance::DeviationTable;
 use crate::words::Message;
 
-impl Session {
+impl TablesPage {
     /// Opens the built-in tables when the page is opened for the first time.
-    pub(in crate::session) fn open_tables_page(&mut self) {
-        if self.tables.documents.is_empty() {
-            let options = self.sources.options();
+    pub(super) fn opened(&mut self, shared: &Shared) {
+        if self.documents.is_empty() {
+            let options = shared.sources.options();
             let shipped = shipped_tables().into_iter();
             let document =
                 |table: Arc<DeviationTable>| Document::kept(table.as_ref().clone(), Origin::Shipped, options);
-            self.tables.documents = shipped.map(document).collect();
-            self.show_document(0);
+            self.documents = shipped.map(document).collect();
+            self.show_document(0, shared);
         }
     }
 
     /// Shows an open table; its selection is as it was left.
-    pub(super) fn show_document(&mut self, number: usize) {
-        if number < self.tables.documents.len() {
-            self.tables.shown = number;
-            self.inputs.set(Field::TableFilter, String::new());
-            self.shown_changed();
+    pub(super) fn show_document(&mut self, number: usize, shared: &Shared) {
+        if number < self.documents.len() {
+            self.shown = number;
+            self.texts.set(TablesField::Filter, "");
+            self.shown_changed(shared);
         }
     }
 
     /// Opens a table that was read; one of the same name without unsaved edits makes room for it.
-    pub(super) fn open_table(&mut self, table: DeviationTable, origin: Origin) {
-        let options = self.sources.options();
-        let same = self.tables.by_title(table.name());
-        let same = same.filter(|&number| self.tables.documents.get(number).is_some_and(Document::is_replaceable));
-        if let Some((number, place)) = same.and_then(|same| Some((same, self.tables.documents.get_mut(same)?))) {
+    pub(super) fn open_table(&mut self, table: DeviationTable, origin: Origin, shared: &mut Shared) {
+        let options = shared.sources.options();
+        let same = self.by_title(table.name());
+        let same = same.filter(|&number| self.documents.get(number).is_some_and(Document::is_replaceable));
+        if let Some((number, place)) = same.and_then(|same| Some((same, self.documents.get_mut(same)?))) {
             *place = Document::kept(table, origin, options);
-            return self.show_document(number);
+            return self.show_document(number, shared);
         }
-        let title = self.tables.free_title(table.name());
-        self.add_and_show(Document::kept(table, origin, options).with_title(title));
+        let title = self.free_title(table.name());
+        self.add_and_show(Document::kept(table, origin, options).with_title(title), shared);
     }
 
-    pub(super) fn add_and_show(&mut self, document: Document) {
-        match self.tables.add(document) {
-            Some(number) => self.show_document(number),
-            None => self.tell(Message::new("tables-too-many").count("count", MOST_DOCUMENTS)),
+    pub(super) fn add_and_show(&mut self, document: Document, shared: &mut Shared) {
+        match self.add(document) {
+            Some(number) => self.show_document(number, shared),
+            None => shared.tell(Message::new("tables-too-many").count("count", MOST_DOCUMENTS)),
         }
     }
 
-    pub(super) fn table_read(&mut self, name: &str, result: Result<(Box<DeviationTable>, Vec<Message>), Message>) {
-        match result {
-            Ok((table, details)) => {
-                self.file_done();
-                if !details.is_empty() {
-                    let message = Message::new("tables-read-with-warnings").text("name", name);
-                    self.notices.push(Notice { message, details, is_problem: false });
-                }
-                self.open_table(*table, Origin::File);
-            }
-            Err(problem) => self.file_failed(problem),
+    pub(super) fn table_read(
+        &mut self,
+        name: &str,
+        result: Result<(Box<DeviationTable>, Vec<Message>), Message>,
+        shared: &mut Shared,
+    ) {
+        if let Some((table, details)) = shared.from_file(result) {
+            shared.note_details(Message::new("tables-read-with-warnings").text("name", name), details);
+            self.open_table(*table, Origin::File, shared);
         }
     }
 
     /// Other options of ISO 286 count at once. What was typed into the cell counts before.
-    pub(in crate::session) fn sources_of_tables_changed(&mut self) {
-        self.settle_cell();
-        let options = self.sources.options();
-        for document in &mut self.tables.documents {
+    pub(super) fn sources_changed(&mut self, shared: &mut Shared) {
+        self.settle_cell(shared);
+        let options = shared.sources.options();
+        for document in &mut self.documents {
             document.compare(options);
         }
-        self.shown_changed();
+        self.shown_changed(shared);
     }
 
     /// The tables of a folder were read: what is open follows, unless it has edits.
-    pub(in crate::session) fn folder_of_tables_changed(&mut self) {
-        let options = self.sources.options();
-        for document in &mut self.tables.documents {
-            let own = self.sources.own().iter().find(|own| own.name().eq_ignore_ascii_case(document.title()));
+    pub(super) fn own_tables_changed(&mut self, shared: &Shared) {
+        let options = shared.sources.options();
+        for document in &mut self.documents {
+            let own = shared.sources.own().iter().find(|own| own.name().eq_ignore_ascii_case(document.title()));
             if let Some(own) = own.filter(|own| document.is_replaceable() && !document.holds_what(own)) {
                 *document = Document::kept(own.as_ref().clone(), Origin::Own, options);
             }
         }
-        self.shown_changed();
+        self.shown_changed(shared);
     }
 }

@@ -1,40 +1,40 @@
 //! Moving from cell to cell: by steps, and from difference to difference.
 
-use super::{Filter, Step};
-use crate::session::{Field, Session};
+use super::{Filter, Step, TablesField, TablesPage};
+use crate::session::shared::Shared;
 use crate::tolerance::ToleranceClass;
 
 /// How many size ranges a page is.
 const PAGE: usize = 10;
 
-impl Session {
-    pub(super) fn select(&mut self, class: ToleranceClass, range: usize) {
-        if let Some(document) = self.tables.shown_mut() {
+impl TablesPage {
+    pub(super) fn select(&mut self, class: ToleranceClass, range: usize, shared: &Shared) {
+        if let Some(document) = self.shown_mut() {
             document.select(class, range);
             document.keep_selection();
         }
-        self.fill_cell_fields();
+        self.fill_cell_fields(shared);
     }
 
     /// The selection goes where the filter points: to the row of a size, and into the columns that are shown.
-    pub(super) fn filter_changed(&mut self) {
-        let Some(document) = self.tables.shown() else { return };
-        let filter = Filter::of(self.inputs.text(Field::TableFilter), document.table());
+    pub(super) fn filter_changed(&mut self, shared: &mut Shared) {
+        let Some(document) = self.shown() else { return };
+        let filter = Filter::of(self.text(TablesField::Filter), document.table());
         let Some((class, range)) = document.selected() else { return };
         let is_shown = document.column(class).is_some_and(|column| filter.columns().contains(&column));
         let first = filter.columns().first().and_then(|&column| document.table().columns().get(column));
         let wanted = first.filter(|_| !is_shown).map_or(class, |column| column.class);
         let row = filter.rows().first().copied().unwrap_or(range);
-        self.tables.filter = filter;
-        if (wanted, row) != (class, range) && self.settle_cell() {
-            self.select(wanted, row);
+        self.filter = filter;
+        if (wanted, row) != (class, range) && self.settle_cell(shared) {
+            self.select(wanted, row, shared);
         }
     }
 
     /// A step among the columns that are shown. A selected cell that the filter hides counts as the nearest shown one.
-    pub(super) fn move_by(&mut self, step: Step) {
-        let Some(document) = self.tables.shown() else { return };
-        let (table, shown) = (document.table(), self.tables.filter().columns());
+    pub(super) fn move_by(&mut self, step: Step, shared: &Shared) {
+        let Some(document) = self.shown() else { return };
+        let (table, shown) = (document.table(), self.filter.columns());
         let Some((class, range)) = document.selected() else { return };
         let here = table.columns().iter().position(|column| column.class == class).unwrap_or_default();
         let place = shown.partition_point(|&column| column < here);
@@ -55,13 +55,13 @@ impl Session {
         };
         let column = shown.get(place.min(last_place)).and_then(|&column| table.columns().get(column));
         if let Some(class) = column.map(|column| column.class) {
-            self.select(class, range.min(last_range));
+            self.select(class, range.min(last_range), shared);
         }
     }
 
     /// The next or the previous cell that differs, column by column and round again. A hidden one ends the filter.
-    pub(super) fn select_difference(&mut self, forwards: bool) {
-        let Some(document) = self.tables.shown() else { return };
+    pub(super) fn select_difference(&mut self, forwards: bool, shared: &Shared) {
+        let Some(document) = self.shown() else { return };
         let here = document.selected().and_then(|(class, range)| Some((document.column(class)?, range)));
         let mut cells = document.differing_cells();
         let next = if forwards {
@@ -72,10 +72,10 @@ impl Session {
         drop(cells);
         let Some((column, range)) = next else { return };
         let Some(class) = document.table().columns().get(column).map(|column| column.class) else { return };
-        if !self.tables.filter.columns().contains(&column) {
-            self.inputs.set(Field::TableFilter, String::new());
-            self.tables.filter = Filter::of("", document.table());
+        if !self.filter.columns().contains(&column) {
+            self.filter = Filter::of("", document.table());
+            self.texts.set(TablesField::Filter, "");
         }
-        self.select(class, range);
+        self.select(class, range, shared);
     }
 }

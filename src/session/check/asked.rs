@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 use std::ops;
 
-use super::inputs::{Field, Inputs};
+use super::CheckField;
 use crate::length::Length;
 use crate::probing::cycle::{Angle, Value};
 use crate::probing::cycles::cycle;
+use crate::session::field::Texts;
 use crate::tolerance::callout::halves;
 use crate::tolerance::{Callout, Feature, Limits, Sources};
 use crate::words::{Message, Say as _};
@@ -18,36 +19,36 @@ pub struct Asked {
     /// Where in the callout's text an error shows, in characters.
     culprit: Option<ops::Range<usize>>,
     limits: Option<Limits>,
-    lengths: BTreeMap<Field, Length>,
+    lengths: BTreeMap<CheckField, Length>,
     /// The angle of the first contact.
     pub(super) first_angle: Option<Angle>,
     /// The seed of the simulation.
     pub(super) seed: Option<u64>,
     /// The number of lobes of the simulated workpiece.
     pub(super) lobes: Option<u32>,
-    errors: BTreeMap<Field, Message>,
+    errors: BTreeMap<CheckField, Message>,
 }
 
 /// The fields that are parameters of the measuring cycle: the cycle's declaration says what they may be.
-const PARAMETERS: [(Field, u16); 6] = [
-    (Field::CentreX, 273),
-    (Field::CentreY, 274),
-    (Field::Height, 261),
-    (Field::FirstAngle, 325),
-    (Field::Clearance, 320),
-    (Field::CentreTolerance, 279),
+const PARAMETERS: [(CheckField, u16); 6] = [
+    (CheckField::CentreX, 273),
+    (CheckField::CentreY, 274),
+    (CheckField::Height, 261),
+    (CheckField::FirstAngle, 325),
+    (CheckField::Clearance, 320),
+    (CheckField::CentreTolerance, 279),
 ];
 
 /// The other fields that hold a length, with what they may be.
-const LENGTHS: [(Field, Range); 8] = [
-    (Field::Measured, Range::AboveZero),
-    (Field::TrueDiameter, Range::AboveZero),
-    (Field::OffsetX, Range::Any),
-    (Field::OffsetY, Range::Any),
-    (Field::Ovality, Range::ZeroOrMore),
-    (Field::LobeHeight, Range::ZeroOrMore),
-    (Field::SurfaceScatter, Range::ZeroOrMore),
-    (Field::ProbeScatter, Range::ZeroOrMore),
+const LENGTHS: [(CheckField, Range); 8] = [
+    (CheckField::Measured, Range::AboveZero),
+    (CheckField::TrueDiameter, Range::AboveZero),
+    (CheckField::OffsetX, Range::Any),
+    (CheckField::OffsetY, Range::Any),
+    (CheckField::Ovality, Range::ZeroOrMore),
+    (CheckField::LobeHeight, Range::ZeroOrMore),
+    (CheckField::SurfaceScatter, Range::ZeroOrMore),
+    (CheckField::ProbeScatter, Range::ZeroOrMore),
 ];
 
 /// What a field's number may be, within the control's ±99999.9999 mm.
@@ -72,18 +73,18 @@ impl Range {
 }
 
 /// The size part of a callout as it is typed.
-pub(super) fn nominal_text(callout: &str) -> &str {
+pub(in crate::session) fn nominal_text(callout: &str) -> &str {
     halves(callout).0
 }
 
 /// The tolerance part of a callout as it is typed.
-pub(super) fn class_text(callout: &str) -> &str {
+pub(in crate::session) fn class_text(callout: &str) -> &str {
     halves(callout).1
 }
 
 impl Asked {
     /// Reads the fields. Empty optional fields are no error; a number that cannot be used is.
-    pub(super) fn read(inputs: &Inputs, sources: &Sources) -> Self {
+    pub(super) fn read(texts: &Texts<CheckField>, feature: Option<Feature>, sources: &Sources) -> Self {
         let mut asked = Self {
             callout: None,
             culprit: None,
@@ -94,15 +95,15 @@ impl Asked {
             lobes: None,
             errors: BTreeMap::new(),
         };
-        asked.read_callout(inputs.text(Field::Callout), inputs.feature, sources);
+        asked.read_callout(texts.text(CheckField::Callout), feature, sources);
         for (field, q) in PARAMETERS {
-            asked.read_parameter(field, q, inputs.text(field));
+            asked.read_parameter(field, q, texts.text(field));
         }
         for (field, range) in LENGTHS {
-            asked.read_length(field, range, inputs.text(field));
+            asked.read_length(field, range, texts.text(field));
         }
-        asked.seed = asked.read_whole(Field::Seed, inputs.text(Field::Seed));
-        asked.lobes = asked.read_whole(Field::Lobes, inputs.text(Field::Lobes));
+        asked.seed = asked.read_whole(CheckField::Seed, texts.text(CheckField::Seed));
+        asked.lobes = asked.read_whole(CheckField::Lobes, texts.text(CheckField::Lobes));
         asked
     }
 
@@ -124,11 +125,11 @@ impl Asked {
                 error.message()
             }
         };
-        self.errors.insert(Field::Callout, problem);
+        self.errors.insert(CheckField::Callout, problem);
     }
 
     /// The ranges of cycles 421 and 422 are the same but for their limits.
-    fn read_parameter(&mut self, field: Field, q: u16, text: &str) {
+    fn read_parameter(&mut self, field: CheckField, q: u16, text: &str) {
         let Some(parameter) = cycle(421).and_then(|cycle| cycle.parameter(q)) else { return };
         match parameter.accept(text) {
             Ok(Value::Length(length)) => _ = self.lengths.insert(field, length),
@@ -138,8 +139,8 @@ impl Asked {
         }
     }
 
-    fn read_length(&mut self, field: Field, range: Range, text: &str) {
-        let optional = matches!(field, Field::Measured | Field::TrueDiameter);
+    fn read_length(&mut self, field: CheckField, range: Range, text: &str) {
+        let optional = matches!(field, CheckField::Measured | CheckField::TrueDiameter);
         if optional && text.trim().is_empty() {
             return;
         }
@@ -150,7 +151,7 @@ impl Asked {
         }
     }
 
-    fn read_whole<T: std::str::FromStr>(&mut self, field: Field, text: &str) -> Option<T> {
+    fn read_whole<T: std::str::FromStr>(&mut self, field: CheckField, text: &str) -> Option<T> {
         let value = text.trim().parse().ok();
         if value.is_none() {
             self.errors.insert(field, Message::new("field-not-whole").text("given", text.trim()));
@@ -179,17 +180,17 @@ impl Asked {
     }
 
     /// The length in a field, mm, when it can be read.
-    pub fn length(&self, field: Field) -> Option<Length> {
+    pub fn length(&self, field: CheckField) -> Option<Length> {
         self.lengths.get(&field).copied()
     }
 
     /// What is wrong with a field.
-    pub fn error(&self, field: Field) -> Option<&Message> {
+    pub fn error(&self, field: CheckField) -> Option<&Message> {
         self.errors.get(&field)
     }
 
     /// Puts an error beside a field that measuring refused.
-    pub(super) fn refuse(&mut self, field: Field, problem: Message) {
+    pub(super) fn refuse(&mut self, field: CheckField, problem: Message) {
         self.errors.insert(field, problem);
     }
 

@@ -3,7 +3,8 @@
 //! | file | what |
 //! |---|---|
 //! | here | the state |
-//! | `command` | what can be done |
+//! | `field` | the text fields |
+//! | `command`, `apply` | what can be done, and doing it |
 //! | `document` | a program as it is shown: outline, names of parameters, the selected block |
 //! | `tokens` | what a line is made of, so that it can be told apart |
 //! | `inputs` | the seven inputs of 8255 as fields, and Fitcheck's own answer |
@@ -17,8 +18,10 @@
 //! A run belongs to its inputs: any change of an input clears it. Nothing is written; what a program prints to files is
 //! listed.
 
+mod apply;
 mod command;
 mod document;
+mod field;
 mod inputs;
 mod opening;
 mod problems;
@@ -31,10 +34,9 @@ mod workpiece;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
-use jiff::civil::DateTime;
-
-pub use command::{BlockStep, Origin, ProgramCommand, ProgramField, Switch, WorkpieceFrom};
+pub use command::{BlockStep, Origin, ProgramCommand, Switch, WorkpieceFrom};
 pub use document::{Document, Entry, EntryKind};
+pub use field::ProgramField;
 pub use inputs::{Agreement, Input};
 pub use opening::SHIPPED;
 pub use problems::{Problem, ProblemKind};
@@ -42,7 +44,6 @@ pub use run::{MOST_MOVES, Run, Speed, State};
 pub use tokens::{Token, tokens};
 pub use watching::{Name, Watched};
 
-use super::{Effect, Session};
 use crate::control::variables::{Parameter, Value};
 use crate::nc::machine::{BlockPlace, NcPath};
 use crate::nc::program::ProgramWarning;
@@ -84,9 +85,6 @@ struct Switches {
     block_skip: bool,
     optional_stop: bool,
 }
-
-/// How many blocks a page is.
-const PAGE: usize = 20;
 
 impl ProgramPage {
     /// Where the open program came from; `None` before the page was opened for the first time.
@@ -177,95 +175,5 @@ impl ProgramPage {
         self.look = document.first_line(place.block);
         self.looks = self.looks.wrapping_add(1);
         self.shown = Some(place.program.clone());
-    }
-}
-
-impl Session {
-    /// The program page.
-    pub const fn program(&self) -> &ProgramPage {
-        &self.program
-    }
-
-    pub(super) fn apply_program(&mut self, command: ProgramCommand, now: DateTime) -> Vec<Effect> {
-        match command {
-            ProgramCommand::OpenShipped(name) => self.open_shipped(name),
-            ProgramCommand::Read { path, result } => self.program_read(path, result),
-            ProgramCommand::Type(field, text) => self.type_program_field(field, text),
-            ProgramCommand::ChooseWorkpiece(from) => self.choose_workpiece(from),
-            ProgramCommand::Run => self.start_or_go_on(now, running::Mode::Running),
-            ProgramCommand::Step => self.step_program(now),
-            ProgramCommand::StepOver => self.start_or_go_on(now, running::Mode::Over),
-            ProgramCommand::RunToSelected => self.start_or_go_on(now, running::Mode::ToSelected),
-            ProgramCommand::Tick => self.tick_program(),
-            ProgramCommand::Pause => self.pause_program(),
-            ProgramCommand::Reset => self.reset_program(),
-            ProgramCommand::SetSpeed(speed) => self.program.speed = speed,
-            ProgramCommand::Switch(switch, on) => self.switch_program(switch, on),
-            ProgramCommand::ToggleBreakpoint(block) => self.toggle_breakpoint(block),
-            ProgramCommand::Select(block) => {
-                if let Some(document) = self.program.shown_mut() {
-                    document.select(block);
-                }
-            }
-            ProgramCommand::Move(step) => self.move_in_program(step),
-            ProgramCommand::ShowProgram(path) => self.show_program(path),
-            ProgramCommand::GoTo(place) => self.program.look_at(&place, true),
-            ProgramCommand::Pin(parameter, true) => _ = self.program.pinned.insert(parameter),
-            ProgramCommand::Pin(parameter, false) => _ = self.program.pinned.remove(&parameter),
-            ProgramCommand::SetValue => self.give_value(),
-            ProgramCommand::DropValue(parameter) => {
-                self.program.given.remove(&parameter);
-                self.reset_program();
-            }
-        }
-        Vec::new()
-    }
-
-    fn switch_program(&mut self, switch: Switch, on: bool) {
-        let switches = &mut self.program.switches;
-        match switch {
-            Switch::SkipUnknown => switches.skip_unknown = on,
-            Switch::BlockSkip => switches.block_skip = on,
-            Switch::OptionalStop => switches.optional_stop = on,
-        }
-        self.reset_program();
-    }
-
-    fn toggle_breakpoint(&mut self, block: Option<usize>) {
-        let Some(document) = self.program.shown() else { return };
-        let block = block.unwrap_or_else(|| document.selected());
-        if document.program().blocks().len() <= block {
-            return;
-        }
-        let place = BlockPlace { program: document.path().clone(), block };
-        if !self.program.breakpoints.remove(&place) {
-            self.program.breakpoints.insert(place.clone());
-        }
-        if let Some(run) = &mut self.program.run {
-            run.toggle_breakpoint(&place);
-        }
-    }
-
-    fn move_in_program(&mut self, step: BlockStep) {
-        let Some(document) = self.program.shown() else { return };
-        let (here, last) = (document.selected(), document.program().blocks().len().saturating_sub(1));
-        let block = match step {
-            BlockStep::Up => here.saturating_sub(1),
-            BlockStep::Down => here + 1,
-            BlockStep::PageUp => here.saturating_sub(PAGE),
-            BlockStep::PageDown => here + PAGE,
-            BlockStep::First => 0,
-            BlockStep::Last => last,
-        };
-        let place = BlockPlace { program: document.path().clone(), block: block.min(last) };
-        self.program.look_at(&place, true);
-    }
-
-    /// A program of the call stack: at the block that calls, or that runs next.
-    fn show_program(&mut self, path: NcPath) {
-        let calls = self.program.run.iter().flat_map(Run::calls);
-        let place = calls.filter(|place| place.program == path).last();
-        let block = self.program.documents.get(&path).map_or(0, Document::selected);
-        self.program.look_at(&place.unwrap_or(BlockPlace { program: path, block }), false);
     }
 }

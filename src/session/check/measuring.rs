@@ -2,9 +2,7 @@
 
 use jiff::civil::DateTime;
 
-use super::Notice;
-use super::asked::Asked;
-use super::inputs::{Field, Inputs, MeasureBy};
+use super::{Asked, CheckField, CheckPage, MeasureBy};
 use crate::exchange::Imported;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
@@ -12,26 +10,27 @@ use crate::probing::measure::{ProbePosition, cycle_number, measure as run_cycle}
 use crate::probing::measurement::measure_contacts;
 use crate::probing::simulated::{Lobes, Machine, Probe, Workpiece};
 use crate::probing::{Contact, Measurement, Origin};
-use crate::report::{RENDERINGS, Report};
+use crate::session::shared::Notice;
 use crate::tolerance::Limits;
 use crate::verdict::{self, AxisPosition, PositionVerdict};
-use crate::words::{Message, Say as _, Words};
+use crate::words::{Message, Say as _};
 
 /// What measuring refused, and beside which field it is said.
-type Refusal = (Field, Message);
+type Refusal = (CheckField, Message);
 
 /// Measures as the fields say.
-pub(super) fn measure(inputs: &Inputs, asked: &Asked, now: DateTime) -> Result<Record, Refusal> {
+pub(super) fn measure(page: &CheckPage, now: DateTime) -> Result<Record, Refusal> {
+    let asked = &page.asked;
     let Some(limits) = asked.limits() else {
         // An error beside the callout says more than "no limits".
-        let problem = asked.error(Field::Callout).cloned();
-        return Err((Field::Callout, problem.unwrap_or_else(|| Message::new("measured-needs-limits"))));
+        let problem = asked.error(CheckField::Callout).cloned();
+        return Err((CheckField::Callout, problem.unwrap_or_else(|| Message::new("measured-needs-limits"))));
     };
-    let (measurement, position) = match inputs.by {
+    let (measurement, position) = match page.by {
         MeasureBy::Typing => (typed(asked)?, None),
         MeasureBy::Simulating => simulated(asked, limits)?,
     };
-    Ok(record(inputs.text(Field::Part), asked, limits, (measurement, position), now))
+    Ok(record(page.text(CheckField::Part), asked, limits, (measurement, position), now))
 }
 
 fn record(
@@ -54,15 +53,15 @@ fn record(
 }
 
 fn typed(asked: &Asked) -> Result<Measurement, Refusal> {
-    if let Some(diameter) = asked.length(Field::Measured) {
+    if let Some(diameter) = asked.length(CheckField::Measured) {
         return Ok(Measurement::of_diameter(diameter, Origin::Typed));
     }
-    let problem = asked.error(Field::Measured).cloned();
-    Err((Field::Measured, problem.unwrap_or_else(|| LengthError::Empty.message())))
+    let problem = asked.error(CheckField::Measured).cloned();
+    Err((CheckField::Measured, problem.unwrap_or_else(|| LengthError::Empty.message())))
 }
 
 /// A field that must hold a length.
-fn length(asked: &Asked, field: Field) -> Result<Length, Refusal> {
+fn length(asked: &Asked, field: CheckField) -> Result<Length, Refusal> {
     let problem = || asked.error(field).cloned().unwrap_or_else(|| LengthError::Empty.message());
     asked.length(field).ok_or_else(|| (field, problem()))
 }
@@ -70,9 +69,9 @@ fn length(asked: &Asked, field: Field) -> Result<Length, Refusal> {
 fn simulated(asked: &Asked, limits: &Limits) -> Result<(Measurement, Option<PositionVerdict>), Refusal> {
     let position = probe_position(asked)?;
     let whole = |field| (field, asked.error(field).cloned().unwrap_or_else(|| LengthError::Empty.message()));
-    let seed = asked.seed.ok_or_else(|| whole(Field::Seed))?;
+    let seed = asked.seed.ok_or_else(|| whole(CheckField::Seed))?;
     let (workpiece, probe) = workpiece(asked, limits, &position)?;
-    let refused = |message| (Field::TrueDiameter, message);
+    let refused = |message| (CheckField::TrueDiameter, message);
     let mut machine = Machine::new(workpiece, probe, seed).map_err(|error| refused(error.message()))?;
     let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed };
     let (measurement, position) =
@@ -81,40 +80,34 @@ fn simulated(asked: &Asked, limits: &Limits) -> Result<(Measurement, Option<Posi
 }
 
 fn probe_position(asked: &Asked) -> Result<ProbePosition, Refusal> {
-    let missing = || asked.error(Field::FirstAngle).cloned().unwrap_or_else(|| LengthError::Empty.message());
-    let first_angle = asked.first_angle.ok_or_else(|| (Field::FirstAngle, missing()))?;
+    let missing = || asked.error(CheckField::FirstAngle).cloned().unwrap_or_else(|| LengthError::Empty.message());
+    let first_angle = asked.first_angle.ok_or_else(|| (CheckField::FirstAngle, missing()))?;
     Ok(ProbePosition {
-        centre: [length(asked, Field::CentreX)?, length(asked, Field::CentreY)?],
-        height: length(asked, Field::Height)?,
+        centre: [length(asked, CheckField::CentreX)?, length(asked, CheckField::CentreY)?],
+        height: length(asked, CheckField::Height)?,
         first_angle,
-        clearance: length(asked, Field::Clearance)?,
-        centre_tolerance: length(asked, Field::CentreTolerance)?,
+        clearance: length(asked, CheckField::Clearance)?,
+        centre_tolerance: length(asked, CheckField::CentreTolerance)?,
     })
 }
 
 fn workpiece(asked: &Asked, limits: &Limits, position: &ProbePosition) -> Result<(Workpiece, Probe), Refusal> {
     let mm = |field| length(asked, field).map(Length::to_mm_f64);
-    let diameter = match asked.error(Field::TrueDiameter) {
-        Some(problem) => return Err((Field::TrueDiameter, problem.clone())),
-        None => asked.length(Field::TrueDiameter).unwrap_or_else(|| limits.middle()),
+    let diameter = match asked.error(CheckField::TrueDiameter) {
+        Some(problem) => return Err((CheckField::TrueDiameter, problem.clone())),
+        None => asked.length(CheckField::TrueDiameter).unwrap_or_else(|| limits.middle()),
     };
     let [x, y] = position.centre.map(Length::to_mm_f64);
-    let count = asked.lobes.ok_or_else(|| (Field::Lobes, LengthError::Empty.message()))?;
+    let count = asked.lobes.ok_or_else(|| (CheckField::Lobes, LengthError::Empty.message()))?;
     let workpiece = Workpiece {
         feature: limits.feature,
-        centre: [x + mm(Field::OffsetX)?, y + mm(Field::OffsetY)?],
+        centre: [x + mm(CheckField::OffsetX)?, y + mm(CheckField::OffsetY)?],
         diameter: diameter.to_mm_f64(),
-        ovality: Lobes { count: 2, amplitude: mm(Field::Ovality)?, angle: 0.0 },
-        lobes: Lobes { count, amplitude: mm(Field::LobeHeight)?, angle: 0.0 },
-        surface_scatter: mm(Field::SurfaceScatter)?,
+        ovality: Lobes { count: 2, amplitude: mm(CheckField::Ovality)?, angle: 0.0 },
+        lobes: Lobes { count, amplitude: mm(CheckField::LobeHeight)?, angle: 0.0 },
+        surface_scatter: mm(CheckField::SurfaceScatter)?,
     };
-    Ok((workpiece, Probe { trigger_scatter: mm(Field::ProbeScatter)?, ..Probe::STILL }))
-}
-
-/// Records as a file's bytes, in a format of the report's list.
-pub(super) fn export(format: usize, records: Vec<Record>, words: &Words, now: DateTime) -> Result<Vec<u8>, Message> {
-    let Some(rendering) = RENDERINGS.get(format) else { return Err(Message::new("dialog-no-path")) };
-    (rendering.render)(&Report::new(now, records), words).map_err(|error| error.message())
+    Ok((workpiece, Probe { trigger_scatter: mm(CheckField::ProbeScatter)?, ..Probe::STILL }))
 }
 
 /// What is told about an imported file: how many checks, and every row that could not be used.
@@ -142,8 +135,8 @@ pub(super) fn judge_contacts(
     let measurement = measure_contacts(contacts, origin).map_err(|error| error.message())?;
     // A position that cannot be read is refused: leaving it out would call a shifted feature good.
     let nominal = |field| length(asked, field).map_err(|(_, problem)| problem);
-    let (nominal_x, nominal_y) = (nominal(Field::CentreX)?, nominal(Field::CentreY)?);
-    let permitted = nominal(Field::CentreTolerance)?;
+    let (nominal_x, nominal_y) = (nominal(CheckField::CentreX)?, nominal(CheckField::CentreY)?);
+    let permitted = nominal(CheckField::CentreTolerance)?;
     let position = measurement.centre.map(|[x, y]| {
         let tolerance = (Length::ZERO < permitted).then_some(permitted);
         let axis = |is: Length, nominal| AxisPosition { deviation: is.saturating_sub(nominal), tolerance };

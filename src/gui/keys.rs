@@ -1,0 +1,91 @@
+//! Keys: the one place where they are heard, by the table of actions.
+//!
+//! What a widget does with keys of its own (Enter in a field, Space on a list) is the widget's.
+
+use eframe::egui::{self, Event, EventFilter, Id, KeyboardShortcut, Modifiers, Ui};
+
+use super::view::View;
+use super::{fit, program, tables};
+use crate::session::action::{Held, Key, Part, Shortcut};
+
+/// Does what was pressed in this frame, before anything is drawn: what an action takes no widget hears.
+pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
+    let part = focused_part(ui, view);
+    let is_press = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
+    if !ui.input(|input| input.events.iter().any(is_press)) {
+        return;
+    }
+    let keys = view.session.keys(part, ui.ctx().text_edit_focused());
+    let mut pressed = Vec::new();
+    ui.input_mut(|input| {
+        input.events.retain(|event| {
+            let Event::Key { key, modifiers, pressed: true, .. } = event else { return true };
+            let is_it =
+                |shortcut: &Shortcut| modifiers.matches_exact(held(shortcut.held)) && *key == of_window(shortcut.key);
+            let Some((shortcut, action)) = keys.iter().find(|(shortcut, _)| is_it(shortcut)) else { return true };
+            pressed.push(*action);
+            // An open list closes with the same Escape.
+            shortcut.key == Key::Escape
+        });
+    });
+    for action in pressed {
+        view.act(action);
+    }
+}
+
+/// The part of the page that has the focus as a whole. Arrows stay in it.
+fn focused_part(ui: &Ui, view: &View<'_>) -> Option<Part> {
+    let part = Part::ALL.into_iter().find(|part| part.page() == view.session.page())?;
+    let id = id(part, view);
+    let arrows =
+        EventFilter { tab: false, horizontal_arrows: part != Part::Listing, vertical_arrows: true, escape: false };
+    ui.memory_mut(|memory| {
+        memory.set_focus_lock_filter(id, arrows);
+        memory.has_focus(id).then_some(part)
+    })
+}
+
+fn id(part: Part, view: &View<'_>) -> Id {
+    match part {
+        Part::Classes => fit::map_id(view.session.fit().side()),
+        Part::Cells => tables::grid_id(),
+        Part::Listing => program::listing_id(),
+    }
+}
+
+/// Keys as the system writes them.
+pub(super) fn told(ui: &Ui, shortcut: Shortcut) -> String {
+    if ui.ctx().os().is_mac() {
+        ui.ctx().format_shortcut(&KeyboardShortcut::new(held(shortcut.held), of_window(shortcut.key)))
+    } else {
+        shortcut.to_string()
+    }
+}
+
+const fn held(held: Held) -> Modifiers {
+    match held {
+        Held::Nothing => Modifiers::NONE,
+        Held::Shift => Modifiers::SHIFT,
+        Held::Ctrl => Modifiers::COMMAND,
+        Held::CtrlShift => Modifiers::COMMAND.plus(Modifiers::SHIFT),
+        Held::Alt => Modifiers::ALT,
+    }
+}
+
+fn of_window(key: Key) -> egui::Key {
+    let named = |name: String| egui::Key::from_name(&name).unwrap_or(egui::Key::F35);
+    match key {
+        Key::Character(_) | Key::Function(_) => named(key.to_string()),
+        Key::Left => egui::Key::ArrowLeft,
+        Key::Right => egui::Key::ArrowRight,
+        Key::Up => egui::Key::ArrowUp,
+        Key::Down => egui::Key::ArrowDown,
+        Key::PageUp => egui::Key::PageUp,
+        Key::PageDown => egui::Key::PageDown,
+        Key::Home => egui::Key::Home,
+        Key::End => egui::Key::End,
+        Key::Enter => egui::Key::Enter,
+        Key::Escape => egui::Key::Escape,
+        Key::Delete => egui::Key::Delete,
+    }
+}

@@ -1,0 +1,355 @@
+//! Everything that a user can do by menu, button or key: what it is called, its keys, where it applies, whether it is
+//! possible now, and the command that it sends.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the list, and what is asked of it |
+//! | `table` | a row for every entry |
+//! | `shortcut` | keys, without a window |
+//!
+//! Choices among what a user has (a class, a table of the list, a block) are no actions: they send commands.
+
+mod shortcut;
+mod table;
+
+pub use shortcut::{Held, Key, Shortcut};
+
+use self::table::Row;
+use super::program::{BlockStep, ProgramField, Switch};
+use super::tables::{self, TablesField};
+use super::{Command, Direction, Field, MeasureBy, Page, Session, SourceChoice, Step, Theme};
+use crate::exchange::tables::TABLE_FORMATS;
+use crate::report::RENDERINGS;
+use crate::tolerance::Feature;
+use crate::words::{Message, Words};
+
+/// Where an action applies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// On every page.
+    Everywhere,
+    /// On the pages that measure the simulated workpiece.
+    Workpiece,
+    /// On a page.
+    Page(Page),
+    /// In the focused part of a page.
+    Part(Part),
+}
+
+/// A part of a page that takes the focus as a whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The map of classes on the fit page.
+    Classes,
+    /// The cells of the table page.
+    Cells,
+    /// The listing of the program page.
+    Listing,
+}
+
+impl Part {
+    /// The parts of all pages.
+    pub const ALL: [Self; 3] = [Self::Classes, Self::Cells, Self::Listing];
+
+    /// The page that it belongs to.
+    pub const fn page(self) -> Page {
+        match self {
+            Self::Classes => Page::Fit,
+            Self::Cells => Page::Tables,
+            Self::Listing => Page::Program,
+        }
+    }
+}
+
+impl Place {
+    /// Whether it is on a page.
+    pub fn is_on(self, page: Page) -> bool {
+        match self {
+            Self::Everywhere => true,
+            Self::Workpiece => matches!(page, Page::Cycles | Page::Program),
+            Self::Page(of) => of == page,
+            Self::Part(part) => part.page() == page,
+        }
+    }
+
+    /// What is nearer goes first: where two places know the same keys, those of the smaller one count.
+    const fn rank(self) -> u8 {
+        match self {
+            Self::Part(_) => 0,
+            Self::Page(_) => 1,
+            Self::Workpiece => 2,
+            Self::Everywhere => 3,
+        }
+    }
+}
+
+/// The list, with the values of an action that is one for each of them.
+macro_rules! actions {
+    ($($(#[$doc:meta])* $name:ident $(($of:ty): $all:expr)?;)*) => {
+        /// Something that a user can do by menu, button or key.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Action {
+            $($(#[$doc])* $name $(($of))?,)*
+        }
+
+        impl Action {
+            /// Every action, in the order of the pages.
+            pub fn all() -> impl Iterator<Item = Self> {
+                let mut all = Vec::new();
+                $(actions!(@add all $name $($all)?);)*
+                all.into_iter()
+            }
+        }
+    };
+    (@add $list:ident $name:ident) => { $list.push(Self::$name) };
+    (@add $list:ident $name:ident $all:expr) => { $list.extend($all.into_iter().map(Self::$name)) };
+}
+
+actions! {
+    /// Opens a page.
+    Open(Page): Page::ALL;
+    /// Reads measurements.
+    Import;
+    /// Writes the checks in a format of the report's list, by its number there.
+    Export(usize): 0..RENDERINGS.len();
+    /// Writes the status window's text.
+    ExportStatus;
+    /// Light, dark, or as the system.
+    UseTheme(Theme): [Theme::System, Theme::Light, Theme::Dark];
+    /// Looks limits up in ISO 286 or in the control's tables.
+    UseSource(SourceChoice): [SourceChoice::Iso286, SourceChoice::ControlTables];
+    /// Rounds the halves of js, or not.
+    RoundJs;
+    /// Uses the edition of 1988, or the one of 2010.
+    Edition1988;
+    /// Reads a folder of the user's own tables.
+    LoadTables;
+    /// Uses no tables of the user's own any more.
+    NoOwnTables;
+    /// Reads a mask.
+    LoadMask;
+    /// Takes back the last change of the history.
+    Undo;
+    /// Empties the history.
+    ClearHistory;
+    /// Shows or hides the keypad.
+    Keypad;
+    /// Closes what lies over the page: a dialog, a window, the oldest notice.
+    Close;
+
+    /// Measures and judges.
+    Measure;
+    /// Clears the result.
+    ClearResult;
+    /// Chooses where the next measurement comes from.
+    MeasureBy(MeasureBy): [MeasureBy::Typing, MeasureBy::Simulating];
+    /// Puts the status window's text on the clipboard.
+    CopyStatus;
+
+    /// Goes to another class of the map.
+    MoveClass(Direction): [Direction::Left, Direction::Right, Direction::Up, Direction::Down];
+    /// Shows the map of hole classes or of shaft classes.
+    ShowClasses(Feature): [Feature::Hole, Feature::Shaft];
+    /// Takes one side of the fit to the check page.
+    CheckPart(Feature): [Feature::Hole, Feature::Shaft];
+
+    /// Runs the cycle.
+    RunCycle;
+    /// Clears the result.
+    ClearCycle;
+    /// Steps along the path.
+    StepPath(Step): [Step::First, Step::Back, Step::Next, Step::Last];
+    /// Opens the dialog of the simulated workpiece.
+    EditWorkpiece;
+    /// Makes a simulated workpiece that suits the page's inputs.
+    SuitWorkpiece;
+    /// Reads a simulated workpiece.
+    OpenWorkpiece;
+    /// Writes the simulated workpiece.
+    SaveWorkpiece;
+    /// Reads recorded contacts.
+    OpenContacts;
+    /// Reads a touch-probe table.
+    OpenProbes;
+    /// Takes the shipped touch-probe table.
+    ShippedProbes;
+    /// Opens the field for an NC block.
+    PasteBlock;
+    /// Fills the form from the NC block.
+    TakeBlock;
+    /// Puts the form as an NC block on the clipboard.
+    CopyBlock;
+    /// Puts the status window's text on the clipboard.
+    CopyCycleStatus;
+    /// Puts the results on the clipboard.
+    CopyResults;
+    /// Writes the measuring log.
+    SaveLog;
+
+    /// Reads a table.
+    OpenTable;
+    /// Writes the shown table in a format of the tables' list, by its number there.
+    SaveTable(usize): 0..TABLE_FORMATS.len();
+    /// Takes the shown table's last edit back.
+    UndoEdit;
+    /// Does it again.
+    RedoEdit;
+    /// Looks limits up in the shown table first.
+    UseTable;
+    /// Goes to the filter.
+    FindInTable;
+    /// Selects the previous cell that differs from ISO 286.
+    PreviousDifference;
+    /// Selects the next one.
+    NextDifference;
+    /// Goes to another cell.
+    MoveCell(tables::Step): tables::Step::ALL;
+    /// Goes to the fields of the cell.
+    EditCell;
+    /// Puts the fields into the cell.
+    SetCell;
+    /// Puts what ISO 286 says into the cell.
+    TakeStandard;
+    /// Empties the cell.
+    EmptyCell;
+    /// Adds classes to the shown table.
+    AddColumns;
+    /// Removes the selected cell's class.
+    RemoveColumn;
+    /// Makes a table from ISO 286.
+    MakeTable;
+
+    /// Reads an NC program.
+    OpenProgram;
+    /// Runs the program.
+    RunProgram;
+    /// Pauses it.
+    PauseProgram;
+    /// Runs one block.
+    StepProgram;
+    /// Runs one block with all that it calls.
+    StepOver;
+    /// Runs up to the selected block.
+    RunToSelected;
+    /// Sets a breakpoint at the selected block, or takes it.
+    ToggleBreakpoint;
+    /// Goes back to before the first block.
+    ResetProgram;
+    /// Switches something about the run.
+    Switch(Switch): Switch::ALL;
+    /// Goes to another block.
+    MoveBlock(BlockStep): BlockStep::ALL;
+    /// Gives a parameter a value at the next start.
+    GiveValue;
+}
+
+impl Action {
+    fn row(self) -> Row {
+        table::row(self)
+    }
+
+    /// Where it applies.
+    pub fn place(self) -> Place {
+        self.row().place
+    }
+
+    /// All its keys, also where another action has the first word. The first one is the one that is told.
+    pub fn shortcuts(self) -> impl Iterator<Item = Shortcut> {
+        self.row().keys.into_iter().flatten()
+    }
+
+    /// The keys that are told on a page; `None` where it has none, or another action of the page has them.
+    pub fn shortcut_on(self, page: Page) -> Option<Shortcut> {
+        let place = self.place();
+        let first = self.shortcuts().next().filter(|_| place.is_on(page))?;
+        let is_taken = |other: Self| {
+            let of_other = other.place();
+            of_other.is_on(page) && of_other.rank() < place.rank() && other.shortcuts().any(|other| other == first)
+        };
+        // Escape is whose it can be: of a run that goes on, or of what lies over the page.
+        (first.key == Key::Escape || !Self::all().any(is_taken)).then_some(first)
+    }
+
+    /// What Enter does in a text field of a page.
+    pub const fn on_enter(field: Field, page: Page) -> Option<Self> {
+        match (field, page) {
+            (Field::Program(ProgramField::Filter), _) => None,
+            (Field::Program(ProgramField::Name | ProgramField::Value), _) => Some(Self::GiveValue),
+            (Field::Tables(TablesField::CellUpper | TablesField::CellLower), _) => Some(Self::SetCell),
+            (Field::Tables(TablesField::To), _) => Some(Self::MakeTable),
+            (_, Page::Check) => Some(Self::Measure),
+            (_, Page::Cycles) => Some(Self::RunCycle),
+            (_, Page::Program) => Some(Self::RunProgram),
+            (_, Page::Fit | Page::Tables) => None,
+        }
+    }
+
+    /// What it is called, in the words of a language.
+    pub fn text(self, session: &Session, words: &Words) -> String {
+        match self {
+            Self::Export(number) => {
+                RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
+            }
+            Self::SaveTable(number) => {
+                let format = TABLE_FORMATS.get(number).map(|format| words.get(format.description_id));
+                capitalised(&format.map(|format| format!("{format}…")).unwrap_or_default())
+            }
+            Self::RemoveColumn => {
+                let selected = session.tables().shown().and_then(tables::Document::selected);
+                let class = selected.map_or_else(|| words.get("class-none"), |(class, _)| class.to_string());
+                words.say(&Message::new("tables-remove-column").text("class", class))
+            }
+            Self::UseTable if session.tables().is_used(session.sources()) => words.get("tables-in-use"),
+            _ => words.get(self.row().text),
+        }
+    }
+
+    /// The id of what more is to be said about it.
+    pub fn hint(self) -> Option<&'static str> {
+        self.row().hint
+    }
+
+    /// Whether what it switches is on, where it switches something.
+    pub fn is_on(self, session: &Session) -> Option<bool> {
+        table::is_on(self, session)
+    }
+
+    /// The command that it sends now; `None` where it is not possible.
+    pub fn command(self, session: &Session) -> Option<Command> {
+        let row = self.row();
+        (row.possible)(session).then(|| row.sends.command(session))
+    }
+}
+
+impl Session {
+    /// Whether something can be done now.
+    pub fn can(&self, action: Action) -> bool {
+        (action.row().possible)(self)
+    }
+
+    /// What keys do now, the nearest place first: `part` has the focus, or a text field (`is_typing`).
+    pub fn keys(&self, part: Option<Part>, is_typing: bool) -> Vec<(Shortcut, Action)> {
+        let is_covered = self.dialog().is_some() || self.is_leaving();
+        let is_heard = |action: Action| match action.place() {
+            Place::Everywhere => true,
+            // Its window lies over the listing, and takes Escape.
+            Place::Page(Page::Program) if self.bench_is_open() => false,
+            Place::Part(of) => part == Some(of) && of.page() == self.page(),
+            place => place.is_on(self.page()),
+        };
+        let heard =
+            Action::all().filter(|action| if is_covered { *action == Action::Close } else { is_heard(*action) });
+        let mut keys: Vec<_> = heard
+            .flat_map(|action| action.shortcuts().map(move |shortcut| (shortcut, action)))
+            .filter(|(shortcut, action)| !(is_typing && shortcut.is_of_text()) && self.can(*action))
+            .collect();
+        keys.sort_by_key(|(_, action)| action.place().rank());
+        keys
+    }
+}
+
+/// With a capital at the beginning, as an entry of a menu.
+fn capitalised(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
+}

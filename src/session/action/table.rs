@@ -1,0 +1,401 @@
+//! A row for every action. Menus, buttons, tooltips and keys are made from it.
+
+use super::{Action, Held, Key, Part, Place, Shortcut};
+use crate::session::check::CheckCommand;
+use crate::session::cycles::CyclesCommand;
+use crate::session::fit::FitCommand;
+use crate::session::program::{BlockStep, ProgramCommand, Run, Switch};
+use crate::session::tables::{self, TablesCommand, TablesField};
+use crate::session::workpiece::WorkpieceCommand;
+use crate::session::{Command, CycleFile, Direction, MeasureBy, Page, Purpose, Session, SourceChoice, Step, Theme};
+use crate::tolerance::iso286::{Edition, JsHalves, Options};
+use crate::tolerance::{Deviations, Feature, ToleranceClass};
+
+/// A row of the table.
+pub(super) struct Row {
+    /// The id of its text.
+    pub text: &'static str,
+    /// The id of what more is to be said.
+    pub hint: Option<&'static str>,
+    pub place: Place,
+    pub keys: [Option<Shortcut>; 2],
+    pub possible: fn(&Session) -> bool,
+    pub sends: Sends,
+}
+
+/// What an action sends.
+pub(super) enum Sends {
+    Always(Command),
+    /// What depends on the state: a switch is turned to its other side.
+    FromState(fn(&Session) -> Command),
+}
+
+impl Sends {
+    pub fn command(self, session: &Session) -> Command {
+        match self {
+            Self::Always(command) => command,
+            Self::FromState(command) => command(session),
+        }
+    }
+}
+
+impl Row {
+    fn new(place: Place, text: &'static str, sends: Sends) -> Self {
+        Self { text, hint: None, place, keys: [None; 2], possible: |_| true, sends }
+    }
+
+    fn when(self, possible: fn(&Session) -> bool) -> Self {
+        Self { possible, ..self }
+    }
+
+    fn hint(self, hint: &'static str) -> Self {
+        Self { hint: Some(hint), ..self }
+    }
+
+    fn key(self, key: Shortcut) -> Self {
+        Self { keys: [Some(key), None], ..self }
+    }
+
+    fn keys(self, first: Shortcut, second: Shortcut) -> Self {
+        Self { keys: [Some(first), Some(second)], ..self }
+    }
+}
+
+fn everywhere(text: &'static str, command: Command) -> Row {
+    Row::new(Place::Everywhere, text, Sends::Always(command))
+}
+
+fn switch(text: &'static str, command: fn(&Session) -> Command) -> Row {
+    Row::new(Place::Everywhere, text, Sends::FromState(command))
+}
+
+fn of_workpiece(text: &'static str, command: impl Into<Command>) -> Row {
+    Row::new(Place::Workpiece, text, Sends::Always(command.into()))
+}
+
+fn on(page: Page, text: &'static str, command: impl Into<Command>) -> Row {
+    Row::new(Place::Page(page), text, Sends::Always(command.into()))
+}
+
+fn within(part: Part, text: &'static str, command: impl Into<Command>) -> Row {
+    Row::new(Place::Part(part), text, Sends::Always(command.into()))
+}
+
+const fn open(purpose: Purpose) -> Command {
+    Command::OpenDialog(purpose)
+}
+
+/// The row of an action.
+#[expect(clippy::too_many_lines, reason = "one table of everything that can be done")]
+pub(super) fn row(action: Action) -> Row {
+    match action {
+        Action::Open(page) => {
+            let (text, key) = match page {
+                Page::Check => ("page-check", '1'),
+                Page::Fit => ("page-fit", '2'),
+                Page::Cycles => ("page-cycles", '3'),
+                Page::Tables => ("page-tables", '4'),
+                Page::Program => ("page-program", '5'),
+            };
+            everywhere(text, Command::OpenPage(page)).key(Shortcut::ctrl(key))
+        }
+        Action::Import => everywhere("import", open(Purpose::Import)).key(Shortcut::ctrl('O')),
+        Action::Export(number) => {
+            let row = everywhere("export", open(Purpose::Export(number))).when(has_history);
+            if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
+        }
+        Action::ExportStatus => everywhere("export-status", open(Purpose::ExportStatus)).when(has_status),
+        Action::UseTheme(theme) => {
+            let text = match theme {
+                Theme::System => "theme-system",
+                Theme::Light => "theme-light",
+                Theme::Dark => "theme-dark",
+            };
+            everywhere(text, Command::SetTheme(theme))
+        }
+        Action::UseSource(source) => {
+            let text = match source {
+                SourceChoice::Iso286 => "source-choice-iso286",
+                SourceChoice::ControlTables => "source-choice-control",
+            };
+            everywhere(text, Command::UseSource(source))
+        }
+        Action::RoundJs => switch("standard-js-rounded", |session| {
+            let options = session.sources().options();
+            let js = if rounds_js(options) { JsHalves::Exact } else { JsHalves::Rounded };
+            Command::SetStandard(Options { js, ..options })
+        }),
+        Action::Edition1988 => switch("standard-1988", |session| {
+            let options = session.sources().options();
+            let edition = if is_of_1988(options) { Edition::Of2010 } else { Edition::Of1988 };
+            Command::SetStandard(Options { edition, ..options })
+        }),
+        Action::LoadTables => everywhere("load-tables", open(Purpose::LoadTables)),
+        Action::NoOwnTables => {
+            everywhere("no-own-tables", Command::NoOwnTables).when(|session| !session.sources().own().is_empty())
+        }
+        Action::LoadMask => everywhere("load-mask", open(Purpose::LoadMask)),
+        Action::Undo => everywhere("undo", CheckCommand::Undo.into()).when(Session::can_undo),
+        Action::ClearHistory => everywhere("clear-history", CheckCommand::ClearHistory.into()).when(has_history),
+        Action::Keypad => switch("keypad", |session| Command::ShowKeypad(!session.has_keypad())),
+        Action::Close => {
+            let row = switch("close", |session| uppermost(session).unwrap_or(Command::Close));
+            row.key(Shortcut::plain(Key::Escape)).when(|session| uppermost(session).is_some())
+        }
+
+        Action::Measure => on(Page::Check, "measure", CheckCommand::Measure),
+        Action::ClearResult => on(Page::Check, "clear", CheckCommand::Clear),
+        Action::MeasureBy(by) => {
+            let text = match by {
+                MeasureBy::Typing => "by-typing",
+                MeasureBy::Simulating => "by-simulating",
+            };
+            on(Page::Check, text, CheckCommand::MeasureBy(by))
+        }
+        Action::CopyStatus => on(Page::Check, "copy", CheckCommand::CopyStatus).when(has_status),
+
+        Action::MoveClass(direction) => {
+            let key = match direction {
+                Direction::Left => Key::Left,
+                Direction::Right => Key::Right,
+                Direction::Up => Key::Up,
+                Direction::Down => Key::Down,
+            };
+            within(Part::Classes, "fit-move", FitCommand::Move(direction)).key(Shortcut::plain(key))
+        }
+        Action::ShowClasses(feature) => {
+            let text = match feature {
+                Feature::Hole => "classes-hole",
+                Feature::Shaft => "classes-shaft",
+            };
+            on(Page::Fit, text, FitCommand::ShowClasses(feature))
+        }
+        Action::CheckPart(part) => {
+            let (text, possible): (_, fn(&Session) -> bool) = match part {
+                Feature::Hole => ("fit-check-hole", |session| session.fit().class(Feature::Hole).is_some()),
+                Feature::Shaft => ("fit-check-shaft", |session| session.fit().class(Feature::Shaft).is_some()),
+            };
+            on(Page::Fit, text, FitCommand::Check(part)).when(possible)
+        }
+
+        Action::RunCycle => on(Page::Cycles, "cycles-run", CyclesCommand::Run).key(Shortcut::plain(Key::Function(5))),
+        Action::ClearCycle => on(Page::Cycles, "clear", CyclesCommand::Clear),
+        Action::StepPath(step) => {
+            let (text, key, possible): (_, _, fn(&Session) -> bool) = match step {
+                Step::First => ("cycles-first", Key::Home, |session| 0 < session.cycles().step()),
+                Step::Back => ("cycles-back", Key::Left, |session| 0 < session.cycles().step()),
+                Step::Next => ("cycles-next", Key::Right, |session| session.cycles().step() < session.cycles().last()),
+                Step::Last | Step::To(_) => {
+                    ("cycles-last", Key::End, |session| session.cycles().step() < session.cycles().last())
+                }
+            };
+            on(Page::Cycles, text, CyclesCommand::Step(step)).key(Shortcut::alt(key)).when(possible)
+        }
+        Action::EditWorkpiece => of_workpiece("cycles-workpiece", WorkpieceCommand::Show(true)),
+        Action::SuitWorkpiece => of_workpiece("cycles-suit", WorkpieceCommand::Suit),
+        Action::OpenWorkpiece => of_workpiece("cycles-open-bench", open(Purpose::OpenCycleFile(CycleFile::Bench))),
+        Action::SaveWorkpiece => of_workpiece("cycles-save-bench", open(Purpose::SaveBench))
+            .when(|session| session.bench().bench().is_some()),
+        Action::OpenContacts => of_workpiece("cycles-open-contacts", open(Purpose::OpenCycleFile(CycleFile::Contacts))),
+        Action::OpenProbes => on(Page::Cycles, "cycles-open-probes", open(Purpose::OpenCycleFile(CycleFile::Probes))),
+        Action::ShippedProbes => on(Page::Cycles, "cycles-shipped-probes", CyclesCommand::ShippedProbes)
+            .when(|session| session.cycles().probes_name().is_some()),
+        Action::PasteBlock => on(Page::Cycles, "cycles-paste-block", CyclesCommand::ShowBlock(true)),
+        Action::TakeBlock => {
+            on(Page::Cycles, "cycles-fill", CyclesCommand::TakeBlock).when(|session| session.cycles().block().is_some())
+        }
+        Action::CopyBlock => on(Page::Cycles, "cycles-copy-block", CyclesCommand::CopyBlock)
+            .when(|session| session.cycles().is_complete()),
+        Action::CopyCycleStatus => on(Page::Cycles, "copy", CyclesCommand::CopyStatus)
+            .when(|session| session.cycles().window(session.drawn_with()).is_some_and(|window| window.is_ok())),
+        Action::CopyResults => on(Page::Cycles, "copy", CyclesCommand::CopyResults)
+            .when(|session| session.cycles().run().is_some_and(|run| run.found().is_some())),
+        Action::SaveLog => on(Page::Cycles, "cycles-save-log", open(Purpose::SaveCycleLog))
+            .when(|session| session.cycles().log().is_some()),
+
+        Action::OpenTable => on(Page::Tables, "tables-open", open(Purpose::OpenTable)).key(Shortcut::ctrl('O')),
+        Action::SaveTable(number) => {
+            let row = on(Page::Tables, "tables-save", open(Purpose::SaveTable(number))).when(has_table);
+            if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
+        }
+        Action::UndoEdit => on(Page::Tables, "undo", TablesCommand::Undo)
+            .key(Shortcut::ctrl('Z'))
+            .when(|session| session.tables().shown().is_some_and(tables::Document::can_undo)),
+        Action::RedoEdit => on(Page::Tables, "tables-redo", TablesCommand::Redo)
+            .keys(Shortcut::ctrl('Y'), Shortcut { held: Held::CtrlShift, key: Key::Character('Z') })
+            .when(|session| session.tables().shown().is_some_and(tables::Document::can_redo)),
+        Action::UseTable => on(Page::Tables, "tables-use", TablesCommand::Use)
+            .when(|session| has_table(session) && !session.tables().is_used(session.sources())),
+        Action::FindInTable => on(Page::Tables, "tables-filter", Command::GoTo(TablesField::Filter.into()))
+            .key(Shortcut::ctrl('F'))
+            .when(has_table),
+        Action::PreviousDifference => on(Page::Tables, "tables-previous", TablesCommand::PreviousDifference)
+            .key(Shortcut::shift(Key::Function(8)))
+            .when(differs),
+        Action::NextDifference => on(Page::Tables, "tables-next", TablesCommand::NextDifference)
+            .key(Shortcut::plain(Key::Function(8)))
+            .when(differs),
+        Action::MoveCell(step) => within(Part::Cells, "tables-move", TablesCommand::Move(step)).key(cell_key(step)),
+        Action::EditCell => within(Part::Cells, "tables-edit-cell", Command::GoTo(TablesField::CellUpper.into()))
+            .keys(Shortcut::plain(Key::Enter), Shortcut::plain(Key::Function(2)))
+            .when(has_cell),
+        Action::SetCell => on(Page::Tables, "tables-set", TablesCommand::SetCell).when(has_cell),
+        Action::TakeStandard => on(Page::Tables, "tables-take-standard", TablesCommand::TakeStandard).when(|session| {
+            let standard = selected(session).and_then(|(document, (class, range))| document.standard(class, range));
+            standard.is_some() && standard != cell(session)
+        }),
+        Action::EmptyCell => within(Part::Cells, "tables-empty-cell", TablesCommand::EmptyCell)
+            .key(Shortcut::plain(Key::Delete))
+            .when(|session| cell(session).is_some()),
+        Action::AddColumns => on(Page::Tables, "tables-add-columns", TablesCommand::AddColumns).when(has_table),
+        Action::RemoveColumn => on(Page::Tables, "tables-remove-column", TablesCommand::RemoveColumn).when(has_cell),
+        Action::MakeTable => on(Page::Tables, "tables-make", TablesCommand::Make),
+
+        Action::OpenProgram => {
+            on(Page::Program, "program-page-open", open(Purpose::OpenProgram)).key(Shortcut::ctrl('O'))
+        }
+        Action::RunProgram => on(Page::Program, "program-page-run", ProgramCommand::Run)
+            .key(Shortcut::plain(Key::Function(5)))
+            .when(|session| !session.program().is_running()),
+        Action::PauseProgram => on(Page::Program, "program-page-pause", ProgramCommand::Pause)
+            .key(Shortcut::plain(Key::Escape))
+            .when(|session| session.program().is_running()),
+        Action::StepProgram => on(Page::Program, "program-page-step", ProgramCommand::Step)
+            .key(Shortcut::plain(Key::Function(10)))
+            .when(can_step),
+        Action::StepOver => on(Page::Program, "program-page-step-over", ProgramCommand::StepOver)
+            .key(Shortcut::shift(Key::Function(10)))
+            .when(can_step),
+        Action::RunToSelected => on(Page::Program, "program-page-to-selected", ProgramCommand::RunToSelected)
+            .key(Shortcut { held: Held::Ctrl, key: Key::Function(10) })
+            .when(|session| !session.program().is_running()),
+        Action::ToggleBreakpoint => {
+            on(Page::Program, "program-page-breakpoint", ProgramCommand::ToggleBreakpoint(None))
+                .key(Shortcut::plain(Key::Function(9)))
+        }
+        Action::ResetProgram => on(Page::Program, "program-page-reset", ProgramCommand::Reset)
+            .key(Shortcut::shift(Key::Function(5)))
+            .when(|session| session.program().run().is_some()),
+        Action::Switch(switch) => {
+            let text = match switch {
+                Switch::SkipUnknown => "program-page-skip-unknown",
+                Switch::BlockSkip => "program-page-block-skip",
+                Switch::OptionalStop => "program-page-optional-stop",
+            };
+            on(Page::Program, text, ProgramCommand::Toggle(switch))
+        }
+        Action::MoveBlock(step) => {
+            within(Part::Listing, "program-page-move", ProgramCommand::Move(step)).key(Shortcut::plain(block_key(step)))
+        }
+        Action::GiveValue => {
+            on(Page::Program, "program-page-give", ProgramCommand::SetValue).hint("program-page-give-hint")
+        }
+    }
+}
+
+/// Whether what an action switches is on; `None` where it switches nothing.
+pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
+    Some(match action {
+        Action::Open(page) => session.page() == page,
+        Action::UseTheme(theme) => session.theme() == theme,
+        Action::UseSource(source) => session.source_choice() == source,
+        Action::RoundJs => rounds_js(session.sources().options()),
+        Action::Edition1988 => is_of_1988(session.sources().options()),
+        Action::Keypad => session.has_keypad(),
+        Action::MeasureBy(by) => session.check().by() == by,
+        Action::ShowClasses(feature) => session.fit().side() == feature,
+        Action::Switch(switch) => session.program().is_on(switch),
+        _ => return None,
+    })
+}
+
+const fn cell_key(step: tables::Step) -> Shortcut {
+    let key = match step {
+        tables::Step::Left => Key::Left,
+        tables::Step::Right => Key::Right,
+        tables::Step::Up => Key::Up,
+        tables::Step::Down => Key::Down,
+        tables::Step::PageUp => Key::PageUp,
+        tables::Step::PageDown => Key::PageDown,
+        tables::Step::First => Key::Home,
+        tables::Step::Last => Key::End,
+        tables::Step::Top => return Shortcut { held: Held::Ctrl, key: Key::Home },
+        tables::Step::Bottom => return Shortcut { held: Held::Ctrl, key: Key::End },
+    };
+    Shortcut::plain(key)
+}
+
+const fn block_key(step: BlockStep) -> Key {
+    match step {
+        BlockStep::Up => Key::Up,
+        BlockStep::Down => Key::Down,
+        BlockStep::PageUp => Key::PageUp,
+        BlockStep::PageDown => Key::PageDown,
+        BlockStep::First => Key::Home,
+        BlockStep::Last => Key::End,
+    }
+}
+
+/// What closes what lies uppermost over the page.
+fn uppermost(session: &Session) -> Option<Command> {
+    let is_on = |page| session.page() == page;
+    let has_notice = !session.notices().is_empty();
+    if session.is_leaving() {
+        Some(Command::Leave(false))
+    } else if session.dialog().is_some() || has_notice {
+        Some(Command::Close)
+    } else if session.cycles().block().is_some() && is_on(Page::Cycles) {
+        Some(CyclesCommand::ShowBlock(false).into())
+    } else if session.bench_is_open() && (is_on(Page::Cycles) || is_on(Page::Program)) {
+        Some(WorkpieceCommand::Show(false).into())
+    } else {
+        None
+    }
+}
+
+fn rounds_js(options: Options) -> bool {
+    options.js == JsHalves::Rounded
+}
+
+fn is_of_1988(options: Options) -> bool {
+    options.edition == Edition::Of1988
+}
+
+fn has_history(session: &Session) -> bool {
+    !session.history().is_empty()
+}
+
+fn has_status(session: &Session) -> bool {
+    session.check().status_text().is_some()
+}
+
+fn has_table(session: &Session) -> bool {
+    session.tables().shown().is_some()
+}
+
+fn differs(session: &Session) -> bool {
+    session.tables().shown().is_some_and(|document| 0 < document.differing())
+}
+
+type Selected<'a> = (&'a tables::Document, (ToleranceClass, usize));
+
+fn selected(session: &Session) -> Option<Selected<'_>> {
+    let document = session.tables().shown()?;
+    Some((document, document.selected()?))
+}
+
+fn has_cell(session: &Session) -> bool {
+    selected(session).is_some()
+}
+
+/// What stands in the selected cell.
+fn cell(session: &Session) -> Option<Deviations> {
+    let (document, (class, range)) = selected(session)?;
+    document.cell(class, range)
+}
+
+/// One block more can be run: the run, if there is one, waits.
+fn can_step(session: &Session) -> bool {
+    let program = session.program();
+    !program.is_running() && !program.run().is_some_and(Run::is_over)
+}

@@ -1,0 +1,40 @@
+//! What can be done on the check page.
+
+use super::{CheckField, MeasureBy};
+use crate::exchange::Imported;
+use crate::tolerance::{Feature, ToleranceClass};
+use crate::words::Message;
+
+/// What can be done on the check page.
+#[derive(Debug, Clone)]
+pub enum CheckCommand {
+    /// Replaces the text of a field. A changed callout clears the result.
+    Type(CheckField, String),
+    /// Takes a class from the chooser; the nominal size stays.
+    ChooseClass(ToleranceClass),
+    /// Says whether a hole or a shaft is meant, for a callout that does not say it.
+    ChooseFeature(Feature),
+    /// Chooses where the next measurement comes from.
+    MeasureBy(MeasureBy),
+    /// Measures and judges.
+    Measure,
+    /// Clears the result and the typed value; the history stays.
+    Clear,
+    /// Puts the status window's text on the clipboard.
+    CopyStatus,
+    /// Shows a record of the history again, by its number.
+    Show(usize),
+    /// Marks a record for the report, or takes the mark off.
+    Choose(usize, bool),
+    /// Empties the history.
+    ClearHistory,
+    /// Takes back the last change of the history.
+    Undo,
+    /// A file of measurements was read and understood, or not.
+    Imported {
+        /// Its name without the folder.
+        name: String,
+        /// What it holds.
+        result: Result<Box<Imported>, Message>,
+    },
+}

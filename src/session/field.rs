@@ -1,0 +1,120 @@
+//! The text fields of all pages, and the texts in them: one text a field, read anew at every change.
+
+use std::collections::BTreeMap;
+
+use super::check::{CheckCommand, CheckField};
+use super::command::Command;
+use super::cycles::{BenchField, CycleField, CyclesCommand};
+use super::fit::{FitCommand, FitField};
+use super::program::{ProgramCommand, ProgramField};
+use super::tables::{TablesCommand, TablesField};
+use super::workpiece::WorkpieceCommand;
+
+/// A text field of the window.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Field {
+    /// One of the check page.
+    Check(CheckField),
+    /// One of the fit page.
+    Fit(FitField),
+    /// One of the cycles page.
+    Cycles(CycleField),
+    /// One of the table page.
+    Tables(TablesField),
+    /// One of the program page.
+    Program(ProgramField),
+    /// A figure of the simulated workpiece, which the cycles page and the program page share.
+    Workpiece(BenchField),
+}
+
+impl Field {
+    /// The command that replaces the field's text.
+    pub fn typed(self, text: String) -> Command {
+        match self {
+            Self::Check(field) => CheckCommand::Type(field, text).into(),
+            Self::Fit(field) => FitCommand::Type(field, text).into(),
+            Self::Cycles(field) => CyclesCommand::Type(field, text).into(),
+            Self::Tables(field) => TablesCommand::Type(field, text).into(),
+            Self::Program(field) => ProgramCommand::Type(field, text).into(),
+            Self::Workpiece(field) => WorkpieceCommand::Type(field, text).into(),
+        }
+    }
+}
+
+impl From<CheckField> for Field {
+    fn from(field: CheckField) -> Self {
+        Self::Check(field)
+    }
+}
+
+impl From<FitField> for Field {
+    fn from(field: FitField) -> Self {
+        Self::Fit(field)
+    }
+}
+
+impl From<CycleField> for Field {
+    fn from(field: CycleField) -> Self {
+        Self::Cycles(field)
+    }
+}
+
+impl From<TablesField> for Field {
+    fn from(field: TablesField) -> Self {
+        Self::Tables(field)
+    }
+}
+
+impl From<ProgramField> for Field {
+    fn from(field: ProgramField) -> Self {
+        Self::Program(field)
+    }
+}
+
+impl From<BenchField> for Field {
+    fn from(field: BenchField) -> Self {
+        Self::Workpiece(field)
+    }
+}
+
+/// The fields of a page whose texts survive a restart.
+pub(super) trait KeptField: Copy + Ord + 'static {
+    /// Every field in reading order.
+    const ALL: &'static [Self];
+
+    /// Its key in the state file, and what stands in it at the first start.
+    fn declared(self) -> (&'static str, &'static str);
+}
+
+/// The texts of a page's fields; a missing one counts as the text of the first start.
+#[derive(Debug, Clone)]
+pub(super) struct Texts<F> {
+    texts: BTreeMap<F, String>,
+}
+
+impl<F> Default for Texts<F> {
+    fn default() -> Self {
+        Self { texts: BTreeMap::new() }
+    }
+}
+
+impl<F: KeptField> Texts<F> {
+    pub fn text(&self, field: F) -> &str {
+        self.texts.get(&field).map_or_else(|| field.declared().1, String::as_str)
+    }
+
+    pub fn set(&mut self, field: F, text: impl Into<String>) {
+        self.texts.insert(field, text.into());
+    }
+
+    /// What was put into fields, by their keys in the state file.
+    pub fn saved(&self) -> impl Iterator<Item = (String, String)> {
+        self.texts.iter().map(|(field, text)| (field.declared().0.to_owned(), text.clone()))
+    }
+
+    /// The page's texts out of those of a state file.
+    pub fn restored(saved: &BTreeMap<String, String>) -> Self {
+        let of_field = |field: &F| Some((*field, saved.get(field.declared().0)?.clone()));
+        Self { texts: F::ALL.iter().filter_map(of_field).collect() }
+    }
+}

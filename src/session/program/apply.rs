@@ -1,0 +1,111 @@
+//! What commands and news make of the program page.
+
+use jiff::civil::DateTime;
+
+use super::running::Mode;
+use super::{BlockStep, Document, ProgramCommand, ProgramPage, Run, Switch, WorkpieceFrom};
+use crate::nc::machine::{BlockPlace, NcPath};
+use crate::session::command::{Effect, Page};
+use crate::session::shared::{News, PageState, Shared};
+
+/// How many blocks a page is.
+const PAGE: usize = 20;
+
+impl PageState for ProgramPage {
+    type Command = ProgramCommand;
+
+    fn apply(&mut self, command: ProgramCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
+        match command {
+            ProgramCommand::OpenShipped(name) => self.open_shipped(name, shared),
+            ProgramCommand::Read { path, result } => self.program_read(path, result, shared),
+            ProgramCommand::Type(field, text) => self.type_text(field, text),
+            ProgramCommand::ChooseWorkpiece(from) => self.choose_workpiece(from, shared),
+            ProgramCommand::Run => self.start_or_go_on(shared, now, Mode::Running),
+            ProgramCommand::Step => self.step(shared, now),
+            ProgramCommand::StepOver => self.start_or_go_on(shared, now, Mode::Over),
+            ProgramCommand::RunToSelected => self.start_or_go_on(shared, now, Mode::ToSelected),
+            ProgramCommand::Tick => self.tick(),
+            ProgramCommand::Pause => self.pause(),
+            ProgramCommand::Reset => self.reset(),
+            ProgramCommand::SetSpeed(speed) => self.speed = speed,
+            ProgramCommand::Toggle(switch) => self.toggle(switch),
+            ProgramCommand::ToggleBreakpoint(block) => self.toggle_breakpoint(block),
+            ProgramCommand::Select(block) => {
+                if let Some(document) = self.shown_mut() {
+                    document.select(block);
+                }
+            }
+            ProgramCommand::Move(step) => self.go(step),
+            ProgramCommand::ShowProgram(path) => self.show_program(path),
+            ProgramCommand::GoTo(place) => self.look_at(&place, true),
+            ProgramCommand::Pin(parameter, true) => _ = self.pinned.insert(parameter),
+            ProgramCommand::Pin(parameter, false) => _ = self.pinned.remove(&parameter),
+            ProgramCommand::SetValue => self.give_value(),
+            ProgramCommand::DropValue(parameter) => {
+                self.given.remove(&parameter);
+                self.reset();
+            }
+        }
+        Vec::new()
+    }
+
+    fn follow(&mut self, news: &News, shared: &mut Shared) {
+        match news {
+            News::Opened(Page::Program) => self.opened(shared),
+            News::Workpiece | News::WorkpieceTaken => self.workpiece_changed(WorkpieceFrom::Simulated, shared),
+            News::ContactsTaken => self.workpiece_changed(WorkpieceFrom::Recorded, shared),
+            _ => {}
+        }
+    }
+}
+
+impl ProgramPage {
+    fn toggle(&mut self, switch: Switch) {
+        let switches = &mut self.switches;
+        let switched = match switch {
+            Switch::SkipUnknown => &mut switches.skip_unknown,
+            Switch::BlockSkip => &mut switches.block_skip,
+            Switch::OptionalStop => &mut switches.optional_stop,
+        };
+        *switched = !*switched;
+        self.reset();
+    }
+
+    fn toggle_breakpoint(&mut self, block: Option<usize>) {
+        let Some(document) = self.shown() else { return };
+        let block = block.unwrap_or_else(|| document.selected());
+        if document.program().blocks().len() <= block {
+            return;
+        }
+        let place = BlockPlace { program: document.path().clone(), block };
+        if !self.breakpoints.remove(&place) {
+            self.breakpoints.insert(place.clone());
+        }
+        if let Some(run) = &mut self.run {
+            run.toggle_breakpoint(&place);
+        }
+    }
+
+    fn go(&mut self, step: BlockStep) {
+        let Some(document) = self.shown() else { return };
+        let (here, last) = (document.selected(), document.program().blocks().len().saturating_sub(1));
+        let block = match step {
+            BlockStep::Up => here.saturating_sub(1),
+            BlockStep::Down => here + 1,
+            BlockStep::PageUp => here.saturating_sub(PAGE),
+            BlockStep::PageDown => here + PAGE,
+            BlockStep::First => 0,
+            BlockStep::Last => last,
+        };
+        let place = BlockPlace { program: document.path().clone(), block: block.min(last) };
+        self.look_at(&place, true);
+    }
+
+    /// A program of the call stack: at the block that calls, or that runs next.
+    fn show_program(&mut self, path: NcPath) {
+        let calls = self.run.iter().flat_map(Run::calls);
+        let place = calls.filter(|place| place.program == path).last();
+        let block = self.documents.get(&path).map_or(0, Document::selected);
+        self.look_at(&place.unwrap_or(BlockPlace { program: path, block }), false);
+    }
+}

@@ -1,0 +1,111 @@
+//! What the cycles page and the program page both measure: the simulated workpiece and recorded contacts.
+
+use std::sync::Arc;
+
+use super::command::{CycleFile, Purpose};
+use super::cycles::{BenchField, BenchForm, BenchKind};
+use super::shared::{News, Shared};
+use crate::probing::Contact;
+use crate::probing::cycle::Plane;
+use crate::probing::simulated::Bench;
+use crate::words::Message;
+
+/// What can be done with the simulated workpiece and with recorded contacts.
+#[derive(Debug, Clone)]
+pub enum WorkpieceCommand {
+    /// Replaces the text of a field.
+    Type(BenchField, String),
+    /// Opens or closes the dialog of the simulated workpiece.
+    Show(bool),
+    /// Chooses what kind of surface the simulated workpiece has.
+    ChooseKind(BenchKind),
+    /// Chooses the plane of a round surface.
+    ChoosePlane(Plane),
+    /// Makes a simulated workpiece that suits the inputs of the open page.
+    Suit,
+    /// A file of a simulated machine was read, or not.
+    Read(Result<Box<Bench>, Message>),
+    /// A file of contacts was read, or not.
+    ContactsRead {
+        /// Its name without the folder.
+        name: String,
+        /// The contacts, and warnings.
+        result: Result<(Vec<Contact>, Vec<Message>), Message>,
+    },
+}
+
+/// Contacts of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordedContacts {
+    /// The file's name.
+    pub name: String,
+    /// The contacts in probing order.
+    pub contacts: Vec<Contact>,
+}
+
+/// The simulated workpiece as it is typed, and the contacts that were read.
+#[derive(Debug, Default)]
+pub(super) struct SimulatedWorkpiece {
+    pub form: BenchForm,
+    /// Whether its dialog is open.
+    pub is_open: bool,
+    pub recorded: Option<Arc<RecordedContacts>>,
+}
+
+impl SimulatedWorkpiece {
+    /// The simulated machine, or what is wrong with its first field.
+    pub fn machine(&self) -> Result<&Bench, Message> {
+        let wrong = || self.form.problem().unwrap_or_else(|| Message::new("cycles-no-bench"));
+        self.form.bench().ok_or_else(wrong)
+    }
+
+    /// The simulated machine as a file's bytes.
+    pub fn bytes(&self) -> Result<Vec<u8>, Message> {
+        let refused = |error: toml::ser::Error| Message::new("cycles-not-written").text("reason", error);
+        self.machine()?.write().map(String::into_bytes).map_err(refused)
+    }
+}
+
+impl Shared {
+    /// Asks for a file of the cycles page.
+    pub fn open_cycle_file(&mut self, file: CycleFile) {
+        self.open_dialog(Purpose::OpenCycleFile(file), String::new());
+    }
+
+    /// Does a command. `suited` is a workpiece that suits the open page, or why there is none.
+    pub fn apply_workpiece(
+        &mut self,
+        command: WorkpieceCommand,
+        suited: impl FnOnce(&Self) -> Option<Result<Bench, Message>>,
+    ) {
+        match command {
+            WorkpieceCommand::Show(is_open) => self.workpiece.is_open = is_open,
+            WorkpieceCommand::Type(field, text) => self.change_workpiece(|form| form.set(field, text)),
+            WorkpieceCommand::ChooseKind(kind) => self.change_workpiece(|form| form.set_kind(kind)),
+            WorkpieceCommand::ChoosePlane(plane) => self.change_workpiece(|form| form.set_plane(plane)),
+            WorkpieceCommand::Suit => match suited(self) {
+                Some(Ok(bench)) => self.change_workpiece(|form| *form = BenchForm::of(&bench)),
+                Some(Err(problem)) => self.tell(Message::new("cycles-cannot-suit").message("problem", problem)),
+                None => {}
+            },
+            WorkpieceCommand::Read(result) => {
+                if let Some(bench) = self.from_file(result) {
+                    self.workpiece.form = BenchForm::of(&bench);
+                    self.spread(News::WorkpieceTaken);
+                }
+            }
+            WorkpieceCommand::ContactsRead { name, result } => {
+                if let Some((contacts, details)) = self.from_file(result) {
+                    self.note_details(Message::new("cycles-contacts-loaded").text("name", &name), details);
+                    self.workpiece.recorded = Some(Arc::new(RecordedContacts { name, contacts }));
+                    self.spread(News::ContactsTaken);
+                }
+            }
+        }
+    }
+
+    fn change_workpiece(&mut self, change: impl FnOnce(&mut BenchForm)) {
+        change(&mut self.workpiece.form);
+        self.spread(News::Workpiece);
+    }
+}
