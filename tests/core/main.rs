@@ -34,6 +34,7 @@ mod report;
 mod report_cli;
 mod run_cli;
 mod session;
+mod session_actions;
 mod session_cycles;
 mod session_fit;
 mod session_program;

@@ -4,7 +4,7 @@
 
 use fitcheck::length::Length;
 use fitcheck::session::{
-    CheckCommand, CheckField, Command, Direction, Field, FitCommand, FitField, Mark, Page, Parts, Session,
+    Action, CheckCommand, CheckField, Command, Direction, Field, FitCommand, FitField, Mark, Page, Parts, Session,
     SourceChoice, extremes,
 };
 use fitcheck::tolerance::fit::Kind;
@@ -250,8 +250,7 @@ fn the_picture_shows_zones_zero_line_and_near_parts() {
 fn a_side_goes_to_the_check_page_and_enter_measures_only_there() {
     let mut session = fit("25,5 H7/g6");
     apply(&mut session, Field::from(CheckField::Measured).typed("25.6".into()));
-    apply(&mut session, Command::Check(CheckCommand::Measure));
-    assert!(session.history().is_empty());
+    assert_eq!(Action::on_enter(FitField::HoleMeasured.into(), session.page()), None);
     apply(&mut session, Command::Fit(FitCommand::Check(Feature::Shaft)));
     assert_eq!((session.page(), session.text(CheckField::Callout)), (Page::Check, "25,5 g6"));
     apply(&mut session, Command::Check(CheckCommand::Measure));

@@ -2,6 +2,7 @@
 
 #![cfg(test)]
 
+mod actions;
 mod check_page;
 mod cycle_page;
 mod dialogs;

@@ -1,0 +1,194 @@
+//! The table of what a user can do: whole, without double keys, and the same as the README's.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use fitcheck::session::action::{Action, Key, Place, Shortcut};
+use fitcheck::session::{
+    CheckCommand, CheckField, Command, CyclesCommand, Field, FitField, Page, ProgramCommand, ProgramField, Session,
+    TablesCommand, TablesField,
+};
+use fitcheck::words::{Language, Words};
+use jiff::civil::DateTime;
+
+fn now() -> DateTime {
+    jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0)
+}
+
+/// A session in which much is possible: a check, a fit, a run of a cycle, an edited table, a program that was stepped.
+fn busy(page: Page) -> Session {
+    let mut session = Session::new(Language::En);
+    let mut commands: Vec<Command> = Page::ALL.map(Command::OpenPage).to_vec();
+    commands.extend([
+        Field::from(CheckField::Callout).typed("25 H7".into()),
+        Field::from(CheckField::Measured).typed("25.012".into()),
+        CheckCommand::Measure.into(),
+        Field::from(FitField::Callout).typed("25 H7/g6".into()),
+        CyclesCommand::TypeBlock("TCH PROBE 421 ~\nQ273=0~\nQ274=0~\nQ262=25~\nQ275=25.02~\nQ276=25".into()).into(),
+        CyclesCommand::TakeBlock.into(),
+        CyclesCommand::Run.into(),
+        TablesCommand::EmptyCell.into(),
+        ProgramCommand::Step.into(),
+        Command::OpenPage(page),
+    ]);
+    for command in commands {
+        session.apply(command, now());
+    }
+    session
+}
+
+#[test]
+fn every_action_has_its_texts_in_every_language() {
+    let session = busy(Page::Tables);
+    for language in Language::COMPLETE {
+        let words = Words::new(language);
+        for action in Action::all() {
+            let text = action.text(&session, &words);
+            // A text that is missing is said by its name.
+            let is_name = text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
+            assert!(!is_name && !text.contains('{'), "{language}: {action:?} is called {text:?}");
+            assert!(action.hint().is_none_or(|id| words.find(id).is_some()), "{language}: {action:?}");
+        }
+    }
+}
+
+#[test]
+fn every_action_is_listed_once() {
+    let all: Vec<Action> = Action::all().collect();
+    assert!(90 < all.len(), "{}", all.len());
+    assert_eq!(all.iter().collect::<std::collections::HashSet<_>>().len(), all.len());
+}
+
+/// How near a place is: where a nearer one has the same keys, those count.
+fn nearness(place: Place) -> u8 {
+    match place {
+        Place::Part(_) => 0,
+        Place::Page(_) | Place::Workpiece => 1,
+        Place::Everywhere => 2,
+    }
+}
+
+#[test]
+fn no_two_actions_share_keys_on_a_page() {
+    for page in Page::ALL {
+        let mut taken = BTreeMap::new();
+        for action in Action::all().filter(|action| action.place().is_on(page)) {
+            for shortcut in action.shortcuts() {
+                let place = (nearness(action.place()), shortcut.to_string());
+                let before = taken.insert(place, action);
+                assert_eq!(before, None, "{shortcut} on {page:?}: {action:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_keys_that_are_told_are_those_that_are_heard() {
+    for page in Page::ALL {
+        let session = busy(page);
+        let heard = session.keys(None, false);
+        for action in Action::all().filter(|action| !matches!(action.place(), Place::Part(_)) && session.can(*action)) {
+            let Some(told) = action.shortcut_on(page) else { continue };
+            let first = heard.iter().find(|(shortcut, _)| *shortcut == told).map(|(_, action)| *action);
+            assert_eq!(first, Some(action), "{told} on {page:?}");
+        }
+    }
+}
+
+#[test]
+fn the_page_has_the_first_word() {
+    let open = Shortcut { held: fitcheck::session::action::Held::Ctrl, key: Key::Character('O') };
+    for (page, action, import) in [
+        (Page::Check, Action::Import, Some(open)),
+        (Page::Tables, Action::OpenTable, None),
+        (Page::Program, Action::OpenProgram, None),
+    ] {
+        assert_eq!(action.shortcut_on(page), Some(open));
+        assert_eq!(Action::Import.shortcut_on(page), import, "{page:?}");
+    }
+    assert_eq!(Action::OpenTable.shortcut_on(Page::Check), None);
+}
+
+#[test]
+fn what_is_impossible_sends_nothing_and_hears_no_keys() {
+    for page in Page::ALL {
+        for mut session in [Session::new(Language::En), busy(page)] {
+            session.apply(Command::OpenPage(page), now());
+            let keys = session.keys(None, false);
+            for action in Action::all() {
+                let can = session.can(action);
+                assert_eq!(action.command(&session).is_some(), can, "{action:?}");
+                assert!(can || keys.iter().all(|(_, heard)| *heard != action), "{action:?}");
+            }
+        }
+    }
+    let fresh = Session::new(Language::En);
+    for action in [
+        Action::Export(0),
+        Action::ExportStatus,
+        Action::Undo,
+        Action::ClearHistory,
+        Action::CopyStatus,
+        Action::Close,
+        Action::SaveLog,
+        Action::UndoEdit,
+        Action::PauseProgram,
+        Action::ResetProgram,
+    ] {
+        assert!(!fresh.can(action), "{action:?}");
+    }
+}
+
+#[test]
+fn what_is_possible_can_be_done_on_every_page() {
+    for page in Page::ALL {
+        let mut session = busy(page);
+        for action in Action::all() {
+            if let Some(command) = action.command(&session) {
+                session.apply(command, now());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_dialog_hears_only_what_closes_it() {
+    let mut session = busy(Page::Program);
+    session.apply(Command::OpenDialog(fitcheck::session::Purpose::Import), now());
+    let keys: Vec<_> = session.keys(None, false).into_iter().map(|(_, action)| action).collect();
+    assert_eq!(keys, [Action::Close]);
+}
+
+#[test]
+fn enter_measures_where_there_is_something_to_measure() {
+    for (field, page, action) in [
+        (Field::from(CheckField::Measured), Page::Check, Some(Action::Measure)),
+        (FitField::HoleMeasured.into(), Page::Fit, None),
+        (TablesField::Filter.into(), Page::Tables, None),
+        (TablesField::CellUpper.into(), Page::Tables, Some(Action::SetCell)),
+        (TablesField::To.into(), Page::Tables, Some(Action::MakeTable)),
+        (fitcheck::session::BenchField::Seed.into(), Page::Cycles, Some(Action::RunCycle)),
+        (fitcheck::session::BenchField::Seed.into(), Page::Program, Some(Action::RunProgram)),
+        (ProgramField::Filter.into(), Page::Program, None),
+        (ProgramField::Value.into(), Page::Program, Some(Action::GiveValue)),
+    ] {
+        assert_eq!(Action::on_enter(field, page), action, "{field:?}");
+    }
+}
+
+/// Whether keys need no focus in a part and are no word: `F5`, `Ctrl+O`.
+fn is_told(word: &str) -> bool {
+    let key = word.rsplit('+').next().unwrap_or(word);
+    let is_function = key.starts_with('F') && 1 < key.len() && key[1..].chars().all(|c| c.is_ascii_digit());
+    is_function || ["Ctrl+", "Shift+", "Alt+"].iter().any(|held| word.starts_with(held)) || word == "Esc"
+}
+
+#[test]
+fn the_readme_tells_the_keys_of_the_table() {
+    let readme = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
+    let words = readme.split(|c: char| c.is_whitespace() || "|,.;:()*`".contains(c));
+    let told: BTreeSet<String> = words.filter(|word| is_told(word)).map(str::to_owned).collect();
+    let keys = Action::all().flat_map(Action::shortcuts).map(|shortcut| shortcut.to_string());
+    let keys: BTreeSet<String> = keys.filter(|keys| is_told(keys)).collect();
+    assert_eq!(told, keys);
+}

@@ -1,0 +1,217 @@
+//! Every key does what its action does: a window that is driven by keys stays equal to a session that gets the commands.
+
+use std::collections::BTreeSet;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use fitcheck::gui::App;
+use fitcheck::session::action::{Held, Part, Shortcut};
+use fitcheck::session::program::Speed;
+use fitcheck::session::{
+    Action, CheckCommand, CheckField, Command, CyclesCommand, Field, FitField, Page, ProgramCommand, Purpose, Session,
+    Step, TablesCommand, Theme,
+};
+use fitcheck::words::Language;
+
+use crate::harness::window;
+
+/// A window, and a session without one.
+struct Pair {
+    window: Harness<'static, App>,
+    session: Session,
+    done: BTreeSet<String>,
+}
+
+impl Pair {
+    fn on(page: Page) -> Self {
+        let mut pair = Self { window: window(), session: Session::new(Language::En), done: BTreeSet::new() };
+        pair.apply(Command::SetTheme(Theme::Light));
+        pair.send(Command::OpenPage(page));
+        pair
+    }
+
+    fn apply(&mut self, command: Command) {
+        self.session.apply(command, jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0));
+    }
+
+    /// Gives both a command.
+    fn send(&mut self, command: impl Into<Command>) {
+        let (command, ctx) = (command.into(), self.window.ctx.clone());
+        self.window.state_mut().send(&ctx, command.clone());
+        self.window.step();
+        self.apply(command);
+    }
+
+    #[track_caller]
+    fn check_same(&self, what: &str) {
+        let (window, session) = (told(self.window.state().session()), told(&self.session));
+        let place = window.bytes().zip(session.bytes()).position(|(one, other)| one != other);
+        let around = |text: &str, at: usize| text.get(at.saturating_sub(80)..at + 80).unwrap_or_default().to_owned();
+        let shown = place.map(|at| (around(&window, at), around(&session, at)));
+        assert!(window == session, "after {what}: {shown:?}");
+    }
+
+    /// Presses the keys of every action of the page, the possible and the impossible ones.
+    #[track_caller]
+    fn press_all(&mut self) {
+        let page = self.session.page();
+        for shortcut in Action::all().flat_map(Action::shortcuts) {
+            self.press(shortcut);
+            self.clean(page);
+        }
+    }
+
+    /// Presses keys; the session does what they stand for.
+    #[track_caller]
+    fn press(&mut self, shortcut: Shortcut) {
+        self.focus();
+        let page = self.session.page();
+        let part = Part::ALL.into_iter().find(|part| part.page() == page);
+        let heard = self.session.keys(part, false).into_iter().find(|(heard, _)| *heard == shortcut);
+        press(&mut self.window, shortcut);
+        if let Some((_, action)) = heard {
+            let command = action.command(&self.session).unwrap();
+            self.apply(command);
+            self.done.insert(format!("{action:?} {shortcut}"));
+        }
+        self.check_same(&format!("{shortcut} on {page:?} for {heard:?}"));
+    }
+
+    /// The part of the page has the focus; on pages without one, nothing has.
+    fn focus(&mut self) {
+        match self.session.page() {
+            Page::Fit => self.window.get_by_role_and_label(Role::RadioGroup, "Hole classes").focus(),
+            Page::Tables => self.window.get_by_role(Role::Grid).focus(),
+            Page::Program => self.window.get_by_role(Role::List).focus(),
+            Page::Check | Page::Cycles => {}
+        }
+        self.window.step();
+        self.window.step();
+    }
+
+    /// Dialogs are closed, and the page is open again.
+    fn clean(&mut self, page: Page) {
+        if self.session.dialog().is_some() {
+            self.send(Command::Close);
+        }
+        if self.session.page() != page {
+            self.send(Command::OpenPage(page));
+        }
+        if self.session.program().is_running() {
+            self.send(ProgramCommand::Pause);
+        }
+    }
+
+    /// Every action of the page with keys was done by them.
+    #[track_caller]
+    fn check_done(&self) {
+        let page = self.session.page();
+        for action in Action::all().filter(|action| action.shortcut_on(page).is_some()) {
+            for shortcut in action.shortcuts() {
+                let name = format!("{action:?} {shortcut}");
+                assert!(self.done.contains(&name), "{name} was never possible on {page:?}");
+            }
+        }
+    }
+}
+
+/// All of a session. Of a program, whose labels stand in no order, what is seen.
+fn told(session: &Session) -> String {
+    let program = session.program();
+    let Some(document) = program.shown() else { return format!("{session:?}") };
+    let run = program.run().map(|run| (run.state(), run.place(), run.blocks_run(), run.calls().count()));
+    let block = (document.selected(), program.has_breakpoint(document.selected()), program.look());
+    let over = (session.page(), session.dialog(), session.notices());
+    format!("{run:?} {block:?} {over:?} {:?}", program.state_message())
+}
+
+fn press(window: &mut Harness<'_, App>, shortcut: Shortcut) {
+    let modifiers = match shortcut.held {
+        Held::Nothing => Modifiers::NONE,
+        Held::Shift => Modifiers::SHIFT,
+        Held::Ctrl => Modifiers::COMMAND,
+        Held::CtrlShift => Modifiers::COMMAND | Modifiers::SHIFT,
+        Held::Alt => Modifiers::ALT,
+    };
+    // As the key is told: `←` is the arrow of another shape in the window's font.
+    let name = match shortcut.key.to_string().as_str() {
+        "←" => "Left".to_owned(),
+        "→" => "Right".to_owned(),
+        "↑" => "Up".to_owned(),
+        "↓" => "Down".to_owned(),
+        name => name.to_owned(),
+    };
+    window.key_press_modifiers(modifiers, Key::from_name(&name).unwrap());
+    window.step();
+}
+
+#[test]
+fn keys_of_the_check_page() {
+    let mut pair = Pair::on(Page::Check);
+    pair.press_all();
+    pair.send(Field::from(CheckField::Callout).typed("25 H7".to_owned()));
+    pair.send(Field::from(CheckField::Measured).typed("25.012".to_owned()));
+    pair.send(CheckCommand::Measure);
+    pair.press_all();
+    pair.send(Command::OpenDialog(Purpose::Import));
+    pair.press(Action::Import.shortcuts().next().unwrap());
+    pair.press(Action::Close.shortcuts().next().unwrap());
+    assert!(pair.session.dialog().is_none());
+    pair.check_done();
+}
+
+#[test]
+fn keys_of_the_fit_page() {
+    let mut pair = Pair::on(Page::Fit);
+    pair.send(Field::from(FitField::Callout).typed("25 H7/g6".to_owned()));
+    pair.press_all();
+    let done = pair.done.iter().filter(|name| name.starts_with("MoveClass")).count();
+    assert_eq!(done, 4);
+}
+
+#[test]
+fn keys_of_the_cycles_page() {
+    let mut pair = Pair::on(Page::Cycles);
+    pair.press_all();
+    let block = "TCH PROBE 421 ~\nQ273=0~\nQ274=0~\nQ262=25~\nQ275=25.02~\nQ276=25";
+    pair.send(CyclesCommand::TypeBlock(block.to_owned()));
+    pair.send(CyclesCommand::TakeBlock);
+    pair.press_all();
+    pair.press(Action::StepPath(Step::Back).shortcuts().next().unwrap());
+    let done = pair.done.iter().filter(|name| name.starts_with("StepPath") || name.starts_with("RunCycle")).count();
+    assert_eq!(done, 5);
+}
+
+#[test]
+fn keys_of_the_table_page() {
+    let mut pair = Pair::on(Page::Tables);
+    pair.press_all();
+    pair.send(TablesCommand::EmptyCell);
+    pair.press_all();
+    pair.press_all();
+    let wanted =
+        ["UndoEdit", "RedoEdit", "NextDifference", "PreviousDifference", "FindInTable", "EditCell", "EmptyCell"];
+    for name in wanted {
+        assert!(pair.done.iter().any(|done| done.starts_with(name)), "{name} was never possible");
+    }
+    assert_eq!(pair.done.iter().filter(|name| name.starts_with("MoveCell")).count(), 10);
+}
+
+#[test]
+fn keys_of_the_program_page() {
+    let mut pair = Pair::on(Page::Program);
+    pair.press_all();
+    for name in ["RunProgram", "StepProgram", "StepOver", "RunToSelected", "ToggleBreakpoint", "ResetProgram"] {
+        assert!(pair.done.iter().any(|done| done.starts_with(name)), "{name} was never possible");
+    }
+    assert_eq!(pair.done.iter().filter(|name| name.starts_with("MoveBlock")).count(), 6);
+    // A run that goes on is paused by the key that else closes what lies over the page.
+    pair.send(ProgramCommand::SetSpeed(Speed::Slow));
+    pair.send(ProgramCommand::Reset);
+    pair.send(ProgramCommand::Run);
+    assert!(pair.session.program().is_running());
+    press(&mut pair.window, Action::PauseProgram.shortcuts().next().unwrap());
+    assert!(!pair.window.state().session().program().is_running());
+}
