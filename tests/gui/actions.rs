@@ -203,6 +203,9 @@ fn keys_of_the_table_page() {
 fn keys_of_the_program_page() {
     let mut pair = Pair::on(Page::Program);
     pair.press_all();
+    for action in [Action::StepProgram, Action::StepOver] {
+        pair.press(action.shortcuts().next().unwrap());
+    }
     for name in ["RunProgram", "StepProgram", "StepOver", "RunToSelected", "ToggleBreakpoint", "ResetProgram"] {
         assert!(pair.done.iter().any(|done| done.starts_with(name)), "{name} was never possible");
     }
