@@ -10,11 +10,12 @@ use crate::exchange::import;
 use crate::files;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
+use crate::message::{Message, Say};
 use crate::probing::{Measurement, Origin};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::verdict::{doubt, judge};
-use crate::words::{Language, Message, Say, Words};
+use crate::words::{Language, Words};
 
 /// Write an inspection report of one or more checks
 #[derive(Debug, clap::Args)]

@@ -11,10 +11,11 @@ use jiff::civil::DateTime;
 use super::log::{self, Circle, Coordinate, Further, LimitPair, Log, LogWriteError, Place, Values};
 use super::log444::{self, Band, PointLog, PointLogError};
 use crate::length::{Length, Unit};
+use crate::message::{Message, Say};
 use crate::probing::cycle::{CircleFound, Cycle, CycleResult, Key, Value};
 use crate::tolerance::Feature;
 use crate::verdict::{Status, classify};
-use crate::words::{Language, Message, Say};
+use crate::words::Language;
 
 /// The log of a cycle's result.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,8 +7,8 @@ use std::sync::LazyLock;
 
 use super::table::{ControlTable, Located, Place, TableError, TableFile, TableUnit, TableWarning, is_blank};
 use crate::length::{Length, LengthError, Unit};
+use crate::message::{Message, Say};
 use crate::probing::TouchProbe;
-use crate::words::{Message, Say};
 
 /// The shipped table.
 const SHIPPED: &[u8] = include_bytes!("../../tables/tchprobe.tp");

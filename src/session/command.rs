@@ -12,8 +12,9 @@ use super::tables::TablesCommand;
 use crate::control::mask::Mask;
 use crate::exchange::Imported;
 use crate::files::FileError;
+use crate::message::Message;
 use crate::tolerance::{DeviationTable, Feature, ToleranceClass, iso286};
-use crate::words::{Language, Message};
+use crate::words::Language;
 
 /// A change of the state.
 #[derive(Debug, Clone)]

@@ -29,10 +29,10 @@ pub use running::{CycleRun, RunLog, Step};
 use super::{Effect, Session};
 use crate::control::probe_table::ProbeTable;
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::probing::cycle::{Cycle, Inputs, Key, Parameter, Unset, Value};
 use crate::probing::cycles::CYCLES;
 use crate::probing::{Contact, TouchProbe};
-use crate::words::{Message, Say as _};
 
 /// Contacts of a file.
 #[derive(Debug, Clone, PartialEq)]

@@ -51,9 +51,10 @@ pub use tables::{TablesCommand, TablesPage};
 use crate::control::mask::Mask;
 use crate::control::{shipped_tables, status};
 use crate::journal::Record;
+use crate::message::{Message, Say as _};
 use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::{Base, Callout, Sources};
-use crate::words::{Language, Message, Say as _};
+use crate::words::Language;
 
 /// The mask that the status window is drawn with.
 #[derive(Debug, Clone, Default)]

@@ -44,9 +44,9 @@ pub use watching::{Name, Watched};
 
 use super::{Effect, Session};
 use crate::control::variables::{Parameter, Value};
+use crate::message::Message;
 use crate::nc::machine::{BlockPlace, NcPath};
 use crate::nc::program::ProgramWarning;
-use crate::words::Message;
 
 /// The state of the program page.
 #[derive(Debug, Default)]

@@ -2,11 +2,12 @@
 
 use fitcheck::control::probe_block::{ProbeBlockError, ProbeBlockFault, read, read_or_lines, write};
 use fitcheck::length::Length;
+use fitcheck::message::Say as _;
 use fitcheck::probing::Recorded;
 use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Unset, Value};
 use fitcheck::probing::cycles::{CYCLES, cycle_named};
 use fitcheck::tolerance::Deviations;
-use fitcheck::words::{Language, Say as _, Words};
+use fitcheck::words::{Language, Words};
 use proptest::prelude::*;
 
 /// The example of seed 004 as it is printed: comments on lines of their own, no `~` behind the values.

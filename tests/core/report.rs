@@ -4,11 +4,12 @@
 
 use fitcheck::journal::Record;
 use fitcheck::length::Length;
+use fitcheck::message::Message;
 use fitcheck::probing::{Circle, Contact, Measurement, Origin};
 use fitcheck::report::{RENDERINGS, Report};
 use fitcheck::tolerance::{Callout, Deviations, Limits, Source};
 use fitcheck::verdict::{AxisPosition, PositionVerdict, doubt, judge};
-use fitcheck::words::{Language, Message, Words};
+use fitcheck::words::{Language, Words};
 use jiff::civil::date;
 
 fn um(um: i32) -> Length {

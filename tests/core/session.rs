@@ -8,11 +8,12 @@ use std::sync::Arc;
 use assert_cmd::cargo::cargo_bin_cmd;
 use fitcheck::exchange::import;
 use fitcheck::files::FileError;
+use fitcheck::message::{Message, Say as _};
 use fitcheck::report::RENDERINGS;
 use fitcheck::session::{Command, Effect, Field, MeasureBy, Purpose, Session};
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Message, Say as _, Words};
+use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
 
 fn now() -> DateTime {

@@ -375,7 +375,7 @@ fn a_shown_result_is_always_that_of_what_is_on_screen() {
         CyclesCommand::ContactsRead { name: "a.csv".into(), result: Ok((contacts.to_vec(), Vec::new())) },
         CyclesCommand::BenchRead(Ok(bench("[bore]\ncentre = [0, 0]\ndiameter = 25.03\n"))),
         CyclesCommand::BenchRead(Ok(bench("seed = 4\n[point]\npoint = [0, 0, 5]\nnormal = [0, 0, 1]\n"))),
-        CyclesCommand::BenchRead(Err(fitcheck::words::Message::new("cycles-no-bench"))),
+        CyclesCommand::BenchRead(Err(fitcheck::message::Message::new("cycles-no-bench"))),
     ];
     commands.extend(ContactsFrom::ALL.map(CyclesCommand::From));
     commands.extend(CYCLES.iter().map(|cycle| CyclesCommand::Choose(cycle.number)));

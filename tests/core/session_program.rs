@@ -5,13 +5,14 @@
 use std::path::PathBuf;
 
 use fitcheck::control::variables::{Parameter, Value};
+use fitcheck::message::Message;
 use fitcheck::nc::machine::BlockPlace;
 use fitcheck::session::program::{
     Agreement, BlockStep, Document, Input, ProblemKind, Run, Speed, State, Switch, WorkpieceFrom,
 };
 use fitcheck::session::{Command, Effect, Page, ProgramCommand, ProgramField, Purpose, Session};
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Message, Words};
+use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
 
 fn now() -> DateTime {

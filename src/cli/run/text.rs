@@ -1,8 +1,9 @@
 //! What came of a run, for people: windows and trace on standard output, notes on standard error.
 
 use super::{CliError, Ended, Io, Listener, place, tame};
+use crate::message::Message;
 use crate::nc::machine::{BlockPlace, Fault, Machine, Pause, shown};
-use crate::words::{Language, Message, Words};
+use crate::words::{Language, Words};
 
 /// Prints windows as they open, and with a trace every block before.
 pub(super) struct Printer {

@@ -1,8 +1,9 @@
 //! Unit tests: the texts of every error. What is read and refused is tested on files, in `tests/core/tables.rs`.
 
 use super::*;
+use crate::message::Say;
 use crate::tolerance::DeviationsError;
-use crate::words::{Language, Say, Words};
+use crate::words::{Language, Words};
 
 #[track_caller]
 fn said_in_both_languages(what: &(impl Say + std::fmt::Display)) {

@@ -13,7 +13,8 @@ use super::labels::Labels;
 use super::model::DECIMALS;
 use super::{Circle, Coordinate, LimitPair, Log, LogError, LogReason, Place, Values, read};
 use crate::length::{Length, Unit};
-use crate::words::{Language, Message, Say};
+use crate::message::{Message, Say};
+use crate::words::Language;
 
 /// Characters of a label and its colon (our rule).
 const LABEL_WIDTH: usize = 46;

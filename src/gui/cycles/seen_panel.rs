@@ -6,9 +6,10 @@ use super::form_panel::last_focused;
 use super::{column_ui, picture};
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, quiet};
+use crate::message::Message;
 use crate::probing::cycle::{Move, Parameter, Phase, Range, Unset, Value};
 use crate::session::{Command, CycleRun, CyclesCommand, Step};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// The panel.
 pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {

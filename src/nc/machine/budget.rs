@@ -3,7 +3,8 @@
 use jiff::civil::DateTime;
 
 use crate::control::probe_table::ProbeTable;
-use crate::words::{Language, Message, Say};
+use crate::message::{Message, Say};
+use crate::words::Language;
 
 /// What a run may use; each of them ends it with a fault of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

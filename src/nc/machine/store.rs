@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::path::NcPath;
 use crate::control::mask::FileUse;
 use crate::files;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// Files as a program sees them. Paths are followed to their end before they come here.
 pub trait Store: Send {

@@ -7,8 +7,9 @@ use super::inputs::Inputs;
 use super::key::Key;
 use super::value::{Angle, PREDEF, Value};
 use crate::length::{Length, LengthError};
+use crate::message::{Message, Say};
 use crate::tolerance::callout::qs400;
-use crate::words::{Language, Message, Say};
+use crate::words::Language;
 
 /// Words of the control by dialogue language.
 pub type Texts = &'static [(Language, &'static str)];

@@ -2,10 +2,10 @@
 
 use super::{BenchField, BenchKind, Step};
 use crate::control::probe_table::ProbeTable;
+use crate::message::Message;
 use crate::probing::Contact;
 use crate::probing::cycle::{Key, Plane};
 use crate::probing::simulated::Bench;
-use crate::words::Message;
 
 /// What can be done on the cycles page.
 #[derive(Debug, Clone)]

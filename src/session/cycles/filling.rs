@@ -5,11 +5,12 @@ use std::sync::Arc;
 use super::{BenchForm, ContactsFrom, CyclesPage, RecordedContacts};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
+use crate::message::{Message, Say as _};
 use crate::probing::cycles::cycle;
 use crate::probing::simulated::{Bench, Probe};
 use crate::probing::{Contact, Source};
 use crate::session::{Notice, SavedCycles, Session};
-use crate::words::{Language, Message, Say as _};
+use crate::words::Language;
 
 impl CyclesPage {
     pub(super) fn choose(&mut self, number: u16) {
@@ -133,7 +134,7 @@ impl Session {
         match result {
             Ok(table) => {
                 self.file_done();
-                let details: Vec<_> = table.warnings.iter().map(crate::words::Say::message).collect();
+                let details: Vec<_> = table.warnings.iter().map(crate::message::Say::message).collect();
                 if !details.is_empty() {
                     let message = Message::new("cycles-probes-loaded").text("name", &name);
                     self.notices.push(Notice { message, details, is_problem: false });

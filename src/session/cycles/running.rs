@@ -10,11 +10,12 @@ use crate::control::cycle_status::cycle_window;
 use crate::control::mask::Mask;
 use crate::control::text::decode;
 use crate::length::Unit;
+use crate::message::{Message, Say as _};
 use crate::probing::circle::Evaluation;
 use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move, Nominal};
 use crate::probing::{Source, SourceError};
 use crate::session::{MaskChoice, Session};
-use crate::words::{Language, Message, Say as _};
+use crate::words::Language;
 
 /// A run of a cycle.
 #[derive(Debug, Clone)]
@@ -81,8 +82,8 @@ impl CycleRun {
 
     /// What is worth knowing: remarks of the cycle, warnings of the circle, contacts that were left over.
     pub fn remarks(&self) -> Vec<Message> {
-        let remarks = self.found().into_iter().flat_map(|result| &result.remarks).map(crate::words::Say::message);
-        let warnings = self.evaluation.iter().flat_map(|found| &found.warnings).map(crate::words::Say::message);
+        let remarks = self.found().into_iter().flat_map(|result| &result.remarks).map(crate::message::Say::message);
+        let warnings = self.evaluation.iter().flat_map(|found| &found.warnings).map(crate::message::Say::message);
         let unused = (0 < self.unused).then(|| Message::new("cycles-unused").count("count", self.unused));
         let log = self.log.iter().filter_map(|log| match log {
             Ok(log) => log.other.map(|other| other.message()),

@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use super::{Document, Origin, ProgramField, WorkpieceFrom};
+use crate::message::{Message, Say as _};
 use crate::nc::machine::Shipped;
 use crate::nc::program::ProgramWarning;
 use crate::session::Session;
-use crate::words::{Language, Message, Say as _};
+use crate::words::Language;
 
 /// How many files are remembered.
 const MOST_RECENT: usize = 8;

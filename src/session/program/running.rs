@@ -6,9 +6,9 @@ use jiff::civil::DateTime;
 
 use super::run::{Goal, Run, State};
 use super::{Origin, ProgramField, ProgramPage, Speed};
+use crate::message::{Message, Say as _};
 use crate::nc::machine::{BlockPlace, Folders, Machine, Settings};
 use crate::session::Session;
-use crate::words::{Message, Say as _};
 
 /// How far a run goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -12,7 +12,8 @@ use serde::de::{Deserializer, Visitor};
 use toml::Spanned;
 
 use super::thermal::Expansion;
-use crate::words::{Language, Message, Say};
+use crate::message::{Message, Say};
+use crate::words::Language;
 
 /// The version of the file that this program reads.
 const VERSION: u32 = 1;

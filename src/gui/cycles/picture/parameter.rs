@@ -8,8 +8,9 @@ use super::meaning::{Axis, Meaning, Scene};
 use super::{choice, plan, section};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
+use crate::message::Message;
 use crate::probing::cycle::{Cycle, Key, Parameter};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// The size of the drawing in steps; the sentence stands below it.
 const STEPS: [f32; 2] = [65.0, 40.0];
