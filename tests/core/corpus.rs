@@ -150,7 +150,7 @@ fn calls_of(file: &Path) -> (Vec<Call>, Vec<String>) {
                     let bytes = if source.is_empty() { Vec::new() } else { std::fs::read(data().join(source)).unwrap() };
                     call.files.push((name.to_owned(), bytes));
                 } else {
-                    let (times, text) = rest.strip_prefix('*').map_or((1, rest), |rest| {
+                    let (times, text) = line.strip_prefix("<*").map_or((1, rest), |rest| {
                         let (times, text) = rest.split_once(' ').unwrap();
                         (times.parse().unwrap(), text)
                     });
