@@ -35,8 +35,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::CommandFactory as _;
 
-/// Longer texts are a length and a hash.
-const LONGEST: usize = 16_000;
+/// Longer streams are a length and a hash.
+const LONGEST_STREAM: usize = 16_000;
+
+/// Longer files that a call has written are a length and a hash.
+const LONGEST_FILE: usize = 4_000;
 
 /// One call as it stands in its file.
 struct Call {
@@ -232,7 +235,7 @@ impl Varying {
     }
 
     /// Bytes as lines of the corpus, and a word about them.
-    fn lines(&self, mark: char, bytes: &[u8]) -> (&'static str, Vec<String>) {
+    fn lines(&self, mark: char, longest: usize, bytes: &[u8]) -> (&'static str, Vec<String>) {
         let (note, text) = match std::str::from_utf8(bytes) {
             _ if bytes.is_empty() => return (" (empty)", Vec::new()),
             Ok(text) => ("", text.to_owned()),
@@ -240,7 +243,7 @@ impl Varying {
         };
         let text = text.replace(&self.folder, "«here»");
         let text = self.times.iter().fold(text, |text, time| text.replace(time, "«now»"));
-        if LONGEST < text.len() || text.contains('\0') {
+        if longest < text.len() || text.contains('\0') {
             return ("", vec![format!("~ {} bytes, FNV-1a {:016x}", text.len(), fnv(text.as_bytes()))]);
         }
         (note, shown(mark, &text))
@@ -271,15 +274,15 @@ fn answer(call: &Call) -> Vec<String> {
     let end = jiff::Zoned::now().with_time_zone(jiff::tz::TimeZone::UTC);
     let after = tree(folder.path());
     let varying = Varying::new(folder.path(), &begin, &end);
-    let mut lines = varying.lines('|', &output.stdout).1;
-    lines.extend(varying.lines('!', &output.stderr).1);
+    let mut lines = varying.lines('|', LONGEST_STREAM, &output.stdout).1;
+    lines.extend(varying.lines('!', LONGEST_STREAM, &output.stderr).1);
     match output.status.code() {
         Some(0) => {}
         code => lines.push(format!("= {}", code.map_or("ended by a signal".to_owned(), |code| code.to_string()))),
     }
     for (name, bytes) in &after {
         if before.get(name) != Some(bytes) {
-            let (note, content) = varying.lines('|', bytes);
+            let (note, content) = varying.lines('|', LONGEST_FILE, bytes);
             lines.push(format!("> {name}{}", if name.ends_with('/') { "" } else { note }));
             lines.extend(content);
         }
