@@ -55,7 +55,7 @@ pub(super) struct Args {
     inspector: Option<String>,
 
     /// Language of the HTML report; CSV and JSON are the same in every language
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::COMPLETE.map(Language::code)))]
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::all().map(Language::code)))]
     language: String,
 
     /// Date and time of the report and of checks that have none; now when not given

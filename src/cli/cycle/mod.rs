@@ -29,7 +29,7 @@ use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Move};
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::Bench;
 use crate::probing::{self, Contact, Prober, Recorded, SourceError, TouchProbe};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -112,7 +112,7 @@ pub(super) struct Args {
     #[command(flatten)]
     log: log::LogArgs,
     /// Language of the log, and of the control's questions and names as far as they are known
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Dialogue::ALL.map(Dialogue::code)))]
     language: String,
     /// How the result is printed
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -133,7 +133,7 @@ enum Source {
 /// Everything that is printed.
 struct Run<'a> {
     cycle: &'static Cycle,
-    language: Language,
+    language: Dialogue,
     source: &'a Source,
     ball_radius: f64,
     result: &'a CycleResult,
@@ -149,7 +149,7 @@ fn known(text: &str) -> Result<&'static Cycle, String> {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let language = Language::from_code(&self.language).unwrap_or_default();
+        let language = Dialogue::from_code(&self.language).unwrap_or_default();
         if self.list {
             list::print(self.cycle, language, self.format, io)?;
             return Ok(Outcome::Done);
