@@ -1,13 +1,13 @@
 //! What was checked, when, with which limits and by which rule.
 //!
 //! A record holds the whole way from callout to verdict, so that a report made next year says the same as the screen
-//! today. Nothing is decided here.
+//! today. Nothing is decided here: verdicts come from `verdict`.
 
 use jiff::civil::DateTime;
 
 use crate::probing::Measurement;
 use crate::tolerance::{Callout, Limits};
-use crate::verdict::{Doubt, Verdict};
+use crate::verdict::{Doubt, PositionVerdict, Verdict, doubt, judge};
 
 /// One check.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,4 +26,19 @@ pub struct Record {
     pub verdict: Verdict,
     /// A measured value that may be another quantity.
     pub doubt: Option<Doubt>,
+}
+
+impl Record {
+    /// A measurement judged by its limits, without a name and a callout.
+    pub fn judged(time: DateTime, limits: Limits, measurement: Measurement, position: Option<PositionVerdict>) -> Self {
+        Self {
+            time,
+            id: String::new(),
+            callout: None,
+            verdict: judge(&limits, measurement.diameter, position),
+            doubt: doubt(limits.nominal, measurement.diameter),
+            limits,
+            measurement,
+        }
+    }
 }

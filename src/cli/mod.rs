@@ -3,6 +3,7 @@
 //! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage. A closed pipe ends the
 //! program quietly. Nothing here needs a display.
 
+mod answers;
 mod args;
 mod check;
 mod circle;

@@ -15,7 +15,6 @@ use crate::message::{Message, Say};
 use crate::probing::{Measurement, Origin};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
-use crate::verdict::{doubt, judge};
 use crate::words::{Language, Words};
 
 /// Write an inspection report of one or more checks
@@ -217,15 +216,9 @@ fn record(text: &str, sources: &Sources, time: DateTime) -> Result<Record, Check
     if measured <= Length::ZERO {
         return Err(CheckError::NotPositive { measured });
     }
-    Ok(Record {
-        time,
-        id: id.trim().to_owned(),
-        callout: Some(callout),
-        measurement: Measurement::of_diameter(measured, Origin::Typed),
-        verdict: judge(&limits, measured, None),
-        doubt: doubt(limits.nominal, measured),
-        limits,
-    })
+    let measurement = Measurement::of_diameter(measured, Origin::Typed);
+    let id = id.trim().to_owned();
+    Ok(Record { id, callout: Some(callout), ..Record::judged(time, limits, measurement, None) })
 }
 
 #[cfg(test)]
