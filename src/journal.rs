@@ -1,7 +1,7 @@
 //! What was checked, when, with which limits and by which rule.
 //!
 //! A record holds the whole way from callout to verdict, so that a report made next year says the same as the screen
-//! today. Nothing is decided here: verdicts come from `verdict`.
+//! today.
 
 use jiff::civil::DateTime;
 
@@ -29,16 +29,18 @@ pub struct Record {
 }
 
 impl Record {
-    /// A measurement judged by its limits, without a name and a callout.
-    pub fn judged(time: DateTime, limits: Limits, measurement: Measurement, position: Option<PositionVerdict>) -> Self {
-        Self {
-            time,
-            id: String::new(),
-            callout: None,
-            verdict: judge(&limits, measurement.diameter, position),
-            doubt: doubt(limits.nominal, measurement.diameter),
-            limits,
-            measurement,
-        }
+    /// A check of a measurement, and of the centre's position where it was measured: judged by the control's default
+    /// rule, and a value that may be another quantity doubted.
+    pub fn judged(
+        time: DateTime,
+        id: String,
+        callout: Option<Callout>,
+        limits: Limits,
+        measurement: Measurement,
+        position: Option<PositionVerdict>,
+    ) -> Self {
+        let measured = measurement.diameter;
+        let (verdict, doubt) = (judge(&limits, measured, position), doubt(limits.nominal, measured));
+        Self { time, id, callout, limits, measurement, verdict, doubt }
     }
 }

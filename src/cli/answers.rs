@@ -25,17 +25,17 @@ pub(super) struct Asked<'a> {
 /// What a subcommand has to say about a callout; refused ones are an answer as well.
 pub(super) trait Answerer {
     /// What CSV and JSON say.
-    type Figures<'a>: Figures;
+    type Row<'a>: Cells;
 
     /// Answers a callout.
     fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) -> Result<(), CliError>;
 
     /// The figures of a callout without an answer.
-    fn refused(callout: &str, error: String) -> Self::Figures<'_>;
+    fn refused(callout: &str, error: String) -> Self::Row<'_>;
 }
 
 /// An answer in figures: an object of JSON and a line of CSV.
-pub(super) trait Figures: Serialize {
+pub(super) trait Cells: Serialize {
     /// The cells of CSV, in the order of its columns.
     fn cells(&self) -> Vec<String>;
 }
@@ -132,7 +132,7 @@ impl Answers {
     }
 
     /// A line of CSV or an object of JSON.
-    pub(super) fn figures(&mut self, figures: &impl Figures, io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(super) fn figures(&mut self, figures: &impl Cells, io: &mut Io<'_>) -> Result<(), CliError> {
         self.answered += 1;
         match self.format {
             Format::Csv => return csv_line(figures.cells(), io),

@@ -124,8 +124,9 @@ impl Args {
             return Err(CliError::AddFeature { error: LimitsError::NoFeature { callout } });
         }
         let measurement = self.measurement(&limits, io)?;
-        let (measured, callout) = (measurement.diameter, Some(callout.of_part(limits.feature)));
-        let record = Record { callout, ..Record::judged(super::now(), limits, measurement, None) };
+        let measured = measurement.diameter;
+        let callout = callout.of_part(limits.feature);
+        let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None);
         let status = record.verdict.status();
         if unstated && (status == Status::Rework || status == Status::Scrap) {
             let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());

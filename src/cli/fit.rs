@@ -21,7 +21,7 @@ use std::io::{ErrorKind, Write};
 
 use answer::Answer;
 use columns::COLUMNS;
-use figures::FitFigures;
+use figures::Figures;
 
 use super::answers::{Answerer, Answers, Asked};
 use super::{CliError, Format, Io, Outcome, Refused as _, TableArgs, What, diameter};
@@ -142,7 +142,7 @@ struct Fits<'a> {
 }
 
 impl Answerer for Fits<'_> {
-    type Figures<'a> = FitFigures<'a>;
+    type Row<'a> = Figures<'a>;
 
     fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) -> Result<(), CliError> {
         let answer = asked.callout.parse().said().and_then(|callout| Answer::of(callout, &self.given).said());
@@ -157,7 +157,7 @@ impl Answerer for Fits<'_> {
             }
         }
         if !answers.is_text() {
-            return answers.figures(&FitFigures::of(asked.callout, &answer), io);
+            return answers.figures(&Figures::of(asked.callout, &answer), io);
         }
         let write = |out: &mut dyn Write, is_first: bool| {
             if !is_first {
@@ -168,7 +168,7 @@ impl Answerer for Fits<'_> {
         answers.text(write, io)
     }
 
-    fn refused(callout: &str, error: String) -> FitFigures<'_> {
-        FitFigures::refused(callout, error)
+    fn refused(callout: &str, error: String) -> Figures<'_> {
+        Figures::refused(callout, error)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::answers::{Answerer, Answers, Asked, Figures};
+use super::answers::{Answerer, Answers, Asked, Cells};
 use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
 use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
@@ -78,7 +78,7 @@ impl<'a> Row<'a> {
     }
 }
 
-impl Figures for Row<'_> {
+impl Cells for Row<'_> {
     fn cells(&self) -> Vec<String> {
         let figures = [&self.nominal_mm, &self.lower_um, &self.upper_um, &self.min_mm, &self.max_mm];
         let figures = figures.map(|figure| figure.as_ref().map(|figure| figure.0.clone()).unwrap_or_default());
@@ -103,7 +103,7 @@ pub(super) fn lower_and_upper(deviations: &Deviations) -> String {
 }
 
 impl Answerer for LimitsOf<'_> {
-    type Figures<'a> = Row<'a>;
+    type Row<'a> = Row<'a>;
 
     fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) -> Result<(), CliError> {
         let callout: Callout = match asked.callout.parse() {

@@ -217,8 +217,7 @@ fn record(text: &str, sources: &Sources, time: DateTime) -> Result<Record, Check
         return Err(CheckError::NotPositive { measured });
     }
     let measurement = Measurement::of_diameter(measured, Origin::Typed);
-    let id = id.trim().to_owned();
-    Ok(Record { id, callout: Some(callout), ..Record::judged(time, limits, measurement, None) })
+    Ok(Record::judged(time, id.trim().to_owned(), Some(callout), limits, measurement, None))
 }
 
 #[cfg(test)]

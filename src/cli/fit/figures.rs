@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::answer::{Answer, Measured};
 use super::heat::{Heat, Heated, Part};
-use crate::cli::answers::Figures;
+use crate::cli::answers::Cells;
 use crate::cli::{Figure, limits};
 use crate::length::{Length, Unit};
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
@@ -16,7 +16,7 @@ use crate::verdict::{Status, Verdict};
 
 /// One fit; the fields' order is that of the columns.
 #[derive(Debug, Default, Serialize)]
-pub(super) struct FitFigures<'a> {
+pub(super) struct Figures<'a> {
     callout: &'a str,
     nominal_mm: Option<Figure>,
     kind: Option<&'static str>,
@@ -255,7 +255,7 @@ impl MaterialFigures {
     }
 }
 
-impl<'a> FitFigures<'a> {
+impl<'a> Figures<'a> {
     pub(super) fn of(callout: &'a str, answer: &Answer<'_>) -> Self {
         let fit = &answer.fit;
         let [basis, preferred, function] = words(answer.hole, answer.shaft);
@@ -289,7 +289,7 @@ impl<'a> FitFigures<'a> {
     }
 }
 
-impl Figures for FitFigures<'_> {
+impl Cells for Figures<'_> {
     /// The cells of CSV, in the order of [`super::columns::COLUMNS`].
     fn cells(&self) -> Vec<String> {
         let words = [self.kind, self.basis, self.preferred, self.function];
