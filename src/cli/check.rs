@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use clap::builder::PossibleValuesParser;
-
+use super::args::dialogue;
 use super::{CliError, Format, Io, Note, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::control::mask::Mask;
 use crate::control::status::status_window;
@@ -18,7 +17,7 @@ use crate::probing::{Measurement, Origin};
 use crate::report::{csv, json};
 use crate::tolerance::{Callout, Feature, Limits, LimitsError, Source};
 use crate::verdict::Status;
-use crate::words::Language;
+use crate::words::Dialogue;
 
 const EXAMPLES: &str = "Examples:
   fitcheck check \"25 H7\" --measured 25.012
@@ -49,8 +48,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "LANGUAGE|FILE")]
     mask: Option<MaskArg>,
     /// Language of the status words and of L_ sections in your own mask; without --mask also of the mask
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
-    language: String,
+    #[arg(long, default_value = "en", value_parser = dialogue())]
+    language: Dialogue,
     /// text prints the mask's text and nothing else
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -94,7 +93,7 @@ struct SourceArgs {
 /// A shipped mask by its language, or a file.
 #[derive(Debug, Clone)]
 enum MaskArg {
-    Shipped(Language),
+    Shipped(Dialogue),
     Own(PathBuf),
 }
 
@@ -102,7 +101,7 @@ impl FromStr for MaskArg {
     type Err = std::convert::Infallible;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let language = Language::ALL.into_iter().find(|language| language.code() == text);
+        let language = Dialogue::ALL.into_iter().find(|language| language.code() == text);
         Ok(language.map_or_else(|| Self::Own(PathBuf::from(text)), Self::Shipped))
     }
 }
@@ -162,7 +161,7 @@ impl Args {
     }
 
     fn print_window(&self, record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
-        let language = Language::from_code(&self.language).unwrap_or_default();
+        let language = self.language;
         let text = match self.mask.as_ref().unwrap_or(&MaskArg::Shipped(language)) {
             MaskArg::Shipped(language) => status_window(record, *language, None).said()?,
             MaskArg::Own(path) => {

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::builder::PossibleValuesParser;
 use jiff::civil::DateTime;
 
 use super::args::one_of;
@@ -54,8 +53,8 @@ pub(super) struct Args {
     inspector: Option<String>,
 
     /// Language of the HTML report; CSV and JSON are the same in every language
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::COMPLETE.map(Language::code)))]
-    language: String,
+    #[arg(long, default_value = "en", value_parser = one_of(Language::all(), |language| language.code()))]
+    language: Language,
 
     /// Date and time of the report and of checks that have none; now when not given
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
@@ -123,7 +122,7 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let rendering = self.rendering()?;
         let sources = self.tables.load(io)?;
-        let words = Words::new(Language::from_code(&self.language).unwrap_or_default());
+        let words = Words::new(self.language);
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
         for path in &self.files {

@@ -6,7 +6,7 @@ use serde_json::{Map, Value as Json, json};
 use super::{CliError, Io, Run, Source};
 use crate::length::Length;
 use crate::probing::cycle::{Check, LogTarget, Move, Value};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// What the contacts cannot tell, and where the log says something else.
 pub(super) fn warnings(run: &Run<'_>) -> Vec<String> {
@@ -39,7 +39,7 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
     let result = run.result;
     let answer = Answer {
         cycle: run.cycle.code,
-        name: run.cycle.name(Language::En),
+        name: run.cycle.name(Dialogue::En),
         source: source(run),
         probe: probe(run),
         inputs: inputs(run),

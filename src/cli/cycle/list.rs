@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{CliError, Format, Io};
 use crate::probing::cycle::{Cycle, Inputs, Parameter, Unset, Value};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// One parameter; the names are a contract.
 #[derive(Debug, Serialize)]
@@ -24,7 +24,7 @@ struct Row {
 }
 
 impl Row {
-    fn of(parameter: &Parameter, language: Language) -> Self {
+    fn of(parameter: &Parameter, language: Dialogue) -> Self {
         Self {
             key: parameter.key.to_string(),
             name: parameter.name_in(language),
@@ -52,7 +52,7 @@ impl Row {
     }
 }
 
-pub(super) fn print(cycle: &Cycle, language: Language, format: Format, io: &mut Io<'_>) -> Result<(), CliError> {
+pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut Io<'_>) -> Result<(), CliError> {
     let rows: Vec<_> = cycle.parameters.iter().map(|parameter| Row::of(parameter, language)).collect();
     match format {
         Format::Json => io.json(&rows)?,

@@ -10,7 +10,7 @@ use crate::files::{self, FileError};
 use crate::length::Unit;
 use crate::message::{Located, Place};
 use crate::probing::cycle::{Cycle, CycleResult, LogTarget};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// Where and how the log is kept.
 #[derive(Debug, clap::Args)]
@@ -41,7 +41,7 @@ impl LogArgs {
         &self,
         cycle: &Cycle,
         result: &CycleResult,
-        language: Language,
+        language: Dialogue,
         io: &mut Io<'_>,
     ) -> Result<Kept, CliError> {
         let date_time = Some(self.time.unwrap_or_else(super::super::now));
@@ -83,7 +83,7 @@ impl LogArgs {
 }
 
 /// Adds the log to the file, which may not be there yet.
-fn add(log: &CycleLog, path: &Path, language: Language, io: &mut Io<'_>) -> Result<(), CliError> {
+fn add(log: &CycleLog, path: &Path, language: Dialogue, io: &mut Io<'_>) -> Result<(), CliError> {
     let before = match files::read(path) {
         Ok(bytes) => bytes,
         Err(FileError::Missing { .. }) => Vec::new(),

@@ -17,8 +17,7 @@ mod text;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use clap::builder::PossibleValuesParser;
-
+use super::args::dialogue;
 use super::{CliError, Format, Io, Note, Outcome, Refused as _, What, read_contacts, read_input};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
@@ -29,7 +28,7 @@ use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Move};
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::Bench;
 use crate::probing::{self, Contact, Prober, Recorded, SourceError, TouchProbe};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -112,8 +111,8 @@ pub(super) struct Args {
     #[command(flatten)]
     log: log::LogArgs,
     /// Language of the log, and of the control's questions and names as far as they are known
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
-    language: String,
+    #[arg(long, default_value = "en", value_parser = dialogue())]
+    language: Dialogue,
     /// How the result is printed
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -133,7 +132,7 @@ enum Source {
 /// Everything that is printed.
 struct Run<'a> {
     cycle: &'static Cycle,
-    language: Language,
+    language: Dialogue,
     source: &'a Source,
     ball_radius: f64,
     result: &'a CycleResult,
@@ -149,7 +148,7 @@ fn known(text: &str) -> Result<&'static Cycle, String> {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let language = Language::from_code(&self.language).unwrap_or_default();
+        let language = self.language;
         if self.list {
             list::print(self.cycle, language, self.format, io)?;
             return Ok(Outcome::Done);

@@ -203,8 +203,8 @@ fn sentence<'a>(one: &Verified, difference: &'a Difference) -> Sentence<'a> {
             Sentence::Off { place, class, over, to, table, standard: pair(standard), by }
         }
         (None, Ok(standard)) => Sentence::Missing { place, class, over, to, standard: pair(standard) },
-        (Some(table), Err(reason)) => Sentence::Undefined { place, class, over, to, table, reason: reason.clone() },
-        (None, Err(reason)) => Sentence::Neither { place, class, over, to, reason: reason.clone() },
+        (Some(table), Err(reason)) => Sentence::Undefined { place, class, over, to, table, reason: *reason },
+        (None, Err(reason)) => Sentence::Neither { place, class, over, to, reason: *reason },
     }
 }
 
