@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::answer::{Answer, Measured};
 use super::heat::{Heat, Heated, Part};
+use crate::cli::answers::Cells;
 use crate::cli::{Figure, limits};
 use crate::length::{Length, Unit};
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
@@ -286,9 +287,11 @@ impl<'a> Figures<'a> {
     pub(super) fn refused(callout: &'a str, error: String) -> Self {
         Self { callout, error: Some(error), ..Self::default() }
     }
+}
 
+impl Cells for Figures<'_> {
     /// The cells of CSV, in the order of [`super::columns::COLUMNS`].
-    pub(super) fn columns(&self) -> Vec<String> {
+    fn cells(&self) -> Vec<String> {
         let words = [self.kind, self.basis, self.preferred, self.function];
         let [kind, basis, preferred, function] = words.map(|word| word.unwrap_or_default().to_owned());
         let clearances = [&self.minimum_clearance_um, &self.maximum_clearance_um, &self.mean_clearance_um].map(figure);

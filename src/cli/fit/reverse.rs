@@ -6,9 +6,9 @@ use clap::ValueEnum;
 use figures::{COLUMNS, CandidateFigures, Figures, MissFigures};
 
 use super::figures::{nominal, um};
-use super::{csv_line, text};
+use super::text;
+use crate::cli::answers::{csv_line, printable};
 use crate::cli::args::one_of;
-use crate::cli::limits::printable;
 use crate::cli::note::about;
 use crate::cli::{CliError, Format, Io, Note, Outcome, Refused as _, What};
 use crate::length::Length;

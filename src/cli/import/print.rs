@@ -142,10 +142,7 @@ fn cells(row: &Row) -> [String; 9] {
         _ => String::new(),
     };
     let um = |length: Length| length.exact(Unit::Micrometre, 0);
-    let deviation = row.deviation.map_or(String::new(), |deviation| {
-        let plus = if Length::ZERO < deviation { "+" } else { "" };
-        format!("{plus}{}", um(deviation))
-    });
+    let deviation = row.deviation.map(Length::signed_um).unwrap_or_default();
     let remove = row.remove.map_or(String::new(), |remove| format!(", remove {} µm", um(remove)));
     [
         format!("{}:{}", row.file, row.line.unwrap_or_default()),
