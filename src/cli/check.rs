@@ -18,7 +18,7 @@ use crate::probing::simulated::{Machine, Probe, Workpiece};
 use crate::probing::{Measurement, Origin};
 use crate::report::{csv, json};
 use crate::tolerance::{Callout, Feature, Limits, LimitsError, Source};
-use crate::verdict::{self, Status, doubt};
+use crate::verdict::Status;
 use crate::words::Language;
 
 const EXAMPLES: &str = "Examples:
@@ -129,15 +129,8 @@ impl Args {
         }
         let measurement = self.measurement(&limits, io)?;
         let measured = measurement.diameter;
-        let record = Record {
-            time: super::now(),
-            id: String::new(),
-            callout: Some(callout.of_part(limits.feature)),
-            verdict: verdict::judge(&limits, measured, None),
-            doubt: doubt(limits.nominal, measured),
-            limits,
-            measurement,
-        };
+        let callout = callout.of_part(limits.feature);
+        let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None);
         let status = record.verdict.status();
         if unstated && (status == Status::Rework || status == Status::Scrap) {
             let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());

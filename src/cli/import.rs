@@ -37,7 +37,7 @@ pub(super) struct Args {
 fn help() -> String {
     let formats = FORMATS.iter().map(|format| {
         let endings: Vec<String> = format.endings.iter().map(|ending| format!(".{ending}")).collect();
-        format!("  {:<14}{} ({})\n", format.name, format.description, endings.join(" "))
+        format!("  {:<14}{} ({})\n", format.name, format, endings.join(" "))
     });
     let largest = files::LARGEST >> 20;
     format!(
@@ -105,8 +105,8 @@ impl Args {
 
 /// Warnings about the whole file; those of a row stand beside it.
 fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> std::io::Result<()> {
-    for warning in imported.warnings.iter().filter(|warning| warning.row.is_none()) {
-        writeln!(io.err, "{}:{}: warning: {}", path.display(), warning.line, warning.reason)?;
+    for warning in imported.warnings.iter().filter(|warning| warning.what.row.is_none()) {
+        writeln!(io.err, "{}:{}: warning: {}", path.display(), warning.place.line.unwrap_or(1), warning.what.reason)?;
     }
     Ok(())
 }

@@ -14,7 +14,6 @@ use crate::message::{Message, Say};
 use crate::probing::{Measurement, Origin};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
-use crate::verdict::{doubt, judge};
 use crate::words::{Language, Words};
 
 /// Write an inspection report of one or more checks
@@ -230,7 +229,7 @@ impl Collected {
             self.refuse(line(unjudged.line), unjudged.why.message(), io)?;
         }
         for warning in &imported.warnings {
-            self.note(line(warning.line), warning.reason.message(), io)?;
+            self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io)?;
         }
         self.checks.extend(imported.records);
         Ok(())
@@ -261,15 +260,8 @@ fn record(text: &str, sources: &Sources, time: DateTime) -> Result<Record, Check
     if measured <= Length::ZERO {
         return Err(CheckError::NotPositive { measured });
     }
-    Ok(Record {
-        time,
-        id: id.trim().to_owned(),
-        callout: Some(callout),
-        measurement: Measurement::of_diameter(measured, Origin::Typed),
-        verdict: judge(&limits, measured, None),
-        doubt: doubt(limits.nominal, measured),
-        limits,
-    })
+    let measurement = Measurement::of_diameter(measured, Origin::Typed);
+    Ok(Record::judged(time, id.trim().to_owned(), Some(callout), limits, measurement, None))
 }
 
 #[cfg(test)]

@@ -86,10 +86,10 @@ pub const RENDERINGS: &[Rendering] = &[html::RENDERING, csv::RENDERING, json::RE
 
 /// Why a report could not be put into bytes. None of the renderings has a reason to fail on any record; the writers
 /// that they use may in principle, and a report that is not whole must not be saved.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "report-error", error)]
 pub enum RenderError {
     /// The writer of the format refused.
-    #[error("the {format} report could not be made: {reason}")]
     Writer {
         /// The rendering's name.
         format: &'static str,
@@ -104,41 +104,22 @@ impl RenderError {
     }
 }
 
-impl Say for RenderError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Writer { format, reason } => {
-                Message::new("report-error-writer").text("format", format).text("reason", reason)
-            }
-        }
-    }
-}
-
 /// Why there is no rendering for a file name.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "report-ending", error)]
 pub enum EndingError {
     /// The name has no ending.
-    #[error("{file} has no ending that tells the report's format: use one of {}", endings())]
+    #[say(args(endings = endings()))]
     Missing {
         /// The file name.
         file: String,
     },
     /// The ending is none of ours.
-    #[error(".{ending} is not a format of the report: use one of {}", endings())]
+    #[say(args(endings = endings()))]
     Unknown {
         /// The ending without its point.
         ending: String,
     },
-}
-
-impl Say for EndingError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Missing { file } => Message::new("report-ending-missing").text("file", file),
-            Self::Unknown { ending } => Message::new("report-ending-unknown").text("ending", ending),
-        }
-        .text("endings", endings())
-    }
 }
 
 /// Every ending with its point: `.html .htm .csv .json`.
@@ -182,12 +163,5 @@ pub(crate) mod tests {
         assert_eq!(Words::new(Language::En).told(what), what.to_string());
         let dutch = Words::new(Language::Nl).told(what);
         assert!(dutch != what.message().id && dutch != what.to_string(), "{dutch}");
-    }
-
-    #[test]
-    fn errors_are_said_in_both_languages() {
-        check_said(&EndingError::Missing { file: "b".to_owned() });
-        check_said(&EndingError::Unknown { ending: "pdf".to_owned() });
-        check_said(&RenderError::writer("csv", &"full"));
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::iso286::Grade;
-use crate::message::{Message, Say};
+use crate::message::{Say, as_text};
 
 /// Which side of the material is measured.
 ///
@@ -43,6 +43,8 @@ impl fmt::Display for Feature {
     }
 }
 
+as_text!(Feature, ToleranceClass);
+
 /// The longest name of a class or a user's own table column.
 const LONGEST: usize = 8;
 
@@ -58,13 +60,12 @@ pub struct ToleranceClass {
 }
 
 /// Why a text is no tolerance class.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "class", error)]
 pub enum ClassError {
     /// There is no class.
-    #[error("a tolerance class is missing, such as H7 for a hole or h7 for a shaft")]
     Missing,
     /// Upper and lower case in one class: neither hole nor shaft.
-    #[error("{text} mixes upper and lower case: write {upper} for a hole or {lower} for a shaft")]
     MixedCase {
         /// What was given.
         text: String,
@@ -74,23 +75,10 @@ pub enum ClassError {
         lower: String,
     },
     /// Not letters and a grade.
-    #[error("{text} is not a tolerance class: write letters and a grade, such as H7 or js13")]
     Malformed {
         /// What was given.
         text: String,
     },
-}
-
-impl Say for ClassError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Missing => Message::new("class-missing"),
-            Self::MixedCase { text, upper, lower } => {
-                Message::new("class-mixed-case").text("text", text).text("upper", upper).text("lower", lower)
-            }
-            Self::Malformed { text } => Message::new("class-malformed").text("text", text),
-        }
-    }
 }
 
 impl ToleranceClass {

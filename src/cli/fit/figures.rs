@@ -9,8 +9,9 @@ use super::heat::{Heat, Heated, Part};
 use crate::cli::{Figure, limits};
 use crate::length::{Length, Unit};
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
-use crate::tolerance::fit::{Actual, Basis, Possible, basis};
+use crate::tolerance::fit::{Basis, basis};
 use crate::tolerance::{Limits, ToleranceClass};
+use crate::verdict::fit::{Actual, Possible};
 use crate::verdict::{Status, Verdict};
 
 /// One fit; the fields' order is that of the columns.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::exchange::{Imported, Problem, Unjudged, WhyUnjudged};
+use crate::message::Located;
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::tolerance::{Deviations, Source};
@@ -68,20 +69,20 @@ pub(super) enum Value<'a> {
 enum Came<'a> {
     Record(&'a Record),
     Unjudged(&'a Unjudged),
-    Problem(&'a Problem),
+    Problem(&'a Located<Problem>),
 }
 
 /// Everything that came out of a file, in the order of its lines. Rows are made one by one: a file may have many.
 pub(super) fn rows<'a>(path: &'a Path, imported: &'a Imported) -> impl Iterator<Item = Row> + 'a {
     let mut warnings: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     for warning in &imported.warnings {
-        if let Some(row) = warning.row {
-            warnings.entry(row).or_default().push(warning.reason.to_string());
+        if let Some(row) = warning.what.row {
+            warnings.entry(row).or_default().push(warning.what.reason.to_string());
         }
     }
     let records = imported.lines.iter().zip(&imported.records).map(|(&line, record)| (line, Came::Record(record)));
     let unjudged = imported.unjudged.iter().map(|unjudged| (unjudged.line, Came::Unjudged(unjudged)));
-    let problems = imported.problems.iter().map(|problem| (problem.line, Came::Problem(problem)));
+    let problems = imported.problems.iter().map(|problem| (problem.place.line.unwrap_or(1), Came::Problem(problem)));
     let mut all: Vec<(usize, Came<'a>)> = records.chain(unjudged).chain(problems).collect();
     all.sort_by_key(|(line, _)| *line);
     let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -158,8 +159,8 @@ impl Row {
         }
     }
 
-    fn of_problem(problem: &Problem) -> Self {
-        Self { column: problem.column, error: Some(problem.reason.to_string()), ..Self::default() }
+    fn of_problem(problem: &Located<Problem>) -> Self {
+        Self { column: problem.place.column, error: Some(problem.what.reason.to_string()), ..Self::default() }
     }
 
     /// A file that could not be read at all.

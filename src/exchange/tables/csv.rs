@@ -8,8 +8,7 @@ use crate::tolerance::DeviationTable;
 pub const FORMAT: TableFormat = TableFormat {
     name: "csv",
     endings: &["csv"],
-    description: "CSV, a line for every class and size range",
-    description_id: "table-format-plain-csv",
+    description: "table-format-plain-csv",
     caution: |_| None,
     write,
 };
