@@ -16,13 +16,8 @@ use crate::probing::{Measurement, Origin};
 use crate::tolerance::{Deviations, Feature, Limits, Source as LimitSource};
 use crate::verdict::{AxisPosition, PositionVerdict, judge_size};
 
-pub(super) const FORMAT: Format = Format {
-    name: "log",
-    endings: &["txt"],
-    description: "exchange-format-logs",
-    recognises,
-    read,
-};
+pub(super) const FORMAT: Format =
+    Format { name: "log", endings: &["txt"], description: "exchange-format-logs", recognises, read };
 
 /// The control's fixed names, `TCHPR421.TXT`, or a text that has the shape of a log.
 fn recognises(source: &Source<'_>) -> bool {

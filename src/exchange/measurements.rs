@@ -142,8 +142,7 @@ impl Reader<'_> {
             return Ok(());
         };
         let limits = self.source.sources.limits(&callout, None).map_err(|error| (cell, Reason::Limits(error)))?;
-        let measurement =
-            Measurement::of_diameter(measured, Origin::Imported { file: Arc::clone(&self.source.file) });
+        let measurement = Measurement::of_diameter(measured, Origin::Imported { file: Arc::clone(&self.source.file) });
         let record = Record::judged(self.time(line, cells), id, Some(callout), limits, measurement, None);
         self.imported.keep(line, record);
         Ok(())

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::exchange::{Imported, Problem, Unjudged, WhyUnjudged};
-use crate::message::Located;
 use crate::journal::Record;
 use crate::length::{Length, Unit};
+use crate::message::Located;
 use crate::tolerance::{Deviations, Source};
 use crate::verdict::{PositionVerdict, Status};
 

@@ -36,9 +36,7 @@ fn zero_counts_as_clearance_at_the_least_and_as_interference_at_the_most() {
 fn what_is_no_fit_is_refused() {
     let hole = |nominal| limits(Feature::Hole, nominal, "0.021", "0");
     let shaft = |nominal| limits(Feature::Shaft, nominal, "0", "-0.013");
-    let error = |hole, shaft| {
-        Fit::new(hole, shaft).unwrap_err().to_string()
-    };
+    let error = |hole, shaft| Fit::new(hole, shaft).unwrap_err().to_string();
     assert_eq!(error(shaft("25"), shaft("25")), "24.987 to 25 mm are a shaft's limits, where a hole's are needed");
     assert_eq!(error(hole("25"), hole("25")), "25 to 25.021 mm are a hole's limits, where a shaft's are needed");
     let nominal = error(hole("25"), shaft("25.000001"));
