@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `answer` | what there is to say about one fit |
-//! | `figures`, `columns` | the same in figures: the names that CSV and JSON share |
+//! | `figures` | the same in figures: the names that CSV and JSON share |
 //! | `text` | the same for people |
 //! | `heat` | materials and temperatures |
 //! | `reverse` | from a wanted clearance or a function to classes |
@@ -11,7 +11,6 @@
 //! Callouts are answered one by one, so that memory stays the same however many come.
 
 mod answer;
-mod columns;
 mod figures;
 mod heat;
 mod reverse;
@@ -20,7 +19,6 @@ mod text;
 use std::io::{BufRead, ErrorKind};
 
 use answer::{Answer, Measured};
-use columns::COLUMNS;
 use figures::Figures;
 
 use super::limits::lines::{Found, LONGEST_LINE, Line};
@@ -28,6 +26,7 @@ use super::limits::{csv_error, printable};
 use super::{CliError, Format, Io, Outcome, TableArgs};
 use crate::control::text::decode;
 use crate::length::Length;
+use crate::report::columns::{cells, names};
 use crate::tolerance::{Callout, Feature, Sources};
 use crate::verdict::{Status, doubt};
 
@@ -207,7 +206,7 @@ impl Printer {
 
     fn begin(&self, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
-            Format::Csv => csv_line(COLUMNS, io),
+            Format::Csv => csv_line(names(&Figures::COLUMNS), io),
             Format::Json if !self.is_one => Ok(io.out.write_all(b"[")?),
             Format::Json | Format::Text => Ok(()),
         }
@@ -260,7 +259,7 @@ impl Printer {
     /// A line of CSV or an object of JSON.
     fn row(&self, figures: &Figures<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
         if self.format == Format::Csv {
-            return csv_line(figures.columns(), io);
+            return csv_line(cells(&Figures::COLUMNS, figures), io);
         }
         if self.is_one {
             serde_json::to_writer_pretty(&mut *io.out, figures).map_err(std::io::Error::from)?;

@@ -10,6 +10,7 @@ use jiff::civil::DateTime;
 use super::{CliError, Format, Io, Outcome, TableArgs};
 use crate::exchange::{FORMATS, Imported, import};
 use crate::files;
+use crate::report::columns::names;
 use crate::verdict::Status;
 use print::Printer;
 use row::Row;
@@ -61,7 +62,7 @@ Examples:
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
 it is 1 where any row or file could not be used or not be judged. Files are read up to {largest} MiB.",
         formats.collect::<String>(),
-        row::COLUMNS.join(","),
+        names(&row::COLUMNS).join(","),
     )
 }
 

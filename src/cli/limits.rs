@@ -11,6 +11,7 @@ use lines::{Found, LONGEST_LINE, Line};
 use super::{CliError, Figure, Format, Io, Outcome, TableArgs, heard_or_not};
 use crate::control::text::decode;
 use crate::length::{Length, Unit};
+use crate::report::columns::{self, Cell as _, Column};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
 
 /// How much of a line that is too long is shown.
@@ -89,6 +90,18 @@ struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
+    /// The columns of CSV.
+    const COLUMNS: [Column<Self>; 8] = [
+        ("callout", |row| row.callout.cell()),
+        ("nominal_mm", |row| row.nominal_mm.cell()),
+        ("lower_um", |row| row.lower_um.cell()),
+        ("upper_um", |row| row.upper_um.cell()),
+        ("min_mm", |row| row.min_mm.cell()),
+        ("max_mm", |row| row.max_mm.cell()),
+        ("source", |row| row.source.cell()),
+        ("error", |row| row.error.cell()),
+    ];
+
     fn of(callout: &'a str, limits: &Limits) -> Self {
         let mm = |length: Length, decimals| Some(Figure(length.exact(Unit::Millimetre, decimals)));
         let um = |length: Length| Some(Figure(length.exact(Unit::Micrometre, 0)));
@@ -102,20 +115,6 @@ impl<'a> Row<'a> {
             source: Some(source(&limits.source)),
             error: None,
         }
-    }
-
-    fn write_csv(&self, writer: &mut csv::Writer<&mut dyn Write>) -> Result<(), csv::Error> {
-        let figure = |figure: &'_ Option<Figure>| figure.as_ref().map(|figure| figure.0.clone()).unwrap_or_default();
-        writer.write_record([
-            self.callout,
-            &figure(&self.nominal_mm),
-            &figure(&self.lower_um),
-            &figure(&self.upper_um),
-            &figure(&self.min_mm),
-            &figure(&self.max_mm),
-            self.source.as_deref().unwrap_or_default(),
-            self.error.as_deref().unwrap_or_default(),
-        ])
     }
 }
 
@@ -149,8 +148,7 @@ impl<'a> Answers<'a> {
             Format::Text => Printer::Text(out),
             Format::Csv => {
                 let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(out);
-                let names = ["callout", "nominal_mm", "lower_um", "upper_um", "min_mm", "max_mm", "source", "error"];
-                writer.write_record(names).map_err(csv_error)?;
+                writer.write_record(columns::names(&Row::COLUMNS)).map_err(csv_error)?;
                 Printer::Csv(Box::new(writer))
             }
             Format::Json => {
@@ -248,7 +246,7 @@ impl Printer<'_> {
     fn row(&mut self, before: usize, row: &Row<'_>) -> Result<(), CliError> {
         match self {
             Self::Text(_) => {}
-            Self::Csv(writer) => row.write_csv(writer).map_err(csv_error)?,
+            Self::Csv(writer) => writer.write_record(columns::cells(&Row::COLUMNS, row)).map_err(csv_error)?,
             Self::Json(out) => {
                 out.write_all(if before == 0 { b"\n  " } else { b",\n  " })?;
                 serde_json::to_writer(&mut **out, row).map_err(std::io::Error::from)?;

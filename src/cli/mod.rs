@@ -23,6 +23,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 
 use crate::control::shipped_tables;
 use crate::files::{self, FileError};
+use crate::report::columns::Cell;
 use crate::tolerance::{Base, Sources, iso286};
 use crate::verdict::Status;
 
@@ -135,6 +136,12 @@ impl serde::Serialize for Figure {
             (_, Ok(number)) => serializer.serialize_f64(number),
             _ => serializer.serialize_str(&self.0),
         }
+    }
+}
+
+impl Cell for Figure {
+    fn cell(&self) -> Option<String> {
+        Some(self.0.clone())
     }
 }
 

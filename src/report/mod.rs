@@ -14,6 +14,7 @@
 //! file filters follow from that list. Templates are in `assets/report`.
 
 pub mod band;
+pub mod columns;
 pub mod csv;
 pub mod html;
 pub mod json;

@@ -10,24 +10,39 @@ use crate::message::Located;
 use crate::tolerance::{Deviations, Source};
 use crate::verdict::{PositionVerdict, Status};
 
+/// A column of the CSV and a name in JSON, with its value in a row.
+pub(super) type Column = (&'static str, fn(&Row) -> Value<'_>);
+
 /// The columns of the CSV and the names in JSON, in order. A stable contract.
-pub(super) const COLUMNS: [&str; 15] = [
-    "file",
-    "line",
-    "id",
-    "callout",
-    "nominal_mm",
-    "min_mm",
-    "max_mm",
-    "measured_mm",
-    "deviation_um",
-    "status",
-    "remove_um",
-    "position",
-    "source",
-    "warnings",
-    "error",
+pub(super) const COLUMNS: [Column; 15] = [
+    ("file", |row| Value::Text(&row.file)),
+    ("line", |row| row.line.map_or(Value::Nothing, |line| Value::Number(line.to_string()))),
+    ("id", |row| Value::Text(&row.id)),
+    ("callout", |row| text(row.callout.as_deref())),
+    ("nominal_mm", |row| mm(row.nominal, 0)),
+    ("min_mm", |row| mm(row.minimum, 3)),
+    ("max_mm", |row| mm(row.maximum, 3)),
+    ("measured_mm", |row| mm(row.measured, 3)),
+    ("deviation_um", |row| um(row.deviation)),
+    ("status", |row| text(row.status.map(Status::word))),
+    ("remove_um", |row| um(row.remove)),
+    ("position", |row| text(row.position_word())),
+    ("source", |row| text(row.source.as_deref())),
+    ("warnings", |row| Value::Texts(&row.warnings)),
+    ("error", |row| text(row.error.as_deref())),
 ];
+
+fn text(text: Option<&str>) -> Value<'_> {
+    text.map_or(Value::Nothing, Value::Text)
+}
+
+fn mm(length: Option<Length>, decimals: usize) -> Value<'static> {
+    length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Millimetre, decimals)))
+}
+
+fn um(length: Option<Length>) -> Value<'static> {
+    length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Micrometre, 0)))
+}
 
 /// What is known of one row of a file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -177,34 +192,6 @@ impl Row {
     pub(super) fn position_word(&self) -> Option<&'static str> {
         let position = self.position.filter(PositionVerdict::is_monitored)?;
         Some(if position.is_out() { "OUT" } else { "IN" })
-    }
-
-    /// The values in the order of [`COLUMNS`].
-    pub(super) fn values(&self) -> [Value<'_>; 15] {
-        let word = |word: Option<&'static str>| word.map_or(Value::Nothing, Value::Text);
-        let mm = |length: Option<Length>, decimals| {
-            length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Millimetre, decimals)))
-        };
-        let um = |length: Option<Length>| {
-            length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Micrometre, 0)))
-        };
-        [
-            Value::Text(&self.file),
-            self.line.map_or(Value::Nothing, |line| Value::Number(line.to_string())),
-            Value::Text(&self.id),
-            self.callout.as_deref().map_or(Value::Nothing, Value::Text),
-            mm(self.nominal, 0),
-            mm(self.minimum, 3),
-            mm(self.maximum, 3),
-            mm(self.measured, 3),
-            um(self.deviation),
-            word(self.status.map(Status::word)),
-            um(self.remove),
-            word(self.position_word()),
-            self.source.as_deref().map_or(Value::Nothing, Value::Text),
-            Value::Texts(&self.warnings),
-            self.error.as_deref().map_or(Value::Nothing, Value::Text),
-        ]
     }
 }
 
