@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `answer` | what there is to say about one fit |
-//! | `figures`, `columns` | the same in figures: the names that CSV and JSON share |
+//! | `figures` | the same in figures: the names that CSV and JSON share |
 //! | `text` | the same for people |
 //! | `heat` | materials and temperatures |
 //! | `reverse` | from a wanted clearance or a function to classes |
@@ -11,7 +11,6 @@
 //! Callouts are answered one by one, so that memory stays the same however many come.
 
 mod answer;
-mod columns;
 mod figures;
 mod heat;
 mod reverse;
@@ -20,12 +19,12 @@ mod text;
 use std::io::{ErrorKind, Write};
 
 use answer::Answer;
-use columns::COLUMNS;
 use figures::Figures;
 
 use super::answers::{Answerer, Answers, Asked};
 use super::{CliError, Format, Io, Outcome, Refused as _, TableArgs, What, diameter};
 use crate::length::Length;
+use crate::report::columns::names;
 use crate::tolerance::Sources;
 use crate::verdict::{Status, doubt};
 
@@ -113,7 +112,10 @@ impl Args {
         }
         let given = Given { sources: &sources, heat: self.heat.load()?, hole, shaft };
         let mut fits = Fits { given, worst: None };
-        match (Answers::print((self.format, is_one), &COLUMNS, &self.callouts, &mut fits, io), fits.worst) {
+        match (
+            Answers::print((self.format, is_one), &names(&Figures::COLUMNS), &self.callouts, &mut fits, io),
+            fits.worst,
+        ) {
             // Nobody listens, but the verdict stands.
             (Err(CliError::Stream(error)), Some(worst)) if error.kind() == ErrorKind::BrokenPipe => {
                 Ok(Outcome::Judged(worst))

@@ -5,6 +5,7 @@ use std::io::Write;
 use super::answers::{Answerer, Answers, Asked, Cells};
 use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
 use crate::length::{Length, Unit};
+use crate::report::columns::{self, Cell as _, Column};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
 
 const EXAMPLES: &str = "\
@@ -37,7 +38,13 @@ pub(super) struct Args {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
-        let all_answered = Answers::print((self.format, false), &COLUMNS, &self.callouts, &mut LimitsOf(&sources), io)?;
+        let all_answered = Answers::print(
+            (self.format, false),
+            &columns::names(&Row::COLUMNS),
+            &self.callouts,
+            &mut LimitsOf(&sources),
+            io,
+        )?;
         Ok(if all_answered { Outcome::Done } else { Outcome::BadData })
     }
 }
@@ -46,7 +53,6 @@ impl Args {
 struct LimitsOf<'a>(&'a Sources);
 
 /// The columns of CSV, in order.
-const COLUMNS: [&str; 8] = ["callout", "nominal_mm", "lower_um", "upper_um", "min_mm", "max_mm", "source", "error"];
 
 /// A line of CSV or an object of JSON.
 #[derive(Debug, Default, serde::Serialize)]
@@ -62,6 +68,18 @@ struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
+    /// The columns of CSV.
+    const COLUMNS: [Column<Self>; 8] = [
+        ("callout", |row| row.callout.cell()),
+        ("nominal_mm", |row| row.nominal_mm.cell()),
+        ("lower_um", |row| row.lower_um.cell()),
+        ("upper_um", |row| row.upper_um.cell()),
+        ("min_mm", |row| row.min_mm.cell()),
+        ("max_mm", |row| row.max_mm.cell()),
+        ("source", |row| row.source.cell()),
+        ("error", |row| row.error.cell()),
+    ];
+
     fn of(callout: &'a str, limits: &Limits) -> Self {
         let mm = |length: Length, decimals| Some(Figure(length.exact(Unit::Millimetre, decimals)));
         let um = |length: Length| Some(Figure(length.exact(Unit::Micrometre, 0)));
@@ -80,10 +98,7 @@ impl<'a> Row<'a> {
 
 impl Cells for Row<'_> {
     fn cells(&self) -> Vec<String> {
-        let figures = [&self.nominal_mm, &self.lower_um, &self.upper_um, &self.min_mm, &self.max_mm];
-        let figures = figures.map(|figure| figure.as_ref().map(|figure| figure.0.clone()).unwrap_or_default());
-        let texts = [&self.source, &self.error].map(|text| text.clone().unwrap_or_default());
-        [self.callout.to_owned()].into_iter().chain(figures).chain(texts).collect()
+        columns::cells(&Self::COLUMNS, self).collect()
     }
 }
 

@@ -51,6 +51,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
+use crate::report::columns::Cell;
 use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
 use error::{CliError, Refused, What};
@@ -94,6 +95,12 @@ impl serde::Serialize for Figure {
             (_, Ok(number)) => serializer.serialize_f64(number),
             _ => serializer.serialize_str(&self.0),
         }
+    }
+}
+
+impl Cell for Figure {
+    fn cell(&self) -> Option<String> {
+        Some(self.0.clone())
     }
 }
 

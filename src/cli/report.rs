@@ -184,7 +184,7 @@ impl Collected {
             self.refuse(line(unjudged.line), unjudged.why.message(), io)?;
         }
         for warning in &imported.warnings {
-            self.note(line(warning.line), warning.reason.message(), io)?;
+            self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io)?;
         }
         self.checks.extend(imported.records);
         Ok(())

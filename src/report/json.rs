@@ -79,7 +79,8 @@ mod tests {
     use super::super::sample;
     use super::*;
     use crate::length::Length;
-    use crate::report::row::COLUMNS;
+    use crate::report::columns;
+    use crate::report::csv::COLUMNS;
     use crate::words::Language;
 
     #[test]
@@ -119,7 +120,7 @@ mod tests {
 "#
         );
         let names: Vec<&str> = text.lines().filter_map(|l| l.strip_prefix("      \"")?.split('"').next()).collect();
-        assert_eq!(names, COLUMNS);
+        assert_eq!(names, columns::names(&COLUMNS));
     }
 
     #[test]

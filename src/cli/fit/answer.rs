@@ -3,10 +3,12 @@
 use super::Given;
 use super::heat::{Heat, Heated};
 use crate::length::Length;
+use crate::tolerance::fit::Fit;
+use crate::tolerance::fit::FitError;
 use crate::tolerance::fit::equivalent::{Difference, equivalent};
-use crate::tolerance::fit::{Actual, Fit, FitError, Possible};
 use crate::tolerance::{Callout, Feature, Tolerance, ToleranceClass};
 use crate::verdict::Status;
+use crate::verdict::fit::{Actual, Possible};
 
 /// Everything about one fit.
 pub(super) struct Answer<'a> {
@@ -68,9 +70,9 @@ impl<'a> Answer<'a> {
             Some(Equivalent { callout, fit })
         });
         let measured = match (given.hole, given.shaft) {
-            (Some(hole), Some(shaft)) => Measured::Both(fit.actual(hole, shaft)),
-            (Some(hole), None) => Measured::One(fit.possible(Feature::Hole, hole)),
-            (None, Some(shaft)) => Measured::One(fit.possible(Feature::Shaft, shaft)),
+            (Some(hole), Some(shaft)) => Measured::Both(Actual::of(&fit, hole, shaft)),
+            (Some(hole), None) => Measured::One(Possible::of(&fit, Feature::Hole, hole)),
+            (None, Some(shaft)) => Measured::One(Possible::of(&fit, Feature::Shaft, shaft)),
             (None, None) => Measured::None,
         };
         let heated = match &given.heat {
