@@ -122,22 +122,6 @@ pub fn set_aside(path: &Path) -> Result<PathBuf, FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::words::{Language, Words};
-
-    #[test]
-    fn every_error_is_said_in_english_and_in_dutch() {
-        let path = || PathBuf::from("folder/own.tab");
-        for error in [
-            FileError::IsFolder { path: path() },
-            FileError::Missing { path: path() },
-            FileError::Exists { path: path() },
-            FileError::TooLarge { path: path() },
-            FileError::System { reason: "permission denied".to_owned(), path: path() },
-        ] {
-            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-            assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
-        }
-    }
 
     #[test]
     fn a_written_file_is_whole_and_leaves_nothing_beside_it() {

@@ -267,7 +267,6 @@ fn record(text: &str, sources: &Sources, time: DateTime) -> Result<Record, Check
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::check_said;
 
     #[test]
     fn a_check_without_sense_is_refused_in_words() {
@@ -278,14 +277,5 @@ mod tests {
             "25 H7 has no measured value: write a callout, = and millimetres, such as 25 H7=25.012"
         );
         assert_eq!(said("Bore: 25=25"), "a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1");
-    }
-
-    #[test]
-    fn errors_are_said_in_both_languages() {
-        check_said(&CheckError::NoMeasured { text: "25 H7".to_owned() });
-        check_said(&CheckError::Measured(LengthError::Empty));
-        check_said(&CheckError::NotPositive { measured: Length::from_micrometres(-5) });
-        check_said(&ReportError::Format { format: "csv".to_owned(), file: "a.html".into() });
-        check_said(&ReportError::Empty);
     }
 }

@@ -157,7 +157,7 @@ fn read_contacts(source: &Source<'_>) -> Imported {
             };
             Imported { unjudged: vec![unjudged], contacts: Some(read.contacts), rows: 1, ..Imported::default() }
         }
-        Err(error) => Imported::failed(Reason::Contacts(error)),
+        Err(error) => Imported::failed(Reason::Contacts(Box::new(error))),
     }
 }
 

@@ -41,7 +41,7 @@ pub enum Reason {
     Point(PointFault),
     /// Contacts that cannot be used.
     #[say(transparent)]
-    Contacts(Located<ContactsError>),
+    Contacts(Box<Located<ContactsError>>),
     /// No column holds the measured values.
     NoMeasuredColumn,
     /// Several columns could be the same thing.

@@ -142,9 +142,8 @@ pub fn rendering_for(path: &Path) -> Result<&'static Rendering, EndingError> {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
+mod tests {
     use super::*;
-    use crate::words::Language;
 
     #[test]
     fn the_ending_chooses_the_rendering() {
@@ -156,13 +155,5 @@ pub(crate) mod tests {
         let said = |path| name(path).unwrap_err().to_string();
         assert_eq!(said("b.pdf"), ".pdf is not a format of the report: use one of .html .htm .csv .json");
         assert_eq!(said("b"), "b has no ending that tells the report's format: use one of .html .htm .csv .json");
-    }
-
-    /// The English text reads as `Display` does and there is a Dutch one.
-    #[track_caller]
-    pub(crate) fn check_said(what: &(impl Say + std::fmt::Display)) {
-        assert_eq!(Words::new(Language::En).told(what), what.to_string());
-        let dutch = Words::new(Language::Nl).told(what);
-        assert!(dutch != what.message().id && dutch != what.to_string(), "{dutch}");
     }
 }

@@ -129,7 +129,7 @@ fn numbered_code(text: &str) -> impl Iterator<Item = (usize, &str)> {
 fn arrows_point_down() {
     for (number, (room, may)) in ROOMS.iter().enumerate() {
         let below = |name: &&str| ROOMS[..number].iter().any(|(lower, _)| lower == name);
-        assert!(may.iter().all(|name| below(&name)), "{room} may name rooms above it");
+        assert!(may.iter().all(below), "{room} may name rooms above it");
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let (mut wrong, mut still_wrong, mut arrows) = (Vec::new(), Vec::new(), 0);
