@@ -236,6 +236,12 @@ impl Length {
         text
     }
 
+    /// Micrometres exactly, with a sign unless zero: `+21`, `-7.5`, `0`.
+    pub fn signed_um(self) -> String {
+        let plus = if Self::ZERO < self { "+" } else { "" };
+        format!("{plus}{}", self.exact(Unit::Micrometre, 0))
+    }
+
     /// The number in `unit` with exactly so many decimals, rounded half away from zero, with a point.
     pub fn rounded(self, unit: Unit, decimals: usize) -> String {
         let magnitude = i128::from(self.0).unsigned_abs();

@@ -23,11 +23,15 @@ impl fmt::Debug for Bundle {
 impl Bundle {
     /// Loads the embedded texts of a language; nothing is read from disk.
     pub fn of(code: &'static str) -> Self {
+        Self::from_files(code, shipped::LOCALES.iter().filter(|(name, _)| name.split('/').next() == Some(code)))
+    }
+
+    /// The texts of some Fluent files of a language.
+    pub fn from_files(code: &'static str, files: impl Iterator<Item = &'static (&'static str, &'static [u8])>) -> Self {
         let mut texts = FluentBundle::new_concurrent(vec![code.parse().unwrap_or_default()]);
         // The marks U+2068 and U+2069 around every argument would stand in reports and labels.
         texts.set_use_isolating(false);
-        let own = shipped::LOCALES.iter().filter(|(name, _)| name.split('/').next() == Some(code));
-        for (name, bytes) in own {
+        for (name, bytes) in files {
             let resource = match FluentResource::try_new(String::from_utf8_lossy(bytes).into_owned()) {
                 Ok(resource) => resource,
                 Err((resource, errors)) => {

@@ -36,7 +36,6 @@ use jiff::civil::DateTime;
 pub use command::{BlockStep, Origin, ProgramCommand, ProgramField, Switch, WorkpieceFrom};
 pub use document::{Document, Entry, EntryKind};
 pub use inputs::{Agreement, Input};
-pub use opening::SHIPPED;
 pub use problems::{Problem, ProblemKind};
 pub use run::{MOST_MOVES, Run, Speed, State};
 pub use tokens::{Token, tokens};

@@ -10,7 +10,7 @@ use fitcheck::session::{
     Saved, Session, Step,
 };
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Words};
+use fitcheck::words::{Dialogue, Language, Words};
 
 fn send(session: &mut Session, command: CyclesCommand) -> Vec<Effect> {
     session.apply(Command::Cycles(command), jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0))
@@ -323,7 +323,7 @@ fn the_status_window_speaks_the_language_of_the_window_or_of_the_mask() {
     assert_eq!(first(&session), "FIT STATUS: REWORK");
     apply(&mut session, Command::SetLanguage(Language::Nl));
     assert_eq!(first(&session), "STATUS VAN DE PASSING: Nabewerking");
-    apply(&mut session, Command::SetMask(Some(Language::It)));
+    apply(&mut session, Command::SetMask(Some(Dialogue::It)));
     assert_eq!(first(&session), "STATO ACCOPPIAMENTO: Ripresa");
     let effects = send(&mut session, CyclesCommand::CopyStatus);
     assert!(matches!(effects.as_slice(), [Effect::Copy(text)] if text.contains("75 (422)")), "{effects:?}");

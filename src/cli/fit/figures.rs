@@ -6,9 +6,10 @@ use serde::Serialize;
 
 use super::answer::{Answer, Measured};
 use super::heat::{Heat, Heated, Part};
+use crate::cli::answers::Cells;
 use crate::cli::{Figure, limits};
 use crate::length::{Length, Unit};
-use crate::report::columns::{Cell as _, Column};
+use crate::report::columns::{self, Cell as _, Column};
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
 use crate::tolerance::fit::{Basis, basis};
 use crate::tolerance::{Limits, ToleranceClass};
@@ -142,7 +143,7 @@ impl EquivalentFigures {
             exact: fit.map(|(_, difference)| difference.is_none()),
             minimum_clearance_um: fit.map(|(fit, _)| um(fit.minimum_clearance())),
             maximum_clearance_um: fit.map(|(fit, _)| um(fit.maximum_clearance())),
-            error: equivalent.fit.as_ref().err().cloned(),
+            error: equivalent.fit.as_ref().err().map(ToString::to_string),
         }
     }
 }
@@ -292,5 +293,11 @@ impl<'a> Figures<'a> {
 
     pub(super) fn refused(callout: &'a str, error: String) -> Self {
         Self { callout, error: Some(error), ..Self::default() }
+    }
+}
+
+impl Cells for Figures<'_> {
+    fn cells(&self) -> Vec<String> {
+        columns::cells(&Self::COLUMNS, self).collect()
     }
 }

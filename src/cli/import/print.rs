@@ -124,18 +124,10 @@ impl Value<'_> {
 fn csv(rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut writer = csv::Writer::from_writer(&mut *io.out);
     for row in rows {
-        writer.write_record(COLUMNS.map(|(_, value)| value(&row).csv())).map_err(stream)?;
+        writer.write_record(COLUMNS.map(|(_, value)| value(&row).csv()))?;
     }
     writer.flush()?;
     Ok(())
-}
-
-/// A closed pipe stays one.
-fn stream(error: csv::Error) -> CliError {
-    match error.into_kind() {
-        csv::ErrorKind::Io(error) => CliError::Stream(error),
-        other => CliError::Data(format!("{other:?}")),
-    }
 }
 
 const HEADINGS: [&str; 9] =
@@ -151,10 +143,7 @@ fn cells(row: &Row) -> [String; 9] {
         _ => String::new(),
     };
     let um = |length: Length| length.exact(Unit::Micrometre, 0);
-    let deviation = row.deviation.map_or(String::new(), |deviation| {
-        let plus = if Length::ZERO < deviation { "+" } else { "" };
-        format!("{plus}{}", um(deviation))
-    });
+    let deviation = row.deviation.map(Length::signed_um).unwrap_or_default();
     let remove = row.remove.map_or(String::new(), |remove| format!(", remove {} µm", um(remove)));
     [
         format!("{}:{}", row.file, row.line.unwrap_or_default()),

@@ -197,9 +197,5 @@ impl Row {
 
 /// A user's own table that does not say what the standard says.
 fn differs(standard: Deviations) -> String {
-    let um = |length: Length| {
-        let plus = if Length::ZERO < length { "+" } else { "" };
-        format!("{plus}{}", length.exact(Unit::Micrometre, 0))
-    };
-    format!("ISO 286 has {} / {} µm here", um(standard.lower()), um(standard.upper()))
+    format!("ISO 286 has {} / {} µm here", standard.lower().signed_um(), standard.upper().signed_um())
 }

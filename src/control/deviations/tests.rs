@@ -60,9 +60,10 @@ fn errors_and_warnings_are_said_in_english_and_in_dutch() {
 
 #[test]
 fn the_shipped_tables_can_be_read_without_a_warning() {
-    for (name, bytes) in SHIPPED {
+    let files = || shipped::TABLES.iter().filter(|(name, _)| name.ends_with(".tab"));
+    for (name, bytes) in files() {
         let (table, warnings) = read_table(bytes, name, name, true).unwrap();
         assert!(table.is_some() && warnings.is_empty(), "{name}: {warnings:?}");
     }
-    assert_eq!(shipped_tables().len(), SHIPPED.len());
+    assert_eq!(shipped_tables().len(), files().count());
 }

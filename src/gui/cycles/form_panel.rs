@@ -27,7 +27,7 @@ pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn title(view: &View<'_>, cycle: &Cycle) -> String {
-    format!("{}  {}", cycle.code, cycle.name(view.words.language()))
+    format!("{}  {}", cycle.code, cycle.name(view.words.language().dialogue()))
 }
 
 /// All cycles, by the name that the control has for them.

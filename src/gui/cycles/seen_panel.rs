@@ -57,7 +57,7 @@ fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             heading(ui, parameter.key.to_string());
-            ui.label(parameter.question(view.words.language()));
+            ui.label(parameter.question(view.words.language().dialogue()));
             quiet(ui, allowed(view, parameter));
             quiet(ui, default(view, parameter));
             if parameter.may_be_predef {

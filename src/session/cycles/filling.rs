@@ -10,7 +10,7 @@ use crate::probing::cycles::cycle;
 use crate::probing::simulated::{Bench, Probe};
 use crate::probing::{Contact, Source};
 use crate::session::{Notice, SavedCycles, Session};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 impl CyclesPage {
     pub(super) fn choose(&mut self, number: u16) {
@@ -76,7 +76,7 @@ impl CyclesPage {
     }
 
     /// The form as a block for the clipboard, with the line ends of a text.
-    pub(super) fn written(&self, language: Language) -> Result<String, Message> {
+    pub(super) fn written(&self, language: Dialogue) -> Result<String, Message> {
         let block = probe_block::write(self.cycle, &self.inputs, language);
         block.map(|block| block.replace("\r\n", "\n")).map_err(|error| error.message())
     }

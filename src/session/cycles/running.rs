@@ -15,7 +15,7 @@ use crate::probing::circle::Evaluation;
 use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move, Nominal};
 use crate::probing::{Source, SourceError};
 use crate::session::{MaskChoice, Session};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// A run of a cycle.
 #[derive(Debug, Clone)]
@@ -57,7 +57,7 @@ pub struct RunLog {
 
 impl RunLog {
     /// The log of a result, as Q281 asks for it; a page (cycle 444) is written only, never shown.
-    fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Language) -> Option<Result<Self, Message>> {
+    fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Dialogue) -> Option<Result<Self, Message>> {
         let (name, is_shown) = match result.log {
             LogTarget::File(name) => (name.to_owned(), false),
             LogTarget::Screen => (format!("TCHPR{}.TXT", cycle.code), true),
@@ -136,7 +136,7 @@ impl CyclesPage {
         };
     }
 
-    pub(super) fn measure(&mut self, now: DateTime, language: Language) {
+    pub(super) fn measure(&mut self, now: DateTime, language: Dialogue) {
         self.clear();
         self.read();
         let missing: Vec<_> = self.missing().collect();
@@ -152,7 +152,7 @@ impl CyclesPage {
         self.go(Step::Last);
     }
 
-    fn run_source(&self, time: DateTime, language: Language) -> Result<CycleRun, Message> {
+    fn run_source(&self, time: DateTime, language: Dialogue) -> Result<CycleRun, Message> {
         let (cycle, inputs) = (self.cycle, &self.inputs);
         let (source, from) = self.source()?;
         let refused = |error: SourceError| error.message();
@@ -210,11 +210,11 @@ impl Session {
     pub fn cycle_window(&self) -> Option<Result<String, Message>> {
         let run = self.cycles.run()?;
         let own: Option<&Mask>;
-        let language: Language;
+        let language: Dialogue;
         (language, own) = match self.mask() {
-            MaskChoice::OfLanguage => (self.language(), None),
+            MaskChoice::OfLanguage => (self.language().dialogue(), None),
             MaskChoice::Shipped(language) => (*language, None),
-            MaskChoice::Own { mask, .. } => (self.language(), Some(mask.as_ref())),
+            MaskChoice::Own { mask, .. } => (self.language().dialogue(), Some(mask.as_ref())),
         };
         let window = cycle_window(run.cycle, run.found()?, language, own, run.time)?;
         Some(window.map_err(|error| error.message()))

@@ -78,7 +78,7 @@ impl Session {
             }),
             _ => Folders::new(),
         };
-        let mut settings = Settings::new(self.language, now);
+        let mut settings = Settings::new(self.language.dialogue(), now);
         settings.skip_unknown = page.switches.skip_unknown;
         settings.block_skip = page.switches.block_skip;
         settings.optional_stop = page.switches.optional_stop;

@@ -1,74 +1,21 @@
 //! Texts in the user's language: [`Message`]s said in it, numbers written as its people read them.
 //!
 //! The window and the report ask [`Words`]; files made for machines never do.
+//!
+//! | file | what |
+//! |---|---|
+//! | `language` | the languages of the window and of reports: the folders of `assets/locales` |
+//! | `dialogue` | the dialogue languages of the control: masks, logs, programs, cycles |
 
-use std::fmt;
+mod dialogue;
+mod language;
+
+pub(crate) use dialogue::PerDialogue;
+pub use dialogue::{Dialogue, DialogueWords, StatusWords};
+pub use language::Language;
 
 use crate::length::{Length, Unit};
 use crate::message::{Bundle, Message, Say};
-
-/// A language of the window, the report and the masks.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Language {
-    /// English.
-    #[default]
-    En,
-    /// Dutch.
-    Nl,
-    /// German.
-    De,
-    /// Italian.
-    It,
-}
-
-impl Language {
-    /// Every language that has a mask.
-    pub const ALL: [Self; 4] = [Self::En, Self::Nl, Self::De, Self::It];
-
-    /// The languages whose texts are complete: those that the window offers.
-    pub const COMPLETE: [Self; 2] = [Self::En, Self::Nl];
-
-    /// The two-letter code, as in `--language nl`.
-    pub const fn code(self) -> &'static str {
-        match self {
-            Self::En => "en",
-            Self::Nl => "nl",
-            Self::De => "de",
-            Self::It => "it",
-        }
-    }
-
-    /// Its own name in itself.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::En => "English",
-            Self::Nl => "Nederlands",
-            Self::De => "Deutsch",
-            Self::It => "Italiano",
-        }
-    }
-
-    /// The language of a code or a system locale such as `nl_NL.UTF-8`, if it is one of ours.
-    pub fn from_code(code: &str) -> Option<Self> {
-        let code = code.split(['-', '_', '.']).next().unwrap_or(code);
-        Self::ALL.into_iter().find(|language| language.code().eq_ignore_ascii_case(code))
-    }
-
-    /// The decimal sign of the window.
-    pub const fn decimal_sign(self) -> char {
-        match self {
-            Self::En => '.',
-            Self::Nl | Self::De | Self::It => ',',
-        }
-    }
-}
-
-impl fmt::Display for Language {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.code())
-    }
-}
 
 /// The texts of one language.
 #[derive(Debug)]
@@ -80,9 +27,7 @@ pub struct Words {
 impl Words {
     /// Loads the embedded texts of a language; nothing is read from disk.
     pub fn new(language: Language) -> Self {
-        // German and Italian texts follow; until then the window does not offer them.
-        let code = if Language::COMPLETE.contains(&language) { language.code() } else { Language::En.code() };
-        Self { language, bundle: Bundle::of(code) }
+        Self { language, bundle: Bundle::of(language.code()) }
     }
 
     /// Which language.
@@ -134,9 +79,7 @@ impl Words {
 
     /// Micrometres exactly, with a sign unless zero: `+12`, `−7,5`, `0`.
     pub fn signed_um(&self, length: Length) -> String {
-        let plain = length.exact(Unit::Micrometre, 0);
-        let plus = if Length::ZERO < length { "+" } else { "" };
-        format!("{plus}{}", self.number(&plain))
+        self.number(&length.signed_um())
     }
 
     /// Micrometres exactly, without a plus sign.
