@@ -13,9 +13,11 @@ use std::sync::{Arc, LazyLock};
 pub use fault::{DeviationDoubt, DeviationError, DeviationFault, DeviationWarning};
 pub use write::to_control_table;
 
-use super::table::{Column, ControlTable, Located, Place, TableFile, TableUnit, beginning, is_blank, is_number};
+use super::table::{Column, ControlTable, TableFile, TableUnit, is_blank, is_number};
+use super::text::beginning;
 use crate::files::{self, FileError};
 use crate::length::{Length, LengthError, Unit};
+use crate::message::{Located, Place};
 use crate::shipped;
 use crate::tolerance::table::{Column as ClassColumn, TableShapeError};
 use crate::tolerance::{ClassError, DeviationTable, Deviations, ToleranceClass};

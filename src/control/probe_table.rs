@@ -5,9 +5,9 @@
 
 use std::sync::LazyLock;
 
-use super::table::{ControlTable, Located, Place, TableError, TableFile, TableUnit, TableWarning, is_blank};
+use super::table::{ControlTable, TableError, TableFile, TableUnit, TableWarning, is_blank};
 use crate::length::{Length, LengthError, Unit};
-use crate::message::{Message, Say};
+use crate::message::{Located, Say};
 use crate::probing::TouchProbe;
 use crate::shipped;
 
@@ -26,30 +26,29 @@ pub struct ProbeTable {
 }
 
 /// Why a file is no touch-probe table.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "probe-table", error)]
 pub enum ProbeTableError {
     /// It is no table of a control.
-    #[error("{0}")]
+    #[say(transparent)]
     Table(#[from] TableError),
     /// A cell or a column that cannot be used.
-    #[error("{0}")]
+    #[say(transparent)]
     Cell(#[from] Located<ProbeFault>),
 }
 
 /// What is wrong with a cell or a column.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "probe-table", error)]
 pub enum ProbeFault {
     /// A column that must be there is missing.
-    #[error("the table has no column {column}")]
     NoColumn {
         /// Its name.
         column: &'static str,
     },
     /// There are no rows.
-    #[error("the table has no probe")]
     NoProbe,
     /// A cell is no length.
-    #[error("{column}: {error}")]
     NoLength {
         /// The column's name.
         column: &'static str,
@@ -57,7 +56,6 @@ pub enum ProbeFault {
         error: LengthError,
     },
     /// A length that cannot be.
-    #[error("{column} = {given} mm: it must be {least}")]
     TooSmall {
         /// The column's name.
         column: &'static str,
@@ -67,7 +65,6 @@ pub enum ProbeFault {
         least: Least,
     },
     /// A cell is no whole number.
-    #[error("{column} = {given}: a whole number is needed")]
     NotWhole {
         /// The column's name.
         column: &'static str,
@@ -75,7 +72,6 @@ pub enum ProbeFault {
         given: String,
     },
     /// A number occurs twice.
-    #[error("probe {number} occurs twice")]
     Twice {
         /// The number.
         number: u32,
@@ -83,59 +79,13 @@ pub enum ProbeFault {
 }
 
 /// The least of a length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "probe-table")]
 pub enum Least {
     /// Zero itself is allowed.
-    Zero,
+    ZeroOrMore,
     /// Zero is not.
     AboveZero,
-}
-
-impl std::fmt::Display for Least {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(match self {
-            Self::Zero => "0 or more",
-            Self::AboveZero => "above 0",
-        })
-    }
-}
-
-impl Say for Least {
-    fn message(&self) -> Message {
-        Message::new(match self {
-            Self::Zero => "probe-table-zero-or-more",
-            Self::AboveZero => "probe-table-above-zero",
-        })
-    }
-}
-
-impl Say for ProbeTableError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Table(error) => error.message(),
-            Self::Cell(error) => error.message(),
-        }
-    }
-}
-
-impl Say for ProbeFault {
-    fn message(&self) -> Message {
-        match self {
-            Self::NoColumn { column } => Message::new("probe-table-no-column").text("column", column),
-            Self::NoProbe => Message::new("probe-table-no-probe"),
-            Self::NoLength { column, error } => {
-                Message::new("probe-table-no-length").text("column", column).message("error", error.message())
-            }
-            Self::TooSmall { column, given, least } => Message::new("probe-table-too-small")
-                .text("column", column)
-                .text("given", given)
-                .message("least", least.message()),
-            Self::NotWhole { column, given } => {
-                Message::new("probe-table-not-whole").text("column", column).text("given", given)
-            }
-            Self::Twice { number } => Message::new("probe-table-twice").text("number", number),
-        }
-    }
 }
 
 impl ProbeTable {
@@ -222,7 +172,7 @@ impl Columns {
         let [offset_1, offset_2] = self.offset;
         let set_up = length(file, row, self.set_up, "SET_UP")?;
         if set_up < Length::ZERO {
-            let what = ProbeFault::TooSmall { column: "SET_UP", given: set_up, least: Least::Zero };
+            let what = ProbeFault::TooSmall { column: "SET_UP", given: set_up, least: Least::ZeroOrMore };
             return Err(Located { what, place: file.cell_place(row, self.set_up) }.into());
         }
         let longest_path = length(file, row, self.longest_path, "DIST")?;
@@ -268,14 +218,12 @@ fn whole(
 }
 
 fn located(file: &TableFile, row: usize, column: usize, what: ProbeFault) -> Located<ProbeFault> {
-    let place: Place = file.cell_place(row, column);
-    Located { what, place }
+    Located { what, place: file.cell_place(row, column) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::words::{Language, Words};
 
     #[track_caller]
     fn check(rows: &str, expected: &str) {
@@ -285,11 +233,7 @@ mod tests {
                 let row = |p: &TouchProbe| format!("{} {} {}", p.number, p.longest_path, p.set_up);
                 table.probes.iter().map(row).collect::<Vec<_>>().join("; ")
             }
-            Err(error) => {
-                assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-                assert_ne!(Words::new(Language::Nl).told(&error), error.to_string());
-                error.to_string()
-            }
+            Err(error) => error.to_string(),
         };
         assert_eq!(said, expected);
     }

@@ -14,7 +14,7 @@ mod error;
 mod read;
 mod render;
 
-pub use error::{MaskError, MaskWarning, RenderError};
+pub use error::{MaskDoubt, MaskError, MaskFault, MaskWarning, RenderError, RenderFault};
 pub(crate) use render::decimal;
 pub use render::{Context, FileUse, Output};
 

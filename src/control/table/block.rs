@@ -3,9 +3,10 @@
 //! `#STRUCTBEGIN` … `#STRUCTEND` of iTNC 530 and `TableDescription ( … )` of TNC 640 and TNC7
 //! (`docs/SOURCES.md`). What a block says beyond name, width, type and decimals is kept as it is written.
 
-use super::fault::{TableDoubt, TableError, TableFault, beginning};
+use super::fault::{TableDoubt, TableError, TableFault};
 use super::read::{MOST_COLUMNS, Reader, WIDEST};
 use super::{Column, CommentPlace, ControlTable};
+use crate::control::text::beginning;
 
 /// A column of a block: its width is the figure in the block, 0 where there is none.
 pub(super) struct Described {

@@ -15,8 +15,7 @@ mod fault;
 mod read;
 mod write;
 
-pub(crate) use fault::beginning;
-pub use fault::{Located, Place, TableDoubt, TableError, TableFault, TableWarning};
+pub use fault::{TableDoubt, TableError, TableFault, TableWarning};
 pub use read::TableFile;
 pub use write::WriteError;
 

@@ -6,9 +6,10 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::block::{Described, read_description, read_structure};
-use super::fault::{Located, Place, TableDoubt, TableError, TableFault, TableWarning, beginning};
+use super::fault::{TableDoubt, TableError, TableFault, TableWarning};
 use super::{Column, Comment, CommentPlace, ControlTable, Generation, TableUnit};
-use crate::control::text::{decode, lines};
+use crate::control::text::{beginning, decode, lines};
+use crate::message::{Located, Place};
 
 /// The longest line in bytes. iTNC 530 has 200 characters, a TNC7 a few thousand.
 pub(super) const LONGEST_LINE: usize = 1 << 16;
@@ -55,7 +56,7 @@ impl TableFile {
 
     fn place(&self, line: usize, column: usize) -> Place {
         let start = self.starts.get(column).copied().unwrap_or_default();
-        Place { file: Arc::clone(&self.file), line, column: start + 1 }
+        Place::in_file(&self.file, line, start + 1)
     }
 }
 
@@ -111,11 +112,11 @@ impl<'a> Reader<'a> {
     }
 
     fn fault_at(&self, what: TableFault, line: usize, character: usize) -> TableError {
-        Located { what, place: Place { file: Arc::clone(&self.file), line, column: character + 1 } }
+        Located { what, place: Place::in_file(&self.file, line, character + 1) }
     }
 
     pub(super) fn warn(&mut self, what: TableDoubt, character: usize) {
-        let place = Place { file: Arc::clone(&self.file), line: self.line.max(1), column: character + 1 };
+        let place = Place::in_file(&self.file, self.line.max(1), character + 1);
         self.warnings.push(Located { what, place });
     }
 
