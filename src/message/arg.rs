@@ -30,6 +30,12 @@ impl<T: Say> IntoArg for T {
     }
 }
 
+impl IntoArg for Arg {
+    fn arg(&self) -> Arg {
+        self.clone()
+    }
+}
+
 /// Types that go in as the text that they print.
 macro_rules! as_text {
     ($($type:ty),+ $(,)?) => {$(

@@ -73,9 +73,9 @@ impl Message {
     }
 }
 
-impl IntoArg for Message {
-    fn arg(&self) -> Arg {
-        Arg::Message(self.clone())
+impl Say for Message {
+    fn message(&self) -> Message {
+        self.clone()
     }
 }
 

@@ -145,7 +145,7 @@ fn a_report_says_everything_about_each_check() {
         part: Some("4711-A".to_owned()),
         order: Some("2026-118".to_owned()),
         inspector: Some("J. de Vries".to_owned()),
-        notes: vec![Message::new("report-empty")],
+        notes: vec![Message::new("cli-report-empty")],
         ..report(vec![bore("Bore A", "25.012"), bore("Bore B", "24.998"), bore("Bore C", "25.030"), stud(4)])
     };
     let page = html(&report, Language::En);

@@ -14,8 +14,8 @@ use std::sync::Arc;
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
 
-use super::cycle::{data, pairs, probe_table, read_bench, read_contacts};
-use super::{CliError, Io, Outcome, now, read_input, tame};
+use super::cycle::{pairs, probe_table, read_bench};
+use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input, tame};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::files::{self, FileError};
 use crate::nc::machine::{Contacts, Fault, Folders, Machine, NcPath, Pause, Settings, Shipped, Step};
@@ -142,15 +142,15 @@ impl Args {
 
     fn machine(&self, language: Dialogue, io: &mut Io<'_>) -> Result<Machine, CliError> {
         let (name, bytes, folder) = self.read_program(io)?;
-        let (program, warnings) = Program::read(&bytes).map_err(|error| data(&name, &error))?;
+        let (program, warnings) = Program::read(&bytes).about(&name)?;
         for warning in warnings {
-            io.tell(format_args!("warning: {name}: {warning}"))?;
+            io.warn_about(&name, &warning)?;
         }
         let own = folder.into_iter().chain(self.folders.iter().cloned());
         let mut store = own.fold(Folders::new(), Folders::reading);
         for folder in &self.folders {
             if !folder.is_dir() {
-                return Err(CliError::Data(format!("no such folder: {}", folder.display())));
+                return Err(CliError::NoFolder { path: folder.clone() });
             }
         }
         if let Some(folder) = &self.output_folder {
@@ -179,7 +179,7 @@ impl Args {
                 let mut programs: Vec<_> = Shipped::main_programs().collect();
                 programs.sort_by_key(|(dialogue, _)| *dialogue != Dialogue::Nl);
                 let names: Vec<&str> = programs.into_iter().map(|(_, name)| name).collect();
-                CliError::Data(format!("{error}; built-in programs are {}", names.join(", ")))
+                CliError::NoProgram { error, names: names.join(", ") }
             }
             error => error,
         })?;
@@ -199,23 +199,23 @@ impl Args {
         let (file, mut bench) = read_bench(path, io)?;
         bench.seed = self.seed.unwrap_or(bench.seed);
         // Figures that cannot be are said now, with the file's name, and not in the middle of the run.
-        bench.machine().map_err(|error| data(&file, &error))?;
+        bench.machine().about(&file)?;
         Ok(Contacts::Workpiece(bench))
     }
 }
 
 fn set(machine: &mut Machine, name: &str, value: &str) -> Result<(), CliError> {
-    let refused = |error: &dyn std::fmt::Display| CliError::Data(format!("--set {name}={value}: {error}"));
-    let parameter: Parameter = name.parse().map_err(|error| refused(&error))?;
+    let what = What::Set { name, value };
+    let parameter: Parameter = name.parse().about(&what)?;
     let value = if parameter.family == Family::Qs {
         Value::Text(value.to_owned())
     } else {
         let plain = value.trim().replace(',', ".");
         let is_decimal = plain.bytes().all(|byte| byte.is_ascii_digit() || b"+-.".contains(&byte));
         let number = plain.parse().ok().filter(|_| is_decimal);
-        Value::Number(number.ok_or_else(|| refused(&"this is no number"))?)
+        Value::Number(number.ok_or(CliError::NotANumber).about(&what)?)
     };
-    machine.set(parameter, value).map_err(|error| refused(&error))
+    machine.set(parameter, value).about(&what)
 }
 
 /// Runs to the end or to a fault; pauses are remembered and passed over.
