@@ -1,7 +1,7 @@
 //! The touch-probe table `tchprobe.tp`: from rows of a control's table to probes, and the shipped one.
 //!
 //! Used are NO, `CAL_OF1`, `CAL_OF2`, F, FMAX, DIST and `SET_UP`; other columns are left alone. `SET_UP` and DIST as in
-//! seeds `001_58657798a27ebc5f.txt` and `004_5791de5c83bc5f1a.txt`; the list of columns is from memory.
+//! cycle 444 of TNC 640 (01/2021) and cycle 427 of TNC7; the list of columns is from memory.
 
 use std::sync::LazyLock;
 
@@ -113,13 +113,12 @@ impl ProbeTable {
         for row in 0..file.table.rows.len() {
             let probe = columns.probe(&file, row)?;
             if probes.iter().any(|known| known.number == probe.number) {
-                let what = ProbeFault::Twice { number: probe.number };
-                return Err(Located { what, place: file.cell_place(row, columns.number) }.into());
+                return Err(file.at_cell(row, columns.number, ProbeFault::Twice { number: probe.number }).into());
             }
             probes.push(probe);
         }
         if probes.is_empty() {
-            return Err(Located { what: ProbeFault::NoProbe, place: file.name_place(columns.number) }.into());
+            return Err(file.at_name(columns.number, ProbeFault::NoProbe).into());
         }
         Ok(Self { probes, warnings: file.warnings })
     }
@@ -146,7 +145,7 @@ struct Columns {
 impl Columns {
     fn of(file: &TableFile) -> Result<Self, ProbeTableError> {
         let column = |name| {
-            let missing = || Located { what: ProbeFault::NoColumn { column: name }, place: file.name_place(0) };
+            let missing = || file.at_name(0, ProbeFault::NoColumn { column: name });
             file.table.column(name).ok_or_else(missing)
         };
         Ok(Self {
@@ -166,19 +165,19 @@ impl Columns {
         };
         let offset = |column: Option<usize>, name| {
             column.map_or(Ok(Length::ZERO), |column| {
-                if is_blank(cell(file, row, column)) { Ok(Length::ZERO) } else { length(file, row, column, name) }
+                if is_blank(file.table.cell(row, column)) { Ok(Length::ZERO) } else { length(file, row, column, name) }
             })
         };
         let [offset_1, offset_2] = self.offset;
         let set_up = length(file, row, self.set_up, "SET_UP")?;
         if set_up < Length::ZERO {
             let what = ProbeFault::TooSmall { column: "SET_UP", given: set_up, least: Least::ZeroOrMore };
-            return Err(Located { what, place: file.cell_place(row, self.set_up) }.into());
+            return Err(file.at_cell(row, self.set_up, what).into());
         }
         let longest_path = length(file, row, self.longest_path, "DIST")?;
         if longest_path <= Length::ZERO {
             let what = ProbeFault::TooSmall { column: "DIST", given: longest_path, least: Least::AboveZero };
-            return Err(Located { what, place: file.cell_place(row, self.longest_path) }.into());
+            return Err(file.at_cell(row, self.longest_path, what).into());
         }
         Ok(TouchProbe {
             number: whole(file, row, self.number, "NO", None)?,
@@ -191,14 +190,10 @@ impl Columns {
     }
 }
 
-fn cell(file: &TableFile, row: usize, column: usize) -> &str {
-    file.table.rows.get(row).and_then(|cells| cells.get(column)).map_or("", String::as_str)
-}
-
 fn length(file: &TableFile, row: usize, column: usize, name: &'static str) -> Result<Length, ProbeTableError> {
     let unit = if file.table.unit == Some(TableUnit::Inch) { Unit::Inch } else { Unit::Millimetre };
-    let read = Length::parse_in(cell(file, row, column), unit);
-    Ok(read.map_err(|error| located(file, row, column, ProbeFault::NoLength { column: name, error }))?)
+    let read = Length::parse_in(file.table.cell(row, column), unit);
+    Ok(read.map_err(|error| file.at_cell(row, column, ProbeFault::NoLength { column: name, error }))?)
 }
 
 /// A whole number; a blank cell is `otherwise`, where there is such a number.
@@ -209,16 +204,12 @@ fn whole(
     name: &'static str,
     otherwise: Option<u32>,
 ) -> Result<u32, ProbeTableError> {
-    let text = cell(file, row, column);
+    let text = file.table.cell(row, column);
     let given = || ProbeFault::NotWhole { column: name, given: text.to_owned() };
     match otherwise {
         Some(number) if is_blank(text) => Ok(number),
-        _ => Ok(text.parse().map_err(|_whole| located(file, row, column, given()))?),
+        _ => Ok(text.parse().map_err(|_whole| file.at_cell(row, column, given()))?),
     }
-}
-
-fn located(file: &TableFile, row: usize, column: usize, what: ProbeFault) -> Located<ProbeFault> {
-    Located { what, place: file.cell_place(row, column) }
 }
 
 #[cfg(test)]

@@ -108,7 +108,7 @@ pub enum DeviationWarning {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "deviations")]
 pub enum DeviationDoubt {
-    /// The range column has the seed's other spelling.
+    /// The range column has the other spelling of NC-Solution 8255.
     RangeAlias,
     /// A name that could be a class, over texts.
     NoNumbers {

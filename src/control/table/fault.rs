@@ -17,9 +17,10 @@ pub enum TableFault {
     /// Nothing but blanks and line ends.
     Empty,
     /// A control character: a program, a picture, a damaged file.
+    #[say(args(code = format!("U+{code:04X}")))]
     NotText {
         /// The character's number.
-        #[say(with = code_point)]
+        #[say(skip)]
         code: u32,
     },
     /// A line beyond the bound of the reader.
@@ -129,8 +130,4 @@ pub enum TableDoubt {
         /// The object's or key's name.
         name: String,
     },
-}
-
-fn code_point(code: &u32) -> String {
-    format!("U+{code:04X}")
 }

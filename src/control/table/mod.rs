@@ -147,6 +147,11 @@ impl ControlTable {
         self.columns.iter().position(|column| column.name == name)
     }
 
+    /// The text of a cell; empty beyond the table.
+    pub fn cell(&self, row: usize, column: usize) -> &str {
+        self.rows.get(row).and_then(|cells| cells.get(column)).map_or("", String::as_str)
+    }
+
     /// The same table with another kind of header.
     ///
     /// Types are translated (numbers, texts) or, where none is given, taken from the cells. What only one kind of header

@@ -5,7 +5,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use super::block::{Described, read_description, read_structure};
+use super::block::{read_description, read_structure};
 use super::fault::{TableDoubt, TableError, TableFault, TableWarning};
 use super::{Column, Comment, CommentPlace, ControlTable, Generation, TableUnit};
 use crate::control::text::{beginning, decode, lines};
@@ -44,9 +44,14 @@ impl TableFile {
         self.place(self.row_lines.get(row).copied().unwrap_or(self.names_line), column)
     }
 
-    /// Where the name of a column stands.
-    pub fn name_place(&self, column: usize) -> Place {
-        self.place(self.names_line, column)
+    /// What there is to say about a cell.
+    pub(crate) fn at_cell<T>(&self, row: usize, column: usize, what: T) -> Located<T> {
+        Located { what, place: self.cell_place(row, column) }
+    }
+
+    /// What there is to say about a column, at its name.
+    pub(crate) fn at_name<T>(&self, column: usize, what: T) -> Located<T> {
+        Located { what, place: self.place(self.names_line, column) }
     }
 
     /// Whether the text of a cell and that of a neighbour are not kept apart by a blank: either may be cut wrongly.
@@ -207,7 +212,7 @@ impl<'a> Reader<'a> {
 
     /// Comments and a block, up to the line with the names: its number and text.
     fn header(&mut self, table: &mut ControlTable) -> Result<(usize, &'a str), TableError> {
-        let mut described: Option<Vec<Described>> = None;
+        let mut described: Option<Vec<Column>> = None;
         loop {
             let Some(line) = self.next_line()? else {
                 return Err(self.fault_at(TableFault::NoColumns, self.line + 1, 0));
@@ -237,8 +242,7 @@ impl<'a> Reader<'a> {
             } else if text.starts_with('#') {
                 return Err(self.fault(TableFault::Unexpected { expected: "#STRUCTBEGIN", found: beginning(text) }, 0));
             } else {
-                let described = described.unwrap_or_default();
-                table.columns = described.into_iter().map(|described| described.column).collect();
+                table.columns = described.unwrap_or_default();
                 return Ok((self.line, line));
             }
         }
