@@ -56,7 +56,7 @@ impl fmt::Display for Parameter {
 /// A text that names no parameter.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(id = "no-parameter", error)]
-pub struct NoParameter(pub String);
+pub struct NoParameter(#[say(name = "given")] pub String);
 
 impl std::str::FromStr for Parameter {
     type Err = NoParameter;

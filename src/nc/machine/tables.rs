@@ -54,7 +54,7 @@ impl OpenTable {
     fn read(&self, row: usize, column: &str, to: Parameter) -> Result<Value, FaultKind> {
         let number = self.column(column)?;
         self.check_row(row)?;
-        let cell = self.file.table.rows.get(row).and_then(|cells| cells.get(number)).map_or("", String::as_str);
+        let cell = self.file.table.cell(row, number);
         let (table, column) = (self.name(), column.to_owned());
         if to.family == Family::Qs && !cell.is_empty() {
             return Ok(Value::Text(cell.to_owned()));

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::control::mask::{MaskError, RenderError};
-use crate::control::table::{Located, Place, TableFault, WriteError};
+use crate::control::mask::{MaskFault, RenderFault};
+use crate::control::table::{TableFault, WriteError};
 use crate::control::variables::Parameter;
-use crate::message::Say;
+use crate::message::{Located, Place, Say};
 use crate::nc::program::{LabelFault, ProgramError, Target};
 use crate::probing::cycle::CycleError;
 use crate::probing::simulated::WorkpieceError;
@@ -26,10 +26,10 @@ fn path() -> NcPath {
 #[test]
 fn every_fault_is_said() {
     let (parameter, table, column) = (Parameter::q(1234), || "own.tab".to_owned(), || "H7".to_owned());
-    let place = Place { file: Arc::from("own.tab"), line: 1234, column: 5 };
+    let place = Place::in_file(&Arc::from("own.tab"), 1234, 5);
     let workpiece = WorkpieceError { what: "diameter", given: -1.0, least: 0.001, most: 1.0 };
     let missing = CycleError::NoSuchParameter { cycle: "421", parameter: "Q1".to_owned(), known: "Q273".to_owned() };
-    let render = RenderError::Undefined { line: 1, column: 2, name: "Q1".to_owned() };
+    let render = Located { what: RenderFault::Undefined { name: "Q1".to_owned() }, place: Place::in_line(1, 2) };
     for kind in [
         FaultKind::UsedUp(UsedUp::Blocks(12_345)),
         FaultKind::TextTooLong { length: 1234, most: 255 },
@@ -62,7 +62,7 @@ fn every_fault_is_said() {
         FaultKind::NoNumberInCell { table: table(), row: 1234, column: column(), cell: "x".to_owned() },
         FaultKind::Touches { table: table(), row: 1234, column: column() },
         FaultKind::TableWrite { table: table(), error: WriteError::ReadsOtherwise },
-        FaultKind::Mask { mask: path(), error: Box::new(MaskError::Empty) },
+        FaultKind::Mask { mask: path(), error: Box::new(Located { what: MaskFault::Empty, place: Place::default() }) },
         FaultKind::Render { mask: path(), error: Box::new(render) },
         FaultKind::Programmed(1072),
         FaultKind::NoCycleParameter { cycle: "421", parameter },
