@@ -8,8 +8,7 @@ use super::{CliError, Io, Outcome, TableArgs, read_input};
 use crate::files;
 use crate::length::{Length, LengthError};
 use crate::nc::sets::{
-    At, Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, NcFeature, NcPlan, NcSet, PlanError,
-    SetError, Target,
+    Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, NcFeature, NcPlan, NcSet, SetError, Target,
 };
 use crate::tolerance::Callout;
 use crate::words::Language;
@@ -135,14 +134,13 @@ impl Args {
         }
         let callout: Callout = self.what.parse().map_err(|error| CliError::Data(format!("{}: {error}", self.what)))?;
         let feature = self.position.feature(callout)?;
-        NcPlan::new(vec![feature]).map_err(|error| CliError::Data(error.what.to_string()))
+        NcPlan::new(vec![feature]).map_err(|error| CliError::Data(error.to_string()))
     }
 
-    /// A plan's errors name its file, a single callout's no number.
+    /// A plan's errors name its file.
     fn set_error(&self, error: &SetError) -> CliError {
         let text = match error {
-            SetError::Plan(PlanError { at: At::Feature(_), what }) => what.to_string(),
-            SetError::Plan(error) => format!("{}: {error}", self.what),
+            SetError::Plan(error) if self.is_plan() => format!("{}: {error}", self.what),
             error => error.to_string(),
         };
         CliError::Data(text)

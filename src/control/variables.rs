@@ -51,6 +51,8 @@ impl fmt::Display for Parameter {
     }
 }
 
+crate::message::as_text!(Parameter);
+
 /// A text that names no parameter.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0} is no parameter, allowed are Q, QL, QR and QS with a number")]

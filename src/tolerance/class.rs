@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::iso286::Grade;
-use crate::message::{Message, Say};
+use crate::message::{Message, Say, as_text};
 
 /// Which side of the material is measured.
 ///
@@ -42,6 +42,8 @@ impl fmt::Display for Feature {
         f.pad(self.word())
     }
 }
+
+as_text!(Feature, ToleranceClass);
 
 /// The longest name of a class or a user's own table column.
 const LONGEST: usize = 8;

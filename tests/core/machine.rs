@@ -6,10 +6,11 @@ use fitcheck::control::log::{self, Log, Values};
 use fitcheck::control::shipped_tables;
 use fitcheck::control::status::status_window;
 use fitcheck::control::variables::{Family, Parameter, Value};
+use fitcheck::files::Folders;
 use fitcheck::journal::Record;
 use fitcheck::length::Length;
 use fitcheck::nc::machine::{
-    Budget, Contacts, FaultKind, Folders, InMemory, Machine, Pause, Settings, Shipped, Step, TravelKind, UsedUp,
+    Budget, Contacts, FaultKind, InMemory, Machine, Pause, Settings, Shipped, Step, TravelKind, UsedUp,
 };
 use fitcheck::nc::program::Program;
 use fitcheck::probing::simulated::Bench;

@@ -17,8 +17,8 @@ use clap::builder::PossibleValuesParser;
 use super::cycle::{data, pairs, probe_table, read_bench, read_contacts};
 use super::{CliError, Io, Outcome, now, read_input, tame};
 use crate::control::variables::{Family, Parameter, Value};
-use crate::files::{self, FileError};
-use crate::nc::machine::{Contacts, Fault, Folders, Machine, NcPath, Pause, Settings, Shipped, Step};
+use crate::files::{self, FileError, Folders};
+use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::Program;
 use crate::words::Language;
 
@@ -39,6 +39,9 @@ Text: the windows on standard output, notes on standard error. JSON: program, bl
 windows, outputs, cycles, pauses, remarks, faults, trace.
 
 Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure, 1 a fault or bad data, 2 wrong usage.";
+
+/// The built-in programs that begin by themselves; the others are called by them.
+const BUILT_IN: &str = "8255_nl.h, 8255_en.h, 8255_de.h, 8255_it.h";
 
 /// Run an NC program as a control does, within bounds
 #[derive(Debug, clap::Args)]
@@ -175,9 +178,7 @@ impl Args {
         let is_bare = self.program.parent().is_some_and(|folder| folder.as_os_str().is_empty());
         let (name, bytes) = read_input(&self.program, io).map_err(|error| match error {
             CliError::File(error @ FileError::Missing { .. }) if is_bare => {
-                // Those that begin by themselves: the others are called by them.
-                let names: Vec<&str> = Shipped::names().filter(|name| name.starts_with("8255_")).collect();
-                CliError::Data(format!("{error}; built-in programs are {}", names.join(", ")))
+                CliError::Data(format!("{error}; built-in programs are {BUILT_IN}"))
             }
             error => error,
         })?;

@@ -1,27 +1,27 @@
-//! The machine: which block is next, what it has done so far, and when it stops.
+//! The machine as its users see it: set up, run block by block, asked what it has done.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::budget::{Budget, Settings, UsedUp};
-use super::contacts::{Contacts, Workbench};
+use super::blocks::Run;
+use super::budget::Settings;
+use super::contacts::Contacts;
 use super::cycles::CycleRun;
 use super::fault::{BlockPlace, Fault, FaultKind};
-use super::flow::{Call, Frame};
-use super::known::Known;
-use super::moves::{Position, Travel};
+use super::files::Files;
+use super::flow::Call;
+use super::moves::Travel;
 use super::path::NcPath;
 use super::prints::{Window, Written};
 use super::remark::Remark;
 use super::step::{Pause, Step};
-use super::store::{Shipped, Store};
-use super::tables::OpenTable;
+use super::store::Store;
 use crate::control::variables::{Parameter, Value, Variables};
-use crate::nc::program::{Block, Body, MachineFunction, Program, Unit};
-use crate::probing::TouchProbe;
+use crate::nc::program::Program;
+use crate::verdict::Status;
 
 #[derive(Debug)]
-pub(super) enum State {
+enum State {
     Ready,
     Ended,
     Faulted(Fault),
@@ -47,36 +47,11 @@ pub(super) enum State {
 /// ```
 pub struct Machine {
     main: (NcPath, Arc<Program>),
-    pub(super) known: Known,
-    pub(super) store: Box<dyn Store>,
-    pub(super) workbench: Workbench,
-    pub(super) settings: Settings,
-    pub(super) programs: BTreeMap<NcPath, Arc<Program>>,
-    pub(super) file_bytes: usize,
-    pub(super) traffic: usize,
-    pub(super) frame: Frame,
-    pub(super) calls: Vec<Call>,
-    pub(super) variables: Variables,
-    pub(super) changed: Vec<Parameter>,
-    pub(super) given: BTreeMap<Parameter, Value>,
-    pub(super) table: Option<OpenTable>,
-    pub(super) changed_tables: BTreeMap<NcPath, OpenTable>,
-    pub(super) open_outputs: BTreeSet<NcPath>,
-    pub(super) windows: Vec<Window>,
-    pub(super) outputs: Vec<Written>,
-    pub(super) output_bytes: usize,
-    pub(super) cycles: Vec<CycleRun>,
-    pub(super) probe: TouchProbe,
-    pub(super) other_tool: Option<String>,
-    pub(super) position: Position,
-    pub(super) path: Vec<Travel>,
-    pub(super) remarks: Vec<(BlockPlace, Remark)>,
-    /// Which of the remarks are about a block.
-    remarks_of: BTreeMap<BlockPlace, Vec<usize>>,
-    pub(super) unlisted: usize,
-    pub(super) breakpoints: BTreeSet<(NcPath, usize)>,
-    pub(super) blocks_run: u64,
-    pub(super) state: State,
+    settings: Settings,
+    files: Files,
+    breakpoints: BTreeSet<(NcPath, usize)>,
+    run: Run,
+    state: State,
 }
 
 impl std::fmt::Debug for Machine {
@@ -94,65 +69,20 @@ impl Machine {
         contacts: Contacts,
         settings: Settings,
     ) -> Self {
-        Self::start(NcPath::of_file(path), program, Box::new(store), contacts, settings)
-    }
-
-    fn start(
-        path: NcPath,
-        program: Arc<Program>,
-        store: Box<dyn Store>,
-        contacts: Contacts,
-        settings: Settings,
-    ) -> Self {
-        let probe = settings.probe_table.probe(None).copied().unwrap_or_default();
-        let is_inch = program.unit() == Some(Unit::Inch);
-        let mut machine = Self {
-            main: (path.clone(), Arc::clone(&program)),
-            known: Known::default(),
-            store,
-            workbench: Workbench::new(contacts),
-            settings,
-            programs: BTreeMap::from([(path.clone(), Arc::clone(&program))]),
-            file_bytes: 0,
-            traffic: 0,
-            frame: Frame::new(path, program),
-            calls: Vec::new(),
-            variables: Variables::new(),
-            changed: Vec::new(),
-            given: BTreeMap::new(),
-            table: None,
-            changed_tables: BTreeMap::new(),
-            open_outputs: BTreeSet::new(),
-            windows: Vec::new(),
-            outputs: Vec::new(),
-            output_bytes: 0,
-            cycles: Vec::new(),
-            probe,
-            other_tool: None,
-            position: Position::default(),
-            path: Vec::new(),
-            remarks: Vec::new(),
-            remarks_of: BTreeMap::new(),
-            unlisted: 0,
-            breakpoints: BTreeSet::new(),
-            blocks_run: 0,
-            state: State::Ready,
-        };
-        // Q113 says the unit of the main program.
-        machine.variables.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
-        machine
+        let path = NcPath::of_file(path);
+        let main = (path.clone(), Arc::clone(&program));
+        let files = Files::new(Box::new(store), settings.budget, main.clone());
+        let run = Run::new(path, program, contacts, &settings);
+        Self { main, settings, files, breakpoints: BTreeSet::new(), run, state: State::Ready }
     }
 
     /// Goes back before the first block: all that the run has found is forgotten, settings and breakpoints stay, and so
     /// does what the store has written. Programs and tables that have not changed since are not read again.
     pub fn restart(&mut self, contacts: Contacts) {
-        let mut known = std::mem::take(&mut self.known);
-        known.programs.append(&mut self.programs);
-        let store = std::mem::replace(&mut self.store, Box::new(Shipped));
-        let breakpoints = std::mem::take(&mut self.breakpoints);
+        self.files.restart(self.main.clone());
         let (path, program) = self.main.clone();
-        let settings = self.settings.clone();
-        *self = Self { known, breakpoints, ..Self::start(path, program, store, contacts, settings) };
+        self.run = Run::new(path, program, contacts, &self.settings);
+        self.state = State::Ready;
     }
 
     /// Gives a parameter a value before the run. The main program's first assignment to it is then passed over with a
@@ -161,9 +91,7 @@ impl Machine {
     /// # Errors
     /// [`FaultKind`] where a control has no such parameter, or it cannot hold the value.
     pub fn set(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
-        self.put(parameter, value.clone())?;
-        self.given.insert(parameter, value);
-        Ok(())
+        self.run.give(parameter, value)
     }
 
     /// Runs one block.
@@ -176,31 +104,13 @@ impl Machine {
             State::Ended => return Ok(Step::Ended),
             State::Faulted(fault) => return Err(fault.clone()),
         }
-        self.changed.clear();
-        let at = self.frame.next;
-        let mut done = self.block(at);
-        if matches!(done, Ok(Step::Ended)) {
-            self.state = State::Ended;
-            if let Some((count, used)) = self.workbench.left() {
-                self.remark(at, Remark::ContactsLeft { count, used });
-            }
-            // Another error of the end counts as one of the block that ended the run.
-            if let Err(kind) = self.write_tables() {
-                done = Err(kind);
-            }
+        let done = self.run.step(&mut self.files, &self.settings);
+        match &done {
+            Ok(Step::Ended) => self.state = State::Ended,
+            Ok(Step::Went | Step::Paused(_)) => {}
+            Err(fault) => self.state = State::Faulted(fault.clone()),
         }
-        done.map_err(|kind| self.fail(at, kind))
-    }
-
-    /// Ends the run with a fault; what FN 27 has changed until then is written, as on the control.
-    fn fail(&mut self, at: usize, kind: FaultKind) -> Fault {
-        let table = self.table().cloned();
-        if let (Err(error), Some(path)) = (self.write_tables(), table) {
-            self.remark(at, Remark::NotSaved { path, reason: error.to_string() });
-        }
-        let fault = self.fault(at, kind);
-        self.state = State::Faulted(fault.clone());
-        fault
+        done
     }
 
     /// Runs blocks until the run pauses or ends, until the next one has a breakpoint, or so many.
@@ -221,149 +131,111 @@ impl Machine {
     }
 
     fn is_at_breakpoint(&self) -> bool {
-        !self.breakpoints.is_empty() && self.breakpoints.contains(&(self.frame.path.clone(), self.frame.next))
+        let flow = self.run.flow();
+        !self.breakpoints.is_empty() && self.breakpoints.contains(&(flow.path().clone(), flow.next()))
     }
 
-    /// Runs the block at a place of the current program.
-    fn block(&mut self, at: usize) -> Result<Step, FaultKind> {
-        let program = Arc::clone(&self.frame.program);
-        if self.settings.budget.blocks <= self.blocks_run {
-            return Err(UsedUp::Blocks(self.settings.budget.blocks).into());
-        }
-        let block = program.blocks().get(at).ok_or(FaultKind::Broken { what: "END PGM" })?;
-        self.blocks_run += 1;
-        self.frame.next = at + 1;
-        if !self.frame.has_begun {
-            self.frame.has_begun = match block.body {
-                Body::Begin { .. } => true,
-                Body::Nothing | Body::Heading { .. } => false,
-                _ => return Err(FaultKind::Broken { what: "BEGIN PGM" }),
-            };
-        }
-        if block.may_be_skipped && self.settings.block_skip {
-            return Ok(Step::Went);
-        }
-        self.body(at, block)
-    }
-
-    fn body(&mut self, at: usize, block: &Block) -> Result<Step, FaultKind> {
-        match &block.body {
-            Body::Begin { .. } | Body::Nothing | Body::Heading { .. } => {}
-            Body::Label(label) => self.pass_label(label),
-            Body::End { .. } => return Ok(self.end_program()),
-            Body::CallLabel { label, repeat } => self.call_label(at, label, *repeat)?,
-            Body::CallProgram(path) => self.call_program(at, path)?,
-            Body::Assign { to, value } => self.assign(at, *to, value)?,
-            Body::Undefine(parameter) => self.undefine(at, *parameter),
-            Body::AssignText { to, value } => self.assign_text(at, *to, value)?,
-            Body::Jump { condition, label } => {
-                if self.holds(condition)? {
-                    self.jump(label)?;
-                }
-            }
-            Body::Error(number) => {
-                let number = self.whole("FN 14: ERROR", *number)?;
-                return Err(FaultKind::Programmed(u32::try_from(number).unwrap_or(u32::MAX)));
-            }
-            Body::Print { mask, output } => self.print(at, mask, output)?,
-            Body::TableOpen(path) => self.open_table(path)?,
-            Body::TableRead { to, row, columns } => self.read_table(*to, *row, columns)?,
-            Body::TableWrite { row, columns, from } => self.write_table(*row, columns, *from)?,
-            Body::ToolCall { tool, .. } => self.call_tool(tool.as_ref())?,
-            Body::Move(movement) => {
-                self.travel(at, movement)?;
-                return Ok(self.machine_functions(at, &movement.machine));
-            }
-            Body::MachineFunctions(functions) => return Ok(self.machine_functions(at, functions)),
-            Body::Stop(functions) => {
-                return Ok(match self.machine_functions(at, functions) {
-                    Step::Went => Step::Paused(Pause::Stop),
-                    step => step,
-                });
-            }
-            Body::Probe(cycle) => return self.probe(at, cycle),
-            Body::Other if self.is_blank_form(at) => {}
-            Body::CycleDefinition(_) | Body::Other => self.unknown(at)?,
-        }
-        Ok(Step::Went)
-    }
-
-    /// M0, M1, M2 and M30; all others move nothing here.
-    fn machine_functions(&mut self, at: usize, functions: &[MachineFunction]) -> Step {
-        let mut step = Step::Went;
-        for function in functions {
-            match function.number {
-                0 => step = Step::Paused(Pause::Stop),
-                1 if self.settings.optional_stop => step = Step::Paused(Pause::OptionalStop),
-                2 | 30 => {
-                    if self.is_within_call() {
-                        self.remark(at, Remark::EndedWithin { function: function.number });
-                    }
-                    return Step::Ended;
-                }
-                _ => {}
-            }
-        }
-        step
-    }
-
-    /// The blank's form is for the control's graphics and changes nothing.
-    fn is_blank_form(&self, at: usize) -> bool {
-        let mut text = self.frame.program.text_of(at);
-        text.next().is_some_and(|line| {
-            let line = line.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace() || c == '/');
-            line.get(..8).is_some_and(|word| word.eq_ignore_ascii_case("BLK FORM"))
-        })
-    }
-
-    /// A block that is not known stops the run, or is passed over where the user says so.
-    pub(super) fn unknown(&mut self, at: usize) -> Result<(), FaultKind> {
-        if !self.settings.skip_unknown {
-            return Err(FaultKind::UnknownBlock);
-        }
-        self.remark(at, Remark::Skipped);
-        Ok(())
-    }
-
-    /// Remembers what is worth knowing, once a block; so many, then they are counted only.
-    pub(super) fn remark(&mut self, at: usize, remark: Remark) {
-        let place = self.place_of(at);
-        // Only those of the block are looked through: a loop makes the same ones again and again.
-        let said = self.remarks_of.get(&place).into_iter().flatten();
-        if said.filter_map(|number| self.remarks.get(*number)).any(|(_, said)| *said == remark) {
-            return;
-        }
-        if self.remarks.len() < self.settings.budget.remarks {
-            self.remarks_of.entry(place.clone()).or_default().push(self.remarks.len());
-            self.remarks.push((place, remark));
-        } else {
-            self.unlisted += 1;
+    /// Sets or clears a breakpoint; `program` is a path as programs write it.
+    pub fn toggle_breakpoint(&mut self, program: &str, block: usize) {
+        let Ok(path) = NcPath::new(program) else { return };
+        let breakpoint = (path, block);
+        if !self.breakpoints.remove(&breakpoint) {
+            self.breakpoints.insert(breakpoint);
         }
     }
 
-    pub(super) fn place_of(&self, block: usize) -> BlockPlace {
-        BlockPlace { program: self.frame.path.clone(), block }
+    /// The breakpoints by program and block.
+    pub fn breakpoints(&self) -> impl Iterator<Item = (&NcPath, usize)> {
+        self.breakpoints.iter().map(|(path, block)| (path, *block))
     }
 
-    fn fault(&self, at: usize, kind: FaultKind) -> Fault {
-        const LONGEST: usize = 80;
-        let program = &self.frame.program;
-        // Behind the last block, the last one is named.
-        let at = at.min(program.blocks().len().saturating_sub(1));
-        let block = program.blocks().get(at);
-        let text = program.text_of(at).next().unwrap_or_default();
-        let number = block.and_then(|block| block.number);
-        let bare = text.trim().trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
-        let bare = if number.is_some() { bare } else { text.trim() };
-        let mut text: String = bare.chars().take(LONGEST).map(|c| if c.is_control() { ' ' } else { c }).collect();
-        if LONGEST < bare.chars().count() {
-            text.push('…');
-        }
-        let line = block.map_or_else(|| program.line_count(), |block| block.lines.start + 1);
-        Fault { place: self.place_of(at), number, line, text, kind: Box::new(kind) }
+    /// All parameters that have a value now.
+    pub const fn variables(&self) -> &Variables {
+        self.run.values().all()
     }
 
-    pub(super) const fn budget(&self) -> &Budget {
-        &self.settings.budget
+    /// The parameters that the last block has set.
+    pub fn changed(&self) -> &[Parameter] {
+        self.run.values().changed()
+    }
+
+    /// The block that is run next.
+    pub fn place(&self) -> BlockPlace {
+        self.run.flow().place_of(self.run.flow().next())
+    }
+
+    /// The program that is running.
+    pub const fn current(&self) -> &Arc<Program> {
+        self.run.flow().program()
+    }
+
+    /// A program that has been loaded, by its path as programs write it.
+    pub fn program(&self, path: &str) -> Option<&Arc<Program>> {
+        self.files.loaded(&NcPath::new(path).ok()?)
+    }
+
+    /// The calls that lead here, the outermost first.
+    pub fn calls(&self) -> &[Call] {
+        self.run.flow().calls()
+    }
+
+    /// What FN 16 has shown, in order; `SCLR:` closes windows.
+    pub fn windows(&self) -> &[Window] {
+        self.run.prints().windows()
+    }
+
+    /// What FN 16 has printed to files, in order.
+    pub fn outputs(&self) -> &[Written] {
+        self.run.prints().outputs()
+    }
+
+    /// What the cycles have found, in order.
+    pub fn cycles(&self) -> &[CycleRun] {
+        self.run.cycles().runs()
+    }
+
+    /// The way of the ball's centre so far.
+    pub fn path(&self) -> &[Travel] {
+        self.run.way().travels()
+    }
+
+    /// Where the ball's centre stands, mm, in X, Y and Z as far as it is known.
+    pub const fn position(&self) -> [Option<f64>; 3] {
+        self.run.way().position()
+    }
+
+    /// What is worth knowing, in order.
+    pub fn remarks(&self) -> &[(BlockPlace, Remark)] {
+        self.run.remarks().list()
+    }
+
+    /// How many remarks are not listed.
+    pub const fn unlisted_remarks(&self) -> usize {
+        self.run.remarks().unlisted()
+    }
+
+    /// How many blocks were run.
+    pub const fn blocks_run(&self) -> u64 {
+        self.run.blocks()
+    }
+
+    /// The table that is open.
+    pub fn table(&self) -> Option<&NcPath> {
+        self.run.tables().path()
+    }
+
+    /// Whether the run is over, by its end or by a fault.
+    pub const fn is_over(&self) -> bool {
+        !matches!(self.state, State::Ready)
+    }
+
+    /// The worst status of the cycles that judged.
+    pub fn status(&self) -> Option<Status> {
+        self.cycles().iter().filter_map(|run| run.result.status).max()
+    }
+
+    /// The settings of the run.
+    pub const fn settings(&self) -> &Settings {
+        &self.settings
     }
 }

@@ -25,7 +25,7 @@ mod proof;
 mod readme;
 mod tables;
 
-pub use error::{At, PlanError, PlanFault, SetError, SetRemark};
+pub use error::{PlanError, PlanFault, ProofFault, SetError, SetRemark};
 pub use names::{Control, ControlFolder};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, MOST_FEATURES, NcFeature, NcPlan};
 

@@ -6,8 +6,8 @@ use super::names::{Control, Names};
 use super::{Planned, Target};
 use crate::control::variables::Parameter;
 use crate::length::Length;
-use crate::nc::machine::Shipped;
 use crate::nc::program::{Body, Program};
+use crate::shipped;
 use crate::tolerance::Feature;
 use crate::words::Language;
 
@@ -38,10 +38,9 @@ impl ShippedBlock {
     }
 }
 
-/// A shipped file of a language.
-fn shipped(name: &str, language: Language, ending: &str) -> &'static [u8] {
-    // They are part of Fitcheck, and tests make a set in every language.
-    Shipped::file(&format!("{name}_{language}.{ending}")).unwrap_or_default()
+/// A shipped program; they are part of Fitcheck, and tests make a set in every language.
+fn shipped_program(name: &str, language: Language) -> &'static [u8] {
+    shipped::file(shipped::NC, &format!("{name}_{language}.h")).unwrap_or_default()
 }
 
 /// The blocks of a shipped program between BEGIN and END.
@@ -66,7 +65,7 @@ fn stem(file: &str) -> &str {
 
 /// The main program: for each feature its parameters, the call, a file with its result, and a stop.
 pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
-    let blocks = blocks(shipped("8255", names.target.language, "h"));
+    let blocks = blocks(shipped_program("8255", names.target.language));
     let mut listing = Listing::new(stem(&names.main));
     // What stands once stands before the first parameter and behind the stop.
     let is_parameter = |block: &ShippedBlock| matches!(block.body, Body::Assign { .. } | Body::AssignText { .. });
@@ -117,7 +116,7 @@ fn main_block(listing: &mut Listing, block: &ShippedBlock, names: &Names<'_>, pl
 
 /// The called program: other paths, and for TNC7 a nominal diameter between the limits.
 pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
-    let original = shipped("82551", names.target.language, "h");
+    let original = shipped_program("82551", names.target.language);
     let moves_nominal = names.target.control.wants_nominal_between_limits();
     let mut listing = Listing::new(stem(&names.check));
     let mut tables = [Feature::Hole, Feature::Shaft].into_iter();
@@ -143,8 +142,8 @@ pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
 
 /// The mask: every record ends in a semicolon, lines in CRLF; `F` in place of `LF` where the control knows it.
 pub(super) fn mask(target: &Target) -> Vec<u8> {
-    let original = shipped("82552", target.language, "a");
-    let text = String::from_utf8_lossy(original);
+    let original = shipped::file(shipped::MASKS, &format!("82552_{}.a", target.language));
+    let text = String::from_utf8_lossy(original.unwrap_or_default());
     let number = if target.control == Control::Itnc530 { "LF" } else { "F" };
     let lines = text.lines().map(|line| {
         let line = line.trim_end().replace("LF", number);

@@ -50,6 +50,7 @@ use super::class::{Feature, ToleranceClass};
 use super::iso2768::GeneralClass;
 use super::limits::Deviations;
 use crate::length::Length;
+use crate::message::as_text;
 
 /// A nominal size above zero and its tolerance; the minimum limit it states is above zero, too.
 ///
@@ -214,6 +215,8 @@ impl Callout {
         self.class().map(ToleranceClass::feature)
     }
 }
+
+as_text!(Callout);
 
 impl FromStr for Callout {
     type Err = CalloutError;
