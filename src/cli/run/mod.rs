@@ -245,7 +245,7 @@ fn run(machine: &mut Machine, listener: &mut dyn Listener, io: &mut Io<'_>) -> R
 /// File name and line of a block, `8255_nl.h:4`.
 fn place(machine: &Machine, program: &NcPath, block: usize) -> (String, usize) {
     let line = machine
-        .program(&program.to_string())
+        .program(program)
         .and_then(|program| program.blocks().get(block))
         .map_or(0, |block| block.lines.start + 1);
     (program.file_name().to_owned(), line)

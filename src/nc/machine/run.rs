@@ -49,7 +49,7 @@ pub struct Machine {
     main: (NcPath, Arc<Program>),
     settings: Settings,
     files: Files,
-    breakpoints: BTreeSet<(NcPath, usize)>,
+    breakpoints: BTreeSet<BlockPlace>,
     run: Run,
     state: State,
 }
@@ -131,22 +131,19 @@ impl Machine {
     }
 
     fn is_at_breakpoint(&self) -> bool {
-        let flow = self.run.flow();
-        !self.breakpoints.is_empty() && self.breakpoints.contains(&(flow.path().clone(), flow.next()))
+        !self.breakpoints.is_empty() && self.breakpoints.contains(&self.place())
     }
 
-    /// Sets or clears a breakpoint; `program` is a path as programs write it.
-    pub fn toggle_breakpoint(&mut self, program: &str, block: usize) {
-        let Ok(path) = NcPath::new(program) else { return };
-        let breakpoint = (path, block);
-        if !self.breakpoints.remove(&breakpoint) {
-            self.breakpoints.insert(breakpoint);
+    /// Sets or clears a breakpoint.
+    pub fn toggle_breakpoint(&mut self, place: BlockPlace) {
+        if !self.breakpoints.remove(&place) {
+            self.breakpoints.insert(place);
         }
     }
 
-    /// The breakpoints by program and block.
-    pub fn breakpoints(&self) -> impl Iterator<Item = (&NcPath, usize)> {
-        self.breakpoints.iter().map(|(path, block)| (path, *block))
+    /// The blocks that have a breakpoint.
+    pub const fn breakpoints(&self) -> &BTreeSet<BlockPlace> {
+        &self.breakpoints
     }
 
     /// All parameters that have a value now.
@@ -169,9 +166,9 @@ impl Machine {
         self.run.flow().program()
     }
 
-    /// A program that has been loaded, by its path as programs write it.
-    pub fn program(&self, path: &str) -> Option<&Arc<Program>> {
-        self.files.loaded(&NcPath::new(path).ok()?)
+    /// A program that has been loaded.
+    pub fn program(&self, path: &NcPath) -> Option<&Arc<Program>> {
+        self.files.loaded(path)
     }
 
     /// The calls that lead here, the outermost first.

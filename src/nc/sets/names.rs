@@ -6,6 +6,7 @@ use std::str::FromStr;
 use super::Target;
 use super::error::SetError;
 use crate::control::table::Generation;
+use crate::nc::program::TextOperand;
 use crate::tolerance::Feature;
 use crate::words::Language;
 
@@ -185,6 +186,11 @@ impl<'a> Names<'a> {
     /// A file's path on the control.
     pub(super) fn path(&self, file: &str) -> String {
         self.target.folder.file(file)
+    }
+
+    /// The same as a block names it.
+    pub(super) fn operand(&self, file: &str) -> TextOperand {
+        TextOperand::Text(self.path(file))
     }
 }
 

@@ -91,7 +91,7 @@ impl Session {
             machine.set(*parameter, value.clone()).map_err(|fault| fault.message())?;
         }
         for place in &page.breakpoints {
-            machine.toggle_breakpoint(&place.program.to_string(), place.block);
+            machine.toggle_breakpoint(place.clone());
         }
         Ok(Run::new(machine))
     }
