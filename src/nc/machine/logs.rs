@@ -18,7 +18,7 @@ use crate::words::Language;
 /// The log of a cycle, and where it goes.
 #[derive(Debug)]
 pub(super) struct Log {
-    log: CycleLog,
+    content: CycleLog,
     path: NcPath,
     is_shown: bool,
     language: Language,
@@ -42,8 +42,8 @@ impl Log {
         let heading = Heading { date_time: Some(settings.time), program, unit: Unit::Millimetre };
         let language = settings.language;
         let is_shown = result.log == LogTarget::Screen;
-        let log = CycleLog::of(cycle, result, &heading, language);
-        Ok(log.map(|log| Self { log, path, is_shown, language }))
+        let content = CycleLog::of(cycle, result, &heading, language);
+        Ok(content.map(|content| Self { content, path, is_shown, language }))
     }
 
     /// Writes or shows it. Logs of the same name are added to one another, as [`CycleLog::append`] says; one that
@@ -55,7 +55,7 @@ impl Log {
         files: &mut Files,
         remarks: &mut Remarks,
     ) -> Result<(), FaultKind> {
-        let text = match self.log.write(self.language) {
+        let text = match self.content.write(self.language) {
             Ok(alone) => decode(&alone).replace("\r\n", "\n"),
             Err(error) => {
                 remarks.add(place, Remark::NotSaved { path: self.path, reason: error.message() });
@@ -78,7 +78,7 @@ impl Log {
             read => read?,
         };
         let path = || self.path.clone();
-        let bytes = match self.log.append(&before, self.language) {
+        let bytes = match self.content.append(&before, self.language) {
             Ok(bytes) => bytes,
             Err(error) => {
                 remarks.add(place.clone(), Remark::NotSaved { path: path(), reason: error.message() });

@@ -2,8 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `run` | the machine as its users see it |
-//! | `blocks` | what each block does: it works the parts below, which know nothing of one another but values and files |
+//! | `run` | the machine as its users see it; in `run/blocks` what each block does with the parts below, which are handed what they need of one another |
 //! | `flow` | labels, jumps, repeats, calls and returns |
 //! | `values` | parameters and formulas |
 //! | `tables` | FN 26, FN 27, FN 28 |
@@ -19,7 +18,6 @@
 //! are read and written by the store that the machine is handed, and by nothing else. A step takes no longer in a long
 //! program than in a short one.
 
-mod blocks;
 mod budget;
 mod contacts;
 mod cycles;

@@ -72,9 +72,7 @@ pub struct Shipped;
 impl Shipped {
     /// The bytes of an embedded file.
     pub fn file(name: &str) -> Option<&'static [u8]> {
-        // The pages of text beside the programs are for people.
-        let programs = shipped::NC.iter().filter(|(name, _)| name.ends_with(".h"));
-        let mut files = programs.chain(shipped::MASKS).chain(shipped::TABLES);
+        let mut files = shipped::NC.iter().chain(shipped::MASKS).chain(shipped::TABLES);
         files.find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, bytes)| *bytes)
     }
 }

@@ -120,13 +120,13 @@ impl Tables {
 
     /// FN 26; the table that was open is closed already.
     pub(super) fn open(&mut self, path: NcPath, files: &mut Files) -> Result<(), FaultKind> {
-        self.open = Some(match self.changed.get(&path) {
-            Some(changed) => changed.clone(),
-            None => {
-                let (file, bytes) = files.table(&path)?;
-                OpenTable { path, file, bytes, changed_at: None }
-            }
-        });
+        let open = if let Some(changed) = self.changed.get(&path) {
+            changed.clone()
+        } else {
+            let (file, bytes) = files.table(&path)?;
+            OpenTable { path, file, bytes, changed_at: None }
+        };
+        self.open = Some(open);
         Ok(())
     }
 

@@ -13,7 +13,7 @@ use crate::words::Language;
 /// A generation of controls that sets are written for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Control {
-    /// iTNC 530, from NC software 340 49x-07 and 606 42x-02 (seed `000_2e707c2d138629e0.txt`).
+    /// iTNC 530, from NC software 340 49x-07 and 606 42x-02 (NC-Solutions, description of NC program 8255).
     Itnc530,
     /// TNC 320, TNC 620 and TNC 640.
     Tnc640,

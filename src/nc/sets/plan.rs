@@ -19,8 +19,8 @@ pub const DEFAULT_CLEARANCE_HEIGHT: Length = Length::from_micrometres(50_000);
 /// The most characters of a feature's name: with what stands around it a file name of at most 29.
 const LONGEST_NAME: usize = 20;
 
-/// A feature of a plan: the seven inputs of NC-Solution 8255 (seed `000_2e707c2d138629e0.txt`), the clearance height that
-/// it leaves open, and a name.
+/// A feature of a plan: the seven inputs of NC-Solution 8255 (NC-Solutions, description of NC program 8255), the
+/// clearance height that it leaves open, and a name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NcFeature {
     /// Its name: ASCII letters, digits and `_`, at most 20; without one it gets `F` and its number.

@@ -47,17 +47,16 @@ fn shipped_program(name: &str, language: Language) -> Blocks {
 }
 
 /// The file of a program. All of it is ASCII, since names and texts are.
-fn written(file: &str, blocks: Blocks) -> Vec<u8> {
+fn written(file: &str, blocks: &[(Body, String)]) -> Vec<u8> {
     // A program is called like its file, without the ending.
     let name = file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_owned();
-    let frame = |body| [(body, String::new())];
-    let begin = frame(Body::Begin { name: name.clone(), unit: Unit::Mm });
-    let end = frame(Body::End { name, unit: Unit::Mm });
-    let all = begin.iter().chain(&blocks).chain(&end);
+    let begin = [bare(Body::Begin { name: name.clone(), unit: Unit::Mm })];
+    let end = [bare(Body::End { name, unit: Unit::Mm })];
+    let all = begin.iter().chain(blocks).chain(&end);
     write::program(all.map(|(body, comment)| (body, comment.as_str()))).into_bytes()
 }
 
-/// Calls, prints and table openings, without the comments of the shipped ones.
+/// A block without a comment.
 fn bare(body: Body) -> (Body, String) {
     (body, String::new())
 }
@@ -82,7 +81,7 @@ pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
         made.extend(each.iter().flat_map(|block| main_block(block, names, planned.feature)));
     }
     made.extend_from_slice(tail);
-    written(&names.main, made)
+    written(&names.main, &made)
 }
 
 /// A block of the main program for a feature.
@@ -140,7 +139,7 @@ pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
             body => made.push((body, comment)),
         }
     }
-    written(&names.check, made)
+    written(&names.check, &made)
 }
 
 /// The mask: every record ends in a semicolon, lines in CRLF; `F` in place of `LF` where the control knows it.

@@ -60,7 +60,7 @@ impl Values {
     }
 
     /// Whether a jump is made.
-    pub(in super::super) fn holds(&self, condition: &Condition) -> Result<bool, FaultKind> {
+    pub(in crate::nc::machine) fn holds(&self, condition: &Condition) -> Result<bool, FaultKind> {
         match condition {
             Condition::IsDefined(parameter) => Ok(self.variables.get(*parameter).is_some()),
             Condition::IsUndefined(parameter) => Ok(self.variables.get(*parameter).is_none()),
@@ -77,7 +77,11 @@ impl Values {
     }
 
     /// The value of an operand for a text: as a decimal number.
-    pub(in super::super) fn decimal(&self, operand: Operand, decimals: Option<usize>) -> Result<String, FaultKind> {
+    pub(in crate::nc::machine) fn decimal(
+        &self,
+        operand: Operand,
+        decimals: Option<usize>,
+    ) -> Result<String, FaultKind> {
         /// As many as a value has, but no more than this: what lies behind is the noise of binary arithmetic.
         const MOST: usize = 9;
         let value = self.value(operand)?;
@@ -142,4 +146,19 @@ fn combine(operation: Operation, left: f64, right: f64) -> Result<f64, FaultKind
         // From 0 up to a full turn, as the control gives it.
         Operation::Angle => left.atan2(right).to_degrees().rem_euclid(360.0),
     })
+}
+
+fn operand_reads(operand: Operand, wanted: Parameter) -> bool {
+    matches!(operand, Operand::Parameter { parameter, .. } if parameter == wanted)
+}
+
+/// Whether a formula asks for a parameter.
+pub(super) fn reads(formula: &Expression, wanted: Parameter) -> bool {
+    match formula {
+        Expression::Value(operand) => operand_reads(*operand, wanted),
+        Expression::Function(_, operand) => reads(operand, wanted),
+        Expression::Binary(_, left, right) => reads(left, wanted) || reads(right, wanted),
+        Expression::Position { from, .. } => operand_reads(*from, wanted),
+        Expression::Pi | Expression::ToNumber(_) | Expression::TextLength(_) | Expression::Compare { .. } => false,
+    }
 }

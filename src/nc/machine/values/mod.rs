@@ -17,6 +17,8 @@ use super::fault::FaultKind;
 use crate::control::variables::{Family, Parameter, Value, Variables};
 use crate::length::Length;
 use crate::nc::program::{Expression, Operand, TextExpression, TextOperand};
+use expressions::reads;
+use texts::text_reads;
 
 /// The range of values in a control: 10^10 either way.
 const MOST: f64 = 1e10;
@@ -272,31 +274,5 @@ pub(super) fn length_of(value: &Value) -> Option<Length> {
         Value::Length(length) => Some(*length),
         Value::Number(number) => Length::from_mm_f64(*number).ok(),
         Value::Text(_) => None,
-    }
-}
-
-fn operand_reads(operand: Operand, wanted: Parameter) -> bool {
-    matches!(operand, Operand::Parameter { parameter, .. } if parameter == wanted)
-}
-
-/// Whether a formula asks for a parameter.
-fn reads(formula: &Expression, wanted: Parameter) -> bool {
-    match formula {
-        Expression::Value(operand) => operand_reads(*operand, wanted),
-        Expression::Function(_, operand) => reads(operand, wanted),
-        Expression::Binary(_, left, right) => reads(left, wanted) || reads(right, wanted),
-        Expression::Position { from, .. } => operand_reads(*from, wanted),
-        Expression::Pi | Expression::ToNumber(_) | Expression::TextLength(_) | Expression::Compare { .. } => false,
-    }
-}
-
-fn text_reads(formula: &TextExpression, wanted: Parameter) -> bool {
-    match formula {
-        TextExpression::Value(TextOperand::Parameter(parameter)) => *parameter == wanted,
-        TextExpression::Join(items) => items.iter().any(|item| text_reads(item, wanted)),
-        TextExpression::Part { source, .. } => *source == wanted,
-        TextExpression::Value(TextOperand::Text(_))
-        | TextExpression::FromNumber { .. }
-        | TextExpression::System { .. } => false,
     }
 }

@@ -3,7 +3,7 @@
 use super::super::fault::FaultKind;
 use super::{Values, whole};
 use crate::control::variables::Parameter;
-use crate::nc::program::{Operand, TextExpression};
+use crate::nc::program::{Operand, TextExpression, TextOperand};
 
 /// Date and time; the only group of `SYSSTR` that is run.
 const DATE_AND_TIME: usize = 10_321;
@@ -87,5 +87,17 @@ impl Values {
             .and_then(|_| FORMATS.get(whole(number)?))
             .ok_or(FaultKind::UnknownSystemText { id, number })?;
         Ok(self.time.strftime(format).to_string())
+    }
+}
+
+/// The same of a text.
+pub(super) fn text_reads(formula: &TextExpression, wanted: Parameter) -> bool {
+    match formula {
+        TextExpression::Value(TextOperand::Parameter(parameter)) => *parameter == wanted,
+        TextExpression::Join(items) => items.iter().any(|item| text_reads(item, wanted)),
+        TextExpression::Part { source, .. } => *source == wanted,
+        TextExpression::Value(TextOperand::Text(_))
+        | TextExpression::FromNumber { .. }
+        | TextExpression::System { .. } => false,
     }
 }

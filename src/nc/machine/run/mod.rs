@@ -1,24 +1,61 @@
 //! The machine as its users see it: set up, run block by block, asked what it has done.
+//!
+//! `blocks` has what each block does.
+
+mod blocks;
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::blocks::Run;
 use super::budget::Settings;
 use super::contacts::Contacts;
-use super::cycles::CycleRun;
+use super::cycles::{CycleRun, Cycles};
 use super::fault::{BlockPlace, Fault, FaultKind};
 use super::files::Files;
-use super::flow::Call;
-use super::moves::Travel;
+use super::flow::{Call, Flow};
+use super::moves::{Travel, Way};
 use super::path::NcPath;
-use super::prints::{Window, Written};
-use super::remark::Remark;
+use super::prints::{Prints, Window, Written};
+use super::remark::{Remark, Remarks};
 use super::step::{Pause, Step};
 use super::store::Store;
+use super::tables::Tables;
+use super::values::Values;
 use crate::control::variables::{Parameter, Value, Variables};
-use crate::nc::program::Program;
+use crate::nc::program::{Program, Unit};
 use crate::verdict::Status;
+
+/// A run: what a restart forgets.
+#[derive(Debug)]
+struct Run {
+    flow: Flow,
+    values: Values,
+    tables: Tables,
+    prints: Prints,
+    cycles: Cycles,
+    way: Way,
+    remarks: Remarks,
+    blocks: u64,
+}
+
+impl Run {
+    fn new(path: NcPath, program: Arc<Program>, contacts: Contacts, settings: &Settings) -> Self {
+        let is_inch = program.unit() == Some(Unit::Inch);
+        let mut values = Values::new(settings);
+        // Q113 says the unit of the main program.
+        values.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
+        Self {
+            flow: Flow::new(path, program, &settings.budget),
+            values,
+            tables: Tables::default(),
+            prints: Prints::new(settings.budget),
+            cycles: Cycles::new(contacts, settings),
+            way: Way::new(&settings.budget),
+            remarks: Remarks::new(&settings.budget),
+            blocks: 0,
+        }
+    }
+}
 
 #[derive(Debug)]
 enum State {
@@ -91,7 +128,7 @@ impl Machine {
     /// # Errors
     /// [`FaultKind`] where a control has no such parameter, or it cannot hold the value.
     pub fn set(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
-        self.run.give(parameter, value)
+        self.run.values.give(parameter, value)
     }
 
     /// Runs one block.
@@ -148,22 +185,22 @@ impl Machine {
 
     /// All parameters that have a value now.
     pub const fn variables(&self) -> &Variables {
-        self.run.values().all()
+        self.run.values.all()
     }
 
     /// The parameters that the last block has set.
     pub fn changed(&self) -> &[Parameter] {
-        self.run.values().changed()
+        self.run.values.changed()
     }
 
     /// The block that is run next.
     pub fn place(&self) -> BlockPlace {
-        self.run.flow().place_of(self.run.flow().next())
+        self.run.flow.place_of(self.run.flow.next())
     }
 
     /// The program that is running.
     pub const fn current(&self) -> &Arc<Program> {
-        self.run.flow().program()
+        self.run.flow.program()
     }
 
     /// A program that has been loaded.
@@ -173,52 +210,52 @@ impl Machine {
 
     /// The calls that lead here, the outermost first.
     pub fn calls(&self) -> &[Call] {
-        self.run.flow().calls()
+        self.run.flow.calls()
     }
 
     /// What FN 16 has shown, in order; `SCLR:` closes windows.
     pub fn windows(&self) -> &[Window] {
-        self.run.prints().windows()
+        self.run.prints.windows()
     }
 
     /// What FN 16 has printed to files, in order.
     pub fn outputs(&self) -> &[Written] {
-        self.run.prints().outputs()
+        self.run.prints.outputs()
     }
 
     /// What the cycles have found, in order.
     pub fn cycles(&self) -> &[CycleRun] {
-        self.run.cycles().runs()
+        self.run.cycles.runs()
     }
 
     /// The way of the ball's centre so far.
     pub fn path(&self) -> &[Travel] {
-        self.run.way().travels()
+        self.run.way.travels()
     }
 
     /// Where the ball's centre stands, mm, in X, Y and Z as far as it is known.
     pub const fn position(&self) -> [Option<f64>; 3] {
-        self.run.way().position()
+        self.run.way.position()
     }
 
     /// What is worth knowing, in order.
     pub fn remarks(&self) -> &[(BlockPlace, Remark)] {
-        self.run.remarks().list()
+        self.run.remarks.list()
     }
 
     /// How many remarks are not listed.
     pub const fn unlisted_remarks(&self) -> usize {
-        self.run.remarks().unlisted()
+        self.run.remarks.unlisted()
     }
 
     /// How many blocks were run.
     pub const fn blocks_run(&self) -> u64 {
-        self.run.blocks()
+        self.run.blocks
     }
 
     /// The table that is open.
     pub fn table(&self) -> Option<&NcPath> {
-        self.run.tables().path()
+        self.run.tables.path()
     }
 
     /// Whether the run is over, by its end or by a fault.

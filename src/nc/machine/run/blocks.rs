@@ -1,96 +1,24 @@
-//! What each block does: the parts of the machine, and which of them it works.
+//! What each block does, and which part of the machine does it.
 
 use std::sync::Arc;
 
-use super::budget::{Settings, UsedUp};
-use super::contacts::Contacts;
-use super::cycles::{CycleRun, Cycles, cycle_of, hand_over};
-use super::fault::{Fault, FaultKind};
-use super::files::Files;
-use super::flow::Flow;
-use super::logs::Log;
-use super::moves::Way;
-use super::path::NcPath;
-use super::prints::{Prints, rendered};
-use super::remark::{Remark, Remarks};
-use super::step::{Pause, Step};
-use super::tables::Tables;
-use super::values::{Values, shown};
+use super::super::budget::{Settings, UsedUp};
+use super::super::cycles::{CycleRun, cycle_of, hand_over};
+use super::super::fault::{Fault, FaultKind};
+use super::super::files::Files;
+use super::super::logs::Log;
+use super::super::path::NcPath;
+use super::super::prints::rendered;
+use super::super::remark::Remark;
+use super::super::step::{Pause, Step};
+use super::super::values::shown;
+use super::Run;
 use crate::control::mask::Context;
-use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::program::{Block, Body, CycleBlock, MachineFunction, Program, TextOperand, Unit};
 use crate::probing::cycle::LogTarget;
 
-/// A run: what a restart forgets.
-#[derive(Debug)]
-pub(super) struct Run {
-    flow: Flow,
-    values: Values,
-    tables: Tables,
-    prints: Prints,
-    cycles: Cycles,
-    way: Way,
-    remarks: Remarks,
-    blocks: u64,
-}
-
 impl Run {
-    pub(super) fn new(path: NcPath, program: Arc<Program>, contacts: Contacts, settings: &Settings) -> Self {
-        let is_inch = program.unit() == Some(Unit::Inch);
-        let mut values = Values::new(settings);
-        // Q113 says the unit of the main program.
-        values.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
-        Self {
-            flow: Flow::new(path, program, &settings.budget),
-            values,
-            tables: Tables::default(),
-            prints: Prints::new(settings.budget),
-            cycles: Cycles::new(contacts, settings),
-            way: Way::new(&settings.budget),
-            remarks: Remarks::new(&settings.budget),
-            blocks: 0,
-        }
-    }
-
-    pub(super) const fn flow(&self) -> &Flow {
-        &self.flow
-    }
-
-    pub(super) const fn values(&self) -> &Values {
-        &self.values
-    }
-
-    pub(super) const fn tables(&self) -> &Tables {
-        &self.tables
-    }
-
-    pub(super) const fn prints(&self) -> &Prints {
-        &self.prints
-    }
-
-    pub(super) const fn cycles(&self) -> &Cycles {
-        &self.cycles
-    }
-
-    pub(super) const fn way(&self) -> &Way {
-        &self.way
-    }
-
-    pub(super) const fn remarks(&self) -> &Remarks {
-        &self.remarks
-    }
-
-    /// How many blocks were run.
-    pub(super) const fn blocks(&self) -> u64 {
-        self.blocks
-    }
-
-    /// Gives a parameter a value before the run.
-    pub(super) fn give(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
-        self.values.give(parameter, value)
-    }
-
     /// Runs the next block.
     pub(super) fn step(&mut self, files: &mut Files, settings: &Settings) -> Result<Step, Fault> {
         self.values.begin_block();
