@@ -53,6 +53,8 @@ impl fmt::Display for Parameter {
     }
 }
 
+crate::message::as_text!(Parameter);
+
 /// A text that names no parameter.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(id = "no-parameter", error)]
