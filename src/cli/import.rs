@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 
 use jiff::civil::DateTime;
 
-use super::{CliError, Format, Io, Outcome, TableArgs};
+use super::{CliError, Format, Io, Outcome, TableArgs, note};
 use crate::exchange::{FORMATS, Imported, import};
 use crate::files;
+use crate::report::columns::names;
 use crate::verdict::Status;
 use print::Printer;
 use row::Row;
@@ -37,7 +38,7 @@ pub(super) struct Args {
 fn help() -> String {
     let formats = FORMATS.iter().map(|format| {
         let endings: Vec<String> = format.endings.iter().map(|ending| format!(".{ending}")).collect();
-        format!("  {:<14}{} ({})\n", format.name, format.description, endings.join(" "))
+        format!("  {:<14}{} ({})\n", format.name, format, endings.join(" "))
     });
     let largest = files::LARGEST >> 20;
     format!(
@@ -61,7 +62,7 @@ Examples:
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
 it is 1 where any row or file could not be used or not be judged. Files are read up to {largest} MiB.",
         formats.collect::<String>(),
-        row::COLUMNS.join(","),
+        names(&row::COLUMNS).join(","),
     )
 }
 
@@ -87,7 +88,7 @@ impl Args {
                     printer.file(row::rows(path, &imported).inspect(|row| tally.count(row)), io)?;
                 }
                 Err(error) => {
-                    writeln!(io.err, "fitcheck: {error}")?;
+                    io.fail(&error)?;
                     let row = Row::of_file(path, error.to_string());
                     tally.count(&row);
                     printer.file(std::iter::once(row), io)?;
@@ -104,9 +105,10 @@ impl Args {
 }
 
 /// Warnings about the whole file; those of a row stand beside it.
-fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> std::io::Result<()> {
-    for warning in imported.warnings.iter().filter(|warning| warning.row.is_none()) {
-        writeln!(io.err, "{}:{}: warning: {}", path.display(), warning.line, warning.reason)?;
+fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> Result<(), CliError> {
+    for warning in imported.warnings.iter().filter(|warning| warning.what.row.is_none()) {
+        let line = warning.place.line.unwrap_or(1);
+        io.tell(format_args!("{}:{line}: {}", path.display(), note::warning(&warning.what.reason)))?;
     }
     Ok(())
 }

@@ -4,51 +4,25 @@
 //! cycle, QS3 the status word, Q33 and Q23 the limits, Q153 the measured diameter. Cycles 427 and 444 have masks of
 //! our own, drawn from the parameters that the cycle itself was given and found.
 
-use std::sync::LazyLock;
-
 use jiff::civil::DateTime;
 
 use super::mask::{Context, Mask, RenderError};
-use super::status::{micrometres, shipped, shipped_mask, status_word};
+use super::status::{mask_named, micrometres, shipped_mask, status_word};
 use super::variables::{Parameter, Value, Variables};
 use crate::probing::cycle::{self, Check, Cycle, CycleResult, FoundName, Key, Nominal};
 use crate::tolerance::Feature;
-use crate::words::Language;
-
-/// The masks of one cycle, by language.
-struct Masks {
-    code: &'static str,
-    of: [(Language, Mask); 4],
-}
-
-macro_rules! masks {
-    ($code:literal) => {
-        Masks {
-            code: $code,
-            of: [
-                (Language::En, shipped(include_bytes!(concat!("../../assets/masks/", $code, "_en.a")))),
-                (Language::Nl, shipped(include_bytes!(concat!("../../assets/masks/", $code, "_nl.a")))),
-                (Language::De, shipped(include_bytes!(concat!("../../assets/masks/", $code, "_de.a")))),
-                (Language::It, shipped(include_bytes!(concat!("../../assets/masks/", $code, "_it.a")))),
-            ],
-        }
-    };
-}
-
-/// The cycles with a mask of their own; a new one is a line here and a file for each language.
-static MASKS: LazyLock<[Masks; 2]> = LazyLock::new(|| [masks!("427"), masks!("444")]);
+use crate::words::Dialogue;
 
 /// The shipped mask of a cycle; `None` for a cycle that measures no circle and has none of its own.
-pub fn cycle_mask(cycle: &Cycle, result: &CycleResult, language: Language) -> Option<&'static Mask> {
+pub fn cycle_mask(cycle: &Cycle, result: &CycleResult, language: Dialogue) -> Option<&'static Mask> {
     if result.circle.is_some() {
         return Some(shipped_mask(language));
     }
-    let masks = MASKS.iter().find(|masks| masks.code == cycle.code)?;
-    masks.of.iter().find(|(known, _)| *known == language).map(|(_, mask)| mask)
+    mask_named(cycle.code, language)
 }
 
 /// The parameters after a cycle has run: all that it was given and all that it found, and what the masks ask for besides.
-pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Language) -> Variables {
+pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Dialogue) -> Variables {
     let mut variables = Variables::new();
     let given =
         cycle.parameters.iter().filter_map(|parameter| Some((parameter.key, result.inputs.value(parameter.key)?)));
@@ -91,7 +65,7 @@ fn set_diameter(cycle: &Cycle, result: &CycleResult, check: &Check, variables: &
 pub fn cycle_window(
     cycle: &Cycle,
     result: &CycleResult,
-    language: Language,
+    language: Dialogue,
     mask: Option<&Mask>,
     time: DateTime,
 ) -> Option<Result<String, RenderError>> {
@@ -160,7 +134,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn check((cycle, result): &(&'static Cycle, CycleResult), language: Language, expected: Option<&str>) {
+    fn check((cycle, result): &(&'static Cycle, CycleResult), language: Dialogue, expected: Option<&str>) {
         let time = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
         let window = cycle_window(cycle, result, language, None, time).map(Result::unwrap);
         assert_eq!(window.as_deref(), expected);
@@ -174,16 +148,16 @@ mod tests {
         let stud = measured("422", &[&nominal[..], &["Q277=74.9", "Q278=74.8"]].concat(), &SQUARE);
         check(
             &stud,
-            Language::Nl,
+            Dialogue::Nl,
             Some(
                 "STATUS VAN DE PASSING: Nabewerking\nGEPRUEFTE PASSUNG: 75 (422)\nMINIMALE MAAT:  74.8000\n\
                  MAXIMALE MAAT:  74.9000\nGEMETEN DIAMETER:  75.0000\n",
             ),
         );
-        check(&measured("421", &nominal, &SQUARE), Language::En, None);
+        check(&measured("421", &nominal, &SQUARE), Dialogue::En, None);
         // A centre alone has no limits of size to print.
-        check(&measured("421", &[&nominal[..], &["Q279=1"]].concat(), &SQUARE), Language::En, None);
-        check(&measured("G785", &["K=2", "RC=120"], &SQUARE), Language::En, None);
+        check(&measured("421", &[&nominal[..], &["Q279=1"]].concat(), &SQUARE), Dialogue::En, None);
+        check(&measured("G785", &["K=2", "RC=120"], &SQUARE), Dialogue::En, None);
     }
 
     #[test]
@@ -192,7 +166,7 @@ mod tests {
         let mask = b"\"%S %6.3F %2.0F %5.1F %6.1F %6.3F\", QS2, Q1, Q2, Q4, Q5, Q163;\nM_CLOSE;\n";
         let (mask, _) = Mask::read(mask).unwrap();
         let time = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
-        let text = cycle_window(stud.0, &stud.1, Language::En, Some(&mask), time).unwrap().unwrap();
+        let text = cycle_window(stud.0, &stud.1, Dialogue::En, Some(&mask), time).unwrap().unwrap();
         assert_eq!(text, "75 (422) 75.000  1  12.5 -200.0  0.000\n");
     }
 
@@ -201,7 +175,7 @@ mod tests {
         let face = ["Q263=0", "Q264=0", "Q261=0", "Q272=3", "Q267=-1", "Q288=5.1", "Q289=-4.95"];
         check(
             &measured("427", &face, &[[0.0, 0.0, 5.0]]),
-            Language::En,
+            Dialogue::En,
             Some(
                 "COORDINATE STATUS: GOOD\nCHECKED: Z (427)\nMINIMUM LIMIT:  -4.9500\nMAXIMUM LIMIT:   5.1000\n\
                  MEASURED COORDINATE:   5.0000\n",
@@ -210,13 +184,13 @@ mod tests {
         let point = ["Q263=0", "Q264=0", "Q294=0", "Q581=0", "Q582=0", "Q583=1"];
         check(
             &measured("444", &[&point[..], &["QS400=0.4-0.1"]].concat(), &[[0.0, 0.0, -0.2]]),
-            Language::En,
+            Dialogue::En,
             Some(
                 "POINT STATUS: SCRAP\nTOLERANCE: 0.4-0.1\nMEASURED 1ST AXIS:   0.0000\nMEASURED 2ND AXIS:   0.0000\n\
                  MEASURED 3RD AXIS:  -0.2000\nDEVIATION:  -0.2000\n",
             ),
         );
-        check(&measured("444", &point, &[[0.0, 0.0, -0.2]]), Language::En, None);
+        check(&measured("444", &point, &[[0.0, 0.0, -0.2]]), Dialogue::En, None);
     }
 
     #[test]
@@ -227,7 +201,7 @@ mod tests {
             let point = ["Q263=0", "Q264=0", "Q294=5", "Q581=0", "Q582=0", "Q583=1", "QS400=0.1-0.05"];
             let point = measured("444", &point, &[[0.0, 0.0, height]]);
             for ((cycle, result), language) in
-                [&coordinate, &point].into_iter().flat_map(|run| Language::ALL.map(|l| (run, l)))
+                [&coordinate, &point].into_iter().flat_map(|run| Dialogue::ALL.map(|l| (run, l)))
             {
                 let time = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
                 let text = cycle_window(cycle, result, language, None, time).unwrap().unwrap();

@@ -5,6 +5,8 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use crate::message::Say;
+
 /// Which family a parameter belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Family {
@@ -51,10 +53,12 @@ impl fmt::Display for Parameter {
     }
 }
 
+crate::message::as_text!(Parameter);
+
 /// A text that names no parameter.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{0} is no parameter, allowed are Q, QL, QR and QS with a number")]
-pub struct NoParameter(pub String);
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(id = "no-parameter", error)]
+pub struct NoParameter(#[say(name = "given")] pub String);
 
 impl std::str::FromStr for Parameter {
     type Err = NoParameter;

@@ -7,8 +7,8 @@ use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Win
 use super::field::select_all;
 use super::theme::{sizes, space};
 use super::view::{View, heading, problem, quiet};
+use crate::message::Message;
 use crate::session::{Action, Command, CycleFile, Dialog, Notice, Page, Purpose};
-use crate::words::Message;
 
 /// Files dropped on the window are read, each as the open page takes it.
 fn dropped(ui: &Ui, view: &mut View<'_>) {

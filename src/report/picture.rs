@@ -9,8 +9,9 @@ use super::band::{Band, Marker, Side, micrometres};
 use super::text;
 use crate::journal::Record;
 use crate::length::Length;
+use crate::message::Message;
 use crate::verdict::Status;
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// Left end of the axis in the picture's units; four units print as about a millimetre.
 const LEFT: f64 = 20.0;
@@ -42,7 +43,7 @@ struct VerdictPicture {
 
 /// The verdict's word beside its shape: check mark, turning arrow, loop or cross.
 pub(super) fn verdict(status: Status, words: &Words) -> askama::Result<String> {
-    let word = words.say(&text::status(status));
+    let word = words.told(&status);
     // 250 units are free for the word; a bold capital is about 0.72 of its size wide.
     let size = (347 / word.chars().count().max(1)).clamp(12, 40);
     VerdictPicture { class: status_class(status), word, size, baseline: 36 + size * 36 / 100 }.render()

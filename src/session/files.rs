@@ -11,9 +11,10 @@ use super::shared::{MaskChoice, News};
 use crate::control::mask::Mask;
 use crate::files::FileError;
 use crate::journal::Record;
+use crate::message::{Message, Say as _};
 use crate::report::{RENDERINGS, Report};
 use crate::tolerance::DeviationTable;
-use crate::words::{Message, Say as _, Words};
+use crate::words::Words;
 
 impl Session {
     pub(super) fn open_dialog(&mut self, purpose: Purpose) {

@@ -56,8 +56,9 @@ pub use tables::{TablesCommand, TablesField, TablesPage};
 pub use workpiece::{RecordedContacts, WorkpieceCommand};
 
 use self::shared::{PageState as _, Shared};
+use crate::message::Message;
 use crate::tolerance::Sources;
-use crate::words::{Language, Message};
+use crate::words::Language;
 
 /// The state of the application.
 #[derive(Debug)]

@@ -17,9 +17,10 @@ use super::{Session, tables};
 use crate::control::mask::Mask;
 use crate::control::shipped_tables;
 use crate::journal::Record;
+use crate::message::Message;
 use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::{Base, DeviationTable, Sources};
-use crate::words::{Language, Message};
+use crate::words::{Dialogue, Language};
 
 /// The mask that the status window is drawn with.
 #[derive(Debug, Clone, Default)]
@@ -28,7 +29,7 @@ pub enum MaskChoice {
     #[default]
     OfLanguage,
     /// A shipped mask.
-    Shipped(Language),
+    Shipped(Dialogue),
     /// The user's own.
     Own {
         /// Its file's name.
@@ -164,11 +165,11 @@ impl Shared {
     }
 
     /// What a status window is drawn with: a language, and the user's own mask.
-    pub fn drawn_with(&self) -> (Language, Option<&Mask>) {
+    pub fn drawn_with(&self) -> (Dialogue, Option<&Mask>) {
         match &self.mask {
-            MaskChoice::OfLanguage => (self.language, None),
+            MaskChoice::OfLanguage => (self.language.dialogue(), None),
             MaskChoice::Shipped(language) => (*language, None),
-            MaskChoice::Own { mask, .. } => (self.language, Some(mask.as_ref())),
+            MaskChoice::Own { mask, .. } => (self.language.dialogue(), Some(mask.as_ref())),
         }
     }
 
@@ -274,7 +275,7 @@ impl Session {
     }
 
     /// What a status window is drawn with: a language, and the user's own mask.
-    pub fn drawn_with(&self) -> (Language, Option<&Mask>) {
+    pub fn drawn_with(&self) -> (Dialogue, Option<&Mask>) {
         self.shared.drawn_with()
     }
 

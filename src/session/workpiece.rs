@@ -5,10 +5,10 @@ use std::sync::Arc;
 use super::command::{CycleFile, Purpose};
 use super::cycles::{BenchField, BenchForm, BenchKind};
 use super::shared::{News, Shared};
+use crate::message::Message;
 use crate::probing::Contact;
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::Bench;
-use crate::words::Message;
 
 /// What can be done with the simulated workpiece and with recorded contacts.
 #[derive(Debug, Clone)]

@@ -1,13 +1,14 @@
 //! The declarations of all cycles against the control's manuals, and the range errors made from them.
 
 use fitcheck::length::Length;
+use fitcheck::message::Say;
 use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Remark, Unset, Value};
 use fitcheck::probing::cycles::{CYCLES, cycle, cycle_named};
 use fitcheck::probing::simulated::{Bench, Machine, Probe, Workpiece};
 use fitcheck::probing::{Contact, Recorded};
 use fitcheck::tolerance::{Deviations, Feature};
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Say, Words};
+use fitcheck::words::{Language, Words};
 
 /// A text that every cycle accepts for a parameter, out of its declaration.
 fn usual(parameter: &Parameter) -> Value {

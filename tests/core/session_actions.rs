@@ -40,7 +40,7 @@ fn busy(page: Page) -> Session {
 #[test]
 fn every_action_has_its_texts_in_every_language() {
     let session = busy(Page::Tables);
-    for language in Language::COMPLETE {
+    for language in Language::all() {
         let words = Words::new(language);
         for action in Action::all() {
             let text = action.text(&session, &words);

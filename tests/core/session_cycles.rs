@@ -10,7 +10,7 @@ use fitcheck::session::{
     Saved, Session, Step, WorkpieceCommand,
 };
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Words};
+use fitcheck::words::{Dialogue, Language, Words};
 
 fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
     session.apply(command.into(), jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0))
@@ -325,7 +325,7 @@ fn the_status_window_speaks_the_language_of_the_window_or_of_the_mask() {
     assert_eq!(first(&session), "FIT STATUS: REWORK");
     apply(&mut session, Command::SetLanguage(Language::Nl));
     assert_eq!(first(&session), "STATUS VAN DE PASSING: Nabewerking");
-    apply(&mut session, Command::SetMask(Some(Language::It)));
+    apply(&mut session, Command::SetMask(Some(Dialogue::It)));
     assert_eq!(first(&session), "STATO ACCOPPIAMENTO: Ripresa");
     let effects = send(&mut session, CyclesCommand::CopyStatus);
     assert!(matches!(effects.as_slice(), [Effect::Copy(text)] if text.contains("75 (422)")), "{effects:?}");
@@ -377,7 +377,7 @@ fn a_shown_result_is_always_that_of_what_is_on_screen() {
         WorkpieceCommand::ContactsRead { name: "a.csv".into(), result: Ok((contacts.to_vec(), Vec::new())) }.into(),
         WorkpieceCommand::Read(Ok(bench("[bore]\ncentre = [0, 0]\ndiameter = 25.03\n"))).into(),
         WorkpieceCommand::Read(Ok(bench("seed = 4\n[point]\npoint = [0, 0, 5]\nnormal = [0, 0, 1]\n"))).into(),
-        WorkpieceCommand::Read(Err(fitcheck::words::Message::new("cycles-no-bench"))).into(),
+        WorkpieceCommand::Read(Err(fitcheck::message::Message::new("cycles-no-bench"))).into(),
     ];
     commands.extend(ContactsFrom::ALL.map(CyclesCommand::From).map(Command::from));
     commands.extend(CYCLES.iter().map(|cycle| CyclesCommand::Choose(cycle.number).into()));

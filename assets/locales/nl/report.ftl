@@ -6,10 +6,6 @@ report-ending-missing = { $file } heeft geen extensie waaruit de soort rapport b
 report-ending-unknown = .{ $ending } is geen soort rapport: gebruik een van { $endings }
 
 ## Sentences about one check
-report-status-good = GOED
-report-status-rework = NABEWERKING
-report-status-remeasure = OPNIEUW METEN
-report-status-scrap = AFGEKEURD
 report-feature-hole = boring
 report-feature-shaft = as
 report-side-good = goed
@@ -80,8 +76,3 @@ report-footer = Elk oordeel is geveld met de grensmaten en de beslisregel die er
 ## Notes
 report-note = { $place }: { $what }
 report-note-line = { $place }, regel { $line }: { $what }
-report-check-no-measured = { $text } heeft geen gemeten waarde: schrijf een passing, = en millimeters, bijvoorbeeld 25 H7=25.012
-report-check-measured = gemeten waarde: { $reason }
-report-check-not-positive = gemeten waarde { $measured } mm is niet groter dan 0
-report-format = --format { $format } past niet bij de extensie van { $file }: laat een van beide weg
-report-empty = geen enkele controle kon worden gebruikt, dus er is geen rapport geschreven

@@ -1,12 +1,14 @@
 //! What there is to say about one fit: computed by the core, put together here.
 
-use super::Asked;
+use super::Given;
 use super::heat::{Heat, Heated};
 use crate::length::Length;
+use crate::tolerance::fit::Fit;
+use crate::tolerance::fit::FitError;
 use crate::tolerance::fit::equivalent::{Difference, equivalent};
-use crate::tolerance::fit::{Actual, Fit, Possible};
 use crate::tolerance::{Callout, Feature, Tolerance, ToleranceClass};
 use crate::verdict::Status;
+use crate::verdict::fit::{Actual, Possible};
 
 /// Everything about one fit.
 pub(super) struct Answer<'a> {
@@ -23,7 +25,7 @@ pub(super) struct Answer<'a> {
 pub(super) struct Equivalent {
     pub callout: Callout,
     /// Its fit and how far it is from the one that was asked for, or why it is not defined.
-    pub fit: Result<(Fit, Difference), String>,
+    pub fit: Result<(Fit, Difference), FitError>,
 }
 
 /// The measured parts.
@@ -54,27 +56,28 @@ impl Measured {
 
 impl<'a> Answer<'a> {
     /// The answer, or why there is none.
-    pub(super) fn of(callout: Callout, asked: &'a Asked<'_>) -> Result<Self, String> {
-        let fit = Fit::of_callout(&callout, asked.sources).map_err(|error| error.to_string())?;
-        let Tolerance::Fit { hole, shaft } = callout.tolerance() else { return Err(format!("{callout} is no fit")) };
+    pub(super) fn of(callout: Callout, given: &'a Given<'_>) -> Result<Self, FitError> {
+        let fit = Fit::of_callout(&callout, given.sources)?;
+        let Tolerance::Fit { hole, shaft } = callout.tolerance() else {
+            return Err(FitError::OneSided { callout });
+        };
         let equivalent = equivalent(hole, shaft).and_then(|(hole, shaft)| {
             let callout = Callout::fit(callout.nominal(), hole, shaft).ok()?;
-            let other = Fit::of_callout(&callout, asked.sources).map_err(|error| error.to_string());
-            let fit = other.map(|other| {
+            let fit = Fit::of_callout(&callout, given.sources).map(|other| {
                 let difference = Difference::between(&fit, &other);
                 (other, difference)
             });
             Some(Equivalent { callout, fit })
         });
-        let measured = match (asked.measured.hole, asked.measured.shaft) {
-            (Some(hole), Some(shaft)) => Measured::Both(fit.actual(hole, shaft)),
-            (Some(hole), None) => Measured::One(fit.possible(Feature::Hole, hole)),
-            (None, Some(shaft)) => Measured::One(fit.possible(Feature::Shaft, shaft)),
+        let measured = match (given.hole, given.shaft) {
+            (Some(hole), Some(shaft)) => Measured::Both(Actual::of(&fit, hole, shaft)),
+            (Some(hole), None) => Measured::One(Possible::of(&fit, Feature::Hole, hole)),
+            (None, Some(shaft)) => Measured::One(Possible::of(&fit, Feature::Shaft, shaft)),
             (None, None) => Measured::None,
         };
-        let heated = match &asked.heat {
+        let heated = match &given.heat {
             Some(heat) => {
-                let heated = heat.of(&fit, measured.clearance()).ok_or("the clearance is too large")?;
+                let heated = heat.of(&fit, measured.clearance()).ok_or(FitError::TooLarge)?;
                 Some((heat, heated))
             }
             None => None,

@@ -58,7 +58,7 @@ fn plain(value: Option<&Value>) -> Json {
 /// Program, line and text of a block.
 fn located(machine: &Machine, path: &NcPath, block: usize) -> Map<String, Json> {
     let (_, line) = place(machine, path, block);
-    let program = machine.program(&path.to_string());
+    let program = machine.program(path);
     let number = program.and_then(|program| program.blocks().get(block)).and_then(|block| block.number);
     let text = program.and_then(|program| program.text_of(block).next()).unwrap_or_default().trim();
     let entries =
@@ -130,7 +130,5 @@ pub(super) fn print(machine: &Machine, ended: &Ended, trace: Trace, io: &mut Io<
         answer.insert("trace".to_owned(), trace.blocks.into());
         answer.insert("trace_not_listed".to_owned(), trace.dropped.into());
     }
-    let text = serde_json::to_string_pretty(&answer).map_err(|error| CliError::Data(error.to_string()))?;
-    writeln!(io.out, "{text}")?;
-    Ok(())
+    io.json(&answer)
 }

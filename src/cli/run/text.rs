@@ -1,8 +1,10 @@
 //! What came of a run, for people: windows and trace on standard output, notes on standard error.
 
+use super::super::Note;
 use super::{CliError, Ended, Io, Listener, place, tame};
+use crate::message::Message;
 use crate::nc::machine::{BlockPlace, Fault, Machine, Pause, shown};
-use crate::words::{Language, Message, Words};
+use crate::words::{Language, Words};
 
 /// Prints windows as they open, and with a trace every block before.
 pub(super) struct Printer {
@@ -19,7 +21,7 @@ impl Printer {
     fn print_block(&self, machine: &Machine, io: &mut Io<'_>) -> Result<(), CliError> {
         let Some(BlockPlace { program, block }) = &self.at else { return Ok(()) };
         let (file, line) = place(machine, program, *block);
-        let program = machine.program(&program.to_string());
+        let program = machine.program(program);
         let Some(text) = program.and_then(|program| program.text_of(*block).next()) else { return Ok(()) };
         writeln!(io.out, "{file}:{line}  {}", tame(text.trim()))?;
         for parameter in machine.changed() {
@@ -81,12 +83,12 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &m
     // A file that is printed to a thousand times is one file.
     written.dedup();
     for path in written {
-        io.tell(format_args!("wrote {path}"))?;
+        io.tell(Note::Wrote { path: path.to_string() })?;
     }
     Ok(())
 }
 
 /// Why the run stopped.
 pub(super) fn tell_fault(fault: &Fault, language: Language, io: &mut Io<'_>) -> Result<(), CliError> {
-    io.tell(format_args!("fitcheck: {}", Words::new(language).told(fault)))
+    io.fail(Words::new(language).told(fault))
 }

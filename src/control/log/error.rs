@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::length::LengthError;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// Why a log cannot be used, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -3,15 +3,14 @@
 //! They belong to the files that a control writes, not to the window, so they stand apart from the locales. A reader
 //! goes by order and numbers and never asks for them.
 
-use std::sync::LazyLock;
-
 use serde::Deserialize;
 
 use super::Values;
+use crate::shipped;
 use crate::tolerance::Feature;
-use crate::words::Language;
+use crate::words::{Dialogue, PerDialogue};
 
-/// The words of one language.
+/// The words of one dialogue language.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(in crate::control) struct Labels {
@@ -68,23 +67,14 @@ pub(in crate::control) struct Surface {
 }
 
 impl Labels {
-    /// The words of a language.
-    pub(in crate::control) fn of(language: Language) -> &'static Self {
-        static LABELS: LazyLock<[Labels; 4]> = LazyLock::new(|| {
-            [
-                shipped(include_str!("../../../assets/logs/en.toml")),
-                shipped(include_str!("../../../assets/logs/nl.toml")),
-                shipped(include_str!("../../../assets/logs/de.toml")),
-                shipped(include_str!("../../../assets/logs/it.toml")),
-            ]
+    /// The words of a dialogue language.
+    pub(in crate::control) fn of(dialogue: Dialogue) -> &'static Self {
+        static LABELS: PerDialogue<Labels> = PerDialogue::new(|dialogue| {
+            let text = shipped::text(shipped::LOGS, &format!("{dialogue}.toml"));
+            #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
+            toml::from_str(text).expect("words of logs can be read")
         });
-        let [en, nl, de, it] = &*LABELS;
-        match language {
-            Language::En => en,
-            Language::Nl => nl,
-            Language::De => de,
-            Language::It => it,
-        }
+        LABELS.of(dialogue)
     }
 
     /// What differs between the cycles.
@@ -99,20 +89,14 @@ impl Labels {
     }
 }
 
-/// Words that are part of the program; a test reads all of them.
-fn shipped(text: &str) -> Labels {
-    #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
-    toml::from_str(text).expect("words of logs can be read")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn every_language_can_be_read() {
-        for language in Language::ALL {
-            assert!(Labels::of(language).surface.title.contains("444"), "{language}");
+    fn every_dialogue_can_be_read() {
+        for dialogue in Dialogue::ALL {
+            assert!(Labels::of(dialogue).surface.title.contains("444"), "{dialogue}");
         }
     }
 }

@@ -9,10 +9,10 @@ use eframe::egui::{Id, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetIn
 use super::paint;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
+use crate::message::Message;
 use crate::nc::program::Body;
 use crate::session::ProgramCommand;
 use crate::session::program::{Document, Run, State};
-use crate::words::Message;
 
 /// How many lines around a block come into sight with it.
 const AROUND: f32 = 3.0;

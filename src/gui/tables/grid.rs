@@ -11,10 +11,10 @@ use super::paint;
 use crate::gui::dialogs::just_opened;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
+use crate::message::Message;
 use crate::session::tables::Document;
 use crate::session::{Action, TablesCommand};
 use crate::tolerance::ToleranceClass;
-use crate::words::Message;
 
 /// The id of the grid: it takes the focus as a whole.
 pub(in crate::gui) fn id() -> Id {

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use super::path::NcPath;
 use crate::control::mask::FileUse;
-use crate::files;
-use crate::words::{Message, Say};
+use crate::message::Say;
+use crate::shipped;
+use crate::words::Dialogue;
 
 /// Files as a program sees them. Paths are followed to their end before they come here.
 pub trait Store: Send {
@@ -23,37 +24,34 @@ pub trait Store: Send {
 }
 
 /// Why a file cannot be read or written.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "machine-store", error)]
 pub enum StoreError {
     /// There is none.
-    #[error("there is no file {path}")]
     Missing {
         /// Its path.
         path: NcPath,
     },
     /// A link leads out of the folders that were given.
-    #[error("{path} leads out of the folders that were given")]
     Outside {
         /// Its path.
         path: NcPath,
     },
     /// A folder, a pipe or a device.
-    #[error("{path} is no file")]
     NoFile {
         /// Its path.
         path: NcPath,
     },
     /// It is larger than anything that a control has.
-    #[error("{path} is larger than {} MiB", files::LARGEST >> 20)]
     TooLarge {
         /// Its path.
         path: NcPath,
+        /// What is allowed, MiB.
+        most: u64,
     },
     /// No folder was chosen for outputs.
-    #[error("no folder was chosen for outputs")]
     ReadOnly,
     /// The system said no.
-    #[error("{path}: {reason}")]
     System {
         /// Its path.
         path: NcPath,
@@ -62,41 +60,11 @@ pub enum StoreError {
     },
 }
 
-impl Say for StoreError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Missing { path } => Message::new("machine-store-missing").text("path", path),
-            Self::Outside { path } => Message::new("machine-store-outside").text("path", path),
-            Self::NoFile { path } => Message::new("machine-store-no-file").text("path", path),
-            Self::TooLarge { path } => {
-                Message::new("machine-store-too-large").text("path", path).text("most", files::LARGEST >> 20)
-            }
-            Self::ReadOnly => Message::new("machine-store-read-only"),
-            Self::System { path, reason } => {
-                Message::new("machine-store-system").text("path", path).text("reason", reason)
-            }
-        }
+impl StoreError {
+    fn missing(path: &NcPath) -> Self {
+        Self::Missing { path: path.clone() }
     }
 }
-
-/// The files that are embedded in the program.
-const SHIPPED: [(&str, &[u8]); 15] = [
-    ("8255_nl.h", include_bytes!("../../../assets/nc/8255_nl.h")),
-    ("8255_en.h", include_bytes!("../../../assets/nc/8255_en.h")),
-    ("8255_de.h", include_bytes!("../../../assets/nc/8255_de.h")),
-    ("8255_it.h", include_bytes!("../../../assets/nc/8255_it.h")),
-    ("82551_nl.h", include_bytes!("../../../assets/nc/82551_nl.h")),
-    ("82551_en.h", include_bytes!("../../../assets/nc/82551_en.h")),
-    ("82551_de.h", include_bytes!("../../../assets/nc/82551_de.h")),
-    ("82551_it.h", include_bytes!("../../../assets/nc/82551_it.h")),
-    ("82552_nl.a", include_bytes!("../../../assets/masks/82552_nl.a")),
-    ("82552_en.a", include_bytes!("../../../assets/masks/82552_en.a")),
-    ("82552_de.a", include_bytes!("../../../assets/masks/82552_de.a")),
-    ("82552_it.a", include_bytes!("../../../assets/masks/82552_it.a")),
-    ("82553_hole.tab", include_bytes!("../../../tables/82553_hole.tab")),
-    ("82553_shaft.tab", include_bytes!("../../../tables/82553_shaft.tab")),
-    ("tchprobe.tp", include_bytes!("../../../tables/tchprobe.tp")),
-];
 
 /// The programs, tables and masks that are embedded: found by file name, whatever the folder. Nothing is written.
 #[derive(Debug, Clone, Copy, Default)]
@@ -105,19 +73,31 @@ pub struct Shipped;
 impl Shipped {
     /// The bytes of an embedded file.
     pub fn file(name: &str) -> Option<&'static [u8]> {
-        SHIPPED.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, bytes)| *bytes)
+        let mut files = shipped::NC.iter().chain(shipped::MASKS).chain(shipped::TABLES);
+        files.find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, bytes)| *bytes)
     }
 
-    /// The names of all of them.
-    pub fn names() -> impl Iterator<Item = &'static str> {
-        SHIPPED.iter().map(|(name, _)| *name)
+    /// The programs that begin by themselves, one a dialogue language.
+    pub fn main_programs() -> impl Iterator<Item = (Dialogue, &'static str)> {
+        let named = |dialogue| shipped::NC.iter().find(|(name, _)| *name == format!("8255_{dialogue}.h"));
+        Dialogue::ALL.into_iter().filter_map(move |dialogue| Some((dialogue, named(dialogue)?.0)))
     }
 }
 
 impl Store for Shipped {
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
-        let missing = || StoreError::Missing { path: path.clone() };
-        Self::file(path.file_name()).map(<[u8]>::to_vec).ok_or_else(missing)
+        Self::file(path.file_name()).map(<[u8]>::to_vec).ok_or_else(|| StoreError::missing(path))
+    }
+
+    fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
+        Err(StoreError::ReadOnly)
+    }
+}
+
+/// The files of a control and no others. Nothing is written.
+impl Store for BTreeMap<NcPath, Vec<u8>> {
+    fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
+        self.get(path).cloned().ok_or_else(|| StoreError::missing(path))
     }
 
     fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {

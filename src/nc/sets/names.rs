@@ -6,13 +6,13 @@ use std::str::FromStr;
 use super::Target;
 use super::error::SetError;
 use crate::control::table::Generation;
+use crate::nc::program::TextOperand;
 use crate::tolerance::Feature;
-use crate::words::Language;
 
 /// A generation of controls that sets are written for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Control {
-    /// iTNC 530, from NC software 340 49x-07 and 606 42x-02 (seed `000_2e707c2d138629e0.txt`).
+    /// iTNC 530, from NC software 340 49x-07 and 606 42x-02 (NC-Solutions, description of NC program 8255).
     Itnc530,
     /// TNC 320, TNC 620 and TNC 640.
     Tnc640,
@@ -140,12 +140,6 @@ impl<'a> Names<'a> {
     /// (manual 81762x-19); the other files follow.
     pub(super) fn new(target: &'a Target) -> Self {
         let language = target.language;
-        let readme = match language {
-            Language::En => "README.TXT",
-            Language::Nl => "LEESMIJ.TXT",
-            Language::De => "LIESMICH.TXT",
-            Language::It => "LEGGIMI.TXT",
-        };
         let [main, check, mask, hole, shaft] = match target.control {
             Control::Itnc530 => ["8255_", "82551_", "82552_", "82553_hole.tab", "82553_shaft.tab"],
             Control::Tnc640 | Control::Tnc7 => {
@@ -161,7 +155,7 @@ impl<'a> Names<'a> {
             check: full(check, ".h"),
             mask: full(mask, ".a"),
             tables: [hole, shaft],
-            readme,
+            readme: &language.words().readme,
         }
     }
 
@@ -185,6 +179,11 @@ impl<'a> Names<'a> {
     /// A file's path on the control.
     pub(super) fn path(&self, file: &str) -> String {
         self.target.folder.file(file)
+    }
+
+    /// The same as a block names it.
+    pub(super) fn operand(&self, file: &str) -> TextOperand {
+        TextOperand::Text(self.path(file))
     }
 }
 

@@ -37,7 +37,7 @@ use super::contact::{Contact, Prober};
 use crate::length::Length;
 use crate::tolerance::Feature;
 use crate::verdict::Status;
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// A measuring cycle of a control.
 #[derive(Debug)]
@@ -94,10 +94,10 @@ pub enum Nominal {
 
 impl Cycle {
     /// The name in a language; English where the language has none, else the first there is.
-    pub fn name(&self, language: Language) -> &'static str {
+    pub fn name(&self, language: Dialogue) -> &'static str {
         let of = |wanted| self.names.iter().find(|(language, _)| *language == wanted).map(|(_, name)| *name);
         let first = || self.names.first().map(|(_, name)| *name);
-        of(language).or_else(|| of(Language::En)).or_else(first).unwrap_or_default()
+        of(language).or_else(|| of(Dialogue::En)).or_else(first).unwrap_or_default()
     }
 
     /// A parameter by its key; a bare number is that of a Q parameter.

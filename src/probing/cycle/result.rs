@@ -7,10 +7,10 @@ use super::inputs::Inputs;
 use super::key::Key;
 use super::value::Value;
 use crate::length::Length;
+use crate::message::{Message, Say};
 use crate::probing::circle::{Circle, Evaluation, evaluate};
 use crate::probing::contact::Contact;
 use crate::verdict::{PositionVerdict, Removal, Status};
-use crate::words::{Message, Say};
 
 /// What a cycle found.
 #[derive(Debug, Clone, PartialEq)]
@@ -268,18 +268,12 @@ impl Say for Check {
             () if self.maximum < self.measured => "check-above",
             () => "check-below",
         };
-        let status = Message::new(match self.status {
-            Status::Good => "report-status-good",
-            Status::Rework => "report-status-rework",
-            Status::ReMeasure => "report-status-remeasure",
-            Status::Scrap => "report-status-scrap",
-        });
         let message = Message::new(id)
             .message("what", self.what.message())
             .text("measured", self.measured)
             .text("minimum", self.minimum)
             .text("maximum", self.maximum);
-        message.message("status", status)
+        message.with("status", &self.status)
     }
 }
 

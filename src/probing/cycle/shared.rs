@@ -4,7 +4,7 @@
 
 use super::key::Key;
 use super::parameter::{Parameter, Texts};
-use crate::words::Language::{En, It};
+use crate::words::Dialogue::{En, It};
 
 const CHOSEN: &[i64] = &[0, 1];
 

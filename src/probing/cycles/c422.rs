@@ -3,7 +3,7 @@
 use super::circle_cycle::{Side, nominal, parameters, run};
 use crate::probing::cycle::{Cycle, Parameter};
 use crate::tolerance::Feature;
-use crate::words::Language::{En, Nl};
+use crate::words::Dialogue::{En, Nl};
 
 const SIDE: Side = Side {
     feature: Feature::Shaft,

@@ -16,7 +16,7 @@ use crate::probing::cycle::{
 };
 use crate::tolerance::Feature;
 use crate::verdict::{Status, classify};
-use crate::words::Language::{En, It};
+use crate::words::Dialogue::{En, It};
 
 /// The declaration, in the order of the seed's example.
 pub(super) const CYCLE: Cycle = Cycle {

@@ -13,7 +13,7 @@ use crate::probing::cycle::{
 };
 use crate::tolerance::{Deviations, Feature};
 use crate::verdict::{Status, classify};
-use crate::words::Language::{En, Nl};
+use crate::words::Dialogue::{En, Nl};
 
 /// The permitted deviation along the normal, as a text.
 const TOLERANCE: Key = Key::Qs(400);

@@ -14,7 +14,7 @@ use crate::probing::cycle::{
 };
 use crate::tolerance::Feature;
 use crate::verdict::{Status, classify};
-use crate::words::Language::En;
+use crate::words::Dialogue::En;
 
 /// The name of Q262.
 const NOMINAL_DIAMETER: &str = "NOMINAL DIAMETER";

@@ -14,7 +14,7 @@ use crate::probing::cycle::{
     Remark, along, nearest,
 };
 use crate::tolerance::Feature;
-use crate::words::Language::{De, En};
+use crate::words::Dialogue::{De, En};
 
 const PLANE: Key = Key::Word("R");
 const SIDE: Key = Key::Word("BR");

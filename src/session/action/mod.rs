@@ -19,9 +19,10 @@ use super::program::{BlockStep, ProgramField, Switch};
 use super::tables::{self, TablesField};
 use super::{Command, Direction, Field, MeasureBy, Page, Session, SourceChoice, Step, Theme};
 use crate::exchange::tables::TABLE_FORMATS;
+use crate::message::Message;
 use crate::report::RENDERINGS;
 use crate::tolerance::Feature;
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// Where an action applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -291,7 +292,7 @@ impl Action {
                 RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
             }
             Self::SaveTable(number) => {
-                let format = TABLE_FORMATS.get(number).map(|format| words.get(format.description_id));
+                let format = TABLE_FORMATS.get(number).map(|format| words.get(format.description));
                 capitalised(&format.map(|format| format!("{format}…")).unwrap_or_default())
             }
             Self::RemoveColumn => {

@@ -8,10 +8,10 @@ use super::{Asked, CheckCommand, CheckField, CheckPage, MeasureBy, Shown, class_
 use crate::control::status;
 use crate::exchange::Imported;
 use crate::journal::Record;
+use crate::message::{Message, Say as _};
 use crate::session::command::Effect;
 use crate::session::shared::{News, PageState, Shared};
 use crate::tolerance::Sources;
-use crate::words::{Message, Say as _};
 
 impl PageState for CheckPage {
     type Command = CheckCommand;

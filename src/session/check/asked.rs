@@ -5,12 +5,12 @@ use std::ops;
 
 use super::CheckField;
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::probing::cycle::{Angle, Value};
 use crate::probing::cycles::cycle;
 use crate::session::field::Texts;
 use crate::tolerance::callout::halves;
 use crate::tolerance::{Callout, Feature, Limits, Sources};
-use crate::words::{Message, Say as _};
 
 /// The meaning of the fields. Made anew at every change.
 #[derive(Debug, Clone)]

@@ -2,8 +2,8 @@
 
 use super::{CheckField, MeasureBy};
 use crate::exchange::Imported;
+use crate::message::Message;
 use crate::tolerance::{Feature, ToleranceClass};
-use crate::words::Message;
 
 /// What can be done on the check page.
 #[derive(Debug, Clone)]

@@ -6,14 +6,14 @@ use super::{Asked, CheckField, CheckPage, MeasureBy};
 use crate::exchange::Imported;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
+use crate::message::{Message, Say as _};
 use crate::probing::measure::{ProbePosition, cycle_number, measure as run_cycle};
 use crate::probing::measurement::measure_contacts;
 use crate::probing::simulated::{Lobes, Machine, Probe, Workpiece};
 use crate::probing::{Contact, Measurement, Origin};
 use crate::session::shared::Notice;
 use crate::tolerance::Limits;
-use crate::verdict::{self, AxisPosition, PositionVerdict};
-use crate::words::{Message, Say as _};
+use crate::verdict::{AxisPosition, PositionVerdict};
 
 /// What measuring refused, and beside which field it is said.
 type Refusal = (CheckField, Message);
@@ -40,16 +40,8 @@ fn record(
     (measurement, position): (Measurement, Option<PositionVerdict>),
     now: DateTime,
 ) -> Record {
-    let measured = measurement.diameter;
-    Record {
-        time: now,
-        id: part.trim().to_owned(),
-        callout: asked.callout().map(|callout| callout.of_part(limits.feature)),
-        limits: limits.clone(),
-        verdict: verdict::judge(limits, measured, position),
-        doubt: verdict::doubt(limits.nominal, measured),
-        measurement,
-    }
+    let callout = asked.callout().map(|callout| callout.of_part(limits.feature));
+    Record::judged(now, part.trim().to_owned(), callout, limits.clone(), measurement, position)
 }
 
 fn typed(asked: &Asked) -> Result<Measurement, Refusal> {
@@ -115,10 +107,10 @@ pub(super) fn import_notice(name: &str, imported: &Imported) -> Notice {
     let good = imported.records.len() + usize::from(imported.contacts.is_some());
     let message =
         Message::new("import-notice").text("name", name).count("good", good).count("bad", imported.problems.len());
-    let problems = imported.problems.iter().map(crate::words::Say::message);
+    let problems = imported.problems.iter().map(crate::message::Say::message);
     let unjudged =
         imported.unjudged.iter().filter(|_| imported.contacts.is_none()).map(|unjudged| unjudged.why.message());
-    let warnings = imported.warnings.iter().map(crate::words::Say::message);
+    let warnings = imported.warnings.iter().map(crate::message::Say::message);
     let details = problems.chain(unjudged).chain(warnings).collect();
     Notice { message, details, is_problem: good == 0 }
 }

@@ -27,8 +27,8 @@ pub use field::CheckField;
 use super::field::Texts;
 use super::saved::SavedInputs;
 use crate::journal::Record;
+use crate::message::Message;
 use crate::tolerance::{Callout, Feature, Sources};
-use crate::words::Message;
 
 /// Where the next measurement comes from.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -3,9 +3,9 @@
 use jiff::civil::DateTime;
 
 use super::{ContactsFrom, CycleField, CyclesCommand, CyclesPage};
+use crate::message::Message;
 use crate::session::command::Effect;
 use crate::session::shared::{News, PageState, Shared};
-use crate::words::Message;
 
 impl PageState for CyclesPage {
     type Command = CyclesCommand;
@@ -25,7 +25,7 @@ impl PageState for CyclesPage {
             }
             CyclesCommand::ProbesRead { name, result } => {
                 if let Some(table) = shared.from_file(result) {
-                    let details = table.warnings.iter().map(crate::words::Say::message).collect();
+                    let details = table.warnings.iter().map(crate::message::Say::message).collect();
                     shared.note_details(Message::new("cycles-probes-loaded").text("name", &name), details);
                     (self.probes, self.probe) = (Some((name, table)), None);
                     self.changed();
@@ -40,7 +40,7 @@ impl PageState for CyclesPage {
             }
             CyclesCommand::TypeBlock(text) => (self.block, self.block_problem) = (Some(text), None),
             CyclesCommand::TakeBlock => self.take_block(),
-            CyclesCommand::CopyBlock => match self.written(shared.language) {
+            CyclesCommand::CopyBlock => match self.written(shared.language.dialogue()) {
                 Ok(block) => return vec![Effect::Copy(block)],
                 Err(problem) => shared.tell(problem),
             },

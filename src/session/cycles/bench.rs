@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use super::bench_field::{BenchField, BenchKind};
 use crate::length::{Length, LengthError};
+use crate::message::{Message, Say as _};
 use crate::probing::cycle::{Nominal, Plane, number};
 use crate::probing::simulated::{Bench, Face, FreePoint, Lobes, Probe, Surface, Wave, Workpiece};
 use crate::tolerance::Feature;
-use crate::words::{Message, Say as _};
 
 /// The simulated machine as it is typed.
 #[derive(Debug, Clone)]

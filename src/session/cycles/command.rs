@@ -2,7 +2,7 @@
 
 use super::{ContactsFrom, CycleField, Step};
 use crate::control::probe_table::ProbeTable;
-use crate::words::Message;
+use crate::message::Message;
 
 /// What can be done on the cycles page.
 #[derive(Debug, Clone)]

@@ -2,12 +2,13 @@
 
 use super::CyclesPage;
 use crate::control::probe_block;
+use crate::message::{Message, Say as _};
 use crate::probing::Source;
 use crate::probing::cycles::cycle;
 use crate::probing::simulated::{Bench, Probe};
 use crate::session::saved::SavedCycles;
 use crate::session::shared::Shared;
-use crate::words::{Language, Message, Say as _};
+use crate::words::Dialogue;
 
 impl CyclesPage {
     pub(super) fn choose(&mut self, number: u16) {
@@ -66,7 +67,7 @@ impl CyclesPage {
     }
 
     /// The form as a block for the clipboard, with the line ends of a text.
-    pub(super) fn written(&self, language: Language) -> Result<String, Message> {
+    pub(super) fn written(&self, language: Dialogue) -> Result<String, Message> {
         let block = probe_block::write(self.cycle, &self.inputs, language);
         block.map(|block| block.replace("\r\n", "\n")).map_err(|error| error.message())
     }

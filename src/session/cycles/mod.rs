@@ -31,10 +31,10 @@ pub use running::{CycleRun, RunLog, Step};
 
 use super::saved::SavedCycles;
 use crate::control::probe_table::ProbeTable;
+use crate::message::Message;
 use crate::probing::TouchProbe;
 use crate::probing::cycle::{Cycle, Inputs, Key, Parameter, Unset, Value};
 use crate::probing::cycles::CYCLES;
-use crate::words::Message;
 
 /// Where contacts come from.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]

@@ -2,8 +2,8 @@
 
 use super::{Axis, CycleField, CyclesPage};
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::probing::cycle::{Inputs, Parameter, Value};
-use crate::words::{Message, Say as _};
 
 impl CyclesPage {
     /// Reads the fields anew.

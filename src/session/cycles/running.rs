@@ -10,11 +10,12 @@ use crate::control::cycle_status::cycle_window;
 use crate::control::mask::Mask;
 use crate::control::text::decode;
 use crate::length::Unit;
+use crate::message::{Message, Say as _};
 use crate::probing::circle::Evaluation;
 use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move, Nominal};
 use crate::probing::{Source, SourceError};
 use crate::session::shared::Shared;
-use crate::words::{Language, Message, Say as _};
+use crate::words::Dialogue;
 
 /// A run of a cycle.
 #[derive(Debug, Clone)]
@@ -56,7 +57,7 @@ pub struct RunLog {
 
 impl RunLog {
     /// The log of a result, as Q281 asks for it; a page (cycle 444) is written only, never shown.
-    fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Language) -> Option<Result<Self, Message>> {
+    fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Dialogue) -> Option<Result<Self, Message>> {
         let (name, is_shown) = match result.log {
             LogTarget::File(name) => (name.to_owned(), false),
             LogTarget::Screen => (format!("TCHPR{}.TXT", cycle.code), true),
@@ -81,8 +82,8 @@ impl CycleRun {
 
     /// What is worth knowing: remarks of the cycle, warnings of the circle, contacts that were left over.
     pub fn remarks(&self) -> Vec<Message> {
-        let remarks = self.found().into_iter().flat_map(|result| &result.remarks).map(crate::words::Say::message);
-        let warnings = self.evaluation.iter().flat_map(|found| &found.warnings).map(crate::words::Say::message);
+        let remarks = self.found().into_iter().flat_map(|result| &result.remarks).map(crate::message::Say::message);
+        let warnings = self.evaluation.iter().flat_map(|found| &found.warnings).map(crate::message::Say::message);
         let unused = (0 < self.unused).then(|| Message::new("cycles-unused").count("count", self.unused));
         let log = self.log.iter().filter_map(|log| match log {
             Ok(log) => log.other.map(|other| other.message()),
@@ -166,7 +167,7 @@ impl CyclesPage {
         Ok(CycleRun {
             cycle,
             from,
-            log: result.as_ref().ok().and_then(|result| RunLog::of(cycle, result, time, shared.language)),
+            log: result.as_ref().ok().and_then(|result| RunLog::of(cycle, result, time, shared.language.dialogue())),
             nominal: cycle.nominal(inputs).ok(),
             ball_radius: prober.ball_radius(),
             unused: if result.is_ok() { source.unused(&path) } else { 0 },
@@ -203,7 +204,7 @@ impl CyclesPage {
 
     /// The status window of the shown run, drawn in a language and with the user's own mask; `None` where nothing was
     /// compared with limits.
-    pub fn window(&self, (language, own): (Language, Option<&Mask>)) -> Option<Result<String, Message>> {
+    pub fn window(&self, (language, own): (Dialogue, Option<&Mask>)) -> Option<Result<String, Message>> {
         let run = self.run.as_ref()?;
         let window = cycle_window(run.cycle, run.found()?, language, own, run.time)?;
         Some(window.map_err(|error| error.message()))

@@ -25,12 +25,13 @@ use std::sync::Arc;
 use super::field::Texts;
 use super::saved::SavedInputs;
 use crate::length::Length;
+use crate::message::Message;
 use crate::tolerance::fit::equivalent::Difference;
 use crate::tolerance::fit::search::{Found, Scope, Wanted};
 use crate::tolerance::fit::thermal::{Expansion, Temperature, clearance_change};
-use crate::tolerance::fit::{Actual, Fit, Kind, Possible};
+use crate::tolerance::fit::{Fit, Kind};
 use crate::tolerance::{Feature, Sources, ToleranceClass};
-use crate::words::Message;
+use crate::verdict::fit::{Actual, Possible};
 
 pub use class_map::{ClassMap, Direction, MapCell};
 pub use command::FitCommand;
@@ -217,9 +218,9 @@ impl FitPage {
     pub fn parts(&self) -> Option<Parts> {
         let fit = self.fit.as_ref()?;
         match (self.length(FitField::HoleMeasured), self.length(FitField::ShaftMeasured)) {
-            (Some(hole), Some(shaft)) => Some(Parts::Both(fit.actual(hole, shaft))),
-            (Some(hole), None) => Some(Parts::One(fit.possible(Feature::Hole, hole))),
-            (None, Some(shaft)) => Some(Parts::One(fit.possible(Feature::Shaft, shaft))),
+            (Some(hole), Some(shaft)) => Some(Parts::Both(Actual::of(fit, hole, shaft))),
+            (Some(hole), None) => Some(Parts::One(Possible::of(fit, Feature::Hole, hole))),
+            (None, Some(shaft)) => Some(Parts::One(Possible::of(fit, Feature::Shaft, shaft))),
             (None, None) => None,
         }
     }

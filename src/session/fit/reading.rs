@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use super::{Asking, ClassMap, Equivalent, FitField, FitPage, Maps};
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::session::check::{class_text, nominal_text};
 use crate::tolerance::fit::Fit;
 use crate::tolerance::fit::equivalent::{self, Difference};
 use crate::tolerance::fit::search::{Wanted, search_in};
 use crate::tolerance::fit::thermal::ThermalError;
 use crate::tolerance::{Callout, Feature, Limits, Sources, ToleranceClass};
-use crate::words::{Message, Say as _};
 
 /// The most pairs that a search lists; the total is counted in any case.
 const MOST_FOUND: usize = 500;

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use super::run::Speed;
 use super::{Document, ProgramField};
 use crate::control::variables::Parameter;
+use crate::message::Message;
 use crate::nc::machine::{BlockPlace, NcPath};
 use crate::nc::program::ProgramWarning;
-use crate::words::Message;
 
 /// What can be done on the program page.
 #[derive(Debug, Clone)]

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use super::{Document, ProgramField, ProgramPage};
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::nc::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
 use crate::probing::cycle;
 use crate::probing::cycles::cycle as cycle_of;
 use crate::tolerance::{Callout, Limits, Sources};
-use crate::verdict::{SizeVerdict, Status, judge_size};
-use crate::words::{Message, Say as _};
+use crate::verdict::{SizeVerdict, judge_size};
 
 /// An input of NC-Solution 8255 (seed `000_2e707c2d138629e0.txt`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -252,20 +252,10 @@ impl ProgramPage {
             }
         }
         if let Some((_, verdict)) = self.verdict(sources).filter(|(_, verdict)| verdict.status != status) {
-            let word = |status: Status| Message::new(status_id(status));
             let difference = Message::new("program-page-differs-status");
-            differences.push(difference.message("program", word(status)).message("own", word(verdict.status)));
+            differences.push(difference.with("program", &status).with("own", &verdict.status));
         }
         Some(if differences.is_empty() { Agreement::Agrees } else { Agreement::Differs(differences) })
-    }
-}
-
-const fn status_id(status: Status) -> &'static str {
-    match status {
-        Status::Good => "word-good",
-        Status::Rework => "word-rework",
-        Status::Scrap => "word-scrap",
-        Status::ReMeasure => "word-re-measure",
     }
 }
 

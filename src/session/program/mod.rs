@@ -38,16 +38,15 @@ pub use command::{BlockStep, Origin, ProgramCommand, Switch, WorkpieceFrom};
 pub use document::{Document, Entry, EntryKind};
 pub use field::ProgramField;
 pub use inputs::{Agreement, Input};
-pub use opening::SHIPPED;
 pub use problems::{Problem, ProblemKind};
 pub use run::{MOST_MOVES, Run, Speed, State};
 pub use tokens::{Token, tokens};
 pub use watching::{Name, Watched};
 
 use crate::control::variables::{Parameter, Value};
+use crate::message::Message;
 use crate::nc::machine::{BlockPlace, NcPath};
 use crate::nc::program::ProgramWarning;
-use crate::words::Message;
 
 /// The state of the program page.
 #[derive(Debug, Default)]

@@ -6,9 +6,10 @@ use jiff::civil::DateTime;
 
 use super::run::{Goal, Run, State};
 use super::{Origin, ProgramField, ProgramPage, Speed};
-use crate::nc::machine::{BlockPlace, Folders, Machine, Settings};
+use crate::files::Folders;
+use crate::message::{Message, Say as _};
+use crate::nc::machine::{BlockPlace, Machine, Settings};
 use crate::session::shared::Shared;
-use crate::words::{Message, Say as _};
 
 /// How far a run goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,7 +77,7 @@ impl ProgramPage {
             }),
             _ => Folders::new(),
         };
-        let mut settings = Settings::new(shared.language, now);
+        let mut settings = Settings::new(shared.language.dialogue(), now);
         settings.skip_unknown = self.switches.skip_unknown;
         settings.block_skip = self.switches.block_skip;
         settings.optional_stop = self.switches.optional_stop;
@@ -88,7 +89,7 @@ impl ProgramPage {
             machine.set(*parameter, value.clone()).map_err(|fault| fault.message())?;
         }
         for place in &self.breakpoints {
-            machine.toggle_breakpoint(&place.program.to_string(), place.block);
+            machine.toggle_breakpoint(place.clone());
         }
         Ok(Run::new(machine))
     }

@@ -3,7 +3,7 @@
 use super::{ProgramField, ProgramPage};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::length::Length;
-use crate::words::Message;
+use crate::message::Message;
 
 /// A parameter in the list.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,13 +3,13 @@
 use super::inputs::{Input, length};
 use super::{ProgramField, ProgramPage, WorkpieceFrom};
 use crate::length::Length;
+use crate::message::Message;
 use crate::nc::machine::Contacts;
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::{Bench, Surface, Workpiece};
 use crate::session::command::{CycleFile, Page};
 use crate::session::shared::Shared;
 use crate::tolerance::{Feature, Limits};
-use crate::words::Message;
 
 impl ProgramPage {
     /// A hole's or a shaft's workpiece at the inputs' centre.

@@ -1,8 +1,8 @@
 //! What can be done on the table page.
 
 use super::TablesField;
+use crate::message::Message;
 use crate::tolerance::{DeviationTable, ToleranceClass};
-use crate::words::Message;
 
 /// What can be done on the table page.
 #[derive(Debug, Clone)]

@@ -2,11 +2,12 @@
 
 use super::{Document, Origin, TablesField, TablesPage};
 use crate::length::{Length, Unit};
+use crate::message::{Message, Say as _};
 use crate::session::shared::Shared;
 use crate::tolerance::table::TableShapeError;
 use crate::tolerance::table_edit::{MakeError, TableEdit, standard_column, standard_table};
 use crate::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass, iso286};
-use crate::words::{Language, Message, Say as _};
+use crate::words::Language;
 
 /// What the fields of the cell say, or which of them is wrong.
 type Typed = Result<Option<Deviations>, (TablesField, Message)>;

@@ -34,8 +34,8 @@ pub use filter::Filter;
 use self::keeping::Saving;
 use super::field::Texts;
 use super::saved::SavedInputs;
+use crate::message::Message;
 use crate::tolerance::Sources;
-use crate::words::Message;
 
 /// The state of the table page.
 #[derive(Debug, Default)]

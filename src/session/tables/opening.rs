@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::{Document, MOST_DOCUMENTS, Origin, TablesField, TablesPage};
 use crate::control::shipped_tables;
+use crate::message::Message;
 use crate::session::shared::Shared;
 use crate::tolerance::DeviationTable;
-use crate::words::Message;
 
 impl TablesPage {
     /// Opens the built-in tables when the page is opened for the first time.

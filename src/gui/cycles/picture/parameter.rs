@@ -8,8 +8,9 @@ use super::meaning::{Axis, Meaning, Scene};
 use super::{choice, plan, section};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
+use crate::message::Message;
 use crate::probing::cycle::{Cycle, Key, Parameter};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// The size of the drawing in steps; the sentence stands below it.
 const STEPS: [f32; 2] = [65.0, 40.0];
@@ -40,7 +41,7 @@ pub(in crate::gui) fn parameter_picture(ui: &mut Ui, view: &View<'_>, cycle: &Cy
 pub(super) fn sentence(words: &Words, parameter: &Parameter, meaning: Meaning) -> String {
     let mut message = Message::new(meaning.id());
     if matches!(meaning, Meaning::Length | Meaning::Angle | Meaning::Choice(_) | Meaning::Number) {
-        message = message.text("name", parameter.question(words.language()));
+        message = message.text("name", parameter.question(words.language().dialogue()));
     }
     if let Meaning::Choice(of) = meaning {
         let of: Vec<_> = of.iter().map(|number| words.number(&number.to_string())).collect();

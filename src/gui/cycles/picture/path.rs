@@ -10,8 +10,9 @@ use super::criteria::plain;
 use super::scale::{Scale, legend};
 use crate::gui::theme::{palette, sizes, space};
 use crate::gui::view::View;
+use crate::message::Message;
 use crate::probing::cycle::{Move, Nominal, Phase, Plane};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// Points on an arc of the way.
 const STEPS: u8 = 48;

@@ -1,0 +1,70 @@
+//! Lines of standard input in bounded memory.
+
+use std::io::BufRead;
+
+/// The longest line of standard input in bytes; a longer one is refused.
+pub(in crate::cli) const LONGEST_LINE: usize = 1 << 16;
+
+/// A line of input, its memory used again.
+#[derive(Default)]
+pub(super) struct Line {
+    pub(super) bytes: Vec<u8>,
+    /// Whether the input's buffer is used up: reading on may have to wait.
+    is_drained: bool,
+}
+
+/// What a look for the next line found.
+pub(super) enum Found {
+    /// No more lines.
+    End,
+    /// A line.
+    Whole,
+    /// `bytes` holds its beginning.
+    TooLong,
+}
+
+impl Line {
+    /// Reads a line without its end (LF or CRLF); `before_waiting` is called when the input may take its time.
+    pub(super) fn read(
+        &mut self,
+        input: &mut dyn BufRead,
+        mut before_waiting: impl FnMut() -> std::io::Result<()>,
+    ) -> std::io::Result<Found> {
+        self.bytes.clear();
+        let (mut is_whole, mut is_end) = (true, true);
+        loop {
+            if self.is_drained {
+                before_waiting()?;
+            }
+            let buffer = match input.fill_buf() {
+                Ok(buffer) => buffer,
+                Err(error) if error.kind() == std::io::ErrorKind::Interrupted => continue,
+                Err(error) => return Err(error),
+            };
+            if buffer.is_empty() {
+                break;
+            }
+            is_end = false;
+            let end = buffer.iter().position(|&byte| byte == b'\n');
+            let used = end.map_or(buffer.len(), |end| end + 1);
+            // One more than allowed, for a carriage return.
+            let room = (LONGEST_LINE + 1).saturating_sub(self.bytes.len());
+            let part = buffer.get(..end.unwrap_or(used)).unwrap_or_default();
+            is_whole &= part.len() <= room;
+            self.bytes.extend(part.iter().take(room));
+            self.is_drained = used == buffer.len();
+            input.consume(used);
+            if end.is_some() {
+                break;
+            }
+        }
+        if self.bytes.last() == Some(&b'\r') && is_whole {
+            self.bytes.pop();
+        }
+        match (is_end, is_whole && self.bytes.len() <= LONGEST_LINE) {
+            (true, _) => Ok(Found::End),
+            (false, true) => Ok(Found::Whole),
+            (false, false) => Ok(Found::TooLong),
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! Why a subcommand could not do its work, and how errors of the rooms become that.
+
+use std::path::PathBuf;
+
+use super::answers::LONGEST_LINE;
+use crate::files::FileError;
+use crate::length::Length;
+use crate::message::{Arg, IntoArg, Message, Say};
+use crate::tolerance::LimitsError;
+
+/// Why a subcommand could not do its work.
+#[derive(Debug, Say)]
+#[say(prefix = "cli", error)]
+pub(super) enum CliError {
+    /// Standard input or output failed.
+    Stream(
+        #[from]
+        #[say(with = ToString::to_string)]
+        std::io::Error,
+    ),
+    /// A file could not be read or written.
+    #[say(transparent)]
+    File(#[from] FileError),
+    /// What a room says, as it says it.
+    #[say(transparent)]
+    Said(Message),
+    /// What a room says, and what it is about: a file, an option, a callout.
+    About { what: Arg, error: Message },
+    /// An answer that cannot be written as CSV or JSON.
+    Output(String),
+
+    /// A measured diameter of zero or less.
+    NotAboveZero { diameter: Length },
+    /// A line of standard input beyond the bound of the reader.
+    #[say(args(limit = LONGEST_LINE))]
+    LineTooLong,
+    /// A file that is read well and has no deviations.
+    NotATable { name: String },
+
+    /// Hole or shaft has to be said.
+    AddFeature { error: LimitsError },
+    /// Outside the limits, and rework or scrap depends on hole or shaft.
+    ReworkOrScrap { asked: Arg, measured: Length, minimum: Length, maximum: Length },
+
+    /// Measured parts for several fits.
+    PartsOfSeveral,
+    /// A search with measured parts, materials or temperatures.
+    SearchWithParts,
+    /// A search without one nominal size.
+    SearchWithoutSize,
+    /// A search without both clearances.
+    SearchWithoutClearance,
+
+    /// The file of a control table has another ending.
+    TableEnding { path: PathBuf },
+    /// A file's ending is none of its format.
+    FormatEnding { path: PathBuf, format: &'static str, endings: String },
+    /// Several tables for one file.
+    SeveralTables,
+
+    /// `--format` asks for another format than the file's ending.
+    ReportFormat { format: &'static str, file: PathBuf },
+    /// No check could be used.
+    ReportEmpty,
+
+    /// Inputs of a cycle that are no JSON object.
+    NotAnObject { error: String },
+    /// An input of a cycle that is neither number nor text.
+    NotAnInput { name: String, value: String },
+    /// An input of a cycle that stands twice in a file.
+    GivenTwice { name: String },
+    /// An input of a cycle that is set twice.
+    SetTwice { name: String },
+    /// The block of another cycle.
+    OtherCycle { given: &'static str, wanted: &'static str },
+    /// A parameter that PREDEF cannot stand for, or none.
+    NotPredef { name: String },
+    /// A probe that the touch-probe table lacks.
+    NoProbe { number: u32 },
+    /// A parameter without its value.
+    NotAPair { text: String },
+    /// A position that is not three numbers.
+    NotAPosition { text: String },
+
+    /// A value of `--set` that is no decimal number.
+    NotANumber,
+    /// A folder that is not there.
+    NoFolder { path: PathBuf },
+    /// A program that is neither there nor built in.
+    NoProgram { error: FileError, names: String },
+
+    /// An option of a single callout beside a plan.
+    OptionBesidePlan { option: &'static str },
+    /// An option that a single callout needs.
+    OptionMissing { option: &'static str },
+    /// A control that has no sets.
+    NoControl { name: String },
+    /// A file that is there already.
+    UseForce { error: FileError },
+}
+
+/// What an error is about, where it is no file and no callout.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "cli-what")]
+pub(super) enum What<'a> {
+    /// No text at all was given.
+    Callout,
+    /// `--measured`
+    MeasuredValue,
+    /// The hole of a fit.
+    Hole,
+    /// The shaft of a fit.
+    Shaft,
+    /// `fit --hole`
+    MeasuredHole,
+    /// `fit --shaft`
+    MeasuredShaft,
+    /// `--hole-material`
+    HoleMaterial,
+    /// `--shaft-material`
+    ShaftMaterial,
+    /// `--temperature` and those of hole and shaft
+    Temperature,
+    /// `--min-clearance`
+    SmallestClearance,
+    /// `--max-clearance`
+    LargestClearance,
+    /// The size of a search.
+    NominalSize { text: &'a str },
+    /// The simulated workpiece's diameter.
+    TrueDiameter,
+    /// The simulated workpiece.
+    SimulatedWorkpiece,
+    /// Measuring it.
+    SimulatedMeasurement,
+    /// The workpiece without faults.
+    PerfectWorkpiece,
+    /// An end of a size range.
+    Size,
+    /// A measuring cycle.
+    Cycle { code: &'a str },
+    /// The measuring log.
+    Log,
+    /// An option.
+    Option { name: &'a str },
+    /// A parameter that is set before a run.
+    Set { name: &'a str, value: &'a str },
+}
+
+impl From<serde_json::Error> for CliError {
+    fn from(error: serde_json::Error) -> Self {
+        if error.is_io() { Self::Stream(error.into()) } else { Self::Output(error.to_string()) }
+    }
+}
+
+impl From<csv::Error> for CliError {
+    /// A closed pipe stays one.
+    fn from(error: csv::Error) -> Self {
+        match error.into_kind() {
+            csv::ErrorKind::Io(error) => Self::Stream(error),
+            other => Self::Output(format!("{other:?}")),
+        }
+    }
+}
+
+/// A room's error on its way out.
+pub(super) trait Refused<T> {
+    /// As the room says it.
+    fn said(self) -> Result<T, CliError>;
+    /// After what it is about.
+    fn about(self, what: &(impl IntoArg + ?Sized)) -> Result<T, CliError>;
+}
+
+impl<T, E: Say> Refused<T> for Result<T, E> {
+    fn said(self) -> Result<T, CliError> {
+        self.map_err(|error| CliError::Said(error.message()))
+    }
+
+    fn about(self, what: &(impl IntoArg + ?Sized)) -> Result<T, CliError> {
+        self.map_err(|error| CliError::About { what: what.arg(), error: error.message() })
+    }
+}

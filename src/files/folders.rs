@@ -1,0 +1,126 @@
+//! What NC programs read and write in the user's folders: never a file outside them, whatever a program says.
+
+use std::path::{Path, PathBuf};
+
+use super::{FileError, LARGEST, read, write};
+use crate::control::mask::FileUse;
+use crate::nc::machine::{NcPath, Shipped, Store, StoreError};
+
+/// How many entries of a folder are looked at for a name that differs by case only.
+const MOST_ENTRIES: usize = 10_000;
+
+/// Folders to read from and one to write into. `TNC:\fit\a.h` is looked for as `fit/a.h` and then as `a.h` in each of
+/// them, first in the one that is written into; the embedded files come last.
+#[derive(Debug, Clone, Default)]
+pub struct Folders {
+    reading: Vec<PathBuf>,
+    writing: Option<PathBuf>,
+}
+
+impl Folders {
+    /// The embedded files only, and nothing is written.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The same with one more folder to read from, after those before it.
+    #[must_use]
+    pub fn reading(mut self, folder: impl Into<PathBuf>) -> Self {
+        self.reading.push(folder.into());
+        self
+    }
+
+    /// The same with the folder that outputs go to.
+    #[must_use]
+    pub fn writing(mut self, folder: impl Into<PathBuf>) -> Self {
+        self.writing = Some(folder.into());
+        self
+    }
+}
+
+impl Store for Folders {
+    fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
+        let parts: Vec<&str> = path.parts().collect();
+        for folder in self.writing.iter().chain(&self.reading) {
+            for skipped in 0..parts.len() {
+                // Between the whole path and the bare name lie folders that the user may have copied without those above.
+                let Some(found) = parts.get(skipped..).and_then(|parts| find(folder, parts)) else { continue };
+                return bytes_of(folder, &found, path);
+            }
+        }
+        Shipped.read(path)
+    }
+
+    fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {
+        let folder = self.writing.as_ref().ok_or(StoreError::ReadOnly)?;
+        let target = target(folder, path)?;
+        let is_behind = how != FileUse::Replace && target.exists();
+        let old = if is_behind { bytes_of(folder, &target, path)? } else { Vec::new() };
+        let whole = [old.as_slice(), bytes].concat();
+        write(&target, &whole).map_err(|error| of_file(error, path))?;
+        Ok(whole.len())
+    }
+}
+
+/// The entry below a folder, exactly or but for the case of letters; links are not followed yet.
+fn find(folder: &Path, parts: &[&str]) -> Option<PathBuf> {
+    parts.iter().try_fold(folder.to_owned(), |at, part| {
+        let exact = at.join(part);
+        if exact.symlink_metadata().is_ok() {
+            return Some(exact);
+        }
+        let mut entries = std::fs::read_dir(&at).ok()?.take(MOST_ENTRIES).flatten();
+        entries.find(|entry| entry.file_name().eq_ignore_ascii_case(part)).map(|entry| entry.path())
+    })
+}
+
+/// The bytes of a file that must lie below the folder, links followed.
+fn bytes_of(folder: &Path, file: &Path, path: &NcPath) -> Result<Vec<u8>, StoreError> {
+    let inside = inside(folder, file, path)?;
+    // A pipe would be waited for.
+    if !inside.is_file() {
+        return Err(StoreError::NoFile { path: path.clone() });
+    }
+    read(&inside).map_err(|error| of_file(error, path))
+}
+
+/// The path without links, where that lies below the folder.
+fn inside(folder: &Path, file: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
+    let real = |path: &Path| path.canonicalize();
+    let system = |error: std::io::Error| StoreError::System { path: path.clone(), reason: error.to_string() };
+    let (folder, file) = (real(folder).map_err(system)?, real(file).map_err(system)?);
+    if file.starts_with(&folder) { Ok(file) } else { Err(StoreError::Outside { path: path.clone() }) }
+}
+
+/// Where an output goes: the whole path below the folder; folders on the way are made.
+fn target(folder: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
+    let system = |error: std::io::Error| StoreError::System { path: path.clone(), reason: error.to_string() };
+    let mut at = inside(folder, folder, path)?;
+    let mut parts: Vec<&str> = path.parts().collect();
+    let name = parts.pop().unwrap_or_default();
+    for part in parts {
+        at.push(part);
+        if at.symlink_metadata().is_err() {
+            std::fs::create_dir(&at).map_err(system)?;
+        }
+        at = inside(folder, &at, path)?;
+    }
+    at.push(name);
+    match at.symlink_metadata() {
+        // Renaming over a link would replace it; the user meant the file behind it to stay.
+        Ok(data) if data.is_symlink() => Err(StoreError::Outside { path: path.clone() }),
+        Ok(data) if !data.is_file() => Err(StoreError::NoFile { path: path.clone() }),
+        _ => Ok(at),
+    }
+}
+
+fn of_file(error: FileError, path: &NcPath) -> StoreError {
+    let path = path.clone();
+    match error {
+        // Nothing here asks for a file that is not there yet.
+        FileError::IsFolder { .. } | FileError::Exists { .. } => StoreError::NoFile { path },
+        FileError::Missing { .. } => StoreError::Missing { path },
+        FileError::TooLarge { .. } => StoreError::TooLarge { path, most: LARGEST >> 20 },
+        FileError::System { reason, .. } => StoreError::System { path, reason },
+    }
+}

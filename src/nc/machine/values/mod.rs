@@ -1,0 +1,278 @@
+//! Parameters of a run: what they hold, and what a block sets.
+//!
+//! | file | what |
+//! |---|---|
+//! | `expressions` | formulas that give a number, and the conditions of jumps |
+//! | `texts` | formulas that give a text |
+
+mod expressions;
+mod texts;
+
+use std::collections::BTreeMap;
+
+use jiff::civil::DateTime;
+
+use super::budget::Settings;
+use super::fault::FaultKind;
+use crate::control::variables::{Family, Parameter, Value, Variables};
+use crate::length::Length;
+use crate::nc::program::{Expression, Operand, TextExpression, TextOperand};
+use expressions::reads;
+use texts::text_reads;
+
+/// The range of values in a control: 10^10 either way.
+const MOST: f64 = 1e10;
+
+/// The parameters of a run.
+#[derive(Debug)]
+pub(super) struct Values {
+    variables: Variables,
+    /// The parameters that the last block has set.
+    changed: Vec<Parameter>,
+    /// What was given before the run and no block has met yet.
+    given: BTreeMap<Parameter, Value>,
+    /// The local parameters of the programs that called, the outermost first.
+    locals: Vec<Vec<(Parameter, Value)>>,
+    /// The most characters of a text.
+    longest: usize,
+    /// What `SYSSTR` says the time is.
+    time: DateTime,
+}
+
+impl Values {
+    pub(super) fn new(settings: &Settings) -> Self {
+        Self {
+            variables: Variables::new(),
+            changed: Vec::new(),
+            given: BTreeMap::new(),
+            locals: Vec::new(),
+            longest: settings.budget.text,
+            time: settings.time,
+        }
+    }
+
+    /// All parameters that have a value.
+    pub(super) const fn all(&self) -> &Variables {
+        &self.variables
+    }
+
+    pub(super) fn changed(&self) -> &[Parameter] {
+        &self.changed
+    }
+
+    /// A new block begins.
+    pub(super) fn begin_block(&mut self) {
+        self.changed.clear();
+    }
+
+    /// Sets what the machine itself knows.
+    pub(super) fn set(&mut self, parameter: Parameter, value: Value) {
+        self.variables.set(parameter, value);
+    }
+
+    /// Gives a parameter a value before the run.
+    pub(super) fn give(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
+        self.put(parameter, value.clone())?;
+        self.given.insert(parameter, value);
+        Ok(())
+    }
+
+    /// A called program begins, without local parameters.
+    pub(super) fn enter_program(&mut self) {
+        self.locals.push(self.variables.take(Family::Ql));
+    }
+
+    /// It returns, and the caller has its own again.
+    pub(super) fn leave_program(&mut self) {
+        self.variables.take(Family::Ql);
+        for (parameter, value) in self.locals.pop().unwrap_or_default() {
+            self.variables.set(parameter, value);
+        }
+    }
+
+    /// The number that a parameter holds.
+    pub(super) fn number(&self, parameter: Parameter) -> Result<f64, FaultKind> {
+        match self.variables.get(parameter) {
+            Some(Value::Number(number)) => Ok(*number),
+            Some(Value::Length(length)) => Ok(length.to_mm_f64()),
+            Some(Value::Text(_)) => Err(FaultKind::NotNumber(parameter)),
+            None => Err(FaultKind::Undefined(parameter)),
+        }
+    }
+
+    /// The text that a parameter holds.
+    pub(super) fn text(&self, parameter: Parameter) -> Result<&str, FaultKind> {
+        match self.variables.get(parameter) {
+            Some(Value::Text(text)) => Ok(text),
+            Some(Value::Number(_) | Value::Length(_)) => Err(FaultKind::NotText(parameter)),
+            None => Err(FaultKind::Undefined(parameter)),
+        }
+    }
+
+    /// The number of an operand.
+    pub(super) fn operand(&self, operand: Operand) -> Result<f64, FaultKind> {
+        match operand {
+            Operand::Number(number) => Ok(number),
+            Operand::Parameter { parameter, is_negative } => {
+                let number = self.number(parameter)?;
+                Ok(if is_negative { -number } else { number })
+            }
+        }
+    }
+
+    /// The value of an operand as it is: a length stays exact.
+    pub(super) fn value(&self, operand: Operand) -> Result<Value, FaultKind> {
+        if let Operand::Parameter { parameter, is_negative } = operand
+            && let Some(Value::Length(length)) = self.variables.get(parameter)
+        {
+            return Ok(Value::Length(if is_negative { length.negated() } else { *length }));
+        }
+        self.operand(operand).map(Value::Number)
+    }
+
+    /// An operand that counts something.
+    pub(super) fn whole(&self, what: &'static str, operand: Operand) -> Result<usize, FaultKind> {
+        let value = self.operand(operand)?;
+        whole(value).ok_or(FaultKind::NotWhole { what, value })
+    }
+
+    /// The text of an operand.
+    pub(super) fn text_operand<'a>(&'a self, operand: &'a TextOperand) -> Result<&'a str, FaultKind> {
+        match operand {
+            TextOperand::Text(text) => Ok(text),
+            TextOperand::Parameter(parameter) => self.text(*parameter),
+        }
+    }
+
+    /// Sets a parameter that a control has to a value that it can hold.
+    pub(super) fn put(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
+        let most = match parameter.family {
+            Family::Q | Family::Qs => 1_999,
+            Family::Ql | Family::Qr => 499,
+        };
+        if most < parameter.number {
+            return Err(FaultKind::NoParameter(parameter));
+        }
+        match &value {
+            Value::Number(number) => {
+                in_range(*number)?;
+            }
+            Value::Text(text) => self.check_length(text)?,
+            Value::Length(_) => {}
+        }
+        match (&value, parameter.family) {
+            (Value::Text(_), Family::Qs)
+            | (Value::Number(_) | Value::Length(_), Family::Q | Family::Ql | Family::Qr) => {}
+            (Value::Text(_), _) => return Err(FaultKind::NotNumber(parameter)),
+            (_, Family::Qs) => return Err(FaultKind::NotText(parameter)),
+        }
+        self.variables.set(parameter, value);
+        self.changed.push(parameter);
+        Ok(())
+    }
+
+    fn check_length(&self, text: &str) -> Result<(), FaultKind> {
+        let most = self.longest;
+        // A text has at most as many characters as bytes.
+        if most < text.len() {
+            let length = text.chars().count();
+            if most < length {
+                return Err(FaultKind::TextTooLong { length, most });
+            }
+        }
+        Ok(())
+    }
+
+    /// `Q5 = …`. Gives the value that was given before the run where it stands in place of this one.
+    pub(super) fn assign(
+        &mut self,
+        to: Parameter,
+        value: &Expression,
+        is_main: bool,
+    ) -> Result<Option<Value>, FaultKind> {
+        let given = self.given(to, is_main, || reads(value, to));
+        if given.is_none() {
+            let value = match value {
+                Expression::Value(operand) => self.value(*operand)?,
+                formula => Value::Number(self.evaluate(formula)?),
+            };
+            self.put(to, value)?;
+        }
+        Ok(given)
+    }
+
+    /// `QS5 = …`; the same of a text.
+    pub(super) fn assign_text(
+        &mut self,
+        to: Parameter,
+        value: &TextExpression,
+        is_main: bool,
+    ) -> Result<Option<Value>, FaultKind> {
+        let given = self.given(to, is_main, || text_reads(value, to));
+        if given.is_none() {
+            let text = self.evaluate_text(value)?;
+            self.put(to, Value::Text(text))?;
+        }
+        Ok(given)
+    }
+
+    /// `Q5 SET UNDEFINED`; the same.
+    pub(super) fn undefine(&mut self, parameter: Parameter, is_main: bool) -> Option<Value> {
+        let given = self.given(parameter, is_main, || false);
+        if given.is_none() {
+            self.variables.unset(parameter);
+            self.changed.push(parameter);
+        }
+        given
+    }
+
+    /// The value that was given before the run, where it stands in place of this assignment: the first one in the main
+    /// program, unless it counts on from the value.
+    fn given(&mut self, parameter: Parameter, is_main: bool, counts_on: impl Fn() -> bool) -> Option<Value> {
+        let value = if is_main { self.given.remove(&parameter)? } else { return None };
+        if counts_on() {
+            return None;
+        }
+        self.changed.push(parameter);
+        Some(value)
+    }
+}
+
+/// A number that a control can hold.
+fn in_range(number: f64) -> Result<f64, FaultKind> {
+    // NaN is in no range.
+    if number.abs() <= MOST { Ok(number) } else { Err(FaultKind::BeyondRange(number)) }
+}
+
+/// A whole number from 0, if it is one.
+pub(super) fn whole(value: f64) -> Option<usize> {
+    const MOST: f64 = 1e15;
+    if !(0.0..=MOST).contains(&value) || 0.0 < value.fract() {
+        return None;
+    }
+    #[expect(
+        clippy::as_conversions,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a whole number in range, just checked"
+    )]
+    Some(value as usize)
+}
+
+/// A value as programs write it.
+pub fn shown(value: &Value) -> String {
+    match value {
+        Value::Length(length) => length.to_string(),
+        Value::Number(number) => number.to_string(),
+        Value::Text(text) => format!("\"{text}\""),
+    }
+}
+
+/// The value at the nearest nanometre.
+pub(super) fn length_of(value: &Value) -> Option<Length> {
+    match value {
+        Value::Length(length) => Some(*length),
+        Value::Number(number) => Length::from_mm_f64(*number).ok(),
+        Value::Text(_) => None,
+    }
+}

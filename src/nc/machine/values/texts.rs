@@ -1,0 +1,103 @@
+//! Formulas that give a text.
+
+use super::super::fault::FaultKind;
+use super::{Values, whole};
+use crate::control::variables::Parameter;
+use crate::nc::program::{Operand, TextExpression, TextOperand};
+
+/// Date and time; the only group of `SYSSTR` that is run.
+const DATE_AND_TIME: usize = 10_321;
+
+/// The formats of date and time by their number, as far as known: from memory, a control may differ.
+const FORMATS: [&str; 17] = [
+    "%d.%m.%Y %H:%M:%S",
+    "%-d.%m.%Y %-H:%M:%S",
+    "%-d.%m.%Y %-H:%M",
+    "%-d.%m.%y %-H:%M",
+    "%Y-%m-%d %H:%M:%S",
+    "%Y-%m-%d %H:%M",
+    "%Y-%m-%d %-H:%M",
+    "%y-%m-%d %-H:%M",
+    "%d.%m.%Y",
+    "%-d.%m.%Y",
+    "%-d.%m.%y",
+    "%Y-%m-%d",
+    "%y-%m-%d",
+    "%H:%M:%S",
+    "%-H:%M:%S",
+    "%-H:%M",
+    "%d.%m.%Y %H:%M",
+];
+
+/// The most digits behind the point that a text of a number may have.
+const MOST_DECIMALS: usize = 9;
+
+impl Values {
+    /// The value of a formula of texts.
+    pub(super) fn evaluate_text(&self, formula: &TextExpression) -> Result<String, FaultKind> {
+        match formula {
+            TextExpression::Value(operand) => Ok(self.text_operand(operand)?.to_owned()),
+            TextExpression::Join(items) => {
+                let mut text = String::new();
+                for item in items {
+                    text.push_str(&self.evaluate_text(item)?);
+                    self.check_length(&text)?;
+                }
+                Ok(text)
+            }
+            TextExpression::FromNumber { number, decimals } => self.text_of_number(*number, *decimals),
+            TextExpression::Part { source, from, length } => self.part(*source, *from, *length),
+            TextExpression::System { id, number } => self.system_text(*id, *number),
+        }
+    }
+
+    /// TOCHAR: with so many decimals, rounded half away from zero; without, just those that the value has.
+    fn text_of_number(&self, number: Operand, decimals: Option<Operand>) -> Result<String, FaultKind> {
+        let decimals = match decimals {
+            Some(decimals) => Some(self.whole("DECIMALS", decimals)?),
+            None => None,
+        };
+        if let Some(value) = decimals.filter(|decimals| MOST_DECIMALS < *decimals) {
+            let value = f64::from(u32::try_from(value).unwrap_or(u32::MAX));
+            return Err(FaultKind::NoResult { function: "DECIMALS", value });
+        }
+        self.decimal(number, decimals)
+    }
+
+    /// SUBSTR: it may begin at the end of the text and end behind it, but not begin behind it.
+    fn part(&self, source: Parameter, from: Operand, length: Option<Operand>) -> Result<String, FaultKind> {
+        let text = self.text(source)?;
+        let from = self.whole("BEG", from)?;
+        let length = match length {
+            Some(length) => self.whole("LEN", length)?,
+            None => usize::MAX,
+        };
+        let characters = text.chars().count();
+        if characters < from {
+            return Err(FaultKind::BehindText { length: characters, from });
+        }
+        Ok(text.chars().skip(from).take(length).collect())
+    }
+
+    /// SYSSTR.
+    fn system_text(&self, id: Operand, number: Operand) -> Result<String, FaultKind> {
+        let (id, number) = (self.operand(id)?, self.operand(number)?);
+        let format = whole(id)
+            .filter(|id| *id == DATE_AND_TIME)
+            .and_then(|_| FORMATS.get(whole(number)?))
+            .ok_or(FaultKind::UnknownSystemText { id, number })?;
+        Ok(self.time.strftime(format).to_string())
+    }
+}
+
+/// The same of a text.
+pub(super) fn text_reads(formula: &TextExpression, wanted: Parameter) -> bool {
+    match formula {
+        TextExpression::Value(TextOperand::Parameter(parameter)) => *parameter == wanted,
+        TextExpression::Join(items) => items.iter().any(|item| text_reads(item, wanted)),
+        TextExpression::Part { source, .. } => *source == wanted,
+        TextExpression::Value(TextOperand::Text(_))
+        | TextExpression::FromNumber { .. }
+        | TextExpression::System { .. } => false,
+    }
+}

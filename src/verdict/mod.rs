@@ -1,0 +1,213 @@
+//! Good, rework, scrap or re-measure, and how much to remove.
+//!
+//! Compares with `<` and `<=` only, in whole nanometres; limits belong to the zone. The centre's position is a cause
+//! of its own. Formatting is elsewhere.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the status, a diameter's and a centre's verdict, doubts about the measured value |
+//! | `fit` | two measured parts of a fit, or one of them |
+
+pub mod fit;
+
+use crate::length::Length;
+use crate::message::Say;
+use crate::tolerance::{Feature, Limits};
+
+/// What to do with the part; `Display` is the English word.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize, Say)]
+#[say(prefix = "status")]
+pub enum Status {
+    /// Inside the limits or on one of them.
+    #[serde(rename = "GOOD")]
+    Good,
+    /// Outside, but material can still be taken off.
+    #[serde(rename = "REWORK")]
+    Rework,
+    /// Neither proven (only with a guard band).
+    #[serde(rename = "RE-MEASURE")]
+    ReMeasure,
+    /// Outside, and nothing can be put back.
+    #[serde(rename = "SCRAP")]
+    Scrap,
+}
+
+impl Status {
+    /// The word for machines, in every language the same.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Good => "GOOD",
+            Self::Rework => "REWORK",
+            Self::ReMeasure => "RE-MEASURE",
+            Self::Scrap => "SCRAP",
+        }
+    }
+}
+
+/// The decision rule that a verdict was made with.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Say)]
+#[say(prefix = "rule")]
+pub enum Rule {
+    /// The control's own: no guard band, limits belong to the zone.
+    #[default]
+    Simple,
+}
+
+/// How much material to take off, as a diameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Removal {
+    /// To the nearest limit of size: the least that makes the part good.
+    pub to_limit: Length,
+    /// To the middle of the zone: where a tool is aimed. A half nanometre is rounded to the larger size.
+    pub to_middle: Length,
+}
+
+/// What the size alone says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SizeVerdict {
+    /// Good, rework or scrap.
+    pub status: Status,
+    /// Measured minus nominal size.
+    pub deviation: Length,
+    /// Measured minus minimum: negative when too small.
+    pub above_minimum: Length,
+    /// Maximum minus measured: negative when too large.
+    pub below_maximum: Length,
+    /// On rework, how much to take off.
+    pub removal: Option<Removal>,
+}
+
+/// One axis of the centre: its deviation from the nominal position and what is permitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AxisPosition {
+    /// Measured minus nominal coordinate.
+    pub deviation: Length,
+    /// Permitted either way (Q279 or Q280); `None` where the axis is not monitored (0 on the control).
+    pub tolerance: Option<Length>,
+}
+
+impl AxisPosition {
+    /// Whether the axis is monitored and out.
+    pub fn is_out(&self) -> bool {
+        self.tolerance.is_some_and(|tolerance| tolerance < self.deviation.abs())
+    }
+}
+
+/// The centre's position: never merged with the diameter's result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PositionVerdict {
+    /// Reference axis, minor axis.
+    pub axes: [AxisPosition; 2],
+}
+
+impl PositionVerdict {
+    /// Whether any axis is monitored.
+    pub fn is_monitored(&self) -> bool {
+        self.axes.iter().any(|axis| axis.tolerance.is_some())
+    }
+
+    /// Whether a monitored axis is out.
+    pub fn is_out(&self) -> bool {
+        self.axes.iter().any(AxisPosition::is_out)
+    }
+}
+
+/// The whole answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Verdict {
+    /// What the diameter says.
+    pub size: SizeVerdict,
+    /// What the centre says, where it was measured.
+    pub position: Option<PositionVerdict>,
+    /// The rule that was used.
+    pub rule: Rule,
+}
+
+impl Verdict {
+    /// The status of the part: the diameter's, but scrap when the centre is out of position, because a shifted
+    /// feature cannot be machined back and a control sets exactly one marker (Q180, Q181 or Q182).
+    pub fn status(&self) -> Status {
+        if self.position.is_some_and(|position| position.is_out()) { Status::Scrap } else { self.size.status }
+    }
+}
+
+/// Good on or between the limits; a hole too small or a shaft too large is rework, the other side scrap.
+pub fn classify(feature: Feature, minimum: Length, maximum: Length, measured: Length) -> Status {
+    let (too_small, too_large) = (measured < minimum, maximum < measured);
+    match (feature, too_small, too_large) {
+        (_, false, false) => Status::Good,
+        (Feature::Hole, true, _) | (Feature::Shaft, _, true) => Status::Rework,
+        (Feature::Hole, _, true) | (Feature::Shaft, true, _) => Status::Scrap,
+    }
+}
+
+/// Judges a diameter: a hole too small or a shaft too large can be reworked, the other side is scrap.
+///
+/// ```
+/// use fitcheck::tolerance::Sources;
+/// use fitcheck::verdict::{Status, judge_size};
+///
+/// let limits = Sources::default().limits(&"25 H7".parse()?, None)?;
+/// let verdict = judge_size(&limits, "24.998".parse()?);
+/// assert_eq!(verdict.status, Status::Rework);
+/// assert_eq!(verdict.removal.map(|removal| removal.to_limit.to_string()), Some("0.002".to_owned()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn judge_size(limits: &Limits, measured: Length) -> SizeVerdict {
+    let status = classify(limits.feature, limits.minimum(), limits.maximum(), measured);
+    let above_minimum = measured.saturating_sub(limits.minimum());
+    let below_maximum = limits.maximum().saturating_sub(measured);
+    let removal = (status == Status::Rework).then(|| match limits.feature {
+        Feature::Hole => {
+            Removal { to_limit: above_minimum.negated(), to_middle: limits.middle().saturating_sub(measured) }
+        }
+        Feature::Shaft => {
+            Removal { to_limit: below_maximum.negated(), to_middle: measured.saturating_sub(limits.middle()) }
+        }
+    });
+    let deviation = measured.saturating_sub(limits.nominal);
+    SizeVerdict { status, deviation, above_minimum, below_maximum, removal }
+}
+
+/// Judges a diameter and, where there is one, a centre by the control's default rule.
+pub fn judge(limits: &Limits, measured: Length, position: Option<PositionVerdict>) -> Verdict {
+    Verdict { size: judge_size(limits, measured), position, rule: Rule::Simple }
+}
+
+/// A measured value that is probably something else than a diameter in millimetres.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "doubt")]
+pub enum Doubt {
+    /// 25.4 times the nominal size: an inch part read in millimetres, converted once too often.
+    TimesInch,
+    /// The nominal size over 25.4: inches.
+    Inches,
+    /// Twice the nominal size.
+    Double,
+    /// Half the nominal size: a radius.
+    Half,
+}
+
+/// Whether a measured value looks like another quantity: within 1 % of 25.4 times, 1/25.4, twice or half the nominal.
+///
+/// The 1 % is ours, far from every honest reading. Zones of coarse grades are wider than that on small
+/// sizes; a doubt only warns and never changes the verdict.
+pub fn doubt(nominal: Length, measured: Length) -> Option<Doubt> {
+    let (nominal, measured) = (i128::from(nominal.nanometres()), i128::from(measured.nanometres()));
+    // measured * divisor within 1 % of nominal * factor
+    let near = |factor: i128, divisor: i128| {
+        let (is, should) = (measured * divisor, nominal * factor);
+        (is - should).abs() * 100 <= should.abs() && should != 0
+    };
+    if near(254, 10) {
+        Some(Doubt::TimesInch)
+    } else if near(10, 254) {
+        Some(Doubt::Inches)
+    } else if near(2, 1) {
+        Some(Doubt::Double)
+    } else if near(1, 2) {
+        Some(Doubt::Half)
+    } else {
+        None
+    }
+}
