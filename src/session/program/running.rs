@@ -72,11 +72,7 @@ impl Session {
         let contacts = self.program_contacts()?;
         let page = &self.program;
         let folders = match &page.origin {
-            Some(Origin::File(path)) => path.parent().map_or_else(Folders::new, |folder| {
-                // A bare file name lies in the folder that Fitcheck was started in.
-                let here = folder.as_os_str().is_empty();
-                Folders::new().reading(if here { std::path::Path::new(".") } else { folder })
-            }),
+            Some(Origin::File(path)) => Folders::beside(path),
             _ => Folders::new(),
         };
         let mut settings = Settings::new(self.language, now);
