@@ -3,11 +3,13 @@
 //! Used at the edges (command line, window). Errors name what happened and, last, the path.
 
 mod folder;
+mod folders;
 
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 pub use folder::{make_folder, write_folder, write_new};
+pub use folders::Folders;
 
 use crate::message::Say;
 

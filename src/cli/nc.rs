@@ -9,8 +9,7 @@ use super::{CliError, Io, Note, Outcome, Refused as _, TableArgs, What, read_inp
 use crate::files;
 use crate::length::{Length, LengthError};
 use crate::nc::sets::{
-    At, Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, NcFeature, NcPlan, NcSet, PlanError,
-    SetError, Target,
+    Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, NcFeature, NcPlan, NcSet, SetError, Target,
 };
 use crate::tolerance::Callout;
 use crate::words::Dialogue;
@@ -134,14 +133,13 @@ impl Args {
         }
         let callout: Callout = self.what.parse().about(&self.what)?;
         let feature = self.position.feature(callout)?;
-        NcPlan::new(vec![feature]).map_err(|error| error.what).said()
+        NcPlan::new(vec![feature]).said()
     }
 
-    /// A plan's errors name its file, a single callout's no number.
+    /// A plan's errors name its file.
     fn named(&self, set: Result<NcSet, SetError>) -> Result<NcSet, CliError> {
         match set {
-            Err(SetError::Plan(PlanError { at: At::Feature(_), what })) => Err(what).said(),
-            Err(SetError::Plan(error)) => Err(error).about(&self.what),
+            Err(SetError::Plan(error)) if self.is_plan() => Err(error).about(&self.what),
             set => set.said(),
         }
     }

@@ -1,7 +1,7 @@
 //! A control's table as a table of deviations, and the two shipped ones.
 //!
-//! Layout as program 82551 of NC-Solution 8255 reads it (seed `000_2e707c2d138629e0.txt`): column BEREICH holds the upper,
-//! inclusive end of a size range in millimetres; two rows a range, upper deviation then lower, in micrometres; one
+//! Layout as program 82551 of NC-Solution 8255 reads it (description of 7/2020): column BEREICH holds the upper, inclusive
+//! end of a size range in millimetres; two rows a range, upper deviation then lower, in micrometres; one
 //! column a tolerance class. Other columns are left alone. Rules: `docs/SOURCES.md`, tables.
 
 mod fault;
@@ -13,16 +13,18 @@ use std::sync::{Arc, LazyLock};
 pub use fault::{DeviationDoubt, DeviationError, DeviationFault, DeviationWarning};
 pub use write::to_control_table;
 
-use super::table::{Column, ControlTable, Located, Place, TableFile, TableUnit, beginning, is_blank, is_number};
+use super::table::{Column, ControlTable, TableFile, TableUnit, is_blank, is_number};
+use super::text::beginning;
 use crate::files::{self, FileError};
 use crate::length::{Length, LengthError, Unit};
+use crate::message::Located;
 use crate::shipped;
 use crate::tolerance::table::{Column as ClassColumn, TableShapeError};
 use crate::tolerance::{ClassError, DeviationTable, Deviations, ToleranceClass};
 
 /// The name of the column with the ends of the size ranges.
 const RANGE: &str = "BEREICH";
-/// The same as the seed once spells it.
+/// The same as the description of NC-Solution 8255 once spells it.
 const RANGE_ALIAS: &str = "BEREIK";
 /// The number of the row: never a deviation.
 const ROW_NUMBER: &str = "NR";
@@ -32,8 +34,8 @@ const ROW_NUMBER: &str = "NR";
 /// They are read once, at the first call.
 pub fn shipped_tables() -> Vec<Arc<DeviationTable>> {
     static TABLES: LazyLock<Vec<Arc<DeviationTable>>> = LazyLock::new(|| {
-        let tables = shipped::TABLES.iter().filter(|(name, _)| name.ends_with(".tab"));
-        let tables = tables.filter_map(|(name, bytes)| match read_table(bytes, name, name, true) {
+        // The touch-probe table among them is no table of deviations.
+        let tables = shipped::TABLES.iter().filter_map(|(name, bytes)| match read_table(bytes, name, name, true) {
             Ok((table, _warnings)) => table.map(Arc::new),
             // A test proves that they can be read; a program without a table refuses every callout.
             Err(error) => {
@@ -123,11 +125,11 @@ impl Reading<'_> {
         let Some(range) = self.range_column()? else { return Ok(None) };
         let table = &self.file.table;
         if table.unit == Some(TableUnit::Inch) {
-            return Err(fault(DeviationFault::Inch, self.file.name_place(range)));
+            return Err(self.file.at_name(range, DeviationFault::Inch));
         }
         let rows = table.rows.len();
         if !rows.is_multiple_of(2) {
-            return Err(fault(DeviationFault::OddRows { rows }, self.file.cell_place(rows - 1, 0)));
+            return Err(self.file.at_cell(rows - 1, 0, DeviationFault::OddRows { rows }));
         }
         let ends = self.ends(range)?;
         let mut columns = Vec::new();
@@ -137,18 +139,18 @@ impl Reading<'_> {
             }
         }
         if columns.is_empty() {
-            return Err(fault(DeviationFault::NoClass, self.file.name_place(range)));
+            return Err(self.file.at_name(range, DeviationFault::NoClass));
         }
         DeviationTable::new(name, shipped, ends, columns)
             .map(Some)
-            .map_err(|shape| fault(DeviationFault::Shape(shape), self.file.name_place(range)))
+            .map_err(|shape| self.file.at_name(range, DeviationFault::Shape(shape)))
     }
 
     fn range_column(&mut self) -> Result<Option<usize>, Fault> {
         match (self.file.table.column(RANGE), self.file.table.column(RANGE_ALIAS)) {
-            (Some(_), Some(alias)) => Err(fault(DeviationFault::TwoRangeColumns, self.file.name_place(alias))),
+            (Some(_), Some(alias)) => Err(self.file.at_name(alias, DeviationFault::TwoRangeColumns)),
             (None, Some(alias)) => {
-                self.warn(DeviationDoubt::RangeAlias, self.file.name_place(alias));
+                self.warn(alias, DeviationDoubt::RangeAlias);
                 Ok(Some(alias))
             }
             (range, None) => Ok(range),
@@ -161,42 +163,41 @@ impl Reading<'_> {
         let mut before = Length::ZERO;
         for row in (0..self.file.table.rows.len()).step_by(2) {
             let Some(end) = self.value(row, range, Unit::Millimetre)? else {
-                return Err(fault(DeviationFault::NoRange, self.file.cell_place(row, range)));
+                return Err(self.file.at_cell(row, range, DeviationFault::NoRange));
             };
             if end <= before {
                 let shape = TableShapeError::NotAscending { end, before };
-                return Err(fault(DeviationFault::Shape(shape), self.file.cell_place(row, range)));
+                return Err(self.file.at_cell(row, range, DeviationFault::Shape(shape)));
             }
             let repeated = self.value(row + 1, range, Unit::Millimetre)?;
             if let Some(found) = repeated.filter(|found| *found != end) {
-                return Err(fault(DeviationFault::OtherRange { end, found }, self.file.cell_place(row + 1, range)));
+                return Err(self.file.at_cell(row + 1, range, DeviationFault::OtherRange { end, found }));
             }
             ends.push(end);
             before = end;
         }
         if ends.is_empty() {
-            return Err(fault(DeviationFault::Shape(TableShapeError::NoRanges), self.file.name_place(range)));
+            return Err(self.file.at_name(range, DeviationFault::Shape(TableShapeError::NoRanges)));
         }
         Ok(ends)
     }
 
     /// A column of deviations, or `None` for a column that holds something else.
     fn class_column(&mut self, number: usize, column: &Column, ends: &[Length]) -> Result<Option<ClassColumn>, Fault> {
-        let place = self.file.name_place(number);
         let class: ToleranceClass = match column.name.parse() {
             Ok(class) => class,
             // "Js7": probably meant as a class; "Remark" is not.
             Err(ClassError::MixedCase { .. }) if self.has_numbers(number) => {
-                self.warn(DeviationDoubt::MixedCase { name: column.name.clone() }, place);
+                self.warn(number, DeviationDoubt::MixedCase { name: column.name.clone() });
                 return Ok(None);
             }
             Err(_no_class) => return Ok(None),
         };
-        let has_text = (0..self.file.table.rows.len()).any(|row| !is_blank(self.cell(row, number)));
+        let has_text = (0..self.file.table.rows.len()).any(|row| !is_blank(self.file.table.cell(row, number)));
         if has_text && !self.has_numbers(number) {
             // Texts under a name that could be a class; where the block calls them texts, all is as it should be.
             if column.is_text() != Some(true) {
-                self.warn(DeviationDoubt::NoNumbers { name: column.name.clone() }, place);
+                self.warn(number, DeviationDoubt::NoNumbers { name: column.name.clone() });
             }
             return Ok(None);
         }
@@ -220,28 +221,24 @@ impl Reading<'_> {
             (None, None) => Ok(None),
             (Some(upper), Some(lower)) => Deviations::new(upper, lower)
                 .map(Some)
-                .map_err(|error| fault(DeviationFault::Order { class, error }, self.file.cell_place(row + 1, number))),
+                .map_err(|error| self.file.at_cell(row + 1, number, DeviationFault::Order { class, error })),
             (upper, _) => {
                 let missing = if upper.is_none() { row } else { row + 1 };
-                Err(fault(DeviationFault::Half { class, end }, self.file.cell_place(missing, number)))
+                Err(self.file.at_cell(missing, number, DeviationFault::Half { class, end }))
             }
         }
     }
 
-    fn cell(&self, row: usize, column: usize) -> &str {
-        self.file.table.rows.get(row).and_then(|cells| cells.get(column)).map_or("", String::as_str)
-    }
-
     fn has_numbers(&self, column: usize) -> bool {
-        (0..self.file.table.rows.len()).any(|row| is_number(self.cell(row, column)))
+        (0..self.file.table.rows.len()).any(|row| is_number(self.file.table.cell(row, column)))
     }
 
     /// The number in a cell; blank and `-` are none.
     fn value(&self, row: usize, column: usize, unit: Unit) -> Result<Option<Length>, Fault> {
-        let cell = self.cell(row, column);
+        let cell = self.file.table.cell(row, column);
         let name = || self.file.table.columns.get(column).map(|column| column.name.clone()).unwrap_or_default();
         if self.file.touches(row, column) {
-            return Err(fault(DeviationFault::Touches { column: name() }, self.file.cell_place(row, column)));
+            return Err(self.file.at_cell(row, column, DeviationFault::Touches { column: name() }));
         }
         if is_blank(cell) {
             return Ok(None);
@@ -254,21 +251,18 @@ impl Reading<'_> {
         };
         value
             .map(Some)
-            .map_err(|error| fault(DeviationFault::Number { column: name(), error }, self.file.cell_place(row, column)))
+            .map_err(|error| self.file.at_cell(row, column, DeviationFault::Number { column: name(), error }))
     }
 
-    fn warn(&mut self, what: DeviationDoubt, place: Place) {
-        self.warnings.push(DeviationWarning::Content(Located { what, place }));
+    /// A warning about a column, at its name.
+    fn warn(&mut self, column: usize, what: DeviationDoubt) {
+        self.warnings.push(DeviationWarning::Content(self.file.at_name(column, what)));
     }
 }
 
 /// Two kinds of decimal signs: [`Length`] has its own words for that.
 fn is_ambiguous(cell: &str) -> bool {
     cell.contains('.') && cell.contains(',') && cell.bytes().all(|byte| b"+-.,0123456789".contains(&byte))
-}
-
-const fn fault(what: DeviationFault, place: Place) -> Fault {
-    Located { what, place }
 }
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
 //! The touch-probe table `tchprobe.tp`: from rows of a control's table to probes, and the shipped one.
 //!
 //! Used are NO, `CAL_OF1`, `CAL_OF2`, F, FMAX, DIST and `SET_UP`; other columns are left alone. `SET_UP` and DIST as in
-//! seeds `001_58657798a27ebc5f.txt` and `004_5791de5c83bc5f1a.txt`; the list of columns is from memory.
+//! cycle 444 of TNC 640 (01/2021) and cycle 427 of TNC7; the list of columns is from memory.
 
 use std::sync::LazyLock;
 
-use super::table::{ControlTable, Located, Place, TableError, TableFile, TableUnit, TableWarning, is_blank};
+use super::table::{ControlTable, TableError, TableFile, TableUnit, TableWarning, is_blank};
 use crate::length::{Length, LengthError, Unit};
-use crate::message::{Message, Say};
+use crate::message::{Located, Say};
 use crate::probing::TouchProbe;
 use crate::shipped;
 
@@ -26,30 +26,29 @@ pub struct ProbeTable {
 }
 
 /// Why a file is no touch-probe table.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "probe-table", error)]
 pub enum ProbeTableError {
     /// It is no table of a control.
-    #[error("{0}")]
+    #[say(transparent)]
     Table(#[from] TableError),
     /// A cell or a column that cannot be used.
-    #[error("{0}")]
+    #[say(transparent)]
     Cell(#[from] Located<ProbeFault>),
 }
 
 /// What is wrong with a cell or a column.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "probe-table", error)]
 pub enum ProbeFault {
     /// A column that must be there is missing.
-    #[error("the table has no column {column}")]
     NoColumn {
         /// Its name.
         column: &'static str,
     },
     /// There are no rows.
-    #[error("the table has no probe")]
     NoProbe,
     /// A cell is no length.
-    #[error("{column}: {error}")]
     NoLength {
         /// The column's name.
         column: &'static str,
@@ -57,7 +56,6 @@ pub enum ProbeFault {
         error: LengthError,
     },
     /// A length that cannot be.
-    #[error("{column} = {given} mm: it must be {least}")]
     TooSmall {
         /// The column's name.
         column: &'static str,
@@ -67,7 +65,6 @@ pub enum ProbeFault {
         least: Least,
     },
     /// A cell is no whole number.
-    #[error("{column} = {given}: a whole number is needed")]
     NotWhole {
         /// The column's name.
         column: &'static str,
@@ -75,7 +72,6 @@ pub enum ProbeFault {
         given: String,
     },
     /// A number occurs twice.
-    #[error("probe {number} occurs twice")]
     Twice {
         /// The number.
         number: u32,
@@ -83,59 +79,13 @@ pub enum ProbeFault {
 }
 
 /// The least of a length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "probe-table")]
 pub enum Least {
     /// Zero itself is allowed.
-    Zero,
+    ZeroOrMore,
     /// Zero is not.
     AboveZero,
-}
-
-impl std::fmt::Display for Least {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(match self {
-            Self::Zero => "0 or more",
-            Self::AboveZero => "above 0",
-        })
-    }
-}
-
-impl Say for Least {
-    fn message(&self) -> Message {
-        Message::new(match self {
-            Self::Zero => "probe-table-zero-or-more",
-            Self::AboveZero => "probe-table-above-zero",
-        })
-    }
-}
-
-impl Say for ProbeTableError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Table(error) => error.message(),
-            Self::Cell(error) => error.message(),
-        }
-    }
-}
-
-impl Say for ProbeFault {
-    fn message(&self) -> Message {
-        match self {
-            Self::NoColumn { column } => Message::new("probe-table-no-column").text("column", column),
-            Self::NoProbe => Message::new("probe-table-no-probe"),
-            Self::NoLength { column, error } => {
-                Message::new("probe-table-no-length").text("column", column).message("error", error.message())
-            }
-            Self::TooSmall { column, given, least } => Message::new("probe-table-too-small")
-                .text("column", column)
-                .text("given", given)
-                .message("least", least.message()),
-            Self::NotWhole { column, given } => {
-                Message::new("probe-table-not-whole").text("column", column).text("given", given)
-            }
-            Self::Twice { number } => Message::new("probe-table-twice").text("number", number),
-        }
-    }
 }
 
 impl ProbeTable {
@@ -163,13 +113,12 @@ impl ProbeTable {
         for row in 0..file.table.rows.len() {
             let probe = columns.probe(&file, row)?;
             if probes.iter().any(|known| known.number == probe.number) {
-                let what = ProbeFault::Twice { number: probe.number };
-                return Err(Located { what, place: file.cell_place(row, columns.number) }.into());
+                return Err(file.at_cell(row, columns.number, ProbeFault::Twice { number: probe.number }).into());
             }
             probes.push(probe);
         }
         if probes.is_empty() {
-            return Err(Located { what: ProbeFault::NoProbe, place: file.name_place(columns.number) }.into());
+            return Err(file.at_name(columns.number, ProbeFault::NoProbe).into());
         }
         Ok(Self { probes, warnings: file.warnings })
     }
@@ -196,7 +145,7 @@ struct Columns {
 impl Columns {
     fn of(file: &TableFile) -> Result<Self, ProbeTableError> {
         let column = |name| {
-            let missing = || Located { what: ProbeFault::NoColumn { column: name }, place: file.name_place(0) };
+            let missing = || file.at_name(0, ProbeFault::NoColumn { column: name });
             file.table.column(name).ok_or_else(missing)
         };
         Ok(Self {
@@ -216,19 +165,19 @@ impl Columns {
         };
         let offset = |column: Option<usize>, name| {
             column.map_or(Ok(Length::ZERO), |column| {
-                if is_blank(cell(file, row, column)) { Ok(Length::ZERO) } else { length(file, row, column, name) }
+                if is_blank(file.table.cell(row, column)) { Ok(Length::ZERO) } else { length(file, row, column, name) }
             })
         };
         let [offset_1, offset_2] = self.offset;
         let set_up = length(file, row, self.set_up, "SET_UP")?;
         if set_up < Length::ZERO {
-            let what = ProbeFault::TooSmall { column: "SET_UP", given: set_up, least: Least::Zero };
-            return Err(Located { what, place: file.cell_place(row, self.set_up) }.into());
+            let what = ProbeFault::TooSmall { column: "SET_UP", given: set_up, least: Least::ZeroOrMore };
+            return Err(file.at_cell(row, self.set_up, what).into());
         }
         let longest_path = length(file, row, self.longest_path, "DIST")?;
         if longest_path <= Length::ZERO {
             let what = ProbeFault::TooSmall { column: "DIST", given: longest_path, least: Least::AboveZero };
-            return Err(Located { what, place: file.cell_place(row, self.longest_path) }.into());
+            return Err(file.at_cell(row, self.longest_path, what).into());
         }
         Ok(TouchProbe {
             number: whole(file, row, self.number, "NO", None)?,
@@ -241,14 +190,10 @@ impl Columns {
     }
 }
 
-fn cell(file: &TableFile, row: usize, column: usize) -> &str {
-    file.table.rows.get(row).and_then(|cells| cells.get(column)).map_or("", String::as_str)
-}
-
 fn length(file: &TableFile, row: usize, column: usize, name: &'static str) -> Result<Length, ProbeTableError> {
     let unit = if file.table.unit == Some(TableUnit::Inch) { Unit::Inch } else { Unit::Millimetre };
-    let read = Length::parse_in(cell(file, row, column), unit);
-    Ok(read.map_err(|error| located(file, row, column, ProbeFault::NoLength { column: name, error }))?)
+    let read = Length::parse_in(file.table.cell(row, column), unit);
+    Ok(read.map_err(|error| file.at_cell(row, column, ProbeFault::NoLength { column: name, error }))?)
 }
 
 /// A whole number; a blank cell is `otherwise`, where there is such a number.
@@ -259,23 +204,17 @@ fn whole(
     name: &'static str,
     otherwise: Option<u32>,
 ) -> Result<u32, ProbeTableError> {
-    let text = cell(file, row, column);
+    let text = file.table.cell(row, column);
     let given = || ProbeFault::NotWhole { column: name, given: text.to_owned() };
     match otherwise {
         Some(number) if is_blank(text) => Ok(number),
-        _ => Ok(text.parse().map_err(|_whole| located(file, row, column, given()))?),
+        _ => Ok(text.parse().map_err(|_whole| file.at_cell(row, column, given()))?),
     }
-}
-
-fn located(file: &TableFile, row: usize, column: usize, what: ProbeFault) -> Located<ProbeFault> {
-    let place: Place = file.cell_place(row, column);
-    Located { what, place }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::words::{Language, Words};
 
     #[track_caller]
     fn check(rows: &str, expected: &str) {
@@ -285,11 +224,7 @@ mod tests {
                 let row = |p: &TouchProbe| format!("{} {} {}", p.number, p.longest_path, p.set_up);
                 table.probes.iter().map(row).collect::<Vec<_>>().join("; ")
             }
-            Err(error) => {
-                assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-                assert_ne!(Words::new(Language::Nl).told(&error), error.to_string());
-                error.to_string()
-            }
+            Err(error) => error.to_string(),
         };
         assert_eq!(said, expected);
     }

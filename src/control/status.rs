@@ -1,6 +1,6 @@
 //! The status window: what program 82551 hands to its mask, and the shipped masks.
 //!
-//! The parameters are those of the seed (`000_2e707c2d138629e0.txt`): QS2 is the nominal size with only the decimals it
+//! The parameters are those of NC-Solution 8255 (description of 7/2020): QS2 is the nominal size with only the decimals it
 //! has, a blank and the class; QS3 the status word; Q33 and Q23 the limits; Q153 the measured diameter.
 
 use std::sync::LazyLock;
@@ -14,7 +14,7 @@ use crate::tolerance::Feature;
 use crate::verdict::Status;
 use crate::words::Dialogue;
 
-/// The status word that program 82551 puts into QS3; the Dutch ones are the seed's, letter by letter.
+/// The status word that program 82551 puts into QS3; the Dutch ones are NC-Solution 8255's, letter by letter.
 pub fn status_word(status: Status, dialogue: Dialogue) -> &'static str {
     let words = &dialogue.words().status;
     match status {
@@ -80,6 +80,9 @@ pub fn mask_named(name: &str, dialogue: Dialogue) -> Option<&'static Mask> {
 }
 
 /// The shipped mask of program 82551: `82552_nl.a` is that of NC-Solution 8255, byte for byte.
+///
+/// # Panics
+/// Never: a test holds that every dialogue language has its masks.
 pub fn shipped_mask(dialogue: Dialogue) -> &'static Mask {
     #[expect(clippy::expect_used, reason = "a test holds that every dialogue language has its masks")]
     mask_named("82552", dialogue).expect("every dialogue language has a mask")

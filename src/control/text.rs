@@ -19,6 +19,16 @@ pub fn windows_1252(bytes: &[u8]) -> String {
     encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned()
 }
 
+/// The beginning of a text, short enough for a message: at most 40 characters.
+pub(crate) fn beginning(text: &str) -> String {
+    const SHOWN: usize = 40;
+    let text = text.trim();
+    match text.char_indices().nth(SHOWN) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),
+        None => text.to_owned(),
+    }
+}
+
 /// The lines of a text, numbered from 1, without their ends: LF, CRLF, CR or byte 0.
 pub fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut rest = Some(text);
@@ -46,6 +56,12 @@ mod tests {
     fn decodes_utf8_and_windows_1252() {
         assert_eq!(decode(b"\xef\xbb\xbfMa\xc3\x9f"), "Maß");
         assert_eq!(decode(b"Gr\xf6\xdfe \xd8 \x80"), "Größe Ø €");
+    }
+
+    #[test]
+    fn long_texts_are_cut_in_messages() {
+        assert_eq!(beginning("  short "), "short");
+        assert_eq!(beginning(&"ß".repeat(41)), format!("{}…", "ß".repeat(40)));
     }
 
     #[test]

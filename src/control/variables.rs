@@ -53,10 +53,12 @@ impl fmt::Display for Parameter {
     }
 }
 
+crate::message::as_text!(Parameter);
+
 /// A text that names no parameter.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(id = "no-parameter", error)]
-pub struct NoParameter(pub String);
+pub struct NoParameter(#[say(name = "given")] pub String);
 
 impl std::str::FromStr for Parameter {
     type Err = NoParameter;

@@ -22,6 +22,11 @@ impl Place {
         Self { file: None, line: Some(line), column: None }
     }
 
+    /// A character of a line of a text whose name is said elsewhere.
+    pub const fn in_line(line: usize, column: usize) -> Self {
+        Self { file: None, line: Some(line), column: Some(column) }
+    }
+
     /// A character of a file.
     pub fn in_file(file: &Arc<str>, line: usize, column: usize) -> Self {
         Self { file: Some(Arc::clone(file)), line: Some(line), column: Some(column) }

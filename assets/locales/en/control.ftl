@@ -3,19 +3,19 @@
 # Masks
 mask-empty = the mask is empty
 mask-too-large = the mask is larger than { $most } KiB
-mask-unknown = line { $line }, column { $column }: { $found } is no record, keyword or comment
-mask-unclosed-quote = line { $line }, column { $column }: the quotation mark is not closed
-mask-unknown-format = line { $line }, column { $column }: { $found } is no format, allowed are %S %RS %F %LF %D %I %%
-mask-too-wide = line { $line }, column { $column }: { $found } is too wide, at most { $most }
-mask-count = line { $line }: { $formats } formats and { $parameters } parameters
-mask-unknown-parameter = line { $line }, column { $column }: { $found } is no parameter, allowed are Q, QL, QR, QS with a number, DAY MONTH YEAR2 YEAR4 HOUR MIN SEC CALL_PATH
-mask-no-semicolon = line { $line }: the ; at the end is missing
-mask-unknown-word = line { $line }: { $word } is not known and has no effect
-mask-behind-semicolon = line { $line }: { $found } behind the ; is passed over
-mask-undefined = line { $line }, column { $column }: { $name } is not defined
-mask-text-as-number = line { $line }, column { $column }: { $name } is a text, the format wants a number
-mask-number-as-text = line { $line }, column { $column }: { $name } is a number, the format wants a text
-mask-not-finite = line { $line }, column { $column }: { $name } is not a finite number
+mask-unknown = { $found } is no record, keyword or comment
+mask-unclosed-quote = the quotation mark is not closed
+mask-unknown-format = { $found } is no format, allowed are %S %RS %F %LF %D %I %%
+mask-too-wide = { $found } is too wide, at most { $most }
+mask-count = { $formats } formats and { $parameters } parameters
+mask-unknown-parameter = { $found } is no parameter, allowed are Q, QL, QR, QS with a number, DAY MONTH YEAR2 YEAR4 HOUR MIN SEC CALL_PATH
+mask-no-semicolon = the ; at the end is missing
+mask-unknown-word = { $word } is not known and has no effect
+mask-behind-semicolon = { $found } behind the ; is passed over
+mask-undefined = { $name } is not defined
+mask-text-as-number = { $name } is a text, the format wants a number
+mask-number-as-text = { $name } is a number, the format wants a text
+mask-not-finite = { $name } is not a finite number
 # Measuring logs
 log-at-line = line { $line }: { $reason }
 log-empty = the file is empty
@@ -43,7 +43,6 @@ log-ignored = not used: { $text }
 log-text-before = text before the first log was not used
 
 ## Tables
-table-at = { $what }: { $file }, line { $line }, column { $column }
 table-empty = the file is empty
 table-not-text = character { $code } is no text: this is not a table or it is damaged
 table-line-too-long = the line is longer than { $limit } bytes
@@ -80,14 +79,17 @@ deviations-inch = the table is in inch: write size ranges in millimetres and dev
 deviations-no-class = no column is a tolerance class such as H7
 deviations-odd-rows = the number of rows is odd, { $rows }: each size range takes two: upper deviation, lower deviation
 deviations-no-range = the end of the size range is missing
-deviations-other-range = the size range up to { $end } mm has { $found-sign }{ $found } in its second row: repeat it or leave it blank
+deviations-other-range = the size range up to { $end } mm has { $found } in its second row: repeat it or leave it blank
 deviations-column = column { $column }: { $error }
 deviations-half = column { $class } has only one of the two deviations for the size range up to { $end } mm
-deviations-touch = column { $column } and its neighbour run into each other: keep them apart by a blank
-deviations-none = no table of deviations, for it has no column BEREICH; skipped: { $file }
+deviations-touches = column { $column } and its neighbour run into each other: keep them apart by a blank
+deviations-no-deviations = no table of deviations, for it has no column BEREICH; skipped: { $file }
 deviations-range-alias = BEREIK was read as BEREICH
 deviations-no-numbers = column { $name } holds no numbers and was skipped
 deviations-mixed-case = column { $name } mixes upper and lower case, so it is no tolerance class and was skipped
+
+## Parameters
+no-parameter = { $given } is no parameter, allowed are Q, QL, QR and QS with a number
 
 ## Writing measuring logs
 log-write-cycle = cycle { $cycle } does not write these values: they are those of cycle { $expected }
@@ -129,7 +131,6 @@ block-none = no probing cycle here: a block begins with TCH PROBE and a number, 
 block-second = a second probing cycle: one at a time, the first begins on line { $first }
 block-unknown-cycle = TCH PROBE { $given }: the cycles are { $known }
 block-not-a-parameter = { $given } is no parameter: one is written as { $example }
-no-parameter = { $value } is no parameter, allowed are Q, QL, QR and QS with a number
 block-no-value = { $key } has no value
 block-twice = { $key } is given twice, first on line { $first }
 block-unclosed-quote = a quotation mark is not closed

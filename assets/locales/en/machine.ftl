@@ -31,7 +31,7 @@ machine-text-too-long = the text has { $length } characters, a parameter holds a
 machine-unknown-block = this block is not known here: nothing is run that is not understood
 machine-unknown-cycle = cycle { $cycle } is not known here; known are { $known }
 machine-broken = the program is broken: { $what } is missing
-machine-at-file = { $path }: { $error }
+machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is no label
 machine-undefined = { $parameter } is undefined
 machine-no-parameter = there is no parameter { $parameter }: Q and QS go up to 1999, QL and QR up to 499
@@ -57,7 +57,7 @@ machine-mask = mask { $mask }: { $error }
 machine-programmed = the program stopped itself with error { $number }
 machine-no-cycle-parameter = cycle { $cycle } has no parameter { $parameter }
 machine-cycle-parameter-twice = cycle { $cycle }: { $parameter } is given twice
-machine-in-cycle = cycle { $cycle }: { $error }
+machine-cycle = cycle { $cycle }: { $error }
 machine-workpiece = workpiece: { $error }
 machine-inch = cycles are run in programs in MM only
 
@@ -75,6 +75,6 @@ machine-remark-other-probe = tool { $tool } is not in the touch-probe table: pro
 
 ## Pauses
 machine-pause-stop = the program has stopped: STOP or M0
-machine-pause-optional = the program has stopped: M1
+machine-pause-optional-stop = the program has stopped: M1
 machine-pause-breakpoint = the next block has a breakpoint
 machine-pause-log = the measuring log is on the screen (Q281 = 2)

@@ -1,7 +1,5 @@
 # Sets of programs, tables and masks for a control.
 ## Plans
-nc-at-line = line { $line }: { $what }
-nc-at-feature = feature { $number }: { $what }
 nc-no-features = the plan has no feature
 nc-too-many = the plan has more than { $most } features
 nc-csv = the CSV cannot be read: { $reason }
@@ -13,7 +11,7 @@ nc-no-cell = { $column } is missing
 nc-value = { $what }: { $error }
 nc-no-class = { $callout } has no tolerance class: the programs look a class up in a table, such as H7
 nc-fit = { $callout } is a fit: write the hole and the shaft as two features
-nc-clearance-height = clearance height { $height-sign }{ $height } mm is not above the measuring height, { $z-sign }{ $z } mm
+nc-clearance-height = clearance height { $height } mm is not above the measuring height, { $z } mm
 nc-name = name { $name }: letters A to Z, digits and _ are allowed, at most { $most }
 nc-same-name = name { $name } occurs twice; a control does not tell a from A in file names
 ## Sets
@@ -21,6 +19,9 @@ nc-folder = { $folder } is no folder for programs: write TNC:\, then names of le
 nc-other-limits = { $table } would not give the limits of { $callout }
 nc-reads-otherwise = { $file } cannot be written so that it reads back the same
 nc-proof = the set was run and is not given out: { $reason }
+nc-proof-no-end = the program does not end
+nc-proof-count = { $found } of { $expected } features were measured
+nc-proof-other-verdict = { $name }: another verdict than Fitcheck's
 nc-archive = the zip file cannot be made: { $reason }
 nc-own-column = { $class } is none of the 47 classes of NC-Solution 8255: { $table } has a column more
 nc-fewer-columns = an iTNC 530 takes no more columns: { $table } has the plan's classes only, { $classes }

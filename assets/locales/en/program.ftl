@@ -5,7 +5,6 @@ program-empty = the program is empty
 program-too-large = the program is larger than { $most } MiB
 program-too-many-lines = the program has more than { $most } lines
 program-binary = the file is no text: { $controls } of its { $bytes } bytes are no characters
-program-at = line { $line }, column { $column }: { $what }
 program-no-begin = the program does not begin with BEGIN PGM
 program-second-begin = BEGIN PGM stands here again
 program-no-end = END PGM is missing

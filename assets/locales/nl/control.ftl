@@ -3,19 +3,19 @@
 # Maskers
 mask-empty = het masker is leeg
 mask-too-large = het masker is groter dan { $most } KiB
-mask-unknown = regel { $line }, kolom { $column }: { $found } is geen uitvoerregel, sleutelwoord of commentaar
-mask-unclosed-quote = regel { $line }, kolom { $column }: het aanhalingsteken wordt niet gesloten
-mask-unknown-format = regel { $line }, kolom { $column }: { $found } is geen formaat, toegestaan zijn %S %RS %F %LF %D %I %%
-mask-too-wide = regel { $line }, kolom { $column }: { $found } is te breed, hoogstens { $most }
-mask-count = regel { $line }: { $formats } formaten en { $parameters } parameters
-mask-unknown-parameter = regel { $line }, kolom { $column }: { $found } is geen parameter, toegestaan zijn Q, QL, QR, QS met een nummer, DAY MONTH YEAR2 YEAR4 HOUR MIN SEC CALL_PATH
-mask-no-semicolon = regel { $line }: de ; aan het einde ontbreekt
-mask-unknown-word = regel { $line }: { $word } is onbekend en heeft geen werking
-mask-behind-semicolon = regel { $line }: { $found } achter de ; wordt overgeslagen
-mask-undefined = regel { $line }, kolom { $column }: { $name } heeft geen waarde
-mask-text-as-number = regel { $line }, kolom { $column }: { $name } is een tekst, het formaat vraagt een getal
-mask-number-as-text = regel { $line }, kolom { $column }: { $name } is een getal, het formaat vraagt een tekst
-mask-not-finite = regel { $line }, kolom { $column }: { $name } is geen eindig getal
+mask-unknown = { $found } is geen uitvoerregel, sleutelwoord of commentaar
+mask-unclosed-quote = het aanhalingsteken wordt niet gesloten
+mask-unknown-format = { $found } is geen formaat, toegestaan zijn %S %RS %F %LF %D %I %%
+mask-too-wide = { $found } is te breed, hoogstens { $most }
+mask-count = { $formats } formaten en { $parameters } parameters
+mask-unknown-parameter = { $found } is geen parameter, toegestaan zijn Q, QL, QR, QS met een nummer, DAY MONTH YEAR2 YEAR4 HOUR MIN SEC CALL_PATH
+mask-no-semicolon = de ; aan het einde ontbreekt
+mask-unknown-word = { $word } is onbekend en heeft geen werking
+mask-behind-semicolon = { $found } achter de ; wordt overgeslagen
+mask-undefined = { $name } heeft geen waarde
+mask-text-as-number = { $name } is een tekst, het formaat vraagt een getal
+mask-number-as-text = { $name } is een getal, het formaat vraagt een tekst
+mask-not-finite = { $name } is geen eindig getal
 # Meetprotocollen
 log-at-line = regel { $line }: { $reason }
 log-empty = het bestand is leeg
@@ -43,7 +43,6 @@ log-ignored = niet gebruikt: { $text }
 log-text-before = de tekst voor het eerste protocol is niet gebruikt
 
 ## Tabellen
-table-at = { $what }: { $file }, regel { $line }, kolom { $column }
 table-empty = het bestand is leeg
 table-not-text = teken { $code } is geen tekst: dit is geen tabel of hij is beschadigd
 table-line-too-long = de regel is langer dan { $limit } bytes
@@ -80,14 +79,17 @@ deviations-inch = de tabel is in inch: schrijf maatbereiken in millimeters en af
 deviations-no-class = geen enkele kolom is een tolerantieklasse zoals H7
 deviations-odd-rows = het aantal rijen is oneven, { $rows }: elk maatbereik heeft er twee, eerst de bovenafwijking en dan de onderafwijking
 deviations-no-range = het einde van het maatbereik ontbreekt
-deviations-other-range = bij het maatbereik tot en met { $end } mm staat in de tweede rij { $found-sign }{ $found }: herhaal het of laat het leeg
+deviations-other-range = bij het maatbereik tot en met { $end } mm staat in de tweede rij { $found }: herhaal het of laat het leeg
 deviations-column = kolom { $column }: { $error }
 deviations-half = kolom { $class } heeft maar één van de twee afwijkingen voor het maatbereik tot en met { $end } mm
-deviations-touch = kolom { $column } en zijn buurkolom lopen in elkaar over: zet er een spatie tussen
-deviations-none = geen tabel met afwijkingen, want de kolom BEREICH ontbreekt; overgeslagen: { $file }
+deviations-touches = kolom { $column } en zijn buurkolom lopen in elkaar over: zet er een spatie tussen
+deviations-no-deviations = geen tabel met afwijkingen, want de kolom BEREICH ontbreekt; overgeslagen: { $file }
 deviations-range-alias = BEREIK is gelezen als BEREICH
 deviations-no-numbers = kolom { $name } bevat geen getallen en is overgeslagen
 deviations-mixed-case = kolom { $name } mengt hoofdletters en kleine letters, is dus geen tolerantieklasse en is overgeslagen
+
+## Parameters
+no-parameter = { $given } is geen parameter, toegestaan zijn Q, QL, QR en QS met een nummer
 
 ## Meetprotocollen schrijven
 log-write-cycle = cyclus { $cycle } schrijft deze waarden niet: ze horen bij cyclus { $expected }
@@ -129,7 +131,6 @@ block-none = hier staat geen tastcyclus: een regel begint met TCH PROBE en een n
 block-second = een tweede tastcyclus: één tegelijk, de eerste begint op regel { $first }
 block-unknown-cycle = TCH PROBE { $given }: de cycli zijn { $known }
 block-not-a-parameter = { $given } is geen parameter: die schrijf je als { $example }
-no-parameter = { $value } is geen parameter; toegestaan zijn Q, QL, QR en QS met een nummer
 block-no-value = { $key } heeft geen waarde
 block-twice = { $key } is twee keer gegeven, eerst op regel { $first }
 block-unclosed-quote = een aanhalingsteken is niet gesloten

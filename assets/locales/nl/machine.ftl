@@ -31,7 +31,7 @@ machine-text-too-long = de tekst heeft { $length } tekens, een parameter bevat e
 machine-unknown-block = deze NC-regel is hier niet bekend: wat niet begrepen wordt, wordt niet uitgevoerd
 machine-unknown-cycle = cyclus { $cycle } is hier niet bekend; bekend zijn { $known }
 machine-broken = het programma is beschadigd: { $what } ontbreekt
-machine-at-file = { $path }: { $error }
+machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is geen label
 machine-undefined = { $parameter } is niet gedefinieerd
 machine-no-parameter = parameter { $parameter } bestaat niet: Q en QS gaan tot 1999, QL en QR tot 499
@@ -57,7 +57,7 @@ machine-mask = masker { $mask }: { $error }
 machine-programmed = het programma heeft zichzelf gestopt met fout { $number }
 machine-no-cycle-parameter = cyclus { $cycle } heeft geen parameter { $parameter }
 machine-cycle-parameter-twice = cyclus { $cycle }: { $parameter } is twee keer opgegeven
-machine-in-cycle = cyclus { $cycle }: { $error }
+machine-cycle = cyclus { $cycle }: { $error }
 machine-workpiece = werkstuk: { $error }
 machine-inch = cycli worden alleen in programma's in MM uitgevoerd
 
@@ -75,6 +75,6 @@ machine-remark-other-probe = gereedschap { $tool } staat niet in de tastsysteemt
 
 ## Pauzes
 machine-pause-stop = het programma is gestopt: STOP of M0
-machine-pause-optional = het programma is gestopt: M1
+machine-pause-optional-stop = het programma is gestopt: M1
 machine-pause-breakpoint = de volgende NC-regel heeft een onderbrekingspunt
 machine-pause-log = het meetprotocol staat op het scherm (Q281 = 2)

@@ -5,7 +5,6 @@ program-empty = het programma is leeg
 program-too-large = het programma is groter dan { $most } MiB
 program-too-many-lines = het programma heeft meer dan { $most } regels
 program-binary = het bestand is geen tekst: { $controls } van de { $bytes } bytes zijn geen tekens
-program-at = regel { $line }, kolom { $column }: { $what }
 program-no-begin = het programma begint niet met BEGIN PGM
 program-second-begin = BEGIN PGM staat hier nog een keer
 program-no-end = END PGM ontbreekt

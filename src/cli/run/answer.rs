@@ -58,7 +58,7 @@ fn plain(value: Option<&Value>) -> Json {
 /// Program, line and text of a block.
 fn located(machine: &Machine, path: &NcPath, block: usize) -> Map<String, Json> {
     let (_, line) = place(machine, path, block);
-    let program = machine.program(&path.to_string());
+    let program = machine.program(path);
     let number = program.and_then(|program| program.blocks().get(block)).and_then(|block| block.number);
     let text = program.and_then(|program| program.text_of(block).next()).unwrap_or_default().trim();
     let entries =

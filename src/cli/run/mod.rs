@@ -15,8 +15,8 @@ use super::args::dialogue;
 use super::cycle::{pairs, probe_table, read_bench};
 use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input, tame};
 use crate::control::variables::{Family, Parameter, Value};
-use crate::files::{self, FileError};
-use crate::nc::machine::{Contacts, Fault, Folders, Machine, NcPath, Pause, Settings, Shipped, Step};
+use crate::files::{self, FileError, Folders};
+use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::Program;
 use crate::words::Dialogue;
 use clap::ValueEnum;
@@ -245,7 +245,7 @@ fn run(machine: &mut Machine, listener: &mut dyn Listener, io: &mut Io<'_>) -> R
 /// File name and line of a block, `8255_nl.h:4`.
 fn place(machine: &Machine, program: &NcPath, block: usize) -> (String, usize) {
     let line = machine
-        .program(&program.to_string())
+        .program(program)
         .and_then(|program| program.blocks().get(block))
         .map_or(0, |block| block.lines.start + 1);
     (program.file_name().to_owned(), line)

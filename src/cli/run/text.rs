@@ -21,7 +21,7 @@ impl Printer {
     fn print_block(&self, machine: &Machine, io: &mut Io<'_>) -> Result<(), CliError> {
         let Some(BlockPlace { program, block }) = &self.at else { return Ok(()) };
         let (file, line) = place(machine, program, *block);
-        let program = machine.program(&program.to_string());
+        let program = machine.program(program);
         let Some(text) = program.and_then(|program| program.text_of(*block).next()) else { return Ok(()) };
         writeln!(io.out, "{file}:{line}  {}", tame(text.trim()))?;
         for parameter in machine.changed() {

@@ -7,9 +7,9 @@ use serde::Serialize;
 
 use crate::cli::{CliError, Figure, Format, Io, Outcome, Refused as _, StandardArgs, heard_or_not, read_table};
 use crate::control::shipped_tables;
-use crate::control::table::{ControlTable, Place, TableFile};
+use crate::control::table::{ControlTable, TableFile};
 use crate::length::{Length, Unit};
-use crate::message::{Message, Say};
+use crate::message::{Message, Place, Say};
 use crate::tolerance::compare::{Comparison, Difference, compare};
 use crate::tolerance::iso286::Undefined;
 use crate::tolerance::{DeviationTable, Deviations};
@@ -146,8 +146,8 @@ impl Verified {
             standard_lower_um: standard.ok().map(|pair| um(pair.lower())),
             upper_by_um: difference.upper_by().map(um),
             lower_by_um: difference.lower_by().map(um),
-            line: place.as_ref().map(|place| place.line),
-            column: place.as_ref().map(|place| place.column),
+            line: place.as_ref().and_then(|place| place.line),
+            column: place.as_ref().and_then(|place| place.column),
             reason: standard.err().map(ToString::to_string),
         }
     }
@@ -192,8 +192,8 @@ fn write_text(one: &Verified, io: &mut Io<'_>) -> Result<(), CliError> {
 
 /// `own.tab:12:8: H7 over 18 up to 30 mm: +22 / 0 µm, ISO 286 has +21 / 0 µm: upper 1 µm more`
 fn sentence<'a>(one: &Verified, difference: &'a Difference) -> Sentence<'a> {
-    let place = one.place(difference);
-    let place = place.map_or_else(|| one.table.name().to_owned(), |p| format!("{}:{}:{}", p.file, p.line, p.column));
+    let place = one.place(difference).and_then(|p| Some(format!("{}:{}:{}", p.file?, p.line?, p.column?)));
+    let place = place.unwrap_or_else(|| one.table.name().to_owned());
     let (class, over, to) = (difference.class.as_str(), difference.over, difference.to);
     match (difference.table.as_ref().map(pair), &difference.standard) {
         (Some(table), Ok(standard)) => {

@@ -7,14 +7,14 @@
 //! | `error` | what can be wrong |
 //!
 //! A mask is a list of lines: records (a quoted format and its parameters), keywords and language sections. The
-//! grammar is that of the control's manuals and of the seed's mask (`000_2e707c2d138629e0.txt`); where they are silent
-//! it is ours: a missing `;` is a warning, anything else that cannot be read is an error with line and column.
+//! grammar is that of the control's manuals and of the mask of NC-Solution 8255; where they are silent it is ours: a
+//! missing `;` is a warning, anything else that cannot be read is an error with line and column.
 
 mod error;
 mod read;
 mod render;
 
-pub use error::{MaskError, MaskWarning, RenderError};
+pub use error::{MaskDoubt, MaskError, MaskFault, MaskWarning, RenderError, RenderFault};
 pub(crate) use render::decimal;
 pub use render::{Context, FileUse, Output};
 

@@ -1,8 +1,8 @@
 //! Text to mask.
 
-use super::{Format, Keyword, Kind, Line, Mask, MaskError, MaskWarning, Name, Part, Record};
-use crate::control::text::{decode, lines};
-use crate::control::variables::{Family, Parameter};
+use super::{Format, Keyword, Kind, Line, Mask, MaskDoubt, MaskError, MaskFault, MaskWarning, Name, Part, Record};
+use crate::control::text::{beginning, decode, lines};
+use crate::message::{Located, Place};
 
 /// The widest field; a control's line is 200 characters at most.
 const WIDEST: usize = 255;
@@ -25,8 +25,9 @@ impl Mask {
     /// # Errors
     /// [`MaskError`] with line and column.
     pub fn read(bytes: &[u8]) -> Result<(Self, Vec<MaskWarning>), MaskError> {
+        let whole = |what| Located { what, place: Place::default() };
         if LARGEST < bytes.len() {
-            return Err(MaskError::TooLarge { most: LARGEST >> 10 });
+            return Err(whole(MaskFault::TooLarge { most: LARGEST >> 10 }));
         }
         let text = decode(bytes);
         let mut reader = Reader { line: 0, warnings: Vec::new() };
@@ -36,7 +37,7 @@ impl Mask {
             read.extend(reader.line(line)?);
         }
         if read.is_empty() {
-            return Err(MaskError::Empty);
+            return Err(whole(MaskFault::Empty));
         }
         Ok((Self { lines: read }, reader.warnings))
     }
@@ -99,6 +100,18 @@ enum Piece {
 }
 
 impl Reader {
+    fn fault(&self, column: usize, what: MaskFault) -> MaskError {
+        Located { what, place: Place::in_line(self.line, column) }
+    }
+
+    fn unknown(&self, column: usize, found: &str) -> MaskError {
+        self.fault(column, MaskFault::Unknown { found: beginning(found) })
+    }
+
+    fn warn(&mut self, what: MaskDoubt) {
+        self.warnings.push(Located::in_line(self.line, what));
+    }
+
     fn line(&mut self, line: &str) -> Result<Option<Line>, MaskError> {
         let mut cursor = Cursor::new(line);
         cursor.skip_blanks();
@@ -106,10 +119,7 @@ impl Reader {
             None | Some('*') => Ok(None),
             Some('"') => self.record(&mut cursor).map(Some),
             Some(c) if c.is_ascii_alphabetic() => self.word(&mut cursor),
-            Some(_) => {
-                let (line, column) = (self.line, cursor.column);
-                Err(MaskError::Unknown { line, column, found: shortened(cursor.rest()) })
-            }
+            Some(_) => Err(self.unknown(cursor.column, cursor.rest())),
         }
     }
 
@@ -119,7 +129,7 @@ impl Reader {
         self.end(cursor)?;
         let formats = pieces.iter().filter(|piece| matches!(piece, Piece::Slot(_))).count();
         if formats != names.len() {
-            return Err(MaskError::Count { line: self.line, formats, parameters: names.len() });
+            return Err(Located::in_line(self.line, MaskFault::Count { formats, parameters: names.len() }));
         }
         let mut names = names.into_iter();
         let parts = pieces.into_iter().filter_map(|piece| match piece {
@@ -174,12 +184,10 @@ impl Reader {
 
     /// A record without an end: its last `%"` is the likelier slip than a forgotten quotation mark.
     fn unclosed(&self, begin: usize, last_mark: Option<usize>) -> MaskError {
-        let line = self.line;
-        last_mark.map_or(MaskError::UnclosedQuote { line, column: begin }, |column| MaskError::UnknownFormat {
-            line,
-            column,
-            found: "%\"".to_owned(),
-        })
+        match last_mark {
+            Some(column) => self.fault(column, MaskFault::UnknownFormat { found: "%\"".to_owned() }),
+            None => self.fault(begin, MaskFault::UnclosedQuote),
+        }
     }
 
     fn format(&self, cursor: &mut Cursor<'_>, column: usize) -> Result<Format, MaskError> {
@@ -188,12 +196,10 @@ impl Reader {
         let digits = cursor.take_if(|c| c == '.').map(|_| cursor.take_while(|c| c.is_ascii_digit()));
         let bounded = |text: &str, most: usize| match text {
             "" => Ok(0),
-            text => text.parse().ok().filter(|number| *number <= most).ok_or_else(|| MaskError::TooWide {
-                line: self.line,
-                column,
-                found: shortened(text),
-                most,
-            }),
+            text => {
+                let number = text.parse().ok().filter(|number| *number <= most);
+                number.ok_or_else(|| self.fault(column, MaskFault::TooWide { found: beginning(text), most }))
+            }
         };
         let letters: String = cursor.rest().chars().take(2).collect::<String>().to_ascii_uppercase();
         let (kind, length) = match letters.as_str() {
@@ -205,7 +211,7 @@ impl Reader {
                 Some('D' | 'I') => (Kind::Whole, 1),
                 letter => {
                     let found = letter.map_or_else(|| "%".to_owned(), |letter| format!("%{letter}"));
-                    return Err(MaskError::UnknownFormat { line: self.line, column, found });
+                    return Err(self.fault(column, MaskFault::UnknownFormat { found }));
                 }
             },
         };
@@ -233,10 +239,9 @@ impl Reader {
             cursor.skip_blanks();
             let column = cursor.column;
             let word = cursor.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
-            let unknown = || MaskError::UnknownParameter {
-                line: self.line,
-                column,
-                found: if word.is_empty() { shortened(cursor.rest()) } else { shortened(&word) },
+            let unknown = || {
+                let found = beginning(if word.is_empty() { cursor.rest() } else { &word });
+                self.fault(column, MaskFault::UnknownParameter { found })
             };
             names.push(name(&word).ok_or_else(unknown)?);
         }
@@ -259,13 +264,11 @@ impl Reader {
                     (Some(kilobytes), _) => Line::Keyword(Keyword::AppendMax(kilobytes)),
                     (None, Some(language)) => Line::Language(Some(language.to_owned())),
                     (None, None) if other.starts_with("M_") || other.starts_with("L_") => {
-                        self.warnings.push(MaskWarning::UnknownWord { line: self.line, word: shortened(&word) });
+                        self.warn(MaskDoubt::UnknownWord { word: beginning(&word) });
                         self.end(cursor)?;
                         return Ok(None);
                     }
-                    (None, None) => {
-                        return Err(MaskError::Unknown { line: self.line, column, found: shortened(&word) });
-                    }
+                    (None, None) => return Err(self.unknown(column, &word)),
                 }
             }
         };
@@ -276,16 +279,15 @@ impl Reader {
     /// The `;` and what may follow it. Without it nothing but a comment may follow: it would be lost unprinted.
     fn end(&mut self, cursor: &mut Cursor<'_>) -> Result<(), MaskError> {
         cursor.skip_blanks();
-        let line = self.line;
         if cursor.take_if(|c| c == ';').is_none() {
             if cursor.peek().is_some_and(|c| c != '*') {
-                return Err(MaskError::Unknown { line, column: cursor.column, found: shortened(cursor.rest()) });
+                return Err(self.unknown(cursor.column, cursor.rest()));
             }
-            self.warnings.push(MaskWarning::NoSemicolon { line });
+            self.warn(MaskDoubt::NoSemicolon);
         }
         cursor.skip_blanks();
         if cursor.peek().is_some_and(|c| c != '*') {
-            self.warnings.push(MaskWarning::BehindSemicolon { line, found: shortened(cursor.rest()) });
+            self.warn(MaskDoubt::BehindSemicolon { found: beginning(cursor.rest()) });
         }
         Ok(())
     }
@@ -328,23 +330,6 @@ fn name(word: &str) -> Option<Name> {
         "MIN" => Name::Minute,
         "SEC" => Name::Second,
         "CALL_PATH" => Name::CallPath,
-        word => {
-            let number = word.trim_start_matches(|c: char| c.is_ascii_alphabetic());
-            let family = match word.strip_suffix(number)? {
-                "Q" => Family::Q,
-                "QL" => Family::Ql,
-                "QR" => Family::Qr,
-                "QS" => Family::Qs,
-                _ => return None,
-            };
-            Name::Parameter(Parameter { family, number: number.parse().ok()? })
-        }
+        word => Name::Parameter(word.parse().ok()?),
     })
-}
-
-/// The beginning of a text, for messages.
-fn shortened(text: &str) -> String {
-    const MOST: usize = 40;
-    let text = text.trim();
-    if text.chars().count() <= MOST { text.to_owned() } else { text.chars().take(MOST).chain(['…']).collect() }
 }

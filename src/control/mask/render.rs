@@ -2,9 +2,10 @@
 
 use jiff::civil::DateTime;
 
-use super::{Format, Keyword, Kind, Line, Mask, Name, Record, RenderError};
+use super::{Format, Keyword, Kind, Line, Mask, Name, Record, RenderError, RenderFault};
 use crate::control::mask::Part;
 use crate::control::variables::{Family, Value, Variables};
+use crate::message::{Located, Place};
 use crate::words::Dialogue;
 
 /// What a mask prints besides parameters.
@@ -73,8 +74,6 @@ impl Mask {
     }
 }
 
-/// The control's word for a language, as in its tables.
-
 impl Record {
     /// Whether a text parameter is empty, for `M_EMPTY_HIDE`. An undefined one stays an error: a slip in its number must
     /// not make the status line vanish.
@@ -116,9 +115,13 @@ enum Printed<'a> {
 }
 
 impl At {
+    fn fault(&self, what: RenderFault) -> RenderError {
+        Located { what, place: Place::in_line(self.line, self.column) }
+    }
+
     fn field(&self, format: &Format, variables: &Variables, context: &Context<'_>) -> Result<String, RenderError> {
         let printed = self.printed(variables, context)?;
-        let (line, column, name) = (self.line, self.column, self.name.to_string());
+        let name = || self.name.to_string();
         match (format.kind, printed) {
             (Kind::Raw, Printed::Text(text)) => Ok(text.to_owned()),
             (Kind::Text, Printed::Text(text)) => {
@@ -135,8 +138,10 @@ impl At {
                 let least = format.digits.unwrap_or(0);
                 Ok(signed(&format!("{sign}{figures:0>least$}"), format))
             }
-            (Kind::Text | Kind::Raw, Printed::Number(_)) => Err(RenderError::NumberAsText { line, column, name }),
-            (Kind::Decimal | Kind::Whole, Printed::Text(_)) => Err(RenderError::TextAsNumber { line, column, name }),
+            (Kind::Text | Kind::Raw, Printed::Number(_)) => Err(self.fault(RenderFault::NumberAsText { name: name() })),
+            (Kind::Decimal | Kind::Whole, Printed::Text(_)) => {
+                Err(self.fault(RenderFault::TextAsNumber { name: name() }))
+            }
         }
     }
 
@@ -153,14 +158,14 @@ impl At {
             Name::Second => number(time.second().into()),
             Name::CallPath => Ok(Printed::Text(context.call_path)),
             Name::Parameter(parameter) => {
-                let (line, column, name) = (self.line, self.column, self.name.to_string());
+                let name = || parameter.to_string();
                 match variables.get(parameter) {
-                    None => Err(RenderError::Undefined { line, column, name }),
+                    None => Err(self.fault(RenderFault::Undefined { name: name() })),
                     Some(Value::Text(text)) => Ok(Printed::Text(text)),
                     Some(Value::Length(length)) => Ok(Printed::Number(length.to_string())),
                     // The shortest decimal that is this number: what a user typed, not its binary neighbour.
                     Some(Value::Number(value)) if value.is_finite() => Ok(Printed::Number(value.to_string())),
-                    Some(Value::Number(_)) => Err(RenderError::NotFinite { line, column, name }),
+                    Some(Value::Number(_)) => Err(self.fault(RenderFault::NotFinite { name: name() })),
                 }
             }
         }

@@ -1,27 +1,17 @@
 //! The two blocks that describe the columns of a table.
 //!
 //! `#STRUCTBEGIN` … `#STRUCTEND` of iTNC 530 and `TableDescription ( … )` of TNC 640 and TNC7
-//! (`docs/SOURCES.md`). What a block says beyond name, width, type and decimals is kept as it is written.
+//! (`docs/SOURCES.md`). The width of a column is the figure in the block, 0 where there is none. What a block says beyond name, width, type and decimals is kept as it is written.
 
-use super::fault::{TableDoubt, TableError, TableFault, beginning};
+use super::fault::{TableDoubt, TableError, TableFault};
 use super::read::{MOST_COLUMNS, Reader, WIDEST};
 use super::{Column, CommentPlace, ControlTable};
-
-/// A column of a block: its width is the figure in the block, 0 where there is none.
-pub(super) struct Described {
-    pub(super) column: Column,
-}
-
-impl Described {
-    fn new() -> Self {
-        Self { column: Column::plain("", 0) }
-    }
-}
+use crate::control::text::beginning;
 
 /// Reads the lines behind `#STRUCTBEGIN` up to and including `#STRUCTEND`.
-pub(super) fn read_structure(reader: &mut Reader<'_>, table: &mut ControlTable) -> Result<Vec<Described>, TableError> {
+pub(super) fn read_structure(reader: &mut Reader<'_>, table: &mut ControlTable) -> Result<Vec<Column>, TableError> {
     let begin = reader.line;
-    let mut columns: Vec<Described> = Vec::new();
+    let mut columns: Vec<Column> = Vec::new();
     while let Some(line) = reader.next_line()? {
         let text = line.trim();
         let indent = line.chars().take_while(|c| c.is_whitespace()).count();
@@ -39,10 +29,10 @@ pub(super) fn read_structure(reader: &mut Reader<'_>, table: &mut ControlTable) 
         let (key, value) = (key.trim_end(), value.trim_start());
         reader.keep(1)?;
         if key == "NAME" {
-            push(reader, &mut columns, value)?;
+            push(reader, &mut columns, Column::plain(value, 0))?;
             continue;
         }
-        let Some(Described { column }) = columns.last_mut() else {
+        let Some(column) = columns.last_mut() else {
             return Err(reader.fault(TableFault::Unexpected { expected: "NAME =", found: beginning(text) }, indent));
         };
         match key {
@@ -55,16 +45,14 @@ pub(super) fn read_structure(reader: &mut Reader<'_>, table: &mut ControlTable) 
     Err(unclosed(reader, "#STRUCTBEGIN", begin))
 }
 
-fn push(reader: &Reader<'_>, columns: &mut Vec<Described>, name: &str) -> Result<(), TableError> {
+fn push(reader: &Reader<'_>, columns: &mut Vec<Column>, column: Column) -> Result<(), TableError> {
     if MOST_COLUMNS <= columns.len() {
         return Err(reader.fault(TableFault::TooManyColumns { limit: MOST_COLUMNS }, 0));
     }
-    if columns.iter().any(|other| other.column.name == name) {
-        return Err(reader.fault(TableFault::ColumnTwice { name: name.to_owned() }, 0));
+    if columns.iter().any(|other| other.name == column.name) {
+        return Err(reader.fault(TableFault::ColumnTwice { name: column.name }, 0));
     }
-    let mut described = Described::new();
-    name.clone_into(&mut described.column.name);
-    columns.push(described);
+    columns.push(column);
     Ok(())
 }
 
@@ -201,12 +189,11 @@ impl<'a> Tokens<'_, 'a> {
     }
 
     /// The entries of one `CfgColumnDescription ( … )`, behind its opening bracket.
-    fn column(&mut self, table: &mut ControlTable) -> Result<Described, TableError> {
-        let mut described = Described::new();
+    fn column(&mut self, table: &mut ControlTable) -> Result<Column, TableError> {
+        let mut column = Column::plain("", 0);
         while let Some(key) = self.key(")", table)? {
             let Some(value) = self.value(key, table)? else { continue };
             self.reader.keep(1)?;
-            let column = &mut described.column;
             match key {
                 "key" => value.trim_matches('"').clone_into(&mut column.name),
                 "width" => column.width = size(self.reader, "width", value, self.character)?,
@@ -214,23 +201,20 @@ impl<'a> Tokens<'_, 'a> {
                 _ => column.settings.push((key.to_owned(), value.to_owned())),
             }
         }
-        Ok(described)
+        Ok(column)
     }
 
     /// The list of columns, behind its opening bracket.
-    fn columns(&mut self, table: &mut ControlTable) -> Result<Vec<Described>, TableError> {
-        let mut columns: Vec<Described> = Vec::new();
+    fn columns(&mut self, table: &mut ControlTable) -> Result<Vec<Column>, TableError> {
+        let mut columns: Vec<Column> = Vec::new();
         while let Some(object) = self.key("]", table)? {
             self.expect("(", table)?;
             if object != "CfgColumnDescription" {
                 self.skip(object, table)?;
                 continue;
             }
-            let described = self.column(table)?;
-            push(self.reader, &mut columns, &described.column.name)?;
-            if let Some(last) = columns.last_mut() {
-                *last = described;
-            }
+            let column = self.column(table)?;
+            push(self.reader, &mut columns, column)?;
         }
         Ok(columns)
     }
@@ -241,7 +225,7 @@ pub(super) fn read_description<'a>(
     reader: &mut Reader<'a>,
     line: &'a str,
     table: &mut ControlTable,
-) -> Result<Vec<Described>, TableError> {
+) -> Result<Vec<Column>, TableError> {
     let begin = reader.line;
     let mut tokens = Tokens { reader, begin, rest: line, character: 0 };
     // The word itself, which the caller has seen.

@@ -15,8 +15,7 @@ mod fault;
 mod read;
 mod write;
 
-pub(crate) use fault::beginning;
-pub use fault::{Located, Place, TableDoubt, TableError, TableFault, TableWarning};
+pub use fault::{TableDoubt, TableError, TableFault, TableWarning};
 pub use read::TableFile;
 pub use write::WriteError;
 
@@ -146,6 +145,11 @@ impl ControlTable {
     /// The number of the column with this name.
     pub fn column(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column.name == name)
+    }
+
+    /// The text of a cell; empty beyond the table.
+    pub fn cell(&self, row: usize, column: usize) -> &str {
+        self.rows.get(row).and_then(|cells| cells.get(column)).map_or("", String::as_str)
     }
 
     /// The same table with another kind of header.

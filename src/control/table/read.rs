@@ -5,10 +5,11 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use super::block::{Described, read_description, read_structure};
-use super::fault::{Located, Place, TableDoubt, TableError, TableFault, TableWarning, beginning};
+use super::block::{read_description, read_structure};
+use super::fault::{TableDoubt, TableError, TableFault, TableWarning};
 use super::{Column, Comment, CommentPlace, ControlTable, Generation, TableUnit};
-use crate::control::text::{decode, lines};
+use crate::control::text::{beginning, decode, lines};
+use crate::message::{Located, Place};
 
 /// The longest line in bytes. iTNC 530 has 200 characters, a TNC7 a few thousand.
 pub(super) const LONGEST_LINE: usize = 1 << 16;
@@ -43,9 +44,14 @@ impl TableFile {
         self.place(self.row_lines.get(row).copied().unwrap_or(self.names_line), column)
     }
 
-    /// Where the name of a column stands.
-    pub fn name_place(&self, column: usize) -> Place {
-        self.place(self.names_line, column)
+    /// What there is to say about a cell.
+    pub(crate) fn at_cell<T>(&self, row: usize, column: usize, what: T) -> Located<T> {
+        Located { what, place: self.cell_place(row, column) }
+    }
+
+    /// What there is to say about a column, at its name.
+    pub(crate) fn at_name<T>(&self, column: usize, what: T) -> Located<T> {
+        Located { what, place: self.place(self.names_line, column) }
     }
 
     /// Whether the text of a cell and that of a neighbour are not kept apart by a blank: either may be cut wrongly.
@@ -55,7 +61,7 @@ impl TableFile {
 
     fn place(&self, line: usize, column: usize) -> Place {
         let start = self.starts.get(column).copied().unwrap_or_default();
-        Place { file: Arc::clone(&self.file), line, column: start + 1 }
+        Place::in_file(&self.file, line, start + 1)
     }
 }
 
@@ -111,11 +117,11 @@ impl<'a> Reader<'a> {
     }
 
     fn fault_at(&self, what: TableFault, line: usize, character: usize) -> TableError {
-        Located { what, place: Place { file: Arc::clone(&self.file), line, column: character + 1 } }
+        Located { what, place: Place::in_file(&self.file, line, character + 1) }
     }
 
     pub(super) fn warn(&mut self, what: TableDoubt, character: usize) {
-        let place = Place { file: Arc::clone(&self.file), line: self.line.max(1), column: character + 1 };
+        let place = Place::in_file(&self.file, self.line.max(1), character + 1);
         self.warnings.push(Located { what, place });
     }
 
@@ -206,7 +212,7 @@ impl<'a> Reader<'a> {
 
     /// Comments and a block, up to the line with the names: its number and text.
     fn header(&mut self, table: &mut ControlTable) -> Result<(usize, &'a str), TableError> {
-        let mut described: Option<Vec<Described>> = None;
+        let mut described: Option<Vec<Column>> = None;
         loop {
             let Some(line) = self.next_line()? else {
                 return Err(self.fault_at(TableFault::NoColumns, self.line + 1, 0));
@@ -236,8 +242,7 @@ impl<'a> Reader<'a> {
             } else if text.starts_with('#') {
                 return Err(self.fault(TableFault::Unexpected { expected: "#STRUCTBEGIN", found: beginning(text) }, 0));
             } else {
-                let described = described.unwrap_or_default();
-                table.columns = described.into_iter().map(|described| described.column).collect();
+                table.columns = described.unwrap_or_default();
                 return Ok((self.line, line));
             }
         }

@@ -4,7 +4,7 @@
 //! back as the same table, or it is an error. Rules: `docs/SOURCES.md`.
 
 use crate::control::text::decode;
-use crate::message::{Message, Say};
+use crate::message::Say;
 
 use super::{Column, Comment, CommentPlace, ControlTable, Generation};
 
@@ -14,10 +14,10 @@ const MOST_COLUMNS: usize = 30;
 const LONGEST_LINE: usize = 200;
 
 /// Why a table cannot be written.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "table-write", error)]
 pub enum WriteError {
     /// A text is longer than its column is wide.
-    #[error("row {row}, column {column}: {text} does not fit into {width} characters")]
     TooWide {
         /// The row, from 0.
         row: usize,
@@ -29,7 +29,6 @@ pub enum WriteError {
         width: usize,
     },
     /// More columns than the control takes.
-    #[error("the table has {columns} columns; an iTNC 530 takes at most {limit}")]
     TooManyColumns {
         /// How many there are.
         columns: usize,
@@ -37,7 +36,6 @@ pub enum WriteError {
         limit: usize,
     },
     /// Lines longer than the control takes.
-    #[error("the lines of the table have {characters} characters; an iTNC 530 takes at most {limit}")]
     TooLong {
         /// How many there are.
         characters: usize,
@@ -45,27 +43,7 @@ pub enum WriteError {
         limit: usize,
     },
     /// Something in the table would be read as something else, such as a name with a blank in it.
-    #[error("the table cannot be written so that it reads back the same: check the names of the table and its columns")]
     ReadsOtherwise,
-}
-
-impl Say for WriteError {
-    fn message(&self) -> Message {
-        match self {
-            Self::TooWide { row, column, text, width } => Message::new("table-write-too-wide")
-                .text("row", row)
-                .text("column", column)
-                .text("text", text)
-                .text("width", width),
-            Self::TooManyColumns { columns, limit } => {
-                Message::new("table-write-too-many-columns").text("columns", columns).text("limit", limit)
-            }
-            Self::TooLong { characters, limit } => {
-                Message::new("table-write-too-long").text("characters", characters).text("limit", limit)
-            }
-            Self::ReadsOtherwise => Message::new("table-write-reads-otherwise"),
-        }
-    }
 }
 
 impl ControlTable {
@@ -251,22 +229,6 @@ fn encode(text: String) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::words::{Language, Words};
-
-    #[test]
-    fn every_error_is_said_in_english_and_in_dutch() {
-        let (column, text) = ("H7".to_owned(), "+1000.5".to_owned());
-        for error in [
-            WriteError::TooWide { row: 3, column, text, width: 6 },
-            WriteError::TooManyColumns { columns: 31, limit: 30 },
-            WriteError::TooLong { characters: 201, limit: 200 },
-            WriteError::ReadsOtherwise,
-        ] {
-            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-            let dutch = Words::new(Language::Nl).told(&error);
-            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
-        }
-    }
 
     #[test]
     fn text_beyond_windows_1252_or_taken_for_utf8_is_written_as_utf8() {

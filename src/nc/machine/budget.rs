@@ -3,7 +3,7 @@
 use jiff::civil::DateTime;
 
 use crate::control::probe_table::ProbeTable;
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::words::Dialogue;
 
 /// What a run may use; each of them ends it with a fault of its own.
@@ -93,60 +93,31 @@ impl Settings {
 }
 
 /// A budget that is used up.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "machine-used", error)]
 pub enum UsedUp {
     /// Blocks.
-    #[error("the run has used up its {0} blocks: does it loop for ever?")]
-    Blocks(u64),
+    Blocks(#[say(name = "most")] u64),
     /// Calls of labels.
-    #[error("{0} calls of labels are within one another, one more is not allowed: does the program call itself?")]
-    LabelCalls(usize),
+    LabelCalls(#[say(name = "most")] usize),
     /// Calls of programs.
-    #[error("{0} calls of programs are within one another, one more is not allowed: does the program call itself?")]
-    ProgramCalls(usize),
+    ProgramCalls(#[say(name = "most")] usize),
     /// Windows.
-    #[error("the run has opened {0} windows, one more is not allowed")]
-    Windows(usize),
+    Windows(#[say(name = "most")] usize),
     /// Outputs to files.
-    #[error("the run has printed to files {0} times, one more is not allowed")]
-    Outputs(usize),
+    Outputs(#[say(name = "most")] usize),
     /// Bytes of output.
-    #[error("the run has printed {0} bytes, more is not allowed")]
-    Output(usize),
+    Output(#[say(name = "most")] usize),
     /// Cycles.
-    #[error("the run has measured {0} times, one more is not allowed")]
-    Cycles(usize),
+    Cycles(#[say(name = "most")] usize),
     /// Moves.
-    #[error("the path has {0} moves, one more is not allowed")]
-    Path(usize),
+    Path(#[say(name = "most")] usize),
     /// Programs and tables.
-    #[error("{0} programs and changed tables are open, one more is not allowed")]
-    Files(usize),
+    Files(#[say(name = "most")] usize),
     /// Bytes read and written.
-    #[error("the run has read and written {0} bytes, more is not allowed")]
-    Traffic(usize),
+    Traffic(#[say(name = "most")] usize),
     /// Their size.
-    #[error("programs and changed tables have more than {0} bytes together")]
-    FileBytes(usize),
-}
-
-impl Say for UsedUp {
-    fn message(&self) -> Message {
-        let of = |id, most: &usize| Message::new(id).text("most", most);
-        match self {
-            Self::Blocks(most) => Message::new("machine-used-blocks").text("most", most),
-            Self::LabelCalls(most) => of("machine-used-label-calls", most),
-            Self::ProgramCalls(most) => of("machine-used-program-calls", most),
-            Self::Windows(most) => of("machine-used-windows", most),
-            Self::Outputs(most) => of("machine-used-outputs", most),
-            Self::Output(most) => of("machine-used-output", most),
-            Self::Cycles(most) => of("machine-used-cycles", most),
-            Self::Path(most) => of("machine-used-path", most),
-            Self::Files(most) => of("machine-used-files", most),
-            Self::Traffic(most) => of("machine-used-traffic", most),
-            Self::FileBytes(most) => of("machine-used-file-bytes", most),
-        }
-    }
+    FileBytes(#[say(name = "most")] usize),
 }
 
 impl Budget {

@@ -1,15 +1,16 @@
 //! `TCH PROBE`: the cycles of `probing::cycles`, by number.
 
-use super::budget::{Budget, UsedUp};
+use super::budget::{Budget, Settings, UsedUp};
+use super::contacts::{Contacts, Workbench};
 use super::fault::{BlockPlace, FaultKind};
 use super::remark::Remark;
-use super::run::Machine;
-use super::step::{Pause, Step};
-use super::values::length_of;
+use super::values::{Values, length_of, whole};
+use crate::control::probe_table::ProbeTable;
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
-use crate::nc::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool, Unit};
-use crate::probing::cycle::{self, Cycle, CycleError, CycleResult, Inputs, Key, LogTarget, Move, Phase, Range};
+use crate::nc::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool};
+use crate::probing::TouchProbe;
+use crate::probing::cycle::{self, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
 use crate::probing::cycles::CYCLES;
 
 /// A cycle that was run.
@@ -23,20 +24,54 @@ pub struct CycleRun {
     pub result: CycleResult,
 }
 
-impl Machine {
+/// The cycles of a run, and what they measure with.
+#[derive(Debug)]
+pub(super) struct Cycles {
+    workbench: Workbench,
+    probe: TouchProbe,
+    /// The tool that is called and not in the touch-probe table.
+    other_tool: Option<String>,
+    runs: Vec<CycleRun>,
+    most: usize,
+}
+
+impl Cycles {
+    pub(super) fn new(contacts: Contacts, settings: &Settings) -> Self {
+        Self {
+            workbench: Workbench::new(contacts),
+            probe: settings.probe_table.probe(None).copied().unwrap_or_default(),
+            other_tool: None,
+            runs: Vec::new(),
+            most: settings.budget.cycles,
+        }
+    }
+
+    pub(super) fn runs(&self) -> &[CycleRun] {
+        &self.runs
+    }
+
+    /// That recorded contacts are left, where the cycles did not take all.
+    pub(super) fn contacts_left(&self) -> Option<Remark> {
+        self.workbench.left().map(|(count, used)| Remark::ContactsLeft { count, used })
+    }
+
     /// TOOL CALL: the probe of that number; a name stands for the first probe of the table.
-    pub(super) fn call_tool(&mut self, tool: Option<&Tool>) -> Result<(), FaultKind> {
+    pub(super) fn call_tool(
+        &mut self,
+        tool: Option<&Tool>,
+        table: &ProbeTable,
+        values: &Values,
+    ) -> Result<(), FaultKind> {
         let (number, name) = match tool {
             // Without a tool only speed or feed are changed.
             None => return Ok(()),
             Some(Tool::Number(number)) => {
-                let value = self.operand(*number)?;
-                let number = super::flow::whole(value).and_then(|number| u32::try_from(number).ok());
+                let value = values.operand(*number)?;
+                let number = whole(value).and_then(|number| u32::try_from(number).ok());
                 (number, value.to_string())
             }
-            Some(Tool::Name(name)) => (None, self.text_operand(name)?.to_owned()),
+            Some(Tool::Name(name)) => (None, values.text_operand(name)?.to_owned()),
         };
-        let table = &self.settings.probe_table;
         let found = number.and_then(|number| table.probe(Some(number)));
         self.probe = found.or_else(|| table.probe(None)).copied().unwrap_or_default();
         // With one probe there is no doubt which one is meant.
@@ -45,119 +80,123 @@ impl Machine {
         Ok(())
     }
 
-    /// Runs a cycle and hands its results over.
-    pub(super) fn probe(&mut self, at: usize, block: &CycleBlock) -> Result<Step, FaultKind> {
-        let Some(cycle) = milling_cycle(&block.number) else {
-            if self.settings.skip_unknown {
-                self.remark(at, Remark::Skipped);
-                return Ok(Step::Went);
-            }
-            let known: Vec<&str> = milling_cycles().map(|cycle| cycle.code).collect();
-            return Err(FaultKind::UnknownCycle { cycle: block.number.clone(), known: known.join(", ") });
-        };
-        if self.frame.unit == Some(Unit::Inch) {
-            return Err(FaultKind::Inch);
-        }
-        Budget::one_more(self.cycles.len(), self.budget().cycles, UsedUp::Cycles)?;
-        if let Some(tool) = self.other_tool.take() {
-            self.remark(at, Remark::OtherProbe { tool, probe: self.probe.number });
-        }
-        let inputs = self.inputs(cycle, block)?;
-        let (path, result) = self.workbench.measure(cycle, &inputs)?;
-        self.went_along(at, &path)?;
-        let failed = |error| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) };
-        let result = result.map_err(failed)?;
-        self.hand_over(cycle, &result)?;
-        self.log(at, cycle, &result)?;
-        let step = match (&result.stop, result.log) {
-            (Some(stop), _) => Step::Paused(Pause::Tolerance(Box::new(stop.clone()))),
-            (None, LogTarget::Screen) => Step::Paused(Pause::Log),
-            (None, LogTarget::None | LogTarget::File(_) | LogTarget::Shown) => Step::Went,
-        };
-        self.cycles.push(CycleRun { place: self.place_of(at), cycle, result });
-        Ok(step)
+    /// That another probe measures than the tool that was called; said once a call.
+    pub(super) fn other_probe(&mut self) -> Option<Remark> {
+        self.other_tool.take().map(|tool| Remark::OtherProbe { tool, probe: self.probe.number })
     }
 
-    fn inputs(&self, cycle: &'static Cycle, block: &CycleBlock) -> Result<Inputs, FaultKind> {
+    /// Whether one more cycle may be run.
+    pub(super) fn check_count(&self) -> Result<(), UsedUp> {
+        Budget::one_more(self.runs.len(), self.most, UsedUp::Cycles)
+    }
+
+    /// Runs a cycle from a position: the way of the probe, and what came of it.
+    pub(super) fn measure(
+        &mut self,
+        cycle: &'static Cycle,
+        block: &CycleBlock,
+        position: Option<[f64; 3]>,
+        values: &Values,
+    ) -> Result<(Vec<Move>, Result<CycleResult, FaultKind>), FaultKind> {
         let mut inputs = Inputs::new().with_probe(self.probe);
-        if let Some(place) = self.position.place() {
+        if let Some(place) = position {
             inputs = inputs.with_position(place);
         }
-        for line in &block.lines {
-            let parameter = line.parameter;
-            let unknown = FaultKind::NoCycleParameter { cycle: cycle.code, parameter };
-            let declared = cycle.parameter_named(&parameter.to_string()).ok_or(unknown)?;
-            if inputs.is_given(declared.key) {
-                return Err(FaultKind::CycleParameterTwice { cycle: cycle.code, parameter });
-            }
-            inputs = inputs.with(declared.key, self.input(cycle, declared, line)?);
-        }
-        Ok(inputs)
+        let inputs = with_lines(inputs, cycle, block, values)?;
+        let (path, result) = self.workbench.measure(cycle, &inputs)?;
+        Ok((path, result.map_err(|error| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) })))
     }
 
-    /// The value of a line in the kind that the parameter is declared as; the range is checked by the cycle.
-    fn input(
-        &self,
-        cycle: &'static Cycle,
-        declared: &cycle::Parameter,
-        line: &CycleLine,
-    ) -> Result<cycle::Value, FaultKind> {
-        let refused = |error: CycleError| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) };
-        let read = |text: &str| declared.read(text).map_err(refused);
-        let operand: Operand = match &line.value {
-            CycleValue::Word(word) => return read(word),
-            CycleValue::Text(text) => {
-                let text = self.text_operand(text)?;
-                let is_name = declared.range == Range::Tool && !text.is_empty();
-                return if is_name { Ok(cycle::Value::Text(text.to_owned())) } else { read(text) };
-            }
-            CycleValue::Number { value, .. } => *value,
-        };
-        let value = self.value(operand)?;
-        let number = self.operand(operand)?;
-        match declared.range {
-            // At the nearest nanometre; what no length can be is said by the reader of such texts.
-            Range::Length { .. } => {
-                length_of(&value).map_or_else(|| read(&number.to_string()), |length| Ok(cycle::Value::Length(length)))
-            }
-            Range::Angle { .. } => read(&format!("{number:.4}")),
-            Range::OneOf(_) | Range::Band => read(&number.to_string()),
-            Range::Number { .. } | Range::Tool => Ok(cycle::Value::Number(number)),
-        }
-    }
-
-    /// Results into their parameters, the number of the cycle into Q198, where the ball touched last into Q115 to Q117.
-    fn hand_over(&mut self, cycle: &Cycle, result: &CycleResult) -> Result<(), FaultKind> {
-        for found in &result.results {
-            let value = match &found.value {
-                cycle::Value::Length(length) => Value::Length(*length),
-                cycle::Value::Angle(angle) => Value::Number(angle.to_degrees_f64()),
-                cycle::Value::Whole(whole) => Value::Number(i32::try_from(*whole).map_or(0.0, f64::from)),
-                cycle::Value::Number(number) => Value::Number(*number),
-                other => Value::Text(other.to_string()),
-            };
-            match found.key {
-                Key::Q(number) => self.put(Parameter::q(number), value)?,
-                Key::Qs(number) => self.put(Parameter::qs(number), value)?,
-                Key::Word(_) => {}
-            }
-        }
-        self.put(Parameter::q(198), Value::Number(f64::from(cycle.number)))?;
-        let last = result.path.iter().rev().find(|step: &&Move| step.phase == Phase::Contact);
-        for (number, place) in (115..).zip(last.into_iter().flat_map(|step| step.to)) {
-            if let Ok(length) = Length::from_mm_f64(place) {
-                self.put(Parameter::q(number), Value::Length(length))?;
-            }
-        }
-        Ok(())
+    /// Keeps a cycle that was run.
+    pub(super) fn keep(&mut self, run: CycleRun) {
+        self.runs.push(run);
     }
 }
 
+/// The inputs with what the lines of a block give.
+fn with_lines(
+    mut inputs: Inputs,
+    cycle: &'static Cycle,
+    block: &CycleBlock,
+    values: &Values,
+) -> Result<Inputs, FaultKind> {
+    for line in &block.lines {
+        let parameter = line.parameter;
+        let unknown = FaultKind::NoCycleParameter { cycle: cycle.code, parameter };
+        let declared = cycle.parameter_named(&parameter.to_string()).ok_or(unknown)?;
+        if inputs.is_given(declared.key) {
+            return Err(FaultKind::CycleParameterTwice { cycle: cycle.code, parameter });
+        }
+        inputs = inputs.with(declared.key, input(cycle, declared, line, values)?);
+    }
+    Ok(inputs)
+}
+
+/// The value of a line in the kind that the parameter is declared as; the range is checked by the cycle.
+fn input(
+    cycle: &'static Cycle,
+    declared: &cycle::Parameter,
+    line: &CycleLine,
+    values: &Values,
+) -> Result<cycle::Value, FaultKind> {
+    let refused = |error: CycleError| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) };
+    let read = |text: &str| declared.read(text).map_err(refused);
+    let operand: Operand = match &line.value {
+        CycleValue::Word(word) => return read(word),
+        CycleValue::Text(text) => {
+            let text = values.text_operand(text)?;
+            let is_name = declared.range == Range::Tool && !text.is_empty();
+            return if is_name { Ok(cycle::Value::Text(text.to_owned())) } else { read(text) };
+        }
+        CycleValue::Number { value, .. } => *value,
+    };
+    let value = values.value(operand)?;
+    let number = values.operand(operand)?;
+    match declared.range {
+        // At the nearest nanometre; what no length can be is said by the reader of such texts.
+        Range::Length { .. } => {
+            length_of(&value).map_or_else(|| read(&number.to_string()), |length| Ok(cycle::Value::Length(length)))
+        }
+        Range::Angle { .. } => read(&format!("{number:.4}")),
+        Range::OneOf(_) | Range::Band => read(&number.to_string()),
+        Range::Number { .. } | Range::Tool => Ok(cycle::Value::Number(number)),
+    }
+}
+
+/// Results into their parameters, the number of the cycle into Q198, where the ball touched last into Q115 to Q117.
+pub(super) fn hand_over(cycle: &Cycle, result: &CycleResult, values: &mut Values) -> Result<(), FaultKind> {
+    for found in &result.results {
+        let value = match &found.value {
+            cycle::Value::Length(length) => Value::Length(*length),
+            cycle::Value::Angle(angle) => Value::Number(angle.to_degrees_f64()),
+            cycle::Value::Whole(whole) => Value::Number(i32::try_from(*whole).map_or(0.0, f64::from)),
+            cycle::Value::Number(number) => Value::Number(*number),
+            other => Value::Text(other.to_string()),
+        };
+        match found.key {
+            Key::Q(number) => values.put(Parameter::q(number), value)?,
+            Key::Qs(number) => values.put(Parameter::qs(number), value)?,
+            Key::Word(_) => {}
+        }
+    }
+    values.put(Parameter::q(198), Value::Number(f64::from(cycle.number)))?;
+    let last = result.path.iter().rev().find(|step: &&Move| step.phase == Phase::Contact);
+    for (number, place) in (115..).zip(last.into_iter().flat_map(|step| step.to)) {
+        if let Ok(length) = Length::from_mm_f64(place) {
+            values.put(Parameter::q(number), Value::Length(length))?;
+        }
+    }
+    Ok(())
+}
 /// The cycles of milling controls: those of lathe controls are no `TCH PROBE`.
 fn milling_cycles() -> impl Iterator<Item = &'static Cycle> {
     CYCLES.iter().copied().filter(|cycle| cycle.code.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
-fn milling_cycle(number: &str) -> Option<&'static Cycle> {
-    milling_cycles().find(|cycle| cycle.code == number)
+/// The cycle of a number.
+pub(super) fn cycle_of(number: &str) -> Result<&'static Cycle, FaultKind> {
+    milling_cycles().find(|cycle| cycle.code == number).ok_or_else(|| {
+        let known: Vec<&str> = milling_cycles().map(|cycle| cycle.code).collect();
+        FaultKind::UnknownCycle { cycle: number.to_owned(), known: known.join(", ") }
+    })
 }

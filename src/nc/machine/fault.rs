@@ -1,17 +1,13 @@
 //! What ends a run before its end: as the control says it, with block and reason.
 
-mod say;
-
-use std::fmt;
-
 use super::budget::UsedUp;
 use super::path::{NcPath, PathError};
 use super::store::StoreError;
 use crate::control::mask::{MaskError, RenderError};
 use crate::control::table::{TableError, WriteError};
 use crate::control::variables::Parameter;
-use crate::message::{Message, Say};
-use crate::nc::program::{LabelFault, ProgramError};
+use crate::message::{Message, Say, display};
+use crate::nc::program::{LabelFault, Program, ProgramError};
 use crate::probing::cycle::CycleError;
 use crate::probing::simulated::WorkpieceError;
 
@@ -39,37 +35,47 @@ pub struct Fault {
     pub kind: Box<FaultKind>,
 }
 
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { place, number, line, text, kind } = self;
-        match number {
-            Some(number) => write!(f, "{}, block {number}, {text}: {kind}", place.program),
-            None => write!(f, "{}, line {line}, {text}: {kind}", place.program),
+impl Fault {
+    /// A fault of a block; behind the last block the last one is named.
+    pub(super) fn new(program: &Program, mut place: BlockPlace, kind: FaultKind) -> Self {
+        const LONGEST: usize = 80;
+        place.block = place.block.min(program.blocks().len().saturating_sub(1));
+        let block = program.blocks().get(place.block);
+        let text = program.text_of(place.block).next().unwrap_or_default();
+        let number = block.and_then(|block| block.number);
+        let bare = text.trim().trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+        let bare = if number.is_some() { bare } else { text.trim() };
+        let mut text: String = bare.chars().take(LONGEST).map(|c| if c.is_control() { ' ' } else { c }).collect();
+        if LONGEST < bare.chars().count() {
+            text.push('…');
         }
+        let line = block.map_or_else(|| program.line_count(), |block| block.lines.start + 1);
+        Self { place, number, line, text, kind: Box::new(kind) }
     }
 }
-
-impl std::error::Error for Fault {}
 
 impl Say for Fault {
     fn message(&self) -> Message {
         let message = match self.number {
-            Some(number) => Message::new("machine-fault-in-block").text("number", number),
-            None => Message::new("machine-fault-in-line").text("line", self.line),
+            Some(number) => Message::new("machine-fault-in-block").with("number", &number),
+            None => Message::new("machine-fault-in-line").with("line", &self.line),
         };
-        let message = message.text("program", &self.place.program).text("text", &self.text);
-        message.message("fault", self.kind.message())
+        message.with("program", &self.place.program).with("text", &self.text).with("fault", &self.kind)
     }
 }
 
+display!(Fault);
+
+impl std::error::Error for Fault {}
+
 /// Why a run stopped.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "machine", error)]
 pub enum FaultKind {
     /// A budget is used up.
-    #[error(transparent)]
+    #[say(transparent)]
     UsedUp(#[from] UsedUp),
     /// A text has more characters than a parameter holds.
-    #[error("the text has {length} characters, a parameter holds at most {most}")]
     TextTooLong {
         /// How many it has.
         length: usize,
@@ -77,10 +83,8 @@ pub enum FaultKind {
         most: usize,
     },
     /// The block is not known, or not understood.
-    #[error("this block is not known here: nothing is run that is not understood")]
     UnknownBlock,
     /// A cycle that is not run.
-    #[error("cycle {cycle} is not known here; known are {known}")]
     UnknownCycle {
         /// Its number.
         cycle: String,
@@ -88,13 +92,11 @@ pub enum FaultKind {
         known: String,
     },
     /// The program has no end, or not even a beginning.
-    #[error("the program is broken: {what} is missing")]
     Broken {
         /// The block that is missing.
         what: &'static str,
     },
     /// A file is no program.
-    #[error("{path}: {error}")]
     NoProgram {
         /// The file.
         path: NcPath,
@@ -102,10 +104,9 @@ pub enum FaultKind {
         error: ProgramError,
     },
     /// A label that cannot be gone to.
-    #[error(transparent)]
+    #[say(transparent)]
     Label(#[from] LabelFault),
     /// A parameter does not hold the number of a label.
-    #[error("{parameter} = {value} is no label")]
     NoLabel {
         /// The parameter.
         parameter: Parameter,
@@ -113,25 +114,18 @@ pub enum FaultKind {
         value: String,
     },
     /// A parameter without a value.
-    #[error("{0} is undefined")]
-    Undefined(Parameter),
+    Undefined(#[say(name = "parameter")] Parameter),
     /// A parameter that no control has.
-    #[error("there is no parameter {0}: Q and QS go up to 1999, QL and QR up to 499")]
-    NoParameter(Parameter),
+    NoParameter(#[say(name = "parameter")] Parameter),
     /// A text where a number is needed.
-    #[error("{0} holds a text, a number is needed")]
-    NotNumber(Parameter),
+    NotNumber(#[say(name = "parameter")] Parameter),
     /// A number where a text is needed.
-    #[error("{0} holds a number, a text is needed")]
-    NotText(Parameter),
+    NotText(#[say(name = "parameter")] Parameter),
     /// A divisor of zero.
-    #[error("division by zero")]
     DivisionByZero,
     /// A root of a number below zero.
-    #[error("the root of {0} does not exist")]
     NegativeRoot(f64),
     /// A function of a number that has none.
-    #[error("{function} {value} does not exist")]
     NoResult {
         /// The function.
         function: &'static str,
@@ -139,10 +133,8 @@ pub enum FaultKind {
         value: f64,
     },
     /// A result that no parameter holds.
-    #[error("{0} is beyond the range of values, 10^10 either way")]
     BeyondRange(f64),
     /// A number with decimals, or below zero, where things are counted.
-    #[error("{what} = {value}: a whole number from 0 is needed")]
     NotWhole {
         /// What is counted.
         what: &'static str,
@@ -150,7 +142,6 @@ pub enum FaultKind {
         value: f64,
     },
     /// A part of a text that begins behind its end.
-    #[error("the text has {length} characters, nothing begins at {from}")]
     BehindText {
         /// Its characters.
         length: usize,
@@ -158,7 +149,6 @@ pub enum FaultKind {
         from: usize,
     },
     /// A text that is no number.
-    #[error("{parameter} = \"{text}\" is no number")]
     NoNumberInText {
         /// The parameter.
         parameter: Parameter,
@@ -166,7 +156,6 @@ pub enum FaultKind {
         text: String,
     },
     /// A system text that is not known.
-    #[error("ID{id} NR{number} is not known here; known are date and time, ID10321")]
     UnknownSystemText {
         /// The group.
         id: f64,
@@ -174,19 +163,17 @@ pub enum FaultKind {
         number: f64,
     },
     /// A path that is not followed.
-    #[error(transparent)]
+    #[say(transparent)]
     Path(#[from] PathError),
     /// A file that is not there, or cannot be used.
-    #[error(transparent)]
+    #[say(transparent)]
     Store(#[from] StoreError),
     /// FN 27 and FN 28 without FN 26.
-    #[error("no table is open")]
     NoTable,
     /// The table is broken.
-    #[error("{0}")]
+    #[say(transparent)]
     Table(Box<TableError>),
     /// A column that the table does not have; upper and lower case count.
-    #[error("table {table} has no column {column}; its columns are {columns}")]
     NoColumn {
         /// The table.
         table: String,
@@ -196,7 +183,6 @@ pub enum FaultKind {
         columns: String,
     },
     /// A row behind the table's end.
-    #[error("table {table} has no row {row}: its rows are 0 to {last}")]
     NoRow {
         /// The table.
         table: String,
@@ -206,10 +192,8 @@ pub enum FaultKind {
         last: usize,
     },
     /// A table without rows.
-    #[error("table {0} has no rows")]
-    NoRows(String),
+    NoRows(#[say(name = "table")] String),
     /// A cell without a value.
-    #[error("table {table}, row {row}, column {column}: the cell is empty")]
     EmptyCell {
         /// The table.
         table: String,
@@ -219,7 +203,6 @@ pub enum FaultKind {
         column: String,
     },
     /// A cell that is no number, and a number is needed.
-    #[error("table {table}, row {row}, column {column}: {cell} is no number")]
     NoNumberInCell {
         /// The table.
         table: String,
@@ -231,7 +214,6 @@ pub enum FaultKind {
         cell: String,
     },
     /// A cell that is not kept apart from its neighbour.
-    #[error("table {table}, row {row}, column {column}: the cell touches its neighbour, either may be cut wrongly")]
     Touches {
         /// The table.
         table: String,
@@ -241,7 +223,6 @@ pub enum FaultKind {
         column: String,
     },
     /// A table that FN 27 has changed cannot be written.
-    #[error("table {table}: {error}")]
     TableWrite {
         /// The table.
         table: String,
@@ -249,7 +230,6 @@ pub enum FaultKind {
         error: WriteError,
     },
     /// The mask cannot be read.
-    #[error("mask {mask}: {error}")]
     Mask {
         /// The mask.
         mask: NcPath,
@@ -257,7 +237,7 @@ pub enum FaultKind {
         error: Box<MaskError>,
     },
     /// The mask cannot be printed.
-    #[error("mask {mask}: {error}")]
+    #[say(id = "machine-mask")]
     Render {
         /// The mask.
         mask: NcPath,
@@ -265,10 +245,8 @@ pub enum FaultKind {
         error: Box<RenderError>,
     },
     /// FN 14.
-    #[error("the program stopped itself with error {0}")]
-    Programmed(u32),
+    Programmed(#[say(name = "number")] u32),
     /// A parameter that the cycle does not have.
-    #[error("cycle {cycle} has no parameter {parameter}")]
     NoCycleParameter {
         /// The cycle.
         cycle: &'static str,
@@ -276,7 +254,6 @@ pub enum FaultKind {
         parameter: Parameter,
     },
     /// A parameter that is there twice.
-    #[error("cycle {cycle}: {parameter} is given twice")]
     CycleParameterTwice {
         /// The cycle.
         cycle: &'static str,
@@ -284,7 +261,6 @@ pub enum FaultKind {
         parameter: Parameter,
     },
     /// The cycle did not come to its end.
-    #[error("cycle {cycle}: {error}")]
     Cycle {
         /// The cycle.
         cycle: &'static str,
@@ -292,9 +268,7 @@ pub enum FaultKind {
         error: Box<CycleError>,
     },
     /// The workpiece cannot be.
-    #[error("workpiece: {0}")]
-    Workpiece(Box<WorkpieceError>),
+    Workpiece(#[say(name = "error")] Box<WorkpieceError>),
     /// A cycle in a program in inches.
-    #[error("cycles are run in programs in MM only")]
     Inch,
 }

@@ -1,78 +1,94 @@
 //! The measuring logs that cycles ask for with Q281: into a file beside the program, or on the screen.
 
-use super::budget::{Budget, UsedUp};
-use super::fault::FaultKind;
+use super::budget::Settings;
+use super::fault::{BlockPlace, FaultKind};
+use super::files::Files;
 use super::path::NcPath;
-use super::prints::{Window, Written};
-use super::remark::Remark;
-use super::run::Machine;
+use super::prints::{Prints, Written, save};
+use super::remark::{Remark, Remarks};
 use super::store::StoreError;
 use crate::control::cycle_log::{CycleLog, Heading};
 use crate::control::mask::FileUse;
 use crate::control::text::decode;
 use crate::length::Unit;
-use crate::nc::program::TextOperand;
+use crate::message::Say as _;
 use crate::probing::cycle::{Cycle, CycleResult, LogTarget};
+use crate::words::Dialogue;
 
-impl Machine {
-    /// Writes or shows the log of a cycle. Logs of the same name are added to one another, as
-    /// [`CycleLog::append`] says; one that cannot be written is remarked, and the run goes on.
-    pub(super) fn log(&mut self, at: usize, cycle: &'static Cycle, result: &CycleResult) -> Result<(), FaultKind> {
+/// The log of a cycle, and where it goes.
+#[derive(Debug)]
+pub(super) struct Log {
+    content: CycleLog,
+    path: NcPath,
+    is_shown: bool,
+    language: Dialogue,
+}
+
+impl Log {
+    /// The log that a cycle in a program asks for.
+    pub(super) fn of(
+        cycle: &'static Cycle,
+        result: &CycleResult,
+        program: &NcPath,
+        settings: &Settings,
+    ) -> Result<Option<Self>, FaultKind> {
         let name = match result.log {
             LogTarget::File(name) => name.to_owned(),
             LogTarget::Screen => format!("TCHPR{}.TXT", cycle.code),
-            LogTarget::None | LogTarget::Shown => return Ok(()),
+            LogTarget::None | LogTarget::Shown => return Ok(None),
         };
-        let path = self.path_of(&TextOperand::Text(name))?;
-        let program = Some(self.frame.path.to_string());
-        let heading = Heading { date_time: Some(self.settings.time), program, unit: Unit::Millimetre };
-        let language = self.settings.language;
-        let Some(log) = CycleLog::of(cycle, result, &heading, language) else { return Ok(()) };
-        let alone = match log.write(language) {
-            Ok(bytes) => bytes,
+        let path = program.resolve(&name)?;
+        let program = Some(program.to_string());
+        let heading = Heading { date_time: Some(settings.time), program, unit: Unit::Millimetre };
+        let language = settings.language;
+        let is_shown = result.log == LogTarget::Screen;
+        let content = CycleLog::of(cycle, result, &heading, language);
+        Ok(content.map(|content| Self { content, path, is_shown, language }))
+    }
+
+    /// Writes or shows it. Logs of the same name are added to one another, as [`CycleLog::append`] says; one that
+    /// cannot be written is remarked, and the run goes on.
+    pub(super) fn write(
+        self,
+        place: BlockPlace,
+        prints: &mut Prints,
+        files: &mut Files,
+        remarks: &mut Remarks,
+    ) -> Result<(), FaultKind> {
+        let text = match self.content.write(self.language) {
+            Ok(alone) => decode(&alone).replace("\r\n", "\n"),
             Err(error) => {
-                self.remark(at, Remark::NotSaved { path, reason: error.to_string() });
+                remarks.add(place, Remark::NotSaved { path: self.path, reason: error.message() });
                 return Ok(());
             }
         };
-        let text = decode(&alone).replace("\r\n", "\n");
-        self.output_bytes += text.len();
-        if self.budget().output_bytes < self.output_bytes {
-            return Err(UsedUp::Output(self.budget().output_bytes).into());
+        if self.is_shown {
+            return Ok(prints.show(place, self.path, text)?);
         }
-        if result.log == LogTarget::Screen {
-            Budget::one_more(self.windows.len(), self.budget().windows, UsedUp::Windows)?;
-            let place = self.place_of(at);
-            self.windows.push(Window { place, mask: path, text, is_open: true });
-            return Ok(());
-        }
-        Budget::one_more(self.outputs.len(), self.budget().outputs, UsedUp::Outputs)?;
-        let is_saved = self.save_log(at, &path, &log)?;
-        let place = self.place_of(at);
-        self.outputs.push(Written { place, path, text, how: FileUse::Append, is_saved });
+        prints.count_output(&text)?;
+        let is_saved = self.save(&place, files, remarks)?;
+        prints.keep(Written { place, path: self.path, text, how: FileUse::Append, is_saved });
         Ok(())
     }
 
     /// Whether the log stands in the file now.
-    fn save_log(&mut self, at: usize, path: &NcPath, log: &CycleLog) -> Result<bool, FaultKind> {
-        let before = match self.read(path) {
+    fn save(&self, place: &BlockPlace, files: &mut Files, remarks: &mut Remarks) -> Result<bool, FaultKind> {
+        let before = match files.read(&self.path) {
             Err(FaultKind::Store(StoreError::Missing { .. })) => Vec::new(),
             read => read?,
         };
-        let bytes = match log.append(&before, self.settings.language) {
+        let path = || self.path.clone();
+        let bytes = match self.content.append(&before, self.language) {
             Ok(bytes) => bytes,
             Err(error) => {
-                self.remark(at, Remark::NotSaved { path: path.clone(), reason: error.to_string() });
+                remarks.add(place.clone(), Remark::NotSaved { path: path(), reason: error.message() });
                 return Ok(false);
             }
         };
-        match self.store.write(path, &bytes, FileUse::Replace) {
-            Ok(size) => self.moved(size).map(|()| true),
-            Err(StoreError::ReadOnly) => {
-                self.remark(at, Remark::NotWritten { path: path.clone() });
-                Ok(false)
-            }
-            Err(error) => Err(error.into()),
+        let is_saved = save(&self.path, &bytes, FileUse::Replace, files)?;
+        if !is_saved {
+            remarks.add(place.clone(), Remark::NotWritten { path: path() });
         }
+        Ok(is_saved)
     }
 }

@@ -2,33 +2,28 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `run`, `step` | the machine: its state, one block after the other, and what a step comes to |
-//! | `view` | what it shows of itself |
-//! | `flow` | jumps, calls, repeats, other programs |
-//! | `values` | parameters and what blocks set |
-//! | `expressions`, `texts` | formulas of numbers and texts |
-//! | `known` | what was read before is not taken apart twice |
+//! | `run` | the machine as its users see it; in `run/blocks` what each block does with the parts below, which are handed what they need of one another |
+//! | `flow` | labels, jumps, repeats, calls and returns |
+//! | `values` | parameters and formulas |
 //! | `tables` | FN 26, FN 27, FN 28 |
-//! | `prints` | FN 16: windows and files |
-//! | `logs` | the measuring logs of cycles (Q281) |
+//! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
 //! | `moves` | straight lines and the way of the ball's centre |
-//! | `path`, `store`, `folders` | paths of the control; where files come from and go to |
-//! | `budget`, `fault`, `remark` | what a run may use, why it stopped, what is worth knowing |
+//! | `files`, `store` | what the run reads and writes, counted; who gives it (`files::Folders`, or memory) |
+//! | `path` | paths of the control |
+//! | `budget`, `fault`, `remark`, `step` | what a run may use, why it stopped, what is worth knowing, what a step comes to |
 //!
 //! Semantics as the manuals say (`docs/SOURCES.md`, Klartext); where they are silent, a run stops with a fault that says
-//! why, never with a guess. A program can do no harm: blocks, nesting, text, outputs and memory have budgets, files are
-//! read from the given folders and written into one, and nothing else is touched. A step takes no longer in a long
+//! why, never with a guess. A program can do no harm: blocks, nesting, text, outputs and memory have budgets, and files
+//! are read and written by the store that the machine is handed, and by nothing else. A step takes no longer in a long
 //! program than in a short one.
 
 mod budget;
 mod contacts;
 mod cycles;
-mod expressions;
 mod fault;
+mod files;
 mod flow;
-mod folders;
-mod known;
 mod logs;
 mod moves;
 mod path;
@@ -38,19 +33,13 @@ mod run;
 mod step;
 mod store;
 mod tables;
-mod texts;
 mod values;
-mod view;
-
-#[cfg(test)]
-mod tests;
 
 pub use budget::{Budget, Settings, UsedUp};
 pub use contacts::Contacts;
 pub use cycles::CycleRun;
 pub use fault::{BlockPlace, Fault, FaultKind};
 pub use flow::Call;
-pub use folders::Folders;
 pub use moves::{Travel, TravelKind};
 pub use path::{NcPath, PathError};
 pub use prints::{Window, Written};

@@ -2,7 +2,7 @@
 
 use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, FaultKind};
-use super::run::Machine;
+use super::values::Values;
 use crate::nc::program::{Axis, Feed, Movement, Unit};
 use crate::probing::cycle::{Move, Phase};
 
@@ -35,31 +35,48 @@ pub enum TravelKind {
     Cycle(Phase),
 }
 
-/// Where the ball's centre stands; an axis is known once a block has moved it to a place of the workpiece.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Position([Option<f64>; 3]);
+/// Where the ball's centre stands, and the way that it went. An axis is known once a block has moved it to a place of
+/// the workpiece.
+#[derive(Debug)]
+pub(super) struct Way {
+    position: [Option<f64>; 3],
+    travels: Vec<Travel>,
+    most: usize,
+}
 
-impl Position {
-    pub(super) const fn axes(self) -> [Option<f64>; 3] {
-        self.0
+impl Way {
+    pub(super) const fn new(budget: &Budget) -> Self {
+        Self { position: [None; 3], travels: Vec::new(), most: budget.path }
+    }
+
+    pub(super) const fn position(&self) -> [Option<f64>; 3] {
+        self.position
+    }
+
+    pub(super) fn travels(&self) -> &[Travel] {
+        &self.travels
     }
 
     /// The place where all three axes are known.
-    pub(super) fn place(self) -> Option<[f64; 3]> {
-        let [x, y, z] = self.0;
+    pub(super) fn place(&self) -> Option<[f64; 3]> {
+        let [x, y, z] = self.position;
         Some([x?, y?, z?])
     }
-}
 
-impl Machine {
     /// `L`: axes that are not named stay; compensation of the radius does not move the ball's centre.
-    pub(super) fn travel(&mut self, at: usize, movement: &Movement) -> Result<(), FaultKind> {
+    pub(super) fn travel(
+        &mut self,
+        block: BlockPlace,
+        movement: &Movement,
+        unit: Option<Unit>,
+        values: &Values,
+    ) -> Result<(), FaultKind> {
         // M91 and M92 count from the machine's own zero, which nobody knows here.
         let is_of_machine = movement.machine.iter().any(|function| matches!(function.number, 91 | 92));
-        let factor = if self.frame.unit == Some(Unit::Inch) { INCH } else { 1.0 };
-        let mut to = self.position.0;
+        let factor = if unit == Some(Unit::Inch) { INCH } else { 1.0 };
+        let mut to = self.position;
         for word in &movement.axes {
-            let value = self.operand(word.value)? * factor;
+            let value = values.operand(word.value)? * factor;
             let [x, y, z] = &mut to;
             let axis = match word.axis {
                 Axis::X => x,
@@ -76,33 +93,34 @@ impl Machine {
         let kind = match movement.feed {
             Some(Feed::Rapid) => TravelKind::Rapid,
             Some(Feed::Value(feed)) => {
-                self.operand(feed)?;
+                values.operand(feed)?;
                 TravelKind::Feed
             }
             Some(Feed::Auto) | None => TravelKind::Feed,
         };
-        let from = std::mem::replace(&mut self.position, Position(to)).place();
-        match (from, self.position.place()) {
+        let from = self.place();
+        self.position = to;
+        match (from, self.place()) {
             (Some(from), Some(to)) if from.iter().zip(&to).any(|(from, to)| 0.0 < (to - from).abs()) => {
-                self.went(Travel { place: self.place_of(at), from, to, about: None, kind })
+                self.went(Travel { place: block, from, to, about: None, kind })
             }
             _ => Ok(()),
         }
     }
 
     /// The way of a cycle.
-    pub(super) fn went_along(&mut self, at: usize, moves: &[Move]) -> Result<(), FaultKind> {
+    pub(super) fn follow(&mut self, block: &BlockPlace, moves: &[Move]) -> Result<(), FaultKind> {
         for step in moves {
             let Move { phase, from, to, about, .. } = *step;
-            self.went(Travel { place: self.place_of(at), from, to, about, kind: TravelKind::Cycle(phase) })?;
-            self.position = Position(to.map(Some));
+            self.went(Travel { place: block.clone(), from, to, about, kind: TravelKind::Cycle(phase) })?;
+            self.position = to.map(Some);
         }
         Ok(())
     }
 
     fn went(&mut self, travel: Travel) -> Result<(), FaultKind> {
-        Budget::one_more(self.path.len(), self.budget().path, UsedUp::Path)?;
-        self.path.push(travel);
+        Budget::one_more(self.travels.len(), self.most, UsedUp::Path)?;
+        self.travels.push(travel);
         Ok(())
     }
 }

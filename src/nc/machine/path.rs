@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::message::{Message, Say};
+use crate::message::{Say, as_text};
 
 /// The drive of programs on these controls; no other is followed.
 const DRIVE: &str = "TNC:";
@@ -18,50 +18,36 @@ const DEVICES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct NcPath(Arc<str>);
 
+as_text!(NcPath);
+
 /// Why a path is not followed.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "machine-path", error)]
 pub enum PathError {
     /// There is none.
-    #[error("the path is empty")]
     Empty,
     /// No program needs such a path.
-    #[error("the path has more than {most} characters")]
     TooLong {
         /// What is allowed.
         most: usize,
     },
     /// Another drive, a network path, or a path from the root of the system.
-    #[error("{path} is no path on TNC: and none from the program's folder")]
     OtherRoot {
         /// What was given.
         path: String,
     },
     /// More `..` than folders.
-    #[error("{path} leads out of the folder")]
     LeadsOut {
         /// What was given.
         path: String,
     },
     /// A device of the system, or a name that no file can have on every system.
-    #[error("{name} in {path} is no name for a file or a folder")]
     NoName {
         /// The part that is no name.
         name: String,
         /// What was given.
         path: String,
     },
-}
-
-impl Say for PathError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Empty => Message::new("machine-path-empty"),
-            Self::TooLong { most } => Message::new("machine-path-too-long").text("most", most),
-            Self::OtherRoot { path } => Message::new("machine-path-other-root").text("path", path),
-            Self::LeadsOut { path } => Message::new("machine-path-leads-out").text("path", path),
-            Self::NoName { name, path } => Message::new("machine-path-no-name").text("name", name).text("path", path),
-        }
-    }
 }
 
 impl NcPath {
@@ -164,19 +150,11 @@ fn is_name(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::words::{Language, Words};
 
     #[track_caller]
     fn check(path: &str, expected: &str) {
         let from = NcPath::new(r"TNC:\fit\check\main.h").unwrap();
-        let said = match from.resolve(path) {
-            Ok(path) => path.to_string(),
-            Err(error) => {
-                assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-                assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
-                error.to_string()
-            }
-        };
+        let said = from.resolve(path).map_or_else(|error| error.to_string(), |path| path.to_string());
         assert_eq!(said, expected, "{path}");
     }
 

@@ -1,15 +1,14 @@
 //! FN 16: masks to windows and files.
 
-use jiff::civil::DateTime;
+use std::collections::BTreeSet;
 
 use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, FaultKind};
+use super::files::Files;
 use super::path::NcPath;
-use super::remark::Remark;
-use super::run::Machine;
-use super::store::StoreError;
+use super::remark::{Remark, Remarks};
+use super::values::Values;
 use crate::control::mask::{Context, FileUse, Mask, Output};
-use crate::nc::program::TextOperand;
 
 /// A window that FN 16 has opened.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -39,83 +38,121 @@ pub struct Written {
     pub is_saved: bool,
 }
 
-impl Machine {
-    pub(super) fn print(&mut self, at: usize, mask: &TextOperand, output: &TextOperand) -> Result<(), FaultKind> {
-        let to = self.text_operand(output)?;
-        let is = |word: &str| to.trim().eq_ignore_ascii_case(word);
-        if is("SCLR:") {
-            self.windows.iter_mut().for_each(|window| window.is_open = false);
-            return Ok(());
-        }
-        let is_screen = is("SCREEN:");
-        let path = if is_screen { None } else { Some(self.path_of(output)?) };
-        let mask = self.path_of(mask)?;
-        let output = self.rendered(&mask)?;
-        self.output_bytes += output.text.len();
-        if self.budget().output_bytes < self.output_bytes {
-            return Err(UsedUp::Output(self.budget().output_bytes).into());
-        }
-        if let Some(path) = path {
-            return self.print_to_file(at, path, output);
-        }
-        Budget::one_more(self.windows.len(), self.budget().windows, UsedUp::Windows)?;
-        let place = self.place_of(at);
-        self.windows.push(Window { place, mask, text: output.text, is_open: true });
+/// What was printed so far.
+#[derive(Debug)]
+pub(super) struct Prints {
+    budget: Budget,
+    windows: Vec<Window>,
+    outputs: Vec<Written>,
+    /// The files that no mask has closed yet.
+    open: BTreeSet<NcPath>,
+    bytes: usize,
+}
+
+impl Prints {
+    pub(super) const fn new(budget: Budget) -> Self {
+        Self { budget, windows: Vec::new(), outputs: Vec::new(), open: BTreeSet::new(), bytes: 0 }
+    }
+
+    pub(super) fn windows(&self) -> &[Window] {
+        &self.windows
+    }
+
+    pub(super) fn outputs(&self) -> &[Written] {
+        &self.outputs
+    }
+
+    /// `SCLR:`
+    pub(super) fn close_windows(&mut self) {
+        self.windows.iter_mut().for_each(|window| window.is_open = false);
+    }
+
+    /// Counts a text that is printed.
+    fn count(&mut self, text: &str) -> Result<(), UsedUp> {
+        self.bytes += text.len();
+        let most = self.budget.output_bytes;
+        if most < self.bytes { Err(UsedUp::Output(most)) } else { Ok(()) }
+    }
+
+    /// Opens a window.
+    pub(super) fn show(&mut self, place: BlockPlace, mask: NcPath, text: String) -> Result<(), UsedUp> {
+        self.count(&text)?;
+        Budget::one_more(self.windows.len(), self.budget.windows, UsedUp::Windows)?;
+        self.windows.push(Window { place, mask, text, is_open: true });
         Ok(())
     }
 
-    fn rendered(&mut self, mask: &NcPath) -> Result<Output, FaultKind> {
-        let bytes = self.read(mask)?;
-        let broken = |error| FaultKind::Mask { mask: mask.clone(), error: Box::new(error) };
-        let (read, _warnings) = Mask::read(&bytes).map_err(broken)?;
-        let call_path = self.frame.path.to_string();
-        let time: DateTime = self.settings.time;
-        let context = Context { language: self.settings.language, time, call_path: &call_path };
-        let refused = |error| FaultKind::Render { mask: mask.clone(), error: Box::new(error) };
-        read.render(&self.variables, &context).map_err(refused)
+    /// Counts a text that is printed to a file.
+    pub(super) fn count_output(&mut self, text: &str) -> Result<(), UsedUp> {
+        self.count(text)?;
+        Budget::one_more(self.outputs.len(), self.budget.outputs, UsedUp::Outputs)
+    }
+
+    /// Keeps what was printed to a file.
+    pub(super) fn keep(&mut self, output: Written) {
+        self.outputs.push(output);
     }
 
     /// Outputs to the same file are collected until a mask closes it.
-    fn print_to_file(&mut self, at: usize, path: NcPath, output: Output) -> Result<(), FaultKind> {
-        Budget::one_more(self.outputs.len(), self.budget().outputs, UsedUp::Outputs)?;
-        let is_open = self.open_outputs.contains(&path);
+    pub(super) fn print(
+        &mut self,
+        place: BlockPlace,
+        path: NcPath,
+        output: Output,
+        files: &mut Files,
+        remarks: &mut Remarks,
+    ) -> Result<(), FaultKind> {
+        self.count_output(&output.text)?;
+        let is_open = self.open.contains(&path);
         let how = if is_open && output.file == FileUse::Replace { FileUse::Append } else { output.file };
         if output.close {
-            self.open_outputs.remove(&path);
+            self.open.remove(&path);
         } else {
-            self.open_outputs.insert(path.clone());
+            self.open.insert(path.clone());
         }
         if let FileUse::AppendMax(kilobytes) = how
-            && self.is_full(&path, kilobytes, output.text.len())?
+            && is_full(&path, kilobytes, output.text.len(), files)?
         {
-            self.remark(at, Remark::Full { path, kilobytes });
+            remarks.add(place, Remark::Full { path, kilobytes });
             return Ok(());
         }
-        let is_saved = match self.store.write(&path, &encoded(&output.text), how) {
-            Ok(bytes) => {
-                self.moved(bytes)?;
-                true
-            }
-            Err(StoreError::ReadOnly) => {
-                self.remark(at, Remark::NotWritten { path: path.clone() });
-                false
-            }
-            Err(error) => return Err(error.into()),
-        };
-        let place = self.place_of(at);
-        self.outputs.push(Written { place, path, text: output.text, how, is_saved });
+        let is_saved = save(&path, &encoded(&output.text), how, files)?;
+        if !is_saved {
+            remarks.add(place.clone(), Remark::NotWritten { path: path.clone() });
+        }
+        self.keep(Written { place, path, text: output.text, how, is_saved });
         Ok(())
     }
+}
 
-    /// Whether so much more would make a file larger than so many kilobytes.
-    fn is_full(&mut self, path: &NcPath, kilobytes: u32, more: usize) -> Result<bool, FaultKind> {
-        let size = match self.read(path) {
-            Err(FaultKind::Store(_)) => 0,
-            read => read?.len(),
-        };
-        let most = usize::try_from(kilobytes).unwrap_or(usize::MAX).saturating_mul(1_024);
-        Ok(most < size.saturating_add(more))
-    }
+/// A mask, filled in.
+pub(super) fn rendered(
+    mask: &NcPath,
+    context: &Context<'_>,
+    values: &Values,
+    files: &mut Files,
+) -> Result<Output, FaultKind> {
+    let broken = |error| FaultKind::Mask { mask: mask.clone(), error: Box::new(error) };
+    let (read, _warnings) = Mask::read(&files.read(mask)?).map_err(broken)?;
+    let refused = |error| FaultKind::Render { mask: mask.clone(), error: Box::new(error) };
+    read.render(values.all(), context).map_err(refused)
+}
+
+/// Writes a file and says whether it stands there now.
+pub(super) fn save(path: &NcPath, bytes: &[u8], how: FileUse, files: &mut Files) -> Result<bool, FaultKind> {
+    let size = files.write(path, bytes, how)?;
+    files.spend(size.unwrap_or_default())?;
+    Ok(size.is_some())
+}
+
+/// Whether so much more would make a file larger than so many kilobytes.
+fn is_full(path: &NcPath, kilobytes: u32, more: usize, files: &mut Files) -> Result<bool, FaultKind> {
+    let size = match files.read(path) {
+        Err(FaultKind::Store(_)) => 0,
+        read => read?.len(),
+    };
+    let most = usize::try_from(kilobytes).unwrap_or(usize::MAX).saturating_mul(1_024);
+    Ok(most < size.saturating_add(more))
 }
 
 /// Text as a control writes it: CRLF, Windows-1252 where the text needs it, UTF-8 where that is not enough.

@@ -1,13 +1,16 @@
 //! What is worth knowing about a run that went on.
 
-use std::fmt;
+use std::collections::BTreeMap;
 
+use super::budget::Budget;
+use super::fault::BlockPlace;
 use super::path::NcPath;
 use crate::control::variables::Parameter;
 use crate::message::{Message, Say};
 
 /// Something worth knowing.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "machine-remark")]
 pub enum Remark {
     /// A block that is not known was passed over.
     Skipped,
@@ -33,7 +36,7 @@ pub enum Remark {
         /// The file.
         path: NcPath,
         /// Why.
-        reason: String,
+        reason: Message,
     },
     /// `M_APPEND_MAX`: the file has reached its size, nothing was added.
     Full {
@@ -63,52 +66,41 @@ pub enum Remark {
     },
 }
 
-impl fmt::Display for Remark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Skipped => f.write_str("the block is not known here and was passed over"),
-            Self::EndedWithin { function } => {
-                write!(f, "M{function} in a called program ended the run: a control does not allow it there")
-            }
-            Self::GivenWins { parameter, value } => {
-                write!(f, "{parameter} = {value} was given before the run and stands in place of this block's value")
-            }
-            Self::NotWritten { path } => write!(f, "{path} was not written: no folder was chosen for outputs"),
-            Self::NotSaved { path, reason } => write!(f, "{path} was not written: {reason}"),
-            Self::Full { path, kilobytes } => {
-                write!(f, "{path} has reached its {kilobytes} kilobytes, nothing was added")
-            }
-            Self::TableWritten { path } => write!(f, "{path} was written"),
-            Self::ContactsLeft { count, used } => write!(f, "the cycles took {used} of {count} recorded contacts"),
-            Self::OtherProbe { tool, probe } => {
-                write!(f, "tool {tool} is not in the touch-probe table: probe {probe} was used")
-            }
-        }
-    }
+/// The remarks of a run: so many, then they are counted only.
+#[derive(Debug)]
+pub(super) struct Remarks {
+    list: Vec<(BlockPlace, Remark)>,
+    /// Which of the list are about a block.
+    of: BTreeMap<BlockPlace, Vec<usize>>,
+    unlisted: usize,
+    most: usize,
 }
 
-impl Say for Remark {
-    fn message(&self) -> Message {
-        match self {
-            Self::Skipped => Message::new("machine-remark-skipped"),
-            Self::EndedWithin { function } => Message::new("machine-remark-ended-within").text("function", function),
-            Self::GivenWins { parameter, value } => {
-                Message::new("machine-remark-given-wins").text("parameter", parameter).text("value", value)
-            }
-            Self::NotWritten { path } => Message::new("machine-remark-not-written").text("path", path),
-            Self::NotSaved { path, reason } => {
-                Message::new("machine-remark-not-saved").text("path", path).text("reason", reason)
-            }
-            Self::Full { path, kilobytes } => {
-                Message::new("machine-remark-full").text("path", path).text("kilobytes", kilobytes)
-            }
-            Self::TableWritten { path } => Message::new("machine-remark-table-written").text("path", path),
-            Self::ContactsLeft { count, used } => {
-                Message::new("machine-remark-contacts-left").text("count", count).text("used", used)
-            }
-            Self::OtherProbe { tool, probe } => {
-                Message::new("machine-remark-other-probe").text("tool", tool).text("probe", probe)
-            }
+impl Remarks {
+    pub(super) const fn new(budget: &Budget) -> Self {
+        Self { list: Vec::new(), of: BTreeMap::new(), unlisted: 0, most: budget.remarks }
+    }
+
+    /// Remembers what is worth knowing, once a block.
+    pub(super) fn add(&mut self, place: BlockPlace, remark: Remark) {
+        // Only those of the block are looked through: a loop makes the same ones again and again.
+        let said = self.of.get(&place).into_iter().flatten();
+        if said.filter_map(|number| self.list.get(*number)).any(|(_, said)| *said == remark) {
+            return;
         }
+        if self.list.len() < self.most {
+            self.of.entry(place.clone()).or_default().push(self.list.len());
+            self.list.push((place, remark));
+        } else {
+            self.unlisted += 1;
+        }
+    }
+
+    pub(super) fn list(&self) -> &[(BlockPlace, Remark)] {
+        &self.list
+    }
+
+    pub(super) const fn unlisted(&self) -> usize {
+        self.unlisted
     }
 }

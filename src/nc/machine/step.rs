@@ -1,6 +1,6 @@
 //! What a step of the machine comes to.
 
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::probing::cycle::Stop;
 
 /// What a step came to.
@@ -15,7 +15,8 @@ pub enum Step {
 }
 
 /// Why the run waits.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "machine-pause")]
 pub enum Pause {
     /// STOP or M0.
     Stop,
@@ -24,31 +25,8 @@ pub enum Pause {
     /// The next block has a breakpoint.
     Breakpoint,
     /// Q309: something is out of tolerance.
+    #[say(transparent)]
     Tolerance(Box<Stop>),
     /// Q281 = 2: the log is on the screen.
     Log,
-}
-
-impl std::fmt::Display for Pause {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Stop => f.write_str("the program has stopped: STOP or M0"),
-            Self::OptionalStop => f.write_str("the program has stopped: M1"),
-            Self::Breakpoint => f.write_str("the next block has a breakpoint"),
-            Self::Tolerance(stop) => stop.fmt(f),
-            Self::Log => f.write_str("the measuring log is on the screen (Q281 = 2)"),
-        }
-    }
-}
-
-impl Say for Pause {
-    fn message(&self) -> Message {
-        match self {
-            Self::Stop => Message::new("machine-pause-stop"),
-            Self::OptionalStop => Message::new("machine-pause-optional"),
-            Self::Breakpoint => Message::new("machine-pause-breakpoint"),
-            Self::Tolerance(stop) => stop.message(),
-            Self::Log => Message::new("machine-pause-log"),
-        }
-    }
 }

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use super::path::NcPath;
 use crate::control::mask::FileUse;
-use crate::files;
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::shipped;
 use crate::words::Dialogue;
 
@@ -25,37 +24,34 @@ pub trait Store: Send {
 }
 
 /// Why a file cannot be read or written.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "machine-store", error)]
 pub enum StoreError {
     /// There is none.
-    #[error("there is no file {path}")]
     Missing {
         /// Its path.
         path: NcPath,
     },
     /// A link leads out of the folders that were given.
-    #[error("{path} leads out of the folders that were given")]
     Outside {
         /// Its path.
         path: NcPath,
     },
     /// A folder, a pipe or a device.
-    #[error("{path} is no file")]
     NoFile {
         /// Its path.
         path: NcPath,
     },
     /// It is larger than anything that a control has.
-    #[error("{path} is larger than {} MiB", files::LARGEST >> 20)]
     TooLarge {
         /// Its path.
         path: NcPath,
+        /// What is allowed, MiB.
+        most: u64,
     },
     /// No folder was chosen for outputs.
-    #[error("no folder was chosen for outputs")]
     ReadOnly,
     /// The system said no.
-    #[error("{path}: {reason}")]
     System {
         /// Its path.
         path: NcPath,
@@ -64,20 +60,9 @@ pub enum StoreError {
     },
 }
 
-impl Say for StoreError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Missing { path } => Message::new("machine-store-missing").text("path", path),
-            Self::Outside { path } => Message::new("machine-store-outside").text("path", path),
-            Self::NoFile { path } => Message::new("machine-store-no-file").text("path", path),
-            Self::TooLarge { path } => {
-                Message::new("machine-store-too-large").text("path", path).text("most", files::LARGEST >> 20)
-            }
-            Self::ReadOnly => Message::new("machine-store-read-only"),
-            Self::System { path, reason } => {
-                Message::new("machine-store-system").text("path", path).text("reason", reason)
-            }
-        }
+impl StoreError {
+    fn missing(path: &NcPath) -> Self {
+        Self::Missing { path: path.clone() }
     }
 }
 
@@ -88,7 +73,8 @@ pub struct Shipped;
 impl Shipped {
     /// The bytes of an embedded file.
     pub fn file(name: &str) -> Option<&'static [u8]> {
-        [shipped::NC, shipped::MASKS, shipped::TABLES].into_iter().find_map(|list| shipped::file(list, name))
+        let mut files = shipped::NC.iter().chain(shipped::MASKS).chain(shipped::TABLES);
+        files.find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, bytes)| *bytes)
     }
 
     /// The programs that begin by themselves, one a dialogue language.
@@ -100,8 +86,18 @@ impl Shipped {
 
 impl Store for Shipped {
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
-        let missing = || StoreError::Missing { path: path.clone() };
-        Self::file(path.file_name()).map(<[u8]>::to_vec).ok_or_else(missing)
+        Self::file(path.file_name()).map(<[u8]>::to_vec).ok_or_else(|| StoreError::missing(path))
+    }
+
+    fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
+        Err(StoreError::ReadOnly)
+    }
+}
+
+/// The files of a control and no others. Nothing is written.
+impl Store for BTreeMap<NcPath, Vec<u8>> {
+    fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
+        self.get(path).cloned().ok_or_else(|| StoreError::missing(path))
     }
 
     fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {

@@ -1,21 +1,21 @@
 //! FN 26, FN 27 and FN 28: one table is open at a time.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::fault::FaultKind;
-use super::flow::whole;
+use super::fault::{BlockPlace, FaultKind};
+use super::files::Files;
 use super::path::NcPath;
-use super::remark::Remark;
-use super::run::Machine;
-use super::store::StoreError;
+use super::remark::{Remark, Remarks};
+use super::values::Values;
 use crate::control::mask::FileUse;
 use crate::control::table::{TableFile, WriteError, is_blank, is_number};
 use crate::control::variables::{Family, Parameter, Value};
-use crate::nc::program::{Columns, Operand, TextOperand};
+use crate::nc::program::{Columns, Operand};
 
 /// A table that FN 26 has opened.
 #[derive(Debug, Clone)]
-pub(super) struct OpenTable {
+struct OpenTable {
     path: NcPath,
     file: Arc<TableFile>,
     bytes: usize,
@@ -24,10 +24,6 @@ pub(super) struct OpenTable {
 }
 
 impl OpenTable {
-    pub(super) const fn path(&self) -> &NcPath {
-        &self.path
-    }
-
     fn name(&self) -> String {
         self.path.file_name().to_owned()
     }
@@ -54,7 +50,7 @@ impl OpenTable {
     fn read(&self, row: usize, column: &str, to: Parameter) -> Result<Value, FaultKind> {
         let number = self.column(column)?;
         self.check_row(row)?;
-        let cell = self.file.table.rows.get(row).and_then(|cells| cells.get(number)).map_or("", String::as_str);
+        let cell = self.file.table.cell(row, number);
         let (table, column) = (self.name(), column.to_owned());
         if to.family == Family::Qs && !cell.is_empty() {
             return Ok(Value::Text(cell.to_owned()));
@@ -71,118 +67,149 @@ impl OpenTable {
             _ => Err(FaultKind::NoNumberInCell { table, row, column, cell: cell.to_owned() }),
         }
     }
-}
-
-impl Machine {
-    /// FN 26: another table that is open is closed before.
-    pub(super) fn open_table(&mut self, path: &TextOperand) -> Result<(), FaultKind> {
-        let path = self.path_of(path)?;
-        if self.table.as_ref().is_some_and(|open| open.path == path) {
-            return Ok(());
-        }
-        self.write_tables()?;
-        if let Some(changed) = self.changed_tables.get(&path) {
-            self.table = Some(changed.clone());
-            return Ok(());
-        }
-        let bytes = self.read(&path)?;
-        let size = bytes.len();
-        let file = self.known.table(&path, bytes).map_err(|error| FaultKind::Table(Box::new(error)))?;
-        self.table = Some(OpenTable { path, file, bytes: size, changed_at: None });
-        Ok(())
-    }
-
-    /// FN 28: one column fills the parameter, several fill those behind it as well.
-    pub(super) fn read_table(&mut self, to: Parameter, row: Operand, columns: &Columns) -> Result<(), FaultKind> {
-        let open = self.table.as_ref().ok_or(FaultKind::NoTable)?;
-        let row = self.row(row)?;
-        let mut found = Vec::new();
-        for (column, to) in self.columns(columns)?.iter().zip(following(to)) {
-            found.push((to, open.read(row, column, to)?));
-        }
-        found.into_iter().try_for_each(|(to, value)| self.put(to, value))
-    }
-
-    /// FN 27: in memory; the file is written when the table is closed.
-    pub(super) fn write_table(&mut self, row: Operand, columns: &Columns, from: Parameter) -> Result<(), FaultKind> {
-        let open = self.table.as_ref().ok_or(FaultKind::NoTable)?;
-        let row = self.row(row)?;
-        let columns = self.columns(columns)?;
-        let mut cells = Vec::new();
-        for (column, from) in columns.iter().zip(following(from)) {
-            let number = open.column(column)?;
-            open.check_row(row)?;
-            cells.push((number, self.cell(open, row, number, from)?));
-        }
-        let (is_first, bytes) = (open.changed_at.is_none(), open.bytes);
-        if is_first {
-            self.keep_file(bytes)?;
-        }
-        let at = self.frame.next.saturating_sub(1);
-        if let Some(open) = &mut self.table {
-            open.changed_at.get_or_insert(at);
-            let rows = &mut Arc::make_mut(&mut open.file).table.rows;
-            for (number, text) in cells {
-                if let Some(cell) = rows.get_mut(row).and_then(|cells| cells.get_mut(number)) {
-                    *cell = text;
-                }
-            }
-        }
-        Ok(())
-    }
 
     /// What a parameter writes into a cell: a text, or a number with the column's decimals.
-    fn cell(&self, open: &OpenTable, row: usize, number: usize, from: Parameter) -> Result<String, FaultKind> {
-        let Some(column) = open.file.table.columns.get(number) else { return Ok(String::new()) };
+    fn text(&self, row: usize, number: usize, from: Parameter, values: &Values) -> Result<String, FaultKind> {
+        let Some(column) = self.file.table.columns.get(number) else { return Ok(String::new()) };
         let text = if from.family == Family::Qs {
-            let text = self.text(from)?.to_owned();
+            let text = values.text(from)?.to_owned();
             if column.is_text() == Some(false) && !is_number(&text) && !is_blank(&text) {
                 return Err(FaultKind::NoNumberInText { parameter: from, text });
             }
             text
         } else {
-            self.decimal(Operand::Parameter { parameter: from, is_negative: false }, column.decimals)?
+            values.decimal(Operand::Parameter { parameter: from, is_negative: false }, column.decimals)?
         };
         // A blank must be left between the columns.
         if column.width <= text.chars().count() {
             let error = WriteError::TooWide { row, column: column.name.clone(), text, width: column.width };
-            return Err(FaultKind::TableWrite { table: open.name(), error });
+            return Err(FaultKind::TableWrite { table: self.name(), error });
         }
         Ok(text)
     }
+}
 
-    fn row(&self, row: Operand) -> Result<usize, FaultKind> {
-        let value = self.operand(row)?;
-        whole(value).ok_or(FaultKind::NotWhole { what: "row", value })
+/// What FN 27 writes: a row, and the text of each column by its number.
+#[derive(Debug)]
+pub(super) struct Cells {
+    row: usize,
+    texts: Vec<(usize, String)>,
+}
+
+/// The table that is open, and those that could not be written.
+#[derive(Debug, Default)]
+pub(super) struct Tables {
+    open: Option<OpenTable>,
+    changed: BTreeMap<NcPath, OpenTable>,
+}
+
+impl Tables {
+    /// The path of the open table.
+    pub(super) fn path(&self) -> Option<&NcPath> {
+        self.open.as_ref().map(|open| &open.path)
     }
 
-    fn columns<'a>(&'a self, columns: &'a Columns) -> Result<Vec<&'a str>, FaultKind> {
-        Ok(match columns {
-            Columns::Names(names) => names.iter().map(String::as_str).collect(),
-            Columns::Parameter(parameter) => self.text(*parameter)?.split(',').map(str::trim).collect(),
-        })
+    /// How many changed tables live on in memory.
+    pub(super) fn changed(&self) -> usize {
+        self.changed.len()
+    }
+
+    fn open_table(&self) -> Result<&OpenTable, FaultKind> {
+        self.open.as_ref().ok_or(FaultKind::NoTable)
+    }
+
+    /// FN 26; the table that was open is closed already.
+    pub(super) fn open(&mut self, path: NcPath, files: &mut Files) -> Result<(), FaultKind> {
+        let open = if let Some(changed) = self.changed.get(&path) {
+            changed.clone()
+        } else {
+            let (file, bytes) = files.table(&path)?;
+            OpenTable { path, file, bytes, changed_at: None }
+        };
+        self.open = Some(open);
+        Ok(())
+    }
+
+    /// FN 28: one column fills the parameter, several fill those behind it as well.
+    pub(super) fn read(
+        &self,
+        to: Parameter,
+        row: Operand,
+        columns: &Columns,
+        values: &Values,
+    ) -> Result<Vec<(Parameter, Value)>, FaultKind> {
+        let open = self.open_table()?;
+        let row = values.whole("row", row)?;
+        let columns = names(columns, values)?;
+        let cells = columns.iter().zip(following(to));
+        cells.map(|(column, to)| Ok((to, open.read(row, column, to)?))).collect()
+    }
+
+    /// What FN 27 writes into the open table.
+    pub(super) fn cells(
+        &self,
+        row: Operand,
+        columns: &Columns,
+        from: Parameter,
+        values: &Values,
+    ) -> Result<Cells, FaultKind> {
+        let open = self.open_table()?;
+        let row = values.whole("row", row)?;
+        let columns = names(columns, values)?;
+        let cells = columns.iter().zip(following(from)).map(|(column, from)| {
+            let number = open.column(column)?;
+            open.check_row(row)?;
+            Ok((number, open.text(row, number, from, values)?))
+        });
+        Ok(Cells { row, texts: cells.collect::<Result<_, FaultKind>>()? })
+    }
+
+    /// FN 27: in memory; the file is written when the table is closed.
+    pub(super) fn write(&mut self, at: usize, cells: Cells, files: &mut Files) -> Result<(), FaultKind> {
+        let changed = self.changed.len();
+        let Some(open) = &mut self.open else { return Err(FaultKind::NoTable) };
+        if open.changed_at.is_none() {
+            files.keep(open.bytes, changed)?;
+            open.changed_at = Some(at);
+        }
+        let rows = &mut Arc::make_mut(&mut open.file).table.rows;
+        for (number, text) in cells.texts {
+            if let Some(cell) = rows.get_mut(cells.row).and_then(|cells| cells.get_mut(number)) {
+                *cell = text;
+            }
+        }
+        Ok(())
     }
 
     /// Writes the open table where FN 27 has changed it. Where nothing is written, the change lives on in memory.
-    pub(super) fn write_tables(&mut self) -> Result<(), FaultKind> {
-        let Some(open) = self.table.take() else { return Ok(()) };
-        let Some(changed_at) = open.changed_at else { return Ok(()) };
+    pub(super) fn close(
+        &mut self,
+        program: &NcPath,
+        files: &mut Files,
+        remarks: &mut Remarks,
+    ) -> Result<(), FaultKind> {
+        let Some(open) = self.open.take() else { return Ok(()) };
+        let Some(block) = open.changed_at else { return Ok(()) };
         let written = open.file.table.write();
         let bytes = written.map_err(|error| FaultKind::TableWrite { table: open.name(), error })?;
-        match self.store.write(&open.path, &bytes, FileUse::Replace) {
-            Err(StoreError::ReadOnly) => {
-                self.remark(changed_at, Remark::NotWritten { path: open.path.clone() });
-                self.changed_tables.insert(open.path.clone(), open);
-                // It was put together all the same: a loop around a large table would go on for days.
-                self.moved(bytes.len())
-            }
-            done => {
-                let size = done?;
-                self.remark(changed_at, Remark::TableWritten { path: open.path });
-                self.moved(size)
-            }
+        let size = files.write(&open.path, &bytes, FileUse::Replace)?;
+        let (place, path) = (BlockPlace { program: program.clone(), block }, open.path.clone());
+        if size.is_some() {
+            remarks.add(place, Remark::TableWritten { path });
+        } else {
+            remarks.add(place, Remark::NotWritten { path: path.clone() });
+            self.changed.insert(path, open);
         }
+        // Where nothing is written, it was put together all the same: a loop around a large table would go on for days.
+        Ok(files.spend(size.unwrap_or(bytes.len()))?)
     }
+}
+
+fn names<'a>(columns: &'a Columns, values: &'a Values) -> Result<Vec<&'a str>, FaultKind> {
+    Ok(match columns {
+        Columns::Names(names) => names.iter().map(String::as_str).collect(),
+        Columns::Parameter(parameter) => values.text(*parameter)?.split(',').map(str::trim).collect(),
+    })
 }
 
 /// A parameter and those behind it.

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use super::expression::{Expression, TextExpression};
 use crate::control::variables::Parameter;
+use crate::message::{self, as_text};
 
 /// One block: a line of the program, or several where a line ends in `~`.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,6 +27,12 @@ pub struct Place {
     pub line: usize,
     /// Column.
     pub column: usize,
+}
+
+impl From<Place> for message::Place {
+    fn from(Place { line, column }: Place) -> Self {
+        Self { file: None, line: Some(line), column: Some(column) }
+    }
 }
 
 /// The unit of a program.
@@ -203,6 +210,8 @@ impl fmt::Display for Target {
         }
     }
 }
+
+as_text!(Unit, Target);
 
 /// When a jump is made.
 #[derive(Debug, Clone, Copy, PartialEq)]

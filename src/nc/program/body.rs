@@ -76,7 +76,7 @@ fn label(cursor: &mut Cursor<'_>) -> Read<Body> {
     cursor.blanks();
     let at = cursor.clone();
     match target(cursor)? {
-        Target::Parameter(parameter) => Err(at.fail(Reason::LabelParameter { parameter })),
+        Target::Parameter(parameter) => Err(at.fail(Reason::LabelOfParameter { parameter })),
         label => Ok(Body::Label(label)),
     }
 }

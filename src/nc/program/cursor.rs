@@ -138,7 +138,7 @@ impl<'a> Cursor<'a> {
 
     /// Stops unless nothing is left.
     pub(super) fn end(&mut self) -> Read<()> {
-        if self.is_at_end() { Ok(()) } else { Err(self.fail(Reason::Left { found: self.shown() })) }
+        if self.is_at_end() { Ok(()) } else { Err(self.fail(Reason::LeftOver { found: self.shown() })) }
     }
 
     /// Something else is due here.

@@ -53,7 +53,7 @@ impl Program {
         let (labels, twice) = Labels::of(&blocks);
         for again in twice {
             let place = Place { line: again.line, column: 1 };
-            warnings.add(place, || Oddity::LabelTwice { label: again.label.clone(), first: again.first });
+            warnings.add(place, || Oddity::LabelAgain { label: again.label.clone(), first: again.first });
         }
         let program = Self { text, encoding, lines, blocks, labels };
         Ok((program, warnings.sorted()))
@@ -78,26 +78,25 @@ fn is_text(bytes: &[u8]) -> Result<(), ProgramError> {
 /// Warnings, of which only so many are kept.
 #[derive(Debug, Default)]
 struct Warnings {
-    kept: Vec<ProgramWarning>,
+    kept: Vec<(Place, Oddity)>,
     dropped: usize,
 }
 
 impl Warnings {
     fn add(&mut self, place: Place, what: impl FnOnce() -> Oddity) {
         if self.kept.len() < MOST_WARNINGS {
-            self.kept.push(ProgramWarning { place, what: what() });
+            self.kept.push((place, what()));
         } else {
             self.dropped += 1;
         }
     }
 
     fn sorted(mut self) -> Vec<ProgramWarning> {
-        self.kept.sort_by_key(|warning| warning.place);
-        if let (Some(last), true) = (self.kept.last(), 0 < self.dropped) {
-            let place = last.place;
-            self.kept.push(ProgramWarning { place, what: Oddity::More { count: self.dropped } });
+        self.kept.sort_by_key(|(place, _)| *place);
+        if let (Some(&(place, _)), true) = (self.kept.last(), 0 < self.dropped) {
+            self.kept.push((place, Oddity::More { count: self.dropped }));
         }
-        self.kept
+        self.kept.into_iter().map(|(place, what)| ProgramWarning { what, place: place.into() }).collect()
     }
 }
 

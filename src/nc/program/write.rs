@@ -69,6 +69,9 @@ pub fn commented(number: u32, body: &Body, comment: &str) -> Vec<String> {
         line.truncate(end);
         if index < last {
             line.push_str(" ~");
+        } else if matches!(body, Body::Begin { .. } | Body::End { .. }) && comment.is_empty() {
+            // As controls do.
+            line.push(' ');
         }
     }
     lines
@@ -95,8 +98,9 @@ fn said(body: &Body) -> String {
         Body::Begin { name, unit } => format!("BEGIN PGM {} {unit}", cleaned(name)),
         Body::End { name, unit } => format!("END PGM {} {unit}", cleaned(name)),
         Body::Heading { depth, text } => {
-            let blanks = (*depth).clamp(1, DEEPEST) * 2 - 1;
-            format!("*{:blanks$}- {}", "", cleaned(text))
+            let (text, blanks) = (cleaned(text), (*depth).clamp(1, DEEPEST) * 2 - 1);
+            // Without a text, blanks at the end would be lost.
+            if text.is_empty() { format!("*{:blanks$}-", "") } else { format!("* -{:blanks$}{text}", "") }
         }
         Body::Label(label) => format!("LBL {label}"),
         Body::CallLabel { label, repeat: None } => format!("CALL LBL {label}"),

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `plan`, `plan_csv` | which features are measured, and where; read from CSV |
 //! | `names` | what files and folders are called, by generation of controls |
-//! | `listing`, `programs` | blocks with their numbers; the main program and the check program of a set |
+//! | `programs` | the main program, the check program and the mask of a set |
 //! | `tables` | the two tables: the 47 classes, and what the plan needs beside them |
 //! | `readme` | the page that says what goes where |
 //! | `proof` | the set is run before it is given out |
@@ -16,7 +16,6 @@
 
 mod archive;
 mod error;
-mod listing;
 mod names;
 mod plan;
 mod plan_csv;
@@ -25,7 +24,7 @@ mod proof;
 mod readme;
 mod tables;
 
-pub use error::{At, PlanError, PlanFault, SetError, SetRemark};
+pub use error::{PlanError, PlanFault, ProofFault, SetError, SetRemark};
 pub use names::{Control, ControlFolder};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, MOST_FEATURES, NcFeature, NcPlan};
 

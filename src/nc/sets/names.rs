@@ -6,12 +6,13 @@ use std::str::FromStr;
 use super::Target;
 use super::error::SetError;
 use crate::control::table::Generation;
+use crate::nc::program::TextOperand;
 use crate::tolerance::Feature;
 
 /// A generation of controls that sets are written for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Control {
-    /// iTNC 530, from NC software 340 49x-07 and 606 42x-02 (seed `000_2e707c2d138629e0.txt`).
+    /// iTNC 530, from NC software 340 49x-07 and 606 42x-02 (NC-Solutions, description of NC program 8255).
     Itnc530,
     /// TNC 320, TNC 620 and TNC 640.
     Tnc640,
@@ -178,6 +179,11 @@ impl<'a> Names<'a> {
     /// A file's path on the control.
     pub(super) fn path(&self, file: &str) -> String {
         self.target.folder.file(file)
+    }
+
+    /// The same as a block names it.
+    pub(super) fn operand(&self, file: &str) -> TextOperand {
+        TextOperand::Text(self.path(file))
     }
 }
 

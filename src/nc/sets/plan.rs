@@ -1,7 +1,8 @@
 //! Which features a set measures, and where.
 
-use super::error::{At, PlanError, PlanFault};
+use super::error::{PlanError, PlanFault};
 use crate::length::Length;
+use crate::message::Place;
 use crate::probing::cycle::Angle;
 use crate::probing::cycles::cycle;
 use crate::tolerance::{Callout, Limits, Sources, Tolerance};
@@ -18,8 +19,8 @@ pub const DEFAULT_CLEARANCE_HEIGHT: Length = Length::from_micrometres(50_000);
 /// The most characters of a feature's name: with what stands around it a file name of at most 29.
 const LONGEST_NAME: usize = 20;
 
-/// A feature of a plan: the seven inputs of NC-Solution 8255 (seed `000_2e707c2d138629e0.txt`), the clearance height that
-/// it leaves open, and a name.
+/// A feature of a plan: the seven inputs of NC-Solution 8255 (NC-Solutions, description of NC program 8255), the
+/// clearance height that it leaves open, and a name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NcFeature {
     /// Its name: ASCII letters, digits and `_`, at most 20; without one it gets `F` and its number.
@@ -101,22 +102,21 @@ impl NcPlan {
     /// The same of a file; `lines` are those of the features.
     pub(super) fn of_lines(mut features: Vec<NcFeature>, lines: Vec<usize>) -> Result<Self, PlanError> {
         if features.is_empty() {
-            return Err(PlanError { at: At::Whole, what: PlanFault::NoFeatures });
+            return Err(located(None, PlanFault::NoFeatures));
         }
         if MOST_FEATURES < features.len() {
-            return Err(PlanError { at: At::Whole, what: PlanFault::TooMany { most: MOST_FEATURES } });
+            return Err(located(None, PlanFault::TooMany { most: MOST_FEATURES }));
         }
-        let at = |number: usize| place(&lines, number);
         let mut names = std::collections::BTreeSet::new();
         for (number, feature) in features.iter_mut().enumerate() {
-            feature.check().map_err(|what| PlanError { at: at(number), what })?;
+            feature.check().map_err(|what| located(lines.get(number), what))?;
             if feature.name.is_empty() {
                 feature.name = format!("F{}", number + 1);
             }
             // The files of the results differ by it, and a control takes a and A for the same file.
             if !names.insert(feature.name.to_ascii_uppercase()) {
                 let what = PlanFault::SameName { name: feature.name.clone() };
-                return Err(PlanError { at: at(number), what });
+                return Err(located(lines.get(number), what));
             }
         }
         Ok(Self { features, lines })
@@ -135,7 +135,7 @@ impl NcPlan {
                 sources.limits(&callout, None).map_err(|error| PlanFault::Limits { callout, error: Box::new(error) });
             // Far below a millimetre a class can reach below 0, which no cycle takes.
             let checked = limits.and_then(|limits| in_range("Q276", &limits.minimum()).map(|()| limits));
-            checked.map_err(|what| PlanError { at: place(&self.lines, number), what })
+            checked.map_err(|what| located(self.lines.get(number), what))
         });
         limits.collect()
     }
@@ -151,7 +151,7 @@ fn in_range(key: &str, value: &impl ToString) -> Result<(), PlanFault> {
     }
 }
 
-/// The line of a feature, or its number where there is no file.
-fn place(lines: &[usize], number: usize) -> At {
-    lines.get(number).map_or(At::Feature(number + 1), |&line| At::Line(line))
+/// A fault with its line, where there is a file.
+fn located(line: Option<&usize>, what: PlanFault) -> PlanError {
+    PlanError { what, place: Place { line: line.copied(), ..Place::default() } }
 }

@@ -5,7 +5,7 @@
 
 use std::str::FromStr;
 
-use super::error::{At, PlanError, PlanFault};
+use super::error::{PlanError, PlanFault};
 use super::plan::{MOST_FEATURES, NcFeature, NcPlan};
 use crate::control::text::{decode, lines};
 use crate::length::LengthError;
@@ -36,7 +36,7 @@ impl NcPlan {
         let mut columns: Option<Vec<&'static str>> = None;
         let (mut features, mut features_lines) = (Vec::new(), Vec::new());
         for (line, row) in lines(&text) {
-            let at = |what| PlanError { at: At::Line(line), what };
+            let at = |what| PlanError::in_line(line, what);
             let row = cells(row, separator).map_err(|error| at(PlanFault::Csv { reason: error.to_string() }))?;
             if row.iter().all(str::is_empty) {
                 continue;

@@ -1,150 +1,151 @@
 //! The programs and the mask of a set, made from the shipped ones: block by block, with what differs changed.
 
 use super::error::SetRemark;
-use super::listing::{Listing, formula_number};
 use super::names::{Control, Names};
-use super::{Planned, Target};
+use super::{NcFeature, Planned, Target};
 use crate::control::variables::Parameter;
 use crate::length::Length;
-use crate::nc::machine::Shipped;
-use crate::nc::program::{Body, Program};
+use crate::nc::program::{Body, CycleValue, Expression, Operand, Program, TextExpression, TextOperand, Unit, write};
+use crate::shipped;
 use crate::tolerance::Feature;
 use crate::words::Dialogue;
 
 /// The last block that computes a limit: behind it both are known.
 const MINIMUM: Parameter = Parameter::q(33);
 
+/// The nominal diameter of the cycles.
+const NOMINAL_DIAMETER: Parameter = Parameter::q(262);
+
+/// What takes its place where it must lie between the limits.
+const BETWEEN: Parameter = Parameter::q(62);
+
 /// Q62 becomes the nominal size, or the limit next to it where it lies outside (TNC7 manual 81762x-19, cycle 421).
-const BETWEEN_LIMITS: [&str; 7] = [
-    "Q62 = Q1 ;Q33 <= Q62 <= Q23",
-    "FN 11: IF +Q62 GT +Q33 GOTO LBL 97",
-    "Q62 = Q33",
-    "LBL 97",
-    "FN 12: IF +Q62 LT +Q23 GOTO LBL 98",
-    "Q62 = Q23",
-    "LBL 98",
-];
+const BETWEEN_LIMITS: &[u8] = b"Q62 = Q1 ;Q33 <= Q62 <= Q23
+FN 11: IF +Q62 GT +Q33 GOTO LBL 97
+Q62 = Q33
+LBL 97
+FN 12: IF +Q62 LT +Q23 GOTO LBL 98
+Q62 = Q23
+LBL 98
+";
 
-/// A block of a shipped program: what it says and how it is written, without its number.
-struct ShippedBlock {
-    body: Body,
-    text: String,
+/// Blocks with their comments.
+type Blocks = Vec<(Body, String)>;
+
+/// What blocks say, but for BEGIN and END.
+fn blocks(text: &[u8]) -> Blocks {
+    let Ok((program, _warnings)) = Program::read(text) else { return Blocks::new() };
+    let blocks = program.blocks().iter().enumerate();
+    let inner = blocks.filter(|(_, block)| !matches!(block.body, Body::Begin { .. } | Body::End { .. }));
+    let comment = |number| program.comment_of(number).unwrap_or_default().to_owned();
+    inner.map(|(number, block)| (block.body.clone(), comment(number))).collect()
 }
 
-impl ShippedBlock {
-    /// The comment behind the block, with its semicolon.
-    fn comment(&self) -> &str {
-        self.text.find(" ;").and_then(|at| self.text.get(at..)).unwrap_or_default()
-    }
+/// A shipped program; they are part of Fitcheck, and tests make a set in every language.
+fn shipped_program(name: &str, language: Dialogue) -> Blocks {
+    blocks(shipped::file(shipped::NC, &format!("{name}_{language}.h")).unwrap_or_default())
 }
 
-/// A shipped file of a language.
-fn shipped(name: &str, language: Dialogue, ending: &str) -> &'static [u8] {
-    // They are part of Fitcheck, and tests make a set in every language.
-    Shipped::file(&format!("{name}_{language}.{ending}")).unwrap_or_default()
+/// The file of a program. All of it is ASCII, since names and texts are.
+fn written(file: &str, blocks: &[(Body, String)]) -> Vec<u8> {
+    // A program is called like its file, without the ending.
+    let name = file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_owned();
+    let begin = [bare(Body::Begin { name: name.clone(), unit: Unit::Mm })];
+    let end = [bare(Body::End { name, unit: Unit::Mm })];
+    let all = begin.iter().chain(blocks).chain(&end);
+    write::program(all.map(|(body, comment)| (body, comment.as_str()))).into_bytes()
 }
 
-/// The blocks of a shipped program between BEGIN and END.
-fn blocks(bytes: &[u8]) -> Vec<ShippedBlock> {
-    let Ok((program, _warnings)) = Program::read(bytes) else { return Vec::new() };
-    let inner = program.blocks().iter().enumerate();
-    let inner = inner.filter(|(_, block)| !matches!(block.body, Body::Begin { .. } | Body::End { .. }));
-    inner
-        .map(|(number, block)| {
-            let lines: Vec<&str> = program.text_of(number).collect();
-            let text = lines.join("\n");
-            let text = text.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start_matches(' ').to_owned();
-            ShippedBlock { body: block.body.clone(), text }
-        })
-        .collect()
+/// A block without a comment.
+fn bare(body: Body) -> (Body, String) {
+    (body, String::new())
 }
 
-/// The name of a program: its file's without the ending.
-fn stem(file: &str) -> &str {
-    file.rsplit_once('.').map_or(file, |(stem, _)| stem)
+fn print(names: &Names<'_>, output: String) -> (Body, String) {
+    bare(Body::Print { mask: names.operand(&names.mask), output: TextOperand::Text(output) })
 }
 
 /// The main program: for each feature its parameters, the call, a file with its result, and a stop.
 pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
-    let blocks = blocks(shipped("8255", names.target.language, "h"));
-    let mut listing = Listing::new(stem(&names.main));
+    let blocks = shipped_program("8255", names.target.language);
     // What stands once stands before the first parameter and behind the stop.
-    let is_parameter = |block: &ShippedBlock| matches!(block.body, Body::Assign { .. } | Body::AssignText { .. });
+    let is_parameter = |(body, _): &(Body, String)| matches!(body, Body::Assign { .. } | Body::AssignText { .. });
     let first = blocks.iter().position(is_parameter).unwrap_or_default();
-    let behind = blocks.iter().position(|block| matches!(block.body, Body::Stop(_))).map_or(first, |at| at + 1);
+    let behind = blocks.iter().position(|(body, _)| matches!(body, Body::Stop(_))).map_or(first, |at| at + 1);
     let (head, rest) = blocks.split_at(first);
     let (each, tail) = rest.split_at(behind - first);
-    listing.extend(head.iter().map(|block| block.text.clone()));
+    let mut made = head.to_vec();
     for planned in planned {
-        listing.push(format!("* -   {}: {}", planned.feature.name, planned.feature.callout));
-        for block in each {
-            main_block(&mut listing, block, names, *planned);
-        }
+        let text = format!("{}: {}", planned.feature.name, planned.feature.callout);
+        made.push(bare(Body::Heading { depth: 2, text }));
+        made.extend(each.iter().flat_map(|block| main_block(block, names, planned.feature)));
     }
-    listing.extend(tail.iter().map(|block| block.text.clone()));
-    listing.bytes()
+    made.extend_from_slice(tail);
+    written(&names.main, &made)
 }
 
-fn main_block(listing: &mut Listing, block: &ShippedBlock, names: &Names<'_>, planned: Planned<'_>) {
-    let feature = planned.feature;
-    let comment = block.comment().replace(Control::Itnc530.clearance(), names.target.control.clearance());
-    let angle = feature.angle.to_string().trim_end_matches('°').parse().unwrap_or_default();
-    match &block.body {
+/// A block of the main program for a feature.
+fn main_block((body, comment): &(Body, String), names: &Names<'_>, feature: &NcFeature) -> Blocks {
+    let comment = comment.replace(Control::Itnc530.clearance(), names.target.control.clearance());
+    match body {
         Body::Assign { to, .. } => {
             let value = match to.number {
-                1 => feature.callout.nominal(),
-                11 => feature.x,
-                21 => feature.y,
-                31 => feature.z,
-                41 => angle,
-                51 => feature.clearance,
-                _ => feature.clearance_height,
+                1 => feature.callout.nominal().to_mm_f64(),
+                11 => feature.x.to_mm_f64(),
+                21 => feature.y.to_mm_f64(),
+                31 => feature.z.to_mm_f64(),
+                41 => feature.angle.to_degrees_f64(),
+                51 => feature.clearance.to_mm_f64(),
+                _ => feature.clearance_height.to_mm_f64(),
             };
-            listing.push(format!("{to} = {}{comment}", formula_number(value)));
+            vec![(Body::Assign { to: *to, value: Expression::Value(Operand::Number(value)) }, comment)]
         }
         Body::AssignText { to, .. } => {
             let class = feature.callout.class().map(|class| class.to_string()).unwrap_or_default();
-            listing.push(format!("DECLARE STRING {to} = \"{class}\"{comment}"));
+            let value = TextExpression::Value(TextOperand::Text(class));
+            vec![(Body::AssignText { to: *to, value }, comment)]
         }
         Body::CallProgram(_) => {
-            listing.push(format!("CALL PGM {}", names.path(&names.check)));
             let result = names.path(&names.result(&feature.name));
-            listing.push(format!("FN 16: F-PRINT {} / {result}", names.path(&names.mask)));
+            vec![bare(Body::CallProgram(names.operand(&names.check))), print(names, result)]
         }
-        _ => listing.push(block.text.clone()),
+        body => vec![(body.clone(), comment)],
     }
 }
 
 /// The called program: other paths, and for TNC7 a nominal diameter between the limits.
 pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
-    let original = shipped("82551", names.target.language, "h");
     let moves_nominal = names.target.control.wants_nominal_between_limits();
-    let mut listing = Listing::new(stem(&names.check));
+    let mut made = Blocks::new();
     let mut tables = [Feature::Hole, Feature::Shaft].into_iter();
-    for block in blocks(original) {
-        match &block.body {
+    for (body, comment) in shipped_program("82551", names.target.language) {
+        match body {
             Body::TableOpen(_) => {
                 let table = tables.next().map_or("", |feature| names.table(feature));
-                listing.push(format!("FN 26: TABOPEN {}", names.path(table)));
+                made.push(bare(Body::TableOpen(names.operand(table))));
             }
-            Body::Print { .. } => listing.push(format!("FN 16: F-PRINT {} / SCREEN:", names.path(&names.mask))),
-            Body::Probe(_) if moves_nominal => listing.push(block.text.replace("Q262=+Q1 ", "Q262=+Q62")),
-            Body::Assign { to, .. } if *to == MINIMUM => {
-                listing.push(block.text);
-                if moves_nominal {
-                    listing.extend(BETWEEN_LIMITS.map(str::to_owned));
+            Body::Print { .. } => made.push(print(names, "SCREEN:".to_owned())),
+            Body::Probe(mut cycle) if moves_nominal => {
+                for line in cycle.lines.iter_mut().filter(|line| line.parameter == NOMINAL_DIAMETER) {
+                    let value = Operand::Parameter { parameter: BETWEEN, is_negative: false };
+                    line.value = CycleValue::Number { value, text: format!("+{BETWEEN}") };
                 }
+                made.push((Body::Probe(cycle), comment));
             }
-            _ => listing.push(block.text),
+            Body::Assign { to, .. } if moves_nominal && to == MINIMUM => {
+                made.push((body, comment));
+                made.extend(blocks(BETWEEN_LIMITS));
+            }
+            body => made.push((body, comment)),
         }
     }
-    listing.bytes()
+    written(&names.check, &made)
 }
 
 /// The mask: every record ends in a semicolon, lines in CRLF; `F` in place of `LF` where the control knows it.
 pub(super) fn mask(target: &Target) -> Vec<u8> {
-    let original = shipped("82552", target.language, "a");
-    let text = String::from_utf8_lossy(original);
+    let original = shipped::file(shipped::MASKS, &format!("82552_{}.a", target.language));
+    let text = String::from_utf8_lossy(original.unwrap_or_default());
     let number = if target.control == Control::Itnc530 { "LF" } else { "F" };
     let lines = text.lines().map(|line| {
         let line = line.trim_end().replace("LF", number);

@@ -6,12 +6,11 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::error::SetError;
+use super::error::{ProofFault, SetError};
 use super::names::Names;
 use super::{Planned, SetFile};
-use crate::control::mask::FileUse;
 use crate::length::Length;
-use crate::nc::machine::{Contacts, Machine, NcPath, Settings, Step, Store, StoreError};
+use crate::nc::machine::{Contacts, Machine, NcPath, Settings, Step};
 use crate::nc::program::Program;
 use crate::probing::Contact;
 use crate::probing::cycle::Angle;
@@ -20,47 +19,35 @@ use crate::verdict::Status;
 /// How often a run may pause: once a feature, and not for ever.
 const BLOCKS: u64 = 10_000_000;
 
-/// The files of a set and nothing else. Results are printed to nowhere.
-struct OnControl(BTreeMap<String, Vec<u8>>);
-
-impl Store for OnControl {
-    fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
-        self.0.get(&path.to_string()).cloned().ok_or_else(|| StoreError::Missing { path: path.clone() })
-    }
-
-    fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
-        Err(StoreError::ReadOnly)
-    }
-}
-
 /// Runs the set; the first file is its main program.
 pub(super) fn run(files: &[SetFile], planned: &[Planned<'_>], names: &Names<'_>) -> Result<(), SetError> {
-    let failed = |reason: String| SetError::Proof { reason };
-    let store = files.iter().map(|file| (names.path(&file.name), file.bytes.clone())).collect();
+    let failed = SetError::Proof;
+    let on_control = |file: &SetFile| (NcPath::of_file(&names.path(&file.name)), file.bytes.clone());
+    let store: BTreeMap<NcPath, Vec<u8>> = files.iter().map(on_control).collect();
     let main = files.first().map(|file| file.bytes.as_slice()).unwrap_or_default();
-    let (program, _warnings) = Program::read(main).map_err(|error| failed(error.to_string()))?;
+    let (program, _warnings) = Program::read(main).map_err(|error| failed(ProofFault::Program(error)))?;
     let contacts = planned.iter().flat_map(contacts).collect();
     // No mask of a set prints the time.
     let settings = Settings::new(names.target.language, jiff::civil::DateTime::default());
     let path = names.path(&names.main);
-    let mut machine = Machine::new(&path, Arc::new(program), OnControl(store), Contacts::Recorded(contacts), settings);
+    let mut machine = Machine::new(&path, Arc::new(program), store, Contacts::Recorded(contacts), settings);
     loop {
-        match machine.run(BLOCKS).map_err(|fault| failed(fault.to_string()))? {
+        match machine.run(BLOCKS).map_err(|fault| failed(ProofFault::Fault(fault)))? {
             Step::Ended => break,
             Step::Paused(_) => {}
-            Step::Went => return Err(failed("the program does not end".to_owned())),
+            Step::Went => return Err(failed(ProofFault::NoEnd)),
         }
     }
     let measured = machine.cycles().iter().map(|run| &run.result);
     let found: Vec<_> = measured.map(|result| (result.status, result.checks.first())).collect();
     if found.len() != planned.len() || machine.windows().len() != planned.len() {
-        return Err(failed(format!("{} of {} features were measured", found.len(), planned.len())));
+        return Err(failed(ProofFault::Count { found: found.len(), expected: planned.len() }));
     }
     for (planned, (status, check)) in planned.iter().zip(found) {
         let limits = check.map(|check| (check.minimum, check.maximum));
         let expected = (planned.limits.minimum(), planned.limits.maximum());
         if status != Some(Status::Good) || limits != Some(expected) {
-            return Err(failed(format!("{}: another verdict than Fitcheck's", planned.feature.name)));
+            return Err(failed(ProofFault::OtherVerdict { name: planned.feature.name.clone() }));
         }
     }
     Ok(())

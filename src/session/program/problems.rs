@@ -56,7 +56,7 @@ impl ProgramPage {
         let warning = self.warnings.get(number.checked_sub(run.map_or(0, super::Run::remark_count))?)?;
         let main = self.main()?;
         // A line between blocks belongs to the block before it.
-        let line = warning.place.line.saturating_sub(1);
+        let line = warning.place.line.unwrap_or_default().saturating_sub(1);
         let block = main.program().blocks().partition_point(|block| block.lines.start <= line).saturating_sub(1);
         let place = BlockPlace { program: main.path().clone(), block };
         Some(Problem { kind: ProblemKind::Warning, place, message: warning.message() })

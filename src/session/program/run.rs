@@ -148,7 +148,7 @@ impl Run {
     }
 
     pub(super) fn program(&self, path: &NcPath) -> Option<Arc<Program>> {
-        self.machine.program(&path.to_string()).cloned()
+        self.machine.program(path).cloned()
     }
 
     /// The parameters.
@@ -223,7 +223,7 @@ impl Run {
     }
 
     pub(super) fn toggle_breakpoint(&mut self, place: &BlockPlace) {
-        self.machine.toggle_breakpoint(&place.program.to_string(), place.block);
+        self.machine.toggle_breakpoint(place.clone());
     }
 
     pub(super) fn pause(&mut self, id: &'static str) {

@@ -6,8 +6,9 @@ use jiff::civil::DateTime;
 
 use super::run::{Goal, Run, State};
 use super::{Origin, ProgramField, ProgramPage, Speed};
+use crate::files::Folders;
 use crate::message::{Message, Say as _};
-use crate::nc::machine::{BlockPlace, Folders, Machine, Settings};
+use crate::nc::machine::{BlockPlace, Machine, Settings};
 use crate::session::Session;
 
 /// How far a run goes.
@@ -90,7 +91,7 @@ impl Session {
             machine.set(*parameter, value.clone()).map_err(|fault| fault.message())?;
         }
         for place in &page.breakpoints {
-            machine.toggle_breakpoint(&place.program.to_string(), place.block);
+            machine.toggle_breakpoint(place.clone());
         }
         Ok(Run::new(machine))
     }

@@ -26,9 +26,10 @@ fn sound(bytes: &[u8]) -> Result<(), TestCaseError> {
     }
     prop_assert!(behind <= program.line_count());
     for warning in warnings {
-        let line = program.line(warning.place.line - 1);
-        prop_assert!(warning.place.line <= program.line_count());
-        prop_assert!(1 <= warning.place.column && warning.place.column <= line.chars().count() + 1);
+        let (number, column) = (warning.place.line.unwrap(), warning.place.column.unwrap());
+        let line = program.line(number - 1);
+        prop_assert!(number <= program.line_count());
+        prop_assert!(1 <= column && column <= line.chars().count() + 1);
     }
     Ok(())
 }

@@ -1,18 +1,95 @@
 //! Parameters of a run: what they hold, and what a block sets.
+//!
+//! | file | what |
+//! |---|---|
+//! | `expressions` | formulas that give a number, and the conditions of jumps |
+//! | `texts` | formulas that give a text |
 
+mod expressions;
+mod texts;
+
+use std::collections::BTreeMap;
+
+use jiff::civil::DateTime;
+
+use super::budget::Settings;
 use super::fault::FaultKind;
-use super::flow::whole;
-use super::path::NcPath;
-use super::remark::Remark;
-use super::run::Machine;
-use crate::control::variables::{Family, Parameter, Value};
+use crate::control::variables::{Family, Parameter, Value, Variables};
 use crate::length::Length;
 use crate::nc::program::{Expression, Operand, TextExpression, TextOperand};
+use expressions::reads;
+use texts::text_reads;
 
 /// The range of values in a control: 10^10 either way.
 const MOST: f64 = 1e10;
 
-impl Machine {
+/// The parameters of a run.
+#[derive(Debug)]
+pub(super) struct Values {
+    variables: Variables,
+    /// The parameters that the last block has set.
+    changed: Vec<Parameter>,
+    /// What was given before the run and no block has met yet.
+    given: BTreeMap<Parameter, Value>,
+    /// The local parameters of the programs that called, the outermost first.
+    locals: Vec<Vec<(Parameter, Value)>>,
+    /// The most characters of a text.
+    longest: usize,
+    /// What `SYSSTR` says the time is.
+    time: DateTime,
+}
+
+impl Values {
+    pub(super) fn new(settings: &Settings) -> Self {
+        Self {
+            variables: Variables::new(),
+            changed: Vec::new(),
+            given: BTreeMap::new(),
+            locals: Vec::new(),
+            longest: settings.budget.text,
+            time: settings.time,
+        }
+    }
+
+    /// All parameters that have a value.
+    pub(super) const fn all(&self) -> &Variables {
+        &self.variables
+    }
+
+    pub(super) fn changed(&self) -> &[Parameter] {
+        &self.changed
+    }
+
+    /// A new block begins.
+    pub(super) fn begin_block(&mut self) {
+        self.changed.clear();
+    }
+
+    /// Sets what the machine itself knows.
+    pub(super) fn set(&mut self, parameter: Parameter, value: Value) {
+        self.variables.set(parameter, value);
+    }
+
+    /// Gives a parameter a value before the run.
+    pub(super) fn give(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
+        self.put(parameter, value.clone())?;
+        self.given.insert(parameter, value);
+        Ok(())
+    }
+
+    /// A called program begins, without local parameters.
+    pub(super) fn enter_program(&mut self) {
+        self.locals.push(self.variables.take(Family::Ql));
+    }
+
+    /// It returns, and the caller has its own again.
+    pub(super) fn leave_program(&mut self) {
+        self.variables.take(Family::Ql);
+        for (parameter, value) in self.locals.pop().unwrap_or_default() {
+            self.variables.set(parameter, value);
+        }
+    }
+
     /// The number that a parameter holds.
     pub(super) fn number(&self, parameter: Parameter) -> Result<f64, FaultKind> {
         match self.variables.get(parameter) {
@@ -67,11 +144,6 @@ impl Machine {
         }
     }
 
-    /// The path that an operand names, from the program that runs.
-    pub(super) fn path_of(&self, operand: &TextOperand) -> Result<NcPath, FaultKind> {
-        Ok(self.frame.path.resolve(self.text_operand(operand)?)?)
-    }
-
     /// Sets a parameter that a control has to a value that it can hold.
     pub(super) fn put(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
         let most = match parameter.family {
@@ -99,8 +171,8 @@ impl Machine {
         Ok(())
     }
 
-    pub(super) fn check_length(&self, text: &str) -> Result<(), FaultKind> {
-        let most = self.budget().text;
+    fn check_length(&self, text: &str) -> Result<(), FaultKind> {
+        let most = self.longest;
         // A text has at most as many characters as bytes.
         if most < text.len() {
             let length = text.chars().count();
@@ -111,55 +183,80 @@ impl Machine {
         Ok(())
     }
 
-    /// `Q5 = …`
-    pub(super) fn assign(&mut self, at: usize, to: Parameter, value: &Expression) -> Result<(), FaultKind> {
-        if !self.given.is_empty() && self.is_given(at, to, || reads(value, to)) {
-            return Ok(());
+    /// `Q5 = …`. Gives the value that was given before the run where it stands in place of this one.
+    pub(super) fn assign(
+        &mut self,
+        to: Parameter,
+        value: &Expression,
+        is_main: bool,
+    ) -> Result<Option<Value>, FaultKind> {
+        let given = self.given(to, is_main, || reads(value, to));
+        if given.is_none() {
+            let value = match value {
+                Expression::Value(operand) => self.value(*operand)?,
+                formula => Value::Number(self.evaluate(formula)?),
+            };
+            self.put(to, value)?;
         }
-        let value = match value {
-            Expression::Value(operand) => self.value(*operand)?,
-            formula => Value::Number(self.evaluate(formula)?),
-        };
-        self.put(to, value)
+        Ok(given)
     }
 
-    /// `QS5 = …`
-    pub(super) fn assign_text(&mut self, at: usize, to: Parameter, value: &TextExpression) -> Result<(), FaultKind> {
-        if !self.given.is_empty() && self.is_given(at, to, || text_reads(value, to)) {
-            return Ok(());
+    /// `QS5 = …`; the same of a text.
+    pub(super) fn assign_text(
+        &mut self,
+        to: Parameter,
+        value: &TextExpression,
+        is_main: bool,
+    ) -> Result<Option<Value>, FaultKind> {
+        let given = self.given(to, is_main, || text_reads(value, to));
+        if given.is_none() {
+            let text = self.evaluate_text(value)?;
+            self.put(to, Value::Text(text))?;
         }
-        let text = self.evaluate_text(value)?;
-        self.put(to, Value::Text(text))
+        Ok(given)
     }
 
-    /// `Q5 SET UNDEFINED`
-    pub(super) fn undefine(&mut self, at: usize, parameter: Parameter) {
-        if self.given.is_empty() || !self.is_given(at, parameter, || false) {
+    /// `Q5 SET UNDEFINED`; the same.
+    pub(super) fn undefine(&mut self, parameter: Parameter, is_main: bool) -> Option<Value> {
+        let given = self.given(parameter, is_main, || false);
+        if given.is_none() {
             self.variables.unset(parameter);
             self.changed.push(parameter);
         }
+        given
     }
 
-    /// Whether a value that was given before the run stands in place of this assignment: the first one in the main
+    /// The value that was given before the run, where it stands in place of this assignment: the first one in the main
     /// program, unless it counts on from the value.
-    fn is_given(&mut self, at: usize, parameter: Parameter, counts_on: impl Fn() -> bool) -> bool {
-        if self.is_within_call() {
-            return false;
-        }
-        let Some(value) = self.given.remove(&parameter) else { return false };
+    fn given(&mut self, parameter: Parameter, is_main: bool, counts_on: impl Fn() -> bool) -> Option<Value> {
+        let value = if is_main { self.given.remove(&parameter)? } else { return None };
         if counts_on() {
-            return false;
+            return None;
         }
-        self.remark(at, Remark::GivenWins { parameter, value: shown(&value) });
         self.changed.push(parameter);
-        true
+        Some(value)
     }
 }
 
 /// A number that a control can hold.
-pub(super) fn in_range(number: f64) -> Result<f64, FaultKind> {
+fn in_range(number: f64) -> Result<f64, FaultKind> {
     // NaN is in no range.
     if number.abs() <= MOST { Ok(number) } else { Err(FaultKind::BeyondRange(number)) }
+}
+
+/// A whole number from 0, if it is one.
+pub(super) fn whole(value: f64) -> Option<usize> {
+    const MOST: f64 = 1e15;
+    if !(0.0..=MOST).contains(&value) || 0.0 < value.fract() {
+        return None;
+    }
+    #[expect(
+        clippy::as_conversions,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a whole number in range, just checked"
+    )]
+    Some(value as usize)
 }
 
 /// A value as programs write it.
@@ -177,31 +274,5 @@ pub(super) fn length_of(value: &Value) -> Option<Length> {
         Value::Length(length) => Some(*length),
         Value::Number(number) => Length::from_mm_f64(*number).ok(),
         Value::Text(_) => None,
-    }
-}
-
-fn operand_reads(operand: Operand, wanted: Parameter) -> bool {
-    matches!(operand, Operand::Parameter { parameter, .. } if parameter == wanted)
-}
-
-/// Whether a formula asks for a parameter.
-fn reads(formula: &Expression, wanted: Parameter) -> bool {
-    match formula {
-        Expression::Value(operand) => operand_reads(*operand, wanted),
-        Expression::Function(_, operand) => reads(operand, wanted),
-        Expression::Binary(_, left, right) => reads(left, wanted) || reads(right, wanted),
-        Expression::Position { from, .. } => operand_reads(*from, wanted),
-        Expression::Pi | Expression::ToNumber(_) | Expression::TextLength(_) | Expression::Compare { .. } => false,
-    }
-}
-
-fn text_reads(formula: &TextExpression, wanted: Parameter) -> bool {
-    match formula {
-        TextExpression::Value(TextOperand::Parameter(parameter)) => *parameter == wanted,
-        TextExpression::Join(items) => items.iter().any(|item| text_reads(item, wanted)),
-        TextExpression::Part { source, .. } => *source == wanted,
-        TextExpression::Value(TextOperand::Text(_))
-        | TextExpression::FromNumber { .. }
-        | TextExpression::System { .. } => false,
     }
 }

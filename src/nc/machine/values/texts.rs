@@ -1,12 +1,9 @@
 //! Formulas that give a text.
 
-use jiff::civil::DateTime;
-
-use super::fault::FaultKind;
-use super::flow::whole;
-use super::run::Machine;
+use super::super::fault::FaultKind;
+use super::{Values, whole};
 use crate::control::variables::Parameter;
-use crate::nc::program::{Operand, TextExpression};
+use crate::nc::program::{Operand, TextExpression, TextOperand};
 
 /// Date and time; the only group of `SYSSTR` that is run.
 const DATE_AND_TIME: usize = 10_321;
@@ -35,7 +32,7 @@ const FORMATS: [&str; 17] = [
 /// The most digits behind the point that a text of a number may have.
 const MOST_DECIMALS: usize = 9;
 
-impl Machine {
+impl Values {
     /// The value of a formula of texts.
     pub(super) fn evaluate_text(&self, formula: &TextExpression) -> Result<String, FaultKind> {
         match formula {
@@ -89,7 +86,18 @@ impl Machine {
             .filter(|id| *id == DATE_AND_TIME)
             .and_then(|_| FORMATS.get(whole(number)?))
             .ok_or(FaultKind::UnknownSystemText { id, number })?;
-        let time: DateTime = self.settings.time;
-        Ok(time.strftime(format).to_string())
+        Ok(self.time.strftime(format).to_string())
+    }
+}
+
+/// The same of a text.
+pub(super) fn text_reads(formula: &TextExpression, wanted: Parameter) -> bool {
+    match formula {
+        TextExpression::Value(TextOperand::Parameter(parameter)) => *parameter == wanted,
+        TextExpression::Join(items) => items.iter().any(|item| text_reads(item, wanted)),
+        TextExpression::Part { source, .. } => *source == wanted,
+        TextExpression::Value(TextOperand::Text(_))
+        | TextExpression::FromNumber { .. }
+        | TextExpression::System { .. } => false,
     }
 }

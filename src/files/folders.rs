@@ -1,11 +1,10 @@
-//! Files of the user's folders: never one outside them, whatever a program says.
+//! What NC programs read and write in the user's folders: never a file outside them, whatever a program says.
 
 use std::path::{Path, PathBuf};
 
-use super::path::NcPath;
-use super::store::{Shipped, Store, StoreError};
+use super::{FileError, LARGEST, read, write};
 use crate::control::mask::FileUse;
-use crate::files::{self, FileError};
+use crate::nc::machine::{NcPath, Shipped, Store, StoreError};
 
 /// How many entries of a folder are looked at for a name that differs by case only.
 const MOST_ENTRIES: usize = 10_000;
@@ -58,7 +57,7 @@ impl Store for Folders {
         let is_behind = how != FileUse::Replace && target.exists();
         let old = if is_behind { bytes_of(folder, &target, path)? } else { Vec::new() };
         let whole = [old.as_slice(), bytes].concat();
-        files::write(&target, &whole).map_err(|error| of_file(error, path))?;
+        write(&target, &whole).map_err(|error| of_file(error, path))?;
         Ok(whole.len())
     }
 }
@@ -82,7 +81,7 @@ fn bytes_of(folder: &Path, file: &Path, path: &NcPath) -> Result<Vec<u8>, StoreE
     if !inside.is_file() {
         return Err(StoreError::NoFile { path: path.clone() });
     }
-    files::read(&inside).map_err(|error| of_file(error, path))
+    read(&inside).map_err(|error| of_file(error, path))
 }
 
 /// The path without links, where that lies below the folder.
@@ -121,7 +120,7 @@ fn of_file(error: FileError, path: &NcPath) -> StoreError {
         // Nothing here asks for a file that is not there yet.
         FileError::IsFolder { .. } | FileError::Exists { .. } => StoreError::NoFile { path },
         FileError::Missing { .. } => StoreError::Missing { path },
-        FileError::TooLarge { .. } => StoreError::TooLarge { path },
+        FileError::TooLarge { .. } => StoreError::TooLarge { path, most: LARGEST >> 20 },
         FileError::System { reason, .. } => StoreError::System { path, reason },
     }
 }

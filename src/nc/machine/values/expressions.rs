@@ -2,14 +2,13 @@
 
 use std::cmp::Ordering;
 
-use super::fault::FaultKind;
-use super::run::Machine;
-use super::values::in_range;
+use super::super::fault::FaultKind;
+use super::{Values, in_range, shown};
 use crate::control::mask;
-use crate::control::variables::{Parameter, Value};
+use crate::control::variables::Parameter;
 use crate::nc::program::{Condition, Expression, NumberFunction, Operand, Operation, Relation};
 
-impl Machine {
+impl Values {
     /// The value of a formula.
     pub(super) fn evaluate(&self, formula: &Expression) -> Result<f64, FaultKind> {
         match formula {
@@ -61,7 +60,7 @@ impl Machine {
     }
 
     /// Whether a jump is made.
-    pub(super) fn holds(&self, condition: &Condition) -> Result<bool, FaultKind> {
+    pub(in crate::nc::machine) fn holds(&self, condition: &Condition) -> Result<bool, FaultKind> {
         match condition {
             Condition::IsDefined(parameter) => Ok(self.variables.get(*parameter).is_some()),
             Condition::IsUndefined(parameter) => Ok(self.variables.get(*parameter).is_none()),
@@ -78,16 +77,15 @@ impl Machine {
     }
 
     /// The value of an operand for a text: as a decimal number.
-    pub(super) fn decimal(&self, operand: Operand, decimals: Option<usize>) -> Result<String, FaultKind> {
+    pub(in crate::nc::machine) fn decimal(
+        &self,
+        operand: Operand,
+        decimals: Option<usize>,
+    ) -> Result<String, FaultKind> {
         /// As many as a value has, but no more than this: what lies behind is the noise of binary arithmetic.
         const MOST: usize = 9;
         let value = self.value(operand)?;
-        let text = match &value {
-            Value::Length(length) => length.to_string(),
-            Value::Number(number) => number.to_string(),
-            Value::Text(text) => text.clone(),
-        };
-        let rounded = mask::decimal(&value, decimals.unwrap_or(MOST)).unwrap_or(text);
+        let rounded = mask::decimal(&value, decimals.unwrap_or(MOST)).unwrap_or_else(|| shown(&value));
         if decimals.is_some() {
             return Ok(rounded);
         }
@@ -148,4 +146,19 @@ fn combine(operation: Operation, left: f64, right: f64) -> Result<f64, FaultKind
         // From 0 up to a full turn, as the control gives it.
         Operation::Angle => left.atan2(right).to_degrees().rem_euclid(360.0),
     })
+}
+
+fn operand_reads(operand: Operand, wanted: Parameter) -> bool {
+    matches!(operand, Operand::Parameter { parameter, .. } if parameter == wanted)
+}
+
+/// Whether a formula asks for a parameter.
+pub(super) fn reads(formula: &Expression, wanted: Parameter) -> bool {
+    match formula {
+        Expression::Value(operand) => operand_reads(*operand, wanted),
+        Expression::Function(_, operand) => reads(operand, wanted),
+        Expression::Binary(_, left, right) => reads(left, wanted) || reads(right, wanted),
+        Expression::Position { from, .. } => operand_reads(*from, wanted),
+        Expression::Pi | Expression::ToNumber(_) | Expression::TextLength(_) | Expression::Compare { .. } => false,
+    }
 }

@@ -1,0 +1,257 @@
+//! What each block does, and which part of the machine does it.
+
+use std::sync::Arc;
+
+use super::super::budget::{Settings, UsedUp};
+use super::super::cycles::{CycleRun, cycle_of, hand_over};
+use super::super::fault::{Fault, FaultKind};
+use super::super::files::Files;
+use super::super::logs::Log;
+use super::super::path::NcPath;
+use super::super::prints::rendered;
+use super::super::remark::Remark;
+use super::super::step::{Pause, Step};
+use super::super::values::shown;
+use super::Run;
+use crate::control::mask::Context;
+use crate::message::Say as _;
+use crate::nc::program::{Block, Body, CycleBlock, MachineFunction, Program, TextOperand, Unit};
+use crate::probing::cycle::LogTarget;
+
+impl Run {
+    /// Runs the next block.
+    pub(super) fn step(&mut self, files: &mut Files, settings: &Settings) -> Result<Step, Fault> {
+        self.values.begin_block();
+        let at = self.flow.next();
+        let mut done = self.block(at, files, settings);
+        if matches!(done, Ok(Step::Ended)) {
+            if let Some(left) = self.cycles.contacts_left() {
+                self.remark(at, left);
+            }
+            // Another error of the end counts as one of the block that ended the run.
+            if let Err(kind) = self.close_table(files) {
+                done = Err(kind);
+            }
+        }
+        done.map_err(|kind| self.fail(at, kind, files))
+    }
+
+    /// Ends the run with a fault; what FN 27 has changed until then is written, as on the control.
+    fn fail(&mut self, at: usize, kind: FaultKind, files: &mut Files) -> Fault {
+        let table = self.tables.path().cloned();
+        if let (Err(error), Some(path)) = (self.close_table(files), table) {
+            self.remark(at, Remark::NotSaved { path, reason: error.message() });
+        }
+        Fault::new(self.flow.program(), self.flow.place_of(at), kind)
+    }
+
+    /// Runs the block at a place of the current program.
+    fn block(&mut self, at: usize, files: &mut Files, settings: &Settings) -> Result<Step, FaultKind> {
+        let program = Arc::clone(self.flow.program());
+        if settings.budget.blocks <= self.blocks {
+            return Err(UsedUp::Blocks(settings.budget.blocks).into());
+        }
+        let block = program.blocks().get(at).ok_or(FaultKind::Broken { what: "END PGM" })?;
+        self.blocks += 1;
+        self.flow.pass(at, &block.body)?;
+        if block.may_be_skipped && settings.block_skip {
+            return Ok(Step::Went);
+        }
+        self.body(at, block, files, settings)
+    }
+
+    fn body(&mut self, at: usize, block: &Block, files: &mut Files, settings: &Settings) -> Result<Step, FaultKind> {
+        match &block.body {
+            Body::Begin { .. } | Body::Nothing | Body::Heading { .. } => {}
+            Body::Label(label) => self.flow.pass_label(label),
+            Body::End { .. } => return Ok(self.end_program()),
+            Body::CallLabel { label, repeat } => self.flow.call_label(at, label, *repeat, &self.values)?,
+            Body::CallProgram(path) => self.call_program(at, path, files)?,
+            Body::Assign { .. } | Body::Undefine(_) | Body::AssignText { .. } => self.assign(at, &block.body)?,
+            Body::Jump { condition, label } => {
+                if self.values.holds(condition)? {
+                    self.flow.jump(label, &self.values)?;
+                }
+            }
+            Body::Error(number) => {
+                let number = self.values.whole("FN 14: ERROR", *number)?;
+                return Err(FaultKind::Programmed(u32::try_from(number).unwrap_or(u32::MAX)));
+            }
+            Body::Print { mask, output } => self.print(at, mask, output, files, settings)?,
+            Body::TableOpen(path) => self.open_table(path, files)?,
+            Body::TableRead { to, row, columns } => {
+                let found = self.tables.read(*to, *row, columns, &self.values)?;
+                found.into_iter().try_for_each(|(to, value)| self.values.put(to, value))?;
+            }
+            Body::TableWrite { row, columns, from } => {
+                let cells = self.tables.cells(*row, columns, *from, &self.values)?;
+                self.tables.write(at, cells, files)?;
+            }
+            Body::ToolCall { tool, .. } => self.cycles.call_tool(tool.as_ref(), &settings.probe_table, &self.values)?,
+            Body::Move(movement) => {
+                self.way.travel(self.flow.place_of(at), movement, self.flow.unit(), &self.values)?;
+                return Ok(self.machine_functions(at, &movement.machine, settings));
+            }
+            Body::MachineFunctions(functions) => return Ok(self.machine_functions(at, functions, settings)),
+            Body::Stop(functions) => {
+                return Ok(match self.machine_functions(at, functions, settings) {
+                    Step::Went => Step::Paused(Pause::Stop),
+                    step => step,
+                });
+            }
+            Body::Probe(cycle) => return self.probe(at, cycle, files, settings),
+            Body::Other if is_blank_form(self.flow.program(), at) => {}
+            // A block that is not known stops the run, or is passed over where the user says so.
+            Body::CycleDefinition(_) | Body::Other if settings.skip_unknown => self.remark(at, Remark::Skipped),
+            Body::CycleDefinition(_) | Body::Other => return Err(FaultKind::UnknownBlock),
+        }
+        Ok(Step::Went)
+    }
+
+    fn remark(&mut self, at: usize, remark: Remark) {
+        self.remarks.add(self.flow.place_of(at), remark);
+    }
+
+    /// The path that an operand names, from the program that runs.
+    fn path_of(&self, operand: &TextOperand) -> Result<NcPath, FaultKind> {
+        Ok(self.flow.path().resolve(self.values.text_operand(operand)?)?)
+    }
+
+    fn end_program(&mut self) -> Step {
+        if !self.flow.end_program() {
+            return Step::Ended;
+        }
+        self.values.leave_program();
+        Step::Went
+    }
+
+    fn call_program(&mut self, at: usize, path: &TextOperand, files: &mut Files) -> Result<(), FaultKind> {
+        let path = self.path_of(path)?;
+        self.flow.check_depth()?;
+        let program = files.program(&path, self.tables.changed())?;
+        self.flow.call_program(at, path, program);
+        self.values.enter_program();
+        Ok(())
+    }
+
+    fn assign(&mut self, at: usize, body: &Body) -> Result<(), FaultKind> {
+        let is_main = !self.flow.is_within_call();
+        let (parameter, given) = match body {
+            Body::Assign { to, value } => (*to, self.values.assign(*to, value, is_main)?),
+            Body::AssignText { to, value } => (*to, self.values.assign_text(*to, value, is_main)?),
+            Body::Undefine(parameter) => (*parameter, self.values.undefine(*parameter, is_main)),
+            _ => return Ok(()),
+        };
+        if let Some(value) = given {
+            self.remark(at, Remark::GivenWins { parameter, value: shown(&value) });
+        }
+        Ok(())
+    }
+
+    /// FN 26: another table that is open is closed before.
+    fn open_table(&mut self, path: &TextOperand, files: &mut Files) -> Result<(), FaultKind> {
+        let path = self.path_of(path)?;
+        if self.tables.path() == Some(&path) {
+            return Ok(());
+        }
+        self.close_table(files)?;
+        self.tables.open(path, files)
+    }
+
+    fn close_table(&mut self, files: &mut Files) -> Result<(), FaultKind> {
+        self.tables.close(self.flow.path(), files, &mut self.remarks)
+    }
+
+    /// FN 16.
+    fn print(
+        &mut self,
+        at: usize,
+        mask: &TextOperand,
+        output: &TextOperand,
+        files: &mut Files,
+        settings: &Settings,
+    ) -> Result<(), FaultKind> {
+        let to = self.values.text_operand(output)?;
+        let is = |word: &str| to.trim().eq_ignore_ascii_case(word);
+        if is("SCLR:") {
+            self.prints.close_windows();
+            return Ok(());
+        }
+        let path = if is("SCREEN:") { None } else { Some(self.path_of(output)?) };
+        let mask = self.path_of(mask)?;
+        let call_path = self.flow.path().to_string();
+        let context = Context { language: settings.language, time: settings.time, call_path: &call_path };
+        let output = rendered(&mask, &context, &self.values, files)?;
+        let place = self.flow.place_of(at);
+        match path {
+            None => Ok(self.prints.show(place, mask, output.text)?),
+            Some(path) => self.prints.print(place, path, output, files, &mut self.remarks),
+        }
+    }
+
+    /// Runs a cycle and hands its results over.
+    fn probe(
+        &mut self,
+        at: usize,
+        block: &CycleBlock,
+        files: &mut Files,
+        settings: &Settings,
+    ) -> Result<Step, FaultKind> {
+        let cycle = match cycle_of(&block.number) {
+            Err(_unknown) if settings.skip_unknown => {
+                self.remark(at, Remark::Skipped);
+                return Ok(Step::Went);
+            }
+            cycle => cycle?,
+        };
+        if self.flow.unit() == Some(Unit::Inch) {
+            return Err(FaultKind::Inch);
+        }
+        self.cycles.check_count()?;
+        if let Some(other) = self.cycles.other_probe() {
+            self.remark(at, other);
+        }
+        let place = self.flow.place_of(at);
+        let (path, result) = self.cycles.measure(cycle, block, self.way.place(), &self.values)?;
+        self.way.follow(&place, &path)?;
+        let result = result?;
+        hand_over(cycle, &result, &mut self.values)?;
+        if let Some(log) = Log::of(cycle, &result, self.flow.path(), settings)? {
+            log.write(place.clone(), &mut self.prints, files, &mut self.remarks)?;
+        }
+        let step = match (&result.stop, result.log) {
+            (Some(stop), _) => Step::Paused(Pause::Tolerance(Box::new(stop.clone()))),
+            (None, LogTarget::Screen) => Step::Paused(Pause::Log),
+            (None, LogTarget::None | LogTarget::File(_) | LogTarget::Shown) => Step::Went,
+        };
+        self.cycles.keep(CycleRun { place, cycle, result });
+        Ok(step)
+    }
+
+    /// M0, M1, M2 and M30; all others move nothing here.
+    fn machine_functions(&mut self, at: usize, functions: &[MachineFunction], settings: &Settings) -> Step {
+        let mut step = Step::Went;
+        for function in functions {
+            match function.number {
+                0 => step = Step::Paused(Pause::Stop),
+                1 if settings.optional_stop => step = Step::Paused(Pause::OptionalStop),
+                2 | 30 => {
+                    if self.flow.is_within_call() {
+                        self.remark(at, Remark::EndedWithin { function: function.number });
+                    }
+                    return Step::Ended;
+                }
+                _ => {}
+            }
+        }
+        step
+    }
+}
+
+/// The blank's form is for the control's graphics and changes nothing.
+fn is_blank_form(program: &Program, at: usize) -> bool {
+    program.text_of(at).next().is_some_and(|line| {
+        let line = line.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace() || c == '/');
+        line.get(..8).is_some_and(|word| word.eq_ignore_ascii_case("BLK FORM"))
+    })
+}

@@ -1,0 +1,275 @@
+//! The machine as its users see it: set up, run block by block, asked what it has done.
+//!
+//! `blocks` has what each block does.
+
+mod blocks;
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use super::budget::Settings;
+use super::contacts::Contacts;
+use super::cycles::{CycleRun, Cycles};
+use super::fault::{BlockPlace, Fault, FaultKind};
+use super::files::Files;
+use super::flow::{Call, Flow};
+use super::moves::{Travel, Way};
+use super::path::NcPath;
+use super::prints::{Prints, Window, Written};
+use super::remark::{Remark, Remarks};
+use super::step::{Pause, Step};
+use super::store::Store;
+use super::tables::Tables;
+use super::values::Values;
+use crate::control::variables::{Parameter, Value, Variables};
+use crate::nc::program::{Program, Unit};
+use crate::verdict::Status;
+
+/// A run: what a restart forgets.
+#[derive(Debug)]
+struct Run {
+    flow: Flow,
+    values: Values,
+    tables: Tables,
+    prints: Prints,
+    cycles: Cycles,
+    way: Way,
+    remarks: Remarks,
+    blocks: u64,
+}
+
+impl Run {
+    fn new(path: NcPath, program: Arc<Program>, contacts: Contacts, settings: &Settings) -> Self {
+        let is_inch = program.unit() == Some(Unit::Inch);
+        let mut values = Values::new(settings);
+        // Q113 says the unit of the main program.
+        values.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
+        Self {
+            flow: Flow::new(path, program, &settings.budget),
+            values,
+            tables: Tables::default(),
+            prints: Prints::new(settings.budget),
+            cycles: Cycles::new(contacts, settings),
+            way: Way::new(&settings.budget),
+            remarks: Remarks::new(&settings.budget),
+            blocks: 0,
+        }
+    }
+}
+
+#[derive(Debug)]
+enum State {
+    Ready,
+    Ended,
+    Faulted(Fault),
+}
+
+/// Runs a program as a control does. It owns all that it needs and may go to another thread.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use fitcheck::nc::machine::{Contacts, Machine, Settings, Shipped, Step};
+/// use fitcheck::nc::program::Program;
+/// use fitcheck::control::variables::{Parameter, Value};
+/// use fitcheck::words::Dialogue;
+///
+/// let text = b"BEGIN PGM sum MM\nQ1 = 5 * 3 + 2 * 10\nEND PGM sum MM\n";
+/// let program = Arc::new(Program::read(text)?.0);
+/// let settings = Settings::new(Dialogue::En, jiff::civil::date(2026, 1, 31).at(12, 0, 0, 0));
+/// let mut machine = Machine::new("sum.h", program, Shipped, Contacts::Perfect, settings);
+/// assert_eq!(machine.run(100)?, Step::Ended);
+/// assert_eq!(machine.variables().get(Parameter::q(1)), Some(&Value::Number(35.0)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Machine {
+    main: (NcPath, Arc<Program>),
+    settings: Settings,
+    files: Files,
+    breakpoints: BTreeSet<BlockPlace>,
+    run: Run,
+    state: State,
+}
+
+impl std::fmt::Debug for Machine {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Machine").field("place", &self.place()).field("state", &self.state).finish_non_exhaustive()
+    }
+}
+
+impl Machine {
+    /// A machine before the first block of a program. Of a path that is none on the control, the file name counts.
+    pub fn new(
+        path: &str,
+        program: Arc<Program>,
+        store: impl Store + 'static,
+        contacts: Contacts,
+        settings: Settings,
+    ) -> Self {
+        let path = NcPath::of_file(path);
+        let main = (path.clone(), Arc::clone(&program));
+        let files = Files::new(Box::new(store), settings.budget, main.clone());
+        let run = Run::new(path, program, contacts, &settings);
+        Self { main, settings, files, breakpoints: BTreeSet::new(), run, state: State::Ready }
+    }
+
+    /// Goes back before the first block: all that the run has found is forgotten, settings and breakpoints stay, and so
+    /// does what the store has written. Programs and tables that have not changed since are not read again.
+    pub fn restart(&mut self, contacts: Contacts) {
+        self.files.restart(self.main.clone());
+        let (path, program) = self.main.clone();
+        self.run = Run::new(path, program, contacts, &self.settings);
+        self.state = State::Ready;
+    }
+
+    /// Gives a parameter a value before the run. The main program's first assignment to it is then passed over with a
+    /// remark, unless it counts on from the parameter's own value.
+    ///
+    /// # Errors
+    /// [`FaultKind`] where a control has no such parameter, or it cannot hold the value.
+    pub fn set(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
+        self.run.values.give(parameter, value)
+    }
+
+    /// Runs one block.
+    ///
+    /// # Errors
+    /// [`Fault`]; the run is over then, and every further step says the same again.
+    pub fn step(&mut self) -> Result<Step, Fault> {
+        match &self.state {
+            State::Ready => {}
+            State::Ended => return Ok(Step::Ended),
+            State::Faulted(fault) => return Err(fault.clone()),
+        }
+        let done = self.run.step(&mut self.files, &self.settings);
+        match &done {
+            Ok(Step::Ended) => self.state = State::Ended,
+            Ok(Step::Went | Step::Paused(_)) => {}
+            Err(fault) => self.state = State::Faulted(fault.clone()),
+        }
+        done
+    }
+
+    /// Runs blocks until the run pauses or ends, until the next one has a breakpoint, or so many.
+    ///
+    /// # Errors
+    /// As [`Self::step`].
+    pub fn run(&mut self, most: u64) -> Result<Step, Fault> {
+        for done in 0..most {
+            if 0 < done && self.is_at_breakpoint() {
+                return Ok(Step::Paused(Pause::Breakpoint));
+            }
+            match self.step()? {
+                Step::Went => {}
+                over => return Ok(over),
+            }
+        }
+        Ok(Step::Went)
+    }
+
+    fn is_at_breakpoint(&self) -> bool {
+        !self.breakpoints.is_empty() && self.breakpoints.contains(&self.place())
+    }
+
+    /// Sets or clears a breakpoint.
+    pub fn toggle_breakpoint(&mut self, place: BlockPlace) {
+        if !self.breakpoints.remove(&place) {
+            self.breakpoints.insert(place);
+        }
+    }
+
+    /// The blocks that have a breakpoint.
+    pub const fn breakpoints(&self) -> &BTreeSet<BlockPlace> {
+        &self.breakpoints
+    }
+
+    /// All parameters that have a value now.
+    pub const fn variables(&self) -> &Variables {
+        self.run.values.all()
+    }
+
+    /// The parameters that the last block has set.
+    pub fn changed(&self) -> &[Parameter] {
+        self.run.values.changed()
+    }
+
+    /// The block that is run next.
+    pub fn place(&self) -> BlockPlace {
+        self.run.flow.place_of(self.run.flow.next())
+    }
+
+    /// The program that is running.
+    pub const fn current(&self) -> &Arc<Program> {
+        self.run.flow.program()
+    }
+
+    /// A program that has been loaded.
+    pub fn program(&self, path: &NcPath) -> Option<&Arc<Program>> {
+        self.files.loaded(path)
+    }
+
+    /// The calls that lead here, the outermost first.
+    pub fn calls(&self) -> &[Call] {
+        self.run.flow.calls()
+    }
+
+    /// What FN 16 has shown, in order; `SCLR:` closes windows.
+    pub fn windows(&self) -> &[Window] {
+        self.run.prints.windows()
+    }
+
+    /// What FN 16 has printed to files, in order.
+    pub fn outputs(&self) -> &[Written] {
+        self.run.prints.outputs()
+    }
+
+    /// What the cycles have found, in order.
+    pub fn cycles(&self) -> &[CycleRun] {
+        self.run.cycles.runs()
+    }
+
+    /// The way of the ball's centre so far.
+    pub fn path(&self) -> &[Travel] {
+        self.run.way.travels()
+    }
+
+    /// Where the ball's centre stands, mm, in X, Y and Z as far as it is known.
+    pub const fn position(&self) -> [Option<f64>; 3] {
+        self.run.way.position()
+    }
+
+    /// What is worth knowing, in order.
+    pub fn remarks(&self) -> &[(BlockPlace, Remark)] {
+        self.run.remarks.list()
+    }
+
+    /// How many remarks are not listed.
+    pub const fn unlisted_remarks(&self) -> usize {
+        self.run.remarks.unlisted()
+    }
+
+    /// How many blocks were run.
+    pub const fn blocks_run(&self) -> u64 {
+        self.run.blocks
+    }
+
+    /// The table that is open.
+    pub fn table(&self) -> Option<&NcPath> {
+        self.run.tables.path()
+    }
+
+    /// Whether the run is over, by its end or by a fault.
+    pub const fn is_over(&self) -> bool {
+        !matches!(self.state, State::Ready)
+    }
+
+    /// The worst status of the cycles that judged.
+    pub fn status(&self) -> Option<Status> {
+        self.cycles().iter().filter_map(|run| run.result.status).max()
+    }
+
+    /// The settings of the run.
+    pub const fn settings(&self) -> &Settings {
+        &self.settings
+    }
+}
