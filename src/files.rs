@@ -9,62 +9,43 @@ use std::path::{Path, PathBuf};
 
 pub use folder::{make_folder, write_folder, write_new};
 
-use crate::message::{Message, Say};
+use crate::message::Say;
 
 /// The largest file that is read whole, 64 MiB: a table, a mask or a log is a thousandth of that.
 pub const LARGEST: u64 = 64 << 20;
 
 /// Why a file could not be read or written.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "file", error)]
 pub enum FileError {
     /// The path is a folder.
-    #[error("this is a folder, not a file: {}", path.display())]
     IsFolder {
         /// The path.
         path: PathBuf,
     },
     /// There is nothing at the path.
-    #[error("no such file or folder: {}", path.display())]
     Missing {
         /// The path.
         path: PathBuf,
     },
     /// There is something at the path already.
-    #[error("there is such a file or folder already: {}", path.display())]
     Exists {
         /// The path.
         path: PathBuf,
     },
     /// The file is larger than [`LARGEST`].
-    #[error("the file is larger than {} MiB: {}", LARGEST >> 20, path.display())]
+    #[say(args(limit = LARGEST >> 20))]
     TooLarge {
         /// The path.
         path: PathBuf,
     },
     /// The system said no.
-    #[error("{reason}: {}", path.display())]
     System {
         /// What the system says.
         reason: String,
         /// The path.
         path: PathBuf,
     },
-}
-
-impl Say for FileError {
-    fn message(&self) -> Message {
-        match self {
-            Self::IsFolder { path } => Message::new("file-is-folder").text("path", path.display()),
-            Self::Missing { path } => Message::new("file-missing").text("path", path.display()),
-            Self::Exists { path } => Message::new("file-exists").text("path", path.display()),
-            Self::TooLarge { path } => {
-                Message::new("file-too-large").text("limit", LARGEST >> 20).text("path", path.display())
-            }
-            Self::System { reason, path } => {
-                Message::new("file-system").text("reason", reason).text("path", path.display())
-            }
-        }
-    }
 }
 
 /// The error of a path from what the system says.
@@ -141,22 +122,6 @@ pub fn set_aside(path: &Path) -> Result<PathBuf, FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::words::{Language, Words};
-
-    #[test]
-    fn every_error_is_said_in_english_and_in_dutch() {
-        let path = || PathBuf::from("folder/own.tab");
-        for error in [
-            FileError::IsFolder { path: path() },
-            FileError::Missing { path: path() },
-            FileError::Exists { path: path() },
-            FileError::TooLarge { path: path() },
-            FileError::System { reason: "permission denied".to_owned(), path: path() },
-        ] {
-            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-            assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
-        }
-    }
 
     #[test]
     fn a_written_file_is_whole_and_leaves_nothing_beside_it() {

@@ -1,13 +1,13 @@
 //! What was checked, when, with which limits and by which rule.
 //!
 //! A record holds the whole way from callout to verdict, so that a report made next year says the same as the screen
-//! today. Nothing is decided here.
+//! today.
 
 use jiff::civil::DateTime;
 
 use crate::probing::Measurement;
 use crate::tolerance::{Callout, Limits};
-use crate::verdict::{Doubt, Verdict};
+use crate::verdict::{Doubt, PositionVerdict, Verdict, doubt, judge};
 
 /// One check.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,4 +26,21 @@ pub struct Record {
     pub verdict: Verdict,
     /// A measured value that may be another quantity.
     pub doubt: Option<Doubt>,
+}
+
+impl Record {
+    /// A check of a measurement, and of the centre's position where it was measured: judged by the control's default
+    /// rule, and a value that may be another quantity doubted.
+    pub fn judged(
+        time: DateTime,
+        id: String,
+        callout: Option<Callout>,
+        limits: Limits,
+        measurement: Measurement,
+        position: Option<PositionVerdict>,
+    ) -> Self {
+        let measured = measurement.diameter;
+        let (verdict, doubt) = (judge(&limits, measured, position), doubt(limits.nominal, measured));
+        Self { time, id, callout, limits, measurement, verdict, doubt }
+    }
 }

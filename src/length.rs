@@ -236,6 +236,12 @@ impl Length {
         text
     }
 
+    /// Micrometres exactly, with a sign unless zero: `+21`, `-7.5`, `0`.
+    pub fn signed_um(self) -> String {
+        let plus = if Self::ZERO < self { "+" } else { "" };
+        format!("{plus}{}", self.exact(Unit::Micrometre, 0))
+    }
+
     /// The number in `unit` with exactly so many decimals, rounded half away from zero, with a point.
     pub fn rounded(self, unit: Unit, decimals: usize) -> String {
         let magnitude = i128::from(self.0).unsigned_abs();
@@ -401,17 +407,6 @@ mod tests {
         assert!(Length::from_mm_f64(f64::NAN).is_err());
         assert!(Length::from_mm_f64(f64::INFINITY).is_err());
         assert!(Length::from_mm_f64(1.000_000_1e9).is_err());
-    }
-
-    #[test]
-    fn every_error_is_said_in_english_and_in_dutch() {
-        use crate::words::{Language, Words};
-        for text in ["", "NaN", "1.234,5", "25.0000001", "99999999999999999999"] {
-            let error = Length::from_str(text).unwrap_err();
-            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-            let dutch = Words::new(Language::Nl).told(&error);
-            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
-        }
     }
 
     #[test]

@@ -9,6 +9,7 @@ use super::{CliError, Io, Refused as _};
 use crate::control::deviations::read_folder;
 use crate::control::shipped_tables;
 use crate::tolerance::{Base, Sources, iso286};
+use crate::words::Dialogue;
 
 /// One of some values that have names: clap lists the names, the program gets the value.
 pub(super) fn one_of<T: Clone + Send + Sync + 'static>(
@@ -19,6 +20,11 @@ pub(super) fn one_of<T: Clone + Send + Sync + 'static>(
     let names = PossibleValuesParser::new(all.iter().map(name).collect::<Vec<_>>());
     // Names that are not listed have been refused before.
     names.try_map(move |given| all.iter().find(|one| name(one) == given).cloned().ok_or(std::fmt::Error))
+}
+
+/// A language of the control's dialogue, by its code.
+pub(super) fn dialogue() -> impl TypedValueParser<Value = Dialogue> {
+    one_of(Dialogue::ALL, |dialogue| dialogue.code())
 }
 
 /// How a result is printed.

@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use clap::builder::PossibleValuesParser;
-
+use super::args::dialogue;
 use super::{CliError, Format, Io, Note, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::control::mask::Mask;
 use crate::control::status::status_window;
@@ -17,7 +16,7 @@ use crate::probing::simulated::{Machine, Probe, Workpiece};
 use crate::probing::{Measurement, Origin};
 use crate::report::{csv, json};
 use crate::tolerance::{Callout, Feature, Limits, LimitsError, Source};
-use crate::verdict::{self, Status, doubt};
+use crate::verdict::Status;
 use crate::words::Dialogue;
 
 const EXAMPLES: &str = "Examples:
@@ -49,8 +48,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "LANGUAGE|FILE")]
     mask: Option<MaskArg>,
     /// Language of the status words and of L_ sections in your own mask; without --mask also of the mask
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Dialogue::ALL.map(Dialogue::code)))]
-    language: String,
+    #[arg(long, default_value = "en", value_parser = dialogue())]
+    language: Dialogue,
     /// text prints the mask's text and nothing else
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -125,15 +124,8 @@ impl Args {
         }
         let measurement = self.measurement(&limits, io)?;
         let measured = measurement.diameter;
-        let record = Record {
-            time: super::now(),
-            id: String::new(),
-            callout: Some(callout.of_part(limits.feature)),
-            verdict: verdict::judge(&limits, measured, None),
-            doubt: doubt(limits.nominal, measured),
-            limits,
-            measurement,
-        };
+        let callout = callout.of_part(limits.feature);
+        let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None);
         let status = record.verdict.status();
         if unstated && (status == Status::Rework || status == Status::Scrap) {
             let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());
@@ -169,7 +161,7 @@ impl Args {
     }
 
     fn print_window(&self, record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
-        let language = Dialogue::from_code(&self.language).unwrap_or_default();
+        let language = self.language;
         let text = match self.mask.as_ref().unwrap_or(&MaskArg::Shipped(language)) {
             MaskArg::Shipped(language) => status_window(record, *language, None).said()?,
             MaskArg::Own(path) => {

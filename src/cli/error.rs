@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::limits::lines::LONGEST_LINE;
+use super::answers::LONGEST_LINE;
 use crate::files::FileError;
 use crate::length::Length;
 use crate::message::{Arg, IntoArg, Message, Say};
@@ -11,7 +11,7 @@ use crate::tolerance::LimitsError;
 /// Why a subcommand could not do its work.
 #[derive(Debug, Say)]
 #[say(prefix = "cli", error)]
-pub enum CliError {
+pub(super) enum CliError {
     /// Standard input or output failed.
     Stream(
         #[from]
@@ -25,45 +25,22 @@ pub enum CliError {
     #[say(transparent)]
     Said(Message),
     /// What a room says, and what it is about: a file, an option, a callout.
-    About {
-        /// What stands before the colon.
-        what: Arg,
-        /// What the room says.
-        error: Message,
-    },
+    About { what: Arg, error: Message },
     /// An answer that cannot be written as CSV or JSON.
     Output(String),
 
     /// A measured diameter of zero or less.
-    NotAboveZero {
-        /// In mm.
-        diameter: Length,
-    },
+    NotAboveZero { diameter: Length },
     /// A line of standard input beyond the bound of the reader.
     #[say(args(limit = LONGEST_LINE))]
     LineTooLong,
     /// A file that is read well and has no deviations.
-    NotATable {
-        /// The file.
-        name: String,
-    },
+    NotATable { name: String },
 
     /// Hole or shaft has to be said.
-    AddFeature {
-        /// What cannot be said without.
-        error: LimitsError,
-    },
+    AddFeature { error: LimitsError },
     /// Outside the limits, and rework or scrap depends on hole or shaft.
-    ReworkOrScrap {
-        /// The callout as it was given.
-        asked: Arg,
-        /// In mm.
-        measured: Length,
-        /// In mm.
-        minimum: Length,
-        /// In mm.
-        maximum: Length,
-    },
+    ReworkOrScrap { asked: Arg, measured: Length, minimum: Length, maximum: Length },
 
     /// Measured parts for several fits.
     PartsOfSeveral,
@@ -75,117 +52,51 @@ pub enum CliError {
     SearchWithoutClearance,
 
     /// The file of a control table has another ending.
-    TableEnding {
-        /// The file.
-        path: PathBuf,
-    },
+    TableEnding { path: PathBuf },
     /// A file's ending is none of its format.
-    FormatEnding {
-        /// The file.
-        path: PathBuf,
-        /// The format's name.
-        format: &'static str,
-        /// Its endings, without the first point.
-        endings: String,
-    },
+    FormatEnding { path: PathBuf, format: &'static str, endings: String },
     /// Several tables for one file.
     SeveralTables,
 
     /// `--format` asks for another format than the file's ending.
-    ReportFormat {
-        /// The format's name.
-        format: &'static str,
-        /// The file.
-        file: PathBuf,
-    },
+    ReportFormat { format: &'static str, file: PathBuf },
     /// No check could be used.
     ReportEmpty,
 
     /// Inputs of a cycle that are no JSON object.
-    NotAnObject {
-        /// What the parser says.
-        error: String,
-    },
+    NotAnObject { error: String },
     /// An input of a cycle that is neither number nor text.
-    NotAnInput {
-        /// The parameter.
-        name: String,
-        /// What was given.
-        value: String,
-    },
+    NotAnInput { name: String, value: String },
     /// An input of a cycle that stands twice in a file.
-    GivenTwice {
-        /// The parameter.
-        name: String,
-    },
+    GivenTwice { name: String },
     /// An input of a cycle that is set twice.
-    SetTwice {
-        /// The parameter.
-        name: String,
-    },
+    SetTwice { name: String },
     /// The block of another cycle.
-    OtherCycle {
-        /// The block's.
-        given: &'static str,
-        /// The one that was asked for.
-        wanted: &'static str,
-    },
+    OtherCycle { given: &'static str, wanted: &'static str },
     /// A parameter that PREDEF cannot stand for, or none.
-    NotPredef {
-        /// What was given.
-        name: String,
-    },
+    NotPredef { name: String },
     /// A probe that the touch-probe table lacks.
-    NoProbe {
-        /// Its number.
-        number: u32,
-    },
+    NoProbe { number: u32 },
     /// A parameter without its value.
-    NotAPair {
-        /// What was given.
-        text: String,
-    },
+    NotAPair { text: String },
     /// A position that is not three numbers.
-    NotAPosition {
-        /// What was given.
-        text: String,
-    },
+    NotAPosition { text: String },
 
     /// A value of `--set` that is no decimal number.
     NotANumber,
     /// A folder that is not there.
-    NoFolder {
-        /// The folder.
-        path: PathBuf,
-    },
+    NoFolder { path: PathBuf },
     /// A program that is neither there nor built in.
-    NoProgram {
-        /// Which file is missing.
-        error: FileError,
-        /// The built-in ones.
-        names: String,
-    },
+    NoProgram { error: FileError, names: String },
 
     /// An option of a single callout beside a plan.
-    OptionBesidePlan {
-        /// The option without its dashes.
-        option: &'static str,
-    },
+    OptionBesidePlan { option: &'static str },
     /// An option that a single callout needs.
-    OptionMissing {
-        /// The option without its dashes.
-        option: &'static str,
-    },
+    OptionMissing { option: &'static str },
     /// A control that has no sets.
-    NoControl {
-        /// What was given.
-        name: String,
-    },
+    NoControl { name: String },
     /// A file that is there already.
-    UseForce {
-        /// Which.
-        error: FileError,
-    },
+    UseForce { error: FileError },
 }
 
 /// What an error is about, where it is no file and no callout.
@@ -215,10 +126,7 @@ pub(super) enum What<'a> {
     /// `--max-clearance`
     LargestClearance,
     /// The size of a search.
-    NominalSize {
-        /// As it was given.
-        text: &'a str,
-    },
+    NominalSize { text: &'a str },
     /// The simulated workpiece's diameter.
     TrueDiameter,
     /// The simulated workpiece.
@@ -230,24 +138,13 @@ pub(super) enum What<'a> {
     /// An end of a size range.
     Size,
     /// A measuring cycle.
-    Cycle {
-        /// Its name on a control.
-        code: &'a str,
-    },
+    Cycle { code: &'a str },
     /// The measuring log.
     Log,
     /// An option.
-    Option {
-        /// Its name without dashes.
-        name: &'a str,
-    },
+    Option { name: &'a str },
     /// A parameter that is set before a run.
-    Set {
-        /// The parameter.
-        name: &'a str,
-        /// Its value.
-        value: &'a str,
-    },
+    Set { name: &'a str, value: &'a str },
 }
 
 impl From<serde_json::Error> for CliError {

@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `answer` | what there is to say about one fit |
-//! | `figures`, `columns` | the same in figures: the names that CSV and JSON share |
+//! | `figures` | the same in figures: the names that CSV and JSON share |
 //! | `text` | the same for people |
 //! | `heat` | materials and temperatures |
 //! | `reverse` | from a wanted clearance or a function to classes |
@@ -11,29 +11,22 @@
 //! Callouts are answered one by one, so that memory stays the same however many come.
 
 mod answer;
-mod columns;
 mod figures;
 mod heat;
 mod reverse;
 mod text;
 
-use std::fmt::Display;
-use std::io::{BufRead, ErrorKind};
+use std::io::{ErrorKind, Write};
 
-use answer::{Answer, Measured};
-use columns::COLUMNS;
+use answer::Answer;
 use figures::Figures;
 
-use super::limits::lines::{Found, Line};
-use super::limits::printable;
-use super::{CliError, Format, Io, Note, Outcome, Refused as _, TableArgs, What, diameter};
-use crate::control::text::decode;
+use super::answers::{Answerer, Answers, Asked};
+use super::{CliError, Format, Io, Outcome, Refused as _, TableArgs, What, diameter};
 use crate::length::Length;
-use crate::tolerance::{Feature, Sources};
+use crate::report::columns::names;
+use crate::tolerance::Sources;
 use crate::verdict::{Status, doubt};
-
-/// How much of a line that is too long is shown.
-const SHOWN: usize = 40;
 
 const HELP: &str = "\
 Examples:
@@ -112,194 +105,72 @@ impl Args {
             return self.reverse.run(&self.callouts, &sources, self.format, io);
         }
         let part = |text: &Option<String>, what| text.as_ref().map(|text| diameter(text, what)).transpose();
-        let measured =
-            Parts { hole: part(&self.hole, What::MeasuredHole)?, shaft: part(&self.shaft, What::MeasuredShaft)? };
+        let (hole, shaft) = (part(&self.hole, What::MeasuredHole)?, part(&self.shaft, What::MeasuredShaft)?);
         let is_one = matches!(self.callouts.as_slice(), [one] if one != "-");
-        if !is_one && (measured.hole.is_some() || measured.shaft.is_some()) {
+        if !is_one && (hole.is_some() || shaft.is_some()) {
             return Err(CliError::PartsOfSeveral);
         }
-        let asked = Asked { sources: &sources, heat: self.heat.load()?, measured };
-        let mut printer = Printer::new(self.format, is_one);
-        match (self.answer(&asked, &mut printer, io), printer.worst) {
+        let given = Given { sources: &sources, heat: self.heat.load()?, hole, shaft };
+        let mut fits = Fits { given, worst: None };
+        match (
+            Answers::print((self.format, is_one), &names(&Figures::COLUMNS), &self.callouts, &mut fits, io),
+            fits.worst,
+        ) {
             // Nobody listens, but the verdict stands.
             (Err(CliError::Stream(error)), Some(worst)) if error.kind() == ErrorKind::BrokenPipe => {
                 Ok(Outcome::Judged(worst))
             }
-            (outcome, _) => outcome,
-        }
-    }
-
-    fn answer(&self, asked: &Asked<'_>, printer: &mut Printer, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        printer.begin(io)?;
-        for callout in &self.callouts {
-            if callout == "-" {
-                answer_lines(asked, printer, io)?;
-            } else {
-                printer.answer(asked, &printable(callout), None, io)?;
+            (all_answered, worst) => {
+                Ok(if all_answered? { worst.map_or(Outcome::Done, Outcome::Judged) } else { Outcome::BadData })
             }
         }
-        printer.finish(io)
     }
 }
 
-/// The measured diameters.
-#[derive(Debug, Clone, Copy)]
-struct Parts {
+/// What is asked about every callout.
+struct Given<'a> {
+    sources: &'a Sources,
+    heat: Option<heat::Heat>,
+    /// The measured diameters.
     hole: Option<Length>,
     shaft: Option<Length>,
 }
 
-/// What is asked about every callout.
-struct Asked<'a> {
-    sources: &'a Sources,
-    heat: Option<heat::Heat>,
-    measured: Parts,
-}
-
-impl Asked<'_> {
-    fn answer(&self, callout: &str) -> Result<Answer<'_>, CliError> {
-        Answer::of(callout.parse().said()?, self).said()
-    }
-}
-
-/// Answers every line of the input; what is answered is out before the next wait for input.
-fn answer_lines(asked: &Asked<'_>, printer: &mut Printer, io: &mut Io<'_>) -> Result<(), CliError> {
-    let mut line = Line::default();
-    for number in 1_usize.. {
-        let (input, out): (&mut dyn BufRead, _) = (&mut *io.input, &mut *io.out);
-        match line.read(input, || out.flush())? {
-            Found::End => break,
-            Found::Whole => printer.answer(asked, &printable(&decode(&line.bytes)), Some(number), io)?,
-            Found::TooLong => {
-                let beginning: String = printable(&decode(&line.bytes)).chars().take(SHOWN).collect();
-                printer.refuse(&format!("{beginning}…"), &CliError::LineTooLong, Some(number), io)?;
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Prints answers in one of the three formats and remembers how they ended.
-struct Printer {
-    format: Format,
-    is_one: bool,
-    answered: usize,
-    refused: usize,
+/// Answers with fits.
+struct Fits<'a> {
+    given: Given<'a>,
     /// The worst status of measured parts.
     worst: Option<Status>,
 }
 
-impl Printer {
-    const fn new(format: Format, is_one: bool) -> Self {
-        Self { format, is_one, answered: 0, refused: 0, worst: None }
-    }
+impl Answerer for Fits<'_> {
+    type Row<'a> = Figures<'a>;
 
-    fn begin(&self, io: &mut Io<'_>) -> Result<(), CliError> {
-        match self.format {
-            Format::Csv => csv_line(COLUMNS, io),
-            Format::Json if !self.is_one => Ok(io.out.write_all(b"[")?),
-            Format::Json | Format::Text => Ok(()),
-        }
-    }
-
-    fn answer(
-        &mut self,
-        asked: &Asked<'_>,
-        callout: &str,
-        line: Option<usize>,
-        io: &mut Io<'_>,
-    ) -> Result<(), CliError> {
-        let callout = callout.trim();
-        let answer = match asked.answer(callout) {
+    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) -> Result<(), CliError> {
+        let answer = asked.callout.parse().said().and_then(|callout| Answer::of(callout, &self.given).said());
+        let answer = match answer {
             Ok(answer) => answer,
-            Err(error) => return self.refuse(callout, &error, line, io),
+            Err(error) => return answers.refuse::<Self>(asked, &error, io),
         };
         self.worst = self.worst.max(answer.measured.status());
-        warn(&answer, io)?;
-        match self.format {
-            Format::Text => {
-                if 0 < self.answered {
-                    writeln!(io.out)?;
-                }
-                text::write(io.out, &answer)?;
+        for (name, measured) in [(What::Hole, self.given.hole), (What::Shaft, self.given.shaft)] {
+            if let Some(doubt) = measured.and_then(|measured| doubt(answer.fit.nominal(), measured)) {
+                io.warn_about(&name, &doubt)?;
             }
-            Format::Csv | Format::Json => self.row(&Figures::of(callout, &answer), io)?,
         }
-        self.answered += 1;
-        Ok(())
-    }
-
-    fn refuse(
-        &mut self,
-        callout: &str,
-        error: &impl Display,
-        line: Option<usize>,
-        io: &mut Io<'_>,
-    ) -> Result<(), CliError> {
-        if self.format == Format::Text {
-            // What was answered before stands before it on a screen, too.
-            io.out.flush()?;
-            match line {
-                Some(line) if callout.is_empty() => io.tell(format_args!("line {line}: {error}"))?,
-                _ if callout.is_empty() => io.tell(format_args!("\"\": {error}"))?,
-                _ => io.tell(format_args!("{callout}: {error}"))?,
+        if !answers.is_text() {
+            return answers.figures(&Figures::of(asked.callout, &answer), io);
+        }
+        let write = |out: &mut dyn Write, is_first: bool| {
+            if !is_first {
+                writeln!(out)?;
             }
-        } else {
-            self.row(&Figures::refused(callout, error.to_string()), io)?;
-        }
-        self.answered += 1;
-        self.refused += 1;
-        Ok(())
+            text::write(out, &answer)
+        };
+        answers.text(write, io)
     }
 
-    /// A line of CSV or an object of JSON.
-    fn row(&self, figures: &Figures<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
-        if self.format == Format::Csv {
-            return csv_line(figures.columns(), io);
-        }
-        if self.is_one {
-            serde_json::to_writer_pretty(&mut *io.out, figures)?;
-            return Ok(writeln!(io.out)?);
-        }
-        io.out.write_all(if self.answered == 0 { b"\n  " } else { b",\n  " })?;
-        Ok(serde_json::to_writer(&mut *io.out, figures)?)
+    fn refused(callout: &str, error: String) -> Figures<'_> {
+        Figures::refused(callout, error)
     }
-
-    fn finish(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        if self.format == Format::Json && !self.is_one {
-            io.out.write_all(if self.answered == 0 { b"]\n" } else { b"\n]\n" })?;
-        }
-        io.out.flush()?;
-        if self.refused == 0 {
-            return Ok(self.worst.map_or(Outcome::Done, Outcome::Judged));
-        }
-        if self.format != Format::Text {
-            io.tell(Note::Refused { refused: self.refused, asked: self.answered })?;
-        }
-        Ok(Outcome::BadData)
-    }
-}
-
-/// What is odd about a measured diameter.
-fn warn(answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
-    let (hole, shaft) = match answer.measured {
-        Measured::None => (None, None),
-        Measured::One(part) if part.feature == Feature::Hole => (Some(part.measured), None),
-        Measured::One(part) => (None, Some(part.measured)),
-        Measured::Both(actual) => (Some(actual.hole), Some(actual.shaft)),
-    };
-    for (name, measured) in [(What::Hole, hole), (What::Shaft, shaft)] {
-        if let Some(doubt) = measured.and_then(|measured| doubt(answer.fit.nominal(), measured)) {
-            io.warn_about(&name, &doubt)?;
-        }
-    }
-    Ok(())
-}
-
-fn csv_line<T: AsRef<[u8]>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) -> Result<(), CliError> {
-    // Into memory first: the writer's own flush would reach the stream line by line.
-    let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
-    writer.write_record(cells)?;
-    let line = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-    Ok(io.out.write_all(&line)?)
 }

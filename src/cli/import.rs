@@ -10,6 +10,7 @@ use jiff::civil::DateTime;
 use super::{CliError, Format, Io, Outcome, TableArgs, note};
 use crate::exchange::{FORMATS, Imported, import};
 use crate::files;
+use crate::report::columns::names;
 use crate::verdict::Status;
 use print::Printer;
 use row::Row;
@@ -37,7 +38,7 @@ pub(super) struct Args {
 fn help() -> String {
     let formats = FORMATS.iter().map(|format| {
         let endings: Vec<String> = format.endings.iter().map(|ending| format!(".{ending}")).collect();
-        format!("  {:<14}{} ({})\n", format.name, format.description, endings.join(" "))
+        format!("  {:<14}{} ({})\n", format.name, format, endings.join(" "))
     });
     let largest = files::LARGEST >> 20;
     format!(
@@ -61,7 +62,7 @@ Examples:
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
 it is 1 where any row or file could not be used or not be judged. Files are read up to {largest} MiB.",
         formats.collect::<String>(),
-        row::COLUMNS.join(","),
+        names(&row::COLUMNS).join(","),
     )
 }
 
@@ -105,8 +106,9 @@ impl Args {
 
 /// Warnings about the whole file; those of a row stand beside it.
 fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> Result<(), CliError> {
-    for warning in imported.warnings.iter().filter(|warning| warning.row.is_none()) {
-        io.tell(format_args!("{}:{}: {}", path.display(), warning.line, note::warning(&warning.reason)))?;
+    for warning in imported.warnings.iter().filter(|warning| warning.what.row.is_none()) {
+        let line = warning.place.line.unwrap_or(1);
+        io.tell(format_args!("{}:{line}: {}", path.display(), note::warning(&warning.what.reason)))?;
     }
     Ok(())
 }

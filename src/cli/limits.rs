@@ -1,21 +1,12 @@
 //! `fitcheck limits`: limits of size of one callout or of a stream of them.
-//!
-//! Answers one by one, so that memory stays the same however many callouts come.
 
-pub(super) mod lines;
+use std::io::Write;
 
-use std::fmt::Display;
-use std::io::{BufRead, Write};
-
-use lines::{Found, Line};
-
-use super::{CliError, Figure, Format, Io, Note, Outcome, TableArgs, heard_or_not};
-use crate::control::text::decode;
+use super::answers::{Answerer, Answers, Asked, Cells};
+use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
 use crate::length::{Length, Unit};
+use crate::report::columns::{self, Cell as _, Column};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
-
-/// How much of a line that is too long is shown.
-const SHOWN: usize = 40;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -47,34 +38,21 @@ pub(super) struct Args {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
-        let Io { input, out, err } = io;
-        let mut answers = Answers::new(&sources, self.format, &mut **out, &mut **err)?;
-        for callout in &self.callouts {
-            if callout == "-" {
-                answers.answer_lines(&mut **input)?;
-            } else {
-                answers.answer(&printable(callout), None)?;
-            }
-        }
-        answers.finish()
+        let all_answered = Answers::print(
+            (self.format, false),
+            &columns::names(&Row::COLUMNS),
+            &self.callouts,
+            &mut LimitsOf(&sources),
+            io,
+        )?;
+        Ok(if all_answered { Outcome::Done } else { Outcome::BadData })
     }
 }
 
-/// Everything that is printed, in one of the three formats.
-struct Answers<'a> {
-    sources: &'a Sources,
-    printer: Printer<'a>,
-    err: &'a mut dyn Write,
-    answered: usize,
-    refused: usize,
-}
+/// Answers with limits of size.
+struct LimitsOf<'a>(&'a Sources);
 
-enum Printer<'a> {
-    Text(&'a mut dyn Write),
-    // Boxed for its buffer.
-    Csv(Box<csv::Writer<&'a mut dyn Write>>),
-    Json(&'a mut dyn Write),
-}
+/// The columns of CSV, in order.
 
 /// A line of CSV or an object of JSON.
 #[derive(Debug, Default, serde::Serialize)]
@@ -90,6 +68,18 @@ struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
+    /// The columns of CSV.
+    const COLUMNS: [Column<Self>; 8] = [
+        ("callout", |row| row.callout.cell()),
+        ("nominal_mm", |row| row.nominal_mm.cell()),
+        ("lower_um", |row| row.lower_um.cell()),
+        ("upper_um", |row| row.upper_um.cell()),
+        ("min_mm", |row| row.min_mm.cell()),
+        ("max_mm", |row| row.max_mm.cell()),
+        ("source", |row| row.source.cell()),
+        ("error", |row| row.error.cell()),
+    ];
+
     fn of(callout: &'a str, limits: &Limits) -> Self {
         let mm = |length: Length, decimals| Some(Figure(length.exact(Unit::Millimetre, decimals)));
         let um = |length: Length| Some(Figure(length.exact(Unit::Micrometre, 0)));
@@ -104,19 +94,11 @@ impl<'a> Row<'a> {
             error: None,
         }
     }
+}
 
-    fn write_csv(&self, writer: &mut csv::Writer<&mut dyn Write>) -> Result<(), csv::Error> {
-        let figure = |figure: &'_ Option<Figure>| figure.as_ref().map(|figure| figure.0.clone()).unwrap_or_default();
-        writer.write_record([
-            self.callout,
-            &figure(&self.nominal_mm),
-            &figure(&self.lower_um),
-            &figure(&self.upper_um),
-            &figure(&self.min_mm),
-            &figure(&self.max_mm),
-            self.source.as_deref().unwrap_or_default(),
-            self.error.as_deref().unwrap_or_default(),
-        ])
+impl Cells for Row<'_> {
+    fn cells(&self) -> Vec<String> {
+        columns::cells(&Self::COLUMNS, self).collect()
     }
 }
 
@@ -132,144 +114,46 @@ pub(super) fn source(source: &Source) -> String {
 
 /// `0 / +21`
 pub(super) fn lower_and_upper(deviations: &Deviations) -> String {
-    let signed = |length: Length| {
-        let plus = if Length::ZERO < length { "+" } else { "" };
-        format!("{plus}{}", length.exact(Unit::Micrometre, 0))
-    };
-    format!("{} / {}", signed(deviations.lower()), signed(deviations.upper()))
+    format!("{} / {}", deviations.lower().signed_um(), deviations.upper().signed_um())
 }
 
-impl<'a> Answers<'a> {
-    fn new(
-        sources: &'a Sources,
-        format: Format,
-        out: &'a mut dyn Write,
-        err: &'a mut dyn Write,
-    ) -> Result<Self, CliError> {
-        let printer = match format {
-            Format::Text => Printer::Text(out),
-            Format::Csv => {
-                let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(out);
-                let names = ["callout", "nominal_mm", "lower_um", "upper_um", "min_mm", "max_mm", "source", "error"];
-                writer.write_record(names)?;
-                Printer::Csv(Box::new(writer))
-            }
-            Format::Json => {
-                out.write_all(b"[")?;
-                Printer::Json(out)
-            }
-        };
-        Ok(Self { sources, printer, err, answered: 0, refused: 0 })
-    }
+impl Answerer for LimitsOf<'_> {
+    type Row<'a> = Row<'a>;
 
-    /// Answers every line of the input. What is answered is out before the next wait for input, so that another
-    /// program can ask line by line.
-    fn answer_lines(&mut self, input: &mut dyn BufRead) -> Result<(), CliError> {
-        let mut line = Line::default();
-        for number in 1_usize.. {
-            match line.read(input, || self.printer.flush())? {
-                Found::End => break,
-                Found::Whole => self.answer(&printable(&decode(&line.bytes)), Some(number))?,
-                Found::TooLong => {
-                    let beginning: String = printable(&decode(&line.bytes)).chars().take(SHOWN).collect();
-                    self.refuse(&format!("{beginning}…"), &CliError::LineTooLong, Some(number))?;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn answer(&mut self, callout: &str, line: Option<usize>) -> Result<(), CliError> {
-        let callout = callout.trim();
-        let parsed: Callout = match callout.parse() {
-            Ok(parsed) => parsed,
-            Err(error) => return self.refuse(callout, &error, line),
+    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) -> Result<(), CliError> {
+        let callout: Callout = match asked.callout.parse() {
+            Ok(callout) => callout,
+            Err(error) => return answers.refuse::<Self>(asked, &error, io),
         };
-        if !matches!(parsed.tolerance(), Tolerance::Fit { .. }) {
-            return self.answer_part(callout, parsed, line);
+        if !matches!(callout.tolerance(), Tolerance::Fit { .. }) {
+            return self.answer_part(asked, callout, answers, io);
         }
         // A fit is two sizes: the hole's answer, then the shaft's.
         for feature in [Feature::Hole, Feature::Shaft] {
-            let part = parsed.of_part(feature);
-            self.answer_part(&part.to_string(), part, line)?;
+            let part = callout.of_part(feature);
+            self.answer_part(Asked { callout: &part.to_string(), ..asked }, part, answers, io)?;
         }
         Ok(())
     }
 
-    fn answer_part(&mut self, asked: &str, callout: Callout, line: Option<usize>) -> Result<(), CliError> {
-        let limits = match self.sources.size_limits(&callout) {
-            Ok(limits) => limits,
-            Err(error) => return self.refuse(asked, &error, line),
-        };
-        match &mut self.printer {
-            Printer::Text(out) => write_text(*out, &callout, &limits)?,
-            printer => printer.row(self.answered, &Row::of(asked, &limits))?,
-        }
-        self.answered += 1;
-        Ok(())
-    }
-
-    fn refuse(&mut self, callout: &str, error: &impl Display, line: Option<usize>) -> Result<(), CliError> {
-        match &mut self.printer {
-            Printer::Text(out) => {
-                // What was answered before stands before it on a screen, too.
-                out.flush()?;
-                heard_or_not(match line {
-                    Some(line) if callout.is_empty() => writeln!(self.err, "line {line}: {error}"),
-                    _ if callout.is_empty() => writeln!(self.err, "\"\": {error}"),
-                    _ => writeln!(self.err, "{callout}: {error}"),
-                })?;
-            }
-            printer => {
-                let row = Row { callout, error: Some(error.to_string()), ..Row::default() };
-                printer.row(self.answered, &row)?;
-            }
-        }
-        self.answered += 1;
-        self.refused += 1;
-        Ok(())
-    }
-
-    fn finish(self) -> Result<Outcome, CliError> {
-        let is_text = matches!(self.printer, Printer::Text(_));
-        self.printer.finish(self.answered)?;
-        if self.refused == 0 {
-            return Ok(Outcome::Done);
-        }
-        if !is_text {
-            let note = Note::Refused { refused: self.refused, asked: self.answered };
-            heard_or_not(writeln!(self.err, "{note}"))?;
-        }
-        Ok(Outcome::BadData)
+    fn refused(callout: &str, error: String) -> Row<'_> {
+        Row { callout, error: Some(error), ..Row::default() }
     }
 }
 
-impl Printer<'_> {
-    /// A line of CSV or an object of JSON; `before` counts those before it.
-    fn row(&mut self, before: usize, row: &Row<'_>) -> Result<(), CliError> {
-        match self {
-            Self::Text(_) => {}
-            Self::Csv(writer) => row.write_csv(writer)?,
-            Self::Json(out) => {
-                out.write_all(if before == 0 { b"\n  " } else { b",\n  " })?;
-                serde_json::to_writer(&mut **out, row)?;
-            }
+impl LimitsOf<'_> {
+    fn answer_part(
+        &self,
+        asked: Asked<'_>,
+        callout: Callout,
+        answers: &mut Answers,
+        io: &mut Io<'_>,
+    ) -> Result<(), CliError> {
+        match self.0.size_limits(&callout) {
+            Err(error) => answers.refuse::<Self>(asked, &error, io),
+            Ok(limits) if answers.is_text() => answers.text(|out, _| write_text(out, &callout, &limits), io),
+            Ok(limits) => answers.figures(&Row::of(asked.callout, &limits), io),
         }
-        Ok(())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        match self {
-            Self::Text(out) | Self::Json(out) => out.flush(),
-            Self::Csv(writer) => writer.flush(),
-        }
-    }
-
-    fn finish(mut self, answered: usize) -> Result<(), CliError> {
-        if let Self::Json(out) = &mut self {
-            out.write_all(if answered == 0 { b"]\n" } else { b"\n]\n" })?;
-        }
-        Ok(self.flush()?)
     }
 }
 
@@ -282,9 +166,4 @@ fn write_text(out: &mut dyn Write, callout: &Callout, limits: &Limits) -> std::i
     let feature = callout.feature().map_or("–", Feature::word);
     let source = source(&limits.source);
     writeln!(out, "{callout:<10}  {feature:<5}  {range:<22}  {deviations:<18}  from {source}")
-}
-
-/// A text without control characters: it goes to a terminal, and one line of input stays one line of output.
-pub(super) fn printable(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() && c != '\t' { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

@@ -2,7 +2,36 @@
 //!
 //! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage. A closed pipe ends the
 //! program quietly. Nothing here needs a display.
+//!
+//! A new subcommand is a file with its `Args` and a line in the table `subcommands!`. What they share:
+//!
+//! | file | what |
+//! |---|---|
+//! | `args` | arguments of several subcommands: format, tables, dialogue language |
+//! | `io` | the standard streams, reading and saving files |
+//! | `answers` | callouts answered one by one as text, CSV or JSON |
+//! | `error` | why a subcommand could not do its work |
+//! | `note` | what is said beside an answer |
 
+/// The table of subcommands: one file and one line each.
+macro_rules! subcommands {
+    ($($name:ident($args:ty)),+ $(,)?) => {
+        #[derive(Debug, clap::Subcommand)]
+        enum Command {
+            $($name(Box<$args>),)+
+        }
+
+        impl Command {
+            fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+                match self {
+                    $(Self::$name(args) => args.run(io),)+
+                }
+            }
+        }
+    };
+}
+
+mod answers;
 mod args;
 mod check;
 mod circle;
@@ -20,8 +49,9 @@ mod table;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::Parser;
 
+use crate::report::columns::Cell;
 use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
 use error::{CliError, Refused, What};
@@ -41,37 +71,18 @@ pub struct Cli {
 
 const EXIT_CODES: &str = "Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage.";
 
-/// The subcommands: one file and one line each.
-macro_rules! subcommands {
-    ($($file:ident: $name:ident),+ $(,)?) => {
-        #[derive(Debug, Subcommand)]
-        enum Command {
-            $($name(Box<$file::Args>),)+
-        }
-
-        impl Command {
-            fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-                match self {
-                    $(Self::$name(args) => args.run(io),)+
-                }
-            }
-        }
-    };
-}
-
 subcommands! {
-    limits: Limits,
-    check: Check,
-    fit: Fit,
-    import: Import,
-    circle: Circle,
-    cycle: Cycle,
-    nc: Nc,
-    report: Report,
-    run: Run,
-    table: Table,
+    Limits(limits::Args),
+    Check(check::Args),
+    Fit(fit::Args),
+    Import(import::Args),
+    Circle(circle::Args),
+    Cycle(cycle::Args),
+    Nc(nc::Args),
+    Report(report::Args),
+    Run(run::Args),
+    Table(table::Args),
 }
-
 /// An exact decimal: as it is in CSV, a number in JSON.
 #[derive(Debug)]
 struct Figure(String);
@@ -84,6 +95,12 @@ impl serde::Serialize for Figure {
             (_, Ok(number)) => serializer.serialize_f64(number),
             _ => serializer.serialize_str(&self.0),
         }
+    }
+}
+
+impl Cell for Figure {
+    fn cell(&self) -> Option<String> {
+        Some(self.0.clone())
     }
 }
 

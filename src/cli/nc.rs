@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 
+use super::args::dialogue;
 use super::{CliError, Io, Note, Outcome, Refused as _, TableArgs, What, read_input};
 use crate::files;
 use crate::length::{Length, LengthError};
@@ -52,8 +53,8 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "FOLDER|FILE.zip")]
     output: PathBuf,
     /// Language of comments, status words and mask
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Dialogue::ALL.map(Dialogue::code)))]
-    language: String,
+    #[arg(long, default_value = "en", value_parser = dialogue())]
+    language: Dialogue,
     /// Folder on the control; without it the control's usual one
     #[arg(long, value_name = "TNC:\\FOLDER")]
     folder: Option<String>,
@@ -116,7 +117,7 @@ impl Args {
     fn target(&self) -> Result<Target, CliError> {
         let unknown = || CliError::NoControl { name: self.control.clone() };
         let control = Control::from_code(&self.control).ok_or_else(unknown)?;
-        let language = Dialogue::from_code(&self.language).unwrap_or_default();
+        let language = self.language;
         let usual = Target::new(control, language);
         let Some(folder) = &self.folder else { return Ok(usual) };
         let folder: ControlFolder = folder.parse().said()?;

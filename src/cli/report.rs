@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::builder::PossibleValuesParser;
 use jiff::civil::DateTime;
 
 use super::args::one_of;
@@ -15,7 +14,6 @@ use crate::message::{Message, Say};
 use crate::probing::{Measurement, Origin};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
-use crate::verdict::{doubt, judge};
 use crate::words::{Language, Words};
 
 /// Write an inspection report of one or more checks
@@ -55,8 +53,8 @@ pub(super) struct Args {
     inspector: Option<String>,
 
     /// Language of the HTML report; CSV and JSON are the same in every language
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::all().map(Language::code)))]
-    language: String,
+    #[arg(long, default_value = "en", value_parser = one_of(Language::all(), |language| language.code()))]
+    language: Language,
 
     /// Date and time of the report and of checks that have none; now when not given
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
@@ -124,7 +122,7 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let rendering = self.rendering()?;
         let sources = self.tables.load(io)?;
-        let words = Words::new(Language::from_code(&self.language).unwrap_or_default());
+        let words = Words::new(self.language);
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
         for path in &self.files {
@@ -186,7 +184,7 @@ impl Collected {
             self.refuse(line(unjudged.line), unjudged.why.message(), io)?;
         }
         for warning in &imported.warnings {
-            self.note(line(warning.line), warning.reason.message(), io)?;
+            self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io)?;
         }
         self.checks.extend(imported.records);
         Ok(())
@@ -217,15 +215,8 @@ fn record(text: &str, sources: &Sources, time: DateTime) -> Result<Record, Check
     if measured <= Length::ZERO {
         return Err(CheckError::NotPositive { measured });
     }
-    Ok(Record {
-        time,
-        id: id.trim().to_owned(),
-        callout: Some(callout),
-        measurement: Measurement::of_diameter(measured, Origin::Typed),
-        verdict: judge(&limits, measured, None),
-        doubt: doubt(limits.nominal, measured),
-        limits,
-    })
+    let measurement = Measurement::of_diameter(measured, Origin::Typed);
+    Ok(Record::judged(time, id.trim().to_owned(), Some(callout), limits, measurement, None))
 }
 
 #[cfg(test)]

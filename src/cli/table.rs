@@ -3,8 +3,6 @@
 mod made;
 mod verify;
 
-use clap::Subcommand;
-
 use super::{CliError, Io, Outcome};
 
 /// Control tables: compare with ISO 286, make new ones, export
@@ -14,8 +12,7 @@ pub(super) struct Args {
     command: Command,
 }
 
-#[derive(Debug, Subcommand)]
-enum Command {
+subcommands! {
     Verify(verify::Args),
     New(made::NewArgs),
     Export(made::ExportArgs),
@@ -23,10 +20,6 @@ enum Command {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        match &self.command {
-            Command::Verify(args) => args.run(io),
-            Command::New(args) => args.run(io),
-            Command::Export(args) => args.run(io),
-        }
+        self.command.run(io)
     }
 }

@@ -77,16 +77,8 @@ impl std::fmt::Display for OtherVerdict {
 
 impl Say for OtherVerdict {
     fn message(&self) -> Message {
-        let word = |status: Status| {
-            Message::new(match status {
-                Status::Good => "report-status-good",
-                Status::Rework => "report-status-rework",
-                Status::ReMeasure => "report-status-remeasure",
-                Status::Scrap => "report-status-scrap",
-            })
-        };
-        let message = Message::new("cycle-log-other-verdict").message("cycle", word(self.cycle));
-        message.message("log", word(self.log)).text("unit", name(self.unit))
+        let message = Message::new("cycle-log-other-verdict").with("cycle", &self.cycle).with("log", &self.log);
+        message.text("unit", name(self.unit))
     }
 }
 

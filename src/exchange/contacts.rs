@@ -5,7 +5,7 @@
 
 use super::delimited::{Item, Rows, SEPARATORS};
 use crate::control::text;
-use crate::message::{Message, Say};
+use crate::message::{Located, Place, Say};
 use crate::probing::Contact;
 
 /// What a file of contacts holds.
@@ -17,25 +17,19 @@ pub struct Contacts {
     pub ignored: Vec<String>,
 }
 
-/// Why contacts cannot be read. Lines and columns count from 1.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+/// Why contacts cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "contacts", error)]
 pub enum ContactsError {
     /// There is no contact in the file.
-    #[error("the file holds no contacts")]
-    Empty,
+    FileEmpty,
     /// The header does not name both x and y.
-    #[error("line {line}: the header must name x and y, and may name z; it is {given}")]
     NoColumns {
-        /// Where.
-        line: usize,
         /// The header.
         given: String,
     },
     /// The header names the same coordinate twice: either could be meant.
-    #[error("line {line}: columns {first} and {second} are both {name}")]
     Twice {
-        /// Where.
-        line: usize,
         /// x, y or z.
         name: char,
         /// The first of the columns.
@@ -44,10 +38,7 @@ pub enum ContactsError {
         second: usize,
     },
     /// A row with more or fewer cells than it should have.
-    #[error("line {line}: {cells} cells instead of {wanted}: {given}")]
     Cells {
-        /// Where.
-        line: usize,
         /// How many there are.
         cells: usize,
         /// How many there should be.
@@ -56,56 +47,19 @@ pub enum ContactsError {
         given: String,
     },
     /// A cell that is no number.
-    #[error("line {line}, column {column}: {name} is {given}, not a number of millimetres")]
     NotANumber {
-        /// Where.
-        line: usize,
-        /// Which cell of the row.
-        column: usize,
         /// x, y or z.
         name: char,
         /// What stands there.
         given: String,
     },
     /// A decimal sign that is not the one of the rows before.
-    #[error("line {line}, column {column}: {given} has another decimal sign than the rows before")]
     MixedSigns {
-        /// Where.
-        line: usize,
-        /// Which cell of the row.
-        column: usize,
         /// What stands there.
         given: String,
     },
     /// A quotation mark that is not closed.
-    #[error("line {line}: a quotation mark is not closed")]
-    OpenQuote {
-        /// Where.
-        line: usize,
-    },
-}
-
-impl Say for ContactsError {
-    fn message(&self) -> Message {
-        let at = |id, line: &usize| Message::new(id).text("line", line);
-        match self {
-            Self::Empty => Message::new("contacts-file-empty"),
-            Self::NoColumns { line, given } => at("contacts-no-columns", line).text("given", given),
-            Self::Twice { line, name, first, second } => {
-                at("contacts-twice", line).text("name", name).text("first", first).text("second", second)
-            }
-            Self::Cells { line, cells, wanted, given } => {
-                at("contacts-cells", line).text("cells", cells).text("wanted", wanted).text("given", given)
-            }
-            Self::NotANumber { line, column, name, given } => {
-                at("contacts-not-a-number", line).text("column", column).text("name", name).text("given", given)
-            }
-            Self::MixedSigns { line, column, given } => {
-                at("contacts-mixed-signs", line).text("column", column).text("given", given)
-            }
-            Self::OpenQuote { line } => at("contacts-open-quote", line),
-        }
-    }
+    OpenQuote,
 }
 
 /// Where x, y and z stand in a row.
@@ -123,12 +77,12 @@ struct Places {
 /// ```
 /// let contacts = fitcheck::exchange::contacts::read(b"x;y\n12,5;0\n0;12,5\n-12,5;0\n")?;
 /// assert_eq!(contacts.contacts[0].x, 12.5);
-/// # Ok::<(), fitcheck::exchange::contacts::ContactsError>(())
+/// # Ok::<(), fitcheck::message::Located<fitcheck::exchange::contacts::ContactsError>>(())
 /// ```
 ///
 /// # Errors
-/// [`ContactsError`] with line and column.
-pub fn read(bytes: &[u8]) -> Result<Contacts, ContactsError> {
+/// [`ContactsError`] with line and column, the number of the cell.
+pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
     let text = text::decode(bytes);
     let separator = separator(&text);
     let mut read = Contacts { contacts: Vec::new(), ignored: Vec::new() };
@@ -137,7 +91,7 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, ContactsError> {
     for item in Rows::new(&text, 1, separator) {
         let (line, cells) = match item {
             Item::Row { line, cells } => (line, cells),
-            Item::OpenQuote { line, .. } => return Err(ContactsError::OpenQuote { line }),
+            Item::OpenQuote { line, .. } => return Err(Located::in_line(line, ContactsError::OpenQuote)),
         };
         let row: Vec<&str> = cells.iter().map(str::trim).collect();
         if row.iter().all(|cell| cell.is_empty()) || row.first().is_some_and(|cell| cell.starts_with('#')) {
@@ -158,15 +112,18 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, ContactsError> {
             }
         }
     }
-    if read.contacts.is_empty() { Err(ContactsError::Empty) } else { Ok(read) }
+    if read.contacts.is_empty() {
+        return Err(Located { what: ContactsError::FileEmpty, place: Place::default() });
+    }
+    Ok(read)
 }
 
 /// Point and comma as decimal signs in one file: one of them is a slip, and nobody can tell which.
-fn same_sign(row: &[&str], line: usize, sign: &mut Option<char>) -> Result<(), ContactsError> {
+fn same_sign(row: &[&str], line: usize, sign: &mut Option<char>) -> Result<(), Located<ContactsError>> {
     for (at, cell) in row.iter().enumerate().filter(|(_, cell)| number(cell).is_some()) {
         let Some(own) = cell.chars().find(|c| ['.', ','].contains(c)) else { continue };
         if *sign.get_or_insert(own) != own {
-            return Err(ContactsError::MixedSigns { line, column: at + 1, given: (*cell).to_owned() });
+            return Err(at_cell(line, at, ContactsError::MixedSigns { given: (*cell).to_owned() }));
         }
     }
     Ok(())
@@ -200,35 +157,35 @@ fn name(cell: &str) -> Option<char> {
     }
 }
 
-fn header(row: &[&str], line: usize, ignored: &mut Vec<String>) -> Result<Places, ContactsError> {
+fn header(row: &[&str], line: usize, ignored: &mut Vec<String>) -> Result<Places, Located<ContactsError>> {
     let place = |wanted| {
         let mut places = (0..).zip(row).filter(|(_, cell)| name(cell) == Some(wanted)).map(|(at, _)| at);
         match (places.next(), places.next()) {
             (Some(first), Some(second)) => {
-                Err(ContactsError::Twice { line, name: wanted, first: first + 1, second: second + 1 })
+                let twice = ContactsError::Twice { name: wanted, first: first + 1, second: second + 1 };
+                Err(Located::in_line(line, twice))
             }
             (place, _) => Ok(place),
         }
     };
     let (Some(x), Some(y)) = (place('x')?, place('y')?) else {
-        return Err(ContactsError::NoColumns { line, given: row.join(", ") });
+        return Err(Located::in_line(line, ContactsError::NoColumns { given: row.join(", ") }));
     };
     ignored.extend(row.iter().filter(|cell| name(cell).is_none()).map(|cell| (*cell).to_owned()));
     Ok(Places { x, y, z: place('z')?, cells: row.len() })
 }
 
-fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, ContactsError> {
+fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, Located<ContactsError>> {
     if row.len() != places.cells {
         let given = super::problem::shorten(&row.join(", ")).into_owned();
-        return Err(ContactsError::Cells { line, cells: row.len(), wanted: places.cells, given });
+        let cells = ContactsError::Cells { cells: row.len(), wanted: places.cells, given };
+        return Err(Located::in_line(line, cells));
     }
     let coordinate = |name: char, at: usize| {
         let cell = row.get(at).copied().unwrap_or_default();
-        number(cell).ok_or_else(|| ContactsError::NotANumber {
-            line,
-            column: at + 1,
-            name,
-            given: if cell.is_empty() { "empty".to_owned() } else { super::problem::shorten(cell).into_owned() },
+        number(cell).ok_or_else(|| {
+            let given = if cell.is_empty() { "empty".to_owned() } else { super::problem::shorten(cell).into_owned() };
+            at_cell(line, at, ContactsError::NotANumber { name, given })
         })
     };
     Ok(Contact {
@@ -236,6 +193,11 @@ fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, Contact
         y: coordinate('y', places.y)?,
         z: places.z.map_or(Ok(0.0), |at| coordinate('z', at))?,
     })
+}
+
+/// An error in a cell of a row, counted from 0.
+fn at_cell(line: usize, at: usize, what: ContactsError) -> Located<ContactsError> {
+    Located { what, place: Place { column: Some(at + 1), ..Place::line(line) } }
 }
 
 /// A finite decimal number with point or comma. Words such as `nan` and `inf` are none.
@@ -298,19 +260,6 @@ mod tests {
         check(b"x_nominal;y_nominal;x;y\n1;2;3;4\n", "(3, 4, 0) ignored [\"x_nominal\", \"y_nominal\"]");
         check(b"X (mm);y_mm;z mm\n1;2;3\n", "(1, 2, 3) ignored []");
         check(b"x;y;x [mm]\n1;2;3\n", "line 1: columns 1 and 3 are both x");
-    }
-
-    #[test]
-    fn every_error_is_said_in_english_and_in_dutch() {
-        use crate::words::{Language, Words};
-        for csv in
-            ["", "x,q\n1,2\n", "x,y,x\n1,2,3\n", "x,y\n1\n", "x,y\n1,abc\n", "x;y\n1.5;2\n1;2,5\n", "x,y\n1,\"2\n"]
-        {
-            let error = read(csv.as_bytes()).unwrap_err();
-            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-            let dutch = Words::new(Language::Nl).told(&error);
-            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
-        }
     }
 
     #[test]

@@ -1,13 +1,11 @@
 //! What came out of a file: records, and everything that made none.
 
-use std::fmt;
-
 use jiff::civil::DateTime;
 
-use super::problem::{Problem, Reason, Warning};
+use super::problem::{Problem, Reason, Warning, WarningReason};
 use crate::journal::Record;
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::{Located, Place, Say};
 use crate::probing::Contact;
 use crate::verdict::{PositionVerdict, Removal, Status};
 
@@ -24,9 +22,9 @@ pub struct Imported {
     /// Measurements that make no record, because nothing tells what they should be.
     pub unjudged: Vec<Unjudged>,
     /// Rows that could not be used, or the reason why the whole file could not be.
-    pub problems: Vec<Problem>,
+    pub problems: Vec<Located<Problem>>,
     /// What was odd but readable.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<Located<Warning>>,
     /// The contacts of a file of contacts.
     pub contacts: Option<Vec<Contact>>,
     /// How many rows or logs were read: records, unjudged measurements and problems together.
@@ -51,7 +49,8 @@ pub struct Unjudged {
 }
 
 /// Why a measurement makes no record.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "exchange-unjudged")]
 pub enum WhyUnjudged {
     /// The row has no callout.
     NoCallout,
@@ -61,11 +60,11 @@ pub enum WhyUnjudged {
         nominal: Length,
     },
     /// A coordinate of cycle 427 is no feature of size, but its log has limits.
-    Coordinate(Coordinate),
+    Coordinate(#[say(skip)] Coordinate),
     /// A coordinate of cycle 427 whose limits are both 0: the control did not monitor it.
     CoordinateWithoutLimits,
     /// A point on a surface that cycle 444 probed: the measured value is its deviation along the normal, nominal 0.
-    Point(Coordinate),
+    Point(#[say(skip)] Coordinate),
     /// Such a point without a tolerance.
     PointWithoutTolerance,
     /// Contacts, and nothing else.
@@ -90,43 +89,11 @@ pub struct Coordinate {
     pub removal: Option<Removal>,
 }
 
-impl Say for WhyUnjudged {
-    fn message(&self) -> Message {
-        match self {
-            Self::NoCallout => Message::new("exchange-no-callout"),
-            Self::NoLimits { .. } => Message::new("exchange-no-limits"),
-            Self::Coordinate(_) => Message::new("exchange-coordinate"),
-            Self::CoordinateWithoutLimits => Message::new("exchange-coordinate-without-limits"),
-            Self::Point(_) => Message::new("exchange-point"),
-            Self::PointWithoutTolerance => Message::new("exchange-point-without-tolerance"),
-            Self::Contacts { count } => Message::new("exchange-only-contacts").text("count", count),
-        }
-    }
-}
-
-impl fmt::Display for WhyUnjudged {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoCallout => f.pad("not judged: there is no callout"),
-            Self::NoLimits { .. } => {
-                f.pad("not judged: the log's limits of size are 0, so the diameter was not monitored")
-            }
-            Self::Coordinate(_) => f.pad("a coordinate of cycle 427, not a hole or shaft"),
-            Self::CoordinateWithoutLimits => {
-                f.pad("not judged: the log's limits are 0, so the coordinate was not monitored")
-            }
-            Self::Point(_) => f.pad("a point on a surface of cycle 444: its deviation along the normal, not a size"),
-            Self::PointWithoutTolerance => f.pad("not judged: the point was probed without a tolerance"),
-            Self::Contacts { count } => write!(f, "not judged: {count} contacts without a callout"),
-        }
-    }
-}
-
 impl Imported {
     /// A file that could not be used at all.
     pub(super) fn failed(reason: Reason) -> Self {
         let mut imported = Self::default();
-        imported.refuse(Problem { line: 1, column: None, reason, given: String::new() });
+        imported.refuse(Place::line(1), reason, String::new());
         imported
     }
 
@@ -141,8 +108,13 @@ impl Imported {
         self.unjudged.push(unjudged);
     }
 
-    pub(super) fn refuse(&mut self, problem: Problem) {
+    pub(super) fn refuse(&mut self, place: Place, reason: Reason, given: String) {
         self.rows += 1;
-        self.problems.push(problem);
+        self.problems.push(Located { what: Problem { reason, given }, place });
+    }
+
+    /// `row` is the line of the record or unjudged measurement that it belongs to.
+    pub(super) fn warn(&mut self, line: usize, row: Option<usize>, reason: WarningReason) {
+        self.warnings.push(Located::in_line(line, Warning { row, reason }));
     }
 }

@@ -5,18 +5,18 @@
 use std::sync::Arc;
 
 use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
-use super::problem::{Problem, Reason};
+use super::problem::Reason;
 use super::{Format, Source};
 use crate::control::log444::{self, Band, PointLog};
 use crate::length::Length;
+use crate::message::Place;
 use crate::tolerance::{Deviations, Feature, Limits, LimitsError, Source as LimitSource};
 use crate::verdict::judge_size;
 
 pub(super) const FORMAT: Format = Format {
     name: "log-444",
     endings: &["html", "htm"],
-    description: "logs of cycle 444 as written by Fitcheck",
-    description_id: "exchange-format-log-444",
+    description: "exchange-format-log-444",
     recognises: |source| log444::is_log(&source.head()),
     read,
 };
@@ -28,7 +28,7 @@ fn read(source: &Source<'_>) -> Imported {
             Ok((line, log)) => add(&mut imported, line, &log, source),
             Err(error) => {
                 let given = error.fault.given();
-                imported.refuse(Problem { line: error.line, column: None, reason: Reason::Point(error.fault), given });
+                imported.refuse(Place::line(error.line), Reason::Point(error.fault), given);
             }
         }
     }
@@ -41,7 +41,7 @@ fn add(imported: &mut Imported, line: usize, log: &PointLog, source: &Source<'_>
         Some(Some(coordinate)) => WhyUnjudged::Point(coordinate),
         Some(None) => {
             let reason = Reason::Limits(LimitsError::TooLarge { nominal: Length::ZERO });
-            return imported.refuse(Problem { line, column: None, reason, given: log.tolerance.clone() });
+            return imported.refuse(Place::line(line), reason, log.tolerance.clone());
         }
     };
     imported.set_aside(Unjudged {

@@ -6,23 +6,18 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
-use super::problem::{Problem, Reason, Warning, WarningReason};
+use super::problem::{Reason, WarningReason};
 use super::{Format, Source};
 use crate::control::log::{self, Circle, LimitPair, Log, Values};
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
+use crate::message::Place;
 use crate::probing::{Measurement, Origin};
 use crate::tolerance::{Deviations, Feature, Limits, Source as LimitSource};
-use crate::verdict::{AxisPosition, PositionVerdict, doubt, judge, judge_size};
+use crate::verdict::{AxisPosition, PositionVerdict, judge_size};
 
-pub(super) const FORMAT: Format = Format {
-    name: "log",
-    endings: &["txt"],
-    description: "HEIDENHAIN measuring logs of cycles 421, 422 and 427",
-    description_id: "exchange-format-logs",
-    recognises,
-    read,
-};
+pub(super) const FORMAT: Format =
+    Format { name: "log", endings: &["txt"], description: "exchange-format-logs", recognises, read };
 
 /// The control's fixed names, `TCHPR421.TXT`, or a text that has the shape of a log.
 fn recognises(source: &Source<'_>) -> bool {
@@ -38,8 +33,8 @@ fn read(source: &Source<'_>) -> Imported {
             Ok(log) => add(&mut imported, log, source),
             Err(error) => {
                 let given = error.reason.given();
-                let reason = Reason::Log(error.reason);
-                imported.refuse(Problem { line: error.line, column: error.column, reason, given });
+                let place = Place { column: error.column, ..Place::line(error.line) };
+                imported.refuse(place, Reason::Log(error.reason), given);
             }
         }
     }
@@ -63,22 +58,13 @@ fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
             let Some(limits) = limits(circle.feature, circle.nominal.diameter, pair, &source.file) else {
                 let given = pair.maximum.to_string();
                 let reason = Reason::Limits(crate::tolerance::LimitsError::TooLarge { nominal: pair.maximum });
-                return imported.refuse(Problem { line, column: None, reason, given });
+                return imported.refuse(Place::line(line), reason, given);
             };
             let measured = circle.actual.diameter;
             let origin = Origin::Imported { file: Arc::clone(&source.file) };
-            let record = Record {
-                time,
-                id,
-                callout: None,
-                verdict: judge(&limits, measured, position),
-                doubt: doubt(limits.nominal, measured),
-                limits,
-                measurement: Measurement {
-                    centre: Some(circle.actual.centre),
-                    ..Measurement::of_diameter(measured, origin)
-                },
-            };
+            let measurement =
+                Measurement { centre: Some(circle.actual.centre), ..Measurement::of_diameter(measured, origin) };
+            let record = Record::judged(time, id, None, limits, measurement, position);
             finish(imported, log.warnings, line, |imported| imported.keep(line, record));
         }
         Values::Coordinate(values) => {
@@ -94,7 +80,7 @@ fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
             let Some(limits) = limits(Feature::Shaft, values.limits.minimum, values.limits, &source.file) else {
                 let given = values.limits.maximum.to_string();
                 let reason = Reason::Measured(LengthError::TooLarge { text: given.clone() });
-                return imported.refuse(Problem { line, column: None, reason, given });
+                return imported.refuse(Place::line(line), reason, given);
             };
             let verdict = judge_size(&limits, values.actual);
             let why = WhyUnjudged::Coordinate(Coordinate {
@@ -112,12 +98,9 @@ fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
 }
 
 fn finish(imported: &mut Imported, warnings: Vec<log::LogWarning>, row: usize, add: impl FnOnce(&mut Imported)) {
-    let warnings = warnings.into_iter().map(|warning| Warning {
-        line: warning.line(),
-        row: Some(row),
-        reason: WarningReason::Log(warning),
-    });
-    imported.warnings.extend(warnings);
+    for warning in warnings {
+        imported.warn(warning.line(), Some(row), WarningReason::Log(warning));
+    }
     add(imported);
 }
 

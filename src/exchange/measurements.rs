@@ -11,19 +11,18 @@ use jiff::civil::{DateTime, Time};
 use super::columns::{self, Columns, LengthColumn, Sample};
 use super::delimited::{Item, Rows};
 use super::imported::{Imported, MOST_ROWS, Unjudged, WhyUnjudged};
-use super::problem::{Problem, Reason, Warning, WarningReason, shorten};
+use super::problem::{Reason, WarningReason, shorten};
 use super::{Format, Source};
 use crate::journal::Record;
 use crate::length::Length;
+use crate::message::Place;
 use crate::probing::{Measurement, Origin};
 use crate::tolerance::{Callout, CalloutError};
-use crate::verdict::{doubt, judge};
 
 pub(super) const FORMAT: Format = Format {
     name: "measurements",
     endings: &["csv", "tsv", "txt"],
-    description: "measurements as CSV: id, callout, measured",
-    description_id: "exchange-format-measurements",
+    description: "exchange-format-measurements",
     recognises: |source| is_text(&source.head()),
     read,
 };
@@ -99,12 +98,12 @@ impl Reader<'_> {
     }
 
     fn warn(&mut self, line: usize, reason: WarningReason) {
-        self.imported.warnings.push(Warning { line, row: None, reason });
+        self.imported.warn(line, None, reason);
     }
 
     fn refuse(&mut self, line: usize, cell: Cell<'_>, reason: Reason) {
         let given = shorten(cell.text.trim()).into_owned();
-        self.imported.refuse(Problem { line, column: cell.at.map(|at| at + 1), reason, given });
+        self.imported.refuse(Place { column: cell.at.map(|at| at + 1), ..Place::line(line) }, reason, given);
     }
 
     fn row(&mut self, line: usize, cells: &StringRecord) {
@@ -143,15 +142,8 @@ impl Reader<'_> {
             return Ok(());
         };
         let limits = self.source.sources.limits(&callout, None).map_err(|error| (cell, Reason::Limits(error)))?;
-        let record = Record {
-            time: self.time(line, cells),
-            id,
-            callout: Some(callout),
-            verdict: judge(&limits, measured, None),
-            doubt: doubt(limits.nominal, measured),
-            limits,
-            measurement: Measurement::of_diameter(measured, Origin::Imported { file: Arc::clone(&self.source.file) }),
-        };
+        let measurement = Measurement::of_diameter(measured, Origin::Imported { file: Arc::clone(&self.source.file) });
+        let record = Record::judged(self.time(line, cells), id, Some(callout), limits, measurement, None);
         self.imported.keep(line, record);
         Ok(())
     }
@@ -261,7 +253,7 @@ impl Reader<'_> {
         }
         date_time(&given).unwrap_or_else(|| {
             let reason = WarningReason::Time { given: shorten(&given).into_owned() };
-            self.imported.warnings.push(Warning { line, row: Some(line), reason });
+            self.imported.warn(line, Some(line), reason);
             self.source.now
         })
     }

@@ -27,7 +27,6 @@ pub mod tables;
 mod words;
 
 use std::borrow::Cow;
-use std::fmt;
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
@@ -36,7 +35,7 @@ pub use imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
 pub use problem::{Problem, Reason, Warning, WarningReason};
 
 use crate::control::text;
-use crate::message::{Message, Say};
+use crate::message::{Message, Say, display};
 use crate::tolerance::Sources;
 
 /// A format that measurements are read from.
@@ -46,10 +45,8 @@ pub struct Format {
     pub name: &'static str,
     /// File endings in lower case, without the point.
     pub endings: &'static [&'static str],
-    /// One line for people, in English; [`Say`] tells it in other languages.
-    pub description: &'static str,
-    /// The name of that line in the locale files.
-    description_id: &'static str,
+    /// The text of one line for people.
+    description: &'static str,
     recognises: fn(&Source<'_>) -> bool,
     read: fn(&Source<'_>) -> Imported,
 }
@@ -61,8 +58,7 @@ pub const FORMATS: &[Format] = &[log444::FORMAT, logs::FORMAT, CONTACTS, measure
 const CONTACTS: Format = Format {
     name: "contacts",
     endings: &["csv", "txt"],
-    description: "contacts of one circle: x, y and perhaps z",
-    description_id: "exchange-format-contacts",
+    description: "exchange-format-contacts",
     recognises: |source| columns::are_contacts(&source.head()),
     read: read_contacts,
 };
@@ -82,15 +78,11 @@ impl Format {
 
 impl Say for Format {
     fn message(&self) -> Message {
-        Message::new(self.description_id)
+        Message::new(self.description)
     }
 }
 
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.description)
-    }
-}
+display!(Format);
 
 /// A file and what is needed to judge what it holds.
 struct Source<'a> {
@@ -165,7 +157,7 @@ fn read_contacts(source: &Source<'_>) -> Imported {
             };
             Imported { unjudged: vec![unjudged], contacts: Some(read.contacts), rows: 1, ..Imported::default() }
         }
-        Err(error) => Imported::failed(Reason::Contacts(error)),
+        Err(error) => Imported::failed(Reason::Contacts(Box::new(error))),
     }
 }
 

@@ -45,7 +45,7 @@ fn said(bytes: &[u8]) -> Vec<String> {
         let measured = unjudged.measured.map_or(String::new(), |measured| measured.to_string());
         said.push(format!("{} {}: {measured} {}", unjudged.line, unjudged.id, unjudged.why));
     }
-    said.extend(imported.problems.iter().map(|problem| format!("! {problem} <{}>", problem.given)));
+    said.extend(imported.problems.iter().map(|problem| format!("! {problem} <{}>", problem.what.given)));
     said.extend(imported.warnings.iter().map(|warning| format!("? {warning}")));
     said
 }
@@ -259,7 +259,7 @@ fn long_cells_are_cut_in_what_is_said() {
     let long = "9".repeat(100_000);
     let imported = read(format!("id;callout;measured\nb;25 H7;{long}\nb;{long};25\n").as_bytes());
     for problem in &imported.problems {
-        assert!(problem.given.chars().count() <= 61 && problem.to_string().len() < 300, "{problem}");
+        assert!(problem.what.given.chars().count() <= 61 && problem.to_string().len() < 300, "{problem}");
     }
     assert_eq!(imported.problems.len(), 2);
 }
@@ -288,7 +288,7 @@ proptest::proptest! {
         proptest::prop_assert_eq!(imported.rows, rows.len() - blank, "{}", text);
         let mut lines: Vec<usize> = imported.lines.clone();
         lines.extend(imported.unjudged.iter().map(|unjudged| unjudged.line));
-        lines.extend(imported.problems.iter().map(|problem| problem.line));
+        lines.extend(imported.problems.iter().map(|problem| problem.place.line.unwrap()));
         lines.sort_unstable();
         let expected: Vec<usize> = (2..).zip(&rows).filter(|(_, row)| !row.trim_matches(';').is_empty()).map(|(line, _)| line).collect();
         proptest::prop_assert_eq!(lines, expected, "{}", text);

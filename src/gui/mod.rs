@@ -41,7 +41,7 @@ use eframe::egui::{Vec2, ViewportBuilder};
 /// Why the window could not be opened.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum WindowError {
-    /// Neither renderer could open a window.
+    /// No renderer could open a window.
     #[error("the window cannot be opened: {reason}; the command line works without a display, see fitcheck --help")]
     NotOpened {
         /// What the system says.
@@ -49,7 +49,7 @@ pub enum WindowError {
     },
 }
 
-/// Opens the window and runs it until it is closed: OpenGL first, wgpu where there is none.
+/// Opens the window and runs it until it is closed: with OpenGL; with the feature `wgpu` by wgpu where OpenGL fails.
 pub fn run() -> Result<(), WindowError> {
     let open = |renderer| {
         let viewport = ViewportBuilder::default()
@@ -60,8 +60,11 @@ pub fn run() -> Result<(), WindowError> {
         let options = eframe::NativeOptions { viewport, renderer, ..Default::default() };
         eframe::run_native("fitcheck", options, Box::new(|cc| Ok(Box::new(App::new(cc, Setup::for_user())))))
     };
-    open(eframe::Renderer::Glow).or_else(|first| {
+    let opened = open(eframe::Renderer::Glow);
+    #[cfg(feature = "wgpu")]
+    let opened = opened.or_else(|first| {
         log::warn!("no window with OpenGL: {first}");
-        open(eframe::Renderer::Wgpu).map_err(|error| WindowError::NotOpened { reason: error.to_string() })
-    })
+        open(eframe::Renderer::Wgpu)
+    });
+    opened.map_err(|error| WindowError::NotOpened { reason: error.to_string() })
 }

@@ -6,17 +6,12 @@ use eframe::egui::{Align, Frame, Layout, Margin, RichText, Sense, Ui, WidgetInfo
 use super::shapes;
 use super::theme::{self, palette, sizes, space};
 use crate::length::{Length, Unit};
+use crate::message::Say as _;
 use crate::verdict::Status;
 
 /// The name of a status in the locale files.
-pub(super) const fn status_id(status: Option<Status>) -> &'static str {
-    match status {
-        Some(Status::Good) => "word-good",
-        Some(Status::Rework) => "word-rework",
-        Some(Status::Scrap) => "word-scrap",
-        Some(Status::ReMeasure) => "word-re-measure",
-        None => "word-none",
-    }
+pub(super) fn status_id(status: Option<Status>) -> &'static str {
+    status.map_or("word-none", |status| status.message().id)
 }
 
 /// The card, which is also a live region: a screen reader says the word and the lines.

@@ -9,7 +9,8 @@
 //! one. Such a text gets an apostrophe in front, as in a spreadsheet itself: it is shown as text and never computed.
 //! Columns of numbers are never touched, so a negative deviation stays a number.
 
-use super::row::{COLUMNS, Micrometres, Millimetres, Row};
+use super::columns::{Cell as _, Column, cells, names};
+use super::row::Row;
 use super::{RenderError, Rendering, Report};
 use crate::journal::Record;
 use crate::words::Words;
@@ -33,46 +34,40 @@ pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError
 
 fn render_rows(rows: impl Iterator<Item = Row>) -> Result<Vec<u8>, RenderError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(COLUMNS).map_err(|error| RenderError::writer("csv", &error))?;
+    writer.write_record(names(&COLUMNS)).map_err(|error| RenderError::writer("csv", &error))?;
     for row in rows {
-        let fields = fields(&row)?;
-        writer.write_record(fields).map_err(|error| RenderError::writer("csv", &error))?;
+        writer.write_record(cells(&COLUMNS, &row)).map_err(|error| RenderError::writer("csv", &error))?;
     }
     writer.into_inner().map_err(|error| RenderError::writer("csv", &error))
 }
 
-/// In the order of [`COLUMNS`].
-fn fields(row: &Row) -> Result<[String; COLUMNS.len()], RenderError> {
-    let mm = |length: Millimetres| length.text(3);
-    let centre = |axis: Option<Millimetres>| axis.map(mm).unwrap_or_default();
-    let um = |length: Option<Micrometres>| length.map(Micrometres::text).unwrap_or_default();
-    let contacts = if row.contacts.is_empty() {
-        String::new()
-    } else {
-        serde_json::to_string(&row.contacts).map_err(|error| RenderError::writer("csv", &error))?
-    };
-    Ok([
-        row.time.clone(),
-        harmless(&row.id),
-        row.callout.clone().unwrap_or_default(),
-        row.feature.to_owned(),
-        row.nominal_mm.text(0),
-        mm(row.min_mm),
-        mm(row.max_mm),
-        mm(row.measured_mm),
-        row.deviation_um.text(),
-        row.status.to_owned(),
-        um(row.remove_um),
-        um(row.remove_to_middle_um),
-        row.position.unwrap_or_default().to_owned(),
-        centre(row.centre_x_mm),
-        centre(row.centre_y_mm),
-        contacts,
-        harmless(&row.source),
-        harmless(&row.origin),
-        row.rule.clone(),
-        row.warnings.join(" | "),
-    ])
+/// Millimetres have at least three decimals, but for the nominal size.
+pub(super) const COLUMNS: [Column<Row>; 20] = [
+    ("time", |row| row.time.cell()),
+    ("id", |row| harmless(&row.id).cell()),
+    ("callout", |row| row.callout.cell()),
+    ("feature", |row| row.feature.cell()),
+    ("nominal_mm", |row| row.nominal_mm.text(0).cell()),
+    ("min_mm", |row| row.min_mm.text(3).cell()),
+    ("max_mm", |row| row.max_mm.text(3).cell()),
+    ("measured_mm", |row| row.measured_mm.text(3).cell()),
+    ("deviation_um", |row| row.deviation_um.text().cell()),
+    ("status", |row| row.status.cell()),
+    ("remove_um", |row| row.remove_um?.text().cell()),
+    ("remove_to_middle_um", |row| row.remove_to_middle_um?.text().cell()),
+    ("position", |row| row.position.cell()),
+    ("centre_x_mm", |row| row.centre_x_mm?.text(3).cell()),
+    ("centre_y_mm", |row| row.centre_y_mm?.text(3).cell()),
+    ("contacts", contacts),
+    ("source", |row| harmless(&row.source).cell()),
+    ("origin", |row| harmless(&row.origin).cell()),
+    ("rule", |row| row.rule.cell()),
+    ("warnings", |row| row.warnings.join(" | ").cell()),
+];
+
+fn contacts(row: &Row) -> Option<String> {
+    let all: serde_json::Value = row.contacts.iter().map(|contact| contact.to_vec()).collect();
+    (!row.contacts.is_empty()).then(|| all.to_string())
 }
 
 /// A text that no spreadsheet computes. Blanks and control characters in front do not hide a formula, and the wide

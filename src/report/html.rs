@@ -156,7 +156,7 @@ fn summary(records: &[Record], words: &Words) -> Summary {
     let counts = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].into_iter().filter_map(|status| {
         let count = records.iter().filter(|record| record.verdict.status() == status).count();
         // Nothing is ever re-measured without a guard band; a zero would only raise questions.
-        (status != Status::ReMeasure || 0 < count).then(|| Count { word: words.say(&text::status(status)), count })
+        (status != Status::ReMeasure || 0 < count).then(|| Count { word: words.told(&status), count })
     });
     Summary { counts: counts.collect(), total: records.len() }
 }
@@ -187,7 +187,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
         feature: words.say(&text::feature(limits.feature)),
         id: record.id.clone(),
         time: record.time.strftime(DATE).to_string(),
-        word: words.say(&text::status(status)),
+        word: words.told(&status),
         sign: picture::verdict(status, words)?,
         reason: words.say(&text::size(&verdict.size, words)),
         cause: cause(verdict, words),
@@ -220,7 +220,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
 /// Why the part is worse than its size alone.
 fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
     (verdict.status() != verdict.size.status).then(|| {
-        let alone = words.say(&text::status(verdict.size.status));
+        let alone = words.told(&verdict.size.status);
         words.say(&Message::new("report-cause-position").text("status", alone))
     })
 }

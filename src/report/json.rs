@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::row::Row;
 use super::{RenderError, Rendering, Report};
 use crate::journal::Record;
-use crate::words::{Language, Words};
+use crate::words::Words;
 
 /// This rendering.
 pub const RENDERING: Rendering = Rendering { name: "json", endings: &["json"], render: render_report };
@@ -37,7 +37,6 @@ struct Head<'a> {
 }
 
 fn render_report(report: &Report, _words: &Words) -> Result<Vec<u8>, RenderError> {
-    let english = Words::new(Language::En);
     let head = Head {
         title: &report.title,
         created: report.created.to_string(),
@@ -45,7 +44,7 @@ fn render_report(report: &Report, _words: &Words) -> Result<Vec<u8>, RenderError
         part: report.part.as_deref(),
         order: report.order.as_deref(),
         inspector: report.inspector.as_deref(),
-        notes: report.notes.iter().map(|note| english.say(note)).collect(),
+        notes: report.notes.iter().map(ToString::to_string).collect(),
     };
     written(Some(head), &report.checks)
 }
@@ -80,7 +79,9 @@ mod tests {
     use super::super::sample;
     use super::*;
     use crate::length::Length;
-    use crate::report::row::COLUMNS;
+    use crate::report::columns;
+    use crate::report::csv::COLUMNS;
+    use crate::words::Language;
 
     #[test]
     fn a_check_has_the_columns_of_the_csv() {
@@ -119,7 +120,7 @@ mod tests {
 "#
         );
         let names: Vec<&str> = text.lines().filter_map(|l| l.strip_prefix("      \"")?.split('"').next()).collect();
-        assert_eq!(names, COLUMNS);
+        assert_eq!(names, columns::names(&COLUMNS));
     }
 
     #[test]

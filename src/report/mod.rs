@@ -14,6 +14,7 @@
 //! file filters follow from that list. Templates are in `assets/report`.
 
 pub mod band;
+pub mod columns;
 pub mod csv;
 pub mod html;
 pub mod json;
@@ -86,10 +87,10 @@ pub const RENDERINGS: &[Rendering] = &[html::RENDERING, csv::RENDERING, json::RE
 
 /// Why a report could not be put into bytes. None of the renderings has a reason to fail on any record; the writers
 /// that they use may in principle, and a report that is not whole must not be saved.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "report-error", error)]
 pub enum RenderError {
     /// The writer of the format refused.
-    #[error("the {format} report could not be made: {reason}")]
     Writer {
         /// The rendering's name.
         format: &'static str,
@@ -104,41 +105,22 @@ impl RenderError {
     }
 }
 
-impl Say for RenderError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Writer { format, reason } => {
-                Message::new("report-error-writer").text("format", format).text("reason", reason)
-            }
-        }
-    }
-}
-
 /// Why there is no rendering for a file name.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "report-ending", error)]
 pub enum EndingError {
     /// The name has no ending.
-    #[error("{file} has no ending that tells the report's format: use one of {}", endings())]
+    #[say(args(endings = endings()))]
     Missing {
         /// The file name.
         file: String,
     },
     /// The ending is none of ours.
-    #[error(".{ending} is not a format of the report: use one of {}", endings())]
+    #[say(args(endings = endings()))]
     Unknown {
         /// The ending without its point.
         ending: String,
     },
-}
-
-impl Say for EndingError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Missing { file } => Message::new("report-ending-missing").text("file", file),
-            Self::Unknown { ending } => Message::new("report-ending-unknown").text("ending", ending),
-        }
-        .text("endings", endings())
-    }
 }
 
 /// Every ending with its point: `.html .htm .csv .json`.
@@ -160,9 +142,8 @@ pub fn rendering_for(path: &Path) -> Result<&'static Rendering, EndingError> {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
+mod tests {
     use super::*;
-    use crate::words::Language;
 
     #[test]
     fn the_ending_chooses_the_rendering() {
@@ -174,20 +155,5 @@ pub(crate) mod tests {
         let said = |path| name(path).unwrap_err().to_string();
         assert_eq!(said("b.pdf"), ".pdf is not a format of the report: use one of .html .htm .csv .json");
         assert_eq!(said("b"), "b has no ending that tells the report's format: use one of .html .htm .csv .json");
-    }
-
-    /// The English text reads as `Display` does and there is a Dutch one.
-    #[track_caller]
-    pub(crate) fn check_said(what: &(impl Say + std::fmt::Display)) {
-        assert_eq!(Words::new(Language::En).told(what), what.to_string());
-        let dutch = Words::new(Language::Nl).told(what);
-        assert!(dutch != what.message().id && dutch != what.to_string(), "{dutch}");
-    }
-
-    #[test]
-    fn errors_are_said_in_both_languages() {
-        check_said(&EndingError::Missing { file: "b".to_owned() });
-        check_said(&EndingError::Unknown { ending: "pdf".to_owned() });
-        check_said(&RenderError::writer("csv", &"full"));
     }
 }

@@ -43,7 +43,7 @@ struct VerdictPicture {
 
 /// The verdict's word beside its shape: check mark, turning arrow, loop or cross.
 pub(super) fn verdict(status: Status, words: &Words) -> askama::Result<String> {
-    let word = words.say(&text::status(status));
+    let word = words.told(&status);
     // 250 units are free for the word; a bold capital is about 0.72 of its size wide.
     let size = (347 / word.chars().count().max(1)).clamp(12, 40);
     VerdictPicture { class: status_class(status), word, size, baseline: 36 + size * 36 / 100 }.render()

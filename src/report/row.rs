@@ -35,30 +35,6 @@ pub(super) struct Row {
     pub warnings: Vec<String>,
 }
 
-/// The columns, in order.
-pub(super) const COLUMNS: [&str; 20] = [
-    "time",
-    "id",
-    "callout",
-    "feature",
-    "nominal_mm",
-    "min_mm",
-    "max_mm",
-    "measured_mm",
-    "deviation_um",
-    "status",
-    "remove_um",
-    "remove_to_middle_um",
-    "position",
-    "centre_x_mm",
-    "centre_y_mm",
-    "contacts",
-    "source",
-    "origin",
-    "rule",
-    "warnings",
-];
-
 /// A length as a number of millimetres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Millimetres(pub Length);

@@ -7,7 +7,7 @@ use crate::journal::Record;
 use crate::length::Length;
 use crate::probing::{Circle, Contact, Measurement, Origin};
 use crate::tolerance::{Callout, Deviations, Limits, Source};
-use crate::verdict::{AxisPosition, PositionVerdict, doubt, judge};
+use crate::verdict::{AxisPosition, PositionVerdict};
 
 pub fn um(um: i32) -> Length {
     Length::from_micrometres(um)
@@ -23,15 +23,8 @@ pub fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
 
 /// A check of some limits.
 pub fn record(callout: &str, limits: Limits, measurement: Measurement, position: Option<PositionVerdict>) -> Record {
-    Record {
-        time: date(2026, 11, 21).at(10, 42, 7, 0),
-        id: String::new(),
-        callout: callout.parse().ok(),
-        verdict: judge(&limits, measurement.diameter, position),
-        doubt: doubt(limits.nominal, measurement.diameter),
-        limits,
-        measurement,
-    }
+    let time = date(2026, 11, 21).at(10, 42, 7, 0);
+    Record::judged(time, String::new(), callout.parse().ok(), limits, measurement, position)
 }
 
 pub fn typed(measured: &str) -> Record {

@@ -1,4 +1,4 @@
-//! Sentences of the report about one check: status, feature, source of the limits, size, position.
+//! Sentences of the report about one check: feature, source of the limits, size, position.
 //!
 //! Messages without a language; [`Words`] says them. Rules, doubts, caveats and origins bring their own.
 
@@ -6,18 +6,8 @@ use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::report::band::Side;
 use crate::tolerance::{Feature, Source};
-use crate::verdict::{AxisPosition, PositionVerdict, SizeVerdict, Status};
+use crate::verdict::{AxisPosition, PositionVerdict, SizeVerdict};
 use crate::words::Words;
-
-/// The word of a status, in capitals: `GOOD`, `NABEWERKING`.
-pub const fn status(status: Status) -> Message {
-    Message::new(match status {
-        Status::Good => "report-status-good",
-        Status::Rework => "report-status-rework",
-        Status::ReMeasure => "report-status-remeasure",
-        Status::Scrap => "report-status-scrap",
-    })
-}
 
 /// Hole or shaft in words.
 pub const fn feature(feature: Feature) -> Message {
@@ -105,6 +95,7 @@ fn signed_mm(length: Length, words: &Words) -> String {
 mod tests {
     use super::*;
     use crate::tolerance::Deviations;
+    use crate::verdict::Status;
     use crate::words::Language;
 
     fn um(um: i32) -> Length {
@@ -121,7 +112,7 @@ mod tests {
     fn english_words_are_those_of_the_machine_readable_files() {
         let words = Words::new(Language::En);
         for each in [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap] {
-            assert_eq!(words.say(&status(each)), each.word());
+            assert_eq!(words.told(&each), each.word());
         }
         for each in [Feature::Hole, Feature::Shaft] {
             assert_eq!(words.say(&feature(each)), each.word());

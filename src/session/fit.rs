@@ -22,8 +22,9 @@ use crate::message::{Message, Say as _};
 use crate::tolerance::fit::equivalent::{self, Difference};
 use crate::tolerance::fit::search::{Found, Scope, Wanted, search_in};
 use crate::tolerance::fit::thermal::{Expansion, Temperature, clearance_change};
-use crate::tolerance::fit::{Actual, Fit, Kind, Possible};
+use crate::tolerance::fit::{Fit, Kind};
 use crate::tolerance::{Callout, Feature, Limits, Sources, ToleranceClass};
+use crate::verdict::fit::{Actual, Possible};
 
 pub use class_map::{ClassMap, Direction, MapCell};
 pub use picture::{Mark, Picture, PictureZone};
@@ -357,9 +358,9 @@ impl FitPage {
     pub fn parts(&self) -> Option<Parts> {
         let fit = self.fit.as_ref()?;
         match (self.length(Field::HoleMeasured), self.length(Field::ShaftMeasured)) {
-            (Some(hole), Some(shaft)) => Some(Parts::Both(fit.actual(hole, shaft))),
-            (Some(hole), None) => Some(Parts::One(fit.possible(Feature::Hole, hole))),
-            (None, Some(shaft)) => Some(Parts::One(fit.possible(Feature::Shaft, shaft))),
+            (Some(hole), Some(shaft)) => Some(Parts::Both(Actual::of(fit, hole, shaft))),
+            (Some(hole), None) => Some(Parts::One(Possible::of(fit, Feature::Hole, hole))),
+            (None, Some(shaft)) => Some(Parts::One(Possible::of(fit, Feature::Shaft, shaft))),
             (None, None) => None,
         }
     }

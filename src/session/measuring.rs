@@ -15,7 +15,7 @@ use crate::probing::simulated::{Lobes, Machine, Probe, Workpiece};
 use crate::probing::{Contact, Measurement, Origin};
 use crate::report::{RENDERINGS, Report};
 use crate::tolerance::Limits;
-use crate::verdict::{self, AxisPosition, PositionVerdict};
+use crate::verdict::{AxisPosition, PositionVerdict};
 use crate::words::Words;
 
 /// What measuring refused, and beside which field it is said.
@@ -42,16 +42,8 @@ fn record(
     (measurement, position): (Measurement, Option<PositionVerdict>),
     now: DateTime,
 ) -> Record {
-    let measured = measurement.diameter;
-    Record {
-        time: now,
-        id: part.trim().to_owned(),
-        callout: asked.callout().map(|callout| callout.of_part(limits.feature)),
-        limits: limits.clone(),
-        verdict: verdict::judge(limits, measured, position),
-        doubt: verdict::doubt(limits.nominal, measured),
-        measurement,
-    }
+    let callout = asked.callout().map(|callout| callout.of_part(limits.feature));
+    Record::judged(now, part.trim().to_owned(), callout, limits.clone(), measurement, position)
 }
 
 fn typed(asked: &Asked) -> Result<Measurement, Refusal> {

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::iso286::Grade;
-use crate::message::{Message, Say, as_text};
+use crate::message::{Say, as_text};
 
 /// Which side of the material is measured.
 ///
@@ -12,9 +12,9 @@ use crate::message::{Message, Say, as_text};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Feature {
-    /// An inner feature: a bore.
+    /// An inner feature.
     Hole,
-    /// An outer feature: a shaft or stud.
+    /// An outer feature.
     Shaft,
 }
 
@@ -52,7 +52,7 @@ const LONGEST: usize = 8;
 ///
 /// One or more letters, then one or two digits: `H7`, `js13`, and a user's own columns such as `U1`. The case of the
 /// letters decides hole or shaft and nothing else does, as program 82551 of NC-Solution 8255 compares the text with
-/// `a` (seed `000_2e707c2d138629e0.txt`).
+/// `a`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ToleranceClass {
     /// ASCII, filled up with zero bytes.
@@ -60,13 +60,12 @@ pub struct ToleranceClass {
 }
 
 /// Why a text is no tolerance class.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "class", error)]
 pub enum ClassError {
     /// There is no class.
-    #[error("a tolerance class is missing, such as H7 for a hole or h7 for a shaft")]
     Missing,
     /// Upper and lower case in one class: neither hole nor shaft.
-    #[error("{text} mixes upper and lower case: write {upper} for a hole or {lower} for a shaft")]
     MixedCase {
         /// What was given.
         text: String,
@@ -76,23 +75,10 @@ pub enum ClassError {
         lower: String,
     },
     /// Not letters and a grade.
-    #[error("{text} is not a tolerance class: write letters and a grade, such as H7 or js13")]
     Malformed {
         /// What was given.
         text: String,
     },
-}
-
-impl Say for ClassError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Missing => Message::new("class-missing"),
-            Self::MixedCase { text, upper, lower } => {
-                Message::new("class-mixed-case").text("text", text).text("upper", upper).text("lower", lower)
-            }
-            Self::Malformed { text } => Message::new("class-malformed").text("text", text),
-        }
-    }
 }
 
 impl ToleranceClass {
@@ -194,17 +180,6 @@ mod tests {
             assert_eq!(class.other_case().feature(), feature.other());
         }
         assert_eq!("JS7".parse::<ToleranceClass>().unwrap().letters(), "JS");
-    }
-
-    #[test]
-    fn every_error_is_said_in_english_and_in_dutch() {
-        use crate::words::{Language, Words};
-        for text in ["", "Js7", "H777"] {
-            let error = text.parse::<ToleranceClass>().unwrap_err();
-            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-            let dutch = Words::new(Language::Nl).told(&error);
-            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
-        }
     }
 
     #[test]

@@ -37,6 +37,16 @@ pub struct Difference {
     pub standard: Result<Deviations, Undefined>,
 }
 
+impl Comparison {
+    /// The cells that differ, each by its class and the number of its range: a range that covers several steps of the
+    /// standard may have several differences.
+    pub fn cells(&self) -> Vec<(ToleranceClass, usize)> {
+        let mut cells: Vec<_> = self.differences.iter().map(|found| (found.class, found.range)).collect();
+        cells.dedup();
+        cells
+    }
+}
+
 impl Difference {
     /// How far the table's upper deviation lies above the standard's, where both have one.
     pub fn upper_by(&self) -> Option<Length> {

@@ -6,8 +6,8 @@
 use std::fmt;
 
 use super::limits::Deviations;
-use crate::length::{Length, signed_mm};
-use crate::message::{Message, Say};
+use crate::length::Length;
+use crate::message::{Message, Say, as_text};
 
 /// A class of ISO 2768-1, told by its small letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -22,6 +22,8 @@ pub enum GeneralClass {
     VeryCoarse,
 }
 
+as_text!(GeneralClass);
+
 /// A cell of the table: deviations, and the size range they belong to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct GeneralCell {
@@ -34,26 +36,23 @@ pub struct GeneralCell {
 }
 
 /// Why a size has no general tolerance.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "general", error)]
 pub enum GeneralError {
     /// Below 0.5 mm the drawing must say the deviations.
-    #[error("nominal size {nominal} mm is below {FIRST} mm, where ISO 2768-1 begins: write the deviations at the size")]
+    #[say(args(first = FIRST))]
     TooSmall {
         /// The size that was asked for.
         nominal: Length,
     },
     /// The size is beyond the last range.
-    #[error("nominal size {nominal} mm is beyond ISO 2768-1, which ends with {last} mm", last = last())]
+    #[say(args(last = last()))]
     TooLarge {
         /// The size that was asked for.
         nominal: Length,
     },
     /// The class has no value in this range.
-    #[error(
-        "there is no class {class} of ISO 2768-1 {}; it is defined {}",
-        range_text(*.over, *.to),
-        range_text(*.defined_over, *.defined_to)
-    )]
+    #[say(args(range = range(*over, *to), defined = range(*defined_over, *defined_to)))]
     NotDefined {
         /// The class that was asked for.
         class: GeneralClass,
@@ -168,30 +167,9 @@ fn last() -> Length {
 }
 
 /// The first range holds its lower end, every other one begins above it.
-fn range_text(over: Length, to: Length) -> String {
-    let from = if over == FIRST { "from" } else { "over" };
-    format!("{from} {over} up to {to} mm")
-}
-
-fn range_message(over: Length, to: Length) -> Message {
+fn range(over: Length, to: Length) -> Message {
     let id = if over == FIRST { "general-range-from" } else { "limits-range" };
-    Message::new(id).mm("over", over).mm("to", to)
-}
-
-impl Say for GeneralError {
-    fn message(&self) -> Message {
-        match self {
-            Self::TooSmall { nominal } => {
-                let message = Message::new("general-too-small").mm("first", FIRST);
-                signed_mm(message, "nominal-sign", "nominal", *nominal)
-            }
-            Self::TooLarge { nominal } => Message::new("general-too-large").mm("nominal", *nominal).mm("last", last()),
-            Self::NotDefined { class, over, to, defined_over, defined_to } => Message::new("general-not-defined")
-                .text("class", class)
-                .message("range", range_message(*over, *to))
-                .message("defined", range_message(*defined_over, *defined_to)),
-        }
-    }
+    Message::new(id).with("over", &over).with("to", &to)
 }
 
 #[cfg(test)]
@@ -228,16 +206,5 @@ mod tests {
             "there is no class f of ISO 2768-1 over 2000 up to 4000 mm; it is defined from 0.5 up to 2000 mm",
         );
         check("4000.000001", "m", "nominal size 4000.000001 mm is beyond ISO 2768-1, which ends with 4000 mm");
-    }
-
-    #[test]
-    fn every_error_is_said_in_english_and_in_dutch() {
-        use crate::words::{Language, Words};
-        for (class, size) in [("m", "0.1"), ("v", "3"), ("f", "2500"), ("c", "5000"), ("m", "-1")] {
-            let error = deviations(GeneralClass::from_letter(class).unwrap(), size.parse().unwrap()).unwrap_err();
-            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-            let dutch = Words::new(Language::Nl).told(&error);
-            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
-        }
     }
 }

@@ -1,13 +1,12 @@
 //! Deviations, limits of size, and where they come from.
 
-use std::fmt;
 use std::sync::Arc;
 
 use super::class::Feature;
 use super::iso286::Remark;
 use super::iso2768::GeneralClass;
-use crate::length::{Length, signed_mm};
-use crate::message::{Message, Say};
+use crate::length::Length;
+use crate::message::{Message, Say, display};
 
 /// Upper and lower limit deviation from the nominal size; upper is never below lower.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -17,20 +16,13 @@ pub struct Deviations {
 }
 
 /// The upper deviation lies below the lower one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("upper deviation {upper} mm is below lower deviation {lower} mm")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(id = "deviations-order", error)]
 pub struct DeviationsError {
     /// The upper deviation that was given.
     pub upper: Length,
     /// The lower deviation that was given.
     pub lower: Length,
-}
-
-impl Say for DeviationsError {
-    fn message(&self) -> Message {
-        let message = signed_mm(Message::new("deviations-order"), "upper-sign", "upper", self.upper);
-        signed_mm(message, "lower-sign", "lower", self.lower)
-    }
 }
 
 impl Deviations {
@@ -111,44 +103,24 @@ pub enum Source {
     File(Arc<str>),
 }
 
-impl fmt::Display for Source {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Iso286 { over, to, remark: None } => write!(f, "ISO 286, over {over} up to {to} mm"),
-            Self::Iso286 { over, to, remark: Some(remark) } => {
-                write!(f, "ISO 286, over {over} up to {to} mm; {remark}")
-            }
-            Self::Iso2768 { class, over, to } => write!(f, "ISO 2768-1 class {class}, over {over} up to {to} mm"),
-            Self::Callout => f.pad("the callout itself"),
-            Self::Table { name, shipped: true, over, to, .. } => {
-                write!(f, "built-in table {name}, over {over} up to {to} mm")
-            }
-            Self::Table { name, over, to, .. } => write!(f, "table {name}, over {over} up to {to} mm"),
-            Self::File(name) => write!(f, "file {name}"),
-        }
-    }
-}
+display!(Source);
 
 impl Say for Source {
     fn message(&self) -> Message {
         match self {
-            Self::Iso286 { over, to, remark } => {
-                let id = if remark.is_some() { "source-iso286-remark" } else { "source-iso286" };
-                let message = Message::new(id).mm("over", *over).mm("to", *to);
-                match remark {
-                    Some(remark) => message.message("remark", remark.message()),
-                    None => message,
-                }
+            Self::Iso286 { over, to, remark: None } => Message::new("source-iso286").with("over", over).with("to", to),
+            Self::Iso286 { over, to, remark: Some(remark) } => {
+                Message::new("source-iso286-remark").with("over", over).with("to", to).with("remark", remark)
             }
             Self::Iso2768 { class, over, to } => {
-                Message::new("source-iso2768").text("class", class).mm("over", *over).mm("to", *to)
+                Message::new("source-iso2768").with("class", class).with("over", over).with("to", to)
             }
             Self::Callout => Message::new("source-callout"),
             Self::Table { name, shipped, over, to, .. } => {
                 let id = if *shipped { "source-shipped-table" } else { "source-table" };
-                Message::new(id).text("name", name).mm("over", *over).mm("to", *to)
+                Message::new(id).with("name", name).with("over", over).with("to", to)
             }
-            Self::File(name) => Message::new("source-file").text("name", name),
+            Self::File(name) => Message::new("source-file").with("name", name),
         }
     }
 }
@@ -199,35 +171,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_and_sources_are_said_in_english_and_in_dutch() {
+    fn lengths_in_a_sentence_have_the_sign_of_its_language() {
         use crate::words::{Language, Words};
         let um = Length::from_micrometres;
         let error = DeviationsError { upper: um(-12), lower: um(7) };
-        assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-        let dutch = "bovenafwijking -0,012 mm ligt onder onderafwijking 0,007 mm";
+        let dutch = "bovenafwijking \u{2212}0,012 mm ligt onder onderafwijking 0,007 mm";
         assert_eq!(Words::new(Language::Nl).told(&error), dutch);
-        let (over, to) = (um(18_500), um(30_000));
-        let table = |shipped| Source::Table { name: "own.tab".into(), shipped, over, to, instead_of: None };
-        let standard = |remark| Source::Iso286 { over, to, remark };
-        let [rounded, contested] = [Remark::JsRounded, Remark::ContestedEf].map(|remark| standard(Some(remark)));
-        let [older, trial] = [Remark::OlderIt5, Remark::TrialUse].map(|remark| standard(Some(remark)));
-        let general = Source::Iso2768 { class: GeneralClass::Medium, over, to };
-        for source in [
-            standard(None),
-            rounded,
-            contested,
-            older,
-            trial,
-            general,
-            Source::Callout,
-            table(true),
-            table(false),
-            Source::File("TCHPR421.TXT".into()),
-        ] {
-            assert_eq!(Words::new(Language::En).told(&source), source.to_string());
-            let dutch = Words::new(Language::Nl).told(&source);
-            assert!(dutch != source.message().id && dutch != source.to_string(), "{dutch}");
-        }
     }
 
     #[test]

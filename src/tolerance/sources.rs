@@ -13,7 +13,7 @@ use super::limits::{Deviations, Limits, Source};
 use super::ranges;
 use super::table::{Column, DeviationTable};
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::Say;
 
 /// Where limits are looked up: the user's own tables first, then ISO 286 or the control's tables.
 ///
@@ -38,27 +38,32 @@ pub enum Base {
 }
 
 /// Why a callout has no limits.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "limits", error)]
 pub enum LimitsError {
     /// ISO 286 does not define it.
-    #[error("{0}")]
+    #[say(transparent)]
     Undefined(#[from] Undefined),
     /// No table has the class.
-    #[error("{}", unknown_class(*.class, .table, .known, *.other_case))]
     UnknownClass {
         /// The class that was asked for.
         class: ToleranceClass,
         /// The tables for this kind of feature, by name.
         table: String,
         /// The classes that there are for this kind of feature.
-        known: Vec<ToleranceClass>,
-        /// The class of the other case, where a table has it: the user may have meant that.
-        other_case: Option<ToleranceClass>,
+        known: String,
+    },
+    /// No table has the class, but one has that of the other case: the user may have meant that.
+    #[say(args(feature = class.feature()))]
+    OtherCase {
+        /// The class that was asked for.
+        class: ToleranceClass,
+        /// The tables for this kind of feature, by name.
+        table: String,
+        /// The class that there is.
+        other: ToleranceClass,
     },
     /// The size is beyond the table's last range.
-    #[error(
-        "nominal size {nominal} mm is beyond table {table}, whose last range is over {over} up to and including {to} mm"
-    )]
     BeyondLastRange {
         /// The size that was asked for.
         nominal: Length,
@@ -70,7 +75,7 @@ pub enum LimitsError {
         to: Length,
     },
     /// The table's cell is empty.
-    #[error("{class} is not defined over {over} up to {to} mm in table {table}; {}", ranges::text(.defined))]
+    #[say(args(where = ranges::message(defined)))]
     NotDefined {
         /// The class that was asked for.
         class: ToleranceClass,
@@ -81,87 +86,28 @@ pub enum LimitsError {
         /// up to and including this.
         to: Length,
         /// Where the class is defined, above and up to: joined ranges, ascending.
+        #[say(skip)]
         defined: Vec<(Length, Length)>,
     },
     /// ISO 2768-1 does not define it.
-    #[error("{0}")]
+    #[say(transparent)]
     General(#[from] GeneralError),
     /// A callout without letters does not say hole or shaft, and a fit says both.
-    #[error("{callout} does not say whether the hole or the shaft is meant")]
     NoFeature {
         /// What was asked for.
         callout: Callout,
     },
     /// The letter's case says hole and a shaft was asked for, or the other way round.
-    #[error("{class} is a {} class and not a {} class", class.feature(), class.feature().other())]
+    #[say(args(feature = class.feature()))]
     OtherFeature {
         /// The class that was asked for.
         class: ToleranceClass,
     },
     /// A limit would be beyond what a length can hold.
-    #[error("the limits of {nominal} mm are too large")]
     TooLarge {
         /// The size that was asked for.
         nominal: Length,
     },
-}
-
-impl Say for LimitsError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Undefined(error) => error.message(),
-            Self::General(error) => error.message(),
-            Self::NoFeature { callout } => Message::new("limits-no-feature").text("callout", callout),
-            Self::OtherFeature { class } => {
-                let id = match class.feature() {
-                    Feature::Hole => "limits-is-hole-class",
-                    Feature::Shaft => "limits-is-shaft-class",
-                };
-                Message::new(id).text("class", class)
-            }
-            Self::UnknownClass { class, table, other_case: Some(other), .. } => {
-                let id = match class.feature() {
-                    Feature::Hole => "limits-hole-class",
-                    Feature::Shaft => "limits-shaft-class",
-                };
-                Message::new(id).text("class", class).text("table", table).text("other", other)
-            }
-            Self::UnknownClass { class, table, known, .. } => {
-                let known: Vec<&str> = known.iter().map(ToleranceClass::as_str).collect();
-                let message = Message::new("limits-unknown-class").text("class", class).text("table", table);
-                message.text("known", known.join(" "))
-            }
-            Self::BeyondLastRange { nominal, table, over, to } => Message::new("limits-beyond-last-range")
-                .mm("nominal", *nominal)
-                .text("table", table)
-                .mm("over", *over)
-                .mm("to", *to),
-            Self::NotDefined { class, table, over, to, defined } => Message::new("limits-not-defined")
-                .text("class", class)
-                .text("table", table)
-                .mm("over", *over)
-                .mm("to", *to)
-                .message("where", ranges::message(defined)),
-            Self::TooLarge { nominal } => Message::new("limits-too-large").mm("nominal", *nominal),
-        }
-    }
-}
-
-fn unknown_class(
-    class: ToleranceClass,
-    table: &str,
-    known: &[ToleranceClass],
-    other_case: Option<ToleranceClass>,
-) -> String {
-    let feature = class.feature();
-    if let Some(other) = other_case {
-        return format!(
-            "{class} is a {feature} class and table {table} does not have it; the {} class is {other}",
-            feature.other()
-        );
-    }
-    let known: Vec<&str> = known.iter().map(ToleranceClass::as_str).collect();
-    format!("{class} is not in table {table}; it has {}", known.join(" "))
 }
 
 impl Sources {
@@ -347,8 +293,13 @@ impl Sources {
         let has = |table: &DeviationTable| table.columns().iter().any(|column| column.class.feature() == feature);
         let names: Vec<&str> = self.tables().filter(|table| has(table)).map(|table| table.name()).collect();
         let other = class.other_case();
-        let other_case = self.tables().any(|table| table.column(other).is_some()).then_some(other);
-        LimitsError::UnknownClass { class, table: names.join(", "), known: self.classes(feature), other_case }
+        let table = names.join(", ");
+        if self.tables().any(|table| table.column(other).is_some()) {
+            return LimitsError::OtherCase { class, table, other };
+        }
+        let known = self.classes(feature);
+        let known: Vec<&str> = known.iter().map(ToleranceClass::as_str).collect();
+        LimitsError::UnknownClass { class, table, known: known.join(" ") }
     }
 }
 

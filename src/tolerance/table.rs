@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::class::ToleranceClass;
 use super::limits::Deviations;
-use crate::length::{Length, signed_mm};
-use crate::message::{Message, Say};
+use crate::length::Length;
+use crate::message::Say;
 
 /// One class of a [`DeviationTable`].
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -30,13 +30,12 @@ pub struct DeviationTable {
 }
 
 /// What is wrong with the parts of a [`DeviationTable`]; readers of files name the line, too.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "shape", error)]
 pub enum TableShapeError {
     /// No ranges.
-    #[error("the table has no size range")]
     NoRanges,
     /// A range does not end above the one before it.
-    #[error("size range up to {end} mm does not end above the one before it, {before} mm")]
     NotAscending {
         /// The range's end.
         end: Length,
@@ -44,7 +43,6 @@ pub enum TableShapeError {
         before: Length,
     },
     /// A column has more or fewer cells than there are ranges.
-    #[error("column {class} has {cells} cells for {ranges} size ranges")]
     Cells {
         /// The column.
         class: ToleranceClass,
@@ -54,27 +52,10 @@ pub enum TableShapeError {
         ranges: usize,
     },
     /// A class stands in two columns.
-    #[error("column {class} occurs twice")]
     Twice {
         /// The class.
         class: ToleranceClass,
     },
-}
-
-impl Say for TableShapeError {
-    fn message(&self) -> Message {
-        match self {
-            Self::NoRanges => Message::new("shape-no-ranges"),
-            Self::NotAscending { end, before } => {
-                let message = signed_mm(Message::new("shape-not-ascending"), "end-sign", "end", *end);
-                signed_mm(message, "before-sign", "before", *before)
-            }
-            Self::Cells { class, cells, ranges } => {
-                Message::new("shape-cells").text("class", class).text("cells", cells).text("ranges", ranges)
-            }
-            Self::Twice { class } => Message::new("shape-twice").text("class", class),
-        }
-    }
 }
 
 impl DeviationTable {

@@ -79,9 +79,7 @@ impl Words {
 
     /// Micrometres exactly, with a sign unless zero: `+12`, `−7,5`, `0`.
     pub fn signed_um(&self, length: Length) -> String {
-        let plain = length.exact(Unit::Micrometre, 0);
-        let plus = if Length::ZERO < length { "+" } else { "" };
-        format!("{plus}{}", self.number(&plain))
+        self.number(&length.signed_um())
     }
 
     /// Micrometres exactly, without a plus sign.

@@ -10,6 +10,7 @@ use fitcheck::tolerance::fit::{Basis, Fit, Kind, basis};
 use fitcheck::tolerance::iso286::{self, Grade, Letter, Options};
 use fitcheck::tolerance::{Feature, Limits, Source, ToleranceClass};
 use fitcheck::verdict::Status;
+use fitcheck::verdict::fit::Actual;
 use proptest::prelude::*;
 
 pub fn class(text: &str) -> ToleranceClass {
@@ -71,7 +72,7 @@ fn worked_examples() {
 
 #[test]
 fn the_parts_of_the_issue_are_judged() {
-    let actual = fit("50", "H7/p6").actual(mm("50.010"), mm("50.030"));
+    let actual = Actual::of(&fit("50", "H7/p6"), mm("50.010"), mm("50.030"));
     assert_eq!((actual.clearance, actual.conforms, actual.status()), (mm("-0.020"), true, Status::Good));
     let mean = fit("50", "H7/p6").mean_clearance();
     assert_eq!(mean, mm("-0.0215"));
@@ -266,14 +267,14 @@ proptest! {
         let hole = fit.hole();
         let shaft = fit.shaft();
         // Extreme parts give the extreme clearances, and one nanometre more does not conform.
-        let widest = fit.actual(hole.maximum(), shaft.minimum());
+        let widest = Actual::of(&fit, hole.maximum(), shaft.minimum());
         prop_assert!(widest.conforms && widest.clearance == fit.maximum_clearance() && widest.status() == Status::Good);
         let step = Length::from_nanometres(1).unwrap();
-        let beyond = fit.actual(hole.maximum().checked_add(step).unwrap(), shaft.minimum());
+        let beyond = Actual::of(&fit, hole.maximum().checked_add(step).unwrap(), shaft.minimum());
         prop_assert!(!beyond.conforms && beyond.status() == Status::Scrap);
-        let tightest = fit.actual(hole.minimum(), shaft.maximum());
+        let tightest = Actual::of(&fit, hole.minimum(), shaft.maximum());
         prop_assert!(tightest.conforms && tightest.clearance == fit.minimum_clearance());
-        let beyond = fit.actual(hole.minimum(), shaft.maximum().checked_add(step).unwrap());
+        let beyond = Actual::of(&fit, hole.minimum(), shaft.maximum().checked_add(step).unwrap());
         prop_assert!(!beyond.conforms && beyond.status() == Status::Rework);
     }
 }

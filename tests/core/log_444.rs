@@ -318,9 +318,12 @@ fn a_page_is_imported_as_deviations_with_their_status() {
     assert_eq!((imported.rows, imported.problems.len()), (4, 1));
     assert_eq!(
         imported.problems[0].to_string(),
-        format!("line {}: status GOOD does not follow from deviation and tolerance, REWORK", imported.problems[0].line)
+        format!(
+            "line {}: status GOOD does not follow from deviation and tolerance, REWORK",
+            imported.problems[0].place.line.unwrap()
+        )
     );
-    assert_eq!(imported.problems[0].given, "GOOD");
+    assert_eq!(imported.problems[0].what.given, "GOOD");
 }
 
 fn length(most: i64) -> impl Strategy<Value = Length> {

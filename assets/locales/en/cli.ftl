@@ -81,3 +81,38 @@ cli-note-log-off = no log is written: Q281 = 0
 cli-note-log-none = no log is written: the cycle has none
 cli-note-log-on-screen = no log is written: Q281 = 2 shows it on screen
 cli-note-clearance-height = the clearance height is { $height } mm: --clearance-height gives another
+
+# Tables against ISO 286
+cli-verify-off = { $place }: { $class } over { $over } up to { $to } mm: { $table }, ISO 286 has { $standard }: { $by }
+cli-verify-missing = { $place }: { $class } over { $over } up to { $to } mm: no value, ISO 286 has { $standard }
+cli-verify-undefined = { $place }: { $class } over { $over } up to { $to } mm: { $table }, but { $reason }
+cli-verify-neither = { $place }: { $class } over { $over } up to { $to } mm: { $reason }
+cli-verify-by = { $side ->
+        [upper] upper
+       *[lower] lower
+    } { $um } µm { $way ->
+        [more] more
+       *[less] less
+    }
+cli-verify-table = { $name }: { $classes ->
+        [one] { $classes } class
+       *[other] { $classes } classes
+    }, { $ranges ->
+        [one] { $ranges } size range
+       *[other] { $ranges } size ranges
+    }, { $cells ->
+        [one] { $cells } cell
+       *[other] { $cells } cells
+    } compared: { $differ ->
+        [0] all agree with ISO 286
+        [one] { $differ } differs from ISO 286
+       *[other] { $differ } differ from ISO 286
+    }
+cli-verify-nothing = { $name }: { $classes ->
+        [one] { $classes } class
+       *[other] { $classes } classes
+    }, { $ranges ->
+        [one] { $ranges } size range
+       *[other] { $ranges } size ranges
+    }, { $cells } cells compared: nothing to compare with ISO 286
+cli-verify-own = { $table }; not compared, no class of ISO 286: { $own }

@@ -6,10 +6,6 @@ report-ending-missing = { $file } has no ending that tells the report's format: 
 report-ending-unknown = .{ $ending } is not a format of the report: use one of { $endings }
 
 ## Sentences about one check
-report-status-good = GOOD
-report-status-rework = REWORK
-report-status-remeasure = RE-MEASURE
-report-status-scrap = SCRAP
 report-feature-hole = hole
 report-feature-shaft = shaft
 report-side-good = good

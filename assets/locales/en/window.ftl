@@ -85,10 +85,6 @@ contacts-empty = The contacts appear with the measurement
 contacts-describe = { $count } contacts seen from above, deviations magnified { $factor } times. { $circle }
 centre-is = centre { $x } / { $y }
 
-word-good = GOOD
-word-rework = REWORK
-word-scrap = SCRAP
-word-re-measure = RE-MEASURE
 word-none = No result
 above-minimum = { $um } µm above minimum
 below-minimum = { $um } µm below minimum

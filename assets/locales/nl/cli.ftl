@@ -81,3 +81,38 @@ cli-note-log-off = er wordt geen protocol geschreven: Q281 = 0
 cli-note-log-none = er wordt geen protocol geschreven: de cyclus heeft er geen
 cli-note-log-on-screen = er wordt geen protocol geschreven: Q281 = 2 toont het op het scherm
 cli-note-clearance-height = de veilige hoogte is { $height } mm: --clearance-height geeft een andere
+
+# Tabellen tegen ISO 286
+cli-verify-off = { $place }: { $class } boven { $over } tot en met { $to } mm: { $table }, ISO 286 heeft { $standard }: { $by }
+cli-verify-missing = { $place }: { $class } boven { $over } tot en met { $to } mm: geen waarde, ISO 286 heeft { $standard }
+cli-verify-undefined = { $place }: { $class } boven { $over } tot en met { $to } mm: { $table }, maar { $reason }
+cli-verify-neither = { $place }: { $class } boven { $over } tot en met { $to } mm: { $reason }
+cli-verify-by = { $side ->
+        [upper] bovenste
+       *[lower] onderste
+    } { $um } µm { $way ->
+        [more] meer
+       *[less] minder
+    }
+cli-verify-table = { $name }: { $classes ->
+        [one] { $classes } klasse
+       *[other] { $classes } klassen
+    }, { $ranges ->
+        [one] { $ranges } maatbereik
+       *[other] { $ranges } maatbereiken
+    }, { $cells ->
+        [one] { $cells } cel
+       *[other] { $cells } cellen
+    } vergeleken: { $differ ->
+        [0] alles volgens ISO 286
+        [one] { $differ } wijkt af van ISO 286
+       *[other] { $differ } wijken af van ISO 286
+    }
+cli-verify-nothing = { $name }: { $classes ->
+        [one] { $classes } klasse
+       *[other] { $classes } klassen
+    }, { $ranges ->
+        [one] { $ranges } maatbereik
+       *[other] { $ranges } maatbereiken
+    }, { $cells } cellen vergeleken: niets te vergelijken met ISO 286
+cli-verify-own = { $table }; niet vergeleken, geen klasse van ISO 286: { $own }

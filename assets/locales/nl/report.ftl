@@ -6,10 +6,6 @@ report-ending-missing = { $file } heeft geen extensie waaruit de soort rapport b
 report-ending-unknown = .{ $ending } is geen soort rapport: gebruik een van { $endings }
 
 ## Sentences about one check
-report-status-good = GOED
-report-status-rework = NABEWERKING
-report-status-remeasure = OPNIEUW METEN
-report-status-scrap = AFGEKEURD
 report-feature-hole = boring
 report-feature-shaft = as
 report-side-good = goed

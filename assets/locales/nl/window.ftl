@@ -85,10 +85,6 @@ contacts-empty = De meetpunten verschijnen met de meting
 contacts-describe = { $count } meetpunten van boven gezien, afwijkingen { $factor } keer vergroot. { $circle }
 centre-is = midden { $x } / { $y }
 
-word-good = GOED
-word-rework = NABEWERKING
-word-scrap = AFGEKEURD
-word-re-measure = OPNIEUW METEN
 word-none = Geen resultaat
 above-minimum = { $um } µm boven minimaal
 below-minimum = { $um } µm onder minimaal

@@ -17,8 +17,7 @@ mod text;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use clap::builder::PossibleValuesParser;
-
+use super::args::dialogue;
 use super::{CliError, Format, Io, Note, Outcome, Refused as _, What, read_contacts, read_input};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
@@ -112,8 +111,8 @@ pub(super) struct Args {
     #[command(flatten)]
     log: log::LogArgs,
     /// Language of the log, and of the control's questions and names as far as they are known
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Dialogue::ALL.map(Dialogue::code)))]
-    language: String,
+    #[arg(long, default_value = "en", value_parser = dialogue())]
+    language: Dialogue,
     /// How the result is printed
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -149,7 +148,7 @@ fn known(text: &str) -> Result<&'static Cycle, String> {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let language = Dialogue::from_code(&self.language).unwrap_or_default();
+        let language = self.language;
         if self.list {
             list::print(self.cycle, language, self.format, io)?;
             return Ok(Outcome::Done);

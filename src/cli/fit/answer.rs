@@ -1,12 +1,14 @@
 //! What there is to say about one fit: computed by the core, put together here.
 
-use super::Asked;
+use super::Given;
 use super::heat::{Heat, Heated};
 use crate::length::Length;
+use crate::tolerance::fit::Fit;
+use crate::tolerance::fit::FitError;
 use crate::tolerance::fit::equivalent::{Difference, equivalent};
-use crate::tolerance::fit::{Actual, Fit, FitError, Possible};
 use crate::tolerance::{Callout, Feature, Tolerance, ToleranceClass};
 use crate::verdict::Status;
+use crate::verdict::fit::{Actual, Possible};
 
 /// Everything about one fit.
 pub(super) struct Answer<'a> {
@@ -54,26 +56,26 @@ impl Measured {
 
 impl<'a> Answer<'a> {
     /// The answer, or why there is none.
-    pub(super) fn of(callout: Callout, asked: &'a Asked<'_>) -> Result<Self, FitError> {
-        let fit = Fit::of_callout(&callout, asked.sources)?;
+    pub(super) fn of(callout: Callout, given: &'a Given<'_>) -> Result<Self, FitError> {
+        let fit = Fit::of_callout(&callout, given.sources)?;
         let Tolerance::Fit { hole, shaft } = callout.tolerance() else {
             return Err(FitError::OneSided { callout });
         };
         let equivalent = equivalent(hole, shaft).and_then(|(hole, shaft)| {
             let callout = Callout::fit(callout.nominal(), hole, shaft).ok()?;
-            let fit = Fit::of_callout(&callout, asked.sources).map(|other| {
+            let fit = Fit::of_callout(&callout, given.sources).map(|other| {
                 let difference = Difference::between(&fit, &other);
                 (other, difference)
             });
             Some(Equivalent { callout, fit })
         });
-        let measured = match (asked.measured.hole, asked.measured.shaft) {
-            (Some(hole), Some(shaft)) => Measured::Both(fit.actual(hole, shaft)),
-            (Some(hole), None) => Measured::One(fit.possible(Feature::Hole, hole)),
-            (None, Some(shaft)) => Measured::One(fit.possible(Feature::Shaft, shaft)),
+        let measured = match (given.hole, given.shaft) {
+            (Some(hole), Some(shaft)) => Measured::Both(Actual::of(&fit, hole, shaft)),
+            (Some(hole), None) => Measured::One(Possible::of(&fit, Feature::Hole, hole)),
+            (None, Some(shaft)) => Measured::One(Possible::of(&fit, Feature::Shaft, shaft)),
             (None, None) => Measured::None,
         };
-        let heated = match &asked.heat {
+        let heated = match &given.heat {
             Some(heat) => {
                 let heated = heat.of(&fit, measured.clearance()).ok_or(FitError::TooLarge)?;
                 Some((heat, heated))

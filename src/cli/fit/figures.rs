@@ -6,11 +6,14 @@ use serde::Serialize;
 
 use super::answer::{Answer, Measured};
 use super::heat::{Heat, Heated, Part};
+use crate::cli::answers::Cells;
 use crate::cli::{Figure, limits};
 use crate::length::{Length, Unit};
+use crate::report::columns::{self, Cell as _, Column};
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
-use crate::tolerance::fit::{Actual, Basis, Possible, basis};
+use crate::tolerance::fit::{Basis, basis};
 use crate::tolerance::{Limits, ToleranceClass};
+use crate::verdict::fit::{Actual, Possible};
 use crate::verdict::{Status, Verdict};
 
 /// One fit; the fields' order is that of the columns.
@@ -130,12 +133,6 @@ impl PartFigures {
             source: limits::source(&limits.source),
         }
     }
-
-    fn cells(&self) -> [String; 6] {
-        let [min, max, lower, upper] =
-            [&self.min_mm, &self.max_mm, &self.lower_um, &self.upper_um].map(|figure| figure.0.clone());
-        [self.class.clone(), min, max, lower, upper, self.source.clone()]
-    }
 }
 
 impl EquivalentFigures {
@@ -148,12 +145,6 @@ impl EquivalentFigures {
             maximum_clearance_um: fit.map(|(fit, _)| um(fit.maximum_clearance())),
             error: equivalent.fit.as_ref().err().map(ToString::to_string),
         }
-    }
-
-    fn cells(&self) -> [String; 5] {
-        let exact = self.exact.map(|exact| exact.to_string()).unwrap_or_default();
-        let [minimum, maximum] = [&self.minimum_clearance_um, &self.maximum_clearance_um].map(figure);
-        [self.callout.clone(), exact, minimum, maximum, self.error.clone().unwrap_or_default()]
     }
 }
 
@@ -170,14 +161,6 @@ impl ActualFigures {
             shaft_remove_um: removal(&actual.shaft_verdict),
         }
     }
-
-    fn cells(&self) -> [String; 8] {
-        let [hole, shaft, clearance] = [&self.hole_mm, &self.shaft_mm, &self.clearance_um].map(|it| it.0.clone());
-        let [hole_status, shaft_status] = [self.hole_status, self.shaft_status].map(|status| status.to_string());
-        let [hole_remove, shaft_remove] = [&self.hole_remove_um, &self.shaft_remove_um].map(figure);
-        let conforms = self.conforms.to_string();
-        [hole, shaft, clearance, conforms, hole_status, shaft_status, hole_remove, shaft_remove]
-    }
 }
 
 impl PossibleFigures {
@@ -190,13 +173,6 @@ impl PossibleFigures {
             minimum_clearance_um: um(part.minimum),
             maximum_clearance_um: um(part.maximum),
         }
-    }
-
-    fn cells(&self) -> [String; 6] {
-        let [measured, minimum, maximum] =
-            [&self.measured_mm, &self.minimum_clearance_um, &self.maximum_clearance_um].map(|it| it.0.clone());
-        let status = self.status.to_string();
-        [self.feature.to_owned(), measured, status, figure(&self.remove_um), minimum, maximum]
     }
 }
 
@@ -220,41 +196,73 @@ impl TemperatureFigures {
             shaft_material: material(&heat.shaft),
         }
     }
-
-    fn cells(&self) -> [String; 15] {
-        let figures =
-            [&self.hole_c, &self.shaft_c, &self.change_um, &self.minimum_clearance_um, &self.maximum_clearance_um];
-        let [hole, shaft, change, minimum, maximum] = figures.map(|figure| figure.0.clone());
-        let [hole_name, hole_expansion, hole_certainty, hole_source] = self.hole_material.cells();
-        let [shaft_name, shaft_expansion, shaft_certainty, shaft_source] = self.shaft_material.cells();
-        [
-            hole,
-            shaft,
-            change,
-            minimum,
-            maximum,
-            self.kind.to_owned(),
-            figure(&self.actual_clearance_um),
-            hole_name,
-            hole_expansion,
-            hole_certainty,
-            hole_source,
-            shaft_name,
-            shaft_expansion,
-            shaft_certainty,
-            shaft_source,
-        ]
-    }
-}
-
-impl MaterialFigures {
-    fn cells(&self) -> [String; 4] {
-        let [name, source] = [&self.name, &self.source].map(|text| text.clone().unwrap_or_default());
-        [name, self.expansion_um_per_m_k.0.clone(), self.certainty.to_owned(), source]
-    }
 }
 
 impl<'a> Figures<'a> {
+    /// The columns of CSV: the names of JSON, joined where one lies within another.
+    pub(super) const COLUMNS: [Column<Self>; 56] = [
+        ("callout", |fit| fit.callout.cell()),
+        ("nominal_mm", |fit| fit.nominal_mm.cell()),
+        ("kind", |fit| fit.kind.cell()),
+        ("minimum_clearance_um", |fit| fit.minimum_clearance_um.cell()),
+        ("maximum_clearance_um", |fit| fit.maximum_clearance_um.cell()),
+        ("mean_clearance_um", |fit| fit.mean_clearance_um.cell()),
+        ("basis", |fit| fit.basis.cell()),
+        ("preferred", |fit| fit.preferred.cell()),
+        ("function", |fit| fit.function.cell()),
+        ("hole_class", |fit| fit.hole.as_ref()?.class.cell()),
+        ("hole_min_mm", |fit| fit.hole.as_ref()?.min_mm.cell()),
+        ("hole_max_mm", |fit| fit.hole.as_ref()?.max_mm.cell()),
+        ("hole_lower_um", |fit| fit.hole.as_ref()?.lower_um.cell()),
+        ("hole_upper_um", |fit| fit.hole.as_ref()?.upper_um.cell()),
+        ("hole_source", |fit| fit.hole.as_ref()?.source.cell()),
+        ("shaft_class", |fit| fit.shaft.as_ref()?.class.cell()),
+        ("shaft_min_mm", |fit| fit.shaft.as_ref()?.min_mm.cell()),
+        ("shaft_max_mm", |fit| fit.shaft.as_ref()?.max_mm.cell()),
+        ("shaft_lower_um", |fit| fit.shaft.as_ref()?.lower_um.cell()),
+        ("shaft_upper_um", |fit| fit.shaft.as_ref()?.upper_um.cell()),
+        ("shaft_source", |fit| fit.shaft.as_ref()?.source.cell()),
+        ("equivalent_callout", |fit| fit.equivalent.as_ref()?.callout.cell()),
+        ("equivalent_exact", |fit| fit.equivalent.as_ref()?.exact.cell()),
+        ("equivalent_minimum_clearance_um", |fit| fit.equivalent.as_ref()?.minimum_clearance_um.cell()),
+        ("equivalent_maximum_clearance_um", |fit| fit.equivalent.as_ref()?.maximum_clearance_um.cell()),
+        ("equivalent_error", |fit| fit.equivalent.as_ref()?.error.cell()),
+        ("actual_hole_mm", |fit| fit.actual.as_ref()?.hole_mm.cell()),
+        ("actual_shaft_mm", |fit| fit.actual.as_ref()?.shaft_mm.cell()),
+        ("actual_clearance_um", |fit| fit.actual.as_ref()?.clearance_um.cell()),
+        ("actual_conforms", |fit| fit.actual.as_ref()?.conforms.cell()),
+        ("actual_hole_status", |fit| fit.actual.as_ref()?.hole_status.cell()),
+        ("actual_shaft_status", |fit| fit.actual.as_ref()?.shaft_status.cell()),
+        ("actual_hole_remove_um", |fit| fit.actual.as_ref()?.hole_remove_um.cell()),
+        ("actual_shaft_remove_um", |fit| fit.actual.as_ref()?.shaft_remove_um.cell()),
+        ("possible_feature", |fit| fit.possible.as_ref()?.feature.cell()),
+        ("possible_measured_mm", |fit| fit.possible.as_ref()?.measured_mm.cell()),
+        ("possible_status", |fit| fit.possible.as_ref()?.status.cell()),
+        ("possible_remove_um", |fit| fit.possible.as_ref()?.remove_um.cell()),
+        ("possible_minimum_clearance_um", |fit| fit.possible.as_ref()?.minimum_clearance_um.cell()),
+        ("possible_maximum_clearance_um", |fit| fit.possible.as_ref()?.maximum_clearance_um.cell()),
+        ("temperature_hole_c", |fit| fit.temperature.as_ref()?.hole_c.cell()),
+        ("temperature_shaft_c", |fit| fit.temperature.as_ref()?.shaft_c.cell()),
+        ("temperature_change_um", |fit| fit.temperature.as_ref()?.change_um.cell()),
+        ("temperature_minimum_clearance_um", |fit| fit.temperature.as_ref()?.minimum_clearance_um.cell()),
+        ("temperature_maximum_clearance_um", |fit| fit.temperature.as_ref()?.maximum_clearance_um.cell()),
+        ("temperature_kind", |fit| fit.temperature.as_ref()?.kind.cell()),
+        ("temperature_actual_clearance_um", |fit| fit.temperature.as_ref()?.actual_clearance_um.cell()),
+        ("temperature_hole_material_name", |fit| fit.temperature.as_ref()?.hole_material.name.cell()),
+        ("temperature_hole_material_expansion_um_per_m_k", |fit| {
+            fit.temperature.as_ref()?.hole_material.expansion_um_per_m_k.cell()
+        }),
+        ("temperature_hole_material_certainty", |fit| fit.temperature.as_ref()?.hole_material.certainty.cell()),
+        ("temperature_hole_material_source", |fit| fit.temperature.as_ref()?.hole_material.source.cell()),
+        ("temperature_shaft_material_name", |fit| fit.temperature.as_ref()?.shaft_material.name.cell()),
+        ("temperature_shaft_material_expansion_um_per_m_k", |fit| {
+            fit.temperature.as_ref()?.shaft_material.expansion_um_per_m_k.cell()
+        }),
+        ("temperature_shaft_material_certainty", |fit| fit.temperature.as_ref()?.shaft_material.certainty.cell()),
+        ("temperature_shaft_material_source", |fit| fit.temperature.as_ref()?.shaft_material.source.cell()),
+        ("error", |fit| fit.error.cell()),
+    ];
+
     pub(super) fn of(callout: &'a str, answer: &Answer<'_>) -> Self {
         let fit = &answer.fit;
         let [basis, preferred, function] = words(answer.hole, answer.shaft);
@@ -286,32 +294,10 @@ impl<'a> Figures<'a> {
     pub(super) fn refused(callout: &'a str, error: String) -> Self {
         Self { callout, error: Some(error), ..Self::default() }
     }
+}
 
-    /// The cells of CSV, in the order of [`super::columns::COLUMNS`].
-    pub(super) fn columns(&self) -> Vec<String> {
-        let words = [self.kind, self.basis, self.preferred, self.function];
-        let [kind, basis, preferred, function] = words.map(|word| word.unwrap_or_default().to_owned());
-        let clearances = [&self.minimum_clearance_um, &self.maximum_clearance_um, &self.mean_clearance_um].map(figure);
-        let mut cells = vec![self.callout.to_owned(), figure(&self.nominal_mm), kind];
-        cells.extend(clearances);
-        cells.extend([basis, preferred, function]);
-        cells.extend(part_cells(self.hole.as_ref(), PartFigures::cells));
-        cells.extend(part_cells(self.shaft.as_ref(), PartFigures::cells));
-        cells.extend(part_cells(self.equivalent.as_ref(), EquivalentFigures::cells));
-        cells.extend(part_cells(self.actual.as_ref(), ActualFigures::cells));
-        cells.extend(part_cells(self.possible.as_ref(), PossibleFigures::cells));
-        cells.extend(part_cells(self.temperature.as_ref(), TemperatureFigures::cells));
-        cells.push(self.error.clone().unwrap_or_default());
-        cells
+impl Cells for Figures<'_> {
+    fn cells(&self) -> Vec<String> {
+        columns::cells(&Self::COLUMNS, self).collect()
     }
-}
-
-/// The cells of a part that may not be there.
-fn part_cells<T, const N: usize>(part: Option<&T>, cells: impl Fn(&T) -> [String; N]) -> [String; N] {
-    part.map_or_else(|| [const { String::new() }; N], cells)
-}
-
-#[expect(clippy::ref_option, reason = "maps arrays of references to fields")]
-fn figure(figure: &Option<Figure>) -> String {
-    figure.as_ref().map(|figure| figure.0.clone()).unwrap_or_default()
 }

@@ -3,15 +3,16 @@
 mod figures;
 
 use clap::ValueEnum;
-use figures::{COLUMNS, CandidateFigures, Figures, MissFigures};
+use figures::{CandidateFigures, Figures, MissFigures};
 
 use super::figures::{nominal, um};
-use super::{csv_line, text};
+use super::text;
+use crate::cli::answers::{csv_line, printable};
 use crate::cli::args::one_of;
-use crate::cli::limits::printable;
 use crate::cli::note::about;
 use crate::cli::{CliError, Format, Io, Note, Outcome, Refused as _, What};
 use crate::length::Length;
+use crate::report::columns::{cells, names};
 use crate::tolerance::fit::preferred::{self, Function};
 use crate::tolerance::fit::search::{self, Candidate, Found, Miss, Scope, Wanted};
 use crate::tolerance::fit::{self, Fit};
@@ -163,9 +164,10 @@ fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(),
     match format {
         Format::Text => Ok(print_text(searched, io)?),
         Format::Csv => {
-            csv_line(COLUMNS, io)?;
+            csv_line(names(&CandidateFigures::COLUMNS), io)?;
             for candidate in &searched.found.candidates {
-                csv_line(CandidateFigures::of(searched.size, candidate).cells(), io)?;
+                let figures = CandidateFigures::of(searched.size, candidate);
+                csv_line(cells(&CandidateFigures::COLUMNS, &figures), io)?;
             }
             if let Some(miss) = &searched.found.nearest {
                 io.tell(Note::NoPair { nearest: nearest(miss) })?;

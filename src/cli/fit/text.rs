@@ -17,7 +17,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
     writeln!(out, "{callout}  {}", with_remarks(&fit.kind(), *hole, *shaft))?;
     let (minimum, maximum) = (fit.minimum_clearance(), fit.maximum_clearance());
     let range = range(minimum, maximum);
-    line(out, "clearance", format_args!("{range}, mean {} µm{}", um(fit.mean_clearance()), negative(minimum)))?;
+    line(out, "clearance", format_args!("{range}, mean {} µm{}", fit.mean_clearance().signed_um(), negative(minimum)))?;
     part(out, "hole", *hole, fit.hole())?;
     part(out, "shaft", *shaft, fit.shaft())?;
     if let Some(other) = &answer.equivalent {
@@ -43,13 +43,7 @@ pub(super) fn with_remarks(kind: &dyn Display, hole: ToleranceClass, shaft: Tole
 
 /// `+7 … +41 µm`
 pub(super) fn range(minimum: Length, maximum: Length) -> String {
-    format!("{} … {} µm", um(minimum), um(maximum))
-}
-
-/// Micrometres with a sign unless zero.
-pub(super) fn um(length: Length) -> String {
-    let plus = if Length::ZERO < length { "+" } else { "" };
-    format!("{plus}{}", length.exact(Unit::Micrometre, 0))
+    format!("{} … {} µm", minimum.signed_um(), maximum.signed_um())
 }
 
 pub(super) const fn negative(minimum: Length) -> &'static str {
@@ -100,7 +94,7 @@ fn measured(out: &mut dyn Write, measured: &Measured) -> Result<()> {
             line(out, "this hole", judged(actual.hole, &actual.hole_verdict))?;
             line(out, "this shaft", judged(actual.shaft, &actual.shaft_verdict))?;
             let conforms = if actual.conforms { "within what the fit allows" } else { "outside what the fit allows" };
-            line(out, "actual", format_args!("{} µm, {conforms}", um(actual.clearance)))
+            line(out, "actual", format_args!("{} µm, {conforms}", actual.clearance.signed_um()))
         }
     }
 }
@@ -109,10 +103,10 @@ fn temperature(out: &mut dyn Write, heat: &Heat, heated: &Heated) -> Result<()> 
     let (hole, shaft) = (heat.hole.warm.temperature, heat.shaft.warm.temperature);
     let name = if hole == shaft { format!("at {hole} °C") } else { "when warm".to_owned() };
     let range = range(heated.minimum, heated.maximum);
-    let (kind, change) = (heated.kind(), um(heated.change));
+    let (kind, change) = (heated.kind(), heated.change.signed_um());
     line(out, &name, format_args!("{range}, {kind}, {change} µm against 20 °C"))?;
     if let Some(actual) = heated.actual {
-        line(out, "", format_args!("actual {} µm", um(actual)))?;
+        line(out, "", format_args!("actual {} µm", actual.signed_um()))?;
     }
     line(out, "", format_args!("hole {}", material(&heat.hole)))?;
     line(out, "", format_args!("shaft {}", material(&heat.shaft)))

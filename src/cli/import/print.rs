@@ -8,6 +8,7 @@ use serde_json::{Number, Value as Json};
 use super::row::{COLUMNS, Row, Value};
 use crate::cli::{CliError, Format, Io};
 use crate::length::{Length, Unit};
+use crate::report::columns::names;
 use crate::verdict::Status;
 
 /// Prints the rows of one file after the other.
@@ -23,7 +24,7 @@ impl Printer {
     pub(super) fn new(format: Format, io: &mut Io<'_>) -> Result<Self, CliError> {
         match format {
             Format::Text => {}
-            Format::Csv => writeln!(io.out, "{}", COLUMNS.join(","))?,
+            Format::Csv => writeln!(io.out, "{}", names(&COLUMNS).join(","))?,
             Format::Json => write!(io.out, "[")?,
         }
         Ok(Self { format, is_first: true, table: Vec::new(), summary: Summary::default() })
@@ -84,8 +85,8 @@ impl Printer {
     fn json(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
         for row in rows {
             // Written by hand, so that the names stand in the order of the columns.
-            let members = COLUMNS.iter().zip(row.values());
-            let members: Vec<String> = members.map(|(name, value)| format!("\"{name}\":{}", value.json())).collect();
+            let members: Vec<String> =
+                COLUMNS.iter().map(|(name, value)| format!("\"{name}\":{}", value(&row).json())).collect();
             let comma = if self.is_first { "" } else { "," };
             self.is_first = false;
             write!(io.out, "{comma}\n  {{{}}}", members.join(","))?;
@@ -123,7 +124,7 @@ impl Value<'_> {
 fn csv(rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut writer = csv::Writer::from_writer(&mut *io.out);
     for row in rows {
-        writer.write_record(row.values().map(|value| value.csv()))?;
+        writer.write_record(COLUMNS.map(|(_, value)| value(&row).csv()))?;
     }
     writer.flush()?;
     Ok(())
@@ -142,10 +143,7 @@ fn cells(row: &Row) -> [String; 9] {
         _ => String::new(),
     };
     let um = |length: Length| length.exact(Unit::Micrometre, 0);
-    let deviation = row.deviation.map_or(String::new(), |deviation| {
-        let plus = if Length::ZERO < deviation { "+" } else { "" };
-        format!("{plus}{}", um(deviation))
-    });
+    let deviation = row.deviation.map(Length::signed_um).unwrap_or_default();
     let remove = row.remove.map_or(String::new(), |remove| format!(", remove {} µm", um(remove)));
     [
         format!("{}:{}", row.file, row.line.unwrap_or_default()),

@@ -6,27 +6,43 @@ use std::path::Path;
 use crate::exchange::{Imported, Problem, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
+use crate::message::Located;
 use crate::tolerance::{Deviations, Source};
 use crate::verdict::{PositionVerdict, Status};
 
+/// A column of the CSV and a name in JSON, with its value in a row.
+pub(super) type Column = (&'static str, fn(&Row) -> Value<'_>);
+
 /// The columns of the CSV and the names in JSON, in order. A stable contract.
-pub(super) const COLUMNS: [&str; 15] = [
-    "file",
-    "line",
-    "id",
-    "callout",
-    "nominal_mm",
-    "min_mm",
-    "max_mm",
-    "measured_mm",
-    "deviation_um",
-    "status",
-    "remove_um",
-    "position",
-    "source",
-    "warnings",
-    "error",
+pub(super) const COLUMNS: [Column; 15] = [
+    ("file", |row| Value::Text(&row.file)),
+    ("line", |row| row.line.map_or(Value::Nothing, |line| Value::Number(line.to_string()))),
+    ("id", |row| Value::Text(&row.id)),
+    ("callout", |row| text(row.callout.as_deref())),
+    ("nominal_mm", |row| mm(row.nominal, 0)),
+    ("min_mm", |row| mm(row.minimum, 3)),
+    ("max_mm", |row| mm(row.maximum, 3)),
+    ("measured_mm", |row| mm(row.measured, 3)),
+    ("deviation_um", |row| um(row.deviation)),
+    ("status", |row| text(row.status.map(Status::word))),
+    ("remove_um", |row| um(row.remove)),
+    ("position", |row| text(row.position_word())),
+    ("source", |row| text(row.source.as_deref())),
+    ("warnings", |row| Value::Texts(&row.warnings)),
+    ("error", |row| text(row.error.as_deref())),
 ];
+
+fn text(text: Option<&str>) -> Value<'_> {
+    text.map_or(Value::Nothing, Value::Text)
+}
+
+fn mm(length: Option<Length>, decimals: usize) -> Value<'static> {
+    length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Millimetre, decimals)))
+}
+
+fn um(length: Option<Length>) -> Value<'static> {
+    length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Micrometre, 0)))
+}
 
 /// What is known of one row of a file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -68,20 +84,20 @@ pub(super) enum Value<'a> {
 enum Came<'a> {
     Record(&'a Record),
     Unjudged(&'a Unjudged),
-    Problem(&'a Problem),
+    Problem(&'a Located<Problem>),
 }
 
 /// Everything that came out of a file, in the order of its lines. Rows are made one by one: a file may have many.
 pub(super) fn rows<'a>(path: &'a Path, imported: &'a Imported) -> impl Iterator<Item = Row> + 'a {
     let mut warnings: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     for warning in &imported.warnings {
-        if let Some(row) = warning.row {
-            warnings.entry(row).or_default().push(warning.reason.to_string());
+        if let Some(row) = warning.what.row {
+            warnings.entry(row).or_default().push(warning.what.reason.to_string());
         }
     }
     let records = imported.lines.iter().zip(&imported.records).map(|(&line, record)| (line, Came::Record(record)));
     let unjudged = imported.unjudged.iter().map(|unjudged| (unjudged.line, Came::Unjudged(unjudged)));
-    let problems = imported.problems.iter().map(|problem| (problem.line, Came::Problem(problem)));
+    let problems = imported.problems.iter().map(|problem| (problem.place.line.unwrap_or(1), Came::Problem(problem)));
     let mut all: Vec<(usize, Came<'a>)> = records.chain(unjudged).chain(problems).collect();
     all.sort_by_key(|(line, _)| *line);
     let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -158,8 +174,8 @@ impl Row {
         }
     }
 
-    fn of_problem(problem: &Problem) -> Self {
-        Self { column: problem.column, error: Some(problem.reason.to_string()), ..Self::default() }
+    fn of_problem(problem: &Located<Problem>) -> Self {
+        Self { column: problem.place.column, error: Some(problem.what.reason.to_string()), ..Self::default() }
     }
 
     /// A file that could not be read at all.
@@ -177,41 +193,9 @@ impl Row {
         let position = self.position.filter(PositionVerdict::is_monitored)?;
         Some(if position.is_out() { "OUT" } else { "IN" })
     }
-
-    /// The values in the order of [`COLUMNS`].
-    pub(super) fn values(&self) -> [Value<'_>; 15] {
-        let word = |word: Option<&'static str>| word.map_or(Value::Nothing, Value::Text);
-        let mm = |length: Option<Length>, decimals| {
-            length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Millimetre, decimals)))
-        };
-        let um = |length: Option<Length>| {
-            length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Micrometre, 0)))
-        };
-        [
-            Value::Text(&self.file),
-            self.line.map_or(Value::Nothing, |line| Value::Number(line.to_string())),
-            Value::Text(&self.id),
-            self.callout.as_deref().map_or(Value::Nothing, Value::Text),
-            mm(self.nominal, 0),
-            mm(self.minimum, 3),
-            mm(self.maximum, 3),
-            mm(self.measured, 3),
-            um(self.deviation),
-            word(self.status.map(Status::word)),
-            um(self.remove),
-            word(self.position_word()),
-            self.source.as_deref().map_or(Value::Nothing, Value::Text),
-            Value::Texts(&self.warnings),
-            self.error.as_deref().map_or(Value::Nothing, Value::Text),
-        ]
-    }
 }
 
 /// A user's own table that does not say what the standard says.
 fn differs(standard: Deviations) -> String {
-    let um = |length: Length| {
-        let plus = if Length::ZERO < length { "+" } else { "" };
-        format!("{plus}{}", length.exact(Unit::Micrometre, 0))
-    };
-    format!("ISO 286 has {} / {} µm here", um(standard.lower()), um(standard.upper()))
+    format!("ISO 286 has {} / {} µm here", standard.lower().signed_um(), standard.upper().signed_um())
 }

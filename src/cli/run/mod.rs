@@ -11,9 +11,7 @@ mod text;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use clap::ValueEnum;
-use clap::builder::PossibleValuesParser;
-
+use super::args::dialogue;
 use super::cycle::{pairs, probe_table, read_bench};
 use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input, tame};
 use crate::control::variables::{Family, Parameter, Value};
@@ -21,6 +19,7 @@ use crate::files::{self, FileError};
 use crate::nc::machine::{Contacts, Fault, Folders, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::Program;
 use crate::words::Dialogue;
+use clap::ValueEnum;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -81,8 +80,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "N", default_value_t = 10_000_000)]
     max_blocks: u64,
     /// Dialogue language of masks and notes
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Dialogue::ALL.map(Dialogue::code)))]
-    language: String,
+    #[arg(long, default_value = "en", value_parser = dialogue())]
+    language: Dialogue,
     /// How the result is printed
     #[arg(long, value_enum, default_value_t = RunFormat::Text)]
     format: RunFormat,
@@ -114,7 +113,7 @@ trait Listener {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let language = Dialogue::from_code(&self.language).unwrap_or_default();
+        let language = self.language;
         let mut machine = self.machine(language, io)?;
         for (name, value) in pairs(&self.settings)? {
             set(&mut machine, name, value)?;

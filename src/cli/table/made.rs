@@ -128,9 +128,7 @@ impl Choice {
             None => standard_table(name, classes, size(&self.to)?, options),
         };
         let table = made.said()?;
-        let mut empty: Vec<_> = compare(&table, options).differences.into_iter().map(|d| (d.class, d.range)).collect();
-        empty.dedup();
-        for (class, range) in empty {
+        for (class, range) in compare(&table, options).cells() {
             let over = range.checked_sub(1).and_then(|before| table.ends().get(before)).copied().unwrap_or_default();
             let to = table.ends().get(range).copied().unwrap_or_default();
             io.warn_about(name, &Note::EmptyCell { class, over, to })?;

@@ -9,8 +9,9 @@ use crate::cli::{CliError, Figure, Format, Io, Outcome, Refused as _, StandardAr
 use crate::control::shipped_tables;
 use crate::control::table::{ControlTable, TableFile};
 use crate::length::{Length, Unit};
-use crate::message::Place;
+use crate::message::{Message, Place, Say};
 use crate::tolerance::compare::{Comparison, Difference, compare};
+use crate::tolerance::iso286::Undefined;
 use crate::tolerance::{DeviationTable, Deviations};
 
 const EXAMPLES: &str = "\
@@ -152,71 +153,70 @@ impl Verified {
     }
 }
 
+/// What text says.
+#[derive(Debug, Say)]
+#[say(prefix = "cli-verify")]
+enum Sentence<'a> {
+    /// Both have values.
+    Off { place: String, class: &'a str, over: Length, to: Length, table: String, standard: String, by: String },
+    /// The cell is empty.
+    Missing { place: String, class: &'a str, over: Length, to: Length, standard: String },
+    /// A value that ISO 286 does not have.
+    Undefined { place: String, class: &'a str, over: Length, to: Length, table: String, reason: Undefined },
+    /// The cell is empty, and ISO 286 has no value: the class has none at this size, and others in its range.
+    Neither { place: String, class: &'a str, over: Length, to: Length, reason: Undefined },
+    /// How far a deviation is off: `upper` or `lower`, `more` or `less`.
+    By { side: &'static str, um: String, way: &'static str },
+    /// A table and how many cells differ.
+    Table { name: &'a str, classes: usize, ranges: usize, cells: usize, differ: usize },
+    /// A table without a class of ISO 286.
+    Nothing { name: &'a str, classes: usize, ranges: usize, cells: usize },
+    /// Columns that are no class.
+    Own { table: Message, own: String },
+}
+
 fn write_text(one: &Verified, io: &mut Io<'_>) -> Result<(), CliError> {
     let (table, found) = (&one.table, &one.found);
     for difference in &found.differences {
         heard_or_not(writeln!(io.out, "{}", sentence(one, difference)))?;
     }
-    let own: Vec<String> = found.unknown.iter().map(ToString::to_string).collect();
-    let own =
-        if own.is_empty() { String::new() } else { format!("; not compared, no class of ISO 286: {}", own.join(" ")) };
-    let (name, cells) = (table.name(), counted(found.compared, "cell"));
-    let (classes, ranges) = (counted_as(one.classes(), "class", "classes"), counted(table.ends().len(), "size range"));
-    let result = match cells_that_differ(found) {
-        0 if found.compared == 0 => "nothing to compare with ISO 286".to_owned(),
-        0 => "all agree with ISO 286".to_owned(),
-        1 => "1 differs from ISO 286".to_owned(),
-        count => format!("{count} differ from ISO 286"),
+    let (name, classes, ranges, cells) = (table.name(), one.classes(), table.ends().len(), found.compared);
+    let told = match cells {
+        0 => Sentence::Nothing { name, classes, ranges, cells },
+        _ => Sentence::Table { name, classes, ranges, cells, differ: found.cells().len() },
     };
-    heard_or_not(writeln!(io.out, "{name}: {classes}, {ranges}, {cells} compared: {result}{own}"))
-}
-
-/// `1 cell`, `504 cells`
-fn counted(count: usize, noun: &str) -> String {
-    counted_as(count, noun, &format!("{noun}s"))
-}
-
-fn counted_as(count: usize, one: &str, several: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { several })
-}
-
-/// Cells, not differences: a range that covers several steps may differ in more than one of them.
-fn cells_that_differ(found: &Comparison) -> usize {
-    let mut cells: Vec<_> = found.differences.iter().map(|difference| (difference.class, difference.range)).collect();
-    cells.dedup();
-    cells.len()
+    let own: Vec<String> = found.unknown.iter().map(ToString::to_string).collect();
+    let told = if own.is_empty() { told } else { Sentence::Own { table: told.message(), own: own.join(" ") } };
+    heard_or_not(writeln!(io.out, "{told}"))
 }
 
 /// `own.tab:12:8: H7 over 18 up to 30 mm: +22 / 0 µm, ISO 286 has +21 / 0 µm: upper 1 µm more`
-fn sentence(one: &Verified, difference: &Difference) -> String {
+fn sentence<'a>(one: &Verified, difference: &'a Difference) -> Sentence<'a> {
     let place = one.place(difference).and_then(|p| Some(format!("{}:{}:{}", p.file?, p.line?, p.column?)));
     let place = place.unwrap_or_else(|| one.table.name().to_owned());
-    let Difference { class, over, to, table, standard, .. } = difference;
-    let here = format!("{place}: {class} over {over} up to {to} mm");
-    match (table, standard) {
+    let (class, over, to) = (difference.class.as_str(), difference.over, difference.to);
+    match (difference.table.as_ref().map(pair), &difference.standard) {
         (Some(table), Ok(standard)) => {
             let by = [("upper", difference.upper_by()), ("lower", difference.lower_by())];
-            let by: Vec<String> = by.into_iter().filter_map(|(which, by)| more_or_less(which, by?)).collect();
-            format!("{here}: {}, ISO 286 has {}: {}", pair(table), pair(standard), by.join(", "))
+            let by: Vec<String> = by.into_iter().filter_map(|(side, by)| more_or_less(side, by?)).collect();
+            let by = by.join(", ");
+            Sentence::Off { place, class, over, to, table, standard: pair(standard), by }
         }
-        (None, Ok(standard)) => format!("{here}: no value, ISO 286 has {}", pair(standard)),
-        (Some(table), Err(undefined)) => format!("{here}: {}, but {undefined}", pair(table)),
-        (None, Err(undefined)) => format!("{here}: {undefined}"),
+        (None, Ok(standard)) => Sentence::Missing { place, class, over, to, standard: pair(standard) },
+        (Some(table), Err(reason)) => Sentence::Undefined { place, class, over, to, table, reason: *reason },
+        (None, Err(reason)) => Sentence::Neither { place, class, over, to, reason: *reason },
     }
 }
 
-fn more_or_less(which: &str, by: Length) -> Option<String> {
-    let word = if Length::ZERO < by { "more" } else { "less" };
-    (by != Length::ZERO).then(|| format!("{which} {} µm {word}", by.abs().exact(Unit::Micrometre, 0)))
+fn more_or_less(side: &'static str, by: Length) -> Option<String> {
+    let way = if Length::ZERO < by { "more" } else { "less" };
+    let um = by.abs().exact(Unit::Micrometre, 0);
+    (by != Length::ZERO).then(|| Sentence::By { side, um, way }.to_string())
 }
 
 /// `+21 / 0 µm`
 fn pair(deviations: &Deviations) -> String {
-    let signed = |length: Length| {
-        let plus = if Length::ZERO < length { "+" } else { "" };
-        format!("{plus}{}", length.exact(Unit::Micrometre, 0))
-    };
-    format!("{} / {} µm", signed(deviations.upper()), signed(deviations.lower()))
+    format!("{} / {} µm", deviations.upper().signed_um(), deviations.lower().signed_um())
 }
 
 fn write_csv(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {

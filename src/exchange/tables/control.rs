@@ -12,8 +12,7 @@ const OPERATORS: [char; 6] = ['+', '-', '*', '/', '^', '%'];
 pub const ITNC530: TableFormat = TableFormat {
     name: "itnc530",
     endings: &["tab"],
-    description: "control table for iTNC 530",
-    description_id: "table-format-itnc530",
+    description: "table-format-itnc530",
     caution: |_| None,
     write: |table| Ok(to_control_table(table, Generation::Structure).write()?),
 };
@@ -22,8 +21,7 @@ pub const ITNC530: TableFormat = TableFormat {
 pub const TNC640: TableFormat = TableFormat {
     name: "tnc640",
     endings: &["tab"],
-    description: "control table for TNC 620 and TNC 640",
-    description_id: "table-format-tnc640",
+    description: "table-format-tnc640",
     caution: |_| None,
     write: described,
 };
@@ -32,8 +30,7 @@ pub const TNC640: TableFormat = TableFormat {
 pub const TNC7: TableFormat = TableFormat {
     name: "tnc7",
     endings: &["tab"],
-    description: "control table for TNC7",
-    description_id: "table-format-tnc7",
+    description: "table-format-tnc7",
     caution: |_| None,
     write: for_tnc7,
 };

@@ -5,14 +5,8 @@ use crate::length::{Length, Unit};
 use crate::tolerance::DeviationTable;
 
 /// This format.
-pub const FORMAT: TableFormat = TableFormat {
-    name: "csv",
-    endings: &["csv"],
-    description: "CSV, a line for every class and size range",
-    description_id: "table-format-plain-csv",
-    caution: |_| None,
-    write,
-};
+pub const FORMAT: TableFormat =
+    TableFormat { name: "csv", endings: &["csv"], description: "table-format-plain-csv", caution: |_| None, write };
 
 fn write(table: &DeviationTable) -> Result<Vec<u8>, TableFormatError> {
     let failed = |error: &dyn std::fmt::Display| TableFormatError::Csv { reason: error.to_string() };

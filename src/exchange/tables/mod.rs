@@ -15,7 +15,7 @@ mod pcdmis;
 use std::path::Path;
 
 use crate::control::table::WriteError;
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::tolerance::{DeviationTable, ToleranceClass};
 
 /// A format that a table of deviations is written in.
@@ -25,10 +25,8 @@ pub struct TableFormat {
     pub name: &'static str,
     /// File endings in lower case, without the point; the first is proposed.
     pub endings: &'static [&'static str],
-    /// One line for people, in English.
+    /// The text of one line for people.
     pub description: &'static str,
-    /// The name of that line in the locale files.
-    pub description_id: &'static str,
     /// What to look at before the file is relied on.
     pub caution: fn(&DeviationTable) -> Option<TableCaution>,
     /// Makes the file's bytes.
@@ -53,40 +51,29 @@ impl TableFormat {
 }
 
 /// What the other tool's documents leave open.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "table-caution")]
 pub enum TableCaution {
     /// How PC-DMIS takes the sign of a lower deviation.
-    #[error(
-        "the manual of PC-DMIS shows no lower deviation but 0: check {class} there before relying on it, the signs above all"
-    )]
     LowerSign {
         /// The first class with another lower deviation.
         class: ToleranceClass,
     },
 }
 
-impl Say for TableCaution {
-    fn message(&self) -> Message {
-        match self {
-            Self::LowerSign { class } => Message::new("table-caution-lower-sign").text("class", class),
-        }
-    }
-}
-
 /// Why a table cannot be written in a format.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "table-format", error)]
 pub enum TableFormatError {
     /// A control's table cannot be written.
-    #[error("{0}")]
+    #[say(transparent)]
     Control(#[from] WriteError),
     /// A TNC7 wants a letter first.
-    #[error("{name} does not begin with a letter: the names of tables on a TNC7 do")]
     Name {
         /// The table's name.
         name: String,
     },
     /// A TNC7 would calculate with it.
-    #[error("{name} has {sign} in it: the names of tables on a TNC7 have no arithmetic operator")]
     Operator {
         /// The table's name.
         name: String,
@@ -94,24 +81,10 @@ pub enum TableFormatError {
         sign: char,
     },
     /// The writer of CSV failed.
-    #[error("the CSV cannot be written: {reason}")]
     Csv {
         /// What it says.
         reason: String,
     },
-}
-
-impl Say for TableFormatError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Control(error) => error.message(),
-            Self::Name { name } => Message::new("table-format-name").text("name", name),
-            Self::Operator { name, sign } => {
-                Message::new("table-format-operator").text("name", name).text("sign", sign)
-            }
-            Self::Csv { reason } => Message::new("table-format-csv").text("reason", reason),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -120,7 +93,6 @@ mod tests {
     use crate::control::deviations::read_table;
     use crate::tolerance::iso286::Options;
     use crate::tolerance::table_edit::standard_table;
-    use crate::words::{Language, Words};
 
     fn table(name: &str, classes: &str, to: &str) -> DeviationTable {
         let classes: Vec<_> = classes.split(' ').map(|class| class.parse().unwrap()).collect();
@@ -153,10 +125,6 @@ mod tests {
         let why = "my-hole.tab has - in it: the names of tables on a TNC7 have no arithmetic operator";
         assert_eq!(operator.to_string(), why);
         assert!((table_format("tnc7").unwrap().write)(&table("my_hole.tab", "H7", "50")).is_ok());
-        for error in [many, digit, operator, TableFormatError::Csv { reason: "x".into() }] {
-            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-            assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
-        }
     }
 
     #[track_caller]
@@ -201,8 +169,6 @@ mod tests {
             said.to_string(),
             "the manual of PC-DMIS shows no lower deviation but 0: check F8 there before relying on it, the signs above all"
         );
-        assert_eq!(Words::new(Language::En).told(&said), said.to_string());
-        assert_ne!(Words::new(Language::Nl).told(&said), said.message().id);
     }
 
     #[test]
@@ -210,13 +176,5 @@ mod tests {
         let fits = |format: &str, file: &str| table_format(format).unwrap().fits(Path::new(file));
         assert!(fits("csv", "iso.csv") && fits("pcdmis", "a/iso.CSV") && fits("tnc7", "own.TAB"));
         assert!(!fits("csv", "own.tab") && !fits("itnc530", "own") && !fits("tnc640", "tab"));
-    }
-
-    #[test]
-    fn every_format_is_described_in_both_languages() {
-        for format in TABLE_FORMATS {
-            assert_eq!(Words::new(Language::En).get(format.description_id), format.description);
-            assert_ne!(Words::new(Language::Nl).get(format.description_id), format.description_id);
-        }
     }
 }

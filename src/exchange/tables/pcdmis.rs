@@ -17,8 +17,7 @@ use crate::tolerance::{DeviationTable, Deviations};
 pub const FORMAT: TableFormat = TableFormat {
     name: "pcdmis",
     endings: &["csv"],
-    description: "CSV of ISO tolerances for PC-DMIS",
-    description_id: "table-format-pcdmis",
+    description: "table-format-pcdmis",
     caution,
     write: |table| Ok(write(table)),
 };

@@ -12,9 +12,10 @@ use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::session::{Command, Equivalent, FitCommand, Parts, WarmFit, extremes};
 use crate::tolerance::fit::preferred::{function, preference};
-use crate::tolerance::fit::{Actual, Fit, Kind, Possible, basis};
+use crate::tolerance::fit::{Fit, Kind, basis};
 use crate::tolerance::{Feature, Limits};
 use crate::verdict::Status;
+use crate::verdict::fit::{Actual, Possible};
 
 /// The panel's content.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -103,7 +103,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn save_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.menu_button(view.text("tables-save"), |ui| {
         for (number, format) in TABLE_FORMATS.iter().enumerate() {
-            let mut button = Button::new(capitalised(&format!("{}…", view.text(format.description_id))));
+            let mut button = Button::new(capitalised(&format!("{}…", view.text(format.description))));
             if number == 0 {
                 button = button.shortcut_text(ui.ctx().format_shortcut(&SAVE));
             }

@@ -268,18 +268,12 @@ impl Say for Check {
             () if self.maximum < self.measured => "check-above",
             () => "check-below",
         };
-        let status = Message::new(match self.status {
-            Status::Good => "report-status-good",
-            Status::Rework => "report-status-rework",
-            Status::ReMeasure => "report-status-remeasure",
-            Status::Scrap => "report-status-scrap",
-        });
         let message = Message::new(id)
             .message("what", self.what.message())
             .text("measured", self.measured)
             .text("minimum", self.minimum)
             .text("maximum", self.maximum);
-        message.message("status", status)
+        message.with("status", &self.status)
     }
 }
 

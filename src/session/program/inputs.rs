@@ -11,7 +11,7 @@ use crate::probing::cycle;
 use crate::probing::cycles::cycle as cycle_of;
 use crate::session::Session;
 use crate::tolerance::{Callout, Limits};
-use crate::verdict::{SizeVerdict, Status, judge_size};
+use crate::verdict::{SizeVerdict, judge_size};
 
 /// An input of NC-Solution 8255 (seed `000_2e707c2d138629e0.txt`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -253,20 +253,10 @@ impl Session {
             }
         }
         if let Some((_, verdict)) = self.program_verdict().filter(|(_, verdict)| verdict.status != status) {
-            let word = |status: Status| Message::new(status_id(status));
             let difference = Message::new("program-page-differs-status");
-            differences.push(difference.message("program", word(status)).message("own", word(verdict.status)));
+            differences.push(difference.with("program", &status).with("own", &verdict.status));
         }
         Some(if differences.is_empty() { Agreement::Agrees } else { Agreement::Differs(differences) })
-    }
-}
-
-const fn status_id(status: Status) -> &'static str {
-    match status {
-        Status::Good => "word-good",
-        Status::Rework => "word-rework",
-        Status::Scrap => "word-scrap",
-        Status::ReMeasure => "word-re-measure",
     }
 }
 

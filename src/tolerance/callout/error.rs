@@ -1,11 +1,11 @@
 //! Why a text is no callout: the reason, and the character at which it shows.
 
-use std::fmt;
 use std::ops::Range;
 
 use super::kind::CalloutErrorKind;
 use super::scanner::Place;
 use crate::length::LengthError;
+use crate::message::{Message, Say, display};
 use crate::tolerance::ClassError;
 
 /// The most characters of a given text that an error repeats.
@@ -53,7 +53,7 @@ impl CalloutError {
     }
 
     /// The character that the message names, where the reason alone does not tell the place.
-    pub(super) fn told_place(&self) -> Option<usize> {
+    fn told_place(&self) -> Option<usize> {
         (0 < self.at && self.kind.needs_place()).then_some(self.at)
     }
 }
@@ -72,11 +72,13 @@ impl From<ClassError> for CalloutError {
     }
 }
 
-impl fmt::Display for CalloutError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+display!(CalloutError);
+
+impl Say for CalloutError {
+    fn message(&self) -> Message {
         match self.told_place() {
-            Some(at) => write!(f, "{} (character {at})", self.kind),
-            None => write!(f, "{}", self.kind),
+            Some(at) => Message::new("callout-at").with("reason", &self.kind).with("at", &at),
+            None => self.kind.message(),
         }
     }
 }

@@ -7,7 +7,6 @@
 //! | `band` | the grammar's deviations, with sign and unit |
 //! | `error` | why a text is no callout, and at which character |
 //! | `kind` | the reasons |
-//! | `words` | the same in every language |
 //! | `cycle_text` | the texts of cycles 14xx: a callout, or less, or more |
 //! | `qs400` | the tolerance texts of cycle 444 |
 //!
@@ -32,7 +31,6 @@ mod kind;
 mod qs400;
 mod reading;
 mod scanner;
-mod words;
 
 #[cfg(test)]
 mod tests;
@@ -50,6 +48,7 @@ use super::class::{Feature, ToleranceClass};
 use super::iso2768::GeneralClass;
 use super::limits::Deviations;
 use crate::length::Length;
+use crate::message::as_text;
 
 /// A nominal size above zero and its tolerance; the minimum limit it states is above zero, too.
 ///
@@ -214,6 +213,8 @@ impl Callout {
         self.class().map(ToleranceClass::feature)
     }
 }
+
+as_text!(Callout);
 
 impl FromStr for Callout {
     type Err = CalloutError;

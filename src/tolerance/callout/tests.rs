@@ -231,24 +231,7 @@ fn classes_are_told_by_feature() {
 }
 
 #[test]
-fn every_error_is_said_in_english_and_in_dutch() {
-    let (english, dutch) = (Words::new(Language::En), Words::new(Language::Nl));
-    #[rustfmt::skip]
-    let texts = [
-        "", "H7", "7.5.2 H7", "0 H7", "-5.5 H7", "25", "25 Hh7", "25 H", "10M", "25 g6/H7", "25 H7/G6", "12 +1.1.1",
-        "12 +x", "12 +", "12/1.1.1", "12/x", "12/", "1 250 H8", "100 +10 -15 µm", "8-2-1", "11/12", "12/1", "12-8",
-        "12-13", "12-30", "1000000000 +1", "12.5 +0,1", "25 H7@3", "25 H7 x",
-    ];
-    let mut errors: Vec<_> = texts.into_iter().map(|text| Callout::from_str(text).unwrap_err()).collect();
-    let cycle_texts = ["10H7@", "10H7@x", "10H7@1.1.1", "10H7/g6"];
-    errors.extend(cycle_texts.into_iter().map(|text| CycleText::from_str(text).unwrap_err()));
-    errors.extend([qs400("-1+1").unwrap_err(), qs400(&" ".repeat(256)).unwrap_err()]);
-    errors.push(Callout::new(Length::ZERO, "H7".parse().unwrap()).unwrap_err());
-    for error in errors {
-        assert_eq!(english.told(&error), error.to_string());
-        let said = dutch.told(&error);
-        assert!(!said.contains("callout-") && said != error.to_string(), "{said}");
-    }
+fn lengths_in_an_error_have_the_sign_of_its_language() {
     let negative = Callout::from_str("-5.5 H7").unwrap_err();
-    assert_eq!(dutch.told(&negative), "nominale maat -5,5 mm is niet groter dan 0");
+    assert_eq!(Words::new(Language::Nl).told(&negative), "nominale maat \u{2212}5,5 mm is niet groter dan 0");
 }

@@ -12,7 +12,7 @@ use serde::de::{Deserializer, Visitor};
 use toml::Spanned;
 
 use super::thermal::Expansion;
-use crate::message::{Message, Say};
+use crate::message::{Located, Place, Say};
 use crate::words::Language;
 
 /// The version of the file that this program reads.
@@ -25,7 +25,8 @@ const LARGEST: usize = 1 << 20;
 const LONGEST_NAME: usize = 60;
 
 /// How sure a coefficient is. Alloys differ by some 10 % anyway.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Deserialize, Say)]
+#[say(prefix = "material")]
 #[serde(rename_all = "lowercase")]
 pub enum Certainty {
     /// A published table says so.
@@ -45,27 +46,6 @@ impl Certainty {
             Self::Verify => "verify",
             Self::Own => "own",
         }
-    }
-}
-
-/// In English, as the remark beside a coefficient.
-impl fmt::Display for Certainty {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Published => "published value",
-            Self::Verify => "usual value, to be verified",
-            Self::Own => "own value",
-        })
-    }
-}
-
-impl Say for Certainty {
-    fn message(&self) -> Message {
-        Message::new(match self {
-            Self::Published => "material-published",
-            Self::Verify => "material-verify",
-            Self::Own => "material-own",
-        })
     }
 }
 
@@ -103,72 +83,44 @@ pub struct Materials {
 }
 
 /// Why a file of materials cannot be used, or a material not be found.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "material", error)]
 pub enum MaterialsError {
     /// Not TOML, or not the expected fields.
-    #[error("line {line}, column {column}: {reason}")]
     Toml {
-        /// Line, from 1.
-        line: usize,
-        /// Column, from 1.
-        column: usize,
         /// What the reader of TOML says.
         reason: String,
     },
     /// A version that this program does not know.
-    #[error("version {found} of a file of materials is not known, only version {VERSION}")]
+    #[say(args(known = VERSION))]
     Version {
         /// What was given.
         found: u32,
     },
     /// A file that is too large to be read.
-    #[error("a file of materials has at most {LARGEST} bytes")]
+    #[say(args(most = LARGEST))]
     TooLarge,
     /// More than [`MOST`] materials.
-    #[error("there are {count} materials: at most {MOST}")]
+    #[say(args(most = MOST))]
     TooMany {
         /// How many there are.
         count: usize,
     },
     /// An empty or endless name, or one with control characters.
-    #[error("line {line}: a material's name has 1 to {LONGEST_NAME} characters and no control characters")]
-    Name {
-        /// Line, from 1.
-        line: usize,
-    },
+    #[say(args(longest = LONGEST_NAME))]
+    Name,
     /// Two materials have the same name.
-    #[error("line {line}: there are two materials called {name}")]
     Twice {
-        /// Line of the second, from 1.
-        line: usize,
         /// The name.
         name: String,
     },
     /// No material has the name.
-    #[error("no material is called {name}; there are {known}, or give the expansion itself, such as 11.5")]
     Unknown {
         /// What was asked for.
         name: String,
         /// The names that there are.
         known: String,
     },
-}
-
-impl Say for MaterialsError {
-    fn message(&self) -> Message {
-        match self {
-            // Numbers of lines are texts: plural forms and thousands separators have no place in them.
-            Self::Toml { line, column, reason } => {
-                Message::new("material-toml").text("line", line).text("column", column).text("reason", reason)
-            }
-            Self::Version { found } => Message::new("material-version").text("found", found).text("known", VERSION),
-            Self::TooLarge => Message::new("material-too-large").text("most", LARGEST),
-            Self::TooMany { count } => Message::new("material-too-many").text("count", count).text("most", MOST),
-            Self::Name { line } => Message::new("material-name").text("line", line).text("longest", LONGEST_NAME),
-            Self::Twice { line, name } => Message::new("material-twice").text("line", line).text("name", name),
-            Self::Unknown { name, known } => Message::new("material-unknown").text("name", name).text("known", known),
-        }
-    }
 }
 
 static SHIPPED: LazyLock<Materials> = LazyLock::new(|| {
@@ -185,29 +137,30 @@ impl Materials {
     /// Reads a file of materials.
     ///
     /// # Errors
-    /// [`MaterialsError`] with the line; a file is taken whole or not at all.
-    pub fn read(text: &str) -> Result<Self, MaterialsError> {
+    /// [`MaterialsError`] with the line, of two equal names that of the second; a file is taken whole or not at all.
+    pub fn read(text: &str) -> Result<Self, Located<MaterialsError>> {
+        let of_file = |what| Located { what, place: Place::default() };
         if LARGEST < text.len() {
-            return Err(MaterialsError::TooLarge);
+            return Err(of_file(MaterialsError::TooLarge));
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let file: File = toml::from_str(text).map_err(|error| toml_error(text, &error))?;
         if file.version != VERSION {
-            return Err(MaterialsError::Version { found: file.version });
+            return Err(of_file(MaterialsError::Version { found: file.version }));
         }
         if MOST < file.material.len() {
-            return Err(MaterialsError::TooMany { count: file.material.len() });
+            return Err(of_file(MaterialsError::TooMany { count: file.material.len() }));
         }
         let mut list: Vec<Material> = Vec::with_capacity(file.material.len());
         for entry in file.material {
-            let (line, _) = place(text, entry.name.span().start);
+            let (line, _) = line_and_column(text, entry.name.span().start);
             let material = entry.material();
             let names = || std::iter::once(&material.name).chain(material.names.values());
             if !names().all(|name| is_name(name)) {
-                return Err(MaterialsError::Name { line });
+                return Err(Located::in_line(line, MaterialsError::Name));
             }
             if let Some(name) = names().find(|name| list.iter().any(|other| other.is_called(name))) {
-                return Err(MaterialsError::Twice { line, name: name.clone() });
+                return Err(Located::in_line(line, MaterialsError::Twice { name: name.clone() }));
             }
             list.push(material);
         }
@@ -305,13 +258,14 @@ fn expansion<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Expansion, D:
     deserializer.deserialize_any(Millionths)
 }
 
-fn toml_error(text: &str, error: &toml::de::Error) -> MaterialsError {
-    let (line, column) = place(text, error.span().map_or(0, |span| span.start));
-    MaterialsError::Toml { line, column, reason: error.message().trim().replace('\n', ", ") }
+fn toml_error(text: &str, error: &toml::de::Error) -> Located<MaterialsError> {
+    let (line, column) = line_and_column(text, error.span().map_or(0, |span| span.start));
+    let what = MaterialsError::Toml { reason: error.message().trim().replace('\n', ", ") };
+    Located { what, place: Place { column: Some(column), ..Place::line(line) } }
 }
 
 /// Line and column, from 1, of a byte.
-fn place(text: &str, byte: usize) -> (usize, usize) {
+fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let before = text.get(..byte).unwrap_or(text);
     let line = before.matches('\n').count() + 1;
     let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;

@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | here | clearances, the kind of fit, two measured parts |
+//! | here | clearances and the kind of fit |
 //! | `error` | why two limits are no fit |
 //! | `basis` | hole basis or shaft basis |
 //! | `preferred` | the preferred fits of ISO 286-1 and the names of ANSI B4.2 |
@@ -22,8 +22,6 @@ pub mod preferred;
 pub mod search;
 pub mod thermal;
 
-use std::fmt;
-
 pub use basis::{Basis, basis};
 pub use error::FitError;
 
@@ -32,8 +30,7 @@ use super::class::Feature;
 use super::limits::Limits;
 use super::sources::Sources;
 use crate::length::Length;
-use crate::message::{Message, Say};
-use crate::verdict::{self, Status, Verdict};
+use crate::message::Say;
 
 /// A hole and a shaft of the same nominal size.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,7 +41,8 @@ pub struct Fit {
 
 /// What a hole and a shaft within their limits do to each other: as ISO 286-1 has it, with the standard's extreme
 /// cases: no clearance at all at the least still is a clearance fit, none at the most an interference fit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Say)]
+#[say(prefix = "fit-kind")]
 pub enum Kind {
     /// The smallest clearance is zero or more.
     Clearance,
@@ -74,66 +72,6 @@ impl Kind {
             Self::Interference => "interference",
         }
     }
-}
-
-impl fmt::Display for Kind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Clearance => "clearance fit",
-            Self::Transition => "transition fit",
-            Self::Interference => "interference fit",
-        })
-    }
-}
-
-impl Say for Kind {
-    fn message(&self) -> Message {
-        Message::new(match self {
-            Self::Clearance => "fit-kind-clearance",
-            Self::Transition => "fit-kind-transition",
-            Self::Interference => "fit-kind-interference",
-        })
-    }
-}
-
-/// Two measured parts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Actual {
-    /// The hole's measured diameter.
-    pub hole: Length,
-    /// The shaft's measured diameter.
-    pub shaft: Length,
-    /// Hole minus shaft; negative is an interference.
-    pub clearance: Length,
-    /// Whether the clearance lies in the range that the callout allows, borders included. That can be so with a part
-    /// that is out of its own limits: the parts' verdicts say that.
-    pub conforms: bool,
-    /// What the hole alone is.
-    pub hole_verdict: Verdict,
-    /// What the shaft alone is.
-    pub shaft_verdict: Verdict,
-}
-
-impl Actual {
-    /// The worse of the two parts.
-    pub fn status(&self) -> Status {
-        self.hole_verdict.status().max(self.shaft_verdict.status())
-    }
-}
-
-/// One measured part, the other one anywhere within its limits.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Possible {
-    /// Which part was measured.
-    pub feature: Feature,
-    /// Its measured diameter.
-    pub measured: Length,
-    /// What it is alone.
-    pub verdict: Verdict,
-    /// The smallest clearance with a good counterpart.
-    pub minimum: Length,
-    /// The largest clearance with a good counterpart.
-    pub maximum: Length,
 }
 
 impl Fit {
@@ -215,34 +153,6 @@ impl Fit {
     /// Whether a clearance lies in the range of this fit, borders included.
     pub fn allows(&self, clearance: Length) -> bool {
         self.minimum_clearance() <= clearance && clearance <= self.maximum_clearance()
-    }
-
-    /// What two measured parts do: their clearance, and each part's own verdict.
-    pub fn actual(&self, hole: Length, shaft: Length) -> Actual {
-        let clearance = hole.saturating_sub(shaft);
-        Actual {
-            hole,
-            shaft,
-            clearance,
-            conforms: self.allows(clearance),
-            hole_verdict: verdict::judge(&self.hole, hole, None),
-            shaft_verdict: verdict::judge(&self.shaft, shaft, None),
-        }
-    }
-
-    /// What one measured part leaves possible when its counterpart lies within its limits.
-    pub fn possible(&self, feature: Feature, measured: Length) -> Possible {
-        let (limits, minimum, maximum) = match feature {
-            Feature::Hole => {
-                let clearance = |shaft| measured.saturating_sub(shaft);
-                (&self.hole, clearance(self.shaft.maximum()), clearance(self.shaft.minimum()))
-            }
-            Feature::Shaft => {
-                let clearance = |hole: Length| hole.saturating_sub(measured);
-                (&self.shaft, clearance(self.hole.minimum()), clearance(self.hole.maximum()))
-            }
-        };
-        Possible { feature, measured, verdict: verdict::judge(limits, measured, None), minimum, maximum }
     }
 }
 

@@ -3,9 +3,7 @@
 //! Whether a pair is preferred is a matter of its letters and grades; whether it is defined at a size, and what kind
 //! of fit it is there, is not said here. Which of the figures are confirmed and by how many: `docs/SOURCES.md`.
 
-use std::fmt;
-
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::tolerance::class::{Feature, ToleranceClass};
 use crate::tolerance::iso286::{self, Grade, Letter};
 
@@ -38,7 +36,8 @@ const SHAFT_BASIS: [(u8, &[Part]); 5] = {
 };
 
 /// Which list of ISO 286-1 a preferred fit stands in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Say)]
+#[say(prefix = "fit-preferred")]
 pub enum Preference {
     /// The preferred fits of the hole basis.
     HoleBasis,
@@ -79,24 +78,6 @@ impl Preference {
     }
 }
 
-impl fmt::Display for Preference {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::HoleBasis => "preferred fit of the hole basis",
-            Self::ShaftBasis => "preferred fit of the shaft basis",
-        })
-    }
-}
-
-impl Say for Preference {
-    fn message(&self) -> Message {
-        Message::new(match self {
-            Self::HoleBasis => "fit-preferred-hole-basis",
-            Self::ShaftBasis => "fit-preferred-shaft-basis",
-        })
-    }
-}
-
 /// The list of preferred fits that a pair stands in; the hole basis where it stands in both, as `H7/h6` does.
 pub fn preference(hole: ToleranceClass, shaft: ToleranceClass) -> Option<Preference> {
     let (hole, shaft) = parts(hole, shaft)?;
@@ -104,7 +85,8 @@ pub fn preference(hole: ToleranceClass, shaft: ToleranceClass) -> Option<Prefere
 }
 
 /// What a fit is for: the names of ANSI B4.2 (metric), from loose to tight.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Say)]
+#[say(prefix = "fit-function")]
 pub enum Function {
     /// `H11/c11`: wide tolerances, rough work.
     LooseRunning,
@@ -199,40 +181,6 @@ impl Function {
         Self::ALL.into_iter().find(|function| {
             let (is, of_hole, of_shaft) = function.parts();
             is == letter && Grade::numbered(of_hole) == Some(hole.1) && Grade::numbered(of_shaft) == Some(shaft.1)
-        })
-    }
-}
-
-impl fmt::Display for Function {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::LooseRunning => "loose running",
-            Self::FreeRunning => "free running",
-            Self::CloseRunning => "close running",
-            Self::Sliding => "sliding",
-            Self::LocationalClearance => "locational clearance",
-            Self::LocationalTransition => "locational transition",
-            Self::LocationalTransitionTighter => "locational transition, tighter",
-            Self::LocationalInterference => "locational interference",
-            Self::MediumDrive => "medium drive",
-            Self::Force => "force",
-        })
-    }
-}
-
-impl Say for Function {
-    fn message(&self) -> Message {
-        Message::new(match self {
-            Self::LooseRunning => "fit-function-loose-running",
-            Self::FreeRunning => "fit-function-free-running",
-            Self::CloseRunning => "fit-function-close-running",
-            Self::Sliding => "fit-function-sliding",
-            Self::LocationalClearance => "fit-function-locational-clearance",
-            Self::LocationalTransition => "fit-function-locational-transition",
-            Self::LocationalTransitionTighter => "fit-function-locational-transition-tighter",
-            Self::LocationalInterference => "fit-function-locational-interference",
-            Self::MediumDrive => "fit-function-medium-drive",
-            Self::Force => "fit-function-force",
         })
     }
 }

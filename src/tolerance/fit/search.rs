@@ -10,8 +10,8 @@ use ranking::{Zone, fitting, nearest};
 use super::Kind;
 use super::basis::Basis;
 use super::preferred::{Function, Preference};
-use crate::length::{Length, signed_mm};
-use crate::message::{Message, Say};
+use crate::length::Length;
+use crate::message::Say;
 use crate::tolerance::class::{Feature, ToleranceClass};
 use crate::tolerance::iso286::Options;
 use crate::tolerance::sources::{Base, Sources};
@@ -88,10 +88,10 @@ pub struct Found {
 }
 
 /// Why there is nothing to search.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "fit-search", error)]
 pub enum SearchError {
     /// The wanted clearances are in the wrong order; they are not swapped.
-    #[error("smallest clearance {minimum} mm is above largest clearance {maximum} mm")]
     Order {
         /// The smallest that was given.
         minimum: Length,
@@ -99,39 +99,22 @@ pub enum SearchError {
         maximum: Length,
     },
     /// A nominal size of 0 or less.
-    #[error("nominal size {nominal} mm is not above 0")]
+    #[say(id = "callout-not-positive")]
     NotPositive {
         /// What was given.
         nominal: Length,
     },
     /// A nominal size beyond the standard.
-    #[error("nominal size {nominal} mm is beyond ISO 286, which ends at 3150 mm")]
+    #[say(id = "iso286-too-large")]
     TooLarge {
         /// What was given.
         nominal: Length,
     },
     /// The tables have no class for a hole or none for a shaft.
-    #[error("the tables have no classes for both hole and shaft at {nominal} mm")]
     NoClasses {
         /// What was given.
         nominal: Length,
     },
-}
-
-impl Say for SearchError {
-    fn message(&self) -> Message {
-        match *self {
-            Self::Order { minimum, maximum } => {
-                let message = signed_mm(Message::new("fit-search-order"), "minimum-sign", "minimum", minimum);
-                signed_mm(message, "maximum-sign", "maximum", maximum)
-            }
-            Self::NotPositive { nominal } => {
-                signed_mm(Message::new("callout-not-positive"), "nominal-sign", "nominal", nominal)
-            }
-            Self::TooLarge { nominal } => Message::new("iso286-too-large").mm("nominal", nominal),
-            Self::NoClasses { nominal } => Message::new("fit-search-no-classes").mm("nominal", nominal),
-        }
-    }
 }
 
 /// Finds the pairs of ISO 286 whose whole range of clearance lies within the wanted one, and spells out the best

@@ -1,10 +1,8 @@
-use super::search::SearchError;
 use super::thermal::{Expansion, Temperature, Warm, clearance_change_apart, growth};
 use super::*;
 use crate::tolerance::fit::materials::{Certainty, Materials, MaterialsError};
-use crate::tolerance::fit::preferred::{Function, Preference};
 use crate::tolerance::{Deviations, Source};
-use crate::words::{Language, Words};
+use crate::words::Language;
 
 fn mm(text: &str) -> Length {
     text.parse().unwrap()
@@ -18,13 +16,6 @@ fn limits(feature: Feature, nominal: &str, upper: &str, lower: &str) -> Limits {
 fn fit(hole: (&str, &str), shaft: (&str, &str)) -> Fit {
     let hole = limits(Feature::Hole, "25", hole.0, hole.1);
     Fit::new(hole, limits(Feature::Shaft, "25", shaft.0, shaft.1)).unwrap()
-}
-
-#[track_caller]
-fn said(what: &(impl Say + fmt::Display)) {
-    assert_eq!(Words::new(Language::En).told(what), what.to_string());
-    let dutch = Words::new(Language::Nl).told(what);
-    assert!(dutch != what.message().id && dutch != what.to_string(), "{dutch}");
 }
 
 #[test]
@@ -45,11 +36,7 @@ fn zero_counts_as_clearance_at_the_least_and_as_interference_at_the_most() {
 fn what_is_no_fit_is_refused() {
     let hole = |nominal| limits(Feature::Hole, nominal, "0.021", "0");
     let shaft = |nominal| limits(Feature::Shaft, nominal, "0", "-0.013");
-    let error = |hole, shaft| {
-        let error = Fit::new(hole, shaft).unwrap_err();
-        said(&error);
-        error.to_string()
-    };
+    let error = |hole, shaft| Fit::new(hole, shaft).unwrap_err().to_string();
     assert_eq!(error(shaft("25"), shaft("25")), "24.987 to 25 mm are a shaft's limits, where a hole's are needed");
     assert_eq!(error(hole("25"), hole("25")), "25 to 25.021 mm are a hole's limits, where a shaft's are needed");
     let nominal = error(hole("25"), shaft("25.000001"));
@@ -57,33 +44,6 @@ fn what_is_no_fit_is_refused() {
     let far = limits(Feature::Hole, "25", "999999000", "0");
     let low = limits(Feature::Shaft, "25", "0", "-999999000");
     assert_eq!(error(far, low), "the clearance is too large");
-    for text in ["25 H7", "12 ±0.02", "600 H7/c9", "25 Q7/h6"] {
-        said(&Fit::of_callout(&text.parse().unwrap(), &Sources::default()).unwrap_err());
-    }
-    said(&FitError::NotAHole { minimum: mm("-1.5"), maximum: mm("0.5") });
-}
-
-#[test]
-fn two_measured_parts_have_a_clearance_and_a_verdict_each() {
-    let fit = fit(("0.021", "0"), ("-0.007", "-0.020"));
-    let actual = fit.actual(mm("25.0210"), mm("24.98"));
-    assert_eq!((actual.clearance, actual.conforms, actual.status()), (mm("0.041"), true, Status::Good));
-    // Both parts out to the same side: the clearance conforms and the parts do not.
-    let actual = fit.actual(mm("25.031"), mm("25.003"));
-    assert_eq!((actual.clearance, actual.conforms), (mm("0.028"), true));
-    assert_eq!((actual.hole_verdict.status(), actual.shaft_verdict.status()), (Status::Scrap, Status::Rework));
-    assert_eq!(actual.status(), Status::Scrap);
-    assert!(!fit.actual(mm("25.021001"), mm("24.98")).conforms);
-    assert!(fit.allows(mm("0.007")) && !fit.allows(mm("0.006999")));
-}
-
-#[test]
-fn one_measured_part_leaves_a_range() {
-    let fit = fit(("0.021", "0"), ("-0.007", "-0.020"));
-    let hole = fit.possible(Feature::Hole, mm("25.010"));
-    assert_eq!((hole.minimum, hole.maximum, hole.verdict.status()), (mm("0.017"), mm("0.030"), Status::Good));
-    let shaft = fit.possible(Feature::Shaft, mm("24.979"));
-    assert_eq!((shaft.minimum, shaft.maximum, shaft.verdict.status()), (mm("0.021"), mm("0.042"), Status::Scrap));
 }
 
 #[test]
@@ -136,10 +96,6 @@ fn temperatures_and_expansions_read_as_they_print() {
     temperature("20 F", "! 20 F is not a number");
     assert_eq!("11.5".parse::<Expansion>().unwrap().thousandths(), 11_500);
     assert_eq!("-0.001".parse::<Expansion>().unwrap().to_string(), "-0.001");
-    for text in ["500.001", "-20.001", "11.5555", "steel"] {
-        said(&text.parse::<Expansion>().unwrap_err());
-    }
-    said(&"-500".parse::<Temperature>().unwrap_err());
 }
 
 #[test]
@@ -183,9 +139,7 @@ fn own_materials_replace_and_add() {
 fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
     #[track_caller]
     fn check(text: &str, expected: &str) {
-        let error = Materials::read(text).unwrap_err();
-        assert_eq!(error.to_string(), expected);
-        said(&error);
+        assert_eq!(Materials::read(text).unwrap_err().to_string(), expected);
     }
     let steel = "version = 1\n\n[[material]]\nname = \"steel\"\nexpansion = 11.5\n";
     check("version = 2", "version 2 of a file of materials is not known, only version 1");
@@ -219,23 +173,10 @@ fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
         unknown.to_string(),
         "no material is called wood; there are steel, or give the expansion itself, such as 11.5"
     );
-    said(&unknown);
-    assert!(matches!(Materials::read("version = 1\nmaterial = 3"), Err(MaterialsError::Toml { line: 2, .. })));
-    assert!(matches!(Materials::read(&steel.replace("11.5", "nan")), Err(MaterialsError::Toml { line: 5, .. })));
-}
-
-#[test]
-fn every_word_is_said_in_english_and_in_dutch() {
-    [Kind::Clearance, Kind::Transition, Kind::Interference].iter().for_each(said);
-    [Basis::Hole, Basis::Shaft, Basis::Both].iter().for_each(said);
-    [Preference::HoleBasis, Preference::ShaftBasis].iter().for_each(said);
-    [Certainty::Published, Certainty::Verify, Certainty::Own].iter().for_each(said);
-    Function::ALL.iter().for_each(said);
-    let errors = [
-        SearchError::Order { minimum: mm("0.5"), maximum: mm("-0.5") },
-        SearchError::NotPositive { nominal: mm("-1") },
-        SearchError::TooLarge { nominal: mm("3150.000001") },
-        SearchError::NoClasses { nominal: mm("400.5") },
-    ];
-    errors.iter().for_each(said);
+    let is_toml_in_line = |text: &str, line| {
+        let error = Materials::read(text).unwrap_err();
+        matches!(error.what, MaterialsError::Toml { .. }) && error.place.line == Some(line)
+    };
+    assert!(is_toml_in_line("version = 1\nmaterial = 3", 2));
+    assert!(is_toml_in_line(&steel.replace("11.5", "nan"), 5));
 }

@@ -7,7 +7,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::Say;
 
 /// The reference temperature of ISO 1.
 const REFERENCE: i32 = 20_000;
@@ -25,43 +25,30 @@ pub struct Expansion(i32);
 pub struct Temperature(i32);
 
 /// Why a text is no temperature or no coefficient of expansion.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "fit-thermal", error)]
 pub enum ThermalError {
     /// The text is not a decimal number.
-    #[error("{text} is not a number")]
+    #[say(id = "length-not-a-number")]
     NotANumber {
         /// What was given.
         text: String,
     },
     /// More than three decimals.
-    #[error("{text} has more than three decimals")]
     TooFine {
         /// What was given.
         text: String,
     },
     /// A temperature out of range.
-    #[error("a temperature of {text} °C is out of range: from -273.15 to 1000 °C")]
     Temperature {
         /// What was given.
         text: String,
     },
     /// A coefficient out of range.
-    #[error("an expansion of {text} is out of range: from -20 to 500, in millionths a kelvin, such as 11.5 for steel")]
     Expansion {
         /// What was given.
         text: String,
     },
-}
-
-impl Say for ThermalError {
-    fn message(&self) -> Message {
-        match self {
-            Self::NotANumber { text } => Message::new("length-not-a-number").text("text", text),
-            Self::TooFine { text } => Message::new("fit-thermal-too-fine").text("text", text),
-            Self::Temperature { text } => Message::new("fit-thermal-temperature").text("text", text),
-            Self::Expansion { text } => Message::new("fit-thermal-expansion").text("text", text),
-        }
-    }
 }
 
 impl Expansion {

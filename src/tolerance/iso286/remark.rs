@@ -1,14 +1,13 @@
 //! What a reader should know about a figure of the standard: contested, provisional, rounded.
 
-use std::fmt;
-
 use super::{Grade, JsHalves, Letter, Options, millimetres};
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::tolerance::limits::Deviations;
 
 /// Something that a reader should know about a figure. The numbers of the rules are those of `docs/SOURCES.md`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "iso286")]
 pub enum Remark {
     /// Half micrometres of JS or js were rounded off, as the 1988 edition allows (rule 5).
     JsRounded,
@@ -40,27 +39,5 @@ pub(super) fn remark(
         Some(Remark::TrialUse)
     } else {
         None
-    }
-}
-
-impl fmt::Display for Remark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::JsRounded => "JS rounded as in 1988",
-            Self::ContestedEf => "contested: ef is 28 µm here, other transcriptions have 25 µm",
-            Self::OlderIt5 => "for trial use; older catalogues have a smaller IT5 here",
-            Self::TrialUse => "for trial use",
-        })
-    }
-}
-
-impl Say for Remark {
-    fn message(&self) -> Message {
-        Message::new(match self {
-            Self::JsRounded => "iso286-js-rounded",
-            Self::ContestedEf => "iso286-contested-ef",
-            Self::OlderIt5 => "iso286-older-it5",
-            Self::TrialUse => "iso286-trial-use",
-        })
     }
 }

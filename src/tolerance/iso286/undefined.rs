@@ -1,13 +1,11 @@
 //! Why the standard has no class at a size, and where it has it.
 
-use std::fmt;
-
 use super::super::class::ToleranceClass;
 use super::super::ranges;
 use super::zone::{self, Place};
 use super::{Grade, Letter, Options, parts, sizes};
-use crate::length::{Length, signed_mm};
-use crate::message::{Message, Say};
+use crate::length::Length;
+use crate::message::{Message, Say, display};
 
 /// A class that the standard does not define at a size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,26 +72,7 @@ fn all_grades() -> String {
     grades.join(" ")
 }
 
-impl fmt::Display for Undefined {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { class, nominal, .. } = self;
-        match self.reason {
-            Reason::NoClass if self.knows_letter() => {
-                write!(f, "{class} is no class of ISO 286: its grades are {}", all_grades())
-            }
-            Reason::NoClass => {
-                let letters = class.letters();
-                write!(f, "{class} is no class of ISO 286: it has no letter {letters}, only {}", all_letters(*class))
-            }
-            Reason::NotPositive => write!(f, "nominal size {nominal} mm is not above 0"),
-            Reason::TooLarge => write!(f, "nominal size {nominal} mm is beyond ISO 286, which ends at 3150 mm"),
-            Reason::NotHere => {
-                let defined = ranges::text(&self.defined());
-                write!(f, "{class} is not defined at {nominal} mm in ISO 286; {defined}")
-            }
-        }
-    }
-}
+display!(Undefined);
 
 impl std::error::Error for Undefined {}
 
@@ -102,18 +81,18 @@ impl Say for Undefined {
         let Self { class, nominal, .. } = self;
         match self.reason {
             Reason::NoClass if self.knows_letter() => {
-                Message::new("iso286-no-grade").text("class", class).text("grades", all_grades())
+                Message::new("iso286-no-grade").with("class", class).with("grades", &all_grades())
             }
             Reason::NoClass => Message::new("iso286-no-letter")
-                .text("class", class)
-                .text("letters", class.letters())
-                .text("known", all_letters(*class)),
-            Reason::NotPositive => signed_mm(Message::new("callout-not-positive"), "nominal-sign", "nominal", *nominal),
-            Reason::TooLarge => Message::new("iso286-too-large").mm("nominal", *nominal),
+                .with("class", class)
+                .with("letters", class.letters())
+                .with("known", &all_letters(*class)),
+            Reason::NotPositive => Message::new("callout-not-positive").with("nominal", nominal),
+            Reason::TooLarge => Message::new("iso286-too-large").with("nominal", nominal),
             Reason::NotHere => Message::new("iso286-not-here")
-                .text("class", class)
-                .mm("nominal", *nominal)
-                .message("where", ranges::message(&self.defined())),
+                .with("class", class)
+                .with("nominal", nominal)
+                .with("where", &ranges::message(&self.defined())),
         }
     }
 }

@@ -5,20 +5,8 @@ use serde::Serialize;
 use crate::cli::Figure;
 use crate::cli::fit::figures::{um, words};
 use crate::length::Length;
+use crate::report::columns::{Cell as _, Column};
 use crate::tolerance::fit::search::Candidate;
-
-/// The columns of CSV, in order: the names of a candidate.
-pub(super) const COLUMNS: [&str; 9] = [
-    "callout",
-    "hole",
-    "shaft",
-    "kind",
-    "minimum_clearance_um",
-    "maximum_clearance_um",
-    "basis",
-    "preferred",
-    "function",
-];
 
 /// The answer for programs.
 #[derive(Debug, Serialize)]
@@ -54,6 +42,19 @@ pub(super) struct MissFigures {
 }
 
 impl CandidateFigures {
+    /// The columns of CSV.
+    pub(super) const COLUMNS: [Column<Self>; 9] = [
+        ("callout", |fit| fit.callout.cell()),
+        ("hole", |fit| fit.hole.cell()),
+        ("shaft", |fit| fit.shaft.cell()),
+        ("kind", |fit| fit.kind.cell()),
+        ("minimum_clearance_um", |fit| fit.minimum_clearance_um.cell()),
+        ("maximum_clearance_um", |fit| fit.maximum_clearance_um.cell()),
+        ("basis", |fit| fit.basis.cell()),
+        ("preferred", |fit| fit.preferred.cell()),
+        ("function", |fit| fit.function.cell()),
+    ];
+
     pub(super) fn of(size: Length, candidate: &Candidate) -> Self {
         let [basis, preferred, function] = words(candidate.hole, candidate.shaft);
         Self {
@@ -67,20 +68,5 @@ impl CandidateFigures {
             preferred,
             function,
         }
-    }
-
-    pub(super) fn cells(&self) -> [&str; 9] {
-        let or_empty = |word: Option<&'static str>| word.unwrap_or_default();
-        [
-            &self.callout,
-            &self.hole,
-            &self.shaft,
-            self.kind,
-            &self.minimum_clearance_um.0,
-            &self.maximum_clearance_um.0,
-            or_empty(self.basis),
-            or_empty(self.preferred),
-            or_empty(self.function),
-        ]
     }
 }

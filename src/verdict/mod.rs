@@ -2,15 +2,21 @@
 //!
 //! Compares with `<` and `<=` only, in whole nanometres; limits belong to the zone. The centre's position is a cause
 //! of its own. Formatting is elsewhere.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the status, a diameter's and a centre's verdict, doubts about the measured value |
+//! | `fit` | two measured parts of a fit, or one of them |
 
-use std::fmt;
+pub mod fit;
 
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::tolerance::{Feature, Limits};
 
-/// What to do with the part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+/// What to do with the part; `Display` is the English word.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize, Say)]
+#[say(prefix = "status")]
 pub enum Status {
     /// Inside the limits or on one of them.
     #[serde(rename = "GOOD")]
@@ -38,34 +44,13 @@ impl Status {
     }
 }
 
-impl fmt::Display for Status {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.word())
-    }
-}
-
 /// The decision rule that a verdict was made with.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Say)]
+#[say(prefix = "rule")]
 pub enum Rule {
     /// The control's own: no guard band, limits belong to the zone.
     #[default]
     Simple,
-}
-
-impl fmt::Display for Rule {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Simple => f.pad("no guard band, limits belong to the zone"),
-        }
-    }
-}
-
-impl Say for Rule {
-    fn message(&self) -> Message {
-        match self {
-            Self::Simple => Message::new("rule-simple"),
-        }
-    }
 }
 
 /// How much material to take off, as a diameter.
@@ -190,7 +175,8 @@ pub fn judge(limits: &Limits, measured: Length, position: Option<PositionVerdict
 }
 
 /// A measured value that is probably something else than a diameter in millimetres.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "doubt")]
 pub enum Doubt {
     /// 25.4 times the nominal size: an inch part read in millimetres, converted once too often.
     TimesInch,
@@ -200,28 +186,6 @@ pub enum Doubt {
     Double,
     /// Half the nominal size: a radius.
     Half,
-}
-
-impl fmt::Display for Doubt {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::TimesInch => "measured value is 25.4 times the nominal size: converted from inch once too often?",
-            Self::Inches => "measured value is the nominal size over 25.4: is it in inch?",
-            Self::Double => "measured value is twice the nominal size: was a diameter taken for a radius?",
-            Self::Half => "measured value is half the nominal size: is it a radius?",
-        })
-    }
-}
-
-impl Say for Doubt {
-    fn message(&self) -> Message {
-        Message::new(match self {
-            Self::TimesInch => "doubt-times-inch",
-            Self::Inches => "doubt-inches",
-            Self::Double => "doubt-double",
-            Self::Half => "doubt-half",
-        })
-    }
 }
 
 /// Whether a measured value looks like another quantity: within 1 % of 25.4 times, 1/25.4, twice or half the nominal.
@@ -245,26 +209,5 @@ pub fn doubt(nominal: Length, measured: Length) -> Option<Doubt> {
         Some(Doubt::Half)
     } else {
         None
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::words::{Language, Words};
-
-    #[track_caller]
-    fn said_in_both_languages(what: &(impl Say + fmt::Display)) {
-        assert_eq!(Words::new(Language::En).told(what), what.to_string());
-        let dutch = Words::new(Language::Nl).told(what);
-        assert!(dutch != what.message().id && dutch != what.to_string(), "{dutch}");
-    }
-
-    #[test]
-    fn doubts_and_rules_are_said_in_english_and_in_dutch() {
-        for doubt in [Doubt::TimesInch, Doubt::Inches, Doubt::Double, Doubt::Half] {
-            said_in_both_languages(&doubt);
-        }
-        said_in_both_languages(&Rule::Simple);
     }
 }

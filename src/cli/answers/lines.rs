@@ -4,16 +4,17 @@ use std::io::BufRead;
 
 /// The longest line of standard input in bytes; a longer one is refused.
 pub(in crate::cli) const LONGEST_LINE: usize = 1 << 16;
+
 /// A line of input, its memory used again.
 #[derive(Default)]
-pub(in crate::cli) struct Line {
-    pub(in crate::cli) bytes: Vec<u8>,
+pub(super) struct Line {
+    pub(super) bytes: Vec<u8>,
     /// Whether the input's buffer is used up: reading on may have to wait.
     is_drained: bool,
 }
 
 /// What a look for the next line found.
-pub(in crate::cli) enum Found {
+pub(super) enum Found {
     /// No more lines.
     End,
     /// A line.
@@ -24,7 +25,7 @@ pub(in crate::cli) enum Found {
 
 impl Line {
     /// Reads a line without its end (LF or CRLF); `before_waiting` is called when the input may take its time.
-    pub(in crate::cli) fn read(
+    pub(super) fn read(
         &mut self,
         input: &mut dyn BufRead,
         mut before_waiting: impl FnMut() -> std::io::Result<()>,

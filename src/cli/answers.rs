@@ -1,0 +1,174 @@
+//! Answers to callouts one by one, in one of the three formats: memory stays the same however many come.
+
+mod lines;
+
+use std::fmt::Display;
+use std::io::{BufRead, Write};
+
+use serde::Serialize;
+
+use super::{CliError, Format, Io, Note};
+use crate::control::text::decode;
+pub(super) use lines::LONGEST_LINE;
+use lines::{Found, Line};
+
+/// How much of a line that is too long is shown.
+const SHOWN: usize = 40;
+
+/// A callout, and its line where it comes from standard input.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Asked<'a> {
+    pub(super) callout: &'a str,
+    pub(super) line: Option<usize>,
+}
+
+/// What a subcommand has to say about a callout; refused ones are an answer as well.
+pub(super) trait Answerer {
+    /// What CSV and JSON say.
+    type Row<'a>: Cells;
+
+    /// Answers a callout.
+    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) -> Result<(), CliError>;
+
+    /// The figures of a callout without an answer.
+    fn refused(callout: &str, error: String) -> Self::Row<'_>;
+}
+
+/// An answer in figures: an object of JSON and a line of CSV.
+pub(super) trait Cells: Serialize {
+    /// The cells of CSV, in the order of its columns.
+    fn cells(&self) -> Vec<String>;
+}
+
+/// What was printed so far.
+pub(super) struct Answers {
+    format: Format,
+    /// A single answer of JSON is an object, not an array.
+    is_one: bool,
+    answered: usize,
+    refused: usize,
+}
+
+impl Answers {
+    /// Answers every callout; `-` stands for the lines of standard input. Whether none was refused.
+    pub(super) fn print<A: Answerer>(
+        (format, is_one): (Format, bool),
+        columns: &[&str],
+        callouts: &[String],
+        answerer: &mut A,
+        io: &mut Io<'_>,
+    ) -> Result<bool, CliError> {
+        let mut answers = Self { format, is_one, answered: 0, refused: 0 };
+        match format {
+            Format::Csv => csv_line(columns, io)?,
+            Format::Json if !is_one => io.out.write_all(b"[")?,
+            Format::Json | Format::Text => {}
+        }
+        for callout in callouts {
+            if callout == "-" {
+                answers.lines(answerer, io)?;
+            } else {
+                answerer.answer(Asked { callout: printable(callout).trim(), line: None }, &mut answers, io)?;
+            }
+        }
+        answers.finish(io)
+    }
+
+    /// Answers every line of the input. What is answered is out before the next wait for input, so that another
+    /// program can ask line by line.
+    fn lines<A: Answerer>(&mut self, answerer: &mut A, io: &mut Io<'_>) -> Result<(), CliError> {
+        let mut line = Line::default();
+        for number in 1_usize.. {
+            let (input, out): (&mut dyn BufRead, _) = (&mut *io.input, &mut *io.out);
+            let found = line.read(input, || out.flush())?;
+            let text = printable(&decode(&line.bytes));
+            let asked = |callout| Asked { callout, line: Some(number) };
+            match found {
+                Found::End => break,
+                Found::Whole => answerer.answer(asked(text.trim()), self, io)?,
+                Found::TooLong => {
+                    let beginning: String = text.chars().take(SHOWN).chain(['…']).collect();
+                    self.refuse::<A>(asked(&beginning), &CliError::LineTooLong, io)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether answers are for people.
+    pub(super) fn is_text(&self) -> bool {
+        self.format == Format::Text
+    }
+
+    /// An answer for people; the writer is told whether it is the first.
+    pub(super) fn text(
+        &mut self,
+        write: impl FnOnce(&mut dyn Write, bool) -> std::io::Result<()>,
+        io: &mut Io<'_>,
+    ) -> Result<(), CliError> {
+        self.answered += 1;
+        Ok(write(&mut *io.out, self.answered == 1)?)
+    }
+
+    /// Says why there is no answer.
+    pub(super) fn refuse<A: Answerer>(
+        &mut self,
+        asked: Asked<'_>,
+        error: &impl Display,
+        io: &mut Io<'_>,
+    ) -> Result<(), CliError> {
+        self.refused += 1;
+        if !self.is_text() {
+            return self.figures(&A::refused(asked.callout, error.to_string()), io);
+        }
+        self.answered += 1;
+        // What was answered before stands before it on a screen, too.
+        io.out.flush()?;
+        match asked {
+            Asked { callout: "", line: Some(line) } => io.tell(format_args!("line {line}: {error}")),
+            Asked { callout: "", line: None } => io.tell(format_args!("\"\": {error}")),
+            Asked { callout, .. } => io.tell(format_args!("{callout}: {error}")),
+        }
+    }
+
+    /// A line of CSV or an object of JSON.
+    pub(super) fn figures(&mut self, figures: &impl Cells, io: &mut Io<'_>) -> Result<(), CliError> {
+        self.answered += 1;
+        match self.format {
+            Format::Csv => return csv_line(figures.cells(), io),
+            _ if self.is_one => {
+                serde_json::to_writer_pretty(&mut *io.out, figures)?;
+                writeln!(io.out)?;
+            }
+            _ => {
+                io.out.write_all(if self.answered == 1 { b"\n  " } else { b",\n  " })?;
+                serde_json::to_writer(&mut *io.out, figures)?;
+            }
+        }
+        Ok(())
+    }
+    fn finish(&self, io: &mut Io<'_>) -> Result<bool, CliError> {
+        if self.format == Format::Json && !self.is_one {
+            io.out.write_all(if self.answered == 0 { b"]\n" } else { b"\n]\n" })?;
+        }
+        io.out.flush()?;
+        if 0 < self.refused && !self.is_text() {
+            io.tell(Note::Refused { refused: self.refused, asked: self.answered })?;
+        }
+        Ok(self.refused == 0)
+    }
+}
+
+/// A line of CSV.
+pub(super) fn csv_line<T: AsRef<[u8]>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) -> Result<(), CliError> {
+    // Into memory first: the writer's own flush would reach the stream line by line.
+    let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
+    writer.write_record(cells)?;
+    let line = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
+    Ok(io.out.write_all(&line)?)
+}
+
+/// A text without control characters: it goes to a terminal, and one line of input stays one line of output.
+pub(super) fn printable(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() && c != '\t' { char::REPLACEMENT_CHARACTER } else { c }).collect()
+}

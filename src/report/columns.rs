@@ -1,0 +1,52 @@
+//! The columns of CSV for programs: each is declared once, with its name and how its cell is made of a row.
+
+use crate::verdict::Status;
+
+/// A column: its name, and its cell in a row; `None` is an empty one.
+pub type Column<R> = (&'static str, fn(&R) -> Option<String>);
+
+/// The names, for the first line.
+pub fn names<C: Copy, const N: usize>(columns: &[(&'static str, C); N]) -> [&'static str; N] {
+    columns.map(|(name, _)| name)
+}
+
+/// The cells of a row, in the order of the columns.
+pub fn cells<'a, R>(columns: &'a [Column<R>], row: &'a R) -> impl Iterator<Item = String> + 'a {
+    columns.iter().map(move |(_, cell)| cell(row).unwrap_or_default())
+}
+
+/// What stands in a cell as it is, in every language the same.
+pub trait Cell {
+    /// Its text; `None` where there is nothing to say.
+    fn cell(&self) -> Option<String>;
+}
+
+impl Cell for String {
+    fn cell(&self) -> Option<String> {
+        Some(self.clone())
+    }
+}
+
+impl Cell for &str {
+    fn cell(&self) -> Option<String> {
+        Some((*self).to_owned())
+    }
+}
+
+impl Cell for bool {
+    fn cell(&self) -> Option<String> {
+        Some(self.to_string())
+    }
+}
+
+impl Cell for Status {
+    fn cell(&self) -> Option<String> {
+        Some(self.word().to_owned())
+    }
+}
+
+impl<T: Cell> Cell for Option<T> {
+    fn cell(&self) -> Option<String> {
+        self.as_ref()?.cell()
+    }
+}

@@ -1,0 +1,117 @@
+//! Measured parts of a fit: the clearance that they have or can have, and each part's own verdict.
+
+use super::{Status, Verdict, judge};
+use crate::length::Length;
+use crate::tolerance::Feature;
+use crate::tolerance::fit::Fit;
+
+/// Two measured parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Actual {
+    /// The hole's measured diameter.
+    pub hole: Length,
+    /// The shaft's measured diameter.
+    pub shaft: Length,
+    /// Hole minus shaft; negative is an interference.
+    pub clearance: Length,
+    /// Whether the clearance lies in the range that the callout allows, borders included. That can be so with a part
+    /// that is out of its own limits: the parts' verdicts say that.
+    pub conforms: bool,
+    /// What the hole alone is.
+    pub hole_verdict: Verdict,
+    /// What the shaft alone is.
+    pub shaft_verdict: Verdict,
+}
+
+impl Actual {
+    /// What two measured parts do: their clearance, and each part's own verdict.
+    pub fn of(fit: &Fit, hole: Length, shaft: Length) -> Self {
+        let clearance = hole.saturating_sub(shaft);
+        Self {
+            hole,
+            shaft,
+            clearance,
+            conforms: fit.allows(clearance),
+            hole_verdict: judge(fit.hole(), hole, None),
+            shaft_verdict: judge(fit.shaft(), shaft, None),
+        }
+    }
+
+    /// The worse of the two parts.
+    pub fn status(&self) -> Status {
+        self.hole_verdict.status().max(self.shaft_verdict.status())
+    }
+}
+
+/// One measured part, the other one anywhere within its limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Possible {
+    /// Which part was measured.
+    pub feature: Feature,
+    /// Its measured diameter.
+    pub measured: Length,
+    /// What it is alone.
+    pub verdict: Verdict,
+    /// The smallest clearance with a good counterpart.
+    pub minimum: Length,
+    /// The largest clearance with a good counterpart.
+    pub maximum: Length,
+}
+
+impl Possible {
+    /// What one measured part leaves possible when its counterpart lies within its limits.
+    pub fn of(fit: &Fit, feature: Feature, measured: Length) -> Self {
+        let (limits, minimum, maximum) = match feature {
+            Feature::Hole => {
+                let clearance = |shaft| measured.saturating_sub(shaft);
+                (fit.hole(), clearance(fit.shaft().maximum()), clearance(fit.shaft().minimum()))
+            }
+            Feature::Shaft => {
+                let clearance = |hole: Length| hole.saturating_sub(measured);
+                (fit.shaft(), clearance(fit.hole().minimum()), clearance(fit.hole().maximum()))
+            }
+        };
+        Self { feature, measured, verdict: judge(limits, measured, None), minimum, maximum }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tolerance::{Deviations, Limits, Source};
+
+    fn mm(text: &str) -> Length {
+        text.parse().unwrap()
+    }
+
+    fn fit(hole: (&str, &str), shaft: (&str, &str)) -> Fit {
+        let limits = |feature, (upper, lower): (&str, &str)| {
+            let deviations = Deviations::new(mm(upper), mm(lower)).unwrap();
+            Limits::new(feature, mm("25"), deviations, Source::File("drawing".into())).unwrap()
+        };
+        Fit::new(limits(Feature::Hole, hole), limits(Feature::Shaft, shaft)).unwrap()
+    }
+
+    #[test]
+    fn two_measured_parts_have_a_clearance_and_a_verdict_each() {
+        let fit = fit(("0.021", "0"), ("-0.007", "-0.020"));
+        let actual = Actual::of(&fit, mm("25.0210"), mm("24.98"));
+        assert_eq!((actual.clearance, actual.conforms, actual.status()), (mm("0.041"), true, Status::Good));
+        // Both parts out to the same side: the clearance conforms and the parts do not.
+        let actual = Actual::of(&fit, mm("25.031"), mm("25.003"));
+        assert_eq!((actual.clearance, actual.conforms), (mm("0.028"), true));
+        assert_eq!((actual.hole_verdict.status(), actual.shaft_verdict.status()), (Status::Scrap, Status::Rework));
+        assert_eq!(actual.status(), Status::Scrap);
+        assert!(!Actual::of(&fit, mm("25.021001"), mm("24.98")).conforms);
+        assert!(fit.allows(mm("0.007")) && !fit.allows(mm("0.006999")));
+    }
+
+    #[test]
+    fn one_measured_part_leaves_a_range() {
+        let fit = fit(("0.021", "0"), ("-0.007", "-0.020"));
+        let hole = Possible::of(&fit, Feature::Hole, mm("25.010"));
+        assert_eq!((hole.minimum, hole.maximum, hole.verdict.status()), (mm("0.017"), mm("0.030"), Status::Good));
+        let shaft = Possible::of(&fit, Feature::Shaft, mm("24.979"));
+        assert_eq!((shaft.minimum, shaft.maximum, shaft.verdict.status()), (mm("0.021"), mm("0.042"), Status::Scrap));
+    }
+}
