@@ -44,7 +44,7 @@ const ROOMS: [(&str, &[&str]); 16] = [
     ("shipped", &[]),
     ("message", &["shipped"]),
     ("length", &["message"]),
-    ("words", &["message", "length"]),
+    ("words", &["shipped", "message", "length"]),
     ("tolerance", &["message", "length", "words"]),
     ("verdict", &["message", "length", "tolerance"]),
     ("probing", &["message", "length", "words", "tolerance", "verdict"]),
