@@ -52,8 +52,6 @@ impl Args {
 /// Answers with limits of size.
 struct LimitsOf<'a>(&'a Sources);
 
-/// The columns of CSV, in order.
-
 /// A line of CSV or an object of JSON.
 #[derive(Debug, Default, serde::Serialize)]
 struct Row<'a> {

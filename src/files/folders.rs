@@ -23,6 +23,12 @@ impl Folders {
         Self::default()
     }
 
+    /// The folder that a program's file lies in; of a bare name it is the one that we are in.
+    pub fn beside(program: &Path) -> Self {
+        let folder = program.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
+        Self { reading: folder.map(Path::to_owned).into_iter().collect(), writing: None }
+    }
+
     /// The same with one more folder to read from, after those before it.
     #[must_use]
     pub fn reading(mut self, folder: impl Into<PathBuf>) -> Self {

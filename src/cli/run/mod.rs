@@ -8,7 +8,7 @@
 mod answer;
 mod text;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::args::dialogue;
@@ -140,13 +140,12 @@ impl Args {
     }
 
     fn machine(&self, language: Dialogue, io: &mut Io<'_>) -> Result<Machine, CliError> {
-        let (name, bytes, folder) = self.read_program(io)?;
+        let (name, bytes, beside) = self.read_program(io)?;
         let (program, warnings) = Program::read(&bytes).about(&name)?;
         for warning in warnings {
             io.warn_about(&name, &warning)?;
         }
-        let own = folder.into_iter().chain(self.folders.iter().cloned());
-        let mut store = own.fold(Folders::new(), Folders::reading);
+        let mut store = self.folders.iter().fold(beside, Folders::reading);
         for folder in &self.folders {
             if !folder.is_dir() {
                 return Err(CliError::NoFolder { path: folder.clone() });
@@ -166,10 +165,10 @@ impl Args {
     }
 
     /// The program's name, its bytes and its folder; an embedded one where there is no such file.
-    fn read_program(&self, io: &mut Io<'_>) -> Result<(String, Vec<u8>, Option<PathBuf>), CliError> {
+    fn read_program(&self, io: &mut Io<'_>) -> Result<(String, Vec<u8>, Folders), CliError> {
         let embedded = self.program.to_str().filter(|_| !self.program.exists()).and_then(Shipped::file);
         if let Some(bytes) = embedded {
-            return Ok((self.program.display().to_string(), bytes.to_vec(), None));
+            return Ok((self.program.display().to_string(), bytes.to_vec(), Folders::new()));
         }
         let is_bare = self.program.parent().is_some_and(|folder| folder.as_os_str().is_empty());
         let (name, bytes) = read_input(&self.program, io).map_err(|error| match error {
@@ -183,11 +182,7 @@ impl Args {
             error => error,
         })?;
         let is_file = self.program.as_os_str() != "-";
-        let folder = self.program.parent().filter(|_| is_file).map(|folder| {
-            // The folder of a bare name is the one that we are in.
-            if folder.as_os_str().is_empty() { Path::new(".").to_owned() } else { folder.to_owned() }
-        });
-        Ok((name, bytes, folder))
+        Ok((name, bytes, if is_file { Folders::beside(&self.program) } else { Folders::new() }))
     }
 
     fn source(&self, io: &mut Io<'_>) -> Result<Contacts, CliError> {

@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `run` | the machine as its users see it; in `run/blocks` what each block does with the parts below, which are handed what they need of one another |
+//! | `run` | the machine as its users see it, and in `run/blocks` what each block does with the parts below |
 //! | `flow` | labels, jumps, repeats, calls and returns |
 //! | `values` | parameters and formulas |
 //! | `tables` | FN 26, FN 27, FN 28 |

@@ -70,11 +70,7 @@ impl ProgramPage {
         let (path, program) = (document.path().to_string(), Arc::clone(document.program()));
         let contacts = self.contacts(shared)?;
         let folders = match &self.origin {
-            Some(Origin::File(path)) => path.parent().map_or_else(Folders::new, |folder| {
-                // A bare file name lies in the folder that Fitcheck was started in.
-                let here = folder.as_os_str().is_empty();
-                Folders::new().reading(if here { std::path::Path::new(".") } else { folder })
-            }),
+            Some(Origin::File(path)) => Folders::beside(path),
             _ => Folders::new(),
         };
         let mut settings = Settings::new(shared.language.dialogue(), now);

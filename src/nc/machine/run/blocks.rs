@@ -14,6 +14,7 @@ use super::super::step::{Pause, Step};
 use super::super::values::shown;
 use super::Run;
 use crate::control::mask::Context;
+use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::program::{Block, Body, CycleBlock, MachineFunction, Program, TextOperand, Unit};
 use crate::probing::cycle::LogTarget;
@@ -67,7 +68,18 @@ impl Run {
             Body::End { .. } => return Ok(self.end_program()),
             Body::CallLabel { label, repeat } => self.flow.call_label(at, label, *repeat, &self.values)?,
             Body::CallProgram(path) => self.call_program(at, path, files)?,
-            Body::Assign { .. } | Body::Undefine(_) | Body::AssignText { .. } => self.assign(at, &block.body)?,
+            Body::Assign { to, value } => {
+                let given = self.values.assign(*to, value, self.is_main())?;
+                self.note_given(at, *to, given);
+            }
+            Body::AssignText { to, value } => {
+                let given = self.values.assign_text(*to, value, self.is_main())?;
+                self.note_given(at, *to, given);
+            }
+            Body::Undefine(parameter) => {
+                let given = self.values.undefine(*parameter, self.is_main());
+                self.note_given(at, *parameter, given);
+            }
             Body::Jump { condition, label } => {
                 if self.values.holds(condition)? {
                     self.flow.jump(label, &self.values)?;
@@ -134,18 +146,16 @@ impl Run {
         Ok(())
     }
 
-    fn assign(&mut self, at: usize, body: &Body) -> Result<(), FaultKind> {
-        let is_main = !self.flow.is_within_call();
-        let (parameter, given) = match body {
-            Body::Assign { to, value } => (*to, self.values.assign(*to, value, is_main)?),
-            Body::AssignText { to, value } => (*to, self.values.assign_text(*to, value, is_main)?),
-            Body::Undefine(parameter) => (*parameter, self.values.undefine(*parameter, is_main)),
-            _ => return Ok(()),
-        };
+    /// Whether the main program runs.
+    fn is_main(&self) -> bool {
+        !self.flow.is_within_call()
+    }
+
+    /// Remarks a value that was given before the run and stands in place of a block's.
+    fn note_given(&mut self, at: usize, parameter: Parameter, given: Option<Value>) {
         if let Some(value) = given {
             self.remark(at, Remark::GivenWins { parameter, value: shown(&value) });
         }
-        Ok(())
     }
 
     /// FN 26: another table that is open is closed before.
