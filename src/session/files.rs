@@ -105,7 +105,7 @@ impl Session {
     }
 
     pub(super) fn mask_read(&mut self, name: String, result: Result<(Box<Mask>, Vec<Message>), Message>) {
-        if let Some((mask, details)) = self.shared.from_file(result) {
+        if let Some((mask, details)) = self.shared.file_answered(result) {
             self.shared.note_details(Message::new("mask-loaded-with-warnings").text("name", &name), details);
             self.shared.set_mask(MaskChoice::Own { name, mask: Arc::new(*mask) });
         }
@@ -116,7 +116,7 @@ impl Session {
         folder: PathBuf,
         result: Result<(Vec<DeviationTable>, Vec<Message>), Message>,
     ) {
-        if let Some((tables, details)) = self.shared.from_file(result) {
+        if let Some((tables, details)) = self.shared.file_answered(result) {
             let message = Message::new("tables-loaded").count("count", tables.len()).text("folder", folder.display());
             self.shared.note(message, details);
             self.use_tables(tables, Some(folder));
@@ -131,7 +131,7 @@ impl Session {
     }
 
     pub(super) fn saved_file(&mut self, path: &Path, result: Result<(), FileError>) {
-        if self.shared.from_file(result.map_err(|error| error.message())).is_some() {
+        if self.shared.file_answered(result.map_err(|error| error.message())).is_some() {
             self.tables.saved(path);
             self.shared.note(Message::new("file-written").text("path", path.display()), Vec::new());
         }

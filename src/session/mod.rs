@@ -13,7 +13,7 @@
 //! | `cycles` | a measuring cycle on a workpiece or on recorded contacts |
 //! | `tables` | tables of deviations against ISO 286 |
 //! | `program` | an NC program is run and stepped |
-//! | `shared`, `history`, `workpiece` | what belongs to every page |
+//! | `shared`, `history`, `workpiece` | what belongs to every page; `readers` reads it |
 //! | `command`, `field` | every command and every text field |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
@@ -28,6 +28,7 @@ mod files;
 mod fit;
 mod history;
 pub mod program;
+mod readers;
 mod saved;
 mod shared;
 pub mod tables;

@@ -10,16 +10,13 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::command::{Effect, Page, Purpose, SourceChoice, Theme};
-use super::cycles::BenchForm;
 use super::history::History;
-use super::workpiece::{RecordedContacts, SimulatedWorkpiece};
-use super::{Session, tables};
+use super::workpiece::SimulatedWorkpiece;
 use crate::control::mask::Mask;
 use crate::control::shipped_tables;
-use crate::journal::Record;
 use crate::message::Message;
 use crate::tolerance::fit::materials::Materials;
-use crate::tolerance::{Base, DeviationTable, Sources};
+use crate::tolerance::{Base, Sources};
 use crate::words::{Dialogue, Language};
 
 /// The mask that the status window is drawn with.
@@ -220,7 +217,7 @@ impl Shared {
 
     /// What a file holds that a dialog asked for. The dialog is done, or says what is wrong with the file; where it was
     /// closed, that is told.
-    pub fn from_file<T>(&mut self, result: Result<T, Message>) -> Option<T> {
+    pub fn file_answered<T>(&mut self, result: Result<T, Message>) -> Option<T> {
         match result {
             Ok(read) => {
                 if self.dialog_waits() {
@@ -230,9 +227,9 @@ impl Shared {
             }
             Err(problem) => {
                 if self.dialog_waits() {
-                    self.refuse_dialog(problem)
+                    self.refuse_dialog(problem);
                 } else {
-                    self.tell(problem)
+                    self.tell(problem);
                 }
                 None
             }
@@ -245,128 +242,5 @@ pub(super) fn base(choice: SourceChoice) -> Base {
     match choice {
         SourceChoice::Iso286 => Base::Iso286,
         SourceChoice::ControlTables => Base::Tables(shipped_tables()),
-    }
-}
-
-impl Session {
-    /// The open page.
-    pub const fn page(&self) -> Page {
-        self.shared.page
-    }
-
-    /// Where limits are looked up.
-    pub const fn sources(&self) -> &Arc<Sources> {
-        &self.shared.sources
-    }
-
-    /// What limits are looked up in after the user's own tables.
-    pub fn source_choice(&self) -> SourceChoice {
-        self.shared.source_choice()
-    }
-
-    /// The folder of the user's own tables, where one was chosen.
-    pub const fn tables_folder(&self) -> Option<&PathBuf> {
-        self.shared.tables_folder.as_ref()
-    }
-
-    /// The mask that the status window is drawn with.
-    pub const fn mask(&self) -> &MaskChoice {
-        &self.shared.mask
-    }
-
-    /// What a status window is drawn with: a language, and the user's own mask.
-    pub fn drawn_with(&self) -> (Dialogue, Option<&Mask>) {
-        self.shared.drawn_with()
-    }
-
-    /// The language of the window.
-    pub const fn language(&self) -> Language {
-        self.shared.language
-    }
-
-    /// Light or dark.
-    pub const fn theme(&self) -> Theme {
-        self.shared.theme
-    }
-
-    /// Whether the keypad is shown.
-    pub const fn has_keypad(&self) -> bool {
-        self.shared.keypad
-    }
-
-    /// All checks, oldest first.
-    pub fn history(&self) -> &[Arc<Record>] {
-        self.shared.history.records()
-    }
-
-    /// Whether a record is chosen for the report.
-    pub fn is_chosen(&self, number: usize) -> bool {
-        self.shared.history.is_chosen(number)
-    }
-
-    /// How many records are chosen.
-    pub fn chosen_count(&self) -> usize {
-        self.shared.history.chosen_count()
-    }
-
-    /// Whether there is something to take back.
-    pub const fn can_undo(&self) -> bool {
-        self.shared.history.can_undo()
-    }
-
-    /// The simulated workpiece that the cycles page and the program page measure.
-    pub const fn bench(&self) -> &BenchForm {
-        &self.shared.workpiece.form
-    }
-
-    /// Whether its dialog is open.
-    pub const fn bench_is_open(&self) -> bool {
-        self.shared.workpiece.is_open
-    }
-
-    /// The recorded contacts that both pages measure.
-    pub fn recorded(&self) -> Option<&RecordedContacts> {
-        self.shared.workpiece.recorded.as_deref()
-    }
-
-    /// What parts can be made of.
-    pub const fn materials(&self) -> &Materials {
-        &self.shared.materials
-    }
-
-    /// Adds the user's own materials to the shipped ones; one of the same name takes its place.
-    pub fn use_materials(&mut self, own: Materials) {
-        self.shared.materials = Materials::shipped().with_own(own);
-    }
-
-    /// The open file dialog.
-    pub const fn dialog(&self) -> Option<&Dialog> {
-        self.shared.dialog.as_ref()
-    }
-
-    /// What is to be told, oldest first.
-    pub fn notices(&self) -> &[Notice] {
-        &self.shared.notices
-    }
-
-    /// Tells something that happened outside, such as a state file that was set aside.
-    pub fn tell(&mut self, message: Message) {
-        self.shared.tell(message);
-    }
-
-    /// The names of tables with unsaved changes.
-    pub fn unsaved_tables(&self) -> Vec<&str> {
-        self.tables.unsaved().map(tables::Document::title).collect()
-    }
-
-    /// The user's own tables that are not open yet: their number among [`Sources::own`], and table.
-    pub fn unopened_tables(&self) -> impl Iterator<Item = (usize, &Arc<DeviationTable>)> {
-        let own = self.shared.sources.own().iter().enumerate();
-        own.filter(|(_, table)| self.tables.by_title(table.name()).is_none())
-    }
-
-    /// Whether the user wants to close the window and something is unsaved.
-    pub const fn is_leaving(&self) -> bool {
-        self.shared.leaving
     }
 }

@@ -89,13 +89,13 @@ impl Shared {
                 None => {}
             },
             WorkpieceCommand::Read(result) => {
-                if let Some(bench) = self.from_file(result) {
+                if let Some(bench) = self.file_answered(result) {
                     self.workpiece.form = BenchForm::of(&bench);
                     self.spread(News::WorkpieceTaken);
                 }
             }
             WorkpieceCommand::ContactsRead { name, result } => {
-                if let Some((contacts, details)) = self.from_file(result) {
+                if let Some((contacts, details)) = self.file_answered(result) {
                     self.note_details(Message::new("cycles-contacts-loaded").text("name", &name), details);
                     self.workpiece.recorded = Some(Arc::new(RecordedContacts { name, contacts }));
                     self.spread(News::ContactsTaken);

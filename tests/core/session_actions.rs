@@ -179,7 +179,8 @@ fn enter_measures_where_there_is_something_to_measure() {
 /// Whether keys need no focus in a part and are no word: `F5`, `Ctrl+O`.
 fn is_told(word: &str) -> bool {
     let key = word.rsplit('+').next().unwrap_or(word);
-    let is_function = key.starts_with('F') && 1 < key.len() && key[1..].chars().all(|c| c.is_ascii_digit());
+    let number = key.strip_prefix('F').unwrap_or_default();
+    let is_function = !number.is_empty() && number.chars().all(|c| c.is_ascii_digit());
     is_function || ["Ctrl+", "Shift+", "Alt+"].iter().any(|held| word.starts_with(held)) || word == "Esc"
 }
 

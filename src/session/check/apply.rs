@@ -177,7 +177,7 @@ impl CheckPage {
     }
 
     fn imported(&mut self, name: &str, result: Result<Box<Imported>, Message>, shared: &mut Shared, now: DateTime) {
-        let Some(imported) = shared.from_file(result) else { return };
+        let Some(imported) = shared.file_answered(result) else { return };
         shared.notices.push(measuring::import_notice(name, &imported));
         let mut records: Vec<_> = imported.records.into_iter().map(Arc::new).collect();
         if let Some(contacts) = imported.contacts {

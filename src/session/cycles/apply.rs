@@ -24,7 +24,7 @@ impl PageState for CyclesPage {
                 self.changed();
             }
             CyclesCommand::ProbesRead { name, result } => {
-                if let Some(table) = shared.from_file(result) {
+                if let Some(table) = shared.file_answered(result) {
                     let details = table.warnings.iter().map(crate::message::Say::message).collect();
                     shared.note_details(Message::new("cycles-probes-loaded").text("name", &name), details);
                     (self.probes, self.probe) = (Some((name, table)), None);

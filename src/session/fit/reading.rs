@@ -22,7 +22,8 @@ impl FitPage {
         let (maps, asking, found) = (self.maps.take(), self.asking.take(), self.found.take());
         let texts = std::mem::take(&mut self.texts);
         *self = Self { texts, side, scope, maps, asking, found, ..Self::default() };
-        self.read_callout(&self.text(FitField::Callout).to_owned(), sources);
+        let callout = self.text(FitField::Callout).to_owned();
+        self.read_callout(&callout, sources);
         self.read_lengths();
         self.read_temperature();
         self.read_maps(sources);

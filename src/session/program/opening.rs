@@ -39,7 +39,7 @@ impl ProgramPage {
         result: Result<(Box<Document>, Vec<ProgramWarning>), Message>,
         shared: &mut Shared,
     ) {
-        if let Some((document, warnings)) = shared.from_file(result) {
+        if let Some((document, warnings)) = shared.file_answered(result) {
             self.recent.retain(|known| *known != path);
             self.recent.insert(0, path.clone());
             self.recent.truncate(MOST_RECENT);

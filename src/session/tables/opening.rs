@@ -56,7 +56,7 @@ impl TablesPage {
         result: Result<(Box<DeviationTable>, Vec<Message>), Message>,
         shared: &mut Shared,
     ) {
-        if let Some((table, details)) = shared.from_file(result) {
+        if let Some((table, details)) = shared.file_answered(result) {
             shared.note_details(Message::new("tables-read-with-warnings").text("name", name), details);
             self.open_table(*table, Origin::File, shared);
         }
