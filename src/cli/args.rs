@@ -44,7 +44,7 @@ pub(super) struct TableArgs {
     /// Folder with your own control tables (*.tab); they come first for the classes and sizes that they hold
     #[arg(long, value_name = "FOLDER", global = false)]
     tables: Option<PathBuf>,
-    /// What answers after your own tables
+    /// Where limits come from that your own tables do not have
     #[arg(long, value_enum, default_value_t = SourceChoice::Iso286)]
     source: SourceChoice,
     #[command(flatten)]
@@ -68,7 +68,7 @@ pub(super) struct StandardArgs {
     /// Edition of ISO 286 for cd, ef and fg: to 10 mm (1988) or to 50 mm (2010)
     #[arg(long, value_name = "YEAR", default_value = "2010", value_parser = one_of(EDITIONS, |edition| edition.0))]
     edition: (&'static str, iso286::Edition),
-    /// Round half micrometres of JS7 to JS11 and js7 to js11 off, as in 1988
+    /// Round half micrometres of JS7 to JS11 and js7 to js11 down, as in 1988
     #[arg(long)]
     js_rounded: bool,
 }

@@ -27,7 +27,7 @@ const EXAMPLES: &str = "Examples:
 
 Exit codes: 0 good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage.";
 
-/// One verdict, printed through a mask
+/// Judge one measured value and print the control's status window
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
@@ -38,19 +38,19 @@ pub(super) struct Args {
     /// Seed of the simulated scatter: the same seed gives the same contacts
     #[arg(long, value_name = "N", default_value_t = 1, conflicts_with_all = ["measured", "contacts"])]
     seed: u64,
-    /// Hole or shaft, for a callout that does not say it: 10m, "12 ±0.02", or one part of "25 H7/g6"
+    /// Hole or shaft, for a callout that does not say which: 10m, "12 ±0.02", or one part of "25 H7/g6"
     #[arg(long, value_enum)]
     feature: Option<FeatureArg>,
-    /// True diameter of the simulated workpiece in mm; without it the middle of the zone
+    /// True diameter of the simulated workpiece in mm; default: the middle of the zone
     #[arg(long, value_name = "MM", conflicts_with_all = ["measured", "contacts"])]
     true_diameter: Option<String>,
     /// Mask of a language (nl, de, en, it) or your own mask file
     #[arg(long, value_name = "LANGUAGE|FILE")]
     mask: Option<MaskArg>,
-    /// Language of the status words and of L_ sections in your own mask; without --mask also of the mask
+    /// Language of the status words and of the L_ sections in your own mask; without --mask, also of the mask
     #[arg(long, default_value = "en", value_parser = dialogue())]
     language: Dialogue,
-    /// text prints the mask's text and nothing else
+    /// Format of the answer; Format of the answer; text prints the mask's text and nothing else
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     #[command(flatten)]
@@ -82,7 +82,7 @@ struct SourceArgs {
     /// The measured diameter in mm, decimal point or comma
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     measured: Option<String>,
-    /// Contacts as CSV with columns x,y and perhaps z, in mm; - reads standard input
+    /// Contacts as CSV with columns x, y and optionally z, in mm; - reads standard input
     #[arg(long, value_name = "FILE.csv")]
     contacts: Option<PathBuf>,
     /// Measure a simulated workpiece

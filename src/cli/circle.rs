@@ -13,7 +13,7 @@ const EXAMPLES: &str = "Examples:
   fitcheck circle bore.csv --format json
   printf 'x,y\\n12.5,0\\n0,12.5\\n-12.5,0\\n' | fitcheck circle -
 
-The file has columns x, y and perhaps z in millimetres, with or without a header. Figures of the answer are
+The file has columns x, y and optionally z in millimetres, with or without a header. The answer is in
 millimetres and degrees; maximum_inscribed is null where the contacts do not surround a circle.";
 
 /// Evaluate a circle by every criterion: least squares, circumscribed, inscribed, minimum zone, two-point
@@ -23,7 +23,7 @@ pub(super) struct Args {
     /// CSV file of contacts; - reads standard input
     #[arg(value_name = "CONTACTS.csv")]
     file: PathBuf,
-    /// How the result is printed
+    /// Format of the result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }

@@ -38,7 +38,7 @@ Examples:
   fitcheck fit 25 --function sliding --format json
   fitcheck fit - --format csv < fits.txt                  one fit a line
 
-A clearance is hole minus shaft; a negative one is an interference. Measured diameters are those
+A clearance is hole minus shaft; a negative value is an interference. Measured diameters are those
 at 20 °C.
 
 JSON of one fit is an object, of several or of - an array:
@@ -65,11 +65,11 @@ What there is not is null. CSV has the same names, joined with _ where one lies 
 Exit codes: the worse of the measured parts, 0 good, 10 rework, 11 scrap; 1 bad data, 2 wrong
 usage. A search that finds nothing names the nearest miss and ends with 0.";
 
-/// Show what a hole and a shaft such as "25 H7/g6" do to each other, or find classes for a clearance
+/// Show the fit of a hole and a shaft such as "25 H7/g6", or find classes for a clearance
 #[derive(Debug, clap::Args)]
 #[command(after_help = HELP)]
 pub(super) struct Args {
-    /// "25 H7/g6"; - reads one a line from standard input; for a search the nominal size alone, "25"
+    /// "25 H7/g6"; - reads one per line from standard input; for a search the nominal size alone, "25"
     #[arg(value_name = "CALLOUT|SIZE", required = true, allow_negative_numbers = true)]
     callouts: Vec<String>,
 
@@ -87,7 +87,7 @@ pub(super) struct Args {
     #[command(flatten)]
     reverse: reverse::ReverseArgs,
 
-    /// How to print
+    /// Format of the answer
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 

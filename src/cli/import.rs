@@ -19,15 +19,15 @@ use row::Row;
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub(super) struct Args {
-    /// Files to read; what cannot be used is named, and the others go on
+    /// Files to read; a file that cannot be used is reported and the next one is read
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
 
-    /// How the verdicts are printed
+    /// Format of the verdicts
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 
-    /// Date and time of measurements whose file tells none; now when not given
+    /// Date and time of measurements whose file has none; default: now
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
     time: Option<DateTime>,
 

@@ -12,22 +12,22 @@ const EXAMPLES: &str = "\
 Examples:
   fitcheck limits \"25 H7\"                        one callout, for people
   fitcheck limits \"25 H7\" \"25 g6\" --format csv   several, for a spreadsheet
-  fitcheck limits - --format csv < callouts.txt  one callout a line, one answer a line
+  fitcheck limits - --format csv < callouts.txt  one callout per line, one answer per line
   fitcheck limits \"25 U1\" --tables my_tables     with your own control tables
   fitcheck limits \"25 H7/g6\" 10m \"12 ±0.02\"     a fit (hole, then shaft), ISO 2768-1, deviations
 
 Columns of CSV and names in JSON: callout, nominal_mm, lower_um, upper_um, min_mm, max_mm, source, error.
-A refused callout has no figures but a reason in error, and the exit code is 1.";
+A refused callout has no values and a reason in error, and the exit code is 1.";
 
 /// Show the limits of size of callouts such as "25 H7"
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
-    /// "25 H7", "25 H7/g6", "10m", "12 +0.01 -0.015", "12.01/11.985"; - reads one a line from standard input
+    /// "25 H7", "25 H7/g6", "10m", "12 +0.01 -0.015", "12.01/11.985"; - reads one per line from standard input
     #[arg(value_name = "CALLOUT", required = true)]
     callouts: Vec<String>,
 
-    /// How to print
+    /// Format of the answer
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 

@@ -20,13 +20,13 @@ Examples:
   fitcheck nc plan.csv --control itnc530 --language de -o set.zip
   fitcheck nc plan.csv --control tnc620 --folder 'TNC:\\nc_prog\\order_12' -o order_12
 
-A plan is a CSV file with a feature a line, separated by comma, semicolon or tabulator; the header
+A plan is a CSV file with one feature per line, separated by comma, semicolon or tabulator; the header
 names the columns in any order:
   callout, x, y, z          nominal size and class such as 25 H7; centre and measuring height in mm
-  name                      letters, digits and _; names the file with the result; F1, F2 ... without
-  angle                     of the first contact from +X, degrees; 0 without
-  clearance                 set-up clearance in mm, added to MP6140 or SET_UP; 2 without
-  clearance_height          where the probe moves without a collision, mm; 50 without
+  name                      letters, digits and _; names the file with the result; default: F1, F2 ...
+  angle                     of the first contact from +X, degrees; default: 0
+  clearance                 set-up clearance in mm, added to MP6140 or SET_UP; default: 2
+  clearance_height          where the probe moves freely, mm; default: 50
 
 The set holds a main program, the program that it calls, the tables 82553 (FIT_HOLE.TAB and
 FIT_SHAFT.TAB for later controls), the mask and a page that says what goes where. The tables have
@@ -54,10 +54,10 @@ pub(super) struct Args {
     /// Language of comments, status words and mask
     #[arg(long, default_value = "en", value_parser = dialogue())]
     language: Dialogue,
-    /// Folder on the control; without it the control's usual one
+    /// Folder on the control; default: the control's usual one
     #[arg(long, value_name = "TNC:\\FOLDER")]
     folder: Option<String>,
-    /// Overwrite files that are there already
+    /// Overwrite existing files
     #[arg(long)]
     force: bool,
     #[command(flatten)]
@@ -84,7 +84,7 @@ struct Position {
     /// Set-up clearance, mm, added to the probe's own [default: 2]
     #[arg(long, value_name = "MM")]
     clearance: Option<String>,
-    /// Where the probe moves without a collision, mm [default: 50]
+    /// Height at which the probe moves freely, mm [default: 50]
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     clearance_height: Option<String>,
     /// Name of the feature [default: F1]

@@ -24,7 +24,7 @@ pub(super) struct Args {
     #[arg(value_name = "FILE", required_unless_present = "checks")]
     files: Vec<PathBuf>,
 
-    /// A callout and its measured value in millimetres, with a name in front if you like; may be given again
+    /// A callout and its measured value in millimetres, optionally with a name before it; can be repeated
     #[arg(long = "check", value_name = "[NAME:] CALLOUT=MM")]
     checks: Vec<String>,
 
@@ -32,7 +32,7 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "FILE", value_parser = output)]
     output: Output,
 
-    /// Format of what goes to standard output; a file's ending tells its own
+    /// Format of standard output; for a file its ending gives the format
     #[arg(long, required_if_eq("output", "-"), value_parser = one_of(RENDERINGS, |rendering| rendering.name))]
     format: Option<&'static Rendering>,
 
@@ -56,7 +56,7 @@ pub(super) struct Args {
     #[arg(long, default_value = "en", value_parser = one_of(Language::all(), |language| language.code()))]
     language: Language,
 
-    /// Date and time of the report and of checks that have none; now when not given
+    /// Date and time of the report, and of checks without their own; default: now
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
     time: Option<DateTime>,
 
@@ -72,8 +72,8 @@ Examples:
   fitcheck report bores.csv TCHPR421.TXT -o report.html
   fitcheck report --check \"25 H7=25.012\" -o - --format json
 
-The exit code is that of the worst check. What cannot be used or not be judged is named on standard error
-and on the report, the others are reported, and the exit code is 1.";
+The exit code is that of the worst check. A check that cannot be read or judged is named on standard error
+and in the report; the others are reported, and the exit code is 1.";
 
 /// Why a `--check` is no check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]

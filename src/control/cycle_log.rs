@@ -71,7 +71,7 @@ pub struct OtherVerdict {
 impl std::fmt::Display for OtherVerdict {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { cycle, log, unit } = self;
-        write!(f, "the log's figures, rounded to 0.0001 {}, say {log} where the cycle said {cycle}", name(*unit))
+        write!(f, "the log's values, rounded to 0.0001 {}, give {log} where the cycle gave {cycle}", name(*unit))
     }
 }
 
@@ -272,6 +272,6 @@ mod tests {
         said(&CycleLogError::Text(LogWriteError::Unfinished));
         said(&CycleLogError::Page(PointLogError { line: 1, fault: PointFault::NoLog }));
         let other = OtherVerdict { cycle: Status::Scrap, log: Status::Good, unit: Unit::Inch };
-        assert_eq!(said(&other), "the log's figures, rounded to 0.0001 inch, say GOOD where the cycle said SCRAP");
+        assert_eq!(said(&other), "the log's values, rounded to 0.0001 inch, give GOOD where the cycle gave SCRAP");
     }
 }

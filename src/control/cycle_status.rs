@@ -1,6 +1,6 @@
 //! The status window of a measuring cycle: what a program would hand to its mask after the cycle has run.
 //!
-//! A circle is drawn with the mask of program 82551 (seed `000_2e707c2d138629e0.txt`): QS2 is the nominal diameter and the
+//! A circle is drawn with the mask of program 82551 of NC-Solution 8255 (7/2020): QS2 is the nominal diameter and the
 //! cycle, QS3 the status word, Q33 and Q23 the limits, Q153 the measured diameter. Cycles 427 and 444 have masks of
 //! our own, drawn from the parameters that the cycle itself was given and found.
 
@@ -143,7 +143,7 @@ mod tests {
     const SQUARE: [[f64; 3]; 4] = [[37.5, 0.0, -5.0], [0.0, 37.5, -5.0], [-37.5, 0.0, -5.0], [0.0, -37.5, -5.0]];
 
     #[test]
-    fn a_circle_is_drawn_with_the_mask_of_the_seed() {
+    fn a_circle_is_drawn_with_the_mask_of_nc_solution_8255() {
         let nominal = ["Q273=0", "Q274=0", "Q262=75"];
         let stud = measured("422", &[&nominal[..], &["Q277=74.9", "Q278=74.8"]].concat(), &SQUARE);
         check(

@@ -34,7 +34,7 @@ const ROW_NUMBER: &str = "NR";
 /// They are read once, at the first call.
 pub fn shipped_tables() -> Vec<Arc<DeviationTable>> {
     static TABLES: LazyLock<Vec<Arc<DeviationTable>>> = LazyLock::new(|| {
-        // The touch-probe table among them is no table of deviations.
+        // The touch-probe table among them is not a table of deviations.
         let tables = shipped::TABLES.iter().filter_map(|(name, bytes)| match read_table(bytes, name, name, true) {
             Ok((table, _warnings)) => table.map(Arc::new),
             // A test proves that they can be read; a program without a table refuses every callout.

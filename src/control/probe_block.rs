@@ -7,7 +7,7 @@
 //! | `fault` | what is wrong with a block |
 //!
 //! A reader goes by numbers and order of characters, never by names and comments, which follow the dialogue language.
-//! Grammar and layout: the examples of seeds `003_a450c9437c7f7424.txt` and `004_5791de5c83bc5f1a.txt`. Nothing here
+//! Grammar and layout: the examples in the manuals of G785 and cycle 427. Nothing here
 //! runs a program: a value that is a Q parameter stays text.
 
 mod fault;
@@ -61,7 +61,7 @@ pub struct Unused {
 impl fmt::Display for Unused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { line, text, more } = self;
-        write!(f, "line {line}: {text} is not part of the probing cycle and was not used")?;
+        write!(f, "line {line}: {text} is not part of the probing cycle and was skipped")?;
         if 0 < *more { write!(f, ", and {more} more") } else { Ok(()) }
     }
 }

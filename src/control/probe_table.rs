@@ -250,7 +250,7 @@ mod tests {
         check("1    +0        100     ?         2\n", "DIST: ? is not a number: tchprobe.tp, line 3, column 24");
         check(
             "1    +0        1.5     9         2\n",
-            "F = 1.5: a whole number is needed: tchprobe.tp, line 3, column 16",
+            "F = 1.5: expected a whole number: tchprobe.tp, line 3, column 16",
         );
         check(
             "1    +0        100     9         2\n1    +0        100     9         2\n",

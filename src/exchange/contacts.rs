@@ -242,13 +242,13 @@ mod tests {
         check(b"", "the file holds no contacts");
         check(b"x,y\n", "the file holds no contacts");
         check(b"x,q\n1,2\n", "line 1: the header must name x and y, and may name z; it is x, q");
-        check(b"x,y\n1,2\n1\n", "line 3: 1 cells instead of 2: 1");
-        check(b"x,y\n1;2\n", "line 2: 1 cells instead of 2: 1;2");
+        check(b"x,y\n1,2\n1\n", "line 3: expected 2 cells, found 1: 1");
+        check(b"x,y\n1;2\n", "line 2: expected 2 cells, found 1: 1;2");
         check(b"x,y\n1,2\n1,abc\n", "line 3, column 2: y is abc, not a number of millimetres");
         check(b"x,y\n1,nan\n", "line 2, column 2: y is nan, not a number of millimetres");
         check(b"x,y\n1,\n", "line 2, column 2: y is empty, not a number of millimetres");
         check(b"x;y\n1.234,5;2\n", "line 2, column 1: x is 1.234,5, not a number of millimetres");
-        check(b"x;y\n1.5;2\n1;2,5\n", "line 3, column 2: 2,5 has another decimal sign than the rows before");
+        check(b"x;y\n1.5;2\n1;2,5\n", "line 3, column 2: 2,5 has a different decimal sign than the rows before it");
         check(b"x,y\n1,\"2\n3,4\n", "line 2: a quotation mark is not closed");
     }
 

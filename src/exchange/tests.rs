@@ -85,7 +85,7 @@ fn a_header_may_be_missing() {
     check("25 H7;25,012\n", &["1 : 25 H7 is 25.012 GOOD"]);
     check(
         "foo;bar;baz\nb1;25 H7;25,012\n",
-        &["2 b1: 25 H7 is 25.012 GOOD", "? line 1: not a measurement and not used: foo bar baz"],
+        &["2 b1: 25 H7 is 25.012 GOOD", "? line 1: skipped, not a measurement: foo bar baz"],
     );
 }
 
@@ -111,26 +111,26 @@ fn bad_rows_are_listed_and_good_ones_kept() {
             "13 b12: 25.012 not judged: there is no callout",
             "! line 3, column 3: measured: 25.0l2 is not a number <25.0l2>",
             "! line 4, column 2: Z9 is not in table hole.tab; it has H7 K7 <25 Z9>",
-            "! line 5: the row has 2 cells where 3 are due <25 H7>",
+            "! line 5: expected 3 cells, found 2 <25 H7>",
             "! line 6, column 3: measured: a length is missing <>",
             "! line 7, column 2: callout: Hh7 mixes upper and lower case: write HH7 for a hole or hh7 for a shaft (character 4) <25 Hh7>",
             "! line 8, column 3: measured: 1.234,5 is ambiguous: write one decimal sign and no thousands separator <1.234,5>",
             "! line 9, column 2: nominal size 40 mm is beyond table hole.tab, whose last range is over 18 up to and including 30 mm <40 H7>",
-            "! line 10, column 4: the row has 4 cells where 3 are due: is a separator used as decimal sign or in a text, too? <9>",
+            "! line 10, column 4: expected 3 cells, found 4: is the separator also used as decimal sign or within a text? <9>",
             "! line 11, column 3: measured: a diameter of -25.01 is not above 0 <-25.01>",
-            "! line 12, column 3: measured: 25,012 has another decimal sign than the other values, . <25,012>",
+            "! line 12, column 3: measured: 25,012 has a different decimal sign than the other values, . <25,012>",
         ],
     );
 }
 
 #[test]
 fn a_decimal_comma_between_separating_commas_is_never_taken_for_two_numbers() {
-    let long = "the row has 4 cells where 3 are due: is a separator used as decimal sign or in a text, too?";
+    let long = "expected 3 cells, found 4: is the separator also used as decimal sign or within a text?";
     check("id,callout,measured\nb1,25 H7,25,030\n", &[&format!("! line 2, column 4: {long} <030>")]);
     let one = "25,030 may be one number with a decimal comma: use a decimal point or another separator";
     check(
         "id,callout,measured,remark\nb1,25 H7,25,030\n",
-        &[&format!("! line 2, column 3: {one} <25>"), "? line 1: columns not used: 4 (remark)"],
+        &[&format!("! line 2, column 3: {one} <25>"), "? line 1: columns skipped: 4 (remark)"],
     );
     check(
         "b1,25 H7,25.01,ok\nb2,25 H7,25,030\nb3,25 H7,25.02,ok\n",
@@ -138,7 +138,7 @@ fn a_decimal_comma_between_separating_commas_is_never_taken_for_two_numbers() {
             "1 b1: 25 H7 is 25.01 GOOD",
             "3 b3: 25 H7 is 25.02 GOOD",
             &format!("! line 2, column 3: {one} <25>"),
-            "? line 1: columns not used: 4",
+            "? line 1: columns skipped: 4",
         ],
     );
     // A column of whole numbers is one where the file shows it.
@@ -148,7 +148,7 @@ fn a_decimal_comma_between_separating_commas_is_never_taken_for_two_numbers() {
             "2 b1: 25 H7 is 25.01 GOOD",
             "3 b2: 25 H7 is 25 GOOD",
             "4 b3: 25 H7 is 25.02 GOOD",
-            "? line 1: columns not used: 4 (machine)",
+            "? line 1: columns skipped: 4 (machine)",
         ],
     );
     check(
@@ -177,7 +177,7 @@ fn what_could_be_two_columns_is_refused() {
         "id;callout;remark\nb1;25 H7;x\n",
         &["! line 1: no column of measured values: name it in the first line, such as id;callout;measured <>"],
     );
-    check("id;callout;measured [cm]\nb1;25 H7;2.5\n", &["! line 1: unit cm is not known: use mm, µm or inch <>"]);
+    check("id;callout;measured [cm]\nb1;25 H7;2.5\n", &["! line 1: unknown unit cm: use mm, µm or inch <>"]);
     check(
         "nominal;callout;measured\n24;25 H7;25.01\n",
         &["! line 2, column 2: callout 25 H7 does not have the nominal size 24 of its own column <25 H7>"],
@@ -190,7 +190,7 @@ fn comments_blank_lines_and_what_stands_above_are_told_apart() {
         "Order 7;;\n\n# probed on machine 3\nid;callout;measured\n;;\n\"b1\";25 H7;25.012\n#b2;25 H7;25.013\n",
         &[
             "6 b1: 25 H7 is 25.012 GOOD",
-            "? line 1: not a measurement and not used: Order 7",
+            "? line 1: skipped, not a measurement: Order 7",
             "? line 7: a line that begins with # is a comment, but this one holds a measurement",
         ],
     );
@@ -205,7 +205,7 @@ fn comments_blank_lines_and_what_stands_above_are_told_apart() {
 fn other_columns_are_named_and_times_are_used() {
     check(
         "id;callout;measured;operator\nb1;25 H7;25.012;A. B.\n",
-        &["2 b1: 25 H7 is 25.012 GOOD", "? line 1: columns not used: 4 (operator)"],
+        &["2 b1: 25 H7 is 25.012 GOOD", "? line 1: columns skipped: 4 (operator)"],
     );
     let time = |text: &str| read(text.as_bytes()).records[0].time.to_string();
     assert_eq!(time("callout;measured;time\n25 H7;25.012;2024-03-14 08:05:09\n"), "2024-03-14T08:05:09");

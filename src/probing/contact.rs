@@ -42,13 +42,13 @@ impl Contact {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum NoContact {
     /// Nothing within reach of the movement.
-    #[error("touch {number}: no contact on the probing path")]
+    #[error("contact {number}: the probe met nothing on the probing path")]
     Missed {
         /// Which touch of the cycle, from 1.
         number: usize,
     },
     /// Something is there, but farther away than the movement may go.
-    #[error("touch {number}: no contact within the probing path of {longest} mm")]
+    #[error("contact {number}: the probe met nothing within the probing path of {longest} mm")]
     OutOfReach {
         /// Which touch of the cycle, from 1.
         number: usize,
@@ -56,13 +56,13 @@ pub enum NoContact {
         longest: Length,
     },
     /// The movement begins where material is: a real probe would have collided on its way there.
-    #[error("touch {number}: the probing path begins inside the material")]
+    #[error("contact {number}: the probing path begins inside the material")]
     InMaterial {
         /// Which touch of the cycle, from 1.
         number: usize,
     },
     /// The recorded contacts are used up.
-    #[error("touch {number}: the file has only {available} contacts")]
+    #[error("contact {number}: the file has only {available} contact{}", if *available == 1 { "" } else { "s" })]
     UsedUp {
         /// Which touch of the cycle, from 1.
         number: usize,
@@ -80,7 +80,7 @@ impl Say for NoContact {
             }
             Self::InMaterial { number } => Message::new("contact-in-material").text("number", number),
             Self::UsedUp { number, available } => {
-                Message::new("contact-used-up").text("number", number).text("available", available)
+                Message::new("contact-used-up").text("number", number).count("available", *available)
             }
         }
     }
@@ -146,11 +146,11 @@ mod tests {
 
     #[test]
     fn every_missing_contact_has_its_words() {
-        check(&NoContact::Missed { number: 2 }, "touch 2: no contact on the probing path");
+        check(&NoContact::Missed { number: 2 }, "contact 2: the probe met nothing on the probing path");
         let longest = Length::from_micrometres(2_000);
-        check(&NoContact::OutOfReach { number: 3, longest }, "touch 3: no contact within the probing path of 2 mm");
-        check(&NoContact::InMaterial { number: 1 }, "touch 1: the probing path begins inside the material");
-        check(&NoContact::UsedUp { number: 4, available: 3 }, "touch 4: the file has only 3 contacts");
+        check(&NoContact::OutOfReach { number: 3, longest }, "contact 3: the probe met nothing within the probing path of 2 mm");
+        check(&NoContact::InMaterial { number: 1 }, "contact 1: the probing path begins inside the material");
+        check(&NoContact::UsedUp { number: 4, available: 3 }, "contact 4: the file has only 3 contacts");
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::length::Length;
 use crate::tolerance::{Feature, Limits};
 use crate::verdict::PositionVerdict;
 
-/// The probe position of NC-Solution 8255 (seed `000_2e707c2d138629e0.txt`).
+/// The probe position of NC-Solution 8255 (7/2020).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct ProbePosition {
     /// Nominal centre in reference and minor axis (Q11, Q21).

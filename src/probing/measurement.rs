@@ -105,10 +105,10 @@ impl Say for Caveat {
 impl fmt::Display for Caveat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OnlyADiameter => f.write_str("one diameter only: nothing is known of form and position"),
+            Self::OnlyADiameter => f.write_str("one diameter only: form and position are unknown"),
             Self::ThreeContacts => f.write_str("3 contacts: form cannot be measured"),
-            Self::FourContacts => f.write_str("4 contacts: no form seen beyond ovality"),
-            Self::FewContacts { contacts } => write!(f, "{contacts} contacts: form between them is not seen"),
+            Self::FourContacts => f.write_str("4 contacts: no form beyond ovality is detected"),
+            Self::FewContacts { contacts } => write!(f, "{contacts} contacts: form between them is not detected"),
             Self::ShortArc { arc_deg } => {
                 write!(f, "contacts cover only {arc_deg}°: scatter is magnified in diameter and centre")
             }
@@ -191,10 +191,10 @@ mod tests {
 
     #[test]
     fn every_caveat_has_its_words() {
-        check(&Caveat::OnlyADiameter, "one diameter only: nothing is known of form and position");
+        check(&Caveat::OnlyADiameter, "one diameter only: form and position are unknown");
         check(&Caveat::ThreeContacts, "3 contacts: form cannot be measured");
-        check(&Caveat::FourContacts, "4 contacts: no form seen beyond ovality");
-        check(&Caveat::FewContacts { contacts: 12 }, "12 contacts: form between them is not seen");
+        check(&Caveat::FourContacts, "4 contacts: no form beyond ovality is detected");
+        check(&Caveat::FewContacts { contacts: 12 }, "12 contacts: form between them is not detected");
         check(
             &Caveat::ShortArc { arc_deg: 120 },
             "contacts cover only 120°: scatter is magnified in diameter and centre",

@@ -112,7 +112,7 @@ mod tests {
       "origin": "typed",
       "rule": "no guard band, limits belong to the zone",
       "warnings": [
-        "one diameter only: nothing is known of form and position"
+        "one diameter only: form and position are unknown"
       ]
     }
   ]

@@ -154,6 +154,6 @@ mod tests {
         assert_eq!(name("b.json"), Ok("json"));
         let said = |path| name(path).unwrap_err().to_string();
         assert_eq!(said("b.pdf"), ".pdf is not a format of the report: use one of .html .htm .csv .json");
-        assert_eq!(said("b"), "b has no ending that tells the report's format: use one of .html .htm .csv .json");
+        assert_eq!(said("b"), "b has no ending that gives the report's format: use one of .html .htm .csv .json");
     }
 }

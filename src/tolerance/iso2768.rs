@@ -197,13 +197,13 @@ mod tests {
         check(
             "0.499999",
             "m",
-            "nominal size 0.499999 mm is below 0.5 mm, where ISO 2768-1 begins: write the deviations at the size",
+            "nominal size 0.499999 mm is below 0.5 mm, where ISO 2768-1 begins: write the deviations next to the size",
         );
-        check("3", "v", "there is no class v of ISO 2768-1 from 0.5 up to 3 mm; it is defined over 3 up to 4000 mm");
+        check("3", "v", "ISO 2768-1 does not define class v from 0.5 up to 3 mm; it is defined over 3 up to 4000 mm");
         check(
             "2500",
             "f",
-            "there is no class f of ISO 2768-1 over 2000 up to 4000 mm; it is defined from 0.5 up to 2000 mm",
+            "ISO 2768-1 does not define class f over 2000 up to 4000 mm; it is defined from 0.5 up to 2000 mm",
         );
         check("4000.000001", "m", "nominal size 4000.000001 mm is beyond ISO 2768-1, which ends with 4000 mm");
     }

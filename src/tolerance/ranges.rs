@@ -3,7 +3,7 @@
 use crate::length::Length;
 use crate::message::Message;
 
-/// `it is defined over 24 up to 3150 mm`, or that it is defined nowhere. Ranges are above and up to, ascending.
+/// `it is defined over 24 up to 3150 mm`, or that it is not defined at any size. Ranges are above and up to, ascending.
 pub(super) fn message(ranges: &[(Length, Length)]) -> Message {
     match ranges {
         [] => Message::new("limits-defined-nowhere"),

@@ -103,8 +103,8 @@ fn every_sample_of_a_callout_reads_as_it_should() {
             let hint = match text.as_str() {
                 "8-2-1" => "write 8 -1 -2",
                 "0.4m" => "is below 0.5 mm, where ISO 2768-1 begins",
-                "3v" => "there is no class v of ISO 2768-1 from 0.5 up to 3 mm",
-                "2500f" => "there is no class f of ISO 2768-1 over 2000 up to 4000 mm",
+                "3v" => "ISO 2768-1 does not define class v from 0.5 up to 3 mm",
+                "2500f" => "ISO 2768-1 does not define class f over 2000 up to 4000 mm",
                 _ => "1.234,5 is ambiguous",
             };
             assert!(error.contains(hint), "{text}: {error}");

@@ -60,7 +60,7 @@ fn sample(path: &str) -> String {
 const FOUR: &str = "x,y\n22.506,-5\n10,7.506\n-2.506,-5\n10,-17.506\n";
 
 #[test]
-fn the_dutch_status_window_is_the_seeds_byte_for_byte() {
+fn the_dutch_status_window_is_that_of_nc_solution_8255_byte_for_byte() {
     let expected = "STATUS VAN DE PASSING: GOED\nGEPRUEFTE PASSUNG: 25 H7\nMINIMALE MAAT:  25.0000\n\
                     MAXIMALE MAAT:  25.0210\nGEMETEN DIAMETER:  25.0120\n";
     let answer = run(&["25 H7", "--measured", "25.012", "--mask", "nl"]);
@@ -130,7 +130,7 @@ fn json_has_the_fields_of_the_contract() {
         ("status", json!("GOOD")),
         ("source", json!("ISO 286, over 18 up to 30 mm")),
         ("rule", json!("no guard band, limits belong to the zone")),
-        ("warnings", json!(["one diameter only: nothing is known of form and position"])),
+        ("warnings", json!(["one diameter only: form and position are unknown"])),
     ] {
         assert_eq!(good[name], value, "{name}");
     }
@@ -175,7 +175,7 @@ fn the_time_has_whole_seconds() {
 #[test]
 fn a_value_that_looks_like_another_quantity_is_warned_of() {
     for (measured, code, doubt) in [
-        ("635", 11, "25.4 times the nominal size: converted from inch once too often?"),
+        ("635", 11, "25.4 times the nominal size: was it converted from inch twice?"),
         ("0.984252", 10, "the nominal size over 25.4: is it in inch?"),
         ("50", 11, "twice the nominal size: was a diameter taken for a radius?"),
         ("12.5", 10, "half the nominal size: is it a radius?"),
@@ -249,7 +249,7 @@ fn contacts_that_make_no_circle_are_refused() {
         ("x,y\n0,0\n1,1\n2,2\n", "all 3 contacts lie on one straight line: no circle goes through them"),
         ("x,y\n0,0\n1,1\n2,2\n3,3\n", "all 4 contacts lie on one straight line: no circle goes through them"),
         ("x,y\n1,1\n1,1\n1,1\n", "contacts 1 and 2 coincide at x = 1, y = 1: a circle needs 3 different points"),
-        ("x,y\n0,0\n1,1\n", "a circle needs at least 3 contacts, given: 2"),
+        ("x,y\n0,0\n1,1\n", "a circle needs at least 3 contacts, found 2"),
     ] {
         let (_folder, path) = file(contacts, "bore.csv");
         refused(&["25 H7", "--contacts", path.to_str().unwrap()], &format!("bore.csv: {reason}"));
@@ -316,7 +316,7 @@ fn exactly_one_source_is_asked_for() {
 #[test]
 fn a_callout_without_limits_is_refused_in_words() {
     for (callout, needle) in [
-        ("25 Q7", "25 Q7: Q7 is no class of ISO 286: it has no letter Q"),
+        ("25 Q7", "25 Q7: Q7 is not an ISO 286 tolerance class: there is no letter Q"),
         ("25 j8", "25 j8: j8 is not defined at 25 mm in ISO 286; it is defined over 0 up to 3 mm"),
         ("24 T7", "24 T7: T7 is not defined at 24 mm in ISO 286; it is defined over 24 up to 3150 mm"),
         ("0 H7", "0 H7: nominal size 0 mm is not above 0"),

@@ -321,8 +321,8 @@ fn a_chord_beside_the_centre_is_named() {
     assert_eq!(
         said,
         [
-            "4 contacts: four lobes stay unseen and change the diameter",
-            "contacts 1 and 3 oppose each other beside the centre: this size is 0.80 µm too small",
+            "4 contacts: four lobes are not detected and change the diameter",
+            "contacts 1 and 3 are opposite each other but off the centre: this size is 0.80 µm too small",
         ]
     );
 }

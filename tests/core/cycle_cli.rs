@@ -1,4 +1,4 @@
-//! `fitcheck cycle`: the seeds' blocks through the program, every way in and every way out.
+//! `fitcheck cycle`: the manuals' blocks through the program, every way in and every way out.
 
 use std::path::PathBuf;
 
@@ -54,7 +54,7 @@ fn file(folder: &tempfile::TempDir, name: &str, text: &str) -> String {
 }
 
 #[test]
-fn the_block_of_seed_004_runs_typed_or_as_json() {
+fn the_block_of_cycle_427_runs_typed_or_as_json() {
     let (code, typed) = json(&[&["427", "--set"][..], &BLOCK_427].concat(), "");
     assert_eq!(code, Some(0));
     assert_eq!((result(&typed, "Q160"), result(&typed, "Q180")), (&Value::from(5.0), &Value::from(1)));
@@ -74,7 +74,7 @@ fn the_block_of_seed_004_runs_typed_or_as_json() {
 }
 
 #[test]
-fn the_block_of_seed_003_and_an_example_of_each_other_cycle_run() {
+fn the_block_of_g785_and_an_example_of_each_other_cycle_run() {
     let block = ["G785", "--set", "R=0", "BR=0", "K=2", "C=0", "RC=60", "I=0", "J=0", "Q=0", "P=0", "H=0"];
     let (code, lathe) = json(&block, "");
     assert_eq!((code, result(&lathe, "#i99")), (Some(0), &Value::from(2.0)));
@@ -114,7 +114,7 @@ fn the_exit_code_is_the_status_and_a_stop_is_told() {
     let args = [&["427", "--workpiece", &path, "--path", "--set"][..], &BLOCK_427].concat();
     let said = fitcheck(&args, "");
     assert_eq!(said.code, Some(1));
-    assert_eq!(said.err, "fitcheck: cycle 427: touch 1: no contact within the probing path of 50 mm\n");
+    assert_eq!(said.err, "fitcheck: cycle 427: contact 1: the probe met nothing within the probing path of 50 mm\n");
     assert!(said.out.contains("approach"), "{}", said.out);
 }
 
@@ -142,9 +142,9 @@ fn recorded_contacts_are_measured_in_their_order() {
     assert_eq!(said.code, Some(0));
     assert!(said.out.contains("Q153,measured diameter,25.002,mm\n"), "{}", said.out);
     assert!(said.out.ends_with("status,status,GOOD,\n"), "{}", said.out);
-    assert_eq!(said.err, "warning: standard input: the cycle took 4 of 5 contacts\n");
+    assert_eq!(said.err, "warning: standard input: the cycle used 4 of 5 contacts\n");
     let few = fitcheck(&args, "x,y\n12.5,0\n");
-    assert_eq!((few.code, few.err.as_str()), (Some(1), "fitcheck: cycle 421: touch 2: the file has only 1 contacts\n"));
+    assert_eq!((few.code, few.err.as_str()), (Some(1), "fitcheck: cycle 421: contact 2: the file has only 1 contact\n"));
 }
 
 #[test]
@@ -199,7 +199,7 @@ fn the_declaration_is_listed() {
 fn predef_takes_what_global_def_gave() {
     let block = [&["427", "--set"][..], &BLOCK_427[..3], &["Q320=PREDEF", "Q272=3", "Q267=-1"]].concat();
     let refused = fitcheck(&block, "");
-    assert_eq!(refused.err, "fitcheck: cycle 427: Q320 SET-UP CLEARANCE = PREDEF: no GLOBAL DEF has given a value\n");
+    assert_eq!(refused.err, "fitcheck: cycle 427: Q320 SET-UP CLEARANCE = PREDEF: no GLOBAL DEF gives a value\n");
     let (_, answer) = json(&[&block[..], &["--predef", "Q320=4"]].concat(), "");
     assert_eq!(answer["inputs"]["Q320"], 4.0);
     assert_eq!(answer["path"][1]["from"][2], 11.0);
@@ -217,14 +217,14 @@ fn what_cannot_be_used_is_refused_with_its_reason() {
     refused(&["431"], "", 2, &format!("the cycles are {}", codes.join(", ")));
     refused(&["427"], "", 1, "cycle 427: Q263 1ST POINT 1ST AXIS is missing");
     refused(&["427", "--set", "Q999=1"], "", 1, "cycle 427 has no parameter Q999");
-    refused(&["427", "--set", "Q263"], "", 1, "Q263: a parameter is given as NAME=VALUE");
+    refused(&["427", "--set", "Q263"], "", 1, "Q263: write a parameter as NAME=VALUE");
     refused(&["427", "--set", "Q263=1", "q263=2"], "", 1, "q263 is set twice");
     refused(&["427", "--set", "Q263=x"], "", 1, "Q263 1ST POINT 1ST AXIS: x is not a number");
     refused(&["427", "--inputs", "-"], "[1]", 1, "standard input: ");
-    refused(&["427", "--inputs", "-"], "{\"Q263\": true}", 1, "Q263 = true: a number or a text is needed");
+    refused(&["427", "--inputs", "-"], "{\"Q263\": true}", 1, "Q263 = true: expected a number or a text");
     refused(&["427", "--inputs", "-"], "{\"Q263\": 1, \"q263\": 2}", 1, "q263 is given twice");
-    refused(&["427", "--predef", "Q288=1"], "", 1, "Q288 is no parameter that may be PREDEF");
-    refused(&["G785", "--position", "1,2", "--set", "K=2", "RC=60"], "", 1, "three numbers X,Y,Z in mm are needed");
+    refused(&["427", "--predef", "Q288=1"], "", 1, "Q288 is not a parameter that can be PREDEF");
+    refused(&["G785", "--position", "1,2", "--set", "K=2", "RC=60"], "", 1, "expected three numbers X,Y,Z in mm");
     refused(&["421", "--set", "Q273=0", "Q274=0", "Q262=0"], "", 1, "a circle needs a diameter above 0");
     let outside = [&["427", "--set"][..], &BLOCK_427[..5], &["Q267=0"]].concat();
     refused(&outside, "", 1, "Q267 TRAVERSE DIRECTION = 0: not one of -1, 1");
@@ -246,7 +246,7 @@ fn inputs_that_are_no_object_of_values_are_refused() {
     refused("{\"Q263\": 1, \"Q263\": 2}", "Q263 is given twice");
     refused("{\"Q272\": 3.5}", "Q272 MEASURING AXIS = 3.5: not one of 1, 2, 3");
     refused("{\"Q263\": \"NaN\"}", "Q263 1ST POINT 1ST AXIS: NaN is not a number");
-    refused("{\"Q999\": 1}", "cycle 427 has no parameter Q999: it has Q263, Q264, Q261, Q320, Q272, Q267, Q260, Q281");
+    refused("{\"Q999\": 1}", "cycle 427 has no parameter Q999: its parameters are Q263, Q264, Q261, Q320, Q272, Q267, Q260, Q281");
 }
 
 #[test]
@@ -354,7 +354,7 @@ fn a_log_that_says_something_else_than_the_cycle_is_noted() {
     let folder = tempfile::tempdir().unwrap();
     let face = file(&folder, "face.toml", "[face]\npoint = [0, 0, 5.100001]\nnormal = [0, 0, 1]\n");
     let said = logged(&folder, &["--workpiece", &face]);
-    let note = "note: the log's figures, rounded to 0.0001 mm, say GOOD where the cycle said REWORK\n";
+    let note = "note: the log's values, rounded to 0.0001 mm, give GOOD where the cycle gave REWORK\n";
     assert_eq!(said.code, Some(10));
     assert!(said.out.contains(note), "{}", said.out);
 }
@@ -379,7 +379,7 @@ fn a_block_is_printed_and_read_again() {
     assert_eq!(said.code, Some(0));
     assert!(said.out.contains("99 mm"), "{}", said.out);
     let warning =
-        "warning: standard input: line 1: L Z+50 is not part of the probing cycle and was not used, and 1 more\n";
+        "warning: standard input: line 1: L Z+50 is not part of the probing cycle and was skipped, and 1 more\n";
     assert_eq!(said.err, warning);
 }
 

@@ -245,7 +245,7 @@ const OF_785: &[Documented] = &[
 ];
 
 #[test]
-fn the_ranges_are_those_of_the_seeds_and_manuals() {
+fn the_ranges_are_those_of_the_manuals() {
     let documented = [
         ("421", round_ranges("Q275", "Q276")),
         ("422", round_ranges("Q277", "Q278")),
@@ -304,7 +304,7 @@ fn a_text_that_is_no_value_is_refused_with_the_parameter_named() {
         }
         let error = cycle.set(Inputs::new(), "Q999", "1").unwrap_err().to_string();
         let known: Vec<_> = cycle.parameters.iter().map(|parameter| parameter.key.to_string()).collect();
-        assert_eq!(error, format!("cycle {} has no parameter Q999: it has {}", cycle.code, known.join(", ")));
+        assert_eq!(error, format!("cycle {} has no parameter Q999: its parameters are {}", cycle.code, known.join(", ")));
     }
 }
 
@@ -331,7 +331,7 @@ fn predef_takes_the_value_of_global_def_and_nothing_else() {
                 continue;
             }
             let said = error(cycle, &predef).to_string();
-            assert_eq!(said, format!("{} {} = PREDEF: no GLOBAL DEF has given a value", parameter.key, parameter.name));
+            assert_eq!(said, format!("{} {} = PREDEF: no GLOBAL DEF gives a value", parameter.key, parameter.name));
             let given = predef.with_global(parameter.key, usual(parameter));
             assert_eq!(cycle.checked(&given).unwrap().value(parameter.key), Some(&usual(parameter)));
         }

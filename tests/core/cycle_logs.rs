@@ -218,7 +218,7 @@ fn a_value_beyond_a_limit_by_less_than_the_log_prints_is_named() {
         let log = CycleLog::of(cycle, &result, &heading(unit), Dialogue::En).unwrap();
         log.other_verdict(&result, Dialogue::En).map(|other| other.to_string())
     };
-    let says = |unit| Some(format!("the log's figures, rounded to 0.0001 {unit}, say GOOD where the cycle said SCRAP"));
+    let says = |unit| Some(format!("the log's values, rounded to 0.0001 {unit}, give GOOD where the cycle gave SCRAP"));
     assert_eq!(other(25_021_000, Unit::Millimetre), None);
     assert_eq!(other(25_021_001, Unit::Millimetre), says("mm"));
     assert_eq!(other(25_021_049, Unit::Millimetre), says("mm"));
@@ -227,7 +227,7 @@ fn a_value_beyond_a_limit_by_less_than_the_log_prints_is_named() {
     // On the other side the same holds for rework.
     assert_eq!(
         other(24_999_999, Unit::Millimetre).unwrap(),
-        "the log's figures, rounded to 0.0001 mm, say GOOD where the cycle said REWORK"
+        "the log's values, rounded to 0.0001 mm, give GOOD where the cycle gave REWORK"
     );
     // The page of cycle 444 keeps every nanometre.
     let (cycle, result) = point([0.0, 0.0, 1.0], 0.400_001, Some([400_000, -100_000]));
@@ -283,7 +283,7 @@ fn a_second_log_stands_behind_the_first() {
     let page = CycleLog::of(cycle, &result, &heading(Unit::Inch), Dialogue::Nl).unwrap();
     let two = page.append(&page.write(Dialogue::Nl).unwrap(), Dialogue::En).unwrap();
     assert_eq!(log444::read(&two).len(), 2);
-    assert!(page.append(b"<html></html>", Dialogue::En).unwrap_err().to_string().starts_with("line 1: no log"));
+    assert!(page.append(b"<html></html>", Dialogue::En).unwrap_err().to_string().starts_with("line 1: not a log"));
 }
 
 /// The unit of a program and the dialogue language of its control.

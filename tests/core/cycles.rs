@@ -145,7 +145,7 @@ fn missing_and_unknown_inputs_are_named() {
     let mut said = |inputs: &Inputs| told(&hole().measure(inputs, &mut prober).unwrap_err());
     assert_eq!(said(&Inputs::new()), "Q273 CENTER IN 1ST AXIS is missing");
     let unknown = inputs(hole(), "").unwrap().with(277, Value::Length(mm("25")));
-    assert!(said(&unknown).starts_with("cycle 421 has no parameter Q277: it has Q273, Q274, Q262, "));
+    assert!(said(&unknown).starts_with("cycle 421 has no parameter Q277: its parameters are Q273, Q274, Q262, "));
     let wrong_kind = inputs(hole(), "").unwrap().with(247, Value::Length(mm("90")));
     assert_eq!(said(&wrong_kind), "Q247 STEPPING ANGLE = 90 mm: at least 5° in size, at most 120°");
 }
@@ -209,10 +209,10 @@ fn a_touch_that_meets_nothing_stops_the_cycle() {
     let mut away = at(Feature::Shaft, 20.0);
     away.centre = [39.0, 20.0];
     let mut prober = machine(away);
-    assert_eq!(run(cycle(422).unwrap(), "", &mut prober).unwrap_err(), "touch 2: no contact on the probing path");
-    check(421, "", 19.0, "touch 1: the probing path begins inside the material");
+    assert_eq!(run(cycle(422).unwrap(), "", &mut prober).unwrap_err(), "contact 2: the probe met nothing on the probing path");
+    check(421, "", 19.0, "contact 1: the probing path begins inside the material");
     let mut recorded = Recorded::new(vec![Contact { x: 0.0, y: 0.0, z: 0.0 }; 3]);
-    assert_eq!(run(hole(), "", &mut recorded).unwrap_err(), "touch 4: the file has only 3 contacts");
+    assert_eq!(run(hole(), "", &mut recorded).unwrap_err(), "contact 4: the file has only 3 contacts");
     let mut same = Recorded::new(vec![Contact { x: 1.0, y: 2.0, z: 0.0 }; 4]);
     assert_eq!(
         run(hole(), "", &mut same).unwrap_err(),
@@ -439,5 +439,5 @@ fn a_touch_starts_the_ball_s_radius_farther_away() {
     assert!((start(Feature::Shaft, 2.0) - (50.0 + 12.5 + 3.0 + 2.0)).abs() < 1e-12);
     // A ball that does not fit is in the material before it moves.
     let mut prober = Machine::new(at(Feature::Hole, 25.0), Probe { ball_radius: 13.0, ..Probe::STILL }, 1).unwrap();
-    assert_eq!(run(hole(), "", &mut prober).unwrap_err(), "touch 1: the probing path begins inside the material");
+    assert_eq!(run(hole(), "", &mut prober).unwrap_err(), "contact 1: the probing path begins inside the material");
 }

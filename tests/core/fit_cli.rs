@@ -198,7 +198,7 @@ fn own_materials_come_from_a_file() {
     std::fs::write(&file, "version = 1\n[[material]]\nname = \"1.4301\"\nexpansion = 16\n").unwrap();
     let numbered = self::told(&args("1.4301"));
     assert_eq!(numbered["temperature"]["hole_material"]["name"], json!("1.4301"));
-    assert!(fit(&args("42CrMo4"), "").1.contains("no material is called 42CrMo4; there are steel, "));
+    assert!(fit(&args("42CrMo4"), "").1.contains("unknown material 42CrMo4: choose one of steel, "));
     assert!(fit(&args("6061"), "").1.contains("an expansion of 6061 is out of range"));
     std::fs::write(&file, "version = 1\n[[material]]\nname = \"delrin\"\nexpansion = 1220\n").unwrap();
     let (_, err, code) = fit(&args("delrin"), "");
@@ -217,9 +217,9 @@ fn a_stream_gets_one_line_for_each_line_refusals_included() {
         errors,
         [
             "",
-            "25 H7 is no fit: write a size, a hole class and a shaft class, such as 25 H7/g6",
+            "25 H7 is not a fit: write a size, a hole class and a shaft class, such as 25 H7/g6",
             "a callout is missing: write a nominal size and a tolerance class, such as 25 H7",
-            "the shaft stands before the hole: write 25 G7/h6 (character 4)",
+            "the shaft comes before the hole: write 25 G7/h6 (character 4)",
             "",
             "c8 is not defined at 600 mm in ISO 286; it is defined over 0 up to 500 mm",
         ]

@@ -98,7 +98,7 @@ fn what_is_not_judged_is_never_good() {
 #[test]
 fn values_of_another_quantity_are_warned_of() {
     for (measured, doubt) in [
-        ("635", "measured value is 25.4 times the nominal size: converted from inch once too often?"),
+        ("635", "measured value is 25.4 times the nominal size: was it converted from inch twice?"),
         ("0.984", "measured value is the nominal size over 25.4: is it in inch?"),
         ("50", "measured value is twice the nominal size: was a diameter taken for a radius?"),
         ("12.5", "measured value is half the nominal size: is it a radius?"),
@@ -112,7 +112,7 @@ fn values_of_another_quantity_are_warned_of() {
 fn unknown_classes_and_sizes_tell_the_way_out() {
     let (code, rows) = csv("m.csv", b"callout;measured\n25 H99;25\n3200 H7;3200\n24 T7;24\n");
     assert_eq!(code, 1);
-    assert!(rows[0].contains("H99 is no class of ISO 286: its grades are 01 0 1"), "{}", rows[0]);
+    assert!(rows[0].contains("H99 is not an ISO 286 tolerance class: the grades are 01 0 1"), "{}", rows[0]);
     assert!(rows[1].contains("3200 mm is beyond ISO 286, which ends at 3150 mm"), "{}", rows[1]);
     assert!(rows[2].contains("it is defined over 24 up to 3150 mm"), "{}", rows[2]);
 }
@@ -142,7 +142,7 @@ fn broken_files_are_named_and_the_others_go_on() {
             "fitcheck: no such file or folder: missing.csv",
             "fitcheck: this is a folder, not a file: folder",
             "fitcheck: the file is larger than 64 MiB: huge.csv",
-            "TCHPR421.TXT:1: no measuring log here: no title line with the number of a measuring cycle",
+            "TCHPR421.TXT:1: not a measuring log: there is no title line with the number of a measuring cycle",
         ]
     );
     assert!(answer.out.contains("good.csv:2"), "{}", answer.out);
@@ -163,9 +163,9 @@ fn problems_have_file_line_and_column_on_standard_error() {
     assert_eq!(answer.code, 1);
     assert_eq!(
         answer.err,
-        "m.csv:1: warning: columns not used: 4 (remark)\n\
+        "m.csv:1: warning: columns skipped: 4 (remark)\n\
          m.csv:2:3: measured: 25.0l2 is not a number\n\
-         m.csv:3: the row has 2 cells where 4 are due\n\
+         m.csv:3: expected 4 cells, found 2\n\
          m.csv:4: warning: measured value is the nominal size over 25.4: is it in inch?\n"
     );
     assert_eq!(

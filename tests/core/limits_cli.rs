@@ -108,7 +108,7 @@ fn text_is_aligned_and_refusals_go_to_standard_error() {
 100 JS9     hole    99.9565 … 100.0435 mm  (-43.5 / +43.5 µm)  from ISO 286, over 80 up to 120 mm
 ",
         "\
-25 V19: V19 is no class of ISO 286: its grades are 01 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18
+25 V19: V19 is not an ISO 286 tolerance class: the grades are 01 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18
 line 1: a callout is missing: write a nominal size and a tolerance class, such as 25 H7
 ",
     );
@@ -300,8 +300,8 @@ fn every_notation_of_drawings_is_answered() {
              12 ±0.02,12,-20,20,11.980,12.020,the callout itself,\n\
              12 +0.2/0,12,0,200,12.000,12.200,the callout itself,\n\
              \"12,01/11,985\",11.9975,-12.5,12.5,11.985,12.010,the callout itself,\n\
-             3v,,,,,,,there is no class v of ISO 2768-1 from 0.5 up to 3 mm; it is defined over 3 up to 4000 mm\n\
-             8-2-1,,,,,,,the lower deviation stands before the upper one: write 8 -1 -2 (character 2)\n"
+             3v,,,,,,,ISO 2768-1 does not define class v from 0.5 up to 3 mm; it is defined over 3 up to 4000 mm\n\
+             8-2-1,,,,,,,the lower deviation comes before the upper one: write 8 -1 -2 (character 2)\n"
         )
     );
     check(

@@ -218,7 +218,7 @@ fn contradictions_and_damage_are_refused_and_the_others_kept() {
         &["normal 0, 0, -0 has no direction: it needs three numbers that are not all 0", "0.5"],
     );
     check("\"5.1\"]", "\"5.l\"]", &["5.l is not a number", "0.5"]);
-    check("\"version\":1", "\"version\":2", &["version 2 of the log is not known, only up to 1", "0.5"]);
+    check("\"version\":1", "\"version\":2", &["log version 2 is not supported: expected 1 or earlier", "0.5"]);
     check(
         "content=\"2\"",
         "content=\"3\"",

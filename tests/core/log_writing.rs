@@ -248,7 +248,7 @@ fn what_a_log_lacks_is_left_out() {
     let warnings: Vec<_> = read[0].warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         warnings,
-        ["date and time of the measurement are not known", "the deviations are missing: the log may be cut off"]
+        ["date and time of the measurement are unknown", "the deviations are missing: the log may be cut off"]
     );
 }
 
@@ -395,7 +395,7 @@ fn what_would_not_read_back_is_refused() {
     );
     check_error(
         |log| circle(log).centre_limits[0].maximum = mm("51"),
-        "limits 49.9000 and 51.0000 do not lie evenly about the nominal value 50.0000",
+        "limits 49.9000 and 51.0000 are not symmetrical about the nominal value 50.0000",
     );
     let log = Log::new(Values::Circle(published()), Unit::Millimetre);
     let swapped = Log { values: Values::Circle(Circle { feature: Feature::Shaft, ..published() }), ..log };

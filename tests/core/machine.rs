@@ -161,7 +161,7 @@ fn the_syntax_zoo_leaves_the_documented_values() {
         assert_eq!(text_value(&machine, name), expected);
     }
     let remarks: Vec<String> = machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect();
-    assert_eq!(remarks, ["the block is not known here and was passed over"]);
+    assert_eq!(remarks, ["unknown block skipped"]);
     assert_eq!(machine.position(), [Some(12.5), Some(60.0), Some(100.0)]);
 
     // Without leave to skip, the run stops at FN 18.
@@ -169,7 +169,7 @@ fn the_syntax_zoo_leaves_the_documented_values() {
     let fault = machine.run(u64::MAX).unwrap_err();
     assert_eq!(
         fault.to_string(),
-        r"TNC:\syntax_zoo.h, block 45, FN 18: SYSREAD Q40 = ID270 NR1 IDX1: this block is not known here: nothing is run that is not understood"
+        r"TNC:\syntax_zoo.h, block 45, FN 18: SYSREAD Q40 = ID270 NR1 IDX1: unknown block: Fitcheck runs only what it understands"
     );
 }
 
@@ -310,8 +310,8 @@ fn a_given_value_wins_over_the_first_assignment_in_the_main_program() {
     assert_eq!(
         remarks,
         [
-            "Q1 = 50 was given before the run and stands in place of this block's value",
-            "QS1 = \"g6\" was given before the run and stands in place of this block's value"
+            "Q1 = 50 was given before the run and replaces this block's value",
+            "QS1 = \"g6\" was given before the run and replaces this block's value"
         ]
     );
 }
@@ -358,10 +358,10 @@ fn budgets_have_a_fault_each() {
     assert_eq!(kind(&step, |budget| budget.path = 10), UsedUp::Path(10).into());
     let touch = forever("TCH PROBE 421 X ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+10");
     assert_eq!(kind(&touch, |budget| budget.cycles = 2), UsedUp::Cycles(2).into());
-    assert_eq!(kind("CALL PGM none.h", |budget| budget.files = 0).to_string(), r"there is no file TNC:\none.h");
+    assert_eq!(kind("CALL PGM none.h", |budget| budget.files = 0).to_string(), r"file not found: TNC:\none.h");
     let grow = forever("QS1 = QS1 || QS1");
     assert_eq!(kind(&grow, |_| {}), FaultKind::TextTooLong { length: 400, most: 255 });
-    assert_eq!(UsedUp::Blocks(100).to_string(), "the run has used up its 100 blocks: does it loop for ever?");
+    assert_eq!(UsedUp::Blocks(100).to_string(), "limit of 100 blocks reached: possible endless loop");
 }
 
 #[test]
@@ -373,23 +373,23 @@ fn what_numbers_cannot_do_is_said() {
     assert_eq!(fault("Q1 = 1 / 0"), "division by zero");
     assert_eq!(fault("FN 4: Q1 = +1 DIV +0"), "division by zero");
     assert_eq!(fault("Q1 = 5 % 0"), "division by zero");
-    assert_eq!(fault("FN 5: Q1 = SQRT -4"), "the root of -4 does not exist");
-    assert_eq!(fault("Q1 = ( 0 - 8 ) ^ 0.5"), "the root of -8 does not exist");
-    assert_eq!(fault("Q1 = ASIN 2"), "ASIN 2 does not exist");
-    assert_eq!(fault("Q1 = LN 0"), "LN 0 does not exist");
+    assert_eq!(fault("FN 5: Q1 = SQRT -4"), "the square root of -4 is not defined");
+    assert_eq!(fault("Q1 = ( 0 - 8 ) ^ 0.5"), "the square root of -8 is not defined");
+    assert_eq!(fault("Q1 = ASIN 2"), "ASIN 2 is not defined");
+    assert_eq!(fault("Q1 = LN 0"), "LN 0 is not defined");
     assert_eq!(fault("Q1 = 100000 * 1000000"), "100000000000 is beyond the range of values, 10^10 either way");
     assert_eq!(fault("Q1 = EXP 9999 - EXP 9999"), "inf is beyond the range of values, 10^10 either way");
     check_values(&ran("Q1 = 100000 * 100000"), &[("Q1", 1e10)]);
-    assert_eq!(fault("QS1 = \"x\"\nQ1 = TONUMB ( SRC_QS1 )"), "QS1 = \"x\" is no number");
+    assert_eq!(fault("QS1 = \"x\"\nQ1 = TONUMB ( SRC_QS1 )"), "QS1 = \"x\" is not a number");
     assert_eq!(
         fault("QS1 = \"abc\"\nQS2 = SUBSTR ( SRC_QS1 BEG4 LEN1 )"),
-        "the text has 3 characters, nothing begins at 4"
+        "the text has 3 characters: position 4 is past its end"
     );
     assert_eq!(
         fault("Q2 = - 1\nQS1 = \"abc\"\nQS2 = SUBSTR ( SRC_QS1 BEG+Q2 )"),
-        "BEG = -1: a whole number from 0 is needed"
+        "BEG = -1: expected a whole number from 0"
     );
-    assert_eq!(fault("QS1 = SYSSTR ( ID5 NR0 )"), "ID5 NR0 is not known here; known are date and time, ID10321");
+    assert_eq!(fault("QS1 = SYSSTR ( ID5 NR0 )"), "unknown system text ID5 NR0: only date and time (ID10321) are supported");
     assert_eq!(fault("FN 14: ERROR= 1072"), "the program stopped itself with error 1072");
 }
 
@@ -418,9 +418,9 @@ fn labels_that_cannot_be_gone_to_are_named() {
     assert_eq!(fault("FN 9: IF +0 EQU +0 GOTO LBL \"NOWHERE\""), "LBL \"NOWHERE\" does not occur in the program");
     assert_eq!(fault("CALL LBL 7"), "LBL 7 does not occur in the program");
     assert_eq!(fault("LBL 7\nLBL 7\nCALL LBL 7"), "LBL 7 is defined twice, in line 2 and line 3");
-    assert_eq!(fault("CALL LBL 0"), "LBL 0 ends subprograms, nothing can jump to it");
+    assert_eq!(fault("CALL LBL 0"), "LBL 0 ends a subprogram: nothing can jump to it");
     assert_eq!(fault("QS5 = \"X\"\nCALL LBL QS5"), "LBL \"X\" does not occur in the program");
-    assert_eq!(fault("Q5 = 1.5\nCALL LBL Q5"), "Q5 = 1.5 is no label");
+    assert_eq!(fault("Q5 = 1.5\nCALL LBL Q5"), "Q5 = 1.5 is not a label");
 }
 
 const TABLE: &str = "BEGIN own.tab\nNR  BEREICH  H7    NOTE\n0   3        +10   a b\n1            0     -\n2   6        x     -\n[END]\n";
@@ -446,7 +446,7 @@ fn tables_are_read_by_row_and_column() {
 fn what_tables_cannot_do_is_said() {
     let open = "FN 26: TABOPEN own.tab\n";
     assert_eq!(table_fault("FN 28: TABREAD Q1 = 0/\"H7\""), "no table is open");
-    assert_eq!(table_fault("FN 26: TABOPEN none.tab"), r"there is no file TNC:\fit\none.tab");
+    assert_eq!(table_fault("FN 26: TABOPEN none.tab"), r"file not found: TNC:\fit\none.tab");
     assert_eq!(
         table_fault(&format!("{open}FN 28: TABREAD Q1 = 0/\"h7\"")),
         "table own.tab has no column h7; its columns are NR, BEREICH, H7, NOTE"
@@ -461,11 +461,11 @@ fn what_tables_cannot_do_is_said() {
     );
     assert_eq!(
         table_fault(&format!("{open}FN 28: TABREAD Q1 = 2/\"H7\"")),
-        "table own.tab, row 2, column H7: x is no number"
+        "table own.tab, row 2, column H7: x is not a number"
     );
     assert_eq!(
         table_fault(&format!("{open}FN 28: TABREAD Q1 = 0.5/\"H7\"")),
-        "row = 0.5: a whole number from 0 is needed"
+        "row = 0.5: expected a whole number from 0"
     );
     assert_eq!(
         table_fault(&format!("{open}FN 28: TABREAD Q1999 = 0/\"NR,H7\"")),
@@ -488,7 +488,7 @@ fn fn_27_changes_the_open_table_and_writes_it_when_it_is_closed() {
     to_end(&mut machine);
     check_values(&machine, &[("Q3", 12.5)]);
     assert_eq!(std::fs::read(folder.path().join("own.tab")).unwrap(), TABLE.as_bytes());
-    assert_eq!(machine.remarks()[0].1.to_string(), r"TNC:\own.tab was not written: no folder was chosen for outputs");
+    assert_eq!(machine.remarks()[0].1.to_string(), r"TNC:\own.tab was not written: no output folder was chosen");
     let too_wide = "FN 26: TABOPEN own.tab\nFN 27: TABWRITE 2/\"H7\" = Q1";
     let mut machine = machine_in(InMemory::new().with("own.tab", TABLE), too_wide);
     machine.set(Parameter::q(1), Value::Number(1234.567)).unwrap();
@@ -507,7 +507,7 @@ fn recorded_contacts_that_no_cycle_took_are_told() {
         machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect::<Vec<_>>()
     };
     assert!(left(four.to_vec()).is_empty());
-    assert_eq!(left([four, four].concat()), ["the cycles took 4 of 8 recorded contacts"]);
+    assert_eq!(left([four, four].concat()), ["the cycles used 4 of 8 recorded contacts"]);
 }
 
 #[test]
@@ -599,9 +599,9 @@ fn fn_16_writes_below_the_chosen_folder_and_nowhere_else() {
     assert_eq!(read("res.txt"), "two\r\n");
     for (to, expected) in [
         (r"..\..\x.txt", r"..\..\x.txt leads out of the folder"),
-        (r"C:\x.txt", r"C:\x.txt is no path on TNC: and none from the program's folder"),
-        (r"\\server\x.txt", r"\\server\x.txt is no path on TNC: and none from the program's folder"),
-        ("NUL", "NUL in NUL is no name for a file or a folder"),
+        (r"C:\x.txt", r"C:\x.txt is neither a path on TNC: nor a path from the program's folder"),
+        (r"\\server\x.txt", r"\\server\x.txt is neither a path on TNC: nor a path from the program's folder"),
+        ("NUL", "NUL in NUL is not a name for a file or folder"),
     ] {
         assert_eq!(fault_of(&mut run(&print("close", to))), expected);
     }
@@ -611,11 +611,11 @@ fn fn_16_writes_below_the_chosen_folder_and_nowhere_else() {
         let to = r"TNC:\link\x.txt";
         assert_eq!(
             fault_of(&mut run(&print("close", to))),
-            r"TNC:\link\x.txt leads out of the folders that were given"
+            r"TNC:\link\x.txt leads out of the given folders"
         );
         std::os::unix::fs::symlink("/etc/hostname", masks.join("etc.a")).unwrap();
         let blocks = print("etc", "SCREEN:");
-        assert_eq!(fault_of(&mut run(&blocks)), r"TNC:\fit\etc.a leads out of the folders that were given");
+        assert_eq!(fault_of(&mut run(&blocks)), r"TNC:\fit\etc.a leads out of the given folders");
     }
     assert!(!folder.path().join("x.txt").exists());
     // Without a folder the run goes on, and the text is kept.
@@ -676,7 +676,7 @@ fn q281_writes_the_measuring_log_beside_the_program_or_shows_it() {
     let mut machine = Machine::new(r"TNC:\fit\main.h", program, Shipped, Contacts::Perfect, settings());
     to_end(&mut machine);
     assert_eq!((machine.outputs().len(), machine.outputs()[0].is_saved), (1, false));
-    assert!(machine.remarks()[0].1.to_string().ends_with("no folder was chosen for outputs"));
+    assert!(machine.remarks()[0].1.to_string().ends_with("no output folder was chosen"));
 }
 
 #[test]
@@ -706,11 +706,11 @@ fn what_cycles_cannot_do_is_said() {
     assert_eq!(fault("TCH PROBE 427 X ~\nQ263=+35"), "cycle 427: Q264 1ST POINT 2ND AXIS is missing");
     assert_eq!(
         fault(&with("Q320= PREDEF")),
-        "cycle 427: Q320 SET-UP CLEARANCE = PREDEF: no GLOBAL DEF has given a value"
+        "cycle 427: Q320 SET-UP CLEARANCE = PREDEF: no GLOBAL DEF gives a value"
     );
     assert_eq!(
         fault("TCH PROBE 431 MEASURE PLANE ~\nQ263=+35"),
-        "cycle 431 is not known here; known are 421, 422, 427, 444"
+        "unknown cycle 431: the cycles are 421, 422, 427, 444"
     );
     let mut machine = Machine::new(
         "a.h",
@@ -719,7 +719,7 @@ fn what_cycles_cannot_do_is_said() {
         Contacts::Perfect,
         settings(),
     );
-    assert_eq!(fault_of(&mut machine), "cycles are run in programs in MM only");
+    assert_eq!(fault_of(&mut machine), "cycles run in MM programs only");
     let mut machine = Machine::new(
         "a.h",
         program(text(CYCLE_427).as_bytes()),
@@ -727,7 +727,7 @@ fn what_cycles_cannot_do_is_said() {
         Contacts::Recorded(Vec::new()),
         settings(),
     );
-    assert_eq!(fault_of(&mut machine), "cycle 427: touch 1: the file has only 0 contacts");
+    assert_eq!(fault_of(&mut machine), "cycle 427: contact 1: the file has only 0 contacts");
 }
 
 #[test]
@@ -741,7 +741,7 @@ fn a_broken_file_is_named() {
     let store = InMemory::new().with("sub.h", [1_u8, 2, 3, 4, 5, 6, 7, 8]);
     assert_eq!(
         fault_of(&mut machine_in(store, "CALL PGM sub.h")),
-        r"TNC:\fit\sub.h: the file is no text: 8 of its 8 bytes are no characters"
+        r"TNC:\fit\sub.h: the file is not text: 8 of its 8 bytes are not characters"
     );
 }
 

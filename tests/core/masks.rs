@@ -47,7 +47,7 @@ fn render(mask: &[u8], variables: &Variables, language: Dialogue) -> Result<Stri
 }
 
 #[test]
-fn the_shipped_dutch_mask_is_the_seeds_byte_for_byte() {
+fn the_shipped_dutch_mask_is_that_of_nc_solution_8255_byte_for_byte() {
     let shipped = include_str!("../../assets/masks/82552_nl.a");
     assert_eq!(
         shipped,
@@ -253,18 +253,18 @@ fn a_mask_that_cannot_be_read_says_where_and_why() {
     let q = |mask: &str| render(mask.as_bytes(), &Variables::new(), Dialogue::En).unwrap_err();
     assert_eq!(q(""), "the mask is empty");
     assert_eq!(q("* only a comment\n"), "the mask is empty");
-    assert_eq!(q("\"A %X\", Q1;"), "line 1, column 4: %X is no format, allowed are %S %RS %F %LF %D %I %%");
+    assert_eq!(q("\"A %X\", Q1;"), "line 1, column 4: %X is not a format: allowed are %S %RS %F %LF %D %I %%");
     assert_eq!(q("* c\n\"A %S, QS1;"), "line 2, column 1: the quotation mark is not closed");
     assert_eq!(q("\"%S %S\", QS1;"), "line 1: 2 formats and 1 parameters");
     assert_eq!(q("\"text\", QS1;"), "line 1: 0 formats and 1 parameters");
     assert_eq!(
         q("\"100 %\";"),
-        "line 1, column 6: % is no format, allowed are %S %RS %F %LF %D %I %%".replace("% is", "%\" is")
+        "line 1, column 6: % is not a format: allowed are %S %RS %F %LF %D %I %%".replace("% is", "%\" is")
     );
-    assert_eq!(q("\"%F\", Z1;").split(", allowed").next(), Some("line 1, column 7: Z1 is no parameter"));
-    assert_eq!(q("\"%F\", Q;").split(", allowed").next(), Some("line 1, column 7: Q is no parameter"));
-    assert_eq!(q("\"%999999999F\", Q1;"), "line 1, column 2: 999999999 is too wide, at most 255");
-    assert_eq!(q("hello"), "line 1, column 1: hello is no record, keyword or comment");
+    assert_eq!(q("\"%F\", Z1;").split(": allowed").next(), Some("line 1, column 7: Z1 is not a parameter"));
+    assert_eq!(q("\"%F\", Q;").split(": allowed").next(), Some("line 1, column 7: Q is not a parameter"));
+    assert_eq!(q("\"%999999999F\", Q1;"), "line 1, column 2: 999999999 is too wide: at most 255");
+    assert_eq!(q("hello"), "line 1, column 1: hello is not a record, keyword or comment");
     assert_eq!(q("\"%F\", Q7;"), "line 1, column 2: Q7 is not defined");
 }
 
@@ -279,8 +279,8 @@ fn quotation_marks_within_a_record_are_printed() {
 #[test]
 fn text_that_would_be_lost_is_refused() {
     let refused = |mask: &str| Mask::read(mask.as_bytes()).unwrap_err().to_string();
-    assert_eq!(refused("\"A\" \"%F\", Q1;"), "line 1, column 5: \"%F\", Q1; is no record, keyword or comment");
-    assert_eq!(refused("\"%S\", QS3 QS2;"), "line 1, column 11: QS2; is no record, keyword or comment");
+    assert_eq!(refused("\"A\" \"%F\", Q1;"), "line 1, column 5: \"%F\", Q1; is not a record, keyword or comment");
+    assert_eq!(refused("\"%S\", QS3 QS2;"), "line 1, column 11: QS2; is not a record, keyword or comment");
 }
 
 #[test]
@@ -322,8 +322,8 @@ fn a_parameter_of_the_other_kind_is_refused() {
     variables.set(Parameter::qs(1), Value::Text("H7".to_owned()));
     variables.set(Parameter::q(1), Value::Number(1.0));
     let q = |mask: &str| render(mask.as_bytes(), &variables, Dialogue::En).unwrap_err();
-    assert_eq!(q("\"%F\", QS1;"), "line 1, column 2: QS1 is a text, the format wants a number");
-    assert_eq!(q("\"x%S\", Q1;"), "line 1, column 3: Q1 is a number, the format wants a text");
+    assert_eq!(q("\"%F\", QS1;"), "line 1, column 2: QS1 is a text, the format needs a number");
+    assert_eq!(q("\"x%S\", Q1;"), "line 1, column 3: Q1 is a number, the format needs a text");
 }
 
 #[test]

@@ -42,7 +42,7 @@ fn a_callout_becomes_a_folder_that_runs() {
     let answer = nc(folder.path(), &bore(&["--control", "tnc7", "-o", "set"]));
     let wrote = ["FIT_MAIN.H", "FIT_CHECK.H", "FIT_STATUS.A", "FIT_HOLE.TAB", "FIT_SHAFT.TAB", "README.TXT"]
         .map(|name| format!("wrote {}\n", Path::new("set").join(name).display()));
-    let note = "note: the clearance height is 50 mm: --clearance-height gives another\n";
+    let note = "note: the clearance height is 50 mm: --clearance-height changes it\n";
     assert_eq!((answer.code, answer.out.as_str()), (Some(0), ""));
     assert_eq!(answer.err, format!("{note}{}", wrote.concat()));
     assert_eq!(names(folder.path()), ["set"]);
@@ -65,7 +65,7 @@ fn a_plan_becomes_a_zip_and_notes_say_what_is_special() {
     assert_eq!(answer.code, Some(0), "{}", answer.err);
     assert_eq!(
         answer.err,
-        "note: ZA8 is none of the 47 classes of NC-Solution 8255: FIT_HOLE.TAB has a column more\n\
+        "note: ZA8 is not one of the 47 classes of NC-Solution 8255: FIT_HOLE.TAB gets an extra column\n\
          note: A: the nominal size of 25 D10 is outside the limits, which a TNC7 refuses: Q262 is 25.065 mm, and Q163 counts \
          from there\n\
          note: B: the nominal size of 24 ZA8 is outside the limits, which a TNC7 refuses: Q262 is 23.902 mm, and Q163 counts \
@@ -94,7 +94,7 @@ fn files_that_are_there_stay_unless_forced() {
     for (output, there) in [("set", Path::new("set").join("FIT_HOLE.TAB")), ("set.zip", "set.zip".into())] {
         let answer = nc(folder.path(), &bore(&["--control", "tnc640", "-o", output]));
         let why =
-            format!("fitcheck: there is such a file or folder already: {}; --force overwrites\n", there.display());
+            format!("fitcheck: a file or folder of this name already exists: {}; --force overwrites\n", there.display());
         assert_eq!(answer.code, Some(1));
         assert!(answer.err.ends_with(&why), "{}", answer.err);
     }
@@ -122,7 +122,7 @@ fn refused(args: &[&str], why: &str) {
 fn what_the_program_cannot_do_is_refused() {
     let place = ["--x", "0", "--y", "0", "--z", "0"];
     let at = |callout: &'static str| [&[callout][..], &place].concat();
-    let no_class = "has no tolerance class: the programs look a class up in a table, such as H7";
+    let no_class = "has no tolerance class, such as H7: the programs look up limits by class";
     refused(&["plan.csv"], &format!("plan.csv: line 3: 12 ±0.02 {no_class}"));
     refused(&at("10m"), &format!("10m {no_class}"));
     refused(&at("25 H7/g6"), "25 H7/g6 is a fit: write the hole and the shaft as two features");
@@ -138,7 +138,7 @@ fn what_the_program_cannot_do_is_refused() {
     refused(&["plan.csv", "--x", "1"], "--x is for a single callout: a plan has a column for it");
     refused(
         &bore(&["--folder", r"C:\fit"]),
-        r"C:\fit is no folder for programs: write TNC:\, then names of letters, digits, _ and -, apart by \",
+        r"C:\fit is not a folder for programs: write TNC:\ and then names of letters, digits, _ and -, separated by \",
     );
     refused(&["none.csv"], "no such file or folder: none.csv");
 }

@@ -1,4 +1,4 @@
-//! Cycles 427 and 444 and G785: the seeds' blocks, exact workpieces, every result and every stop.
+//! Cycles 427 and 444 and G785: the manuals' blocks, exact workpieces, every result and every stop.
 
 use std::collections::BTreeMap;
 
@@ -14,11 +14,11 @@ use fitcheck::words::{Language, Words};
 use proptest::prelude::*;
 
 /// Seed 004, the example block of cycle 427.
-const SEED_427: &str = "Q263=+35 Q264=+45 Q261=+5 Q320=+0 Q272=+3 Q267=-1 Q260=+20 Q281=+1 Q288=+5.1 Q289=+4.95 \
+const EXAMPLE_427: &str = "Q263=+35 Q264=+45 Q261=+5 Q320=+0 Q272=+3 Q267=-1 Q260=+20 Q281=+1 Q288=+5.1 Q289=+4.95 \
                         Q309=+0 Q330=+0 Q498=+0 Q531=+0";
 
 /// Seed 003, the example block of G785.
-const SEED_785: &str = "R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0";
+const EXAMPLE_785: &str = "R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0";
 
 fn inputs(cycle: &Cycle, settings: &str) -> Result<Inputs, CycleError> {
     settings.split_whitespace().try_fold(Inputs::new(), |inputs, setting| {
@@ -77,13 +77,13 @@ fn top(height: f64) -> Surface {
 
 #[track_caller]
 fn check_427(height: f64, changes: &str, expected: &str) -> CycleResult {
-    let result = run("427", &format!("{SEED_427} {changes}"), &mut machine(top(height), 2.0)).unwrap();
+    let result = run("427", &format!("{EXAMPLE_427} {changes}"), &mut machine(top(height), 2.0)).unwrap();
     assert_eq!(results(&result), expected);
     result
 }
 
 #[test]
-fn the_block_of_seed_004_measures_a_height_between_its_limits() {
+fn the_block_of_cycle_427_measures_a_height_between_its_limits() {
     let good = check_427(5.0, "", "Q160=5 Q180=1 Q181=0 Q182=0");
     assert_eq!(good.log, LogTarget::File("TCHPR427.TXT"));
     assert_eq!((good.status, good.stop.as_ref()), (Some(Status::Good), None));
@@ -122,12 +122,12 @@ fn q309_stops_and_names_what_is_out() {
     let all: Vec<_> = both.checks.iter().map(said).collect();
     assert_eq!(all[2], "measured centre, 2nd axis 20 mm is within 19.95 to 20.05 mm");
     assert_eq!(both.log, LogTarget::Screen);
-    assert_eq!(said(&both.remarks[0]), "Q330 = 5.1: the control would correct this tool; no tool is corrected here");
+    assert_eq!(said(&both.remarks[0]), "Q330 = 5.1: the control would correct this tool; Fitcheck corrects no tool");
 }
 
 #[test]
 fn limits_that_are_swapped_are_refused() {
-    let refused = run("427", &format!("{SEED_427} Q288=4"), &mut machine(top(5.0), 0.0)).unwrap_err();
+    let refused = run("427", &format!("{EXAMPLE_427} Q288=4"), &mut machine(top(5.0), 0.0)).unwrap_err();
     assert_eq!(refused, "Q289 = 4.95 mm is above Q288 = 4 mm: the minimum dimension is above the maximum");
 }
 
@@ -136,16 +136,16 @@ fn no_contact_within_dist_is_an_error_and_the_way_is_kept() {
     let cycle = cycle_named("427").unwrap();
     let probe =
         TouchProbe { longest_path: "6".parse().unwrap(), set_up: "1.5".parse().unwrap(), ..TouchProbe::default() };
-    let given = inputs(cycle, SEED_427).unwrap().with_probe(probe);
+    let given = inputs(cycle, EXAMPLE_427).unwrap().with_probe(probe);
     // The ball starts 1.5 mm above where it would touch at 5, so 4.5 mm deeper is still reached.
     assert!(cycle.measure(&given, &mut machine(top(0.5), 2.0)).is_ok());
     let (path, refused) = cycle.measure_along(&given, &mut machine(top(0.499_999), 2.0));
     let refused = refused.unwrap_err();
-    assert_eq!(said(&refused), "touch 1: no contact within the probing path of 6 mm");
+    assert_eq!(said(&refused), "contact 1: the probe met nothing within the probing path of 6 mm");
     assert!(matches!(refused, CycleError::NoContact(NoContact::OutOfReach { number: 1, .. })));
     assert_eq!(path.last().map(|step| (step.phase, step.to[2])), Some((Phase::Approach, 2.5)));
     let (path, refused) = cycle.measure_along(&given, &mut machine(top(7.0), 2.0));
-    assert_eq!(refused.unwrap_err().to_string(), "touch 1: the probing path begins inside the material");
+    assert_eq!(refused.unwrap_err().to_string(), "contact 1: the probing path begins inside the material");
     assert_eq!(path.last().map(|step| step.phase), Some(Phase::PrePosition));
 }
 
@@ -260,7 +260,7 @@ fn a_normal_without_direction_is_refused() {
     let refused = run("444", settings, &mut Recorded::new(Vec::new())).unwrap_err();
     assert_eq!(refused, "Q581, Q582 and Q583 are all 0: a normal needs a direction");
     let refused = run("444", "QS400=H7", &mut Recorded::new(Vec::new())).unwrap_err();
-    assert!(refused.starts_with("QS400 TOLERANCE: H7 is no deviation"), "{refused}");
+    assert!(refused.starts_with("QS400 TOLERANCE: H7 is not a deviation"), "{refused}");
 }
 
 #[test]
@@ -278,18 +278,18 @@ fn bore(centre: [f64; 2], diameter: f64, plane: Plane) -> Surface {
 }
 
 #[test]
-fn the_block_of_seed_003_measures_a_small_bore() {
-    let result = run("G785", SEED_785, &mut machine(bore([0.02, -0.01], 3.0, Plane::Xy), 0.5)).unwrap();
+fn the_block_of_g785_measures_a_small_bore() {
+    let result = run("G785", EXAMPLE_785, &mut machine(bore([0.02, -0.01], 3.0, Plane::Xy), 0.5)).unwrap();
     assert_eq!(results(&result), "#i99=3 X=0.02 Y=-0.01");
     assert_eq!((result.status, result.log), (None, LogTarget::Shown));
     let remarks: Vec<_> = result.remarks.iter().map(said).collect();
     assert_eq!(remarks.len(), 4);
-    assert_eq!(remarks[3], "#i99 holds one value, taken to be the diameter: the manual does not say which");
+    assert_eq!(remarks[3], "#i99 is read as the diameter: the manual does not say which value it holds");
     // A bore that is not reached with K.
-    let refused = run("G785", SEED_785, &mut machine(bore([0.0, 0.0], 6.0, Plane::Xy), 0.5)).unwrap_err();
-    assert_eq!(refused, "touch 1: no contact within the probing path of 2 mm");
+    let refused = run("G785", EXAMPLE_785, &mut machine(bore([0.0, 0.0], 6.0, Plane::Xy), 0.5)).unwrap_err();
+    assert_eq!(refused, "contact 1: the probe met nothing within the probing path of 2 mm");
     let refused = run("G785", "K=0 RC=60", &mut Recorded::new(Vec::new())).unwrap_err();
-    assert_eq!(refused, "K MEASURING PATH = 0 mm: a probing path needs a length, its sign is the direction");
+    assert_eq!(refused, "K MEASURING PATH = 0 mm: a probing path needs a length; its sign gives the direction");
 }
 
 #[test]
@@ -305,7 +305,7 @@ fn g785_pre_positions_on_the_start_diameter_at_its_height() {
     }
     // With the other sign the probe runs away from the stud.
     let refused = run("G785", "BR=1 K=8 RC=120 D=30 I=1 J=2", &mut machine(stud, 1.5)).unwrap_err();
-    assert_eq!(refused, "touch 1: no contact on the probing path");
+    assert_eq!(refused, "contact 1: the probe met nothing on the probing path");
     // And a negative path meets the other wall of a hole.
     let other = run("G785", "K=-20 RC=120", &mut machine(bore([0.0, 0.0], 25.0, Plane::Xy), 1.5)).unwrap();
     assert_eq!(results(&other), "#i99=25 X=0 Y=0");
@@ -328,7 +328,7 @@ fn we_touches_twice_keeps_the_mean_and_stops_where_both_differ_too_much() {
     assert_eq!(mean.contacts.len(), 3);
     assert_eq!(mean.path.iter().filter(|step| step.phase == Phase::Contact).count(), 6);
     let refused = run("G785", settings, &mut twice([10.0, 10.01, 10.0, 10.010_001, 10.0, 10.0])).unwrap_err();
-    assert_eq!(refused, "contact 2: its two touches lie 0.010001 mm apart, WE permits 0.01 mm");
+    assert_eq!(refused, "contact 2: its two probings lie 0.010001 mm apart, WE permits 0.01 mm");
 }
 
 proptest! {

@@ -1,4 +1,4 @@
-//! The block of a probing cycle: the seeds' examples read, every cycle written and read back.
+//! The block of a probing cycle: the manuals' examples read, every cycle written and read back.
 
 use fitcheck::control::probe_block::{ProbeBlockError, ProbeBlockFault, read, read_or_lines, write};
 use fitcheck::length::Length;
@@ -10,8 +10,8 @@ use fitcheck::tolerance::Deviations;
 use fitcheck::words::{Dialogue, Language, Words};
 use proptest::prelude::*;
 
-/// The example of seed 004 as it is printed: comments on lines of their own, no `~` behind the values.
-const SEED_004: &str = "11 TCH PROBE 427 MISURAZ. COORDINATA ~\n\nQ263=+35\n\n;1. PUNTO 1. ASSE ~\n\nQ264=+45\n\n;1. PUNTO 2. ASSE ~\n\n\
+/// The example in the manual of cycle 427 as it is printed: comments on lines of their own, no `~` after the values.
+const EXAMPLE_427: &str = "11 TCH PROBE 427 MISURAZ. COORDINATA ~\n\nQ263=+35\n\n;1. PUNTO 1. ASSE ~\n\nQ264=+45\n\n;1. PUNTO 2. ASSE ~\n\n\
     Q261=+5\n\n;ALTEZZA MISURATA ~\n\nQ320=+0\n\n;DISTANZA SICUREZZA ~\n\nQ272=+3\n\n;ASSE MISURATO ~\n\nQ267=-1\n\n\
     ;DIREZIONE ATTRAVERS. ~\n\nQ260=+20\n\n;ALTEZZA DI SICUREZZA ~\n\nQ281=+1\n\n;PROTOCOLLO DI MIS. ~\n\nQ288=+5.1\n\n\
     ;LIMITE MASSIMO ~\n\nQ289=+4.95\n\n;LIMITE MINIMO ~\n\nQ309=+0\n\n;STOP PGM SE ERRORE ~\n\nQ330=+0\n\n;UTENSILE ~\n\n\
@@ -35,8 +35,8 @@ const WRITTEN_004: &str = "TCH PROBE 427 MISURAZ. COORDINATA ~
     Q531=+0    ;ANGOLO DI INCLINAZ.
 ";
 
-/// The example of seed 003.
-const SEED_003: &str = "N3 G785 R0 BR0 K2 C0 RC60 I0 J0 Q0 P0 H0";
+/// The example in the manual of G785.
+const EXAMPLE_785: &str = "N3 G785 R0 BR0 K2 C0 RC60 I0 J0 Q0 P0 H0";
 
 /// The pairs of a block, and what was not used, or the error.
 fn pairs(text: &str) -> String {
@@ -69,22 +69,22 @@ fn check(text: &str, expected: &str) {
 }
 
 #[test]
-fn the_example_of_seed_004_is_read_as_printed_and_written_as_a_control_does() {
-    let block = read(SEED_004).unwrap();
+fn the_example_of_cycle_427_is_read_as_printed_and_written_as_a_control_does() {
+    let block = read(EXAMPLE_427).unwrap();
     assert_eq!((block.line, block.cycle.code, block.settings.len(), &block.unused), (1, "427", 14, &None));
     let inputs = block.put_into(Inputs::new()).unwrap();
     assert_eq!(write(block.cycle, &inputs, Dialogue::It).unwrap().replace("\r\n", "\n"), WRITTEN_004);
-    assert_eq!(pairs(SEED_004), pairs(WRITTEN_004));
-    assert_eq!(pairs(SEED_004), pairs(&SEED_004.replace('\n', "\r\n")));
+    assert_eq!(pairs(EXAMPLE_427), pairs(WRITTEN_004));
+    assert_eq!(pairs(EXAMPLE_427), pairs(&EXAMPLE_427.replace('\n', "\r\n")));
 }
 
 #[test]
-fn the_example_of_seed_003_is_read_and_written_again() {
-    check(SEED_003, "G785: R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0");
-    let block = read(SEED_003).unwrap();
+fn the_example_of_g785_is_read_and_written_again() {
+    check(EXAMPLE_785, "G785: R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0");
+    let block = read(EXAMPLE_785).unwrap();
     let inputs = block.put_into(Inputs::new()).unwrap();
     let written = write(block.cycle, &inputs, Dialogue::De).unwrap();
-    assert_eq!(written, format!("{}\r\n", SEED_003.trim_start_matches("N3 ")));
+    assert_eq!(written, format!("{}\r\n", EXAMPLE_785.trim_start_matches("N3 ")));
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn a_block_is_found_in_a_program_and_the_rest_of_it_is_named() {
     check(
         program,
         "427: Q263=+20 Q264=+12,5 Q261=-3 Q320=+0 Q272=+1 Q267=+1 Q260=+30 Q281=+1 Q288=+20.05 Q289=+19.95 Q309=+1 \
-         Q330=+0 Q498=+0 Q531=+0 | line 2: 1  TOOL CALL 9 Z is not part of the probing cycle and was not used, and 1 more",
+         Q330=+0 Q498=+0 Q531=+0 | line 2: 1  TOOL CALL 9 Z is not part of the probing cycle and was skipped, and 1 more",
     );
     check("; only a comment\nTCH PROBE 427\n\n* - heading\n", "427: ");
 }
@@ -118,10 +118,10 @@ fn numbers_names_order_case_blanks_and_comments_are_the_writer_s_own_business() 
 
 #[test]
 fn what_is_wrong_with_a_block_is_named_with_its_line() {
-    check("", "line 1: no probing cycle here: a block begins with TCH PROBE and a number, or with G785");
+    check("", "line 1: not a probing cycle: a block begins with TCH PROBE and a number, or with G785");
     check(
         "L X+5 R0 FMAX\nG1 X5",
-        "line 1: no probing cycle here: a block begins with TCH PROBE and a number, or with G785",
+        "line 1: not a probing cycle: a block begins with TCH PROBE and a number, or with G785",
     );
     let known: Vec<_> = CYCLES.iter().map(|cycle| cycle.code).filter(|code| !code.starts_with('G')).collect();
     let known = format!("the cycles are {}", known.join(", "));
@@ -129,37 +129,37 @@ fn what_is_wrong_with_a_block_is_named_with_its_line() {
     check("TCH PROBE\n", &format!("line 1: TCH PROBE : {known}"));
     check(
         "TCH PROBE 427 ~\nQ263=+1\n\nTCH PROBE 427 ~\nQ263=+2",
-        "line 4: a second probing cycle: one at a time, the first begins on line 1",
+        "line 4: second probing cycle: give one at a time; the first begins on line 1",
     );
-    check("TCH PROBE 427 ~\n12 L Z+50", "line 2: 12 L Z+50 is no parameter: one is written as Q263=+35");
-    check("TCH PROBE 427 ~\n=5", "line 2: =5 is no parameter: one is written as Q263=+35");
+    check("TCH PROBE 427 ~\n12 L Z+50", "line 2: 12 L Z+50 is not a parameter: write it as Q263=+35");
+    check("TCH PROBE 427 ~\n=5", "line 2: =5 is not a parameter: write it as Q263=+35");
     check("TCH PROBE 427 ~\nQ263= ;EMPTY ~\nQ264=+1", "line 2: Q263 has no value");
     check("TCH PROBE 427 ~\nQ263=+1 ~\nq263=+1", "line 3: Q263 is given twice, first on line 2");
     check("TCH PROBE 427 ~\nQ330=+1 ~\nQS330=\"A\"", "line 3: Q330 is given twice, first on line 2");
     check("TCH PROBE 427 ~\nQS330=\"A", "line 2: a quotation mark is not closed");
-    assert!(pairs("TCH PROBE 427 ~\nQ275=+1").starts_with("line 2: cycle 427 has no parameter Q275: it has Q263, "));
+    assert!(pairs("TCH PROBE 427 ~\nQ275=+1").starts_with("line 2: cycle 427 has no parameter Q275: its parameters are Q263, "));
     check(
         "TCH PROBE 427 ~\nQ263=+1 ;NO MORE\nQ264=+2",
-        "line 3: Q264=+2 stands behind the end of the block: every line but the last ends with ~",
+        "line 3: Q264=+2 comes after the end of the block: every line but the last ends with ~",
     );
     check(
         "TCH PROBE 427 ~\nQ263=+1\n;NO MORE\n\nQ264=+2",
-        "line 5: Q264=+2 stands behind the end of the block: every line but the last ends with ~",
+        "line 5: Q264=+2 comes after the end of the block: every line but the last ends with ~",
     );
     // A heading may hold a single mark for inches.
     check("* - 1\" BORE\nTCH PROBE 427 ~\nQ263=+1", "427: Q263=+1");
     // Any other assignment behind it is another block of the program.
     check(
         "TCH PROBE 427 ~\nQ263=+1\nQ5=+2",
-        "427: Q263=+1 | line 3: Q5=+2 is not part of the probing cycle and was not used",
+        "427: Q263=+1 | line 3: Q5=+2 is not part of the probing cycle and was skipped",
     );
     check("TCH PROBE 427 ~\nQ263=+1 ~\n", "line 2: the block ends with ~, so a line is missing: it may be cut off");
-    check("G785 K2 =3", "line 1: =3 is no parameter: one is written as Q263=+35");
-    check("G785 K2 3", "line 1: 3 is no parameter: one is written as K2");
+    check("G785 K2 =3", "line 1: =3 is not a parameter: write it as Q263=+35");
+    check("G785 K2 3", "line 1: 3 is not a parameter: write it as K2");
     check("G785 K RC60", "line 1: K has no value");
-    assert!(pairs("G785 K2 X3").starts_with("line 1: cycle G785 has no parameter X: it has R, BR, K, "));
+    assert!(pairs("G785 K2 X3").starts_with("line 1: cycle G785 has no parameter X: its parameters are R, BR, K, "));
     let long = format!("TCH PROBE 427 ~\n{}", "x".repeat(100_000));
-    check(&long, &format!("line 2: {}… is no parameter: one is written as Q263=+35", "x".repeat(80)));
+    check(&long, &format!("line 2: {}… is not a parameter: write it as Q263=+35", "x".repeat(80)));
 }
 
 #[test]
@@ -168,9 +168,9 @@ fn a_value_that_is_none_is_named_with_its_line_and_a_program_s_parameter_as_such
     assert_eq!(said("TCH PROBE 427 ~\nQ263=+x"), "line 2: Q263 1ST POINT 1ST AXIS: +x is not a number");
     for (given, name) in [("+Q1", "Q1"), ("-QL12", "QL12"), ("QR3", "QR3")] {
         let said = said(&format!("TCH PROBE 427 ~\n\nQ263={given}"));
-        assert_eq!(said, format!("line 3: Q263 = {name}: only a running program knows what is in {name}"));
+        assert_eq!(said, format!("line 3: Q263 = {name}: the value of {name} is known only while a program runs"));
     }
-    assert_eq!(said("TCH PROBE 444 ~\nQS400=QS5"), "line 2: QS400 = QS5: only a running program knows what is in QS5");
+    assert_eq!(said("TCH PROBE 444 ~\nQS400=QS5"), "line 2: QS400 = QS5: the value of QS5 is known only while a program runs");
     // A tool may be called anything.
     assert!(read("TCH PROBE 427 ~\nQS330=\"Q1\"").unwrap().put_into(Inputs::new()).unwrap().is_given(330));
 }
@@ -188,11 +188,11 @@ fn lines_without_their_head_are_those_of_the_cycle_that_is_named() {
     assert_eq!(taken("  Q263=+35 ;A ~\n  Q264=+45 ;B", "427"), "427: Q263=+35 Q264=+45");
     assert_eq!(taken("K2 RC60", "G785"), "G785: K=2 RC=60");
     // A head says more than the name beside it.
-    assert_eq!(taken(SEED_003, "427"), "G785: R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0");
+    assert_eq!(taken(EXAMPLE_785, "427"), "G785: R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0");
     assert_eq!(taken("Q263=+1 ~\nQ999=+1", "427").split(':').next(), Some("line 2"));
-    assert_eq!(taken("L X+10 R0", "427"), "line 1: L X+10 R0 is no parameter: one is written as Q263=+35");
+    assert_eq!(taken("L X+10 R0", "427"), "line 1: L X+10 R0 is not a parameter: write it as Q263=+35");
     for blank in ["", " \n"] {
-        let none = "line 1: no probing cycle here: a block begins with TCH PROBE and a number, or with G785";
+        let none = "line 1: not a probing cycle: a block begins with TCH PROBE and a number, or with G785";
         assert_eq!(taken(blank, "427"), none);
     }
 }
@@ -204,7 +204,7 @@ fn a_text_that_no_block_can_hold_is_not_written() {
         let inputs = Inputs::new().with(330, Value::Text(name.to_owned()));
         let error = write(cycle, &inputs, Dialogue::En).unwrap_err();
         assert!(matches!(&error.fault, ProbeBlockFault::NotWritable { key: Key::Q(330), .. }));
-        assert!(told(&error).ends_with("a text in a block holds no quotation mark and no line end"), "{error}");
+        assert!(told(&error).ends_with("a text in a block cannot contain quotation marks or line ends"), "{error}");
     }
 }
 

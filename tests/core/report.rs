@@ -186,7 +186,7 @@ fn a_report_says_everything_about_each_check() {
             "ISO 286, over 18 up to 30 mm",
             "least-squares circle through 4 contacts",
             "no guard band, limits belong to the zone",
-            "What this cannot tell",
+            "Limits of this measurement",
             // signature
             ">Name</th>",
             ">Date</th>",

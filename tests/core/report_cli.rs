@@ -93,10 +93,10 @@ time,id,callout,feature,nominal_mm,min_mm,max_mm,measured_mm,deviation_um,status
 position,centre_x_mm,centre_y_mm,contacts,source,origin,rule,warnings
 2026-11-21T10:42:00,'=1+1,25 H7,hole,25,25.000,25.021,25.0215,21.5,SCRAP,,,,,,,\
 \"ISO 286, over 18 up to 30 mm\",typed,\"no guard band, limits belong to the zone\",\
-one diameter only: nothing is known of form and position
+one diameter only: form and position are unknown
 2026-11-21T10:42:00,,25 H7,hole,25,25.000,25.021,25.021,21,GOOD,,,,,,,\
 \"ISO 286, over 18 up to 30 mm\",typed,\"no guard band, limits belong to the zone\",\
-one diameter only: nothing is known of form and position
+one diameter only: form and position are unknown
 ";
     assert_eq!(run(&args), (11, expected.to_owned(), String::new()));
 }
@@ -195,7 +195,7 @@ fn values_that_are_no_diameter_are_refused() {
 fn an_unknown_ending_lists_the_known_ones() {
     for (file, reason) in [
         ("report.pdf", ".pdf is not a format of the report: use one of .html .htm .csv .json"),
-        ("report", "report has no ending that tells the report's format: use one of .html .htm .csv .json"),
+        ("report", "report has no ending that gives the report's format: use one of .html .htm .csv .json"),
     ] {
         let (code, _, err) = run(&["--check", "25 H7=25.01", "-o", file]);
         assert_eq!(code, 2);

@@ -150,20 +150,20 @@ fn what_could_do_harm_is_stopped_with_its_own_message() {
     let endless = shop.program("LBL 1\nFN 9: IF +0 EQU +0 GOTO LBL 1");
     check_stopped(
         &[&endless, "--max-blocks", "1000"],
-        r"TNC:\own.h, line 3, FN 9: IF +0 EQU +0 GOTO LBL 1: the run has used up its 1000 blocks: does it loop for ever?",
+        r"TNC:\own.h, line 3, FN 9: IF +0 EQU +0 GOTO LBL 1: limit of 1000 blocks reached: possible endless loop",
     );
     run(
         "CALL PGM own.h",
-        r"TNC:\own.h, line 2, CALL PGM own.h: 10 calls of programs are within one another, one more is not allowed: does the program call itself?",
+        r"TNC:\own.h, line 2, CALL PGM own.h: nesting limit of 10 program calls reached: does the program call itself?",
     );
     run(
         "LBL 1\nCALL LBL 1",
-        r"TNC:\own.h, line 3, CALL LBL 1: 20 calls of labels are within one another, one more is not allowed: does the program call itself?",
+        r"TNC:\own.h, line 3, CALL LBL 1: nesting limit of 20 label calls reached: does the program call itself?",
     );
     run(r"CALL PGM ..\secret.h", r"TNC:\own.h, line 2, CALL PGM ..\secret.h: ..\secret.h leads out of the folder");
     run(
         "FN 16: F-PRINT status_en.a / C:\\out.txt",
-        r"TNC:\own.h, line 2, FN 16: F-PRINT status_en.a / C:\out.txt: C:\out.txt is no path on TNC: and none from the program's folder",
+        r"TNC:\own.h, line 2, FN 16: F-PRINT status_en.a / C:\out.txt: C:\out.txt is neither a path on TNC: nor a path from the program's folder",
     );
     run(
         "QS1 = \"0123456789\"\nLBL 1\nQS1 = QS1 || QS1\nFN 9: IF +0 EQU +0 GOTO LBL 1",
@@ -172,14 +172,14 @@ fn what_could_do_harm_is_stopped_with_its_own_message() {
     shop.file("broken.h", "\u{1}\u{2}\u{3}\u{4}");
     run(
         "CALL PGM broken.h",
-        r"TNC:\own.h, line 2, CALL PGM broken.h: TNC:\broken.h: the file is no text: 4 of its 4 bytes are no characters",
+        r"TNC:\own.h, line 2, CALL PGM broken.h: TNC:\broken.h: the file is not text: 4 of its 4 bytes are not characters",
     );
     let cut_off = shop.file("cut.h", "BEGIN PGM cut MM\nQ1 = 1\n");
     let said = fitcheck(&[&cut_off, "--trace"]);
     assert_eq!(said.out, "cut.h:1  BEGIN PGM cut MM\ncut.h:2  Q1 = 1\n    Q1 = 1\n");
     assert!(said.err.ends_with("fitcheck: TNC:\\cut.h, line 2, Q1 = 1: the program is broken: END PGM is missing\n"));
     let broken = shop.path("broken.h");
-    check_stopped(&[&broken], "broken.h: the file is no text: 4 of its 4 bytes are no characters");
+    check_stopped(&[&broken], "broken.h: the file is not text: 4 of its 4 bytes are not characters");
 }
 
 #[test]
@@ -188,11 +188,11 @@ fn unknown_blocks_stop_or_are_passed_over() {
     let zoo = shop.path("syntax_zoo.h");
     check_stopped(
         &[&zoo],
-        r"TNC:\syntax_zoo.h, block 45, FN 18: SYSREAD Q40 = ID270 NR1 IDX1: this block is not known here: nothing is run that is not understood",
+        r"TNC:\syntax_zoo.h, block 45, FN 18: SYSREAD Q40 = ID270 NR1 IDX1: unknown block: Fitcheck runs only what it understands",
     );
     let said = fitcheck(&[&zoo, "--skip-unknown"]);
     assert_eq!(said.code, Some(0));
-    assert_eq!(said.err, "note: syntax_zoo.h:47: the block is not known here and was passed over\n");
+    assert_eq!(said.err, "note: syntax_zoo.h:47: unknown block skipped\n");
     let said = fitcheck(&[&zoo, "--skip-unknown", "--language", "nl"]);
     assert_eq!(said.err, "note: syntax_zoo.h:47: de NC-regel is hier niet bekend en is overgeslagen\n");
 }
@@ -205,7 +205,7 @@ fn outputs_go_below_the_output_folder_only() {
     let said = fitcheck(&[&program]);
     assert_eq!(
         (said.code, said.err.as_str()),
-        (Some(0), "note: own.h:2: TNC:\\logs\\out.txt was not written: no folder was chosen for outputs\n")
+        (Some(0), "note: own.h:2: TNC:\\logs\\out.txt was not written: no output folder was chosen\n")
     );
     let out = shop.folder.path().join("out");
     let said = fitcheck(&[&program, "--output-folder", &out.display().to_string()]);
@@ -245,7 +245,7 @@ fn programs_and_tables_may_lie_in_other_folders() {
     let main = main.display().to_string();
     check_stopped(
         &[&main],
-        r"TNC:\fit_main.h, block 11, CALL PGM TNC:\fitcheck\fit_check.h: there is no file TNC:\fitcheck\fit_check.h",
+        r"TNC:\fit_main.h, block 11, CALL PGM TNC:\fitcheck\fit_check.h: file not found: TNC:\fitcheck\fit_check.h",
     );
     assert_eq!(fitcheck(&[&main, "--folder", &shop.path("")]).code, Some(0));
 }
@@ -270,10 +270,10 @@ fn wrong_usage_is_told_apart_from_bad_data() {
         "no such file or folder: none.h; built-in programs are 8255_nl.h, 8255_en.h, 8255_de.h, 8255_it.h",
     );
     check_stopped(&["folder/none.h"], "no such file or folder: folder/none.h");
-    check_stopped(&[&main, "--set", "Q1=x"], "--set Q1=x: this is no number");
+    check_stopped(&[&main, "--set", "Q1=x"], "--set Q1=x: this is not a number");
     check_stopped(
         &[&main, "--set", "R1=1"],
-        "--set R1=1: R1 is no parameter, allowed are Q, QL, QR and QS with a number",
+        "--set R1=1: R1 is not a parameter: allowed are Q, QL, QR and QS with a number",
     );
     check_stopped(
         &[&main, "--set", "Q2000=1"],

@@ -139,7 +139,7 @@ fn what_cannot_be_measured_is_told_beside_its_field_and_changes_nothing() {
         assert!(told(&session, CheckField::Measured).is_some(), "{measured:?}");
     }
     measure(&mut session, "25 Q7", "25");
-    assert!(told(&session, CheckField::Callout).unwrap().starts_with("Q7 is no class of ISO 286"));
+    assert!(told(&session, CheckField::Callout).unwrap().starts_with("Q7 is not an ISO 286 tolerance class"));
     assert_eq!((session.history().len(), status(&session), session.can_undo()), (0, None, false));
 }
 

@@ -184,7 +184,7 @@ fn a_cycle_that_does_not_come_to_its_end_shows_its_way() {
     send(&mut session, WorkpieceCommand::ChooseKind(BenchKind::Face));
     send(&mut session, WorkpieceCommand::Type(BenchField::PointZ, "-60".into()));
     send(&mut session, CyclesCommand::Run);
-    assert_eq!(problem(&session), "touch 1: no contact within the probing path of 50 mm");
+    assert_eq!(problem(&session), "contact 1: the probe met nothing within the probing path of 50 mm");
     assert!(!session.cycles().run().unwrap().path.is_empty());
     send(&mut session, WorkpieceCommand::Type(BenchField::Temperature, "hot".into()));
     send(&mut session, CyclesCommand::Run);
@@ -289,14 +289,14 @@ fn a_block_fills_the_form_or_changes_nothing() {
     send(&mut session, CyclesCommand::TypeBlock(block.into()));
     send(&mut session, CyclesCommand::TakeBlock);
     let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
-    assert!(said.unwrap().starts_with("line 4: cycle 427 has no parameter Q999: it has Q263, Q264, "));
+    assert!(said.unwrap().starts_with("line 4: cycle 427 has no parameter Q999: its parameters are Q263, Q264, "));
     assert_eq!(session.cycles().cycle().number, 421);
     // Another block of the program, or a block that is cut off, is not half taken either.
     for (changed, expected) in [
         (block.replace("Q999=+1 ;? ~\n", ""), "line 3: the block ends with ~, so a line is missing: it may be cut off"),
         (
             format!("L Z+50\n{}", block.replace(" ~\nQ999=+1 ;? ~\n", "\n")),
-            "line 1: L Z+50 is not part of the probing cycle and was not used",
+            "line 1: L Z+50 is not part of the probing cycle and was skipped",
         ),
     ] {
         send(&mut session, CyclesCommand::TypeBlock(changed));

@@ -231,7 +231,7 @@ fn an_endless_loop_ends_by_its_budget() {
     }
     assert_eq!(run(&session).state(), State::Faulted);
     let problem = session.program().problem(0).unwrap();
-    assert!(said(&problem.message).contains("has used up its 10000000 blocks"), "{}", said(&problem.message));
+    assert!(said(&problem.message).contains("limit of 10000000 blocks reached"), "{}", said(&problem.message));
 }
 
 #[test]
@@ -273,7 +273,7 @@ fn to_the_cursor_and_over_a_call() {
     send(&mut session, ProgramCommand::RunToSelected);
     assert_eq!((block(&session), state(&session).as_str()), (2, "Paused at the cursor"));
     send(&mut session, ProgramCommand::StepOver);
-    assert_eq!((block(&session), state(&session).as_str()), (3, "Paused behind the call"));
+    assert_eq!((block(&session), state(&session).as_str()), (3, "Paused after the call"));
     assert_eq!(number(&session, Parameter::q(3)), Some(1.0));
     // A block that calls nothing is one step.
     send(&mut session, ProgramCommand::StepOver);

@@ -244,7 +244,7 @@ fn tables_and_columns_that_cannot_be_are_refused_beside_their_field() {
         assert_eq!(session.tables().documents().len(), 2);
     }
     made(&mut session, "H7 g6", "50");
-    assert!(error(&session, TablesField::Classes).unwrap().starts_with("H7 and g6 cannot stand in one table"));
+    assert!(error(&session, TablesField::Classes).unwrap().starts_with("H7 and g6 cannot be in one table"));
     made(&mut session, "h7, g6/h7", "50");
     assert_eq!((shown(&session).title(), shown(&session).is_unsaved()), ("iso286_shaft.tab", true));
     assert_eq!(shown(&session).differing(), 0);

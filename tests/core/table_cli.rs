@@ -133,8 +133,8 @@ fn own_columns_are_named_and_a_table_of_them_alone_is_not_said_to_agree() {
     std::fs::write(&path, own).unwrap();
     let name = path.to_str().unwrap();
     let answer = table(&["verify", name]);
-    let said = "own.tab: 1 class, 1 size range, 1 cell compared: all agree with ISO 286; not compared, no class of \
-                ISO 286: OWN1\n";
+    let said = "own.tab: 1 class, 1 size range, 1 cell compared: all agree with ISO 286; not compared, not ISO 286 \
+                classes: OWN1\n";
     assert_eq!((answer.code, &*answer.out), (Some(0), said));
     let json: serde_json::Value = serde_json::from_str(&table(&["verify", name, "--format", "json"]).out).unwrap();
     assert_eq!((&json[0]["classes"], &json[0]["own_columns"]), (&1.into(), &serde_json::json!(["OWN1"])));
@@ -210,13 +210,13 @@ fn what_cannot_be_made_is_refused_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     for (args, reason) in [
-        (vec!["--classes", "Q7"], "Q7 is no class of ISO 286"),
+        (vec!["--classes", "Q7"], "Q7 is not an ISO 286 tolerance class"),
         (vec!["--classes", "T7", "--to", "24"], "T7 is not defined at 24 mm in ISO 286"),
         (vec!["--classes", "H7", "--to", "3151"], "the last size is 3151 mm: it must be above 0 and at most 3150 mm"),
         (vec!["--classes", "H7", "--ends", "6 3"], "size range up to 3 mm does not end above the one before it, 6 mm"),
         (vec!["--classes", "H7", "--ends", "3 4000"], "the last size is 4000 mm"),
         (vec!["--classes", "H7 H7"], "column H7 occurs twice"),
-        (vec!["--classes", " "], "no class is named"),
+        (vec!["--classes", " "], "no tolerance class is given"),
         (vec!["--classes", "H7", "--to", "x"], "x is not a number"),
     ] {
         let answer = table(&[&["new", "-o", &path("own.tab")][..], &args].concat());
@@ -291,7 +291,7 @@ fn pc_dmis_gets_classes_of_holes_and_shafts_in_one_file() {
         "H7, 0, 3, 6, 10\n0.010, 0, 0.012, 0, 0.015, 0\n\
          g6, 0, 3, 6, 10\n-0.002, -0.008, -0.004, -0.012, -0.005, -0.014\n"
     );
-    assert!(answer.err.starts_with("warning: the manual of PC-DMIS shows no lower deviation but 0: check g6"));
+    assert!(answer.err.starts_with("warning: the PC-DMIS manual shows no lower deviation other than 0: check g6"));
     assert_eq!(table(&["export", "--classes", "H7", "--to", "10", "--format", "pcdmis"]).err, "");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("iso.csv");

@@ -67,16 +67,16 @@ fn the_verdict_is_a_live_region_and_the_pictures_describe_themselves() {
 #[test]
 fn limits_follow_while_typing_and_a_refusal_stands_beside_the_field() {
     let mut window = window();
-    type_into(&mut window, "Fit", "25 H7");
+    type_into(&mut window, "Callout", "25 H7");
     window.get_by_label("25.021");
     window.get_by_label("25.000");
     window.get_by_label("+21 µm");
-    type_into(&mut window, "Fit", "24 T7");
+    type_into(&mut window, "Callout", "24 T7");
     window.get_by_label_contains("it is defined over 24 up to 3150 mm");
     assert!(window.query_by_label("25.021").is_none(), "no limits beside a refused callout");
-    type_into(&mut window, "Fit", "3151 H7");
+    type_into(&mut window, "Callout", "3151 H7");
     window.get_by_label_contains("beyond ISO 286, which ends at 3150 mm");
-    type_into(&mut window, "Fit", "7.5.2 H7");
+    type_into(&mut window, "Callout", "7.5.2 H7");
     window.get_by_label_contains("7.5.2 is not a number");
 }
 
@@ -84,7 +84,7 @@ fn limits_follow_while_typing_and_a_refusal_stands_beside_the_field() {
 fn a_changed_callout_clears_the_verdict_at_once() {
     let mut window = window();
     check(&mut window, "25 H7", "25.012");
-    type_into(&mut window, "Fit", "25 H6");
+    type_into(&mut window, "Callout", "25 H6");
     assert_eq!(verdict(&window), "No result");
 }
 
@@ -120,7 +120,7 @@ fn nominal_size_and_class_make_the_callout() {
 #[test]
 fn simulating_measures_with_contacts_and_fills_the_history() {
     let mut window = window();
-    type_into(&mut window, "Fit", "25 H7");
+    type_into(&mut window, "Callout", "25 H7");
     window.get_by_role_and_label(Role::RadioButton, "Simulate").click();
     window.run();
     window.get_by_role_and_label(Role::Button, "Measure").click();
@@ -191,7 +191,7 @@ fn a_parameter_out_of_range_says_its_range_beside_the_field() {
 #[test]
 fn the_controls_tables_can_be_asked_instead_of_the_standard() {
     let mut window = window();
-    type_into(&mut window, "Fit", "400.5 H7");
+    type_into(&mut window, "Callout", "400.5 H7");
     window.get_by_label("from ISO 286, over 400 up to 500 mm");
     window.get_by_role_and_label(Role::Button, "Menu").click();
     window.run();
@@ -200,7 +200,7 @@ fn the_controls_tables_can_be_asked_instead_of_the_standard() {
     window.get_by_label_contains("The control's tables").click();
     window.run();
     window.get_by_label_contains("beyond table 82553_hole.tab");
-    type_into(&mut window, "Fit", "25 H7");
+    type_into(&mut window, "Callout", "25 H7");
     window.get_by_label("from built-in table 82553_hole.tab, over 18 up to 30 mm");
 }
 
@@ -220,7 +220,7 @@ fn pages_open_by_name_and_by_key() {
 #[test]
 fn a_callout_without_letters_asks_hole_or_shaft() {
     let mut window = window();
-    type_into(&mut window, "Fit", "12 +0.01 -0.015");
+    type_into(&mut window, "Callout", "12 +0.01 -0.015");
     window.get_by_label_contains("does not say whether the hole or the shaft is meant");
     type_into(&mut window, "Measured value", "12.02");
     window.key_press(Key::Enter);
@@ -242,15 +242,15 @@ fn a_callout_without_letters_asks_hole_or_shaft() {
     window.run();
     assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
     // A class says it itself, and the next callout without letters asks anew.
-    type_into(&mut window, "Fit", "25 H7");
-    type_into(&mut window, "Fit", "10m");
+    type_into(&mut window, "Callout", "25 H7");
+    type_into(&mut window, "Callout", "10m");
     window.get_by_label_contains("does not say whether the hole or the shaft is meant");
 }
 
 #[test]
 fn one_part_of_a_fit_is_checked() {
     let mut window = window();
-    type_into(&mut window, "Fit", "25 H7/g6");
+    type_into(&mut window, "Callout", "25 H7/g6");
     window.get_by_role_and_label(Role::RadioButton, "Shaft").click();
     window.run();
     check(&mut window, "25 H7/g6", "24.99");

@@ -1,4 +1,4 @@
-//! The cycles page: every cycle of the seeds typed into its form, run, stepped and read back.
+//! The cycles page: every documented cycle typed into its form, run, stepped and read back.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -94,7 +94,7 @@ const BLOCK_427: [(&str, &str); 12] = [
     ("Q330", "+0"),
 ];
 
-/// The page with the block of seed 004, typed.
+/// The page with the example block of cycle 427, typed.
 fn coordinate(window: Window) -> Harness<'static, App> {
     let mut window = open(window);
     choose(&mut window, "427  MEASURE COORDINATE");
@@ -112,7 +112,7 @@ fn stud(window: Window) -> Harness<'static, App> {
 }
 
 #[test]
-fn the_block_of_seed_004_is_typed_run_and_read_back() {
+fn the_block_of_cycle_427_is_typed_run_and_read_back() {
     let mut window = coordinate(Window::default());
     assert_eq!(verdict(&window), "No result");
     key(&mut window, Modifiers::NONE, Key::Enter);
@@ -178,7 +178,7 @@ fn hole(window: Window) -> Harness<'static, App> {
     ];
     fill(&mut window, &block);
     click(&mut window, Role::RadioButton, "Simulated");
-    click(&mut window, Role::Button, "Fit to cycle");
+    click(&mut window, Role::Button, "Match workpiece to cycle");
     click(&mut window, Role::Button, "Workpiece…");
     for (name, text) in [("True diameter", "25.012"), ("Centre, 1st axis", "50.003")] {
         type_into(&mut window, name, text);
@@ -205,7 +205,7 @@ fn point(window: Window) -> Harness<'static, App> {
     window
 }
 
-/// The page with the block of seed 003.
+/// The page with the example block of G785.
 fn lathe(window: Window) -> Harness<'static, App> {
     let mut window = open(window);
     choose(&mut window, "G785  CIRCLE MEASUREMENT");
@@ -256,7 +256,7 @@ fn rework_says_how_much_stops_and_shows_the_control_s_window() {
 fn scrap_of_a_simulated_face() {
     let mut window = coordinate(Window::default());
     click(&mut window, Role::RadioButton, "Simulated");
-    click(&mut window, Role::Button, "Fit to cycle");
+    click(&mut window, Role::Button, "Match workpiece to cycle");
     click(&mut window, Role::Button, "Workpiece…");
     for (name, text) in [("Point Z", "4,9"), ("Surface scatter 1σ", "0"), ("Trigger scatter 1σ", "0")] {
         type_into(&mut window, name, text);
@@ -292,7 +292,7 @@ fn an_error_stands_beside_its_field_and_the_range_shows_on_focus() {
     window.get_by_label("90° when nothing is typed");
     fill(&mut window, &[("Q262", "7.5.2")]);
     window.get_by_label("Q262 NOMINAL DIAMETER: 7.5.2 is not a number");
-    window.get_by_label("Must be given");
+    window.get_by_label("Required");
     key(&mut window, Modifiers::NONE, Key::Enter);
     assert_eq!(verdict(&window), "Not measured. 4 fields cannot be used: see the form");
     window.get_by_label("Q273 CENTER IN 1ST AXIS is missing");
@@ -316,11 +316,11 @@ fn the_path_is_stepped_by_button_by_key_and_by_slider() {
     key(&mut window, Modifiers::NONE, Key::Enter);
     window.get_by_label("5 of 5: leave, from X 35  Y 45  Z 7 to X 35  Y 45  Z 20");
     click(&mut window, Role::Button, "First");
-    window.get_by_label("1 of 5: pre-position, touch 1, from X 35  Y 45  Z 20 to X 35  Y 45  Z 7");
+    window.get_by_label("1 of 5: pre-position, contact 1, from X 35  Y 45  Z 20 to X 35  Y 45  Z 7");
     click(&mut window, Role::Button, "Next");
-    window.get_by_label("2 of 5: approach, touch 1, from X 35  Y 45  Z 7 to X 35  Y 45  Z 5");
+    window.get_by_label("2 of 5: approach, contact 1, from X 35  Y 45  Z 7 to X 35  Y 45  Z 5");
     key(&mut window, Modifiers::ALT, Key::ArrowRight);
-    window.get_by_label("3 of 5: contact, touch 1, at X 35  Y 45  Z 5");
+    window.get_by_label("3 of 5: contact 1, at X 35  Y 45  Z 5");
     key(&mut window, Modifiers::ALT, Key::ArrowLeft);
     window.get_by_label_contains("2 of 5: approach");
     key(&mut window, Modifiers::ALT, Key::End);
@@ -350,7 +350,7 @@ fn recorded_contacts_are_opened_and_measured() {
     type_into(&mut window, "File", &path.display().to_string());
     key(&mut window, Modifiers::NONE, Key::Enter);
     window.get_by_label("Contacts of bore.csv are used");
-    window.get_by_label("column remark is not used");
+    window.get_by_label("column remark is skipped");
     click(&mut window, Role::Button, "Close");
     window.get_by_label("5 contacts, bore.csv");
     key(&mut window, Modifiers::NONE, Key::F5);
@@ -386,7 +386,7 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
     key(&mut window, Modifiers::NONE, Key::F5);
     assert_eq!(result(&window, "Q153"), before, "the same seed gives the same result");
     click(&mut window, Role::Button, "Workpiece…");
-    for kind in ["Stud", "Face", "Free surface point", "Bore"] {
+    for kind in ["Shaft", "Face", "Free surface point", "Hole"] {
         click(&mut window, Role::RadioButton, kind);
         assert!(window.state().session().bench().bench().is_some(), "{kind}");
     }
@@ -411,7 +411,7 @@ fn a_block_is_pasted_and_copied() {
     click(&mut window, Role::Button, "Fill the form");
     let known = cycle_named("427").unwrap().parameters.iter().map(|parameter| parameter.key.to_string());
     let known = known.collect::<Vec<_>>().join(", ");
-    window.get_by_label(&format!("line 1: cycle 427 has no parameter Q9: it has {known}"));
+    window.get_by_label(&format!("line 1: cycle 427 has no parameter Q9: its parameters are {known}"));
     for _ in 0.." ~ Q9=+1".len() {
         window.key_press(Key::Backspace);
     }
@@ -519,7 +519,7 @@ fn the_workpiece_s_dialog_takes_the_focus_and_is_whole_at_once() {
     let mut window = page();
     click(&mut window, Role::RadioButton, "Simulated");
     click(&mut window, Role::Button, "Workpiece…");
-    assert_eq!(focused(&window), "Bore");
+    assert_eq!(focused(&window), "Hole");
     let close = |window: &Harness<'_, App>| window.get_by_role_and_label(Role::Button, "Close").rect();
     let settled = close(&window);
     window.step();

@@ -122,7 +122,7 @@ fn errors_stand_beside_their_field() {
     window.get_by_label_contains("it is defined over 24 up to 3150 mm");
     assert_eq!(verdict(&window), "No fit yet");
     type_into(&mut window, "Fit of hole and shaft", "25 g6/H7");
-    window.get_by_label_contains("the shaft stands before the hole: write 25 H7/g6");
+    window.get_by_label_contains("the shaft comes before the hole: write 25 H7/g6");
     type_into(&mut window, "Fit of hole and shaft", "25 H7");
     window.get_by_label("The shaft's class is missing, such as g6 in 25 H7/g6");
     type_into(&mut window, "Measured hole", "25.0.1");

@@ -43,7 +43,7 @@ impl Window {
             .with_theme(self.theme)
             .with_max_steps(16)
             .build_eframe(|cc| App::new(cc, setup));
-        // "As the system" would be the harness's own idea of a system.
+        // "Follow system" would be the harness's own idea of a system.
         let theme = match self.theme {
             Theme::Light => fitcheck::session::Theme::Light,
             Theme::Dark => fitcheck::session::Theme::Dark,
@@ -70,7 +70,7 @@ pub fn type_into(harness: &mut Harness<'_, App>, name: &str, text: &str) {
 
 /// Types a callout and a measured value and presses Enter.
 pub fn check(harness: &mut Harness<'_, App>, callout: &str, measured: &str) {
-    type_into(harness, "Fit", callout);
+    type_into(harness, "Callout", callout);
     type_into(harness, "Measured value", measured);
     harness.key_press(Key::Enter);
     harness.run();

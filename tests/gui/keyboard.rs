@@ -20,8 +20,8 @@ fn focused(window: &Harness<'_, App>) -> String {
 #[test]
 fn typing_tab_typing_enter_is_a_check() {
     let mut window = window();
-    assert_eq!(focused(&window), "Fit", "the callout has the focus at the start");
-    window.get_by_role_and_label(Role::TextInput, "Fit").type_text("25 H7");
+    assert_eq!(focused(&window), "Callout", "the callout has the focus at the start");
+    window.get_by_role_and_label(Role::TextInput, "Callout").type_text("25 H7");
     window.run();
     window.key_press(Key::Tab);
     window.run();
@@ -50,7 +50,7 @@ fn one_enter_is_one_check() {
 #[test]
 fn tab_walks_in_reading_order() {
     let mut window = window();
-    type_into(&mut window, "Fit", "25 H7");
+    type_into(&mut window, "Callout", "25 H7");
     let mut walked = Vec::new();
     for _ in 0..14 {
         window.key_press(Key::Tab);
@@ -118,7 +118,7 @@ fn last_inputs_survive_a_restart() {
     check(&mut first, "40 js6", "40.001");
     eframe::App::on_exit(first.state_mut(), None);
     let again = Window { store, ..Window::default() }.open();
-    let field = again.get_by_role_and_label(Role::TextInput, "Fit");
+    let field = again.get_by_role_and_label(Role::TextInput, "Callout");
     assert_eq!(field.accesskit_node().value().as_deref(), Some("40 js6"));
     assert_eq!(verdict(&again), "No result", "a verdict is never shown without a measurement");
 }

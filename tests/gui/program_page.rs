@@ -182,7 +182,7 @@ fn the_run_goes_to_the_cursor_and_over_a_call() {
     says(&page, "Paused at the cursor");
     assert!(current(&page).starts_with("11 CALL PGM 82551_en.h"));
     key(&mut page, Modifiers::SHIFT, Key::F10);
-    says(&page, "Paused behind the call");
+    says(&page, "Paused after the call");
     assert!(current(&page).starts_with("12 STOP"));
     says(&page, "GOOD");
 }
@@ -222,7 +222,7 @@ fn the_simulated_workpiece_is_that_of_the_cycles_page() {
     click(&mut page, Role::ComboBox, "Workpiece");
     click(&mut page, Role::Button, "simulated");
     click(&mut page, Role::Button, "Workpiece and probe…");
-    click(&mut page, Role::Button, "Fit to cycle");
+    click(&mut page, Role::Button, "Match workpiece to cycle");
     click(&mut page, Role::Button, "Close");
     press(&mut page, Key::F5);
     says(&page, "GOOD");
@@ -286,7 +286,7 @@ fn an_unknown_block_stops_the_run_or_is_passed_over() {
     press(&mut page, Key::F5);
     says(&page, "Stopped with an error");
     click(&mut page, Role::Button, "Options");
-    click(&mut page, Role::CheckBox, "Pass over unknown blocks");
+    click(&mut page, Role::CheckBox, "Skip unknown blocks");
     says(&page, "Ready to run");
     press(&mut page, Key::F5);
     says(&page, "Ended after 5 blocks");
@@ -306,7 +306,7 @@ fn values_are_given_filtered_and_pinned() {
     }
     type_into(&mut page, "Start with", "X5");
     press(&mut page, Key::Enter);
-    page.get_by_label("X5 is no parameter: Q5, QL5, QR5 or QS5");
+    page.get_by_label("X5 is not a parameter: write Q5, QL5, QR5 or QS5");
     press(&mut page, Key::F5);
     says(&page, "Ended after");
     page.get_by_label("Q10 TOTAL = 6.5, changed");
@@ -325,7 +325,7 @@ fn a_stop_and_a_skipped_block_are_switched() {
     let path = program(folder.path(), "stops.h", "Q1 = 1\nM1\n/Q1 = 2\nQ2 = Q1");
     let mut page = page();
     open_file(&mut page, &path);
-    for option in ["Pass over blocks with /", "Stop at M1"] {
+    for option in ["Skip blocks with /", "Stop at M1"] {
         click(&mut page, Role::Button, "Options");
         click(&mut page, Role::CheckBox, option);
         press(&mut page, Key::Escape);

@@ -130,7 +130,7 @@ fn a_differing_cell_is_marked_and_named_with_how_much() {
     let said =
         page.get_by(|node| node.role() == Role::Status && node.label().is_some_and(|label| label.starts_with("Q1")));
     let said = said.accesskit_node().label().unwrap();
-    assert!(said.starts_with("Q1, over 18 up to 30 mm. Q1 is no class of ISO 286: it has no letter Q"), "{said}");
+    assert!(said.starts_with("Q1, over 18 up to 30 mm. Q1 is not an ISO 286 tolerance class: there is no letter Q"), "{said}");
 }
 
 #[test]
@@ -160,7 +160,7 @@ fn the_filter_chooses_columns_and_marks_a_row() {
     type_into(&mut page, "Filter", "H7 25");
     assert!(cells(&page).iter().any(|cell| cell.starts_with("H7, over 18 up to 30 mm")));
     type_into(&mut page, "Filter", "g6");
-    page.get_by_label("nothing here for g6");
+    page.get_by_label("no match for g6");
     type_into(&mut page, "Filter", "");
     page.get_by_label("24 of 24 classes");
 }
@@ -309,7 +309,7 @@ fn classes_are_added_and_a_table_is_made_from_the_standard() {
     page.get_by_label("column H7 occurs twice");
     type_into(&mut page, "Classes, such as H7 K7 P9", "K7, P77");
     press(&mut page, "Add to this table");
-    page.get_by_label_contains("P77 is no class of ISO 286");
+    page.get_by_label_contains("P77 is not an ISO 286 tolerance class");
     type_into(&mut page, "Classes, such as H7 K7 P9", "K7, N9");
     press(&mut page, "Add to this table");
     page.get_by_label("5 of 5 classes");
@@ -333,7 +333,7 @@ fn the_check_page_follows_a_table_that_is_used_for_limits() {
     press(&mut page, "Close");
     page.get_by_role_and_label(Role::Button, "Used for limits");
     key(&mut page, Modifiers::COMMAND, Key::Num1);
-    type_into(&mut page, "Fit", "25 H7");
+    type_into(&mut page, "Callout", "25 H7");
     page.get_by_label("25.025");
     page.get_by_label("from table shop.tab, over 18 up to 30 mm");
     press(&mut page, "Menu");
@@ -344,7 +344,7 @@ fn the_check_page_follows_a_table_that_is_used_for_limits() {
 #[test]
 fn enter_in_a_field_of_the_page_measures_nothing() {
     let mut page = window();
-    type_into(&mut page, "Fit", "25 H7");
+    type_into(&mut page, "Callout", "25 H7");
     key(&mut page, Modifiers::COMMAND, Key::Num4);
     for name in ["Filter", "Upper", "Classes, such as H7 K7 P9"] {
         type_into(&mut page, name, "7");

@@ -3,67 +3,67 @@
 # Masks
 mask-empty = the mask is empty
 mask-too-large = the mask is larger than { $most } KiB
-mask-unknown = { $found } is no record, keyword or comment
+mask-unknown = { $found } is not a record, keyword or comment
 mask-unclosed-quote = the quotation mark is not closed
-mask-unknown-format = { $found } is no format, allowed are %S %RS %F %LF %D %I %%
-mask-too-wide = { $found } is too wide, at most { $most }
+mask-unknown-format = { $found } is not a format: allowed are %S %RS %F %LF %D %I %%
+mask-too-wide = { $found } is too wide: at most { $most }
 mask-count = { $formats } formats and { $parameters } parameters
-mask-unknown-parameter = { $found } is no parameter, allowed are Q, QL, QR, QS with a number, DAY MONTH YEAR2 YEAR4 HOUR MIN SEC CALL_PATH
+mask-unknown-parameter = { $found } is not a parameter: allowed are Q, QL, QR, QS with a number, DAY MONTH YEAR2 YEAR4 HOUR MIN SEC CALL_PATH
 mask-no-semicolon = the ; at the end is missing
-mask-unknown-word = { $word } is not known and has no effect
-mask-behind-semicolon = { $found } behind the ; is passed over
+mask-unknown-word = { $word } is unknown and has no effect
+mask-behind-semicolon = { $found } after the ; is skipped
 mask-undefined = { $name } is not defined
-mask-text-as-number = { $name } is a text, the format wants a number
-mask-number-as-text = { $name } is a number, the format wants a text
+mask-text-as-number = { $name } is a text, the format needs a number
+mask-number-as-text = { $name } is a number, the format needs a text
 mask-not-finite = { $name } is not a finite number
 # Measuring logs
 log-at-line = line { $line }: { $reason }
 log-empty = the file is empty
-log-no-log = no measuring log here: no title line with the number of a measuring cycle
-log-no-title = a log without its title line: which cycle measured is not known
+log-no-log = not a measuring log: there is no title line with the number of a measuring cycle
+log-no-title = the log has no title line, so its cycle is unknown
 log-other-cycle = logs of cycle { $cycle } are not read, only those of 421, 422 and 427
 log-unit = type of dimension { $given } is neither 0 (mm) nor 1 (inch)
 log-number = { $reason }
-log-count = { $section } has { $found } figures where { $expected } are due
-log-missing = { $section } is missing: the log is cut off or not complete
-log-no-label = { $given } stands without a label before it
-log-cut-figure = the file ends within this figure: { $given } may not be all of it
+log-count = { $section }: expected { $expected }, found { $found }
+log-missing = { $section } is missing: the log is cut off or incomplete
+log-no-label = { $given } has no label before it
+log-cut-figure = the file ends within this value: { $given } may be incomplete
 log-swapped = maximum { $maximum } is below minimum { $minimum }
-log-uneven = limits { $minimum } and { $maximum } do not lie evenly about the nominal value { $nominal }
+log-uneven = limits { $minimum } and { $maximum } are not symmetrical about the nominal value { $nominal }
 log-deviation = deviation { $given } is not actual minus nominal value, { $actual } - { $nominal }
 log-not-positive = diameter { $given } is not above 0
 log-section-nominal = section of nominal values
 log-section-limits = section of limit values
 log-section-actual = section of actual values
 log-section-deviations = section of deviations
-log-no-unit = no line tells the unit: millimetres taken
-log-no-time = date and time of the measurement are not known
+log-no-unit = no line gives the unit: millimetres assumed
+log-no-time = date and time of the measurement are unknown
 log-no-deviations = the deviations are missing: the log may be cut off
-log-ignored = not used: { $text }
-log-text-before = text before the first log was not used
+log-ignored = skipped: { $text }
+log-text-before = text before the first log was skipped
 
 ## Tables
 table-empty = the file is empty
-table-not-text = character { $code } is no text: this is not a table or it is damaged
+table-not-text = character { $code } is not text: the file is not a table or is damaged
 table-line-too-long = the line is longer than { $limit } bytes
 table-too-large = the table has more than { $limit } cells
 table-too-many-columns = the table has more than { $limit } columns
 table-no-begin = a table begins with BEGIN and its name, not with { $found }
-table-no-name = the name of the table is missing behind BEGIN
+table-no-name = the name of the table is missing after BEGIN
 table-unclosed-quote = a quotation mark is not closed
 table-unclosed-block = the block { $block } of line { $line } is not closed
 table-second-block = the columns are described a second time
-table-unexpected = { $expected } is due here, not { $found }
+table-unexpected = expected { $expected }, found { $found }
 table-not-a-size = { $key } is a whole number up to { $limit }, not { $text }
 table-no-columns = the line with the names of the columns is missing
-table-tab = a tab stands here: only blanks keep columns apart
+table-tab = tab character: separate columns with blanks only
 table-column-twice = column { $name } occurs twice
-table-short-row = the row ends before column { $name }: fill it up with blanks, or write - for no value
+table-short-row = the row ends before column { $name }: fill it with blanks, or write - for no value
 table-truncated = the file ends within this row and without [END]: it may be cut off
-table-text-after-end = text behind [END]: { $found }
+table-text-after-end = text after [END]: { $found }
 table-no-end = [END] is missing
 table-begin-word = { $word } has no known meaning in the BEGIN line
-table-width = column { $name } is { $found } characters wide here but { $described } in the description; the names decide
+table-width = column { $name } is { $found } characters wide here but { $described } in the description; the line of column names is used
 table-not-in-table = column { $name } is described but not in the table
 table-not-described = column { $name } is not described
 table-skipped = { $name } is unknown and was skipped
@@ -74,7 +74,7 @@ table-write-reads-otherwise = the table cannot be written so that it reads back 
 
 ## Tables of deviations
 deviations-no-tables = no table of deviations (*.tab with a column BEREICH) in this folder: { $folder }
-deviations-two-range-columns = BEREICH and BEREIK are both there: only one can hold the size ranges
+deviations-two-range-columns = the table has both BEREICH and BEREIK: only one can hold the size ranges
 deviations-inch = the table is in inch: write size ranges in millimetres and deviations in micrometres
 deviations-no-class = no column is a tolerance class such as H7
 deviations-odd-rows = the number of rows is odd, { $rows }: each size range takes two: upper deviation, lower deviation
@@ -82,14 +82,14 @@ deviations-no-range = the end of the size range is missing
 deviations-other-range = the size range up to { $end } mm has { $found } in its second row: repeat it or leave it blank
 deviations-column = column { $column }: { $error }
 deviations-half = column { $class } has only one of the two deviations for the size range up to { $end } mm
-deviations-touches = column { $column } and its neighbour run into each other: keep them apart by a blank
-deviations-no-deviations = no table of deviations, for it has no column BEREICH; skipped: { $file }
+deviations-touches = column { $column } and its neighbour run into each other: separate them with a blank
+deviations-no-deviations = skipped, not a table of deviations (no column BEREICH): { $file }
 deviations-range-alias = BEREIK was read as BEREICH
 deviations-no-numbers = column { $name } holds no numbers and was skipped
-deviations-mixed-case = column { $name } mixes upper and lower case, so it is no tolerance class and was skipped
+deviations-mixed-case = column { $name } mixes upper and lower case, so it is not a tolerance class and was skipped
 
 ## Parameters
-no-parameter = { $given } is no parameter, allowed are Q, QL, QR and QS with a number
+no-parameter = { $given } is not a parameter: allowed are Q, QL, QR and QS with a number
 
 ## Writing measuring logs
 log-write-cycle = cycle { $cycle } does not write these values: they are those of cycle { $expected }
@@ -101,11 +101,11 @@ log-write-reads-otherwise = the log cannot be written so that it reads back the 
 
 ## Log of cycle 444
 log-444-at-line = line { $line }: { $fault }
-log-444-no-log = no log of cycle 444 here: the page holds no measurement for programs
+log-444-no-log = not a log of cycle 444: the page holds no machine-readable measurement
 log-444-count = the page says that it holds { $expected } measurements, but it holds { $found }: it is cut off or was changed
 log-444-cut-off = the measurement has no end: the page is cut off
 log-444-json = the measurement cannot be read: { $what }
-log-444-version = version { $version } of the log is not known, only up to { $known }
+log-444-version = log version { $version } is not supported: expected { $known } or earlier
 log-444-normal = normal { $given } has no direction: it needs three numbers that are not all 0
 log-444-deviation = deviation { $given-sign }{ $given } in { $axis } is not measured minus nominal coordinate, { $difference-sign }{ $difference }
 log-444-along = deviation { $given-sign }{ $given } along the normal does not follow from those of the axes, { $along-sign }{ $along }
@@ -119,24 +119,24 @@ probe-table-no-length = { $column }: { $error }
 probe-table-too-small = { $column } = { $given } mm: it must be { $least }
 probe-table-zero-or-more = 0 or more
 probe-table-above-zero = above 0
-probe-table-not-whole = { $column } = { $given }: a whole number is needed
+probe-table-not-whole = { $column } = { $given }: expected a whole number
 probe-table-twice = probe { $number } occurs twice
 
 ## The log of a cycle's result
-cycle-log-other-verdict = the log's figures, rounded to 0.0001 { $unit }, say { $log } where the cycle said { $cycle }
+cycle-log-other-verdict = the log's values, rounded to 0.0001 { $unit }, give { $log } where the cycle gave { $cycle }
 
 ## The block of a probing cycle
 block-at-line = line { $line }: { $fault }
-block-none = no probing cycle here: a block begins with TCH PROBE and a number, or with G785
-block-second = a second probing cycle: one at a time, the first begins on line { $first }
+block-none = not a probing cycle: a block begins with TCH PROBE and a number, or with G785
+block-second = second probing cycle: give one at a time; the first begins on line { $first }
 block-unknown-cycle = TCH PROBE { $given }: the cycles are { $known }
-block-not-a-parameter = { $given } is no parameter: one is written as { $example }
+block-not-a-parameter = { $given } is not a parameter: write it as { $example }
 block-no-value = { $key } has no value
 block-twice = { $key } is given twice, first on line { $first }
 block-unclosed-quote = a quotation mark is not closed
-block-behind-end = { $given } stands behind the end of the block: every line but the last ends with ~
+block-behind-end = { $given } comes after the end of the block: every line but the last ends with ~
 block-cut-off = the block ends with ~, so a line is missing: it may be cut off
-block-reference = { $key } = { $given }: only a running program knows what is in { $given }
-block-not-writable = { $key } = { $given }: a text in a block holds no quotation mark and no line end
-block-unused = line { $line }: { $text } is not part of the probing cycle and was not used
-block-unused-more = line { $line }: { $text } is not part of the probing cycle and was not used, and { $more } more
+block-reference = { $key } = { $given }: the value of { $given } is known only while a program runs
+block-not-writable = { $key } = { $given }: a text in a block cannot contain quotation marks or line ends
+block-unused = line { $line }: { $text } is not part of the probing cycle and was skipped
+block-unused-more = line { $line }: { $text } is not part of the probing cycle and was skipped, and { $more } more

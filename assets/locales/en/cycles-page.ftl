@@ -8,16 +8,19 @@ cycles-perfect = Perfect part
 cycles-simulated = Simulated
 cycles-recorded = Recorded
 cycles-workpiece = Workpiece…
-cycles-suit = Fit to cycle
+cycles-suit = Match workpiece to cycle
 cycles-open-contacts = Contacts…
 cycles-no-file = no file yet
-cycles-contacts-of = { $count } contacts, { $file }
+cycles-contacts-of = { $count ->
+    [one] { $count } contact
+   *[other] { $count } contacts
+    }, { $file }
 cycles-probe = Probe
 cycles-probe-is = SET_UP { $set-up } mm, DIST { $dist } mm
 cycles-open-probes = Own touch-probe table…
 cycles-shipped-probes = Built-in table
 cycles-run = Run
-cycles-needed = needed
+cycles-needed = required
 cycles-none = none
 cycles-predef = PREDEF stands for
 cycles-predef-missing = PREDEF: type the value that GLOBAL DEF gives
@@ -30,12 +33,12 @@ cycles-block = NC block
 cycles-block-hint = Paste a block such as TCH PROBE 427 … Q263=+35 ;TEXT ~ or G785 R0 BR0 K2: it replaces the form
 cycles-fill = Fill the form
 
-cycles-nothing-seen = Path and contacts appear with the run: Enter or F5
+cycles-nothing-seen = Path and contacts appear after a run: press Enter or F5
 cycles-allowed = Allowed: { $range } { $unit }
-cycles-must-be-given = Must be given
-cycles-may-be-left-out = May be left out
+cycles-must-be-given = Required
+cycles-may-be-left-out = Optional
 cycles-default = { $value } when nothing is typed
-cycles-may-be-predef = PREDEF may be typed
+cycles-may-be-predef = PREDEF is allowed
 cycles-path = Path of the ball
 cycles-first = First
 cycles-back = Back
@@ -47,8 +50,8 @@ cycles-phase-approach = approach
 cycles-phase-contact = contact
 cycles-phase-retract = retract
 cycles-phase-leave = leave
-cycles-move-contact = { $number } of { $count }: { $phase }, touch { $touch }, at { $to }
-cycles-move-of-touch = { $number } of { $count }: { $phase }, touch { $touch }, from { $from } to { $to }
+cycles-move-contact = { $number } of { $count }: { $phase } { $touch }, at { $to }
+cycles-move-of-touch = { $number } of { $count }: { $phase }, contact { $touch }, from { $from } to { $to }
 cycles-move-of-none = { $number } of { $count }: { $phase }, from { $from } to { $to }
 cycles-criteria = Criteria side by side
 
@@ -79,10 +82,10 @@ cycles-no-bench = the simulated workpiece is not complete
 cycles-bench-wrong = simulated workpiece: { $problem }
 cycles-bench-field = { $name }: { $problem }
 cycles-no-contacts = no file of contacts was opened yet
-cycles-cannot-suit = No workpiece suits yet: { $problem }
+cycles-cannot-suit = No workpiece matches yet: { $problem }
 cycles-not-written = the workpiece cannot be written: { $reason }
 cycles-contacts-loaded = Contacts of { $name } are used
-cycles-column-ignored = column { $column } is not used
+cycles-column-ignored = column { $column } is skipped
 cycles-probes-loaded = Touch-probe table { $name } is used
 cycles-dialog-contacts = Open recorded contacts
 cycles-dialog-bench = Open a simulated workpiece
@@ -91,8 +94,8 @@ cycles-dialog-save-bench = Save the simulated workpiece
 
 cycles-open-bench = Open…
 cycles-save-bench = Save…
-cycles-kind-bore = Bore
-cycles-kind-stud = Stud
+cycles-kind-bore = Hole
+cycles-kind-stud = Shaft
 cycles-kind-face = Face
 cycles-kind-point = Free surface point
 cycles-plane = Plane

@@ -5,13 +5,16 @@ origin-simulated = simulated, cycle { $cycle }, seed { $seed }
 origin-contacts = contacts from { $file }
 origin-imported = imported from { $file }
 origin-typed = typed
-caveat-only-a-diameter = one diameter only: nothing is known of form and position
+caveat-only-a-diameter = one diameter only: form and position are unknown
 caveat-three-contacts = 3 contacts: form cannot be measured
-caveat-four-contacts = 4 contacts: no form seen beyond ovality
-caveat-few-contacts = { $contacts } contacts: form between them is not seen
+caveat-four-contacts = 4 contacts: no form beyond ovality is detected
+caveat-few-contacts = { $contacts } contacts: form between them is not detected
 caveat-short-arc = contacts cover only { $arc }°: scatter is magnified in diameter and centre
-contact-missed = touch { $number }: no contact on the probing path
-contact-used-up = touch { $number }: the file has only { $available } contacts
+contact-missed = contact { $number }: the probe met nothing on the probing path
+contact-used-up = contact { $number }: the file has only { $available ->
+    [one] { $available } contact
+   *[other] { $available } contacts
+    }
 
 cycle-out-of-range = { $key } { $name } = { $given }: { $allowed }
 cycle-length-range = at least { $least } mm, at most { $most } mm
@@ -22,41 +25,41 @@ cycle-tool-range = a tool is a number from 0 to 99999.9 or a name of at most 255
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-no-diameter = { $key } { $name } = 0 mm: a circle needs a diameter above 0
 cycle-missing = { $key } { $name } is missing
-cycle-no-such-parameter = cycle { $cycle } has no parameter { $parameter }: it has { $known }
+cycle-no-such-parameter = cycle { $cycle } has no parameter { $parameter }: its parameters are { $known }
 cycle-limits-swapped = { $minimum-key } = { $minimum } mm is above { $maximum-key } = { $maximum } mm: the minimum dimension is above the maximum
 cycle-too-large = the measured circle is too large: { $error }
 workpiece-cannot-be = { $what } = { $given }: at least { $least }, at most { $most }
 
 # Touches.
-contact-in-material = touch { $number }: the probing path begins inside the material
+contact-in-material = contact { $number }: the probing path begins inside the material
 
 # Circle evaluation.
-circle-too-few = a circle needs at least 3 contacts, given: { $contacts }
+circle-too-few = a circle needs at least 3 contacts, found { $contacts }
 circle-coinciding = contacts { $first } and { $second } coincide at x = { $x }, y = { $y }: a circle needs 3 different points
 circle-collinear = all { $contacts } contacts lie on one straight line: no circle goes through them
 circle-straight = the { $contacts } contacts fit a straight line better than any circle
 circle-not-finite = contact { $contact }: { $axis } = { $value } is not a finite number
 circle-too-large = { $what } = { $value } mm is too large: at most { $most } mm either way
 circle-three-contacts = 3 contacts: form cannot be measured, the residual is always zero
-circle-four-contacts = 4 contacts: four lobes stay unseen and change the diameter
+circle-four-contacts = 4 contacts: four lobes are not detected and change the diameter
 circle-short-arc = the contacts cover only { $arc }° of arc: scatter in the diameter is { $factor } times that of 3 contacts at 120°
 circle-circumscribed-of-short-arc = the minimum circumscribed circle of a short arc is not the size of the feature
 circle-counts-twice = contacts { $first } and { $second } coincide: this place counts twice
 circle-no-inscribed = there is no maximum inscribed circle: the contacts do not surround one
 circle-no-zone = there is no minimum zone: a straight strip is narrower than every ring
 circle-too-many-contacts = maximum inscribed circle and minimum zone are not computed for { $contacts } contacts: at most { $most }
-circle-short-chord = contacts { $first } and { $second } oppose each other beside the centre: this size is { $short } µm too small
+circle-short-chord = contacts { $first } and { $second } are opposite each other but off the centre: this size is { $short } µm too small
 circle-more-of-a-kind = the same holds for { $more } more
-circle-apart = contact { $contact } lies { $apart } mm off the circle, far more than the others: dust or a false touch?
+circle-apart = contact { $contact } lies { $apart } mm off the circle, far more than the others: dust or a false trigger?
 
 ## Measuring cycles: errors, results, remarks
-contact-out-of-reach = touch { $number }: no contact within the probing path of { $longest } mm
+contact-out-of-reach = contact { $number }: the probe met nothing within the probing path of { $longest } mm
 cycle-number-range = a number, at most { $most } either way
-cycle-band-range = a tolerance is written as 0.4-0.1, 0.4 or -0.1, and 0 is none
-cycle-no-global = { $key } { $name } = PREDEF: no GLOBAL DEF has given a value
-cycle-no-path = { $key } { $name } = 0 mm: a probing path needs a length, its sign is the direction
+cycle-band-range = write a tolerance as 0.4-0.1, 0.4 or -0.1; 0 is no tolerance
+cycle-no-global = { $key } { $name } = PREDEF: no GLOBAL DEF gives a value
+cycle-no-path = { $key } { $name } = 0 mm: a probing path needs a length; its sign gives the direction
 cycle-no-normal = { $first }, { $second } and { $third } are all 0: a normal needs a direction
-cycle-apart = contact { $contact }: its two touches lie { $difference } mm apart, { $key } permits { $most } mm
+cycle-apart = contact { $contact }: its two probings lie { $difference } mm apart, { $key } permits { $most } mm
 cycle-too-far = the measured coordinate is too large: { $error }
 cycle-stop = program stop by Q309 = { $setting }: { $out }
 check-within = { $what } { $measured } mm is within { $minimum } to { $maximum } mm
@@ -82,11 +85,11 @@ found-rework = rework
 found-scrap = scrap
 found-status = status: -1 undefined, 0 good, 1 rework, 2 scrap
 remark-without-effect = { $key } is accepted and has no effect
-remark-tool-left-alone = Q330 = { $tool }: the control would correct this tool; no tool is corrected here
+remark-tool-left-alone = Q330 = { $tool }: the control would correct this tool; Fitcheck corrects no tool
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap
 remark-nominal-outside-limits = nominal diameter { $nominal } mm is not between the limits: a TNC7 refuses that
-remark-variable-holds-diameter = #i99 holds one value, taken to be the diameter: the manual does not say which
-remark-no-tolerance = { $key } as it is given is no tolerance: nothing is judged
+remark-variable-holds-diameter = #i99 is read as the diameter: the manual does not say which value it holds
+remark-no-tolerance = { $key } is not a tolerance: nothing is judged
 
 ## The simulated machine
 bench-toml = line { $line }: { $said }

@@ -4,13 +4,13 @@
 program-empty = the program is empty
 program-too-large = the program is larger than { $most } MiB
 program-too-many-lines = the program has more than { $most } lines
-program-binary = the file is no text: { $controls } of its { $bytes } bytes are no characters
+program-binary = the file is not text: { $controls } of its { $bytes } bytes are not characters
 program-no-begin = the program does not begin with BEGIN PGM
-program-second-begin = BEGIN PGM stands here again
+program-second-begin = second BEGIN PGM
 program-no-end = END PGM is missing
 program-units = END PGM says { $end }, BEGIN PGM says { $begin }
-program-after-end = what stands behind END PGM is not part of the program
-program-numbers = block number { $number } stands behind { $previous }; block numbers that do not rise: { $count }
+program-after-end = text after END PGM is not part of the program
+program-numbers = block number { $number } follows { $previous }; block numbers out of order: { $count }
 program-label-again = LBL { $label } is already defined in line { $first }
 program-unclosed-quote = the quotation mark is not closed
 program-open-end = the line ends in ~, but nothing follows
@@ -20,19 +20,19 @@ program-more = { $count } more remarks are not listed
 ## Labels
 program-label-missing = LBL { $label } does not occur in the program
 program-label-twice = LBL { $label } is defined twice, in line { $first } and line { $second }
-program-label-zero = LBL 0 ends subprograms, nothing can jump to it
+program-label-zero = LBL 0 ends a subprogram: nothing can jump to it
 program-label-parameter = which label { $label } holds is known only while the program runs
 
 ## Why a block is not understood
 program-missing = { $wanted } is missing
-program-unexpected = { $wanted } is due, { $found } is given
-program-left-over = { $found } is left over
-program-unknown-function = { $found } is no function of formulas
-program-number-size = { $found } is too large a number
-program-parameter-range = { $found } is no parameter, { $family } goes from 0 to { $most }
-program-range = { $found } is too large, at most { $most }
+program-unexpected = expected { $wanted }, found { $found }
+program-left-over = unexpected text { $found }
+program-unknown-function = { $found } is not a function
+program-number-size = { $found } is too large
+program-parameter-range = { $found } is not a parameter: { $family } goes from 0 to { $most }
+program-range = { $found } is too large: at most { $most }
 program-label-of-parameter = { $parameter } cannot name the label that begins here
-program-relation = FN { $number } compares with { $allowed }, { $found } is given
+program-relation = FN { $number } compares with { $allowed }: found { $found }
 program-axis-twice = an axis is given twice
 program-too-deep = brackets and functions are nested more than { $most } deep
 program-too-many-operands = the formula has more than { $most } operands

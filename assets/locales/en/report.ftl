@@ -2,7 +2,7 @@
 
 ## Errors
 report-error-writer = the { $format } report could not be made: { $reason }
-report-ending-missing = { $file } has no ending that tells the report's format: use one of { $endings }
+report-ending-missing = { $file } has no ending that gives the report's format: use one of { $endings }
 report-ending-unknown = .{ $ending } is not a format of the report: use one of { $endings }
 
 ## Sentences about one check
@@ -39,9 +39,9 @@ report-title = Inspection report
 report-part = Part
 report-order = Order
 report-inspector = Inspector
-report-created = Made
+report-created = Created
 report-program = Program
-report-notes = Not used or odd
+report-notes = Skipped rows and warnings
 report-no-checks = There are no checks in this report.
 report-total = Total
 report-check = Check
@@ -63,7 +63,7 @@ report-position = Position
 report-limits-from = Limits from
 report-measured-from = Measured value
 report-verdict-from = Decision rule
-report-cannot-tell = What this cannot tell
+report-cannot-tell = Limits of this measurement
 report-contacts = Contacts
 report-contacts-at-end = at the end of the report
 report-contact = No.

@@ -12,13 +12,13 @@ export-status = Status window as text…
 menu = Menu
 language = Language
 theme = Appearance
-theme-system = As the system
+theme-system = Follow system
 theme-light = Light
 theme-dark = Dark
 limits-from = Limits from
 source-choice-iso286 = ISO 286, every class to 3150 mm
 source-choice-control = The control's tables, 47 classes to 400 mm
-standard-js-rounded = Round JS halves off, as in 1988
+standard-js-rounded = Round JS half-micrometres down, as in 1988
 standard-1988 = cd, ef, fg to 10 mm only, as in 1988
 load-tables = Own tables…
 no-own-tables = No own tables
@@ -26,7 +26,7 @@ load-mask = Own mask…
 undo = Undo
 clear-history = Clear history
 
-callout = Fit
+callout = Callout
 callout-hint = Type a nominal size and a class, such as 25 H7
 feature-hole = Hole
 feature-shaft = Shaft
@@ -55,7 +55,7 @@ first-contact = First contact
 clearance = Set-up clearance
 centre-tolerance = Centre tolerance ±
 simulated-workpiece = Simulated workpiece
-simulated-hint = An empty diameter is the middle of the zone. The seed counts up with every measurement; the same seed gives the same contacts.
+simulated-hint = An empty diameter is the middle of the zone. The seed increases after each measurement; the same seed gives the same contacts.
 true-diameter = True diameter
 seed = Seed
 offset-x = Offset X
@@ -100,13 +100,13 @@ why = Why?
 why-limits = Limits from { $what }
 why-measured = Measured value: { $what }
 why-rule = Rule: { $what }
-why-caveat = Cannot tell: { $what }
+why-caveat = Limit of this measurement: { $what }
 
 popup-title = Status window
 popup-empty = No measurement yet
 copy = Copy
 mask-choice = Mask
-mask-choice-of-language = As the window
+mask-choice-of-language = Window language
 mask-choice-own = Own mask…
 
 history = History
@@ -151,7 +151,7 @@ tables-loaded = { $count ->
    *[other] { $count } tables are used from { $folder }
 }
 mask-loaded-with-warnings = { $name } was read with warnings
-state-set-aside = The last state could not be read. It was kept as { $path }; the window starts afresh.
+state-set-aside = The last state could not be read. It was kept as { $path }; the window starts with default settings.
 import-notice = { $name }: { $good ->
     [0] no check
     [one] 1 check
@@ -191,7 +191,7 @@ tables-shown = { $count ->
     [one] { $shown } of 1 class
    *[other] { $shown } of { $count } classes
 }
-tables-unmatched = nothing here for { $words }
+tables-unmatched = no match for { $words }
 tables-agrees = { $count ->
     [one] agrees with ISO 286 in its 1 cell
    *[other] agrees with ISO 286 in all { $count } cells
@@ -209,7 +209,7 @@ tables-own-class = own
 tables-previous = Previous difference
 tables-next = Next difference
 tables-not-saved = Changes are not saved
-tables-keys = Arrows walk, Enter edits, Delete empties, F8 goes to the next difference, Ctrl+F to the filter
+tables-keys = Arrow keys move, Enter edits, Delete empties, F8 goes to the next difference, Ctrl+F to the filter
 tables-move = Go to another cell
 tables-edit-cell = Edit the cell
 tables-grid = Deviations of { $name } in µm
@@ -230,7 +230,7 @@ tables-more-differences = and { $count } more
 tables-cell-missing = Empty here; ISO 286 has { $upper } / { $lower } µm
 tables-cell-empty = Empty here, and not defined in ISO 286
 tables-defined = In ISO 286 the class is defined { $ranges }
-tables-shipped-hint = A built-in table stays as it is: an edit makes a copy and shows that.
+tables-shipped-hint = A built-in table is never changed: an edit makes a copy and shows the copy.
 tables-set = Set
 tables-take-standard = Take ISO 286
 tables-empty-cell = Empty
@@ -275,8 +275,8 @@ fit-scope = Among
 fit-scope-all = All classes
 fit-scope-basis = Hole and shaft basis
 fit-scope-preferred = Preferred and named fits
-fit-search-hint = The smallest and the largest clearance; a negative one is an interference. 7 µm is read, too
-fit-search-size = The search needs a nominal size above
+fit-search-hint = The smallest and the largest clearance; a negative value is an interference. You can also type 7 µm
+fit-search-size = The search needs a nominal size: type one above
 fit-found = { $count ->
     [one] 1 fit
    *[other] { $count } fits
@@ -334,7 +334,7 @@ materials-refused = Own materials cannot be used: { $path }, { $reason }
 ## Leaving
 leave = Close Fitcheck?
 leave-unsaved = Not saved: { $names }
-leave-stay = Go on working
+leave-stay = Keep working
 leave-anyway = Close without saving
 
 ## Cycle pictures
@@ -345,17 +345,17 @@ cycle-picture-centre-tolerance-2 = permitted deviation of the centre in the seco
 cycle-picture-diameter = nominal diameter
 cycle-picture-maximum-size = largest permitted diameter
 cycle-picture-minimum-size = smallest permitted diameter
-cycle-picture-start-diameter = diameter of the circle on which the probe stands before each touch
+cycle-picture-start-diameter = diameter of the circle on which the probe stands before each contact
 cycle-picture-first-angle = angle of the first contact, counted from the first axis
 cycle-picture-step = angle from contact to contact; minus turns clockwise
 cycle-picture-longest-path = longest probing path; plus leads away from the centre, minus towards it
-cycle-picture-difference = each contact is touched twice; the two may differ by so much
-cycle-picture-measuring-height = height of the ball’s centre while it touches
-cycle-picture-set-up-clearance = clearance before the touch, added to SET_UP of the touch-probe table
-cycle-picture-clearance-height = height at which nothing is in the way
-cycle-picture-point-1 = point to be touched, first axis
-cycle-picture-point-2 = point to be touched, second axis
-cycle-picture-point-3 = point to be touched, third axis
+cycle-picture-difference = each contact is probed twice: largest permitted difference
+cycle-picture-measuring-height = height of the ball’s centre at the contact
+cycle-picture-set-up-clearance = clearance before the contact, added to SET_UP of the touch-probe table
+cycle-picture-clearance-height = height at which the probe moves freely
+cycle-picture-point-1 = point to probe, first axis
+cycle-picture-point-2 = point to probe, second axis
+cycle-picture-point-3 = point to probe, third axis
 cycle-picture-maximum-coordinate = largest permitted coordinate
 cycle-picture-minimum-coordinate = smallest permitted coordinate
 cycle-picture-normal-1 = component of the surface normal in the first axis; the normal points out of the material
@@ -371,8 +371,8 @@ cycle-picture-side = 0 probes inside, 1 outside
 cycle-picture-measured-axis = measured axis: 1 first axis, 2 second axis, 3 probe axis
 cycle-picture-direction = direction of the approach: −1 against the axis, +1 along it
 cycle-picture-log = measuring log: 0 none, 1 file, 2 on screen and the program stops
-cycle-picture-stop = out of tolerance: 0 the program goes on, 1 it stops with a message
-cycle-picture-stop-on-undersize = out of tolerance: 0 the program goes on, 1 it stops, 2 it stops on undersize only
+cycle-picture-stop = out of tolerance: 0 the program continues, 1 it stops with a message
+cycle-picture-stop-on-undersize = out of tolerance: 0 the program continues, 1 it stops, 2 it stops on undersize only
 cycle-picture-tool = tool to be monitored, by number or name; 0 is none
 cycle-picture-any-length = { $name } A length
 cycle-picture-any-angle = { $name } An angle
@@ -412,4 +412,4 @@ cycle-picture-two-point-of = Two-point size { $first }–{ $second }
 cycle-picture-two-point-least = Smallest two-point size, { $first }–{ $second }
 cycle-picture-two-point-most = Largest two-point size, { $first }–{ $second }
 cycle-picture-no-opposed = no two contacts oppose each other
-cycle-picture-uncertainty = Scatter s of a touch gives { $diameter } s in the diameter, { $against } times that of 3 contacts at 120°, and { $across } s to { $along } s in the centre
+cycle-picture-uncertainty = Scatter s of a contact gives { $diameter } s in the diameter, { $against } times that of 3 contacts at 120°, and { $across } s to { $along } s in the centre

@@ -11,7 +11,10 @@ cycles-workpiece = Werkstuk…
 cycles-suit = Passend bij de cyclus
 cycles-open-contacts = Contacten…
 cycles-no-file = nog geen bestand
-cycles-contacts-of = { $count } contacten, { $file }
+cycles-contacts-of = { $count ->
+    [one] { $count } contact
+   *[other] { $count } contacten
+    }, { $file }
 cycles-probe = Taster
 cycles-probe-is = SET_UP { $set-up } mm, DIST { $dist } mm
 cycles-open-probes = Eigen tastertabel…
@@ -91,8 +94,8 @@ cycles-dialog-save-bench = Gesimuleerd werkstuk opslaan
 
 cycles-open-bench = Openen…
 cycles-save-bench = Opslaan…
-cycles-kind-bore = Boring
-cycles-kind-stud = Tap
+cycles-kind-bore = Gat
+cycles-kind-stud = As
 cycles-kind-face = Vlak
 cycles-kind-point = Punt van een vrij oppervlak
 cycles-plane = Vlak van de cirkel

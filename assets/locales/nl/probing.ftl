@@ -10,7 +10,10 @@ caveat-four-contacts = 4 meetpunten: geen vorm te zien behalve ovaliteit
 caveat-few-contacts = { $contacts } meetpunten: de vorm ertussen is niet te zien
 caveat-short-arc = de meetpunten beslaan slechts { $arc }°: spreiding wordt vergroot in diameter en midden
 contact-missed = aanraking { $number }: geen contact op de meetweg
-contact-used-up = aanraking { $number }: het bestand heeft maar { $available } meetpunten
+contact-used-up = aanraking { $number }: het bestand heeft maar { $available ->
+    [one] { $available } meetpunt
+   *[other] { $available } meetpunten
+    }
 
 cycle-out-of-range = { $key } { $name } = { $given }: { $allowed }
 cycle-length-range = minstens { $least } mm, hoogstens { $most } mm

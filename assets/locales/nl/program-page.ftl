@@ -97,10 +97,10 @@ program-page-value = Waarde
 program-page-give = Zet
 program-page-give-hint = De volgende run begint met deze waarde
 program-page-given = Meegegeven
-program-page-drop = terugnemen
+program-page-drop = verwijderen
 program-page-no-parameter = { $given } is geen parameter: Q5, QL5, QR5 of QS5
 program-page-no-number = { $given } is geen getal
-program-page-none-found = Geen parameter heet zo
+program-page-none-found = Geen passende parameter
 program-page-no-parameters = Parameters verschijnen zodra het programma loopt
 program-page-undefined = niet gedefinieerd
 program-page-parameter = { $parameter } { $name } = { $value }

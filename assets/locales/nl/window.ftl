@@ -12,13 +12,13 @@ export-status = Statusvenster als tekst…
 menu = Menu
 language = Taal
 theme = Weergave
-theme-system = Als het systeem
+theme-system = Systeem volgen
 theme-light = Licht
 theme-dark = Donker
 limits-from = Grenzen uit
 source-choice-iso286 = ISO 286, elke klasse tot 3150 mm
 source-choice-control = De tabellen van de besturing, 47 klassen tot 400 mm
-standard-js-rounded = Halve JS-waarden afronden, zoals in 1988
+standard-js-rounded = Halve micrometers van JS naar beneden afronden, zoals in 1988
 standard-1988 = cd, ef, fg alleen tot 10 mm, zoals in 1988
 load-tables = Eigen tabellen…
 no-own-tables = Geen eigen tabellen
@@ -100,13 +100,13 @@ why = Waarom?
 why-limits = Grensmaten uit { $what }
 why-measured = Gemeten waarde: { $what }
 why-rule = Regel: { $what }
-why-caveat = Niet te zien: { $what }
+why-caveat = Grens van deze meting: { $what }
 
 popup-title = Statusvenster
 popup-empty = Nog geen meting
 copy = Kopiëren
 mask-choice = Masker
-mask-choice-of-language = Als het venster
+mask-choice-of-language = Taal van het venster
 mask-choice-own = Eigen masker…
 
 history = Geschiedenis
@@ -151,7 +151,7 @@ tables-loaded = { $count ->
    *[other] { $count } tabellen worden gebruikt uit { $folder }
 }
 mask-loaded-with-warnings = { $name } is gelezen met waarschuwingen
-state-set-aside = De laatste toestand kon niet worden gelezen. Zij is bewaard als { $path }; het venster begint opnieuw.
+state-set-aside = De laatste toestand kon niet worden gelezen. Zij is bewaard als { $path }; het venster begint met de standaardinstellingen.
 import-notice = { $name }: { $good ->
     [0] geen controle
     [one] 1 controle
@@ -191,7 +191,7 @@ tables-shown = { $count ->
     [one] { $shown } van 1 klasse
    *[other] { $shown } van { $count } klassen
 }
-tables-unmatched = niets hier voor { $words }
+tables-unmatched = niets gevonden voor { $words }
 tables-agrees = { $count ->
     [one] komt in zijn ene cel overeen met ISO 286
    *[other] komt in alle { $count } cellen overeen met ISO 286
@@ -209,7 +209,7 @@ tables-own-class = eigen
 tables-previous = Vorig verschil
 tables-next = Volgend verschil
 tables-not-saved = Wijzigingen zijn niet opgeslagen
-tables-keys = Pijltjes lopen, Enter wijzigt, Delete leegt, F8 gaat naar het volgende verschil, Ctrl+F naar het filter
+tables-keys = Pijltjestoetsen verplaatsen, Enter wijzigt, Delete leegt, F8 gaat naar het volgende verschil, Ctrl+F naar het filter
 tables-move = Naar een andere cel
 tables-edit-cell = Cel wijzigen
 tables-grid = Afwijkingen van { $name } in µm

@@ -15,13 +15,13 @@ use crate::words::Dialogue;
 /// Where and how the log is kept.
 #[derive(Debug, clap::Args)]
 pub(super) struct LogArgs {
-    /// Folder for the log that Q281 = 1 and cycle 444 ask for; an existing log gets this one at its end
+    /// Folder for the log that Q281 = 1 and cycle 444 ask for; an existing log is continued
     #[arg(long, value_name = "FOLDER")]
     log_folder: Option<PathBuf>,
-    /// Path of the NC program on the control, as the log names it, such as TNC:\PART1.H
+    /// Path of the NC program on the control, for the log, such as TNC:\PART1.H
     #[arg(long, value_name = "PATH")]
     program: Option<String>,
-    /// Date and time of the measurement in the log; now when not given
+    /// Date and time of the measurement in the log; default: now
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
     time: Option<jiff::civil::DateTime>,
 }

@@ -93,19 +93,19 @@ pub(super) struct Args {
     /// Touch-probe table of a control, instead of the built-in one
     #[arg(long, value_name = "FILE.tp")]
     probe_table: Option<PathBuf>,
-    /// Number of the probe in the table; without it the first one
+    /// Number of the probe in the table; default: the first one
     #[arg(long, value_name = "N")]
     probe: Option<u32>,
-    /// Where the ball stands before the cycle, mm (G785)
+    /// Position of the ball before the cycle, mm (G785)
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     position: Option<String>,
-    /// Show the way of the probe, move by move
+    /// Show the path of the probe, move by move
     #[arg(long)]
     path: bool,
     /// Show the parameters of the cycle and run nothing
     #[arg(long)]
     list: bool,
-    /// Print the cycle's block for an NC program, in the language, and run nothing
+    /// Print the cycle's block for an NC program, in the given language, and run nothing
     #[arg(long, conflicts_with = "list")]
     as_block: bool,
     #[command(flatten)]
@@ -113,7 +113,7 @@ pub(super) struct Args {
     /// Language of the log, and of the control's questions and names as far as they are known
     #[arg(long, default_value = "en", value_parser = dialogue())]
     language: Dialogue,
-    /// How the result is printed
+    /// Format of the result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }

@@ -13,7 +13,7 @@ use crate::tolerance::fit::{Fit, Kind};
 /// Materials and temperatures.
 #[derive(Debug, clap::Args)]
 pub(super) struct HeatArgs {
-    /// The hole's material, or its expansion in millionths a kelvin such as 11.5
+    /// The hole's material, or its expansion in millionths per kelvin, such as 11.5
     #[arg(long, value_name = "NAME", requires = "shaft_material", requires = "heat", allow_hyphen_values = true)]
     hole_material: Option<String>,
 
@@ -43,11 +43,11 @@ struct TemperatureArgs {
     )]
     temperature: Option<String>,
 
-    /// The hole's own temperature in °C; without it 20
+    /// The hole's own temperature in °C; default: 20
     #[arg(long, value_name = "C", requires = "hole_material", allow_hyphen_values = true)]
     hole_temperature: Option<String>,
 
-    /// The shaft's own temperature in °C; without it 20
+    /// The shaft's own temperature in °C; default: 20
     #[arg(long, value_name = "C", requires = "hole_material", allow_hyphen_values = true)]
     shaft_temperature: Option<String>,
 }

@@ -21,7 +21,7 @@ use crate::tolerance::{Callout, Sources};
 /// A wanted clearance or a function.
 #[derive(Debug, clap::Args)]
 pub(super) struct ReverseArgs {
-    /// Search: the smallest clearance in mm; negative is interference
+    /// Search: the smallest clearance in mm; a negative value is an interference
     #[arg(long, value_name = "MM", requires = "max_clearance", allow_hyphen_values = true)]
     min_clearance: Option<String>,
 
@@ -37,11 +37,11 @@ pub(super) struct ReverseArgs {
     )]
     function: Option<Function>,
 
-    /// Search: which pairs are looked at; all without it
+    /// Search: which pairs to search; default: all
     #[arg(long, value_enum, requires = "min_clearance")]
     scope: Option<ScopeChoice>,
 
-    /// Search: how many pairs are shown at most; 20 without it
+    /// Search: largest number of pairs to show; default: 20
     #[arg(long, value_name = "N", requires = "min_clearance")]
     limit: Option<usize>,
 }

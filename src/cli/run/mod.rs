@@ -27,10 +27,10 @@ Examples:
   fitcheck run part.h --trace                                        every block and what it changes
   fitcheck run part.h --folder tables --output-folder results --format json
 
-A value of --set stands in place of the main program's own first assignment to that parameter.
+A value of --set replaces the main program's own first assignment to that parameter.
 TNC:\\fit\\a.tab is looked for as fit/a.tab and as a.tab: in the output folder, in the program's own folder,
 in the folders of --folder in their order, and then among the built-in files. Files that FN 16 prints go below
-the output folder and nowhere else; it is made where there is none, and without one they are not written. STOP and M0 do not wait. Without
+the output folder and nowhere else; it is created if missing, and without one they are not written. STOP and M0 do not wait. Without
 --workpiece and --contacts every cycle measures a perfect workpiece at nominal. A workpiece file is
 described in fitcheck cycle --help.
 
@@ -67,22 +67,22 @@ pub(super) struct Args {
     /// Touch-probe table of a control, instead of the built-in one
     #[arg(long, value_name = "FILE.tp")]
     probe_table: Option<PathBuf>,
-    /// Pass over blocks that are not known instead of stopping
+    /// Skip unknown blocks instead of stopping
     #[arg(long)]
     skip_unknown: bool,
-    /// Pass over blocks with a / before them
+    /// Skip blocks with a / before them
     #[arg(long)]
     block_skip: bool,
     /// List every block with the values that it changes
     #[arg(long)]
     trace: bool,
-    /// The most blocks that are run
+    /// Largest number of blocks to run
     #[arg(long, value_name = "N", default_value_t = 10_000_000)]
     max_blocks: u64,
     /// Dialogue language of masks and notes
     #[arg(long, default_value = "en", value_parser = dialogue())]
     language: Dialogue,
-    /// How the result is printed
+    /// Format of the result
     #[arg(long, value_enum, default_value_t = RunFormat::Text)]
     format: RunFormat,
 }

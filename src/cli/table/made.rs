@@ -29,10 +29,10 @@ Examples:
   fitcheck table export my_hole.tab --format pcdmis -o iso.csv
   fitcheck table export --classes \"H7 h6 g6\" --to 3150 --format pcdmis -o iso.csv
 
-Columns of CSV: class, over_mm, to_mm, upper_um, lower_um. pcdmis: two lines a class, its size
-bounds and its pairs of upper and lower deviation in mm. The manual of PC-DMIS shows H7 alone:
-check a class with another lower deviation than 0 there before relying on it. A control table is
-called as its file is.";
+Columns of CSV: class, over_mm, to_mm, upper_um, lower_um. pcdmis: two lines per class, its size
+limits and its pairs of upper and lower deviation in mm. The manual of PC-DMIS shows H7 alone:
+in PC-DMIS, check each class whose lower deviation is not 0 before you rely on it. A control table
+has the name of its file.";
 
 /// Which classes and sizes of ISO 286.
 #[derive(Debug, clap::Args)]
@@ -68,7 +68,7 @@ pub(super) struct NewArgs {
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXPORT_EXAMPLES)]
 pub(super) struct ExportArgs {
-    /// Control tables (*.tab); without any the two built-in ones, or ISO 286 with --classes
+    /// Control tables (*.tab); default: the two built-in ones, or ISO 286 with --classes
     #[arg(conflicts_with = "classes")]
     files: Vec<PathBuf>,
     /// Classes of ISO 286, such as "H7 h6", preferred or control
@@ -79,7 +79,7 @@ pub(super) struct ExportArgs {
     /// The format
     #[arg(long, value_parser = one_of(TABLE_FORMATS, |format| format.name))]
     format: &'static TableFormat,
-    /// The file to write; - or nothing is standard output
+    /// The file to write; - or no file is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }

@@ -22,19 +22,19 @@ Examples:
 
 Columns of CSV and names in JSON: file, class, over_mm, to_mm, table_upper_um, table_lower_um,
 standard_upper_um, standard_lower_um, upper_by_um, lower_by_um, line, column, reason. An empty
-figure: the table has no value there, or ISO 286 does not define the class (reason says why).
+value: the table has no value there, or ISO 286 does not define the class (reason says why).
 line and column: the first of the cell's two values that differs in the file, the upper one for an
-empty cell. JSON is an array with one object a file: file, classes, size_ranges, cells (compared),
-own_columns (no class of ISO 286, so not compared), differences.
+empty cell. JSON is an array with one object per file: file, classes, size_ranges, cells (compared),
+own_columns (not ISO 286 classes, so not compared), differences.
 Exit code 1 when a cell differs or a file cannot be read.";
 
 /// Compare control tables with ISO 286, cell by cell
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
-    /// Control tables (*.tab); without any the two built-in ones
+    /// Control tables (*.tab); default: the two built-in ones
     files: Vec<PathBuf>,
-    /// How to print
+    /// Format of the answer
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     #[command(flatten)]

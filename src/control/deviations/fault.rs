@@ -22,7 +22,7 @@ pub enum DeviationError {
     /// A table does not hold deviations as it should.
     #[say(transparent)]
     Content(#[from] Located<DeviationFault>),
-    /// There is no table of deviations in the folder.
+    /// There is not a table of deviations in the folder.
     NoTables {
         /// The folder.
         folder: PathBuf,

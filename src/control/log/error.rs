@@ -24,10 +24,10 @@ pub enum LogReason {
     #[error("the file is empty")]
     Empty,
     /// There is no title line.
-    #[error("no measuring log here: no title line with the number of a measuring cycle")]
+    #[error("not a measuring log: there is no title line with the number of a measuring cycle")]
     NoLog,
     /// Figures of a log without its title: the cycle is unknown.
-    #[error("a log without its title line: which cycle measured is not known")]
+    #[error("the log has no title line, so its cycle is unknown")]
     NoTitle,
     /// A measuring cycle that is not read.
     #[error("logs of cycle {cycle} are not read, only those of 421, 422 and 427")]
@@ -45,7 +45,7 @@ pub enum LogReason {
     #[error("{0}")]
     Number(LengthError),
     /// A section has too few or too many figures.
-    #[error("{section} has {found} figures where {expected} are due")]
+    #[error("{section}: expected {expected}, found {found}")]
     Count {
         /// The section.
         section: Section,
@@ -55,19 +55,19 @@ pub enum LogReason {
         expected: usize,
     },
     /// A section is missing.
-    #[error("{section} is missing: the log is cut off or not complete")]
+    #[error("{section} is missing: the log is cut off or incomplete")]
     Missing {
         /// The section.
         section: Section,
     },
     /// A figure without a label.
-    #[error("{given} stands without a label before it")]
+    #[error("{given} has no label before it")]
     NoLabel {
         /// What was given.
         given: String,
     },
     /// The file ends within a figure.
-    #[error("the file ends within this figure: {given} may not be all of it")]
+    #[error("the file ends within this value: {given} may be incomplete")]
     CutFigure {
         /// What was given.
         given: String,
@@ -81,7 +81,7 @@ pub enum LogReason {
         minimum: String,
     },
     /// The permitted positions of the centre do not lie evenly about the nominal one.
-    #[error("limits {minimum} and {maximum} do not lie evenly about the nominal value {nominal}")]
+    #[error("limits {minimum} and {maximum} are not symmetrical about the nominal value {nominal}")]
     Uneven {
         /// The minimum.
         minimum: String,
@@ -270,11 +270,11 @@ impl Say for LogWarning {
 impl fmt::Display for LogWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoUnit { .. } => f.pad("no line tells the unit: millimetres taken"),
-            Self::NoTime { .. } => f.pad("date and time of the measurement are not known"),
+            Self::NoUnit { .. } => f.pad("no line gives the unit: millimetres assumed"),
+            Self::NoTime { .. } => f.pad("date and time of the measurement are unknown"),
             Self::NoDeviations { .. } => f.pad("the deviations are missing: the log may be cut off"),
-            Self::Ignored { text, .. } => write!(f, "not used: {text}"),
-            Self::TextBefore { .. } => f.pad("text before the first log was not used"),
+            Self::Ignored { text, .. } => write!(f, "skipped: {text}"),
+            Self::TextBefore { .. } => f.pad("text before the first log was skipped"),
         }
     }
 }

@@ -143,15 +143,15 @@ fn a_cut_off_log_is_judged_as_long_as_its_actual_values_are_whole() {
     assert_eq!(cut("\n\nDeviations"), warned(24));
     assert_eq!(
         cut("9\n\nDeviations"),
-        "! line 24: the file ends within this figure: 12.025 may not be all of it column 11"
+        "! line 24: the file ends within this value: 12.025 may be incomplete column 11"
     );
-    assert_eq!(cut("12.0259"), "! line 21: section of actual values has 2 figures where 3 are due");
+    assert_eq!(cut("12.0259"), "! line 21: section of actual values: expected 3, found 2");
     assert_eq!(
         cut("Actual values"),
-        "! line 19: section of actual values is missing: the log is cut off or not complete"
+        "! line 19: section of actual values is missing: the log is cut off or incomplete"
     );
-    assert_eq!(cut("Minimum dimension"), "! line 13: section of limit values has 5 figures where 6 are due");
-    assert_eq!(cut("Nominal"), "! line 6: section of nominal values is missing: the log is cut off or not complete");
+    assert_eq!(cut("Minimum dimension"), "! line 13: section of limit values: expected 6, found 5");
+    assert_eq!(cut("Nominal"), "! line 6: section of nominal values is missing: the log is cut off or incomplete");
 }
 
 #[test]
@@ -186,7 +186,7 @@ fn contradictions_name_the_line() {
     with(
         "50.1000",
         "50.1002",
-        "! line 14: limits 49.9000 and 50.1002 do not lie evenly about the nominal value 50.0000 column 45",
+        "! line 14: limits 49.9000 and 50.1002 are not symmetrical about the nominal value 50.0000 column 45",
     );
     with(
         "Diameter: 0.0259",
@@ -203,7 +203,7 @@ fn contradictions_name_the_line() {
     with(
         "Center in minor axis: 65.0000\n",
         "Center in minor axis:\n65.0000\n7.0\n",
-        "! line 12: 7.0 stands without a label before it",
+        "! line 12: 7.0 has no label before it",
     );
     with("cycle 421", "cycle 423", "! line 1: logs of cycle 423 are not read, only those of 421, 422 and 427");
 }
@@ -230,7 +230,7 @@ fn one_broken_log_does_not_take_the_others_with_it() {
     check(
         &format!("{LOG}{nameless}{LOG}"),
         &format!(
-            "{GOOD}; line 35: not used: Measuring log for touch probe cycle 4Z1 Hole measuring\n! line 37: a log without its title line: which cycle measured is not known\n{GOOD}"
+            "{GOOD}; line 35: skipped: Measuring log for touch probe cycle 4Z1 Hole measuring\n! line 37: the log has no title line, so its cycle is unknown\n{GOOD}"
         ),
     );
 }
@@ -239,21 +239,21 @@ fn one_broken_log_does_not_take_the_others_with_it() {
 fn header_oddities_are_warned_of() {
     check(
         &LOG.replace("Type of dimension (0 = MM / 1 = INCH): 0\n", ""),
-        &format!("{GOOD}; line 1: no line tells the unit: millimetres taken"),
+        &format!("{GOOD}; line 1: no line gives the unit: millimetres assumed"),
     );
     check(
         &LOG.replace("30-06-2005", "31-02-2005"),
-        &format!("{GOOD}; line 3: not used: Date: 31-02-2005; line 1: date and time of the measurement are not known"),
+        &format!("{GOOD}; line 3: skipped: Date: 31-02-2005; line 1: date and time of the measurement are unknown"),
     );
-    check(&LOG.replace("Time:", "Operator: A. B.\nTime:"), &format!("{GOOD}; line 4: not used: Operator: A. B."));
-    check(&format!("From the control\n{LOG}"), &format!("{GOOD}; line 1: text before the first log was not used"));
+    check(&LOG.replace("Time:", "Operator: A. B.\nTime:"), &format!("{GOOD}; line 4: skipped: Operator: A. B."));
+    check(&format!("From the control\n{LOG}"), &format!("{GOOD}; line 1: text before the first log was skipped"));
 }
 
 #[test]
 fn what_is_no_log_says_so() {
     check("", "! line 1: the file is empty");
     check(" \r\n", "! line 1: the file is empty");
-    check("Hello\n", "! line 1: no measuring log here: no title line with the number of a measuring cycle");
+    check("Hello\n", "! line 1: not a measuring log: there is no title line with the number of a measuring cycle");
     let garbage: Vec<u8> = (0..4096_u32).map(|n| n.wrapping_mul(2_654_435_761).to_le_bytes()[3]).collect();
     assert!(read(&garbage).iter().all(Result::is_err));
     assert!(!is_log("bore 421;25 H7;25.012\nbore 422;25 H7;25.013\n"));

@@ -18,7 +18,7 @@ pub struct PointLogError {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum PointFault {
     /// There is no measurement in the page.
-    #[error("no log of cycle 444 here: the page holds no measurement for programs")]
+    #[error("not a log of cycle 444: the page holds no machine-readable measurement")]
     NoLog,
     /// The page holds fewer or more measurements than it says.
     #[error("the page says that it holds {expected} measurements, but it holds {found}: it is cut off or was changed")]
@@ -38,7 +38,7 @@ pub enum PointFault {
         what: String,
     },
     /// Written by a later program.
-    #[error("version {version} of the log is not known, only up to {known}")]
+    #[error("log version {version} is not supported: expected {known} or earlier")]
     Version {
         /// The version of the page.
         version: u32,

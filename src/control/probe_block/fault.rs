@@ -17,10 +17,10 @@ pub struct ProbeBlockError {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ProbeBlockFault {
     /// No block of a probing cycle.
-    #[error("no probing cycle here: a block begins with TCH PROBE and a number, or with G785")]
+    #[error("not a probing cycle: a block begins with TCH PROBE and a number, or with G785")]
     NoBlock,
     /// A second one.
-    #[error("a second probing cycle: one at a time, the first begins on line {first}")]
+    #[error("second probing cycle: give one at a time; the first begins on line {first}")]
     SecondBlock {
         /// The line of the first one.
         first: usize,
@@ -34,7 +34,7 @@ pub enum ProbeBlockFault {
         known: String,
     },
     /// A line of the block is no parameter.
-    #[error("{given} is no parameter: one is written as {example}")]
+    #[error("{given} is not a parameter: write it as {example}")]
     NotAParameter {
         /// The line without its comment.
         given: String,
@@ -59,7 +59,7 @@ pub enum ProbeBlockFault {
     #[error("a quotation mark is not closed")]
     UnclosedQuote,
     /// A parameter of the cycle behind the block.
-    #[error("{given} stands behind the end of the block: every line but the last ends with ~")]
+    #[error("{given} comes after the end of the block: every line but the last ends with ~")]
     BehindEnd {
         /// The line without its comment.
         given: String,
@@ -68,7 +68,7 @@ pub enum ProbeBlockFault {
     #[error("the block ends with ~, so a line is missing: it may be cut off")]
     CutOff,
     /// The value is in a parameter of a program.
-    #[error("{key} = {given}: only a running program knows what is in {given}")]
+    #[error("{key} = {given}: the value of {given} is known only while a program runs")]
     Reference {
         /// The parameter of the cycle.
         key: String,
@@ -79,7 +79,7 @@ pub enum ProbeBlockFault {
     #[error(transparent)]
     Cycle(CycleError),
     /// A text that a block cannot hold.
-    #[error("{key} = {given}: a text in a block holds no quotation mark and no line end")]
+    #[error("{key} = {given}: a text in a block cannot contain quotation marks or line ends")]
     NotWritable {
         /// The parameter.
         key: Key,

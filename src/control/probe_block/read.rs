@@ -100,7 +100,7 @@ enum State {
     Outside,
     /// A `~` has promised another line.
     Promised,
-    /// The last line had neither `~` nor comment: as the seed is printed, its comment and its `~` may follow.
+    /// The last line had neither `~` nor comment: as the manual of cycle 427 prints it, its comment and its `~` may follow.
     Open,
     /// Behind the last line of the block.
     Behind,

@@ -119,10 +119,10 @@ mod tests {
         assert!(many.to_string().contains("an iTNC 530 takes at most 30"), "{many}");
         assert!((table_format("tnc640").unwrap().write)(&wide).is_ok());
         let digit = error("tnc7", &table("82553_hole.tab", "H7", "50"));
-        let why = "82553_hole.tab does not begin with a letter: the names of tables on a TNC7 do";
+        let why = "82553_hole.tab does not begin with a letter: table names on a TNC7 do";
         assert_eq!(digit.to_string(), why);
         let operator = error("tnc7", &table("my-hole.tab", "H7", "50"));
-        let why = "my-hole.tab has - in it: the names of tables on a TNC7 have no arithmetic operator";
+        let why = "my-hole.tab contains -: table names on a TNC7 have no arithmetic operators";
         assert_eq!(operator.to_string(), why);
         assert!((table_format("tnc7").unwrap().write)(&table("my_hole.tab", "H7", "50")).is_ok());
     }
@@ -167,7 +167,7 @@ mod tests {
         let said = caution("H7 F8 G7").unwrap();
         assert_eq!(
             said.to_string(),
-            "the manual of PC-DMIS shows no lower deviation but 0: check F8 there before relying on it, the signs above all"
+            "the PC-DMIS manual shows no lower deviation other than 0: check F8 in PC-DMIS before you rely on it, above all its signs"
         );
     }
 

@@ -187,15 +187,15 @@ mod tests {
     fn nothing_leads_out() {
         check(r"..\..\..\a.h", r"..\..\..\a.h leads out of the folder");
         check(r"TNC:\..\a.h", r"TNC:\..\a.h leads out of the folder");
-        check(r"C:\a.h", r"C:\a.h is no path on TNC: and none from the program's folder");
-        check(r"\\server\share\a.h", r"\\server\share\a.h is no path on TNC: and none from the program's folder");
-        check("/etc/passwd", "/etc/passwd is no path on TNC: and none from the program's folder");
-        check("a.h:stream", "a.h:stream is no path on TNC: and none from the program's folder");
-        check(r"TNC:\a.h:stream", r"a.h:stream in TNC:\a.h:stream is no name for a file or a folder");
-        check(r"sub\NUL.txt", r"NUL.txt in sub\NUL.txt is no name for a file or a folder");
-        check("com1", "com1 in com1 is no name for a file or a folder");
-        check("a.h.", "a.h. in a.h. is no name for a file or a folder");
-        check("a\u{7}b", "a\\u{7}b in a\u{7}b is no name for a file or a folder");
+        check(r"C:\a.h", r"C:\a.h is neither a path on TNC: nor a path from the program's folder");
+        check(r"\\server\share\a.h", r"\\server\share\a.h is neither a path on TNC: nor a path from the program's folder");
+        check("/etc/passwd", "/etc/passwd is neither a path on TNC: nor a path from the program's folder");
+        check("a.h:stream", "a.h:stream is neither a path on TNC: nor a path from the program's folder");
+        check(r"TNC:\a.h:stream", r"a.h:stream in TNC:\a.h:stream is not a name for a file or folder");
+        check(r"sub\NUL.txt", r"NUL.txt in sub\NUL.txt is not a name for a file or folder");
+        check("com1", "com1 in com1 is not a name for a file or folder");
+        check("a.h.", "a.h. in a.h. is not a name for a file or folder");
+        check("a\u{7}b", "a\\u{7}b in a\u{7}b is not a name for a file or folder");
         check("  ", "the path is empty");
         check(r"TNC:\", "the path is empty");
         check(r"sub\", "the path is empty");

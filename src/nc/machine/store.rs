@@ -32,7 +32,7 @@ pub enum StoreError {
         /// Its path.
         path: NcPath,
     },
-    /// A link leads out of the folders that were given.
+    /// A link leads out of the given folders.
     Outside {
         /// Its path.
         path: NcPath,

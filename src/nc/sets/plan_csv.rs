@@ -157,7 +157,7 @@ mod tests {
         check("callout,x,y,z\n", "the plan has no feature");
         check("callout,x,y\n25 H7,1,2\n", "line 1: column z is missing");
         let known = "name, callout, x, y, z, angle, clearance, clearance_height";
-        check("callout,x,y,z,depth\n", &format!("line 1: column depth is not known; known are {known}"));
+        check("callout,x,y,z,depth\n", &format!("line 1: unknown column depth: the columns are {known}"));
         check("callout,x,y,z,X\n", "line 1: column x occurs twice");
         check(
             "callout,x,y,z\n25 H7,40,5,30,-8\n",
@@ -181,11 +181,11 @@ mod tests {
         );
         check(
             "name,callout,x,y,z\na,25 H7,1,2,3\nA,25 H7,1,2,3\n",
-            "line 3: name A occurs twice; a control does not tell a from A in file names",
+            "line 3: name A occurs twice: file names on a control ignore case",
         );
         check(
             "callout,x,y,z\n12 +0.02 -0.02,1,2,3\n",
-            "line 2: 12 ±0.02 has no tolerance class: the programs look a class up in a table, such as H7",
+            "line 2: 12 ±0.02 has no tolerance class, such as H7: the programs look up limits by class",
         );
         check(
             "callout,x,y,z\n25 H7/g6,1,2,3\n",

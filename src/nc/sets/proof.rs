@@ -88,15 +88,15 @@ mod tests {
         let planned: Vec<Planned<'_>> =
             plan.features().iter().zip(&limits).map(|(feature, limits)| Planned { feature, limits }).collect();
         let error = run(&set.files, &planned, &Names::new(&target)).map_err(|error| error.to_string());
-        assert_eq!(error, Err(format!("the set was run and is not given out: {expected}")));
+        assert_eq!(error, Err(format!("the set failed its test run and was not written: {expected}")));
     }
 
     #[test]
     fn a_set_that_does_not_run_or_judges_otherwise_is_not_given_out() {
-        check("FIT_MAIN.H", "Q1 = 20", "Q1 = 20.001", "F2: another verdict than Fitcheck's");
+        check("FIT_MAIN.H", "Q1 = 20", "Q1 = 20.001", "F2: the verdict differs from Fitcheck's");
         check("FIT_MAIN.H", "\"g6\"", "\"g5\"", &missing_column());
         check("FIT_MAIN.H", "14 STOP", "14 M30", "1 of 2 features were measured");
-        check("FIT_CHECK.H", "Q5 / 1000", "Q5 / 1000 + 0.000001", "F1: another verdict than Fitcheck's");
+        check("FIT_CHECK.H", "Q5 / 1000", "Q5 / 1000 + 0.000001", "F1: the verdict differs from Fitcheck's");
         check("FIT_CHECK.H", "22 LBL 99", "22 LBL 199", &format!("{}LBL 99 does not occur in the program", fault(17)));
     }
 

@@ -17,7 +17,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CircleError {
     /// One or two contacts, or none.
-    #[error("a circle needs at least 3 contacts, given: {contacts}")]
+    #[error("a circle needs at least 3 contacts, found {contacts}")]
     TooFew {
         /// How many were given.
         contacts: usize,
@@ -285,8 +285,8 @@ mod tests {
 
     #[test]
     fn says_why_contacts_are_no_circle() {
-        check(&[], "a circle needs at least 3 contacts, given: 0");
-        check(&[[1.0, 2.0], [3.0, 4.0]], "a circle needs at least 3 contacts, given: 2");
+        check(&[], "a circle needs at least 3 contacts, found 0");
+        check(&[[1.0, 2.0], [3.0, 4.0]], "a circle needs at least 3 contacts, found 2");
         let coincide = "contacts 1 and 3 coincide at x = 1, y = 2: a circle needs 3 different points";
         check(&[[1.0, 2.0], [3.0, 4.0], [1.0, 2.0]], coincide);
         check(&[[1.0, 2.0], [3.0, 4.0], [1.0, 2.0], [3.0, 4.0]], coincide);

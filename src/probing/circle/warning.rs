@@ -19,7 +19,7 @@ pub enum CircleWarning {
     #[error("3 contacts: form cannot be measured, the residual is always zero")]
     ThreeContacts,
     /// Four contacts.
-    #[error("4 contacts: four lobes stay unseen and change the diameter")]
+    #[error("4 contacts: four lobes are not detected and change the diameter")]
     FourContacts,
     /// Less than half a circle.
     #[error(
@@ -57,7 +57,7 @@ pub enum CircleWarning {
         contacts: usize,
     },
     /// A two-point size beside the centre.
-    #[error("contacts {first} and {second} oppose each other beside the centre: this size is {short} µm too small")]
+    #[error("contacts {first} and {second} are opposite each other but off the centre: this size is {short} µm too small")]
     ShortChord {
         /// Number of the first, from 1.
         first: usize,
@@ -73,7 +73,7 @@ pub enum CircleWarning {
         more: usize,
     },
     /// One contact lies apart from all others.
-    #[error("contact {contact} lies {apart} mm off the circle, far more than the others: dust or a false touch?")]
+    #[error("contact {contact} lies {apart} mm off the circle, far more than the others: dust or a false trigger?")]
     Apart {
         /// Its number, from 1.
         contact: usize,
@@ -181,7 +181,7 @@ mod tests {
     fn every_warning_has_its_words() {
         let text = ToString::to_string;
         check(&CircleWarning::ThreeContacts, "3 contacts: form cannot be measured, the residual is always zero");
-        check(&CircleWarning::FourContacts, "4 contacts: four lobes stay unseen and change the diameter");
+        check(&CircleWarning::FourContacts, "4 contacts: four lobes are not detected and change the diameter");
         check(
             &CircleWarning::ShortArc { arc: text("120.0"), factor: text("3.0") },
             "the contacts cover only 120.0° of arc: scatter in the diameter is 3.0 times that of 3 contacts at 120°",
@@ -199,12 +199,12 @@ mod tests {
         );
         check(
             &CircleWarning::ShortChord { first: 1, second: 3, short: text("0.80") },
-            "contacts 1 and 3 oppose each other beside the centre: this size is 0.80 µm too small",
+            "contacts 1 and 3 are opposite each other but off the centre: this size is 0.80 µm too small",
         );
         check(&CircleWarning::More { more: 7 }, "the same holds for 7 more");
         check(
             &CircleWarning::Apart { contact: 9, apart: text("3.0123") },
-            "contact 9 lies 3.0123 mm off the circle, far more than the others: dust or a false touch?",
+            "contact 9 lies 3.0123 mm off the circle, far more than the others: dust or a false trigger?",
         );
     }
 }

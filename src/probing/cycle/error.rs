@@ -43,7 +43,7 @@ pub enum CycleError {
         name: &'static str,
     },
     /// PREDEF, and no GLOBAL DEF before.
-    #[error("{key} {name} = PREDEF: no GLOBAL DEF has given a value")]
+    #[error("{key} {name} = PREDEF: no GLOBAL DEF gives a value")]
     NoGlobal {
         /// The parameter.
         key: Key,
@@ -51,7 +51,7 @@ pub enum CycleError {
         name: &'static str,
     },
     /// A parameter that the cycle does not have.
-    #[error("cycle {cycle} has no parameter {parameter}: it has {known}")]
+    #[error("cycle {cycle} has no parameter {parameter}: its parameters are {known}")]
     NoSuchParameter {
         /// The cycle.
         cycle: &'static str,
@@ -83,7 +83,7 @@ pub enum CycleError {
         name: &'static str,
     },
     /// A probing path of zero.
-    #[error("{key} {name} = 0 mm: a probing path needs a length, its sign is the direction")]
+    #[error("{key} {name} = 0 mm: a probing path needs a length; its sign gives the direction")]
     NoPath {
         /// The parameter.
         key: Key,
@@ -101,7 +101,7 @@ pub enum CycleError {
         third: Key,
     },
     /// Two touches of the same point lie too far apart.
-    #[error("contact {contact}: its two touches lie {difference} mm apart, {key} permits {most} mm")]
+    #[error("contact {contact}: its two probings lie {difference} mm apart, {key} permits {most} mm")]
     Apart {
         /// Which contact, from 1.
         contact: usize,

@@ -21,7 +21,7 @@ pub struct Parameter {
     pub key: Key,
     /// Its name in English NC programs, behind the semicolon of a block.
     pub name: &'static str,
-    /// The same in other dialogue languages, where a seed has it.
+    /// The same in other dialogue languages, where a source has it.
     pub names: Texts,
     /// The control's own question, where it is known.
     pub questions: Texts,
@@ -105,7 +105,7 @@ impl fmt::Display for Range {
             Self::OneOf(allowed) => write!(f, "not one of {}", listed(allowed)),
             Self::Number { most } => write!(f, "a number, at most {most} either way"),
             Self::Tool => f.write_str("a tool is a number from 0 to 99999.9 or a name of at most 255 characters"),
-            Self::Band => f.write_str("a tolerance is written as 0.4-0.1, 0.4 or -0.1, and 0 is none"),
+            Self::Band => f.write_str("write a tolerance as 0.4-0.1, 0.4 or -0.1; 0 is no tolerance"),
         }
     }
 }

@@ -369,7 +369,7 @@ impl fmt::Display for Remark {
         match self {
             Self::WithoutEffect { key } => write!(f, "{key} is accepted and has no effect"),
             Self::ToolLeftAlone { tool } => {
-                write!(f, "Q330 = {tool}: the control would correct this tool; no tool is corrected here")
+                write!(f, "Q330 = {tool}: the control would correct this tool; Fitcheck corrects no tool")
             }
             Self::OutsideDimension => {
                 f.write_str("an outside dimension is assumed: above the maximum is rework, below the minimum is scrap")
@@ -378,9 +378,9 @@ impl fmt::Display for Remark {
                 write!(f, "nominal diameter {nominal} mm is not between the limits: a TNC7 refuses that")
             }
             Self::VariableHoldsDiameter => {
-                f.write_str("#i99 holds one value, taken to be the diameter: the manual does not say which")
+                f.write_str("#i99 is read as the diameter: the manual does not say which value it holds")
             }
-            Self::NoTolerance { key } => write!(f, "{key} as it is given is no tolerance: nothing is judged"),
+            Self::NoTolerance { key } => write!(f, "{key} is not a tolerance: nothing is judged"),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Parameters that several milling cycles have.
 //!
-//! Questions: English as in the cycle manuals of TNC 320, Italian as in seed `004_5791de5c83bc5f1a.txt`.
+//! Questions: English as in the cycle manuals of TNC 320, Italian as in the manual of TNC7.
 
 use super::key::Key;
 use super::parameter::{Parameter, Texts};

@@ -14,7 +14,7 @@ const SIDE: Side = Side {
     log: "TCHPR422.TXT",
 };
 
-/// The declaration. The Dutch name is that of seed `000_2e707c2d138629e0.txt`.
+/// The declaration. The Dutch name is that of NC-Solution 8255 (7/2020).
 pub(super) const CYCLE: Cycle = Cycle {
     number: 422,
     code: "422",

@@ -1,6 +1,6 @@
 //! Cycle 427, measure coordinate: one touch along one axis, limits in Q288 and Q289.
 //!
-//! Parameters, ranges, result and notes as in seed `004_5791de5c83bc5f1a.txt`. Rework and scrap are those of an outside
+//! Parameters, ranges, result and notes as in the Italian manual of TNC7. Rework and scrap are those of an outside
 //! dimension, as the cycle manual of the TNC 320 says: too large is rework, too small is scrap. The control's note that
 //! Q261 lies between Q276 and Q275 is left over from cycle 421 and does not hold here. That limits of 0 and 0 monitor
 //! nothing is our reading: 0 may be a real coordinate.
@@ -18,7 +18,7 @@ use crate::tolerance::Feature;
 use crate::verdict::{Status, classify};
 use crate::words::Dialogue::{En, It};
 
-/// The declaration, in the order of the seed's example.
+/// The declaration, in the order of the manual's example.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 427,
     code: "427",

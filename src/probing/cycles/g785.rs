@@ -1,6 +1,6 @@
 //! G785 of lathe controls, circle measurement: three touches, centre and diameter, no limits.
 //!
-//! As in seed `003_a450c9437c7f7424.txt` (`MANUALplus` 620 and CNC PILOT 640). Our readings where the seed is silent: angles
+//! As in the manual of `MANUALplus` 620 and CNC PILOT 640 (54843x-03). Our readings where the manual is silent: angles
 //! count from the first axis of the plane to the second; a positive K leads away from the centre, a negative one towards
 //! it; without D every touch begins at the present position, and that is the nominal centre where nothing else is said;
 //! I and J are 0 without input; `#i99` holds the diameter. Q, P and H stand in the example block only: they are accepted
@@ -31,7 +31,7 @@ const PERMITTED: Key = Key::Word("WE");
 /// How many touches there are round the circle.
 const TOUCHES: u8 = 3;
 
-/// The declaration, in the order of the seed's list.
+/// The declaration, in the order of the manual's list.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 785,
     code: "G785",

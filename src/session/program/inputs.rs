@@ -12,7 +12,7 @@ use crate::probing::cycles::cycle as cycle_of;
 use crate::tolerance::{Callout, Limits, Sources};
 use crate::verdict::{SizeVerdict, judge_size};
 
-/// An input of NC-Solution 8255 (seed `000_2e707c2d138629e0.txt`).
+/// An input of NC-Solution 8255 (7/2020).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Input {
     /// Nominal size, Q1, mm.

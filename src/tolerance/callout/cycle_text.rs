@@ -163,9 +163,9 @@ mod tests {
         check("10H7-g6", &format!("! - {no_fit} (character 5)"));
         check("12/11", &format!("! / {no_fit} (character 3)"));
         let how = "write a number, such as 10H7@10.004";
-        check("10H7@", &format!("! a value behind @ is missing: {how} (character 6)"));
-        check("10H7@x", &format!("! x is no value behind @: {how} (character 6)"));
-        check("10H7@1.2.3", "! value behind @: 1.2.3 is not a number (character 6)");
-        check("10H7@1?", "! ? is too much: the text ends before it (character 7)");
+        check("10H7@", &format!("! the value after @ is missing: {how} (character 6)"));
+        check("10H7@x", &format!("! x is not a value after @: {how} (character 6)"));
+        check("10H7@1.2.3", "! value after @: 1.2.3 is not a number (character 6)");
+        check("10H7@1?", "! ? is not expected here: the text ends before it (character 7)");
     }
 }

@@ -92,13 +92,13 @@ mod tests {
         }
         check(
             "-0.1+0.4",
-            "! the lower deviation stands before the upper one: QS400 is written as 0.4-0.1 (character 5)",
+            "! the lower deviation comes before the upper one: write QS400 as 0.4-0.1 (character 5)",
         );
-        check("0.4-0.1-0.2", "! -0.2 is too much: the text ends before it (character 8)");
-        check("H7", "! H7 is no deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
-        check("±0.1", "! ±0.1 is no deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
-        check("0.1 mm", "! 0.1 mm is no deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
-        check("0.4-0,1", "! 0,1 has another decimal sign than the number before: write one kind (character 5)");
+        check("0.4-0.1-0.2", "! -0.2 is not expected here: the text ends before it (character 8)");
+        check("H7", "! H7 is not a deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
+        check("±0.1", "! ±0.1 is not a deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
+        check("0.1 mm", "! 0.1 mm is not a deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
+        check("0.4-0,1", "! 0,1 has a different decimal sign than the number before it: use one kind (character 5)");
         check(
             "1.234,5",
             "! deviation: 1.234,5 is ambiguous: write one decimal sign and no thousands separator (character 1)",

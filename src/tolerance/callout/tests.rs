@@ -55,12 +55,12 @@ fn reads_classes_as_people_type_them() {
 #[test]
 fn reads_fits_hole_first() {
     check_all(&["25 H7/g6", "25H7/g6", "25 H7-g6", "Ø25 H7 / g6", "25 H7 \u{2013} g6", "25 mm H7/g6"], "25 H7/g6");
-    check("25 g6/H7", "! the shaft stands before the hole: write 25 H7/g6 (character 4)");
-    let no_fit = "are no hole and shaft: a fit has capitals, then small letters, such as 25 H7/g6 (character 4)";
+    check("25 g6/H7", "! the shaft comes before the hole: write 25 H7/g6 (character 4)");
+    let no_fit = "are not a hole and a shaft: a fit is written with capital letters, then small letters, such as 25 H7/g6 (character 4)";
     check("25 H7/G6", &format!("! H7 and G6 {no_fit}"));
     check("25 h7-g6", &format!("! h7 and g6 {no_fit}"));
     check("25 H7/", "! a tolerance class is missing, such as H7 for a hole or h7 for a shaft (character 7)");
-    check("25 H7/g6/f5", "! /f5 is too much: the text ends before it (character 9)");
+    check("25 H7/g6/f5", "! /f5 is not expected here: the text ends before it (character 9)");
     check("25 H7-0.1", "! 0.1 is not a tolerance class: write letters and a grade, such as H7 or js13 (character 7)");
 }
 
@@ -70,9 +70,9 @@ fn reads_general_tolerances_in_small_letters() {
     check("0.5f", "0.5f");
     check(
         "10M",
-        "! M has no grade: write 10m for the general tolerance of ISO 2768-1, or a grade, such as M7 (character 3)",
+        "! M has no grade: write 10m for the general tolerance of ISO 2768-1, or add a grade, such as M7 (character 3)",
     );
-    check("10m -0.1", "! -0.1 is too much: the text ends before it (character 5)");
+    check("10m -0.1", "! -0.1 is not expected here: the text ends before it (character 5)");
     check("10 h", "! h is not a tolerance class: write letters and a grade, such as H7 or js13 (character 4)");
 }
 
@@ -94,7 +94,7 @@ fn reads_deviations_upper_first() {
 
 #[test]
 fn refuses_deviations_that_may_mean_something_else() {
-    let swapped = "the lower deviation stands before the upper one: write";
+    let swapped = "the lower deviation comes before the upper one: write";
     check("8-2-1", &format!("! {swapped} 8 -1 -2 (character 2)"));
     check("12 -0.1 +0.1", &format!("! {swapped} 12 ±0.1 (character 4)"));
     check("12 0/+0.1", &format!("! {swapped} 12 +0.1 0 (character 4)"));
@@ -102,7 +102,7 @@ fn refuses_deviations_that_may_mean_something_else() {
     check("12 0.2", &format!("! 0.2 has no sign: write +0.2 or -0.2 {no_sign} (character 4)"));
     check("12 +0.2/0.1", &format!("! 0.1 has no sign: write +0.1 or -0.1 {no_sign} (character 9)"));
     check("1 250 H8", &format!("! 250 has no sign: write +250 or -250 {no_sign} (character 3)"));
-    let no_unit = "has no unit and the other deviation is in µm: write the unit behind both";
+    let no_unit = "has no unit and the other deviation is in µm: write the unit after both";
     check("100 +10 -15 µm", &format!("! 10 {no_unit} (character 6)"));
     check("100 +10 µm -15", &format!("! 15 {no_unit} (character 13)"));
     let mixed = "has another decimal sign than the number before: write one kind";
@@ -113,18 +113,18 @@ fn refuses_deviations_that_may_mean_something_else() {
 #[test]
 fn refuses_what_is_no_deviation() {
     let how = "write a sign and a number, such as +0.1 or -0.1";
-    check("12 +", &format!("! a deviation is missing: {how} (character 4)"));
-    check("12 0", &format!("! a deviation is missing: {how} (character 5)"));
-    check("12 -0", &format!("! a deviation is missing: {how} (character 6)"));
-    check("12 +0.1/", &format!("! a deviation is missing: {how} (character 9)"));
-    check("12 +x", &format!("! +x is no deviation: {how} (character 4)"));
-    check("12 +-0.1", &format!("! +-0.1 is no deviation: {how} (character 4)"));
-    check("12 ±-0.1", &format!("! ±-0.1 is no deviation: {how} (character 4)"));
-    check("12 +0.1 ±0.1", &format!("! ±0.1 is no deviation: {how} (character 9)"));
+    check("12 +", &format!("! the deviation is missing: {how} (character 4)"));
+    check("12 0", &format!("! the deviation is missing: {how} (character 5)"));
+    check("12 -0", &format!("! the deviation is missing: {how} (character 6)"));
+    check("12 +0.1/", &format!("! the deviation is missing: {how} (character 9)"));
+    check("12 +x", &format!("! +x is not a deviation: {how} (character 4)"));
+    check("12 +-0.1", &format!("! +-0.1 is not a deviation: {how} (character 4)"));
+    check("12 ±-0.1", &format!("! ±-0.1 is not a deviation: {how} (character 4)"));
+    check("12 +0.1 ±0.1", &format!("! ±0.1 is not a deviation: {how} (character 9)"));
     check("12 +0.1.2", "! deviation: 0.1.2 is not a number (character 5)");
     check("12 +0.0001 µm", "! deviation: 0.0001 µm is finer than a nanometre (character 5)");
-    check("12 +0.1 -0.2 -0.3", "! -0.3 is too much: the text ends before it (character 14)");
-    check("12 ±0.1 H7", "! H7 is too much: the text ends before it (character 9)");
+    check("12 +0.1 -0.2 -0.3", "! -0.3 is not expected here: the text ends before it (character 14)");
+    check("12 ±0.1 H7", "! H7 is not expected here: the text ends before it (character 9)");
     check("12 -11 -12", "! minimum limit 0 mm is not above 0 (character 4)");
     check("12 ±13", "! minimum limit -1 mm is not above 0 (character 4)");
     check("1000000000 +0.000001", "! the limits of 1000000000 mm are too large (character 12)");
@@ -137,15 +137,15 @@ fn reads_limits_larger_first() {
     check("2/1", "2/1");
     let callout = Callout::from_str("12.01/11.985").unwrap();
     assert_eq!((callout.nominal().to_string().as_str(), callout.feature()), ("11.9975", None));
-    check("11.985/12.01", "! the smaller limit stands before the larger one: write 12.01/11.985 (character 1)");
+    check("11.985/12.01", "! the smaller limit comes before the larger one: write 12.01/11.985 (character 1)");
     check(
         "2.000001/1",
-        "! 2.000001 mm is more than twice 1 mm, so these are hardly limits: write deviations, such as 12 +0.2 0 \
+        "! 2.000001 mm is more than twice 1 mm, so these are probably not limits: write deviations, such as 12 +0.2 0 \
          (character 1)",
     );
     let how = "write two sizes, the larger first, such as 12.01/11.985";
-    check("12.01/", &format!("! a limit of size is missing: {how} (character 7)"));
-    check("12.01/-0.1", &format!("! -0.1 is no limit of size: {how} (character 7)"));
+    check("12.01/", &format!("! the limit of size is missing: {how} (character 7)"));
+    check("12.01/-0.1", &format!("! -0.1 is not a limit of size: {how} (character 7)"));
     check("12/1.1.1", "! limit of size: 1.1.1 is not a number (character 4)");
     check("12/0", "! minimum limit 0 mm is not above 0 (character 1)");
 }
@@ -182,9 +182,9 @@ fn refuses_what_is_no_callout() {
     for text in ["+0.2 -0.05", "+0.2/0.15", "+0.2 0", "+12 ±0.1"] {
         check(text, &format!("! {text} does not begin with a nominal size: write one, such as 25 H7"));
     }
-    check("25 H7 x", "! x is too much: the text ends before it (character 7)");
+    check("25 H7 x", "! x is not expected here: the text ends before it (character 7)");
     for (text, sign, at) in [("?25 H7", '?', 1), ("25?", '?', 3), ("25 H7@25.01", '@', 6), ("10@1", '@', 3)] {
-        let expected = format!("! {sign} belongs to the texts of cycles 14xx and not to a callout (character {at})");
+        let expected = format!("! {sign} is for the texts of cycles 14xx, not for a callout (character {at})");
         check(text, &expected);
     }
 }

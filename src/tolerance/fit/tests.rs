@@ -37,8 +37,8 @@ fn what_is_no_fit_is_refused() {
     let hole = |nominal| limits(Feature::Hole, nominal, "0.021", "0");
     let shaft = |nominal| limits(Feature::Shaft, nominal, "0", "-0.013");
     let error = |hole, shaft| Fit::new(hole, shaft).unwrap_err().to_string();
-    assert_eq!(error(shaft("25"), shaft("25")), "24.987 to 25 mm are a shaft's limits, where a hole's are needed");
-    assert_eq!(error(hole("25"), hole("25")), "25 to 25.021 mm are a hole's limits, where a shaft's are needed");
+    assert_eq!(error(shaft("25"), shaft("25")), "24.987 to 25 mm are the limits of a shaft: expected those of a hole");
+    assert_eq!(error(hole("25"), hole("25")), "25 to 25.021 mm are the limits of a hole: expected those of a shaft");
     let nominal = error(hole("25"), shaft("25.000001"));
     assert_eq!(nominal, "a fit has one nominal size: the hole has 25 mm, the shaft 25.000001 mm");
     let far = limits(Feature::Hole, "25", "999999000", "0");
@@ -142,17 +142,17 @@ fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
         assert_eq!(Materials::read(text).unwrap_err().to_string(), expected);
     }
     let steel = "version = 1\n\n[[material]]\nname = \"steel\"\nexpansion = 11.5\n";
-    check("version = 2", "version 2 of a file of materials is not known, only version 1");
+    check("version = 2", "materials file version 2 is not supported: expected version 1");
     check(
         &format!("{steel}[[material]]\nname = \"STEEL\"\nexpansion = 1\n"),
-        "line 7: there are two materials called STEEL",
+        "line 7: material STEEL is defined twice",
     );
     // A name in another language would hide the other material.
     check(
         &format!("{steel}[[material]]\nname = \"stainless\"\nnames = {{ nl = \"Steel\" }}\nexpansion = 16\n"),
-        "line 7: there are two materials called Steel",
+        "line 7: material Steel is defined twice",
     );
-    check(&" ".repeat((1 << 20) + 1), "a file of materials has at most 1048576 bytes");
+    check(&" ".repeat((1 << 20) + 1), "a materials file has at most 1048576 bytes");
     check(
         "version = 1\n[[material]]\nname = \" \"\nexpansion = 1",
         "line 3: a material's name has 1 to 60 characters and no control characters",
@@ -162,7 +162,7 @@ fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
     check(&format!("version = 1\n{}", many.concat()), "there are 1001 materials: at most 1000");
     check(
         &steel.replace("11.5", "1150"),
-        "line 5, column 13: an expansion of 1150 is out of range: from -20 to 500, in millionths a kelvin, such as 11.5 for steel",
+        "line 5, column 13: an expansion of 1150 is out of range: from -20 to 500, in millionths per kelvin, such as 11.5 for steel",
     );
     check(
         &steel.replace("expansion", "alpha"),
@@ -171,7 +171,7 @@ fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
     let unknown = Materials::read(steel).unwrap().find("wood").unwrap_err();
     assert_eq!(
         unknown.to_string(),
-        "no material is called wood; there are steel, or give the expansion itself, such as 11.5"
+        "unknown material wood: choose one of steel, or give the expansion itself, such as 11.5"
     );
     let is_toml_in_line = |text: &str, line| {
         let error = Materials::read(text).unwrap_err();

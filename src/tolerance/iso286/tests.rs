@@ -77,17 +77,17 @@ fn what_is_undefined_is_refused_with_where_it_is_defined() {
         "12",
         "! P2 is not defined at 12 mm in ISO 286; it is defined over 0 up to 3 mm, over 500 up to 3150 mm",
     );
-    check("j9", "2", "! j9 is not defined at 2 mm in ISO 286; it is defined nowhere");
-    check("J5", "2", "! J5 is not defined at 2 mm in ISO 286; it is defined nowhere");
+    check("j9", "2", "! j9 is not defined at 2 mm in ISO 286; it is not defined at any size");
+    check("J5", "2", "! J5 is not defined at 2 mm in ISO 286; it is not defined at any size");
     check("H01", "500.000001", "! H01 is not defined at 500.000001 mm in ISO 286; it is defined over 0 up to 500 mm");
     check("H7", "3150.000001", "! nominal size 3150.000001 mm is beyond ISO 286, which ends at 3150 mm");
     check("H7", "0", "! nominal size 0 mm is not above 0");
     check("H7", "-5", "! nominal size -5 mm is not above 0");
     let letters = "A B C CD D E EF F FG G H J JS K M N P R S T U V X Y Z ZA ZB ZC";
-    check("Q7", "25", &format!("! Q7 is no class of ISO 286: it has no letter Q, only {letters}"));
+    check("Q7", "25", &format!("! Q7 is not an ISO 286 tolerance class: there is no letter Q, only {letters}"));
     let grades = "01 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18";
-    check("H19", "25", &format!("! H19 is no class of ISO 286: its grades are {grades}"));
-    check("h07", "25", &format!("! h07 is no class of ISO 286: its grades are {grades}"));
+    check("H19", "25", &format!("! H19 is not an ISO 286 tolerance class: the grades are {grades}"));
+    check("h07", "25", &format!("! h07 is not an ISO 286 tolerance class: the grades are {grades}"));
 }
 
 #[test]

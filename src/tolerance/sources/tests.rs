@@ -51,7 +51,7 @@ fn refusals_tell_the_way_out() {
     check(&tables, "5 G6", "G6 is a hole class and table hole.tab does not have it; the shaft class is g6");
     check(&tables, "5 Z9", "Z9 is not in table hole.tab; it has H7 N9");
     check(&tables, "1 N9", "N9 is not defined over 0 up to 1 mm in table hole.tab; it is defined over 1 up to 6 mm");
-    check(&tables, "5 g6", "g6 is not defined over 3 up to 6 mm in table shaft.tab; it is defined nowhere");
+    check(&tables, "5 g6", "g6 is not defined over 3 up to 6 mm in table shaft.tab; it is not defined at any size");
 }
 
 #[test]

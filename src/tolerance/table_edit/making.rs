@@ -143,11 +143,11 @@ mod tests {
     #[test]
     fn what_cannot_be_made_is_refused() {
         for (text, to, expected) in [
-            ("", "50", "no class is named: name some, such as H7 H8 JS9"),
+            ("", "50", "no tolerance class is given: name one or more, such as H7 H8 JS9"),
             (
                 "H7 g6",
                 "50",
-                "H7 and g6 cannot stand in one table: only the case tells them apart, so make one table for holes and \
+                "H7 and g6 cannot be in one table: only the case of their letters differs, so make one table for holes and \
                  one for shafts",
             ),
             ("H7", "0", "the last size is 0 mm: it must be above 0 and at most 3150 mm"),

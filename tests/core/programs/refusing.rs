@@ -32,9 +32,9 @@ fn beginning_and_end_are_asked_for() {
     );
     check("0 BEGIN PGM a MM\n\n1 M30\n\n", &["line 3, column 1: END PGM is missing"]);
     check("BEGIN PGM a MM\nEND PGM a INCH", &["line 2, column 1: END PGM says INCH, BEGIN PGM says MM"]);
-    let again = "line 2, column 1: BEGIN PGM stands here again";
+    let again = "line 2, column 1: second BEGIN PGM";
     check("BEGIN PGM a MM\nBEGIN PGM b MM\nEND PGM a MM", &[again]);
-    let behind = "line 4, column 1: what stands behind END PGM is not part of the program";
+    let behind = "line 4, column 1: text after END PGM is not part of the program";
     check("BEGIN PGM a MM\nEND PGM a MM\n\n M30\nM30", &[behind]);
     check_block("1 END PGM", "line 2, column 10: not understood: MM or INCH is missing");
 }
@@ -42,7 +42,7 @@ fn beginning_and_end_are_asked_for() {
 #[test]
 fn block_numbers_that_do_not_rise_are_said_once() {
     let text = "0 BEGIN PGM a MM\n10 M5\n20 M5\n20 M5\nM5\n5 M5\n6 M5\n6 M5\n7 END PGM a MM";
-    check(text, &["line 4, column 1: block number 20 stands behind 20; block numbers that do not rise: 3"]);
+    check(text, &["line 4, column 1: block number 20 follows 20; block numbers out of order: 3"]);
 }
 
 #[test]
@@ -65,45 +65,45 @@ fn quotation_marks_and_continued_lines_end() {
     check_block("5 CALL PGM \"TNC:\\a.h", "line 2, column 12: the quotation mark is not closed");
     check_block("5 ÄÖ \"x", "line 2, column 6: the quotation mark is not closed");
     let open = "0 BEGIN PGM a MM\n1 END PGM a MM\n2 TCH PROBE 421 A ~\n Q1=5 ~\n\n";
-    let behind = "line 3, column 1: what stands behind END PGM is not part of the program";
+    let behind = "line 3, column 1: text after END PGM is not part of the program";
     check(open, &[behind, "line 4, column 1: the line ends in ~, but nothing follows"]);
 }
 
 #[test]
 fn a_block_that_is_not_understood_tells_why() {
     check_block("1 Q1 = ", "line 2, column 7: not understood: a number or a Q parameter is missing");
-    check_block("1 Q1 + 5", "line 2, column 6: not understood: = is due, + is given");
-    check_block("1 Q1 = 5 6", "line 2, column 10: not understood: 6 is left over");
-    check_block("1 Q1 = CFGREAD ( X )", "line 2, column 8: not understood: CFGREAD is no function of formulas");
+    check_block("1 Q1 + 5", "line 2, column 6: not understood: expected =, found +");
+    check_block("1 Q1 = 5 6", "line 2, column 10: not understood: unexpected text 6");
+    check_block("1 Q1 = CFGREAD ( X )", "line 2, column 8: not understood: CFGREAD is not a function");
     check_block("1 Q1 = ( 5 + 3", "line 2, column 15: not understood: ) is missing");
-    check_block("1 Q1 = QS5", "line 2, column 8: not understood: a number or a Q parameter is due, QS5 is given");
-    check_block("1 QS1 = 5", "line 2, column 9: not understood: a quoted text or a QS parameter is due, 5 is given");
-    check_block("1 Q2000 = 5", "line 2, column 3: not understood: Q2000 is no parameter, Q goes from 0 to 1999");
-    check_block("1 Q1 = QL500", "line 2, column 8: not understood: QL500 is no parameter, QL goes from 0 to 499");
-    check_block("1 LBL 65536", "line 2, column 7: not understood: 65536 is too large, at most 65535");
+    check_block("1 Q1 = QS5", "line 2, column 8: not understood: expected a number or a Q parameter, found QS5");
+    check_block("1 QS1 = 5", "line 2, column 9: not understood: expected a quoted text or a QS parameter, found 5");
+    check_block("1 Q2000 = 5", "line 2, column 3: not understood: Q2000 is not a parameter: Q goes from 0 to 1999");
+    check_block("1 Q1 = QL500", "line 2, column 8: not understood: QL500 is not a parameter: QL goes from 0 to 499");
+    check_block("1 LBL 65536", "line 2, column 7: not understood: 65536 is too large: at most 65535");
     check_block("1 LBL QS5", "line 2, column 7: not understood: QS5 cannot name the label that begins here");
-    check_block("1 LBL LOOP", "line 2, column 7: not understood: a label is due, LOOP is given");
-    check_block("1 CALL LBL 5 REP 65535", "line 2, column 18: not understood: 65535 is too large, at most 65534");
+    check_block("1 LBL LOOP", "line 2, column 7: not understood: expected a label, found LOOP");
+    check_block("1 CALL LBL 5 REP 65535", "line 2, column 18: not understood: 65535 is too large: at most 65534");
     check_block("1 CALL LBL 5 REP", "line 2, column 17: not understood: a number is missing");
     check_block("1 CALL PGM ;x", "line 2, column 11: not understood: a path is missing");
-    let wrong = "line 2, column 16: not understood: FN 9 compares with EQU, NE is given";
+    let wrong = "line 2, column 16: not understood: FN 9 compares with EQU: found NE";
     check_block("1 FN 9: IF +Q1 NE +0 GOTO LBL 1", wrong);
-    check_block("1 FN 9: IF +Q1 = 5", "line 2, column 16: not understood: EQU, NE, GT, LT or IS is due, = is given");
-    check_block("1 FN 9: IF +Q1 EQU 5 GO", "line 2, column 22: not understood: GOTO is due, GO is given");
+    check_block("1 FN 9: IF +Q1 = 5", "line 2, column 16: not understood: expected EQU, NE, GT, LT or IS, found =");
+    check_block("1 FN 9: IF +Q1 EQU 5 GO", "line 2, column 22: not understood: expected GOTO, found GO");
     check_block("1 FN 1: Q1 = 5", "line 2, column 15: not understood: + is missing");
     check_block("1 FN 16: F-PRINT a.a", "line 2, column 21: not understood: / is missing");
     check_block("1 FN 28: TABREAD Q1 = 5", "line 2, column 24: not understood: / is missing");
     check_block("1 L X+0 X+1", "line 2, column 9: not understood: an axis is given twice");
-    check_block("1 L X+0 R0 FMAX foo", "line 2, column 17: not understood: foo is left over");
-    check_block("1 L X+", "line 2, column 6: not understood: a number or a Q parameter is due, + is given");
-    check_block("1 STOP now", "line 2, column 8: not understood: now is left over");
-    check_block("1 TCH PROBE PLANE", "line 2, column 13: not understood: a number is due, PLANE is given");
+    check_block("1 L X+0 R0 FMAX foo", "line 2, column 17: not understood: unexpected text foo");
+    check_block("1 L X+", "line 2, column 6: not understood: expected a number or a Q parameter, found +");
+    check_block("1 STOP now", "line 2, column 8: not understood: unexpected text now");
+    check_block("1 TCH PROBE PLANE", "line 2, column 13: not understood: expected a number, found PLANE");
     check_block("1 TCH PROBE 421 A ~\n  Q5 ;x", "line 3, column 5: not understood: = is missing");
-    check_block("1 TCH PROBE 421 A ~\n  Q5=* ;x", "line 3, column 6: not understood: a value is due, * is given");
-    check_block("1 TCH PROBE 421 A ~\n5 M30", "line 3, column 1: not understood: a parameter is due, 5 is given");
-    check_block("1 Q1 = 5 + ~\n    foo", "line 3, column 5: not understood: foo is no function of formulas");
+    check_block("1 TCH PROBE 421 A ~\n  Q5=* ;x", "line 3, column 6: not understood: expected a value, found *");
+    check_block("1 TCH PROBE 421 A ~\n5 M30", "line 3, column 1: not understood: expected a parameter, found 5");
+    check_block("1 Q1 = 5 + ~\n    foo", "line 3, column 5: not understood: foo is not a function");
     let large = format!("1 Q1 = {}", "9".repeat(400));
-    check_block(&large, "line 2, column 8: not understood: 999999999999999999999999 is too large a number");
+    check_block(&large, "line 2, column 8: not understood: 999999999999999999999999 is too large");
 }
 
 #[test]

@@ -99,9 +99,9 @@ fn every_seen_form_of_the_begin_line_is_read() {
     check_begin("BEGIN SIMTOOLT_M MM", "SIMTOOLT_M - Millimetre - -");
     check_begin("BEGIN FRAES_GB.CDT ", "FRAES_GB CDT - - -");
     check_begin("BEGIN pal2sp .p ", "pal2sp p - - -");
-    check_begin("BEGIN", "the name of the table is missing behind BEGIN: x.tab, line 1, column 6");
+    check_begin("BEGIN", "the name of the table is missing after BEGIN: x.tab, line 1, column 6");
     check_begin("BEGIN x.tab Version: 'a", "a quotation mark is not closed: x.tab, line 1, column 24");
-    check_begin("BEGIN x.tab Version: a", "' is due here, not a: x.tab, line 1, column 1");
+    check_begin("BEGIN x.tab Version: a", "expected ', found a: x.tab, line 1, column 1");
     check_begin(
         "BEGINNING x.tab",
         "a table begins with BEGIN and its name, not with BEGINNING x.tab: x.tab, line 1, column 1",

@@ -9,7 +9,7 @@ fn empty_files_and_other_files_are_refused() {
     check_bytes(b"\xef\xbb\xbf", &["! the file is empty: own.tab, line 1, column 1"]);
     check_bytes(
         b"\x7fELF\x02\x01\x01",
-        &["! character U+007F is no text: this is not a table or it is damaged: own.tab, line 1, column 1"],
+        &["! character U+007F is not text: the file is not a table or is damaged: own.tab, line 1, column 1"],
     );
     check_bytes(
         b"\x89PNG\r\n\x1a\n",
@@ -21,7 +21,7 @@ fn empty_files_and_other_files_are_refused() {
     );
     check(
         &SOUND.replace("+12", "+\u{1}2"),
-        &["! character U+0001 is no text: this is not a table or it is damaged: own.tab, line 5, column 14"],
+        &["! character U+0001 is not text: the file is not a table or is damaged: own.tab, line 5, column 14"],
     );
     check("BEGIN x.tab\n", &["! the line with the names of the columns is missing: own.tab, line 2, column 1"]);
     check("BEGIN x.tab\n[END]\n", &["! the line with the names of the columns is missing: own.tab, line 2, column 1"]);
@@ -33,7 +33,7 @@ fn a_truncated_table_is_refused() {
     check(
         &SOUND[..SOUND.find("+12").unwrap() + 2],
         &[
-            "! the row ends before column U1: fill it up with blanks, or write - for no value: own.tab, line 5, column 15",
+            "! the row ends before column U1: fill it with blanks, or write - for no value: own.tab, line 5, column 15",
         ],
     );
     // Cut within the last column: +25 would read as +2.
@@ -65,14 +65,14 @@ fn broken_rows_and_columns_are_refused() {
     check(
         &SOUND.replace("2   6       +12    -", "2   6       +12"),
         &[
-            "! the row ends before column U1: fill it up with blanks, or write - for no value: own.tab, line 5, column 16",
+            "! the row ends before column U1: fill it with blanks, or write - for no value: own.tab, line 5, column 16",
         ],
     );
     check(&SOUND.replace("+12", "+1x"), &["! column H7: +1x is not a number: own.tab, line 5, column 13"]);
     check(&SOUND.replace("+12 ", "12mm"), &["! column H7: 12mm is not a number: own.tab, line 5, column 13"]);
     check(
         &SOUND.replace("+12    ", "1.234,5"),
-        &["! column H7 and its neighbour run into each other: keep them apart by a blank: own.tab, line 5, column 13"],
+        &["! column H7 and its neighbour run into each other: separate them with a blank: own.tab, line 5, column 13"],
     );
     check(
         &SOUND.replace("+12    ", "1.23,5 "),
@@ -87,13 +87,13 @@ fn broken_rows_and_columns_are_refused() {
     check(&SOUND.replace("   6   ", "   six "), &["! column BEREICH: six is not a number: own.tab, line 5, column 5"]);
     check(
         &SOUND.replace("2   6", "2\t6"),
-        &["! a tab stands here: only blanks keep columns apart: own.tab, line 5, column 2"],
+        &["! tab character: separate columns with blanks only: own.tab, line 5, column 2"],
     );
-    check(&SOUND.replace("[END]", "[END]\n4   10"), &["! text behind [END]: 4   10: own.tab, line 8, column 1"]);
+    check(&SOUND.replace("[END]", "[END]\n4   10"), &["! text after [END]: 4   10: own.tab, line 8, column 1"]);
     // One place too far to the left: the sign would be lost and -5 read as 5.
     check(
         &SOUND.replace("+0     +3", "+0    -5 "),
-        &["! column H7 and its neighbour run into each other: keep them apart by a blank: own.tab, line 4, column 13"],
+        &["! column H7 and its neighbour run into each other: separate them with a blank: own.tab, line 4, column 13"],
     );
 }
 
@@ -136,7 +136,7 @@ fn broken_ranges_and_pairs_are_refused() {
     );
     check(
         &SOUND.replace("U1", "BEREIK"),
-        &["! BEREICH and BEREIK are both there: only one can hold the size ranges: own.tab, line 2, column 20"],
+        &["! the table has both BEREICH and BEREIK: only one can hold the size ranges: own.tab, line 2, column 20"],
     );
     check(
         &SOUND.replace("H7", "HX").replace("U1", "UX"),
@@ -154,12 +154,12 @@ fn other_columns_are_left_alone() {
     check(
         &SOUND.replace("U1", "Js7"),
         &[
-            "column Js7 mixes upper and lower case, so it is no tolerance class and was skipped: own.tab, line 2, column 20",
+            "column Js7 mixes upper and lower case, so it is not a tolerance class and was skipped: own.tab, line 2, column 20",
         ],
     );
     check(
         &SOUND.replace("BEREICH", "RANGE  "),
-        &["no table of deviations, for it has no column BEREICH; skipped: own.tab"],
+        &["skipped, not a table of deviations (no column BEREICH): own.tab"],
     );
     let both = SOUND.replace("U1", "h7");
     let (table, _) = read_table(both.as_bytes(), "own.tab", "own.tab", false).unwrap();
@@ -175,7 +175,7 @@ fn blocks_are_checked_against_the_line_of_names() {
     check(
         &structure(&names.replace("H7\nWIDTH = 6", "H7\nWIDTH = 5")),
         &[
-            "column H7 is 7 characters wide here but 6 in the description; the names decide: own.tab, line 10, column 13",
+            "column H7 is 7 characters wide here but 6 in the description; the line of column names is used: own.tab, line 10, column 13",
         ],
     );
     check(
@@ -190,8 +190,8 @@ fn blocks_are_checked_against_the_line_of_names() {
         &["! WIDTH is a whole number up to 10000, not six: own.tab, line 4, column 3"],
     );
     check(&structure("NAME = H7\nNAME = H7\n"), &["! column H7 occurs twice: own.tab, line 4, column 1"]);
-    check(&structure("NAME\n"), &["! = is due here, not NAME: own.tab, line 3, column 1"]);
-    check(&structure("TYPE = N\n"), &["! NAME = is due here, not TYPE = N: own.tab, line 3, column 1"]);
+    check(&structure("NAME\n"), &["! expected =, found NAME: own.tab, line 3, column 1"]);
+    check(&structure("TYPE = N\n"), &["! expected NAME =, found TYPE = N: own.tab, line 3, column 1"]);
     check(
         &SOUND.replace("NR  BER", "#STRUCTBEGIN\n#STRUCTEND\nTableDescription (\n)\nNR  BER"),
         &["! the columns are described a second time: own.tab, line 4, column 1"],
@@ -206,10 +206,10 @@ fn blocks_are_checked_against_the_line_of_names() {
             "column U1 is not described: own.tab, line 4, column 20",
         ],
     );
-    check(&description(" columns:= 7"), &["! [ is due here, not 7: own.tab, line 2, column 30"]);
+    check(&description(" columns:= 7"), &["! expected [, found 7: own.tab, line 2, column 30"]);
     check(&description(" a:=\"7"), &["! a quotation mark is not closed: own.tab, line 2, column 23"]);
-    check(&description(" a=7"), &["! := is due here, not =7: own.tab, line 2, column 21"]);
-    check(&description(&" [".repeat(1000)), &["! ) is due here, not [: own.tab, line 2, column 20"]);
+    check(&description(" a=7"), &["! expected :=, found =7: own.tab, line 2, column 21"]);
+    check(&description(&" [".repeat(1000)), &["! expected ), found [: own.tab, line 2, column 20"]);
 }
 
 #[test]
@@ -253,7 +253,7 @@ fn a_folder_is_read_by_name_and_every_message_names_its_file() {
             "a.tab (2 classes, 2 size ranges)".to_owned(),
             "b.TAB (2 classes, 2 size ranges)".to_owned(),
             format!("[END] is missing: {}, line 6, column 1", shown("a.tab")),
-            format!("no table of deviations, for it has no column BEREICH; skipped: {}", shown("tool.tab")),
+            format!("skipped, not a table of deviations (no column BEREICH): {}", shown("tool.tab")),
         ]
     );
     std::fs::write(at("c.tab"), SOUND.replace("+12", "x12")).unwrap();

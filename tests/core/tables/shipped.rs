@@ -144,7 +144,7 @@ fn check_limits(callout: &str, expected: &str) {
     assert_eq!(said, expected, "for {callout}");
 }
 
-/// seed `000_2e707c2d138629e0.txt`.
+/// NC-Solution 8255 (7/2020).
 #[test]
 fn the_lookup_answers_its_test_points() {
     check_limits("3 K7", "0 / -10");

@@ -1,7 +1,7 @@
 //! What a parameter of a cycle means, so that a drawing can show it.
 //!
-//! Meanings as in the facts of the cycles: seeds `001_58657798a27ebc5f.txt`, `003_a450c9437c7f7424.txt`,
-//! `004_5791de5c83bc5f1a.txt` and the cycle manual of the TNC 320. A cycle that is not known here is drawn all the same:
+//! Meanings as in the facts of the cycles: the manuals of TNC 640, CNC PILOT 640 and
+//! TNC7 and the cycle manual of the TNC 320. A cycle that is not known here is drawn all the same:
 //! by what its Q numbers mean in every milling cycle, else by the range of the value.
 
 use crate::probing::cycle::{Cycle, Key, Parameter, Range};

@@ -134,7 +134,7 @@ fn a_drawing_says_what_its_key_means() {
     check("422", "Q277", "Q277: largest permitted diameter");
     check("427", "Q272", "Q272: measured axis: 1 first axis, 2 second axis, 3 probe axis");
     check("444", "QS400", "QS400: permitted deviation along the normal: oversize plus, undersize minus");
-    check("444", "Q309", "Q309: out of tolerance: 0 the program goes on, 1 it stops, 2 it stops on undersize only");
+    check("444", "Q309", "Q309: out of tolerance: 0 the program continues, 1 it stops, 2 it stops on undersize only");
     check("G785", "K", "K: longest probing path; plus leads away from the centre, minus towards it");
 }
 
@@ -160,7 +160,7 @@ fn a_cycle_that_is_not_known_is_drawn_by_its_numbers_and_ranges() {
     assert_eq!(label_of(&CYCLE, Key::Q(400), Language::Nl), "Q400: ROTATION Een hoek");
     assert_eq!(label_of(&CYCLE, Key::Q(401), Language::En), "Q401: WALLS One of 1, 2, 4");
     assert_eq!(label_of(&CYCLE, Key::Q(402), Language::En), "Q402: SHARE A number");
-    assert_eq!(label_of(&CYCLE, Key::Q(260), Language::En), "Q260: height at which nothing is in the way");
+    assert_eq!(label_of(&CYCLE, Key::Q(260), Language::En), "Q260: height at which the probe moves freely");
     // A key that the cycle does not have is not drawn.
     let nothing = drawn([300.0, 260.0], Theme::Light, Language::En, |ui, view| {
         parameter_picture(ui, view, &CYCLE, Key::Q(1));
@@ -273,7 +273,7 @@ fn a_cell_of_the_criteria_says_its_row_and_column() {
         "Scatter s of a touch gives 1.00 s in the diameter, 0.87 times that of 3 contacts at 120°, \
          and 0.71 s to 0.71 s in the centre",
     );
-    says(&harness, Role::Label, "• 4 contacts: four lobes stay unseen and change the diameter");
+    says(&harness, Role::Label, "• 4 contacts: four lobes are not detected and change the diameter");
     let few = Workpiece::round(Feature::Hole, [0.0, 0.0], 20.0);
     let (result, _) = run("421", "Q273=0 Q274=0 Q262=20 Q247=20", Surface::Round(few, Plane::Xy), 0.0);
     let harness = drawn([760.0, 320.0], Theme::Light, Language::En, |ui, view| {
