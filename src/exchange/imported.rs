@@ -8,6 +8,7 @@ use super::problem::{Problem, Reason, Warning};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::probing::Contact;
+use crate::probing::cycle::FoundName;
 use crate::verdict::{PositionVerdict, Removal, Status};
 use crate::words::{Message, Say};
 
@@ -60,11 +61,23 @@ pub enum WhyUnjudged {
         /// The log's nominal diameter.
         nominal: Length,
     },
-    /// A coordinate of cycle 427 is no feature of size, but its log has limits.
+    /// A coordinate is no feature of size, but its log has limits.
     Coordinate(Coordinate),
-    /// A coordinate of cycle 427 whose limits are both 0: the control did not monitor it.
+    /// A coordinate whose limits are both 0: the control did not monitor it.
     CoordinateWithoutLimits,
-    /// A point on a surface that cycle 444 probed: the measured value is its deviation along the normal, nominal 0.
+    /// A width or the side of a rectangle: judged by its limits, but no hole or shaft.
+    Size {
+        /// What was measured.
+        what: FoundName,
+        /// Its limits, and what they say.
+        judged: Coordinate,
+    },
+    /// A width or side whose limits are both 0: the control did not monitor it.
+    SizeWithoutLimits {
+        /// What was measured.
+        what: FoundName,
+    },
+    /// A point on a surface that was probed in 3-D: the measured value is its deviation along the normal, nominal 0.
     Point(Coordinate),
     /// Such a point without a tolerance.
     PointWithoutTolerance,
@@ -75,9 +88,11 @@ pub enum WhyUnjudged {
     },
 }
 
-/// A coordinate that cycle 427 measured, or a deviation that cycle 444 did. As on the control, above the maximum is rework and below the minimum scrap.
+/// A value without a callout against its limits, judged as the control does: a coordinate, a deviation, a width, a side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Coordinate {
+    /// What programs call the cycle that measured it.
+    pub cycle: &'static str,
     /// The nominal value, where the log has one.
     pub nominal: Option<Length>,
     /// The largest permitted value.
@@ -95,9 +110,15 @@ impl Say for WhyUnjudged {
         match self {
             Self::NoCallout => Message::new("exchange-no-callout"),
             Self::NoLimits { .. } => Message::new("exchange-no-limits"),
-            Self::Coordinate(_) => Message::new("exchange-coordinate"),
+            Self::Coordinate(found) => Message::new("exchange-coordinate").text("cycle", found.cycle),
             Self::CoordinateWithoutLimits => Message::new("exchange-coordinate-without-limits"),
-            Self::Point(_) => Message::new("exchange-point"),
+            Self::Size { what, judged } => {
+                Message::new("exchange-size").message("what", what.message()).text("cycle", judged.cycle)
+            }
+            Self::SizeWithoutLimits { what } => {
+                Message::new("exchange-size-without-limits").message("what", what.message())
+            }
+            Self::Point(found) => Message::new("exchange-point").text("cycle", found.cycle),
             Self::PointWithoutTolerance => Message::new("exchange-point-without-tolerance"),
             Self::Contacts { count } => Message::new("exchange-only-contacts").text("count", count),
         }
@@ -111,11 +132,17 @@ impl fmt::Display for WhyUnjudged {
             Self::NoLimits { .. } => {
                 f.pad("not judged: the log's limits of size are 0, so the diameter was not monitored")
             }
-            Self::Coordinate(_) => f.pad("a coordinate of cycle 427, not a hole or shaft"),
+            Self::Coordinate(found) => write!(f, "a coordinate of cycle {}, not a hole or shaft", found.cycle),
             Self::CoordinateWithoutLimits => {
                 f.pad("not judged: the log's limits are 0, so the coordinate was not monitored")
             }
-            Self::Point(_) => f.pad("a point on a surface of cycle 444: its deviation along the normal, not a size"),
+            Self::Size { what, judged } => write!(f, "{what} of cycle {}, not a hole or shaft", judged.cycle),
+            Self::SizeWithoutLimits { what } => {
+                write!(f, "not judged: the log's limits are 0, so the {what} was not monitored")
+            }
+            Self::Point(found) => {
+                write!(f, "a point on a surface of cycle {}: its deviation along the normal, not a size", found.cycle)
+            }
             Self::PointWithoutTolerance => f.pad("not judged: the point was probed without a tolerance"),
             Self::Contacts { count } => write!(f, "not judged: {count} contacts without a callout"),
         }

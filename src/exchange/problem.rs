@@ -312,6 +312,7 @@ pub(super) fn shorten(cell: &str) -> std::borrow::Cow<'_, str> {
 mod tests {
     use super::super::imported::{Coordinate, WhyUnjudged};
     use super::*;
+    use crate::probing::cycle::FoundName;
     use crate::verdict::Status;
     use crate::words::{Language, Words};
 
@@ -380,12 +381,14 @@ mod tests {
         }
         let length: Length = "25.0".parse().unwrap();
         let (status, removal) = (Status::Good, None);
-        let coordinate = Coordinate { nominal: None, maximum: length, minimum: length, status, removal };
+        let coordinate = Coordinate { cycle: "427", nominal: None, maximum: length, minimum: length, status, removal };
         for why in [
             WhyUnjudged::NoCallout,
             WhyUnjudged::NoLimits { nominal: length },
             WhyUnjudged::Coordinate(coordinate),
             WhyUnjudged::CoordinateWithoutLimits,
+            WhyUnjudged::Size { what: FoundName::WIDTH, judged: coordinate },
+            WhyUnjudged::SizeWithoutLimits { what: FoundName::SIDE_1 },
             WhyUnjudged::Point(coordinate),
             WhyUnjudged::PointWithoutTolerance,
             WhyUnjudged::Contacts { count: 4 },

@@ -2,7 +2,7 @@
 
 use super::contact::{Contact, Prober, Recorded};
 use super::cycle::{Cycle, CycleError, Inputs, Move, Phase};
-use super::simulated::{Bench, WorkpieceError};
+use super::simulated::{Simulation, WorkpieceError};
 use crate::words::{Message, Say};
 
 /// Where contacts come from.
@@ -10,8 +10,8 @@ use crate::words::{Message, Say};
 pub enum Source<'a> {
     /// A workpiece without faults where the cycle expects it, and a point as probe.
     Perfect,
-    /// A simulated machine.
-    Simulated(&'a Bench),
+    /// A simulated workpiece.
+    Simulated(&'a Simulation),
     /// Contacts in probing order, points of the surface.
     Recorded(&'a [Contact]),
 }
@@ -42,12 +42,12 @@ impl Source<'_> {
     /// # Errors
     /// [`SourceError`] where the inputs or the figures of the workpiece make none.
     pub fn prober(self, cycle: &Cycle, inputs: &Inputs) -> Result<Box<dyn Prober>, SourceError> {
-        let bench = match self {
+        let simulation = match self {
             Self::Recorded(contacts) => return Ok(Box::new(Recorded::new(contacts.to_vec()))),
-            Self::Simulated(bench) => *bench,
-            Self::Perfect => Bench::perfect(cycle.nominal(inputs)?.into()),
+            Self::Simulated(simulation) => *simulation,
+            Self::Perfect => Simulation::perfect(cycle.nominal(inputs)?),
         };
-        let machine = bench.machine().map_err(|error| self.refused(error, cycle, inputs))?;
+        let machine = simulation.machine().map_err(|error| self.refused(error, cycle, inputs))?;
         Ok(Box::new(machine.calibrated(inputs.probe())))
     }
 

@@ -5,8 +5,8 @@ use std::ops;
 
 use super::inputs::{Field, Inputs};
 use crate::length::Length;
-use crate::probing::cycle::{Angle, Value};
-use crate::probing::cycles::cycle;
+use crate::probing::cycle::{Angle, Axis, Meaning, Value};
+use crate::probing::cycles::measuring;
 use crate::tolerance::callout::halves;
 use crate::tolerance::{Callout, Feature, Limits, Sources};
 use crate::words::{Message, Say as _};
@@ -29,13 +29,13 @@ pub struct Asked {
 }
 
 /// The fields that are parameters of the measuring cycle: the cycle's declaration says what they may be.
-const PARAMETERS: [(Field, u16); 6] = [
-    (Field::CentreX, 273),
-    (Field::CentreY, 274),
-    (Field::Height, 261),
-    (Field::FirstAngle, 325),
-    (Field::Clearance, 320),
-    (Field::CentreTolerance, 279),
+const PARAMETERS: [(Field, Meaning); 6] = [
+    (Field::CentreX, Meaning::Centre(Axis::First)),
+    (Field::CentreY, Meaning::Centre(Axis::Second)),
+    (Field::Height, Meaning::MeasuringHeight),
+    (Field::FirstAngle, Meaning::FirstAngle),
+    (Field::Clearance, Meaning::SetUpClearance),
+    (Field::CentreTolerance, Meaning::CentreTolerance(Axis::First)),
 ];
 
 /// The other fields that hold a length, with what they may be.
@@ -95,8 +95,8 @@ impl Asked {
             errors: BTreeMap::new(),
         };
         asked.read_callout(inputs.text(Field::Callout), inputs.feature, sources);
-        for (field, q) in PARAMETERS {
-            asked.read_parameter(field, q, inputs.text(field));
+        for (field, meaning) in PARAMETERS {
+            asked.read_parameter(field, meaning, inputs.text(field));
         }
         for (field, range) in LENGTHS {
             asked.read_length(field, range, inputs.text(field));
@@ -127,9 +127,9 @@ impl Asked {
         self.errors.insert(Field::Callout, problem);
     }
 
-    /// The ranges of cycles 421 and 422 are the same but for their limits.
-    fn read_parameter(&mut self, field: Field, q: u16, text: &str) {
-        let Some(parameter) = cycle(421).and_then(|cycle| cycle.parameter(q)) else { return };
+    /// The cycles for a hole and for a shaft have the same ranges but for their limits.
+    fn read_parameter(&mut self, field: Field, meaning: Meaning, text: &str) {
+        let Some(parameter) = measuring(Feature::Hole).meant(meaning) else { return };
         match parameter.accept(text) {
             Ok(Value::Length(length)) => _ = self.lengths.insert(field, length),
             Ok(Value::Angle(angle)) => self.first_angle = Some(angle),

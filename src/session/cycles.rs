@@ -4,27 +4,27 @@
 //! |---|---|
 //! | here | the fields and what they mean, read anew at every change |
 //! | `command` | what can be done, and the text fields |
-//! | `bench`, `bench_field` | the simulated workpiece as text fields |
+//! | `workpiece`, `workpiece_field` | the simulated workpiece as text fields |
 //! | `running` | from the fields to a run, and stepping along its path |
 //! | `filling` | NC blocks and files into fields |
 //!
 //! A result is kept with what it was made with: any change of an input clears it.
 
-mod bench;
-mod bench_field;
 mod command;
 mod filling;
 mod running;
+mod workpiece;
+mod workpiece_field;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-pub use bench::BenchForm;
-pub use bench_field::{BenchField, BenchKind};
 pub use command::{Axis, ContactsFrom, CycleField, CyclesCommand};
 pub use running::{CycleRun, RunLog, Step};
+pub use workpiece::WorkpieceForm;
+pub use workpiece_field::WorkpieceField;
 
 use super::{Effect, Session};
 use crate::control::probe_table::ProbeTable;
@@ -53,8 +53,8 @@ pub struct CyclesPage {
     errors: BTreeMap<CycleField, Message>,
     inputs: Inputs,
     from: ContactsFrom,
-    bench: BenchForm,
-    bench_is_open: bool,
+    workpiece: WorkpieceForm,
+    workpiece_is_open: bool,
     recorded: Option<Arc<RecordedContacts>>,
     probes: Option<(String, ProbeTable)>,
     probe: Option<u32>,
@@ -76,8 +76,8 @@ impl Default for CyclesPage {
             errors: BTreeMap::new(),
             inputs: Inputs::new(),
             from: ContactsFrom::default(),
-            bench: BenchForm::default(),
-            bench_is_open: false,
+            workpiece: WorkpieceForm::default(),
+            workpiece_is_open: false,
             recorded: None,
             probes: None,
             probe: None,
@@ -103,7 +103,7 @@ impl CyclesPage {
             CycleField::Parameter(key) => self.texts.get(&(self.cycle.number, key)),
             CycleField::Global(key) => self.globals.get(&(self.cycle.number, key)),
             CycleField::Position(axis) => self.position.get(&axis),
-            CycleField::Bench(field) => return self.bench.text(field),
+            CycleField::Workpiece(field) => return self.workpiece.text(field),
         };
         text.map_or("", String::as_str)
     }
@@ -111,7 +111,7 @@ impl CyclesPage {
     /// What is wrong with a field.
     pub fn error(&self, field: CycleField) -> Option<&Message> {
         match field {
-            CycleField::Bench(field) => self.bench.error(field),
+            CycleField::Workpiece(field) => self.workpiece.error(field),
             field => self.errors.get(&field),
         }
     }
@@ -159,13 +159,13 @@ impl CyclesPage {
     }
 
     /// The simulated workpiece.
-    pub const fn bench(&self) -> &BenchForm {
-        &self.bench
+    pub const fn workpiece(&self) -> &WorkpieceForm {
+        &self.workpiece
     }
 
     /// Whether its dialog is open.
-    pub const fn bench_is_open(&self) -> bool {
-        self.bench_is_open
+    pub const fn workpiece_is_open(&self) -> bool {
+        self.workpiece_is_open
     }
 
     /// The recorded contacts.
@@ -217,8 +217,8 @@ impl CyclesPage {
             CycleField::Parameter(key) => _ = self.texts.insert((self.cycle.number, key), text),
             CycleField::Global(key) => _ = self.globals.insert((self.cycle.number, key), text),
             CycleField::Position(axis) => _ = self.position.insert(axis, text),
-            CycleField::Bench(field) => {
-                self.bench.set(field, text);
+            CycleField::Workpiece(field) => {
+                self.workpiece.set(field, text);
                 // Other sources do not know the workpiece.
                 if self.from != ContactsFrom::Simulated {
                     return;
@@ -315,10 +315,10 @@ impl Session {
                 page.from = from;
                 page.changed();
             }
-            CyclesCommand::ShowBench(is_open) => page.bench_is_open = is_open,
-            CyclesCommand::ChooseKind(kind) => page.change_bench(|bench| bench.set_kind(kind)),
-            CyclesCommand::ChoosePlane(plane) => page.change_bench(|bench| bench.set_plane(plane)),
-            CyclesCommand::SuitBench => self.suit_bench(),
+            CyclesCommand::ShowWorkpiece(is_open) => page.workpiece_is_open = is_open,
+            CyclesCommand::ChooseShape(shape) => page.change_workpiece(|workpiece| workpiece.set_shape(shape)),
+            CyclesCommand::ChoosePlane(plane) => page.change_workpiece(|workpiece| workpiece.set_plane(plane)),
+            CyclesCommand::SuitWorkpiece => self.suit_workpiece(),
             CyclesCommand::ChooseProbe(number) => {
                 page.probe = Some(number);
                 page.changed();
@@ -345,7 +345,7 @@ impl Session {
                 return self.cycle_window().and_then(Result::ok).map(Effect::Copy).into_iter().collect();
             }
             CyclesCommand::ContactsRead { name, result } => self.contacts_read(name, result),
-            CyclesCommand::BenchRead(result) => self.bench_read(result),
+            CyclesCommand::WorkpieceRead(result) => self.workpiece_read(result),
             CyclesCommand::ProbesRead { name, result } => self.probes_read(name, result),
         }
         Vec::new()

@@ -23,7 +23,7 @@ impl Session {
             }
             Purpose::ExportStatus => "fitcheck-status.txt".to_owned(),
             Purpose::SaveTable(format) => self.table_file_name(format),
-            Purpose::SaveBench => "workpiece.toml".to_owned(),
+            Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
             Purpose::Import
             | Purpose::LoadMask
@@ -75,7 +75,7 @@ impl Session {
             },
             Purpose::OpenCycleFile(file) => Effect::ReadCycleFile(file, path),
             Purpose::OpenProgram => Effect::ReadProgram(path),
-            Purpose::SaveBench => match self.bench_bytes() {
+            Purpose::SaveWorkpiece => match self.workpiece_bytes() {
                 Ok(bytes) => Effect::Save(path, bytes),
                 Err(problem) => {
                     self.refuse_dialog(problem);

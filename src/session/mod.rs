@@ -36,8 +36,8 @@ use jiff::civil::DateTime;
 pub use asked::Asked;
 pub use command::{Command, CycleFile, Effect, Page, Purpose, SourceChoice, Theme};
 pub use cycles::{
-    Axis, BenchField, BenchForm, BenchKind, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage,
-    RecordedContacts, RunLog, Step,
+    Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RecordedContacts, RunLog, Step,
+    WorkpieceField, WorkpieceForm,
 };
 pub use fit::{
     ClassMap, Direction, Equivalent, FitCommand, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit,

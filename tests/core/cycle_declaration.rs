@@ -3,7 +3,7 @@
 use fitcheck::length::Length;
 use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Remark, Unset, Value};
 use fitcheck::probing::cycles::{CYCLES, cycle, cycle_named};
-use fitcheck::probing::simulated::{Bench, Machine, Probe, Workpiece};
+use fitcheck::probing::simulated::{Machine, Probe, Simulation, Workpiece};
 use fitcheck::probing::{Contact, Recorded};
 use fitcheck::tolerance::{Deviations, Feature};
 use fitcheck::verdict::Status;
@@ -342,7 +342,7 @@ fn what_has_no_effect_is_kept_and_said() {
     for cycle in CYCLES {
         let required = asked(cycle);
         let run = |inputs: &Inputs| {
-            let mut machine = Bench::perfect(cycle.nominal(inputs).unwrap().into()).machine().unwrap();
+            let mut machine = Simulation::perfect(cycle.nominal(inputs).unwrap().into()).machine().unwrap();
             cycle.measure(inputs, &mut machine).unwrap()
         };
         // What must be given is enough, and the workpiece at nominal is good.

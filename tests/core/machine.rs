@@ -12,7 +12,7 @@ use fitcheck::nc::machine::{
     Budget, Contacts, FaultKind, Folders, InMemory, Machine, Pause, Settings, Shipped, Step, TravelKind, UsedUp,
 };
 use fitcheck::nc::program::Program;
-use fitcheck::probing::simulated::Bench;
+use fitcheck::probing::simulated::Simulation;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::tolerance::{Callout, Sources};
 use fitcheck::verdict::{Status, judge};
@@ -186,7 +186,7 @@ fn fit(contacts: Contacts) -> Machine {
 
 fn bore(diameter: &str) -> Contacts {
     let text = format!("[bore]\ncentre = [40.0, 30.0]\ndiameter = {diameter}\n");
-    Contacts::Workpiece(Bench::read(&text).unwrap())
+    Contacts::Workpiece(Simulation::read(&text).unwrap())
 }
 
 #[track_caller]
@@ -748,7 +748,7 @@ fn a_broken_file_is_named() {
 /// Runs the shipped Dutch programs with a nominal size and a class on a bore or a stud.
 fn shipped(nominal: &str, class: &str, workpiece: &str) -> Machine {
     let main = program(Shipped::file("8255_nl.h").unwrap());
-    let contacts = Contacts::Workpiece(Bench::read(workpiece).unwrap());
+    let contacts = Contacts::Workpiece(Simulation::read(workpiece).unwrap());
     let mut machine = Machine::new(r"TNC:\8255_nl.h", main, Shipped, contacts, settings());
     machine.set(Parameter::q(1), Value::Number(nominal.parse().unwrap())).unwrap();
     machine.set(Parameter::qs(1), Value::Text(class.to_owned())).unwrap();

@@ -4,10 +4,10 @@ use fitcheck::length::Length;
 use fitcheck::probing::Contact;
 use fitcheck::probing::cycle::{Key, Value};
 use fitcheck::probing::cycles::CYCLES;
-use fitcheck::probing::simulated::Bench;
+use fitcheck::probing::simulated::Simulation;
 use fitcheck::session::{
-    Axis, BenchField, BenchKind, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose,
-    Saved, Session, Step,
+    Axis, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Saved, Session, Shape,
+    Step, WorkpieceField,
 };
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
@@ -78,12 +78,12 @@ fn a_run_is_kept_with_its_inputs_and_any_change_clears_it() {
     }
     // The simulated workpiece is no input as long as it is not touched.
     now(&mut session);
-    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Diameter), "30".into()));
-    send(&mut session, CyclesCommand::ChooseKind(BenchKind::Face));
+    send(&mut session, CyclesCommand::Type(CycleField::Workpiece(WorkpieceField::Diameter), "30".into()));
+    send(&mut session, CyclesCommand::ChooseShape(Shape::Face));
     assert!(session.cycles().run().is_some());
     send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
     apply(&mut session, Command::Measure);
-    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::PointZ), "5".into()));
+    send(&mut session, CyclesCommand::Type(CycleField::Workpiece(WorkpieceField::PointZ), "5".into()));
     assert!(session.cycles().run().is_none());
 }
 
@@ -181,12 +181,12 @@ fn every_cycle_is_run_and_stepped() {
 fn a_cycle_that_does_not_come_to_its_end_shows_its_way() {
     let mut session = with(427, &FACE);
     send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
-    send(&mut session, CyclesCommand::ChooseKind(BenchKind::Face));
-    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::PointZ), "-60".into()));
+    send(&mut session, CyclesCommand::ChooseShape(Shape::Face));
+    send(&mut session, CyclesCommand::Type(CycleField::Workpiece(WorkpieceField::PointZ), "-60".into()));
     send(&mut session, CyclesCommand::Run);
     assert_eq!(problem(&session), "touch 1: no contact within the probing path of 50 mm");
     assert!(!session.cycles().run().unwrap().path.is_empty());
-    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Temperature), "hot".into()));
+    send(&mut session, CyclesCommand::Type(CycleField::Workpiece(WorkpieceField::Temperature), "hot".into()));
     send(&mut session, CyclesCommand::Run);
     assert_eq!(problem(&session), "simulated workpiece: Workpiece temperature: hot is not a number");
 }
@@ -203,12 +203,12 @@ fn a_workpiece_suits_every_cycle() {
     ] {
         let mut session = with(number, settings);
         send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
-        send(&mut session, CyclesCommand::SuitBench);
+        send(&mut session, CyclesCommand::SuitWorkpiece);
         send(&mut session, CyclesCommand::Run);
         assert_eq!(problem(&session), "", "{number} {settings:?}");
     }
     let mut session = with(427, &[]);
-    send(&mut session, CyclesCommand::SuitBench);
+    send(&mut session, CyclesCommand::SuitWorkpiece);
     assert_eq!(session.notices()[0].message.id, "cycles-cannot-suit");
 }
 
@@ -244,22 +244,22 @@ fn the_measuring_log_is_shown_or_saved_as_q281_asks() {
 #[test]
 fn the_workpiece_is_saved_and_opened_as_a_file() {
     let mut session = with(421, &[]);
-    send(&mut session, CyclesCommand::Type(CycleField::Bench(BenchField::Diameter), "25.012".into()));
-    apply(&mut session, Command::OpenDialog(Purpose::SaveBench));
+    send(&mut session, CyclesCommand::Type(CycleField::Workpiece(WorkpieceField::Diameter), "25.012".into()));
+    apply(&mut session, Command::OpenDialog(Purpose::SaveWorkpiece));
     let effects = apply(&mut session, Command::Confirm);
     let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
     assert_eq!(path.display().to_string(), "workpiece.toml");
-    let bench = Bench::read(std::str::from_utf8(bytes).unwrap()).unwrap();
-    assert_eq!(Some(&bench), session.cycles().bench().bench());
+    let simulation = Simulation::read(std::str::from_utf8(bytes).unwrap()).unwrap();
+    assert_eq!(Some(&simulation), session.cycles().workpiece().simulation());
     let mut other = with(421, &[]);
-    apply(&mut other, Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Bench)));
+    apply(&mut other, Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Workpiece)));
     apply(&mut other, Command::TypePath("workpiece.toml".into()));
     let effects = apply(&mut other, Command::Confirm);
-    assert_eq!(effects, [Effect::ReadCycleFile(CycleFile::Bench, "workpiece.toml".into())]);
-    send(&mut other, CyclesCommand::BenchRead(Ok(Box::new(bench))));
+    assert_eq!(effects, [Effect::ReadCycleFile(CycleFile::Workpiece, "workpiece.toml".into())]);
+    send(&mut other, CyclesCommand::WorkpieceRead(Ok(Box::new(simulation))));
     assert!(other.dialog().is_none());
     assert_eq!(other.cycles().from(), ContactsFrom::Simulated);
-    assert_eq!(other.cycles().text(CycleField::Bench(BenchField::Diameter)), "25.012");
+    assert_eq!(other.cycles().text(CycleField::Workpiece(WorkpieceField::Diameter)), "25.012");
 }
 
 #[test]
@@ -350,7 +350,7 @@ fn no_text_in_any_field_makes_the_page_panic() {
                 send(&mut session, CyclesCommand::Type(CycleField::Parameter(parameter.key), text.into()));
             }
             send(&mut session, CyclesCommand::Run);
-            send(&mut session, CyclesCommand::SuitBench);
+            send(&mut session, CyclesCommand::SuitWorkpiece);
         }
     }
 }
@@ -359,11 +359,11 @@ fn no_text_in_any_field_makes_the_page_panic() {
 #[test]
 fn a_shown_result_is_always_that_of_what_is_on_screen() {
     let contacts = [[12.5, 0.0, 0.0], [0.0, 12.502, 0.0], [-12.5, 0.0, 0.0], [0.0, -12.502, 0.0]].map(Contact::at);
-    let bench = |text: &str| Box::new(Bench::read(text).unwrap());
+    let simulation = |text: &str| Box::new(Simulation::read(text).unwrap());
     let mut commands = vec![
-        CyclesCommand::ShowBench(true),
-        CyclesCommand::SuitBench,
-        CyclesCommand::SuitBench,
+        CyclesCommand::ShowWorkpiece(true),
+        CyclesCommand::SuitWorkpiece,
+        CyclesCommand::SuitWorkpiece,
         CyclesCommand::ChooseProbe(1),
         CyclesCommand::ShippedProbes,
         CyclesCommand::Clear,
@@ -373,17 +373,20 @@ fn a_shown_result_is_always_that_of_what_is_on_screen() {
         CyclesCommand::TakeBlock,
         CyclesCommand::CopyResults,
         CyclesCommand::ContactsRead { name: "a.csv".into(), result: Ok((contacts.to_vec(), Vec::new())) },
-        CyclesCommand::BenchRead(Ok(bench("[bore]\ncentre = [0, 0]\ndiameter = 25.03\n"))),
-        CyclesCommand::BenchRead(Ok(bench("seed = 4\n[point]\npoint = [0, 0, 5]\nnormal = [0, 0, 1]\n"))),
-        CyclesCommand::BenchRead(Err(fitcheck::words::Message::new("cycles-no-bench"))),
+        CyclesCommand::WorkpieceRead(Ok(simulation("[bore]\ncentre = [0, 0]\ndiameter = 25.03\n"))),
+        CyclesCommand::WorkpieceRead(Ok(simulation("seed = 4\n[point]\npoint = [0, 0, 5]\nnormal = [0, 0, 1]\n"))),
+        CyclesCommand::WorkpieceRead(Err(fitcheck::words::Message::new("cycles-no-workpiece"))),
     ];
     commands.extend(ContactsFrom::ALL.map(CyclesCommand::From));
     commands.extend(CYCLES.iter().map(|cycle| CyclesCommand::Choose(cycle.number)));
-    commands.extend(BenchKind::ALL.map(CyclesCommand::ChooseKind));
+    commands.extend(Shape::ALL.map(CyclesCommand::ChooseShape));
     commands.extend(
-        ["25", "25,02", "0", "x"].map(|text| CyclesCommand::Type(CycleField::Bench(BenchField::Diameter), text.into())),
+        ["25", "25,02", "0", "x"]
+            .map(|text| CyclesCommand::Type(CycleField::Workpiece(WorkpieceField::Diameter), text.into())),
     );
-    commands.extend(["1", ""].map(|text| CyclesCommand::Type(CycleField::Bench(BenchField::BallRadius), text.into())));
+    commands.extend(
+        ["1", ""].map(|text| CyclesCommand::Type(CycleField::Workpiece(WorkpieceField::BallRadius), text.into())),
+    );
     commands.extend(["0", ""].map(|text| CyclesCommand::Type(CycleField::Position(Axis::X), text.into())));
     commands.extend(["PREDEF", "0.5"].map(|text| CyclesCommand::Type(CycleField::Parameter(Key::Q(320)), text.into())));
     commands.extend(["1", "2"].map(|text| CyclesCommand::Type(CycleField::Global(Key::Q(320)), text.into())));

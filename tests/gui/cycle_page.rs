@@ -388,10 +388,10 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
     click(&mut window, Role::Button, "Workpiece…");
     for kind in ["Stud", "Face", "Free surface point", "Bore"] {
         click(&mut window, Role::RadioButton, kind);
-        assert!(window.state().session().cycles().bench().bench().is_some(), "{kind}");
+        assert!(window.state().session().cycles().workpiece().simulation().is_some(), "{kind}");
     }
     click(&mut window, Role::RadioButton, "Z/X");
-    assert_eq!(window.state().session().cycles().bench().plane(), fitcheck::probing::cycle::Plane::Zx);
+    assert_eq!(window.state().session().cycles().workpiece().plane(), fitcheck::probing::cycle::Plane::Zx);
 }
 
 /// Presses the last of several buttons of the same name: that of what lies on top.
@@ -525,7 +525,7 @@ fn the_workpiece_s_dialog_takes_the_focus_and_is_whole_at_once() {
     window.step();
     assert_eq!(close(&window), settled);
     key(&mut window, Modifiers::NONE, Key::Escape);
-    assert!(!window.state().session().cycles().bench_is_open());
+    assert!(!window.state().session().cycles().workpiece_is_open());
     // Back to where it was opened from.
     assert_eq!(focused(&window), "Workpiece…");
 }

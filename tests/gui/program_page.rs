@@ -227,8 +227,8 @@ fn the_simulated_workpiece_is_that_of_the_cycles_page() {
     press(&mut page, Key::F5);
     says(&page, "GOOD");
     says(&page, "The program agrees with Fitcheck");
-    let bench = page.state().session().cycles().bench().bench().copied().unwrap();
-    assert!(format!("{:?}", bench.surface).contains("centre: [40.0, 30.0]"), "{bench:?}");
+    let simulation = page.state().session().cycles().workpiece().simulation().copied().unwrap();
+    assert!(format!("{:?}", simulation.surface).contains("centre: [40.0, 30.0]"), "{simulation:?}");
 }
 
 #[test]

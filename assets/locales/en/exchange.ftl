@@ -1,7 +1,7 @@
 # exchange
 
 # Measurements from files
-exchange-format-logs = HEIDENHAIN measuring logs of cycles 421, 422 and 427
+exchange-format-logs = HEIDENHAIN measuring logs such as TCHPR421.TXT
 exchange-format-log-444 = logs of cycle 444 as written by Fitcheck
 exchange-format-contacts = contacts of one circle: x, y and perhaps z
 exchange-format-measurements = measurements as CSV: id, callout, measured
@@ -32,9 +32,11 @@ exchange-decimal-comma = { $joined } may be one number with a decimal comma: use
 exchange-too-many-rows = only the first { $most } rows were read: split the file
 exchange-no-callout = not judged: there is no callout
 exchange-no-limits = not judged: the log's limits of size are 0, so the diameter was not monitored
-exchange-coordinate = a coordinate of cycle 427, not a hole or shaft
+exchange-coordinate = a coordinate of cycle { $cycle }, not a hole or shaft
 exchange-coordinate-without-limits = not judged: the log's limits are 0, so the coordinate was not monitored
-exchange-point = a point on a surface of cycle 444: its deviation along the normal, not a size
+exchange-size = { $what } of cycle { $cycle }, not a hole or shaft
+exchange-size-without-limits = not judged: the log's limits are 0, so the { $what } was not monitored
+exchange-point = a point on a surface of cycle { $cycle }: its deviation along the normal, not a size
 exchange-point-without-tolerance = not judged: the point was probed without a tolerance
 exchange-only-contacts = not judged: { $count } contacts without a callout
 exchange-ignored-columns = columns not used: { $columns }

@@ -135,7 +135,9 @@ impl Row {
             ..Self::default()
         };
         match &unjudged.why {
-            WhyUnjudged::Coordinate(coordinate) | WhyUnjudged::Point(coordinate) => Self {
+            WhyUnjudged::Coordinate(coordinate)
+            | WhyUnjudged::Point(coordinate)
+            | WhyUnjudged::Size { judged: coordinate, .. } => Self {
                 nominal: coordinate.nominal,
                 minimum: Some(coordinate.minimum),
                 maximum: Some(coordinate.maximum),
@@ -153,6 +155,7 @@ impl Row {
             },
             WhyUnjudged::NoCallout
             | WhyUnjudged::CoordinateWithoutLimits
+            | WhyUnjudged::SizeWithoutLimits { .. }
             | WhyUnjudged::PointWithoutTolerance
             | WhyUnjudged::Contacts { .. } => Self { error: Some(unjudged.why.to_string()), ..row },
         }

@@ -14,7 +14,7 @@ use std::sync::Arc;
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
 
-use super::cycle::{data, pairs, probe_table, read_bench, read_contacts};
+use super::cycle::{data, pairs, probe_table, read_contacts, read_workpiece};
 use super::{CliError, Io, Outcome, now, read_input, tame};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::files::{self, FileError};
@@ -194,11 +194,11 @@ impl Args {
             return Ok(Contacts::Recorded(read_contacts(path, io)?.1));
         }
         let Some(path) = &self.workpiece else { return Ok(Contacts::Perfect) };
-        let (file, mut bench) = read_bench(path, io)?;
-        bench.seed = self.seed.unwrap_or(bench.seed);
+        let (file, mut simulation) = read_workpiece(path, io)?;
+        simulation.seed = self.seed.unwrap_or(simulation.seed);
         // Figures that cannot be are said now, with the file's name, and not in the middle of the run.
-        bench.machine().map_err(|error| data(&file, &error))?;
-        Ok(Contacts::Workpiece(bench))
+        simulation.machine().map_err(|error| data(&file, &error))?;
+        Ok(Contacts::Workpiece(simulation))
     }
 }
 

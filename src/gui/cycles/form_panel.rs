@@ -81,7 +81,7 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
             ui.horizontal(|ui| simulated_ui(ui, view));
             // The dialog says it beside the field.
             let page = view.session.cycles();
-            if let Some(error) = page.bench().problem().filter(|_| !page.bench_is_open()) {
+            if let Some(error) = page.workpiece().problem().filter(|_| !page.workpiece_is_open()) {
                 problem(ui, view.words.say(&error));
             }
         }
@@ -91,11 +91,11 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn simulated_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if opener_ui(ui, view.text("cycles-workpiece"), view.session.cycles().bench_is_open()) {
-        view.send(Command::Cycles(CyclesCommand::ShowBench(true)));
+    if opener_ui(ui, view.text("cycles-workpiece"), view.session.cycles().workpiece_is_open()) {
+        view.send(Command::Cycles(CyclesCommand::ShowWorkpiece(true)));
     }
     if ui.button(view.text("cycles-suit")).clicked() {
-        view.send(Command::Cycles(CyclesCommand::SuitBench));
+        view.send(Command::Cycles(CyclesCommand::SuitWorkpiece));
     }
 }
 

@@ -162,7 +162,7 @@ fn typed_number(ui: &Ui, allowed: &[i64]) -> Option<i64> {
 /// A field without a parameter's declaration, such as a figure of the workpiece; one that may be empty says so.
 pub(super) fn figure_ui(ui: &mut Ui, view: &mut View<'_>, of: CycleField, name: String, unit: &str) {
     let is_optional = match of {
-        CycleField::Bench(field) => field.is_optional(),
+        CycleField::Workpiece(field) => field.is_optional(),
         CycleField::Position(_) => true,
         CycleField::Parameter(_) | CycleField::Global(_) => false,
     };

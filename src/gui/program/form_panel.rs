@@ -177,9 +177,9 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
         WorkpieceFrom::Simulated => {
             let button = Button::new(view.text("program-page-edit-workpiece")).min_size(vec2(0.0, sizes().field));
             if ui.add(button).clicked() {
-                view.send(Command::Cycles(CyclesCommand::ShowBench(true)));
+                view.send(Command::Cycles(CyclesCommand::ShowWorkpiece(true)));
             }
-            if let Some(error) = view.session.cycles().bench().problem() {
+            if let Some(error) = view.session.cycles().workpiece().problem() {
                 problem(ui, view.words.say(&error));
             }
         }

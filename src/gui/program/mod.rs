@@ -24,7 +24,7 @@ use std::time::Duration;
 
 use eframe::egui::{CentralPanel, Frame, Id, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
 
-use super::cycles::bench_window;
+use super::cycles::workpiece_window;
 use super::dialogs::just_opened;
 use super::field;
 use super::theme::{palette, space};
@@ -78,7 +78,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         listing::listing_ui(ui, view);
     });
-    bench_window::bench_ui(ui, view);
+    workpiece_window::workpiece_ui(ui, view);
 }
 
 /// The page opens ready for typing, or for walking through the program where it has no inputs.
@@ -101,7 +101,7 @@ fn column_ui(ui: &mut Ui, id: &str, content: impl FnOnce(&mut Ui)) {
 
 /// The keys of the page, wherever the focus is.
 fn shortcuts(ui: &Ui, view: &mut View<'_>) {
-    if view.session.dialog().is_some() || view.session.cycles().bench_is_open() {
+    if view.session.dialog().is_some() || view.session.cycles().workpiece_is_open() {
         return;
     }
     let pressed = |shortcut: &KeyboardShortcut| ui.input_mut(|input| input.consume_shortcut(shortcut));

@@ -9,8 +9,10 @@ use super::values::length_of;
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
 use crate::nc::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool, Unit};
-use crate::probing::cycle::{self, Cycle, CycleError, CycleResult, Inputs, Key, LogTarget, Move, Phase, Range};
-use crate::probing::cycles::CYCLES;
+use crate::probing::cycle::{
+    self, Control, Cycle, CycleError, CycleResult, Inputs, Key, LogTarget, Move, Phase, Range,
+};
+use crate::probing::cycles::cycles_of;
 
 /// A cycle that was run.
 #[derive(Debug, Clone)]
@@ -52,7 +54,7 @@ impl Machine {
                 self.remark(at, Remark::Skipped);
                 return Ok(Step::Went);
             }
-            let known: Vec<&str> = milling_cycles().map(|cycle| cycle.code).collect();
+            let known: Vec<&str> = cycles_of(Control::Milling).map(|cycle| cycle.code).collect();
             return Err(FaultKind::UnknownCycle { cycle: block.number.clone(), known: known.join(", ") });
         };
         if self.frame.unit == Some(Unit::Inch) {
@@ -63,7 +65,7 @@ impl Machine {
             self.remark(at, Remark::OtherProbe { tool, probe: self.probe.number });
         }
         let inputs = self.inputs(cycle, block)?;
-        let (path, result) = self.workbench.measure(cycle, &inputs)?;
+        let (path, result) = self.probed.measure(cycle, &inputs)?;
         self.went_along(at, &path)?;
         let failed = |error| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) };
         let result = result.map_err(failed)?;
@@ -153,11 +155,7 @@ impl Machine {
     }
 }
 
-/// The cycles of milling controls: those of lathe controls are no `TCH PROBE`.
-fn milling_cycles() -> impl Iterator<Item = &'static Cycle> {
-    CYCLES.iter().copied().filter(|cycle| cycle.code.bytes().all(|byte| byte.is_ascii_digit()))
-}
-
+/// A cycle of milling controls: those of lathe controls are no `TCH PROBE`.
 fn milling_cycle(number: &str) -> Option<&'static Cycle> {
-    milling_cycles().find(|cycle| cycle.code == number)
+    cycles_of(Control::Milling).find(|cycle| cycle.code == number)
 }

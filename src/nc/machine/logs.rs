@@ -18,11 +18,8 @@ impl Machine {
     /// Writes or shows the log of a cycle. Logs of the same name are added to one another, as
     /// [`CycleLog::append`] says; one that cannot be written is remarked, and the run goes on.
     pub(super) fn log(&mut self, at: usize, cycle: &'static Cycle, result: &CycleResult) -> Result<(), FaultKind> {
-        let name = match result.log {
-            LogTarget::File(name) => name.to_owned(),
-            LogTarget::Screen => format!("TCHPR{}.TXT", cycle.code),
-            LogTarget::None | LogTarget::Shown => return Ok(()),
-        };
+        let (LogTarget::File(_) | LogTarget::Screen) = result.log else { return Ok(()) };
+        let Some(name) = cycle.log.file().map(str::to_owned) else { return Ok(()) };
         let path = self.path_of(&TextOperand::Text(name))?;
         let program = Some(self.frame.path.to_string());
         let heading = Heading { date_time: Some(self.settings.time), program, unit: Unit::Millimetre };

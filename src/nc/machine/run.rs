@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::budget::{Budget, Settings, UsedUp};
-use super::contacts::{Contacts, Workbench};
+use super::contacts::{Contacts, Probed};
 use super::cycles::CycleRun;
 use super::fault::{BlockPlace, Fault, FaultKind};
 use super::flow::{Call, Frame};
@@ -49,7 +49,7 @@ pub struct Machine {
     main: (NcPath, Arc<Program>),
     pub(super) known: Known,
     pub(super) store: Box<dyn Store>,
-    pub(super) workbench: Workbench,
+    pub(super) probed: Probed,
     pub(super) settings: Settings,
     pub(super) programs: BTreeMap<NcPath, Arc<Program>>,
     pub(super) file_bytes: usize,
@@ -110,7 +110,7 @@ impl Machine {
             main: (path.clone(), Arc::clone(&program)),
             known: Known::default(),
             store,
-            workbench: Workbench::new(contacts),
+            probed: Probed::new(contacts),
             settings,
             programs: BTreeMap::from([(path.clone(), Arc::clone(&program))]),
             file_bytes: 0,
@@ -181,7 +181,7 @@ impl Machine {
         let mut done = self.block(at);
         if matches!(done, Ok(Step::Ended)) {
             self.state = State::Ended;
-            if let Some((count, used)) = self.workbench.left() {
+            if let Some((count, used)) = self.probed.left() {
                 self.remark(at, Remark::ContactsLeft { count, used });
             }
             // Another error of the end counts as one of the block that ended the run.

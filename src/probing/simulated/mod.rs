@@ -2,27 +2,33 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `bench` | all of it as one TOML file |
+//! | `file` | all of it as one TOML file |
+//! | `shape` | what there is to probe, by its shape |
 //! | `surface` | round features, plane faces, points of free surfaces |
+//! | `walls` | slots, ridges, pockets and bosses |
 //! | `workpiece` | a round, oval or lobed contour |
 //! | `probe` | ball, scatter, pre-travel, calibration |
 //! | `nearest` | where a ball meets a wavy contour |
 //!
 //! The same seed gives the same contacts, on every machine and in every version.
 
-mod bench;
+mod file;
 mod nearest;
 mod probe;
+mod shape;
 mod surface;
+mod walls;
 mod workpiece;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng as _;
 use rand_distr::{Distribution as _, StandardNormal};
 
-pub use bench::{Bench, BenchError};
+pub use file::{Simulation, SimulationError};
 pub use probe::Probe;
+pub use shape::Shape;
 pub use surface::{Face, FreePoint, Surface, Wave};
+pub use walls::Walls;
 pub use workpiece::{Lobes, Workpiece};
 
 use super::contact::{Contact, NoContact, Prober, Touch};

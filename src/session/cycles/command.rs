@@ -1,10 +1,10 @@
 //! What can be done on the cycles page, and its text fields.
 
-use super::{BenchField, BenchKind, Step};
+use super::{Step, WorkpieceField};
 use crate::control::probe_table::ProbeTable;
 use crate::probing::Contact;
 use crate::probing::cycle::{Key, Plane};
-use crate::probing::simulated::Bench;
+use crate::probing::simulated::{Shape, Simulation};
 use crate::words::Message;
 
 /// What can be done on the cycles page.
@@ -17,13 +17,13 @@ pub enum CyclesCommand {
     /// Chooses where contacts come from.
     From(ContactsFrom),
     /// Opens or closes the dialog of the simulated workpiece.
-    ShowBench(bool),
-    /// Chooses what kind of surface the simulated workpiece has.
-    ChooseKind(BenchKind),
+    ShowWorkpiece(bool),
+    /// Chooses what shape the simulated workpiece has.
+    ChooseShape(Shape),
     /// Chooses the plane of a round surface.
     ChoosePlane(Plane),
     /// Makes a simulated workpiece that suits the cycle's inputs.
-    SuitBench,
+    SuitWorkpiece,
     /// Takes a row of the touch-probe table by its number.
     ChooseProbe(u32),
     /// Takes the shipped touch-probe table.
@@ -53,8 +53,8 @@ pub enum CyclesCommand {
         /// The contacts, and warnings.
         result: Result<(Vec<Contact>, Vec<Message>), Message>,
     },
-    /// A file of a simulated machine was read, or not.
-    BenchRead(Result<Box<Bench>, Message>),
+    /// A file of a simulated workpiece was read, or not.
+    WorkpieceRead(Result<Box<Simulation>, Message>),
     /// A touch-probe table was read, or not.
     ProbesRead {
         /// Its name without the folder.
@@ -74,7 +74,7 @@ pub enum CycleField {
     /// Where the ball stands before the cycle, by axis.
     Position(Axis),
     /// A figure of the simulated workpiece.
-    Bench(BenchField),
+    Workpiece(WorkpieceField),
 }
 
 /// An axis of the machine.

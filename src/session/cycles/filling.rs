@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::{BenchForm, ContactsFrom, CyclesPage, RecordedContacts};
+use super::{ContactsFrom, CyclesPage, RecordedContacts, WorkpieceForm};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
 use crate::probing::cycles::cycle;
-use crate::probing::simulated::{Bench, Probe};
+use crate::probing::simulated::{Probe, Simulation};
 use crate::probing::{Contact, Source};
 use crate::session::{Notice, SavedCycles, Session};
 use crate::words::{Language, Message, Say as _};
@@ -40,8 +40,8 @@ impl CyclesPage {
         self.choose(saved.cycle.unwrap_or(self.cycle.number));
     }
 
-    pub(super) fn change_bench(&mut self, change: impl FnOnce(&mut BenchForm)) {
-        change(&mut self.bench);
+    pub(super) fn change_workpiece(&mut self, change: impl FnOnce(&mut WorkpieceForm)) {
+        change(&mut self.workpiece);
         if self.from == ContactsFrom::Simulated {
             self.changed();
         }
@@ -81,22 +81,23 @@ impl CyclesPage {
     }
 
     /// A workpiece that suits the cycle: where the ball does not go into it, a point measures.
-    fn suited(&self) -> Result<Bench, Message> {
+    fn suited(&self) -> Result<Simulation, Message> {
         let nominal = self.cycle.nominal(&self.inputs).map_err(|error| error.message())?;
-        let bench = self.bench.suited(nominal);
-        let point = Bench { probe: Probe { ball_radius: 0.0, calibration_error: 0.0, ..bench.probe }, ..bench };
-        let runs = |bench: &Bench| {
-            let prober = Source::Simulated(bench).prober(self.cycle, &self.inputs);
+        let simulation = self.workpiece.suited(nominal);
+        let point =
+            Simulation { probe: Probe { ball_radius: 0.0, calibration_error: 0.0, ..simulation.probe }, ..simulation };
+        let runs = |simulation: &Simulation| {
+            let prober = Source::Simulated(simulation).prober(self.cycle, &self.inputs);
             prober.is_ok_and(|mut prober| self.cycle.measure(&self.inputs, &mut *prober).is_ok())
         };
-        Ok(if !runs(&bench) && runs(&point) { point } else { bench })
+        Ok(if !runs(&simulation) && runs(&point) { point } else { simulation })
     }
 }
 
 impl Session {
-    pub(super) fn suit_bench(&mut self) {
+    pub(super) fn suit_workpiece(&mut self) {
         match self.cycles.suited() {
-            Ok(bench) => self.cycles.change_bench(|form| *form = BenchForm::of(&bench)),
+            Ok(simulation) => self.cycles.change_workpiece(|form| *form = WorkpieceForm::of(&simulation)),
             Err(problem) => self.tell(Message::new("cycles-cannot-suit").message("problem", problem)),
         }
     }
@@ -117,11 +118,11 @@ impl Session {
         }
     }
 
-    pub(super) fn bench_read(&mut self, result: Result<Box<Bench>, Message>) {
+    pub(super) fn workpiece_read(&mut self, result: Result<Box<Simulation>, Message>) {
         match result {
-            Ok(bench) => {
+            Ok(simulation) => {
                 self.file_done();
-                self.cycles.bench = BenchForm::of(&bench);
+                self.cycles.workpiece = WorkpieceForm::of(&simulation);
                 self.cycles.from = ContactsFrom::Simulated;
                 self.cycles.changed();
             }
@@ -146,11 +147,11 @@ impl Session {
     }
 
     /// The simulated machine as a file's bytes.
-    pub(in crate::session) fn bench_bytes(&self) -> Result<Vec<u8>, Message> {
-        let form = self.cycles.bench();
-        let wrong = || form.problem().unwrap_or_else(|| Message::new("cycles-no-bench"));
-        let bench = form.bench().ok_or_else(wrong)?;
+    pub(in crate::session) fn workpiece_bytes(&self) -> Result<Vec<u8>, Message> {
+        let form = self.cycles.workpiece();
+        let wrong = || form.problem().unwrap_or_else(|| Message::new("cycles-no-workpiece"));
+        let simulation = form.simulation().ok_or_else(wrong)?;
         let refused = |error: toml::ser::Error| Message::new("cycles-not-written").text("reason", error);
-        bench.write().map(String::into_bytes).map_err(refused)
+        simulation.write().map(String::into_bytes).map_err(refused)
     }
 }

@@ -11,7 +11,8 @@ use crate::control::mask::Mask;
 use crate::control::text::decode;
 use crate::length::Unit;
 use crate::probing::circle::Evaluation;
-use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move, Nominal};
+use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move};
+use crate::probing::simulated::Surface;
 use crate::probing::{Source, SourceError};
 use crate::session::{MaskChoice, Session};
 use crate::words::{Language, Message, Say as _};
@@ -26,7 +27,7 @@ pub struct CycleRun {
     /// The way of the ball's centre, also where the cycle did not come to its end.
     pub path: Vec<Move>,
     /// The surface that the cycle expects.
-    pub nominal: Option<Nominal>,
+    pub nominal: Option<Surface>,
     /// The ball's radius as calibrated, mm.
     pub ball_radius: f64,
     /// What it found, or why it did not.
@@ -55,13 +56,10 @@ pub struct RunLog {
 }
 
 impl RunLog {
-    /// The log of a result, as Q281 asks for it; a page (cycle 444) is written only, never shown.
+    /// The log of a result, as Q281 asks for it; a page of points is written only, never shown.
     fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Language) -> Option<Result<Self, Message>> {
-        let (name, is_shown) = match result.log {
-            LogTarget::File(name) => (name.to_owned(), false),
-            LogTarget::Screen => (format!("TCHPR{}.TXT", cycle.code), true),
-            LogTarget::None | LogTarget::Shown => return None,
-        };
+        let (LogTarget::File(_) | LogTarget::Screen) = result.log else { return None };
+        let (name, is_shown) = (cycle.log.file()?.to_owned(), result.log == LogTarget::Screen);
         let heading = Heading { date_time: Some(time), program: None, unit: Unit::Millimetre };
         let log = CycleLog::of(cycle, result, &heading, language)?;
         Some(log.write(language).map_err(|error| error.message()).map(|bytes| Self {
@@ -177,12 +175,12 @@ impl CyclesPage {
         match self.from {
             ContactsFrom::Perfect => Ok((Source::Perfect, Message::new("cycles-from-perfect"))),
             ContactsFrom::Simulated => {
-                let bench = self.bench.bench().ok_or_else(|| {
-                    let problem = self.bench.problem().unwrap_or_else(|| Message::new("cycles-no-bench"));
-                    Message::new("cycles-bench-wrong").message("problem", problem)
+                let simulation = self.workpiece.simulation().ok_or_else(|| {
+                    let problem = self.workpiece.problem().unwrap_or_else(|| Message::new("cycles-no-workpiece"));
+                    Message::new("cycles-workpiece-wrong").message("problem", problem)
                 })?;
-                let said = Message::new("cycles-from-simulated").text("seed", bench.seed);
-                Ok((Source::Simulated(bench), said))
+                let said = Message::new("cycles-from-simulated").text("seed", simulation.seed);
+                Ok((Source::Simulated(simulation), said))
             }
             ContactsFrom::Recorded => {
                 let recorded = self.recorded.as_ref().ok_or_else(|| Message::new("cycles-no-contacts"))?;

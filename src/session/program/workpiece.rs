@@ -7,7 +7,7 @@ use super::{ProgramField, ProgramPage, WorkpieceFrom};
 use crate::length::Length;
 use crate::nc::machine::Contacts;
 use crate::probing::cycle::Plane;
-use crate::probing::simulated::{Bench, Surface, Workpiece};
+use crate::probing::simulated::{Simulation, Surface, Workpiece};
 use crate::session::{CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Session};
 use crate::tolerance::Feature;
 use crate::words::Message;
@@ -17,7 +17,7 @@ impl ProgramPage {
     fn round(feature: Feature, centre: [Length; 2], diameter: Length) -> Contacts {
         let workpiece = Workpiece::round(feature, centre.map(Length::to_mm_f64), diameter.to_mm_f64());
         let surface = Surface::Round(workpiece, Plane::Xy);
-        Contacts::Workpiece(Bench::perfect(surface))
+        Contacts::Workpiece(Simulation::perfect(surface))
     }
 
     fn field_length(&self, field: ProgramField) -> Result<Length, Message> {
@@ -59,29 +59,29 @@ impl Session {
     }
 
     /// The simulated workpiece that suits is that of the program's inputs, as a shop makes it.
-    fn suited_to_program(&self) -> Option<Bench> {
+    fn suited_to_program(&self) -> Option<Simulation> {
         let limits = self.program_limits()?.ok()?;
         let centre = [Input::CentreX, Input::CentreY].map(|input| self.program.input_length(input).unwrap_or_default());
         let usual = Workpiece::usual(limits.feature, limits.middle().to_mm_f64());
         let surface = Surface::Round(Workpiece { centre: centre.map(Length::to_mm_f64), ..usual }, Plane::Xy);
-        let machine = self.cycles.bench().bench().copied().unwrap_or_else(|| Bench::perfect(surface));
-        Some(Bench { surface, ..machine })
+        let machine = self.cycles.workpiece().simulation().copied().unwrap_or_else(|| Simulation::perfect(surface));
+        Some(Simulation { surface, ..machine })
     }
 
     /// Does a command of the workpiece's dialog, which the cycles page has as well.
     pub(in crate::session) fn apply_cycles_for_page(&mut self, command: CyclesCommand, now: DateTime) -> Vec<Effect> {
         let command = match command {
-            CyclesCommand::SuitBench if self.page == Page::Program => match self.suited_to_program() {
-                Some(bench) => CyclesCommand::BenchRead(Ok(Box::new(bench))),
+            CyclesCommand::SuitWorkpiece if self.page == Page::Program => match self.suited_to_program() {
+                Some(simulation) => CyclesCommand::WorkpieceRead(Ok(Box::new(simulation))),
                 None => return Vec::new(),
             },
             command => command,
         };
         let now_used = match &command {
-            CyclesCommand::Type(CycleField::Bench(_), _)
-            | CyclesCommand::ChooseKind(_)
+            CyclesCommand::Type(CycleField::Workpiece(_), _)
+            | CyclesCommand::ChooseShape(_)
             | CyclesCommand::ChoosePlane(_)
-            | CyclesCommand::BenchRead(Ok(_)) => Some(WorkpieceFrom::Simulated),
+            | CyclesCommand::WorkpieceRead(Ok(_)) => Some(WorkpieceFrom::Simulated),
             CyclesCommand::ContactsRead { result: Ok(_), .. } => Some(WorkpieceFrom::Recorded),
             _ => None,
         };
@@ -125,8 +125,8 @@ impl Session {
                 let feature = limits.map_or(Feature::Hole, |limits| limits.feature);
                 Ok(ProgramPage::round(feature, centre, diameter))
             }
-            WorkpieceFrom::Simulated => match self.cycles.bench().bench() {
-                Some(bench) => Ok(Contacts::Workpiece(*bench)),
+            WorkpieceFrom::Simulated => match self.cycles.workpiece().simulation() {
+                Some(simulation) => Ok(Contacts::Workpiece(*simulation)),
                 None => Err(Message::new("program-page-refused-workpiece")),
             },
             WorkpieceFrom::Recorded => match self.cycles.recorded() {

@@ -8,16 +8,16 @@ use crate::gui::dialogs::just_opened;
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
-use crate::session::{BenchField, BenchKind, Command, CycleField, CycleFile, CyclesCommand, Purpose};
+use crate::session::{Command, CycleField, CycleFile, CyclesCommand, Purpose, Shape, WorkpieceField};
 
 /// The window, where it is open. What is typed counts at once.
-pub(in crate::gui) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
-    if !view.session.cycles().bench_is_open() {
+pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
+    if !view.session.cycles().workpiece_is_open() {
         return;
     }
     let size = ui.ctx().content_rect().size();
     let window = Window::new(view.text("simulated-workpiece"))
-        .id(Id::unique("bench"))
+        .id(Id::unique("workpiece"))
         .anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0))
         .collapsible(false)
         .resizable(false)
@@ -32,42 +32,42 @@ pub(in crate::gui) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
         });
     // A window takes the size of its content one frame late.
     let rect = window.map(|window| window.response.rect);
-    let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(Id::unique("bench-size")), rect));
+    let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(Id::unique("workpiece-size")), rect));
     if last != rect {
         ui.ctx().request_repaint();
     }
     // What lies above is closed first.
     let is_top = view.session.dialog().is_none() && view.session.notices().is_empty();
     if is_top && ui.input(|input| input.key_pressed(Key::Escape)) && !ui.ctx().text_edit_focused() {
-        view.send(Command::Cycles(CyclesCommand::ShowBench(false)));
+        view.send(Command::Cycles(CyclesCommand::ShowWorkpiece(false)));
     }
 }
 
-const fn kind_id(kind: BenchKind) -> &'static str {
+const fn kind_id(kind: Shape) -> &'static str {
     match kind {
-        BenchKind::Bore => "cycles-kind-bore",
-        BenchKind::Stud => "cycles-kind-stud",
-        BenchKind::Face => "cycles-kind-face",
-        BenchKind::Point => "cycles-kind-point",
+        Shape::Bore => "cycles-kind-bore",
+        Shape::Stud => "cycles-kind-stud",
+        Shape::Face => "cycles-kind-face",
+        Shape::Point => "cycles-kind-point",
     }
 }
 
 fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
-    let kind = view.session.cycles().bench().kind();
-    let is_new = just_opened(ui, Id::unique("bench-kind"));
+    let kind = view.session.cycles().workpiece().kind();
+    let is_new = just_opened(ui, Id::unique("workpiece-shape"));
     ui.horizontal(|ui| {
-        for choice in BenchKind::ALL {
+        for choice in Shape::ALL {
             let radio = ui.radio(kind == choice, view.text(kind_id(choice)));
             if is_new && kind == choice {
                 radio.request_focus();
             }
             if radio.clicked() {
-                view.send(Command::Cycles(CyclesCommand::ChooseKind(choice)));
+                view.send(Command::Cycles(CyclesCommand::ChooseShape(choice)));
             }
         }
     });
-    if matches!(kind, BenchKind::Bore | BenchKind::Stud) {
+    if matches!(kind, Shape::Bore | Shape::Stud) {
         plane_ui(ui, view);
     }
     ui.columns(2, |columns| {
@@ -76,10 +76,10 @@ fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
             right.spacing_mut().item_spacing.y = space(1.0);
             heading(left, view.text(kind_id(kind)));
             fields_ui(left, view, kind.fields());
-            heading(right, view.text("cycles-bench-probe"));
-            fields_ui(right, view, BenchField::PROBE);
-            heading(right, view.text("cycles-bench-machine"));
-            fields_ui(right, view, BenchField::MACHINE);
+            heading(right, view.text("workpiece-probe"));
+            fields_ui(right, view, WorkpieceField::PROBE);
+            heading(right, view.text("workpiece-machine"));
+            fields_ui(right, view, WorkpieceField::MACHINE);
         }
     });
 }
@@ -87,7 +87,7 @@ fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn plane_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         quiet(ui, view.text("cycles-plane"));
-        let chosen = view.session.cycles().bench().plane();
+        let chosen = view.session.cycles().workpiece().plane();
         for plane in [Plane::Xy, Plane::Zx, Plane::Yz] {
             if ui.radio(chosen == plane, plane.axes().join("/")).clicked() {
                 view.send(Command::Cycles(CyclesCommand::ChoosePlane(plane)));
@@ -96,28 +96,28 @@ fn plane_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
-fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[BenchField]) {
+fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[WorkpieceField]) {
     for field in fields {
-        figure_ui(ui, view, CycleField::Bench(*field), view.text(field.name_id()), field.unit());
+        figure_ui(ui, view, CycleField::Workpiece(*field), view.text(field.name_id()), field.unit());
     }
 }
 
 fn buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(20.0), sizes().touch));
-        let buttons = ["cycles-suit", "cycles-open-bench", "cycles-save-bench", "close"].map(button);
+        let buttons = ["cycles-suit", "cycles-open-workpiece", "cycles-save-workpiece", "close"].map(button);
         let [suit, open, save, close] = buttons;
         if ui.add(suit).clicked() {
-            view.send(Command::Cycles(CyclesCommand::SuitBench));
+            view.send(Command::Cycles(CyclesCommand::SuitWorkpiece));
         }
         if ui.add(open).clicked() {
-            view.send(Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Bench)));
+            view.send(Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Workpiece)));
         }
-        if ui.add_enabled(view.session.cycles().bench().bench().is_some(), save).clicked() {
-            view.send(Command::OpenDialog(Purpose::SaveBench));
+        if ui.add_enabled(view.session.cycles().workpiece().simulation().is_some(), save).clicked() {
+            view.send(Command::OpenDialog(Purpose::SaveWorkpiece));
         }
         if ui.add(close).clicked() {
-            view.send(Command::Cycles(CyclesCommand::ShowBench(false)));
+            view.send(Command::Cycles(CyclesCommand::ShowWorkpiece(false)));
         }
     });
 }
