@@ -35,7 +35,11 @@ use crate::words::Language;
 fn help() -> String {
     let logs = CYCLES.iter().filter_map(|cycle| cycle.log.file()).collect::<Vec<_>>();
     let tables = Shape::ALL.map(|shape| format!("[{}]", shape.table()));
-    include_str!("help.txt").replace("{logs}", &logs.join(", ")).replace("{tables}", &tables.join(", "))
+    include_str!("help.txt")
+        .replace("{logs}", &logs.join(", "))
+        .replace("{tables}", &tables.join(", "))
+        .trim_end()
+        .to_owned()
 }
 
 /// The cycles as people call them.

@@ -8,7 +8,8 @@ use crate::gui::dialogs::just_opened;
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
-use crate::session::{Command, CycleField, CycleFile, CyclesCommand, Purpose, Shape, WorkpieceField};
+use crate::probing::simulated::Shape;
+use crate::session::{Command, CycleField, CycleFile, CyclesCommand, Purpose, WorkpieceField};
 
 /// The window, where it is open. What is typed counts at once.
 pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
@@ -43,23 +44,19 @@ pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
     }
 }
 
-const fn kind_id(kind: Shape) -> &'static str {
-    match kind {
-        Shape::Bore => "cycles-kind-bore",
-        Shape::Stud => "cycles-kind-stud",
-        Shape::Face => "cycles-kind-face",
-        Shape::Point => "cycles-kind-point",
-    }
+/// The id of a shape's name: `cycles-shape-bore`.
+fn shape_id(shape: Shape) -> String {
+    format!("cycles-shape-{}", shape.table())
 }
 
 fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
-    let kind = view.session.cycles().workpiece().kind();
+    let shape = view.session.cycles().workpiece().shape();
     let is_new = just_opened(ui, Id::unique("workpiece-shape"));
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for choice in Shape::ALL {
-            let radio = ui.radio(kind == choice, view.text(kind_id(choice)));
-            if is_new && kind == choice {
+            let radio = ui.radio(shape == choice, view.text(&shape_id(choice)));
+            if is_new && shape == choice {
                 radio.request_focus();
             }
             if radio.clicked() {
@@ -67,15 +64,15 @@ fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
         }
     });
-    if matches!(kind, Shape::Bore | Shape::Stud) {
+    if shape.is_round() {
         plane_ui(ui, view);
     }
     ui.columns(2, |columns| {
         if let [left, right] = columns {
             left.spacing_mut().item_spacing.y = space(1.0);
             right.spacing_mut().item_spacing.y = space(1.0);
-            heading(left, view.text(kind_id(kind)));
-            fields_ui(left, view, kind.fields());
+            heading(left, view.text(&shape_id(shape)));
+            fields_ui(left, view, WorkpieceField::of(shape));
             heading(right, view.text("workpiece-probe"));
             fields_ui(right, view, WorkpieceField::PROBE);
             heading(right, view.text("workpiece-machine"));

@@ -129,72 +129,71 @@ impl Meaning {
         matches!(self, Self::Length | Self::Angle | Self::Choice | Self::Number)
     }
 
-    /// Its word in the ids of texts: `cycle-picture-diameter` is its sentence, `cycles-choice-log-1` what 1 chooses.
-    pub fn word(self) -> String {
-        let of = |word: &str, axis: Axis| format!("{word}-{}", axis.number());
+    /// The id of the sentence that explains it; in the plane there are two axes.
+    pub const fn sentence(self) -> &'static str {
         match self {
-            Self::Centre(axis) => of("centre", axis),
-            Self::CentreTolerance(axis) => of("centre-tolerance", axis),
-            Self::Side(axis) => of("side-length", axis),
-            Self::MaximumSide(axis) => of("maximum-side", axis),
-            Self::MinimumSide(axis) => of("minimum-side", axis),
-            Self::Start(axis) => of("start", axis),
-            Self::FirstPoint(axis) => of("first-point", axis),
-            Self::SecondPoint(axis) => of("second-point", axis),
-            Self::Point(axis) => of("point", axis),
-            Self::Normal(axis) => of("normal", axis),
-            other => other.plain_word().to_owned(),
+            Self::Centre(Axis::First) => "cycle-picture-centre-1",
+            Self::Centre(_) => "cycle-picture-centre-2",
+            Self::CentreTolerance(Axis::First) => "cycle-picture-centre-tolerance-1",
+            Self::CentreTolerance(_) => "cycle-picture-centre-tolerance-2",
+            Self::Side(Axis::First) => "cycle-picture-side-length-1",
+            Self::Side(_) => "cycle-picture-side-length-2",
+            Self::MaximumSide(Axis::First) => "cycle-picture-maximum-side-1",
+            Self::MaximumSide(_) => "cycle-picture-maximum-side-2",
+            Self::MinimumSide(Axis::First) => "cycle-picture-minimum-side-1",
+            Self::MinimumSide(_) => "cycle-picture-minimum-side-2",
+            Self::Start(Axis::First) => "cycle-picture-start-1",
+            Self::Start(_) => "cycle-picture-start-2",
+            Self::FirstPoint(Axis::First) => "cycle-picture-first-point-1",
+            Self::FirstPoint(_) => "cycle-picture-first-point-2",
+            Self::SecondPoint(Axis::First) => "cycle-picture-second-point-1",
+            Self::SecondPoint(_) => "cycle-picture-second-point-2",
+            Self::Point(Axis::First) => "cycle-picture-point-1",
+            Self::Point(Axis::Second) => "cycle-picture-point-2",
+            Self::Point(Axis::Third) => "cycle-picture-point-3",
+            Self::Normal(Axis::First) => "cycle-picture-normal-1",
+            Self::Normal(Axis::Second) => "cycle-picture-normal-2",
+            Self::Normal(Axis::Third) => "cycle-picture-normal-3",
+            Self::Diameter => "cycle-picture-diameter",
+            Self::MaximumDiameter => "cycle-picture-maximum-size",
+            Self::MinimumDiameter => "cycle-picture-minimum-size",
+            Self::Width => "cycle-picture-width",
+            Self::MaximumWidth => "cycle-picture-maximum-width",
+            Self::MinimumWidth => "cycle-picture-minimum-width",
+            Self::Shift => "cycle-picture-shift",
+            Self::StartDiameter => "cycle-picture-start-diameter",
+            Self::FirstAngle => "cycle-picture-first-angle",
+            Self::Step => "cycle-picture-step",
+            Self::Path => "cycle-picture-longest-path",
+            Self::Difference => "cycle-picture-difference",
+            Self::MeasuringHeight => "cycle-picture-measuring-height",
+            Self::SetUpClearance => "cycle-picture-set-up-clearance",
+            Self::ClearanceHeight => "cycle-picture-clearance-height",
+            Self::MaximumCoordinate => "cycle-picture-maximum-coordinate",
+            Self::MinimumCoordinate => "cycle-picture-minimum-coordinate",
+            Self::Band => "cycle-picture-band",
+            Self::Retract => "cycle-picture-retract",
+            Self::MoveToClearance => "cycle-picture-move-to-clearance",
+            Self::Traverse => "cycle-picture-traverse",
+            Self::ContactCount => "cycle-picture-contact-count",
+            Self::Plane => "cycle-picture-plane",
+            Self::InsideOutside => "cycle-picture-side",
+            Self::MeasuredAxis => "cycle-picture-measured-axis",
+            Self::AxisOfPlane => "cycle-picture-axis-of-plane",
+            Self::Direction => "cycle-picture-direction",
+            Self::Log => "cycle-picture-log",
+            Self::Stop => "cycle-picture-stop",
+            Self::StopOnUndersize => "cycle-picture-stop-on-undersize",
+            Self::Tool => "cycle-picture-tool",
+            Self::Length => "cycle-picture-any-length",
+            Self::Angle => "cycle-picture-any-angle",
+            Self::Choice => "cycle-picture-any-choice",
+            Self::Number => "cycle-picture-any-number",
         }
     }
 
-    const fn plain_word(self) -> &'static str {
-        match self {
-            Self::Diameter => "diameter",
-            Self::MaximumDiameter => "maximum-size",
-            Self::MinimumDiameter => "minimum-size",
-            Self::Width => "width",
-            Self::MaximumWidth => "maximum-width",
-            Self::MinimumWidth => "minimum-width",
-            Self::Shift => "shift",
-            Self::StartDiameter => "start-diameter",
-            Self::FirstAngle => "first-angle",
-            Self::Step => "step",
-            Self::Path => "longest-path",
-            Self::Difference => "difference",
-            Self::MeasuringHeight => "measuring-height",
-            Self::SetUpClearance => "set-up-clearance",
-            Self::ClearanceHeight => "clearance-height",
-            Self::MaximumCoordinate => "maximum-coordinate",
-            Self::MinimumCoordinate => "minimum-coordinate",
-            Self::Band => "band",
-            Self::Retract => "retract",
-            Self::MoveToClearance => "move-to-clearance",
-            Self::Traverse => "traverse",
-            Self::ContactCount => "contact-count",
-            Self::Plane => "plane",
-            Self::InsideOutside => "side",
-            Self::MeasuredAxis => "measured-axis",
-            Self::AxisOfPlane => "axis-of-plane",
-            Self::Direction => "direction",
-            Self::Log => "log",
-            Self::Stop => "stop",
-            Self::StopOnUndersize => "stop-on-undersize",
-            Self::Tool => "tool",
-            Self::Angle => "any-angle",
-            Self::Choice => "any-choice",
-            Self::Number => "any-number",
-            _ => "any-length",
-        }
-    }
-}
-
-impl Axis {
-    /// 1, 2 or 3.
-    pub const fn number(self) -> i64 {
-        match self {
-            Self::First => 1,
-            Self::Second => 2,
-            Self::Third => 3,
-        }
+    /// Its word in the ids of other texts: `cycles-choice-log-1` is what 1 chooses.
+    pub fn word(self) -> &'static str {
+        self.sentence().trim_start_matches("cycle-picture-")
     }
 }

@@ -27,7 +27,7 @@ use rand_distr::{Distribution as _, StandardNormal};
 pub use file::{Simulation, SimulationError};
 pub use probe::Probe;
 pub use shape::Shape;
-pub use surface::{Face, FreePoint, Surface, Wave};
+pub use surface::{Face, FreePoint, Outline, Surface, Wave};
 pub use walls::Walls;
 pub use workpiece::{Lobes, Workpiece};
 

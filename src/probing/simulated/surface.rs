@@ -81,7 +81,50 @@ impl FreePoint {
     }
 }
 
+/// What a drawing shows of a surface, in the coordinates of its plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Outline {
+    /// A circle.
+    Circle {
+        /// Its centre.
+        centre: [f64; 2],
+        /// Its mean radius.
+        radius: f64,
+    },
+    /// Straight walls, corner by corner.
+    Walls([[f64; 2]; 4]),
+    /// A face.
+    Face {
+        /// A point of it.
+        point: [f64; 3],
+        /// Its normal out of the material.
+        normal: [f64; 3],
+    },
+}
+
 impl Surface {
+    /// What a drawing shows of it; walls without an end are as long as `reach` either way.
+    pub fn outline(&self, reach: f64) -> Outline {
+        match *self {
+            Self::Round(Workpiece { centre, diameter, .. }, _) => Outline::Circle { centre, radius: diameter / 2.0 },
+            Self::Walls(walls) => Outline::Walls(walls.corners(reach)),
+            Self::Face(Face { point, normal, .. }) | Self::Point(FreePoint { point, normal, .. }) => {
+                Outline::Face { point, normal }
+            }
+        }
+    }
+
+    /// Which way it faces in its plane; `None` where it faces every way.
+    pub fn facing(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Face(Face { normal: [x, y, _], .. }) | Self::Point(FreePoint { normal: [x, y, _], .. }) => {
+                Some([*x, *y])
+            }
+            Self::Walls(walls) if walls.lengths.1.is_none() => Some(walls.across()),
+            Self::Walls(_) | Self::Round(..) => None,
+        }
+    }
+
     /// What it is.
     pub const fn shape(&self) -> Shape {
         match self {

@@ -51,7 +51,7 @@ impl Walls {
     }
 
     /// Across the first pair, exact at every quarter turn.
-    fn across(&self) -> [f64; 2] {
+    pub(super) fn across(&self) -> [f64; 2] {
         let (sin, cos) = self.angle.to_radians().sin_cos();
         let is_quarter = (self.angle % 90.0).abs() <= 0.0;
         if is_quarter { [cos.round(), sin.round()] } else { [cos, sin] }
@@ -71,7 +71,7 @@ impl Walls {
     /// The corners in their order round the walls, those of a single pair so far beside the centre.
     pub fn corners(&self, reach: f64) -> [[f64; 2]; 4] {
         let ([cos, sin], [centre_x, centre_y]) = (self.across(), self.centre);
-        let [first, second] = self.halves().map(|half| half.min(reach));
+        let [first, second] = self.halves().map(|half| if half.is_finite() { half } else { reach });
         [[first, second], [-first, second], [-first, -second], [first, -second]]
             .map(|[x, y]| [centre_x + x * cos - y * sin, centre_y + x * sin + y * cos])
     }
