@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck::control::log::{self, Log, Values};
+use fitcheck::control::log::{self, Log};
 use fitcheck::control::shipped_tables;
 use fitcheck::control::status::status_window;
 use fitcheck::control::variables::{Family, Parameter, Value};
@@ -663,7 +663,7 @@ fn q281_writes_the_measuring_log_beside_the_program_or_shows_it() {
     let logs: Vec<_> = log::read(&std::fs::read(folder.path().join("fit/TCHPR427.TXT")).unwrap())
         .into_iter()
         .map(|log| match log.unwrap() {
-            Log { values: Values::Coordinate(found), program, .. } => (found.actual.to_string(), program),
+            Log { figures, program, .. } if figures.len() == 1 => (figures[0].actual.to_string(), program),
             other => panic!("{other:?}"),
         })
         .collect();

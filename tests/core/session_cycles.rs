@@ -4,9 +4,9 @@ use fitcheck::length::Length;
 use fitcheck::probing::Contact;
 use fitcheck::probing::cycle::{Key, Value};
 use fitcheck::probing::cycles::CYCLES;
-use fitcheck::probing::simulated::Simulation;
+use fitcheck::probing::simulated::{Shape, Simulation};
 use fitcheck::session::{
-    Axis, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Saved, Session, Shape,
+    Axis, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Saved, Session,
     Step, WorkpieceField,
 };
 use fitcheck::verdict::Status;
@@ -232,7 +232,7 @@ fn the_measuring_log_is_shown_or_saved_as_q281_asks() {
     let logs = fitcheck::control::log::read(bytes);
     let [Ok(log)] = logs.as_slice() else { panic!("{logs:?}") };
     assert_eq!(log.date, Some(jiff::civil::date(2026, 11, 21)));
-    let fitcheck::control::log::Values::Coordinate(found) = &log.values else { panic!("{log:?}") };
+    let [found] = log.figures[..] else { panic!("{log:?}") };
     assert_eq!(found.actual, "5".parse().unwrap());
     apply(&mut session, Command::Close);
     fill(&mut session, &["Q281=2"]);
