@@ -6,14 +6,14 @@ use std::sync::Arc;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use fitcheck::nc::machine::{Contacts, Machine, Settings, Shipped, Step};
 use fitcheck::nc::program::Program;
-use fitcheck::words::Language;
+use fitcheck::words::Dialogue;
 
 fn program(text: &[u8]) -> Arc<Program> {
     Arc::new(Program::read(text).expect("a program").0)
 }
 
 fn machine(program: &Arc<Program>) -> Machine {
-    let settings = Settings::new(Language::Nl, jiff::civil::date(2026, 1, 31).at(12, 0, 0, 0));
+    let settings = Settings::new(Dialogue::Nl, jiff::civil::date(2026, 1, 31).at(12, 0, 0, 0));
     Machine::new("main.h", Arc::clone(program), Shipped, Contacts::Perfect, settings)
 }
 

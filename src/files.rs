@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 pub use folder::{make_folder, write_folder, write_new};
 
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// The largest file that is read whole, 64 MiB: a table, a mask or a log is a thousandth of that.
 pub const LARGEST: u64 = 64 << 20;

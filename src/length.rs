@@ -7,7 +7,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::words::{Message, Say};
+use crate::message::{Arg, IntoArg, Message, Say};
 
 /// Nanometres in a millimetre.
 const NM_PER_MM: i64 = 1_000_000;
@@ -50,46 +50,38 @@ impl Unit {
 }
 
 /// Why a text or a number is no length.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "length", error)]
 pub enum LengthError {
     /// There is no text.
-    #[error("a length is missing")]
     Empty,
     /// The text is not a decimal number with an optional unit.
-    #[error("{text} is not a number")]
     NotANumber {
         /// What was given.
         text: String,
     },
     /// Point and comma both occur, so either could be the decimal sign.
-    #[error("{text} is ambiguous: write one decimal sign and no thousands separator")]
     Ambiguous {
         /// What was given.
         text: String,
     },
     /// There are figures beyond the nanometre.
-    #[error("{text} is finer than a nanometre")]
     TooFine {
         /// What was given.
         text: String,
     },
     /// The length is beyond [`Length::MAX`].
-    #[error("{text} is too large: at most {} mm either way", Length::MAX)]
+    #[say(args(max = Length::MAX))]
     TooLarge {
         /// What was given.
         text: String,
     },
 }
 
-impl Say for LengthError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Empty => Message::new("length-empty"),
-            Self::NotANumber { text } => Message::new("length-not-a-number").text("text", text),
-            Self::Ambiguous { text } => Message::new("length-ambiguous").text("text", text),
-            Self::TooFine { text } => Message::new("length-too-fine").text("text", text),
-            Self::TooLarge { text } => Message::new("length-too-large").text("text", text).mm("max", Length::MAX),
-        }
+/// In millimetres, without its unit.
+impl IntoArg for Length {
+    fn arg(&self) -> Arg {
+        Arg::Number(self.to_string())
     }
 }
 

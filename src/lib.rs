@@ -4,6 +4,7 @@
 //!
 //! | module | what |
 //! |---|---|
+//! | [`shipped`], [`message`] | what is shipped; sentences without a language |
 //! | [`length`] | whole nanometres |
 //! | [`tolerance`] | callouts, classes, limits |
 //! | [`probing`] | contacts, circles, measuring cycles, the simulated workpiece |
@@ -26,10 +27,12 @@ pub mod files;
 pub mod gui;
 pub mod journal;
 pub mod length;
+pub mod message;
 pub mod nc;
 pub mod probing;
 pub mod report;
 pub mod session;
+pub mod shipped;
 pub mod tolerance;
 pub mod verdict;
 pub mod words;

@@ -6,8 +6,8 @@
 use std::fmt;
 
 use crate::length::Length;
+use crate::message::{Message, Say};
 use crate::tolerance::{Feature, Limits};
-use crate::words::{Message, Say};
 
 /// What to do with the part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]

@@ -5,13 +5,12 @@ use std::str::FromStr;
 
 use clap::builder::PossibleValuesParser;
 
-use super::{CliError, Format, Io, Outcome, TableArgs, heard_or_not};
+use super::{CliError, Format, Io, Note, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::control::mask::Mask;
 use crate::control::status::status_window;
-use crate::exchange::contacts;
 use crate::files;
 use crate::journal::Record;
-use crate::length::Length;
+use crate::message::IntoArg as _;
 use crate::probing::measure::{ProbePosition, cycle_number, measure};
 use crate::probing::measurement::measure_contacts;
 use crate::probing::simulated::{Machine, Probe, Workpiece};
@@ -19,7 +18,7 @@ use crate::probing::{Measurement, Origin};
 use crate::report::{csv, json};
 use crate::tolerance::{Callout, Feature, Limits, LimitsError, Source};
 use crate::verdict::{self, Status, doubt};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 const EXAMPLES: &str = "Examples:
   fitcheck check \"25 H7\" --measured 25.012
@@ -50,7 +49,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "LANGUAGE|FILE")]
     mask: Option<MaskArg>,
     /// Language of the status words and of L_ sections in your own mask; without --mask also of the mask
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Dialogue::ALL.map(Dialogue::code)))]
     language: String,
     /// text prints the mask's text and nothing else
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -58,9 +57,6 @@ pub(super) struct Args {
     #[command(flatten)]
     tables: TableArgs,
 }
-
-/// How to say which part is meant.
-const FEATURES: &str = "--feature hole or --feature shaft";
 
 /// Hole or shaft.
 #[derive(Debug, Clone, Copy, clap::ValueEnum)]
@@ -98,7 +94,7 @@ struct SourceArgs {
 /// A shipped mask by its language, or a file.
 #[derive(Debug, Clone)]
 enum MaskArg {
-    Shipped(Language),
+    Shipped(Dialogue),
     Own(PathBuf),
 }
 
@@ -106,7 +102,7 @@ impl FromStr for MaskArg {
     type Err = std::convert::Infallible;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let language = Language::ALL.into_iter().find(|language| language.code() == text);
+        let language = Dialogue::ALL.into_iter().find(|language| language.code() == text);
         Ok(language.map_or_else(|| Self::Own(PathBuf::from(text)), Self::Shipped))
     }
 }
@@ -114,18 +110,18 @@ impl FromStr for MaskArg {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
-        let asked = Some(self.callout.trim()).filter(|text| !text.is_empty()).unwrap_or("callout");
-        let callout: Callout = self.callout.parse().map_err(|error| data(asked, &error))?;
+        let asked = self.callout.trim();
+        let asked = if asked.is_empty() { What::Callout.arg() } else { asked.arg() };
+        let callout: Callout = self.callout.parse().about(&asked)?;
         let feature = self.feature.map(FeatureArg::feature);
         let unstated = feature.is_none() && callout.feature().is_none();
         let limits = if unstated { sources.size_limits(&callout) } else { sources.limits(&callout, feature) };
-        let limits = limits.map_err(|error| match error {
-            LimitsError::NoFeature { .. } => CliError::Data(format!("{error}: add {FEATURES}")),
-            error => data(asked, &error),
-        })?;
+        let limits = match limits {
+            Err(error @ LimitsError::NoFeature { .. }) => return Err(CliError::AddFeature { error }),
+            limits => limits.about(&asked)?,
+        };
         if unstated && self.source.simulate {
-            let error = LimitsError::NoFeature { callout };
-            return Err(CliError::Data(format!("{error}: add {FEATURES}")));
+            return Err(CliError::AddFeature { error: LimitsError::NoFeature { callout } });
         }
         let measurement = self.measurement(&limits, io)?;
         let measured = measurement.diameter;
@@ -141,10 +137,7 @@ impl Args {
         let status = record.verdict.status();
         if unstated && (status == Status::Rework || status == Status::Scrap) {
             let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());
-            return Err(CliError::Data(format!(
-                "{asked}: {measured} mm is outside {minimum} to {maximum} mm; whether that is rework or scrap depends on \
-                 hole or shaft: add {FEATURES}"
-            )));
+            return Err(CliError::ReworkOrScrap { asked, measured, minimum, maximum });
         }
         warn(&record, io)?;
         match self.format {
@@ -157,48 +150,41 @@ impl Args {
 
     fn measurement(&self, limits: &Limits, io: &mut Io<'_>) -> Result<Measurement, CliError> {
         if let Some(text) = &self.source.measured {
-            let diameter: Length = text.parse().map_err(|error| data("measured value", &error))?;
-            if diameter <= Length::ZERO {
-                return Err(CliError::Data(format!("measured value: {diameter} mm is not above 0")));
-            }
+            let diameter = super::diameter(text, What::MeasuredValue)?;
             return Ok(Measurement::of_diameter(diameter, Origin::Typed));
         }
         if let Some(path) = &self.source.contacts {
             return measure_file(path, io);
         }
         let diameter = match &self.true_diameter {
-            Some(text) => text.parse().map_err(|error| data("true diameter", &error))?,
+            Some(text) => text.parse().about(&What::TrueDiameter)?,
             None => limits.middle(),
         };
         let workpiece = Workpiece::usual(limits.feature, diameter.to_mm_f64());
-        let mut machine =
-            Machine::new(workpiece, Probe::USUAL, self.seed).map_err(|error| data("simulated workpiece", &error))?;
+        let mut machine = Machine::new(workpiece, Probe::USUAL, self.seed).about(&What::SimulatedWorkpiece)?;
         let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: self.seed };
         let position = ProbePosition::default();
-        let (measurement, _) =
-            measure(limits, &position, &mut machine, origin).map_err(|error| data("simulated measurement", &error))?;
-        Ok(measurement)
+        let measured = measure(limits, &position, &mut machine, origin).about(&What::SimulatedMeasurement)?;
+        Ok(measured.0)
     }
 
     fn print_window(&self, record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
-        let language = Language::from_code(&self.language).unwrap_or_default();
+        let language = Dialogue::from_code(&self.language).unwrap_or_default();
         let text = match self.mask.as_ref().unwrap_or(&MaskArg::Shipped(language)) {
-            MaskArg::Shipped(language) => {
-                status_window(record, *language, None).map_err(|error| CliError::Data(error.to_string()))?
-            }
+            MaskArg::Shipped(language) => status_window(record, *language, None).said()?,
             MaskArg::Own(path) => {
                 let name = path.display().to_string();
-                let (mask, warnings) = Mask::read(&files::read(path)?).map_err(|error| data(&name, &error))?;
+                let (mask, warnings) = Mask::read(&files::read(path)?).about(&name)?;
                 for warning in warnings {
-                    io.tell(format_args!("warning: {name}: {warning}"))?;
+                    io.warn_about(&name, &warning)?;
                 }
-                status_window(record, language, Some(&mask)).map_err(|error| data(&name, &error))?
+                status_window(record, language, Some(&mask)).about(&name)?
             }
         };
         heard_or_not(io.out.write_all(text.as_bytes()))?;
         if let Some(removal) = record.verdict.size.removal {
             let (limit, middle) = (removal.to_limit, removal.to_middle);
-            io.tell(format_args!("remove {limit} mm to the nearest limit, {middle} mm to the middle of the zone"))?;
+            io.tell(Note::Remove { limit, middle })?;
         }
         Ok(())
     }
@@ -207,41 +193,31 @@ impl Args {
 /// What is odd about the measured value; what the measurement cannot tell stands in CSV and JSON.
 fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
     if let Some(doubt) = record.doubt {
-        io.tell(format_args!("warning: {doubt}"))?;
+        io.warn(&doubt)?;
     }
     if let Source::Table { instead_of: Some(shipped), name, .. } = &record.limits.source {
-        let (upper, lower) = (shipped.upper(), shipped.lower());
-        io.tell(format_args!("warning: table {name} differs from ISO 286, which has {upper} and {lower} mm"))?;
+        io.warn(&Note::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() })?;
     }
     Ok(())
 }
 
 fn measure_file(path: &Path, io: &mut Io<'_>) -> Result<Measurement, CliError> {
-    let (name, bytes) = super::read_input(path, io)?;
-    let read = contacts::read(&bytes).map_err(|error| data(&name, &error))?;
-    for column in read.ignored {
-        io.tell(format_args!("warning: {name}: column {column} is not used"))?;
-    }
+    let (name, contacts) = super::read_contacts(path, io)?;
     let origin = Origin::Contacts { file: name.as_str().into() };
-    measure_contacts(&read.contacts, origin).map_err(|error| data(&name, &error))
+    measure_contacts(&contacts, origin).about(&name)
 }
 
 /// `unstated`: the callout has no letters and nobody said hole or shaft, so the file does not say it either.
 fn print_json(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), CliError> {
-    let mut object = json::object(record).map_err(|error| CliError::Data(error.to_string()))?;
+    let mut object = json::object(record).said()?;
     if let Some(feature) = object.get_mut("feature").filter(|_| unstated) {
         *feature = serde_json::Value::Null;
     }
-    let text = serde_json::to_string_pretty(&object).map_err(|error| CliError::Data(error.to_string()))?;
-    heard_or_not(writeln!(io.out, "{text}"))
+    io.json(&object)
 }
 
 fn print_csv(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), CliError> {
     let render = if unstated { csv::render_without_feature } else { csv::render };
-    let bytes = render(std::slice::from_ref(record)).map_err(|error| CliError::Data(error.to_string()))?;
+    let bytes = render(std::slice::from_ref(record)).said()?;
     heard_or_not(io.out.write_all(&bytes))
-}
-
-fn data(what: &str, error: &impl std::fmt::Display) -> CliError {
-    CliError::Data(format!("{what}: {error}"))
 }

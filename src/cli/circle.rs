@@ -4,8 +4,7 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use super::{CliError, Format, Io, Outcome, read_input};
-use crate::exchange::contacts;
+use super::{CliError, Format, Io, Outcome, Refused as _, read_contacts};
 use crate::probing::Circle;
 use crate::probing::circle::{Evaluation, TwoPoint, Zone, evaluate};
 
@@ -83,17 +82,11 @@ impl From<&TwoPoint> for Pair {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let (name, bytes) = read_input(&self.file, io)?;
-        let bad = |error: &dyn std::fmt::Display| CliError::Data(format!("{name}: {error}"));
-        let read = contacts::read(&bytes).map_err(|error| bad(&error))?;
-        for column in read.ignored {
-            writeln!(io.err, "warning: {name}: column {column} is not used")?;
-        }
-        let evaluation = evaluate(&read.contacts).map_err(|error| bad(&error))?;
-        let warnings: Vec<String> = evaluation.warnings.iter().map(ToString::to_string).collect();
+        let (name, contacts) = read_contacts(&self.file, io)?;
+        let evaluation = evaluate(&contacts).about(&name)?;
         if self.format != Format::Json {
-            for warning in &warnings {
-                writeln!(io.err, "warning: {warning}")?;
+            for warning in &evaluation.warnings {
+                io.warn(warning)?;
             }
         }
         let Circle { x, y, diameter } = evaluation.least_squares;
@@ -103,16 +96,13 @@ impl Args {
             maximum_inscribed: evaluation.maximum_inscribed,
             minimum_zone: evaluation.minimum_zone.map(Ring::from),
             two_point: evaluation.two_point.iter().map(Pair::from).collect(),
-            contacts: read.contacts.len(),
+            contacts: contacts.len(),
             arc_deg: evaluation.arc_deg,
             residuals: &evaluation.residuals,
-            warnings,
+            warnings: evaluation.warnings.iter().map(ToString::to_string).collect(),
         };
         match self.format {
-            Format::Json => {
-                let text = serde_json::to_string_pretty(&answer).map_err(|error| CliError::Data(error.to_string()))?;
-                writeln!(io.out, "{text}")?;
-            }
+            Format::Json => io.json(&answer)?,
             Format::Csv => print_csv(&answer, io)?,
             Format::Text => print_text(&answer, &evaluation, io)?,
         }

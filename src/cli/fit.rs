@@ -17,18 +17,19 @@ mod heat;
 mod reverse;
 mod text;
 
+use std::fmt::Display;
 use std::io::{BufRead, ErrorKind};
 
 use answer::{Answer, Measured};
 use columns::COLUMNS;
 use figures::Figures;
 
-use super::limits::lines::{Found, LONGEST_LINE, Line};
-use super::limits::{csv_error, printable};
-use super::{CliError, Format, Io, Outcome, TableArgs};
+use super::limits::lines::{Found, Line};
+use super::limits::printable;
+use super::{CliError, Format, Io, Note, Outcome, Refused as _, TableArgs, What, diameter};
 use crate::control::text::decode;
 use crate::length::Length;
-use crate::tolerance::{Callout, Feature, Sources};
+use crate::tolerance::{Feature, Sources};
 use crate::verdict::{Status, doubt};
 
 /// How much of a line that is too long is shown.
@@ -106,16 +107,16 @@ impl Args {
         let sources = self.tables.load(io)?;
         if self.reverse.is_asked() {
             if self.hole.is_some() || self.shaft.is_some() || self.heat.is_asked() {
-                let reason = "a search has no measured parts, materials or temperatures";
-                return Err(CliError::Data(reason.to_owned()));
+                return Err(CliError::SearchWithParts);
             }
             return self.reverse.run(&self.callouts, &sources, self.format, io);
         }
+        let part = |text: &Option<String>, what| text.as_ref().map(|text| diameter(text, what)).transpose();
         let measured =
-            Parts { hole: diameter(self.hole.as_ref(), "hole")?, shaft: diameter(self.shaft.as_ref(), "shaft")? };
+            Parts { hole: part(&self.hole, What::MeasuredHole)?, shaft: part(&self.shaft, What::MeasuredShaft)? };
         let is_one = matches!(self.callouts.as_slice(), [one] if one != "-");
         if !is_one && (measured.hole.is_some() || measured.shaft.is_some()) {
-            return Err(CliError::Data("measured parts belong to one fit: give one callout".to_owned()));
+            return Err(CliError::PartsOfSeveral);
         }
         let asked = Asked { sources: &sources, heat: self.heat.load()?, measured };
         let mut printer = Printer::new(self.format, is_one);
@@ -156,20 +157,9 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    fn answer(&self, callout: &str) -> Result<Answer<'_>, String> {
-        let callout: Callout = callout.parse().map_err(|error: crate::tolerance::CalloutError| error.to_string())?;
-        Answer::of(callout, self)
+    fn answer(&self, callout: &str) -> Result<Answer<'_>, CliError> {
+        Answer::of(callout.parse().said()?, self).said()
     }
-}
-
-fn diameter(text: Option<&String>, name: &str) -> Result<Option<Length>, CliError> {
-    let Some(text) = text else { return Ok(None) };
-    let bad = |error: &dyn std::fmt::Display| CliError::Data(format!("measured {name}: {error}"));
-    let diameter: Length = text.parse().map_err(|error| bad(&error))?;
-    if diameter <= Length::ZERO {
-        return Err(bad(&format_args!("{diameter} mm is not above 0")));
-    }
-    Ok(Some(diameter))
 }
 
 /// Answers every line of the input; what is answered is out before the next wait for input.
@@ -182,8 +172,7 @@ fn answer_lines(asked: &Asked<'_>, printer: &mut Printer, io: &mut Io<'_>) -> Re
             Found::Whole => printer.answer(asked, &printable(&decode(&line.bytes)), Some(number), io)?,
             Found::TooLong => {
                 let beginning: String = printable(&decode(&line.bytes)).chars().take(SHOWN).collect();
-                let error = format!("the line is longer than {LONGEST_LINE} bytes");
-                printer.refuse(&format!("{beginning}…"), error, Some(number), io)?;
+                printer.refuse(&format!("{beginning}…"), &CliError::LineTooLong, Some(number), io)?;
             }
         }
     }
@@ -223,7 +212,7 @@ impl Printer {
         let callout = callout.trim();
         let answer = match asked.answer(callout) {
             Ok(answer) => answer,
-            Err(error) => return self.refuse(callout, error, line, io),
+            Err(error) => return self.refuse(callout, &error, line, io),
         };
         self.worst = self.worst.max(answer.measured.status());
         warn(&answer, io)?;
@@ -240,7 +229,13 @@ impl Printer {
         Ok(())
     }
 
-    fn refuse(&mut self, callout: &str, error: String, line: Option<usize>, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn refuse(
+        &mut self,
+        callout: &str,
+        error: &impl Display,
+        line: Option<usize>,
+        io: &mut Io<'_>,
+    ) -> Result<(), CliError> {
         if self.format == Format::Text {
             // What was answered before stands before it on a screen, too.
             io.out.flush()?;
@@ -250,7 +245,7 @@ impl Printer {
                 _ => io.tell(format_args!("{callout}: {error}"))?,
             }
         } else {
-            self.row(&Figures::refused(callout, error), io)?;
+            self.row(&Figures::refused(callout, error.to_string()), io)?;
         }
         self.answered += 1;
         self.refused += 1;
@@ -263,11 +258,11 @@ impl Printer {
             return csv_line(figures.columns(), io);
         }
         if self.is_one {
-            serde_json::to_writer_pretty(&mut *io.out, figures).map_err(std::io::Error::from)?;
+            serde_json::to_writer_pretty(&mut *io.out, figures)?;
             return Ok(writeln!(io.out)?);
         }
         io.out.write_all(if self.answered == 0 { b"\n  " } else { b",\n  " })?;
-        Ok(serde_json::to_writer(&mut *io.out, figures).map_err(std::io::Error::from)?)
+        Ok(serde_json::to_writer(&mut *io.out, figures)?)
     }
 
     fn finish(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
@@ -279,7 +274,7 @@ impl Printer {
             return Ok(self.worst.map_or(Outcome::Done, Outcome::Judged));
         }
         if self.format != Format::Text {
-            io.tell(format_args!("{} of {} callouts refused", self.refused, self.answered))?;
+            io.tell(Note::Refused { refused: self.refused, asked: self.answered })?;
         }
         Ok(Outcome::BadData)
     }
@@ -293,9 +288,9 @@ fn warn(answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
         Measured::One(part) => (None, Some(part.measured)),
         Measured::Both(actual) => (Some(actual.hole), Some(actual.shaft)),
     };
-    for (name, measured) in [("hole", hole), ("shaft", shaft)] {
+    for (name, measured) in [(What::Hole, hole), (What::Shaft, shaft)] {
         if let Some(doubt) = measured.and_then(|measured| doubt(answer.fit.nominal(), measured)) {
-            io.tell(format_args!("warning: {name}: {doubt}"))?;
+            io.warn_about(&name, &doubt)?;
         }
     }
     Ok(())
@@ -304,7 +299,7 @@ fn warn(answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
 fn csv_line<T: AsRef<[u8]>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) -> Result<(), CliError> {
     // Into memory first: the writer's own flush would reach the stream line by line.
     let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
-    writer.write_record(cells).map_err(csv_error)?;
-    let line = writer.into_inner().map_err(|error| CliError::Data(error.to_string()))?;
+    writer.write_record(cells)?;
+    let line = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
     Ok(io.out.write_all(&line)?)
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use jiff::civil::DateTime;
 
-use super::{CliError, Format, Io, Outcome, TableArgs};
+use super::{CliError, Format, Io, Outcome, TableArgs, note};
 use crate::exchange::{FORMATS, Imported, import};
 use crate::files;
 use crate::verdict::Status;
@@ -87,7 +87,7 @@ impl Args {
                     printer.file(row::rows(path, &imported).inspect(|row| tally.count(row)), io)?;
                 }
                 Err(error) => {
-                    writeln!(io.err, "fitcheck: {error}")?;
+                    io.fail(&error)?;
                     let row = Row::of_file(path, error.to_string());
                     tally.count(&row);
                     printer.file(std::iter::once(row), io)?;
@@ -104,9 +104,9 @@ impl Args {
 }
 
 /// Warnings about the whole file; those of a row stand beside it.
-fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> std::io::Result<()> {
+fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> Result<(), CliError> {
     for warning in imported.warnings.iter().filter(|warning| warning.row.is_none()) {
-        writeln!(io.err, "{}:{}: warning: {}", path.display(), warning.line, warning.reason)?;
+        io.tell(format_args!("{}:{}: {}", path.display(), warning.line, note::warning(&warning.reason)))?;
     }
     Ok(())
 }

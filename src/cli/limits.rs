@@ -4,11 +4,12 @@
 
 pub(super) mod lines;
 
+use std::fmt::Display;
 use std::io::{BufRead, Write};
 
-use lines::{Found, LONGEST_LINE, Line};
+use lines::{Found, Line};
 
-use super::{CliError, Figure, Format, Io, Outcome, TableArgs, heard_or_not};
+use super::{CliError, Figure, Format, Io, Note, Outcome, TableArgs, heard_or_not};
 use crate::control::text::decode;
 use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
@@ -150,7 +151,7 @@ impl<'a> Answers<'a> {
             Format::Csv => {
                 let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(out);
                 let names = ["callout", "nominal_mm", "lower_um", "upper_um", "min_mm", "max_mm", "source", "error"];
-                writer.write_record(names).map_err(csv_error)?;
+                writer.write_record(names)?;
                 Printer::Csv(Box::new(writer))
             }
             Format::Json => {
@@ -171,8 +172,7 @@ impl<'a> Answers<'a> {
                 Found::Whole => self.answer(&printable(&decode(&line.bytes)), Some(number))?,
                 Found::TooLong => {
                     let beginning: String = printable(&decode(&line.bytes)).chars().take(SHOWN).collect();
-                    let error = format!("the line is longer than {LONGEST_LINE} bytes");
-                    self.refuse(&format!("{beginning}…"), error, Some(number))?;
+                    self.refuse(&format!("{beginning}…"), &CliError::LineTooLong, Some(number))?;
                 }
             }
         }
@@ -183,7 +183,7 @@ impl<'a> Answers<'a> {
         let callout = callout.trim();
         let parsed: Callout = match callout.parse() {
             Ok(parsed) => parsed,
-            Err(error) => return self.refuse(callout, error.to_string(), line),
+            Err(error) => return self.refuse(callout, &error, line),
         };
         if !matches!(parsed.tolerance(), Tolerance::Fit { .. }) {
             return self.answer_part(callout, parsed, line);
@@ -199,7 +199,7 @@ impl<'a> Answers<'a> {
     fn answer_part(&mut self, asked: &str, callout: Callout, line: Option<usize>) -> Result<(), CliError> {
         let limits = match self.sources.size_limits(&callout) {
             Ok(limits) => limits,
-            Err(error) => return self.refuse(asked, error.to_string(), line),
+            Err(error) => return self.refuse(asked, &error, line),
         };
         match &mut self.printer {
             Printer::Text(out) => write_text(*out, &callout, &limits)?,
@@ -209,7 +209,7 @@ impl<'a> Answers<'a> {
         Ok(())
     }
 
-    fn refuse(&mut self, callout: &str, error: String, line: Option<usize>) -> Result<(), CliError> {
+    fn refuse(&mut self, callout: &str, error: &impl Display, line: Option<usize>) -> Result<(), CliError> {
         match &mut self.printer {
             Printer::Text(out) => {
                 // What was answered before stands before it on a screen, too.
@@ -221,7 +221,7 @@ impl<'a> Answers<'a> {
                 })?;
             }
             printer => {
-                let row = Row { callout, error: Some(error), ..Row::default() };
+                let row = Row { callout, error: Some(error.to_string()), ..Row::default() };
                 printer.row(self.answered, &row)?;
             }
         }
@@ -237,7 +237,8 @@ impl<'a> Answers<'a> {
             return Ok(Outcome::Done);
         }
         if !is_text {
-            heard_or_not(writeln!(self.err, "{} of {} callouts refused", self.refused, self.answered))?;
+            let note = Note::Refused { refused: self.refused, asked: self.answered };
+            heard_or_not(writeln!(self.err, "{note}"))?;
         }
         Ok(Outcome::BadData)
     }
@@ -248,10 +249,10 @@ impl Printer<'_> {
     fn row(&mut self, before: usize, row: &Row<'_>) -> Result<(), CliError> {
         match self {
             Self::Text(_) => {}
-            Self::Csv(writer) => row.write_csv(writer).map_err(csv_error)?,
+            Self::Csv(writer) => row.write_csv(writer)?,
             Self::Json(out) => {
                 out.write_all(if before == 0 { b"\n  " } else { b",\n  " })?;
-                serde_json::to_writer(&mut **out, row).map_err(std::io::Error::from)?;
+                serde_json::to_writer(&mut **out, row)?;
             }
         }
         Ok(())
@@ -281,14 +282,6 @@ fn write_text(out: &mut dyn Write, callout: &Callout, limits: &Limits) -> std::i
     let feature = callout.feature().map_or("–", Feature::word);
     let source = source(&limits.source);
     writeln!(out, "{callout:<10}  {feature:<5}  {range:<22}  {deviations:<18}  from {source}")
-}
-
-/// The writer's own error: a closed pipe stays one.
-pub(super) fn csv_error(error: csv::Error) -> CliError {
-    match error.into_kind() {
-        csv::ErrorKind::Io(error) => CliError::Stream(error),
-        other => CliError::Data(format!("{other:?}")),
-    }
 }
 
 /// A text without control characters: it goes to a terminal, and one line of input stays one line of output.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 
-use super::{CliError, Io, Outcome, TableArgs, read_input};
+use super::{CliError, Io, Note, Outcome, Refused as _, TableArgs, What, read_input};
 use crate::files;
 use crate::length::{Length, LengthError};
 use crate::nc::sets::{
@@ -12,7 +12,7 @@ use crate::nc::sets::{
     SetError, Target,
 };
 use crate::tolerance::Callout;
-use crate::words::Language;
+use crate::words::Dialogue;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -52,7 +52,7 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "FOLDER|FILE.zip")]
     output: PathBuf,
     /// Language of comments, status words and mask
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Dialogue::ALL.map(Dialogue::code)))]
     language: String,
     /// Folder on the control; without it the control's usual one
     #[arg(long, value_name = "TNC:\\FOLDER")]
@@ -97,13 +97,12 @@ impl Args {
         let sources = self.tables.load(io)?;
         let target = self.target()?;
         let plan = self.plan(io)?;
-        let set = NcSet::make(&plan, &target, &sources).map_err(|error| self.set_error(&error))?;
+        let set = self.named(NcSet::make(&plan, &target, &sources))?;
         for remark in &set.remarks {
-            io.tell(format_args!("note: {remark}"))?;
+            io.note(remark)?;
         }
         if !self.is_plan() && self.position.clearance_height.is_none() {
-            let height = DEFAULT_CLEARANCE_HEIGHT;
-            io.tell(format_args!("note: the clearance height is {height} mm: --clearance-height gives another"))?;
+            io.note(&Note::ClearanceHeight { height: DEFAULT_CLEARANCE_HEIGHT })?;
         }
         self.save(&set, io)?;
         Ok(Outcome::Done)
@@ -115,57 +114,53 @@ impl Args {
     }
 
     fn target(&self) -> Result<Target, CliError> {
-        let unknown = || CliError::Data(format!("{}: no such control", self.control));
+        let unknown = || CliError::NoControl { name: self.control.clone() };
         let control = Control::from_code(&self.control).ok_or_else(unknown)?;
-        let language = Language::from_code(&self.language).unwrap_or_default();
+        let language = Dialogue::from_code(&self.language).unwrap_or_default();
         let usual = Target::new(control, language);
         let Some(folder) = &self.folder else { return Ok(usual) };
-        let folder: ControlFolder = folder.parse().map_err(|error: SetError| CliError::Data(error.to_string()))?;
+        let folder: ControlFolder = folder.parse().said()?;
         Ok(Target { folder, ..usual })
     }
 
     fn plan(&self, io: &mut Io<'_>) -> Result<NcPlan, CliError> {
         if self.is_plan() {
-            if let Some(given) = self.position.given() {
-                let why = format!("--{given} is for a single callout: a plan has a column for it");
-                return Err(CliError::Data(why));
+            if let Some(option) = self.position.given() {
+                return Err(CliError::OptionBesidePlan { option });
             }
             let (name, bytes) = read_input(Path::new(&self.what), io)?;
-            return NcPlan::read(&bytes).map_err(|error| CliError::Data(format!("{name}: {error}")));
+            return NcPlan::read(&bytes).about(&name);
         }
-        let callout: Callout = self.what.parse().map_err(|error| CliError::Data(format!("{}: {error}", self.what)))?;
+        let callout: Callout = self.what.parse().about(&self.what)?;
         let feature = self.position.feature(callout)?;
-        NcPlan::new(vec![feature]).map_err(|error| CliError::Data(error.what.to_string()))
+        NcPlan::new(vec![feature]).map_err(|error| error.what).said()
     }
 
     /// A plan's errors name its file, a single callout's no number.
-    fn set_error(&self, error: &SetError) -> CliError {
-        let text = match error {
-            SetError::Plan(PlanError { at: At::Feature(_), what }) => what.to_string(),
-            SetError::Plan(error) => format!("{}: {error}", self.what),
-            error => error.to_string(),
-        };
-        CliError::Data(text)
+    fn named(&self, set: Result<NcSet, SetError>) -> Result<NcSet, CliError> {
+        match set {
+            Err(SetError::Plan(PlanError { at: At::Feature(_), what })) => Err(what).said(),
+            Err(SetError::Plan(error)) => Err(error).about(&self.what),
+            set => set.said(),
+        }
     }
 
     fn save(&self, set: &NcSet, io: &mut Io<'_>) -> Result<(), CliError> {
         let hint = |error: files::FileError| match error {
-            error @ files::FileError::Exists { .. } if !self.force => {
-                CliError::Data(format!("{error}; --force overwrites"))
-            }
+            error @ files::FileError::Exists { .. } if !self.force => CliError::UseForce { error },
             error => error.into(),
         };
         if self.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("zip")) {
-            let bytes = set.zip().map_err(|error| CliError::Data(error.to_string()))?;
+            let bytes = set.zip().said()?;
             let write = if self.force { files::write } else { files::write_new };
             write(&self.output, &bytes).map_err(hint)?;
-            let count = set.files.len();
-            return io.tell(format_args!("wrote {} ({count} files)", self.output.display()));
+            let path = self.output.display().to_string();
+            return io.tell(Note::WroteFiles { path, count: set.files.len() });
         }
         let files: Vec<(&str, &[u8])> =
             set.files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
         for path in files::write_folder(&self.output, &files, self.force).map_err(hint)? {
-            io.tell(format_args!("wrote {}", path.display()))?;
+            io.tell(Note::Wrote { path: path.display().to_string() })?;
         }
         Ok(())
     }
@@ -200,12 +195,10 @@ impl Position {
     }
 }
 
-fn needed(name: &str, text: Option<&String>) -> Result<Length, CliError> {
-    let missing = || CliError::Data(format!("--{name} is missing: a single callout needs --x, --y and --z"));
-    optional(name, text)?.ok_or_else(missing)
+fn needed(name: &'static str, text: Option<&String>) -> Result<Length, CliError> {
+    optional(name, text)?.ok_or(CliError::OptionMissing { option: name })
 }
 
 fn optional<T: std::str::FromStr<Err = LengthError>>(name: &str, text: Option<&String>) -> Result<Option<T>, CliError> {
-    let read = text.map(|text| text.parse().map_err(|error| CliError::Data(format!("--{name}: {error}"))));
-    read.transpose()
+    text.map(|text| text.parse().about(&What::Option { name })).transpose()
 }

@@ -5,16 +5,18 @@ use std::path::{Path, PathBuf};
 use clap::builder::PossibleValuesParser;
 use jiff::civil::DateTime;
 
-use super::{CliError, Io, Outcome, TableArgs};
+use super::args::one_of;
+use super::{CliError, Io, Outcome, Refused as _, TableArgs};
 use crate::exchange::import;
 use crate::files;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
+use crate::message::{Message, Say};
 use crate::probing::{Measurement, Origin};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::verdict::{doubt, judge};
-use crate::words::{Language, Message, Say, Words};
+use crate::words::{Language, Words};
 
 /// Write an inspection report of one or more checks
 #[derive(Debug, clap::Args)]
@@ -33,8 +35,8 @@ pub(super) struct Args {
     output: Output,
 
     /// Format of what goes to standard output; a file's ending tells its own
-    #[arg(long, required_if_eq("output", "-"), value_parser = PossibleValuesParser::new(names()))]
-    format: Option<String>,
+    #[arg(long, required_if_eq("output", "-"), value_parser = one_of(RENDERINGS, |rendering| rendering.name))]
+    format: Option<&'static Rendering>,
 
     /// Title of the report
     #[arg(long)]
@@ -53,7 +55,7 @@ pub(super) struct Args {
     inspector: Option<String>,
 
     /// Language of the HTML report; CSV and JSON are the same in every language
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::COMPLETE.map(Language::code)))]
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::all().map(Language::code)))]
     language: String,
 
     /// Date and time of the report and of checks that have none; now when not given
@@ -76,57 +78,21 @@ The exit code is that of the worst check. What cannot be used or not be judged i
 and on the report, the others are reported, and the exit code is 1.";
 
 /// Why a `--check` is no check.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "cli-check")]
 enum CheckError {
     /// There is no equals sign.
-    #[error("{text} has no measured value: write a callout, = and millimetres, such as 25 H7=25.012")]
     NoMeasured { text: String },
     /// The callout cannot be read.
-    #[error("{0}")]
+    #[say(transparent)]
     Callout(#[from] CalloutError),
     /// There are no limits for the callout.
-    #[error("{0}")]
+    #[say(transparent)]
     Limits(#[from] LimitsError),
     /// The measured value cannot be read.
-    #[error("measured value: {0}")]
     Measured(LengthError),
     /// A diameter is above zero.
-    #[error("measured value {measured} mm is not above 0")]
     NotPositive { measured: Length },
-}
-
-impl Say for CheckError {
-    fn message(&self) -> Message {
-        match self {
-            Self::NoMeasured { text } => Message::new("report-check-no-measured").text("text", text),
-            Self::Callout(error) => error.message(),
-            Self::Limits(error) => error.message(),
-            Self::Measured(error) => Message::new("report-check-measured").message("reason", error.message()),
-            Self::NotPositive { measured } => Message::new("report-check-not-positive").text("measured", measured),
-        }
-    }
-}
-
-/// Why there is nothing to write.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-enum ReportError {
-    /// `--format` asks for another format than the file's ending.
-    #[error("--format {format} does not fit the ending of {}: leave one of them out", file.display())]
-    Format { format: String, file: PathBuf },
-    /// No check could be used.
-    #[error("no check could be used, so no report was written")]
-    Empty,
-}
-
-impl Say for ReportError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Format { format, file } => {
-                Message::new("report-format").text("format", format).text("file", file.display())
-            }
-            Self::Empty => Message::new("report-empty"),
-        }
-    }
 }
 
 /// Where the report goes.
@@ -146,15 +112,9 @@ fn output(text: &str) -> Result<Output, EndingError> {
     Ok(Output::File(PathBuf::from(text), report::rendering_for(Path::new(text))?))
 }
 
-/// The names of `--format`.
-fn names() -> Vec<&'static str> {
-    RENDERINGS.iter().map(|rendering| rendering.name).collect()
-}
-
 /// The checks so far, and what made none.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct Collected {
-    english: Words,
     checks: Vec<Record>,
     notes: Vec<Message>,
     bad: bool,
@@ -166,8 +126,7 @@ impl Args {
         let sources = self.tables.load(io)?;
         let words = Words::new(Language::from_code(&self.language).unwrap_or_default());
         let now = self.time.unwrap_or_else(super::now);
-        let mut collected =
-            Collected { english: Words::new(Language::En), checks: Vec::new(), notes: Vec::new(), bad: false };
+        let mut collected = Collected::default();
         for path in &self.files {
             collected.file(path, &sources, now, io)?;
         }
@@ -179,7 +138,7 @@ impl Args {
         }
         let Collected { checks, notes, bad, .. } = collected;
         let Some(worst) = checks.iter().map(|record| record.verdict.status()).max() else {
-            return Err(CliError::Data(ReportError::Empty.to_string()));
+            return Err(CliError::ReportEmpty);
         };
         let report = Report {
             title: self.title.clone().unwrap_or_default(),
@@ -189,7 +148,7 @@ impl Args {
             notes,
             ..Report::new(now, checks)
         };
-        let bytes = (rendering.render)(&report, &words).map_err(|error| CliError::Data(error.to_string()))?;
+        let bytes = (rendering.render)(&report, &words).said()?;
         match &self.output {
             Output::Standard => io.out.write_all(&bytes)?,
             Output::File(path, _) => super::save(path, &bytes, io)?,
@@ -199,11 +158,9 @@ impl Args {
 
     /// The rendering of the file's ending, or of `--format` for standard output.
     fn rendering(&self) -> Result<&'static Rendering, CliError> {
-        let named = RENDERINGS.iter().find(|rendering| self.format.as_deref() == Some(rendering.name));
-        match (&self.output, named) {
+        match (&self.output, self.format) {
             (Output::File(file, by_ending), Some(named)) if by_ending.name != named.name => {
-                let (format, file) = (named.name.to_owned(), file.clone());
-                Err(CliError::Data(ReportError::Format { format, file }.to_string()))
+                Err(CliError::ReportFormat { format: named.name, file: file.clone() })
             }
             (Output::File(_, rendering), _) => Ok(rendering),
             // Without a format, clap has refused standard output before.
@@ -214,7 +171,7 @@ impl Args {
 
 impl Collected {
     /// Takes in a file of measurements.
-    fn file(&mut self, path: &Path, sources: &Sources, now: DateTime, io: &mut Io<'_>) -> std::io::Result<()> {
+    fn file(&mut self, path: &Path, sources: &Sources, now: DateTime, io: &mut Io<'_>) -> Result<(), CliError> {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let bytes = match files::read(path) {
             Ok(bytes) => bytes,
@@ -236,15 +193,15 @@ impl Collected {
     }
 
     /// Notes what is no check, so that the report is not taken for the whole.
-    fn refuse(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> std::io::Result<()> {
+    fn refuse(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> Result<(), CliError> {
         self.bad = true;
         self.note(place, what, io)
     }
 
     /// Puts a sentence on the report, and in English on standard error.
-    fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> std::io::Result<()> {
+    fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> Result<(), CliError> {
         let note = place.message("what", what);
-        writeln!(io.err, "fitcheck: {}", self.english.say(&note))?;
+        io.fail(&note)?;
         self.notes.push(note);
         Ok(())
     }
@@ -274,7 +231,6 @@ fn record(text: &str, sources: &Sources, time: DateTime) -> Result<Record, Check
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::check_said;
 
     #[test]
     fn a_check_without_sense_is_refused_in_words() {
@@ -285,14 +241,5 @@ mod tests {
             "25 H7 has no measured value: write a callout, = and millimetres, such as 25 H7=25.012"
         );
         assert_eq!(said("Bore: 25=25"), "a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1");
-    }
-
-    #[test]
-    fn errors_are_said_in_both_languages() {
-        check_said(&CheckError::NoMeasured { text: "25 H7".to_owned() });
-        check_said(&CheckError::Measured(LengthError::Empty));
-        check_said(&CheckError::NotPositive { measured: Length::from_micrometres(-5) });
-        check_said(&ReportError::Format { format: "csv".to_owned(), file: "a.html".into() });
-        check_said(&ReportError::Empty);
     }
 }

@@ -11,11 +11,12 @@ use jiff::civil::DateTime;
 use super::log::{self, Figure, Further, LimitPair, Log, LogWriteError};
 use super::log444::{self, Band, PointLog, PointLogError};
 use crate::length::{Length, Unit};
+use crate::message::{Message, Say};
 use crate::probing::cycle::{self, Axis, Cycle, CycleResult, FigureKind, FoundName, Meaning, Value};
 use crate::probing::cycles::cycle as cycle_of;
 use crate::tolerance::Feature;
 use crate::verdict::{Status, classify};
-use crate::words::{Language, Message, Say};
+use crate::words::Dialogue;
 
 /// The log of a cycle's result.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,7 +105,7 @@ impl CycleLog {
     /// The figures are the result's own, unrounded: limits and deviations are those that the cycle compared with, a
     /// centre without a tolerance has its nominal value as both limits, and a diameter or coordinate that was not
     /// monitored has limits of 0.
-    pub fn of(cycle: &Cycle, result: &CycleResult, heading: &Heading, language: Language) -> Option<Self> {
+    pub fn of(cycle: &Cycle, result: &CycleResult, heading: &Heading, language: Dialogue) -> Option<Self> {
         let figures = match &cycle.log {
             cycle::Log::Screen => return None,
             cycle::Log::Points { .. } => return point(cycle, result, heading).map(Self::Page),
@@ -125,7 +126,7 @@ impl CycleLog {
     ///
     /// # Errors
     /// [`CycleLogError`]: whatever would not be read back as the same log.
-    pub fn write(&self, language: Language) -> Result<Vec<u8>, CycleLogError> {
+    pub fn write(&self, language: Dialogue) -> Result<Vec<u8>, CycleLogError> {
         self.append(&[], language)
     }
 
@@ -133,7 +134,7 @@ impl CycleLog {
     ///
     /// # Errors
     /// As for [`Self::write`]; also where the file is cut off or, for a page, is not one of these.
-    pub fn append(&self, file: &[u8], language: Language) -> Result<Vec<u8>, CycleLogError> {
+    pub fn append(&self, file: &[u8], language: Dialogue) -> Result<Vec<u8>, CycleLogError> {
         match self {
             Self::Text(log) => Ok(log::append(file, log, language)?),
             Self::Page(log) => Ok(log444::append(file, log, language)?),
@@ -142,7 +143,7 @@ impl CycleLog {
 
     /// What the log says when it is read back: the status by its own limits and its own rounded figures. `None` where
     /// nothing was monitored.
-    pub fn status(&self, language: Language) -> Option<Status> {
+    pub fn status(&self, language: Dialogue) -> Option<Status> {
         match self {
             Self::Text(log) => status(&log.printed(language)),
             Self::Page(log) => log.status,
@@ -151,7 +152,7 @@ impl CycleLog {
 
     /// Whether the log will say something else than the cycle did: where a value is outside a limit by less than the
     /// log prints. A value on or within its limits stays so, because both are rounded alike.
-    pub fn other_verdict(&self, result: &CycleResult, language: Language) -> Option<OtherVerdict> {
+    pub fn other_verdict(&self, result: &CycleResult, language: Dialogue) -> Option<OtherVerdict> {
         let (Self::Text(Log { unit, .. }) | Self::Page(PointLog { unit, .. })) = self;
         let (cycle, log) = (result.status?, self.status(language)?);
         (cycle != log).then_some(OtherVerdict { cycle, log, unit: *unit })
@@ -243,7 +244,7 @@ fn judged(kind: FigureKind, feature: Feature, figure: &Figure) -> Option<Status>
 mod tests {
     use super::*;
     use crate::control::log444::PointFault;
-    use crate::words::Words;
+    use crate::words::{Language, Words};
 
     #[track_caller]
     fn said(what: &(impl std::fmt::Display + Say)) -> String {

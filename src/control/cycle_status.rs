@@ -4,41 +4,25 @@
 //! QS3 the status word, Q33 and Q23 the limits, Q153 the measured diameter. Other cycles declare masks of their own, drawn
 //! from the parameters that the cycle itself was given and found.
 
-use std::sync::LazyLock;
-
 use jiff::civil::DateTime;
 
 use super::mask::{Context, Mask, RenderError};
-use super::status::{micrometres, shipped, shipped_mask, status_word};
+use super::status::{mask_named, micrometres, shipped_mask, status_word};
 use super::variables::{Parameter, Value, Variables};
 use crate::probing::cycle::{self, Check, Cycle, CycleResult, FoundName, Key, Meaning, Window};
-use crate::probing::cycles::CYCLES;
-use crate::words::Language;
-
-/// The masks that cycles bring along, by cycle and language.
-static MASKS: LazyLock<Vec<(u16, Language, Mask)>> = LazyLock::new(|| {
-    let own = CYCLES.iter().filter_map(|cycle| match cycle.window {
-        Window::Own(files) => Some((cycle.number, files)),
-        Window::Diameter | Window::None => None,
-    });
-    own.flat_map(|(number, files)| files.iter().map(move |(language, bytes)| (number, *language, shipped(bytes))))
-        .collect()
-});
+use crate::words::Dialogue;
 
 /// The shipped mask of a cycle; `None` for a cycle without a status window.
-pub fn cycle_mask(cycle: &Cycle, language: Language) -> Option<&'static Mask> {
+pub fn cycle_mask(cycle: &Cycle, language: Dialogue) -> Option<&'static Mask> {
     match cycle.window {
         Window::None => None,
         Window::Diameter => Some(shipped_mask(language)),
-        Window::Own(_) => {
-            let mut masks = MASKS.iter();
-            masks.find(|(number, known, _)| (*number, *known) == (cycle.number, language)).map(|(.., mask)| mask)
-        }
+        Window::Own(mask) => mask_named(mask, language),
     }
 }
 
 /// The parameters after a cycle has run: all that it was given and all that it found, and what the masks ask for besides.
-pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Language) -> Variables {
+pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Dialogue) -> Variables {
     let mut variables = Variables::new();
     let given =
         cycle.parameters.iter().filter_map(|parameter| Some((parameter.key, result.inputs.value(parameter.key)?)));
@@ -79,7 +63,7 @@ fn set_diameter(cycle: &Cycle, result: &CycleResult, check: &Check, variables: &
 pub fn cycle_window(
     cycle: &Cycle,
     result: &CycleResult,
-    language: Language,
+    language: Dialogue,
     mask: Option<&Mask>,
     time: DateTime,
 ) -> Option<Result<String, RenderError>> {
@@ -142,7 +126,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn check((cycle, result): &(&'static Cycle, CycleResult), language: Language, expected: Option<&str>) {
+    fn check((cycle, result): &(&'static Cycle, CycleResult), language: Dialogue, expected: Option<&str>) {
         let time = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
         let window = cycle_window(cycle, result, language, None, time).map(Result::unwrap);
         assert_eq!(window.as_deref(), expected);
@@ -156,16 +140,16 @@ mod tests {
         let stud = measured("422", &[&nominal[..], &["Q277=74.9", "Q278=74.8"]].concat(), &SQUARE);
         check(
             &stud,
-            Language::Nl,
+            Dialogue::Nl,
             Some(
                 "STATUS VAN DE PASSING: Nabewerking\nGEPRUEFTE PASSUNG: 75 (422)\nMINIMALE MAAT:  74.8000\n\
                  MAXIMALE MAAT:  74.9000\nGEMETEN DIAMETER:  75.0000\n",
             ),
         );
-        check(&measured("421", &nominal, &SQUARE), Language::En, None);
+        check(&measured("421", &nominal, &SQUARE), Dialogue::En, None);
         // A centre alone has no limits of size to print.
-        check(&measured("421", &[&nominal[..], &["Q279=1"]].concat(), &SQUARE), Language::En, None);
-        check(&measured("G785", &["K=2", "RC=120"], &SQUARE), Language::En, None);
+        check(&measured("421", &[&nominal[..], &["Q279=1"]].concat(), &SQUARE), Dialogue::En, None);
+        check(&measured("G785", &["K=2", "RC=120"], &SQUARE), Dialogue::En, None);
     }
 
     #[test]
@@ -174,7 +158,7 @@ mod tests {
         let mask = b"\"%S %6.3F %2.0F %5.1F %6.1F %6.3F\", QS2, Q1, Q2, Q4, Q5, Q163;\nM_CLOSE;\n";
         let (mask, _) = Mask::read(mask).unwrap();
         let time = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
-        let text = cycle_window(stud.0, &stud.1, Language::En, Some(&mask), time).unwrap().unwrap();
+        let text = cycle_window(stud.0, &stud.1, Dialogue::En, Some(&mask), time).unwrap().unwrap();
         assert_eq!(text, "75 (422) 75.000  1  12.5 -200.0  0.000\n");
     }
 
@@ -183,7 +167,7 @@ mod tests {
         let face = ["Q263=0", "Q264=0", "Q261=0", "Q272=3", "Q267=-1", "Q288=5.1", "Q289=-4.95"];
         check(
             &measured("427", &face, &[[0.0, 0.0, 5.0]]),
-            Language::En,
+            Dialogue::En,
             Some(
                 "COORDINATE STATUS: GOOD\nCHECKED: Z (427)\nMINIMUM LIMIT:  -4.9500\nMAXIMUM LIMIT:   5.1000\n\
                  MEASURED COORDINATE:   5.0000\n",
@@ -192,13 +176,13 @@ mod tests {
         let point = ["Q263=0", "Q264=0", "Q294=0", "Q581=0", "Q582=0", "Q583=1"];
         check(
             &measured("444", &[&point[..], &["QS400=0.4-0.1"]].concat(), &[[0.0, 0.0, -0.2]]),
-            Language::En,
+            Dialogue::En,
             Some(
                 "POINT STATUS: SCRAP\nTOLERANCE: 0.4-0.1\nMEASURED 1ST AXIS:   0.0000\nMEASURED 2ND AXIS:   0.0000\n\
                  MEASURED 3RD AXIS:  -0.2000\nDEVIATION:  -0.2000\n",
             ),
         );
-        check(&measured("444", &point, &[[0.0, 0.0, -0.2]]), Language::En, None);
+        check(&measured("444", &point, &[[0.0, 0.0, -0.2]]), Dialogue::En, None);
     }
 
     #[test]
@@ -209,7 +193,7 @@ mod tests {
             let point = ["Q263=0", "Q264=0", "Q294=5", "Q581=0", "Q582=0", "Q583=1", "QS400=0.1-0.05"];
             let point = measured("444", &point, &[[0.0, 0.0, height]]);
             for ((cycle, result), language) in
-                [&coordinate, &point].into_iter().flat_map(|run| Language::ALL.map(|l| (run, l)))
+                [&coordinate, &point].into_iter().flat_map(|run| Dialogue::ALL.map(|l| (run, l)))
             {
                 let time = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
                 let text = cycle_window(cycle, result, language, None, time).unwrap().unwrap();

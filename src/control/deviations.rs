@@ -16,6 +16,7 @@ pub use write::to_control_table;
 use super::table::{Column, ControlTable, Located, Place, TableFile, TableUnit, beginning, is_blank, is_number};
 use crate::files::{self, FileError};
 use crate::length::{Length, LengthError, Unit};
+use crate::shipped;
 use crate::tolerance::table::{Column as ClassColumn, TableShapeError};
 use crate::tolerance::{ClassError, DeviationTable, Deviations, ToleranceClass};
 
@@ -26,18 +27,13 @@ const RANGE_ALIAS: &str = "BEREIK";
 /// The number of the row: never a deviation.
 const ROW_NUMBER: &str = "NR";
 
-/// The shipped tables: name and bytes.
-const SHIPPED: [(&str, &[u8]); 2] = [
-    ("82553_hole.tab", include_bytes!("../../tables/82553_hole.tab")),
-    ("82553_shaft.tab", include_bytes!("../../tables/82553_shaft.tab")),
-];
-
 /// The tables of NC-Solution 8255: `82553_hole.tab` and `82553_shaft.tab`, embedded in the program.
 ///
 /// They are read once, at the first call.
 pub fn shipped_tables() -> Vec<Arc<DeviationTable>> {
     static TABLES: LazyLock<Vec<Arc<DeviationTable>>> = LazyLock::new(|| {
-        let tables = SHIPPED.iter().filter_map(|(name, bytes)| match read_table(bytes, name, name, true) {
+        let tables = shipped::TABLES.iter().filter(|(name, _)| name.ends_with(".tab"));
+        let tables = tables.filter_map(|(name, bytes)| match read_table(bytes, name, name, true) {
             Ok((table, _warnings)) => table.map(Arc::new),
             // A test proves that they can be read; a program without a table refuses every callout.
             Err(error) => {

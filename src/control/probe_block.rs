@@ -20,8 +20,8 @@ pub use fault::{ProbeBlockError, ProbeBlockFault};
 pub use read::{read, read_or_lines};
 pub use write::write;
 
+use crate::message::{Message, Say};
 use crate::probing::cycle::{Cycle, Inputs};
-use crate::words::{Message, Say};
 
 /// A block as it was read: the cycle and its parameters as texts.
 #[derive(Debug, Clone)]

@@ -7,11 +7,14 @@ use std::sync::LazyLock;
 
 use super::table::{ControlTable, Located, Place, TableError, TableFile, TableUnit, TableWarning, is_blank};
 use crate::length::{Length, LengthError, Unit};
+use crate::message::{Message, Say};
 use crate::probing::TouchProbe;
-use crate::words::{Message, Say};
+use crate::shipped;
 
 /// The shipped table.
-const SHIPPED: &[u8] = include_bytes!("../../tables/tchprobe.tp");
+fn shipped_bytes() -> &'static [u8] {
+    shipped::file(shipped::TABLES, "tchprobe.tp").unwrap_or_default()
+}
 
 /// A touch-probe table.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -138,7 +141,7 @@ impl Say for ProbeFault {
 impl ProbeTable {
     /// The table that is embedded in the program.
     pub fn shipped() -> &'static Self {
-        static TABLE: LazyLock<ProbeTable> = LazyLock::new(|| match ProbeTable::read(SHIPPED, "tchprobe.tp") {
+        static TABLE: LazyLock<ProbeTable> = LazyLock::new(|| match ProbeTable::read(shipped_bytes(), "tchprobe.tp") {
             Ok(table) => table,
             // A test proves that it can be read.
             Err(error) => {
@@ -293,7 +296,7 @@ mod tests {
 
     #[test]
     fn the_shipped_table_is_the_default_probe() {
-        assert_eq!(ProbeTable::read(SHIPPED, "tchprobe.tp").unwrap().probes, [TouchProbe::default()]);
+        assert_eq!(ProbeTable::read(shipped_bytes(), "tchprobe.tp").unwrap().probes, [TouchProbe::default()]);
         assert_eq!(ProbeTable::shipped().probe(None), Some(&TouchProbe::default()));
     }
 

@@ -9,34 +9,24 @@ use super::mask::{Context, Mask, RenderError};
 use super::variables::{Parameter, Value, Variables};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
+use crate::shipped;
 use crate::tolerance::Feature;
 use crate::verdict::Status;
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// The status word that program 82551 puts into QS3; the Dutch ones are the seed's, letter by letter.
-pub const fn status_word(status: Status, language: Language) -> &'static str {
-    match (language, status) {
-        (Language::Nl, Status::Good) => "GOED",
-        (Language::Nl, Status::Rework) => "Nabewerking",
-        (Language::Nl, Status::Scrap) => "Afgekeurd",
-        (Language::Nl, Status::ReMeasure) => "Opnieuw meten",
-        (Language::De, Status::Good) => "GUT",
-        (Language::De, Status::Rework) => "Nacharbeit",
-        (Language::De, Status::Scrap) => "Ausschuss",
-        (Language::De, Status::ReMeasure) => "Erneut messen",
-        (Language::It, Status::Good) => "BUONO",
-        (Language::It, Status::Rework) => "Ripresa",
-        (Language::It, Status::Scrap) => "Scarto",
-        (Language::It, Status::ReMeasure) => "Misurare di nuovo",
-        (Language::En, Status::Good) => "GOOD",
-        (Language::En, Status::Rework) => "REWORK",
-        (Language::En, Status::Scrap) => "SCRAP",
-        (Language::En, Status::ReMeasure) => "RE-MEASURE",
+pub fn status_word(status: Status, dialogue: Dialogue) -> &'static str {
+    let words = &dialogue.words().status;
+    match status {
+        Status::Good => &words.good,
+        Status::Rework => &words.rework,
+        Status::Scrap => &words.scrap,
+        Status::ReMeasure => &words.re_measure,
     }
 }
 
 /// The parameters after program 82551 has run on a record.
-pub fn status_variables(record: &Record, language: Language) -> Variables {
+pub fn status_variables(record: &Record, dialogue: Dialogue) -> Variables {
     let mut variables = Variables::new();
     let limits = &record.limits;
     let (number, length) = (Value::Number, Value::Length);
@@ -53,7 +43,7 @@ pub fn status_variables(record: &Record, language: Language) -> Variables {
     set(Parameter::q(23), length(limits.maximum()));
     set(Parameter::q(33), length(limits.minimum()));
     let status = record.verdict.status();
-    set(Parameter::qs(3), Value::Text(status_word(status, language).to_owned()));
+    set(Parameter::qs(3), Value::Text(status_word(status, dialogue).to_owned()));
     if let Some([x, y]) = record.measurement.centre {
         set(Parameter::q(151), length(x));
         set(Parameter::q(152), length(y));
@@ -78,37 +68,29 @@ pub(super) fn micrometres(length: Length) -> Value {
     Value::Number(exact.unwrap_or_else(|_never| length.to_mm_f64() * 1000.0))
 }
 
-/// The shipped mask of a language: `82552_nl.a` is the seed's, byte for byte.
-pub fn shipped_mask(language: Language) -> &'static Mask {
-    static MASKS: LazyLock<[Mask; 4]> = LazyLock::new(|| {
-        [
-            shipped(include_bytes!("../../assets/masks/82552_en.a")),
-            shipped(include_bytes!("../../assets/masks/82552_nl.a")),
-            shipped(include_bytes!("../../assets/masks/82552_de.a")),
-            shipped(include_bytes!("../../assets/masks/82552_it.a")),
-        ]
+/// The shipped mask of a name, such as a cycle's number, in a dialogue language: `427_nl.a`.
+pub fn mask_named(name: &str, dialogue: Dialogue) -> Option<&'static Mask> {
+    static MASKS: LazyLock<Vec<(&str, Mask)>> = LazyLock::new(|| {
+        #[expect(clippy::expect_used, reason = "the files are part of the program and read by a test")]
+        let read = |bytes| Mask::read(bytes).expect("a shipped mask can be read").0;
+        shipped::MASKS.iter().map(|(file, bytes)| (*file, read(bytes))).collect()
     });
-    let [en, nl, de, it] = &*MASKS;
-    match language {
-        Language::En => en,
-        Language::Nl => nl,
-        Language::De => de,
-        Language::It => it,
-    }
+    let file = format!("{name}_{dialogue}.a");
+    MASKS.iter().find(|(known, _)| *known == file).map(|(_, mask)| mask)
 }
 
-/// A mask that is part of the program; tests read and render all of them.
-pub(super) fn shipped(bytes: &[u8]) -> Mask {
-    #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
-    Mask::read(bytes).expect("a shipped mask can be read").0
+/// The shipped mask of program 82551: `82552_nl.a` is that of NC-Solution 8255, byte for byte.
+pub fn shipped_mask(dialogue: Dialogue) -> &'static Mask {
+    #[expect(clippy::expect_used, reason = "a test holds that every dialogue language has its masks")]
+    mask_named("82552", dialogue).expect("every dialogue language has a mask")
 }
 
-/// The text of the status window for a record, drawn with a mask or with the language's own.
+/// The text of the status window for a record, drawn with a mask or with the dialogue's own.
 ///
 /// # Errors
 /// [`RenderError`] where a user's mask asks for a parameter that the check does not set.
-pub fn status_window(record: &Record, language: Language, mask: Option<&Mask>) -> Result<String, RenderError> {
-    let variables = status_variables(record, language);
-    let context = Context { language, time: record.time, call_path: r"TNC:\82551.h" };
-    mask.unwrap_or_else(|| shipped_mask(language)).render(&variables, &context).map(|output| output.text)
+pub fn status_window(record: &Record, dialogue: Dialogue, mask: Option<&Mask>) -> Result<String, RenderError> {
+    let variables = status_variables(record, dialogue);
+    let context = Context { language: dialogue, time: record.time, call_path: r"TNC:\82551.h" };
+    mask.unwrap_or_else(|| shipped_mask(dialogue)).render(&variables, &context).map(|output| output.text)
 }

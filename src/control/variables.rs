@@ -5,6 +5,8 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use crate::message::Say;
+
 /// Which family a parameter belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Family {
@@ -52,8 +54,8 @@ impl fmt::Display for Parameter {
 }
 
 /// A text that names no parameter.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{0} is no parameter, allowed are Q, QL, QR and QS with a number")]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(id = "no-parameter", error)]
 pub struct NoParameter(pub String);
 
 impl std::str::FromStr for Parameter {

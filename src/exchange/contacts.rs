@@ -5,8 +5,8 @@
 
 use super::delimited::{Item, Rows, SEPARATORS};
 use crate::control::text;
+use crate::message::{Message, Say};
 use crate::probing::Contact;
-use crate::words::{Message, Say};
 
 /// What a file of contacts holds.
 #[derive(Debug, Clone, PartialEq)]

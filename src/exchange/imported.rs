@@ -7,10 +7,10 @@ use jiff::civil::DateTime;
 use super::problem::{Problem, Reason, Warning};
 use crate::journal::Record;
 use crate::length::Length;
+use crate::message::{Message, Say};
 use crate::probing::Contact;
 use crate::probing::cycle::FoundName;
 use crate::verdict::{PositionVerdict, Removal, Status};
-use crate::words::{Message, Say};
 
 /// The most rows that one file is read for: a record takes some hundred bytes, so this bounds the memory.
 pub const MOST_ROWS: usize = 500_000;

@@ -36,8 +36,8 @@ pub use imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
 pub use problem::{Problem, Reason, Warning, WarningReason};
 
 use crate::control::text;
+use crate::message::{Message, Say};
 use crate::tolerance::Sources;
-use crate::words::{Message, Say};
 
 /// A format that measurements are read from.
 #[derive(Debug, Clone, Copy)]

@@ -7,8 +7,8 @@ use crate::control::log::{LogReason, LogWarning};
 use crate::control::log444::PointFault;
 use crate::length::{Length, LengthError};
 
+use crate::message::{Message, Say};
 use crate::tolerance::{Callout, CalloutError, LimitsError};
-use crate::words::{Message, Say};
 
 /// A row that could not be used.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

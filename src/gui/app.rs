@@ -27,8 +27,7 @@ pub struct Setup {
 impl Setup {
     /// As the user starts it.
     pub fn for_user() -> Self {
-        let language = sys_locale::get_locale().and_then(|locale| Language::from_code(&locale));
-        let language = language.filter(|language| Language::COMPLETE.contains(language)).unwrap_or_default();
+        let language = sys_locale::get_locale().and_then(|locale| Language::from_code(&locale)).unwrap_or_default();
         Self { store: Store::of_user(), language, errands: Errands::OnThread, clock: || jiff::Zoned::now().datetime() }
     }
 }

@@ -9,8 +9,8 @@ use eframe::egui::{
 use super::field::select_all;
 use super::theme::{sizes, space};
 use super::view::{View, heading, problem, quiet};
+use crate::message::Message;
 use crate::session::{Command, CycleFile, Dialog, Notice, Page, Purpose};
-use crate::words::Message;
 
 /// Files dropped on the window are imported; Ctrl+O opens the import and Ctrl+S the report.
 fn shortcuts(ui: &Ui, view: &mut View<'_>) {

@@ -15,6 +15,7 @@ use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
 use crate::exchange::{self, contacts, tables::TABLE_FORMATS};
 use crate::files;
+use crate::message::{Message, Say as _};
 use crate::nc::program::ProgramWarning;
 use crate::probing::Contact;
 use crate::probing::simulated::Simulation;
@@ -22,7 +23,6 @@ use crate::report::RENDERINGS;
 use crate::session::program::Document;
 use crate::session::{Command, CycleFile, CyclesCommand, Effect, ProgramCommand, Purpose, TablesCommand};
 use crate::tolerance::{DeviationTable, Sources};
-use crate::words::{Message, Say as _};
 
 /// How errands are run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -116,12 +116,12 @@ fn import(path: &Path, sources: &Sources, now: DateTime) -> Result<Box<exchange:
 fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
     let bytes = files::read(path).map_err(|error| error.message())?;
     let (mask, warnings) = Mask::read(&bytes).map_err(|error| error.message())?;
-    Ok((Box::new(mask), warnings.iter().map(crate::words::Say::message).collect()))
+    Ok((Box::new(mask), warnings.iter().map(crate::message::Say::message).collect()))
 }
 
 fn read_tables(folder: &Path) -> Result<(Vec<DeviationTable>, Vec<Message>), Message> {
     let own = deviations::read_folder(folder).map_err(|error| error.message())?;
-    let warnings = own.warnings.iter().map(crate::words::Say::message).collect();
+    let warnings = own.warnings.iter().map(crate::message::Say::message).collect();
     Ok((own.tables, warnings))
 }
 
@@ -129,7 +129,7 @@ fn read_table(path: &Path) -> Result<(Box<DeviationTable>, Vec<Message>), Messag
     let bytes = files::read(path).map_err(|error| error.message())?;
     let (table, warnings) =
         deviations::read_table(&bytes, &name(path), &path.display().to_string(), false).map_err(|e| e.message())?;
-    let mut warnings: Vec<_> = warnings.iter().map(crate::words::Say::message).collect();
+    let mut warnings: Vec<_> = warnings.iter().map(crate::message::Say::message).collect();
     match table {
         Some(table) => Ok((Box::new(table), warnings)),
         // The last warning says that the table holds no deviations.

@@ -11,8 +11,8 @@ use eframe::egui::{Align, FontId, Id, Key, Response, Stroke, TextBuffer, TextEdi
 use super::keypad;
 use super::theme;
 use super::view::{View, problem};
+use crate::message::Message;
 use crate::session::{Command, CycleField, CyclesCommand, Field, ProgramCommand, ProgramField, Session};
-use crate::words::Message;
 
 /// How a field looks.
 pub(super) struct Look {

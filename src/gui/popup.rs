@@ -4,7 +4,7 @@ use eframe::egui::{Frame, Label, Margin, RichText, ScrollArea, Stroke, Ui};
 
 use super::theme::{self, palette, sizes, space};
 use super::view::{View, problem, quiet};
-use crate::words::Message;
+use crate::message::Message;
 
 /// The pop-up with its text, why there is none, or what stands there as long as there is nothing.
 pub(super) fn popup_ui(ui: &mut Ui, view: &View<'_>, shown: Option<&Result<String, Message>>, empty: &str) {

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use etcetera::BaseStrategy as _;
 
 use crate::files::{self, FileError};
+use crate::message::{Message, Say as _};
 use crate::session::Saved;
 use crate::tolerance::fit::materials::Materials;
-use crate::words::{Message, Say as _};
 
 /// Where the state is kept; `None` keeps nothing.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -76,7 +76,7 @@ fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.menu_button(view.text("language"), |ui| {
-        for language in Language::COMPLETE {
+        for language in Language::all() {
             if ui.radio(view.session.language() == language, language.name()).clicked() {
                 view.send(Command::SetLanguage(language));
                 ui.close();

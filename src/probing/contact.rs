@@ -1,7 +1,7 @@
 //! One touch of the probe, and whoever makes it.
 
 use crate::length::Length;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// A point in millimetres, in the workpiece's coordinates: on the workpiece's surface, or the centre of the ball where a
 /// [`Prober`] has one that touches.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::circle::{Circle, CircleError, least_squares};
 use super::contact::Contact;
 use crate::length::Length;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// A measured diameter and all that is known about it.
 #[derive(Debug, Clone, PartialEq)]

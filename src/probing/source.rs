@@ -3,7 +3,7 @@
 use super::contact::{Contact, Prober, Recorded};
 use super::cycle::{Cycle, CycleError, Inputs, Move, Phase};
 use super::simulated::{Simulation, WorkpieceError};
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// Where contacts come from.
 #[derive(Debug, Clone, Copy)]

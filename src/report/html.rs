@@ -10,9 +10,10 @@ use super::text;
 use super::{RenderError, Rendering, Report};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
+use crate::message::Message;
 use crate::probing::{Circle, Contact};
 use crate::verdict::{Removal, Status, Verdict};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// This rendering.
 pub const RENDERING: Rendering = Rendering { name: "html", endings: &["html", "htm"], render };

@@ -28,7 +28,8 @@ use std::path::Path;
 use jiff::civil::DateTime;
 
 use crate::journal::Record;
-use crate::words::{Message, Say, Words};
+use crate::message::{Message, Say};
+use crate::words::Words;
 
 /// What an inspection report says.
 ///

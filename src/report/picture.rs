@@ -9,8 +9,9 @@ use super::band::{Band, Marker, Side, micrometres};
 use super::text;
 use crate::journal::Record;
 use crate::length::Length;
+use crate::message::Message;
 use crate::verdict::Status;
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// Left end of the axis in the picture's units; four units print as about a millimetre.
 const LEFT: f64 = 20.0;

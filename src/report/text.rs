@@ -3,10 +3,11 @@
 //! Messages without a language; [`Words`] says them. Rules, doubts, caveats and origins bring their own.
 
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::report::band::Side;
 use crate::tolerance::{Feature, Source};
 use crate::verdict::{AxisPosition, PositionVerdict, SizeVerdict, Status};
-use crate::words::{Message, Say as _, Words};
+use crate::words::Words;
 
 /// The word of a status, in capitals: `GOOD`, `NABEWERKING`.
 pub const fn status(status: Status) -> Message {

@@ -5,11 +5,11 @@ use std::ops;
 
 use super::inputs::{Field, Inputs};
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::probing::cycle::{Angle, Axis, Meaning, Value};
 use crate::probing::cycles::measuring;
 use crate::tolerance::callout::halves;
 use crate::tolerance::{Callout, Feature, Limits, Sources};
-use crate::words::{Message, Say as _};
 
 /// The meaning of the fields. Made anew at every change.
 #[derive(Debug, Clone)]

@@ -12,8 +12,9 @@ use super::tables::TablesCommand;
 use crate::control::mask::Mask;
 use crate::exchange::Imported;
 use crate::files::FileError;
+use crate::message::Message;
 use crate::tolerance::{DeviationTable, Feature, ToleranceClass, iso286};
-use crate::words::{Language, Message};
+use crate::words::{Dialogue, Language};
 
 /// A change of the state.
 #[derive(Debug, Clone)]
@@ -47,7 +48,7 @@ pub enum Command {
     /// Light, dark, or as the system.
     SetTheme(Theme),
     /// Draws the status window with a shipped mask, or with the language's own when `None`.
-    SetMask(Option<Language>),
+    SetMask(Option<Dialogue>),
     /// Asks for a file or a folder.
     OpenDialog(Purpose),
     /// Replaces the path in the dialog.

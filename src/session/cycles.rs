@@ -29,10 +29,10 @@ pub use workpiece_field::WorkpieceField;
 use super::{Effect, Session};
 use crate::control::probe_table::ProbeTable;
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::probing::cycle::{Cycle, Inputs, Key, Parameter, Unset, Value};
 use crate::probing::cycles::CYCLES;
 use crate::probing::{Contact, TouchProbe};
-use crate::words::{Message, Say as _};
 
 /// Contacts of a file.
 #[derive(Debug, Clone, PartialEq)]
@@ -327,7 +327,7 @@ impl Session {
                 (page.probes, page.probe) = (None, None);
                 page.changed();
             }
-            CyclesCommand::Run => page.measure(now, self.language),
+            CyclesCommand::Run => page.measure(now, self.language.dialogue()),
             CyclesCommand::Clear => page.clear(),
             CyclesCommand::Step(step) => page.go(step),
             CyclesCommand::ShowBlock(is_open) => {
@@ -336,7 +336,7 @@ impl Session {
             }
             CyclesCommand::TypeBlock(text) => (page.block, page.block_problem) = (Some(text), None),
             CyclesCommand::TakeBlock => page.take_block(),
-            CyclesCommand::CopyBlock => match page.written(self.language) {
+            CyclesCommand::CopyBlock => match page.written(self.language.dialogue()) {
                 Ok(block) => return vec![Effect::Copy(block)],
                 Err(problem) => self.tell(problem),
             },

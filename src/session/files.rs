@@ -10,9 +10,10 @@ use super::{Dialog, MaskChoice, Notice, Session, measuring};
 use crate::control::mask::Mask;
 use crate::exchange::Imported;
 use crate::files::FileError;
+use crate::message::{Message, Say as _};
 use crate::report;
 use crate::tolerance::{DeviationTable, Sources};
-use crate::words::{Message, Say as _, Words};
+use crate::words::Words;
 
 impl Session {
     pub(super) fn open_dialog(&mut self, purpose: Purpose) {

@@ -18,12 +18,12 @@ use std::sync::Arc;
 use super::inputs::{Field, Inputs};
 use super::{Page, Session, asked};
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::tolerance::fit::equivalent::{self, Difference};
 use crate::tolerance::fit::search::{Found, Scope, Wanted, search_in};
 use crate::tolerance::fit::thermal::{Expansion, Temperature, clearance_change};
 use crate::tolerance::fit::{Actual, Fit, Kind, Possible};
 use crate::tolerance::{Callout, Feature, Limits, Sources, ToleranceClass};
-use crate::words::{Message, Say as _};
 
 pub use class_map::{ClassMap, Direction, MapCell};
 pub use picture::{Mark, Picture, PictureZone};

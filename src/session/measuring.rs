@@ -8,6 +8,7 @@ use super::inputs::{Field, Inputs, MeasureBy};
 use crate::exchange::Imported;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
+use crate::message::{Message, Say as _};
 use crate::probing::measure::{ProbePosition, cycle_number, measure as run_cycle};
 use crate::probing::measurement::measure_contacts;
 use crate::probing::simulated::{Lobes, Machine, Probe, Workpiece};
@@ -15,7 +16,7 @@ use crate::probing::{Contact, Measurement, Origin};
 use crate::report::{RENDERINGS, Report};
 use crate::tolerance::Limits;
 use crate::verdict::{self, AxisPosition, PositionVerdict};
-use crate::words::{Message, Say as _, Words};
+use crate::words::Words;
 
 /// What measuring refused, and beside which field it is said.
 type Refusal = (Field, Message);
@@ -122,10 +123,10 @@ pub(super) fn import_notice(name: &str, imported: &Imported) -> Notice {
     let good = imported.records.len() + usize::from(imported.contacts.is_some());
     let message =
         Message::new("import-notice").text("name", name).count("good", good).count("bad", imported.problems.len());
-    let problems = imported.problems.iter().map(crate::words::Say::message);
+    let problems = imported.problems.iter().map(crate::message::Say::message);
     let unjudged =
         imported.unjudged.iter().filter(|_| imported.contacts.is_none()).map(|unjudged| unjudged.why.message());
-    let warnings = imported.warnings.iter().map(crate::words::Say::message);
+    let warnings = imported.warnings.iter().map(crate::message::Say::message);
     let details = problems.chain(unjudged).chain(warnings).collect();
     Notice { message, details, is_problem: good == 0 }
 }

@@ -51,9 +51,10 @@ pub use tables::{TablesCommand, TablesPage};
 use crate::control::mask::Mask;
 use crate::control::{shipped_tables, status};
 use crate::journal::Record;
+use crate::message::{Message, Say as _};
 use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::{Base, Callout, Sources};
-use crate::words::{Language, Message, Say as _};
+use crate::words::{Dialogue, Language};
 
 /// The mask that the status window is drawn with.
 #[derive(Debug, Clone, Default)]
@@ -62,7 +63,7 @@ pub enum MaskChoice {
     #[default]
     OfLanguage,
     /// A shipped mask.
-    Shipped(Language),
+    Shipped(Dialogue),
     /// The user's own.
     Own {
         /// Its file's name.
@@ -485,9 +486,9 @@ impl Session {
 
     fn status_window(&self, record: &Record) -> Result<String, Message> {
         let (language, mask) = match &self.mask {
-            MaskChoice::OfLanguage => (self.language, None),
+            MaskChoice::OfLanguage => (self.language.dialogue(), None),
             MaskChoice::Shipped(language) => (*language, None),
-            MaskChoice::Own { mask, .. } => (self.language, Some(mask.as_ref())),
+            MaskChoice::Own { mask, .. } => (self.language.dialogue(), Some(mask.as_ref())),
         };
         status::status_window(record, language, mask).map_err(|error| error.message())
     }

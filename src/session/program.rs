@@ -36,7 +36,6 @@ use jiff::civil::DateTime;
 pub use command::{BlockStep, Origin, ProgramCommand, ProgramField, Switch, WorkpieceFrom};
 pub use document::{Document, Entry, EntryKind};
 pub use inputs::{Agreement, Input};
-pub use opening::SHIPPED;
 pub use problems::{Problem, ProblemKind};
 pub use run::{MOST_MOVES, Run, Speed, State};
 pub use tokens::{Token, tokens};
@@ -44,9 +43,9 @@ pub use watching::{Name, Watched};
 
 use super::{Effect, Session};
 use crate::control::variables::{Parameter, Value};
+use crate::message::Message;
 use crate::nc::machine::{BlockPlace, NcPath};
 use crate::nc::program::ProgramWarning;
-use crate::words::Message;
 
 /// The state of the program page.
 #[derive(Debug, Default)]

@@ -27,8 +27,8 @@ pub use filter::Filter;
 use self::keeping::Saving;
 use super::Session;
 use super::inputs::Field;
+use crate::message::Message;
 use crate::tolerance::{DeviationTable, ToleranceClass};
-use crate::words::Message;
 
 /// What can be done on the table page.
 #[derive(Debug, Clone)]

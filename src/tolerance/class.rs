@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::iso286::Grade;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// Which side of the material is measured.
 ///

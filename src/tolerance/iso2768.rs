@@ -7,7 +7,7 @@ use std::fmt;
 
 use super::limits::Deviations;
 use crate::length::{Length, signed_mm};
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// A class of ISO 2768-1, told by its small letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]

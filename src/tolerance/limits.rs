@@ -7,7 +7,7 @@ use super::class::Feature;
 use super::iso286::Remark;
 use super::iso2768::GeneralClass;
 use crate::length::{Length, signed_mm};
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// Upper and lower limit deviation from the nominal size; upper is never below lower.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

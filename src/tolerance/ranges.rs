@@ -1,7 +1,7 @@
 //! Size ranges in words: where something is defined.
 
 use crate::length::Length;
-use crate::words::Message;
+use crate::message::Message;
 
 /// `it is defined over 24 up to 3150 mm`, or that it is defined nowhere. Ranges are above and up to, ascending.
 pub(super) fn text(ranges: &[(Length, Length)]) -> String {

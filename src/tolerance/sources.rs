@@ -13,7 +13,7 @@ use super::limits::{Deviations, Limits, Source};
 use super::ranges;
 use super::table::{Column, DeviationTable};
 use crate::length::Length;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// Where limits are looked up: the user's own tables first, then ISO 286 or the control's tables.
 ///

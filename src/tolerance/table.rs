@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::class::ToleranceClass;
 use super::limits::Deviations;
 use crate::length::{Length, signed_mm};
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// One class of a [`DeviationTable`].
 #[derive(Debug, Clone, PartialEq, Eq)]

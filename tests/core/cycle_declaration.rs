@@ -1,6 +1,7 @@
 //! The declarations of all cycles against the control's manuals, and the range errors made from them.
 
 use fitcheck::length::Length;
+use fitcheck::message::Say;
 use fitcheck::probing::cycle::{
     Angle, Cycle, CycleError, Inputs, Key, Meaning, Parameter, Range, Remark, Unset, Value,
 };
@@ -9,7 +10,7 @@ use fitcheck::probing::simulated::{Machine, Probe, Simulation, Workpiece};
 use fitcheck::probing::{Contact, Recorded};
 use fitcheck::tolerance::{Deviations, Feature};
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Say, Words};
+use fitcheck::words::{Language, Words};
 
 /// A text that every cycle accepts for a parameter, out of its declaration.
 fn usual(parameter: &Parameter) -> Value {

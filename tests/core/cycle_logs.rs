@@ -11,7 +11,7 @@ use fitcheck::probing::simulated::{Face, FreePoint, Machine, Probe, Surface, Wor
 use fitcheck::probing::{Recorded, cycle::Plane};
 use fitcheck::tolerance::{Base, Deviations, Feature, Sources};
 use fitcheck::verdict::{PositionVerdict, Status};
-use fitcheck::words::Language;
+use fitcheck::words::Dialogue;
 use jiff::civil::{DateTime, date};
 use proptest::prelude::*;
 
@@ -60,7 +60,7 @@ fn import_says(file: &str, bytes: &[u8]) -> Option<Status> {
 }
 
 /// Writes the log, reads it back in two ways, and answers what it says.
-fn there_and_back(cycle: &Cycle, result: &CycleResult, unit: Unit, language: Language) -> (CycleLog, Option<Status>) {
+fn there_and_back(cycle: &Cycle, result: &CycleResult, unit: Unit, language: Dialogue) -> (CycleLog, Option<Status>) {
     let log = CycleLog::of(cycle, result, &heading(unit), language).unwrap();
     let bytes = log.write(language).unwrap();
     let (file, read) = match &log {
@@ -144,8 +144,8 @@ fn the_published_measurement_of_cycle_421_is_written_as_published() {
         Some([12_045_000, 12_000_000]),
         [100_000, 100_000],
     );
-    let log = CycleLog::of(cycle, &result, &heading(Unit::Millimetre), Language::En).unwrap();
-    let text = String::from_utf8(log.write(Language::En).unwrap()).unwrap();
+    let log = CycleLog::of(cycle, &result, &heading(Unit::Millimetre), Dialogue::En).unwrap();
+    let text = String::from_utf8(log.write(Dialogue::En).unwrap()).unwrap();
     let expected = [
         "Measuring log for touch probe cycle 421 Hole measuring",
         "",
@@ -184,12 +184,12 @@ fn the_published_measurement_of_cycle_421_is_written_as_published() {
         "",
     ];
     assert_eq!(text.split("\r\n").collect::<Vec<_>>(), expected);
-    assert_eq!((result.status, log.status(Language::En)), (Some(Status::Good), Some(Status::Good)));
+    assert_eq!((result.status, log.status(Dialogue::En)), (Some(Status::Good), Some(Status::Good)));
 }
 
 #[test]
 fn what_was_not_monitored_is_not_judged_when_it_is_read_back() {
-    for language in Language::ALL {
+    for language in Dialogue::ALL {
         let (cycle, result) = circle(true, [0, 0, 25_000_000], [0, 0, 24_500_000], None, [0, 0]);
         assert_eq!(
             (result.status, there_and_back(cycle, &result, Unit::Millimetre, language).1),
@@ -215,8 +215,8 @@ fn what_was_not_monitored_is_not_judged_when_it_is_read_back() {
 fn a_value_beyond_a_limit_by_less_than_the_log_prints_is_named() {
     let other = |actual: i64, unit| {
         let (cycle, result) = circle(true, [0, 0, 25_000_000], [0, 0, actual], Some([25_021_000, 25_000_000]), [0, 0]);
-        let log = CycleLog::of(cycle, &result, &heading(unit), Language::En).unwrap();
-        log.other_verdict(&result, Language::En).map(|other| other.to_string())
+        let log = CycleLog::of(cycle, &result, &heading(unit), Dialogue::En).unwrap();
+        log.other_verdict(&result, Dialogue::En).map(|other| other.to_string())
     };
     let says = |unit| Some(format!("the log's figures, rounded to 0.0001 {unit}, say GOOD where the cycle said SCRAP"));
     assert_eq!(other(25_021_000, Unit::Millimetre), None);
@@ -231,7 +231,7 @@ fn a_value_beyond_a_limit_by_less_than_the_log_prints_is_named() {
     );
     // The page of cycle 444 keeps every nanometre.
     let (cycle, result) = point([0.0, 0.0, 1.0], 0.400_001, Some([400_000, -100_000]));
-    for (unit, language) in [(Unit::Millimetre, Language::En), (Unit::Inch, Language::It)] {
+    for (unit, language) in [(Unit::Millimetre, Dialogue::En), (Unit::Inch, Dialogue::It)] {
         let (log, says) = there_and_back(cycle, &result, unit, language);
         assert_eq!((says, log.other_verdict(&result, language)), (Some(Status::Rework), None));
     }
@@ -248,8 +248,8 @@ fn the_page_of_cycle_444_has_the_status_of_its_own_band() {
         (1.5, None, "NOT JUDGED"),
     ] {
         let (cycle, result) = point([0.0, 3.0, 4.0], deviation, band);
-        let log = CycleLog::of(cycle, &result, &heading(Unit::Millimetre), Language::En).unwrap();
-        let page = String::from_utf8(log.write(Language::En).unwrap()).unwrap();
+        let log = CycleLog::of(cycle, &result, &heading(Unit::Millimetre), Dialogue::En).unwrap();
+        let page = String::from_utf8(log.write(Dialogue::En).unwrap()).unwrap();
         assert!(page.contains(&format!("rowspan=\"3\">{word}</td>")), "{deviation}: {page}");
         assert!(band.is_some() || page.contains("no tolerance"), "{page}");
     }
@@ -260,7 +260,7 @@ fn a_cycle_without_a_log_and_a_result_of_another_cycle_make_none() {
     let (_, hole) = circle(true, [0, 0, 25_000_000], [0, 0, 25_000_000], None, [0, 0]);
     let head = heading(Unit::Millimetre);
     for cycle in CYCLES {
-        let made = CycleLog::of(cycle, &hole, &head, Language::En).is_some();
+        let made = CycleLog::of(cycle, &hole, &head, Dialogue::En).is_some();
         // 421 and 422 have the same results but for the limits.
         assert_eq!(made, [421, 422].contains(&cycle.number), "{}", cycle.code);
     }
@@ -268,27 +268,27 @@ fn a_cycle_without_a_log_and_a_result_of_another_cycle_make_none() {
     let inputs = cycle.set(cycle.set(Inputs::new(), "K", "2").unwrap(), "RC", "120").unwrap();
     let round = hole.contacts.clone();
     let lathe = cycle.measure(&inputs, &mut Recorded::new(round)).unwrap();
-    assert_eq!(CycleLog::of(cycle, &lathe, &head, Language::En), None);
+    assert_eq!(CycleLog::of(cycle, &lathe, &head, Dialogue::En), None);
 }
 
 #[test]
 fn a_second_log_stands_behind_the_first() {
     let (cycle, result) = coordinate(5_000_000, [5_100_000, 4_950_000]);
-    let log = CycleLog::of(cycle, &result, &heading(Unit::Millimetre), Language::It).unwrap();
-    let two = log.append(&log.write(Language::De).unwrap(), Language::It).unwrap();
+    let log = CycleLog::of(cycle, &result, &heading(Unit::Millimetre), Dialogue::It).unwrap();
+    let two = log.append(&log.write(Dialogue::De).unwrap(), Dialogue::It).unwrap();
     assert_eq!(log::read(&two).iter().filter(|log| log.is_ok()).count(), 2);
-    let refused = log.append(b"cut off", Language::It).unwrap_err().to_string();
+    let refused = log.append(b"cut off", Dialogue::It).unwrap_err().to_string();
     assert_eq!(refused, "the file ends within a line: it may be cut off, so nothing is added to it");
     let (cycle, result) = point([0.0, 0.0, 1.0], 0.1, Some([400_000, -100_000]));
-    let page = CycleLog::of(cycle, &result, &heading(Unit::Inch), Language::Nl).unwrap();
-    let two = page.append(&page.write(Language::Nl).unwrap(), Language::En).unwrap();
+    let page = CycleLog::of(cycle, &result, &heading(Unit::Inch), Dialogue::Nl).unwrap();
+    let two = page.append(&page.write(Dialogue::Nl).unwrap(), Dialogue::En).unwrap();
     assert_eq!(log444::read(&two).len(), 2);
-    assert!(page.append(b"<html></html>", Language::En).unwrap_err().to_string().starts_with("line 1: no log"));
+    assert!(page.append(b"<html></html>", Dialogue::En).unwrap_err().to_string().starts_with("line 1: no log"));
 }
 
 /// The unit of a program and the dialogue language of its control.
-fn units() -> impl Strategy<Value = (Unit, Language)> {
-    (prop_oneof![Just(Unit::Millimetre), Just(Unit::Inch)], proptest::sample::select(Language::ALL.to_vec()))
+fn units() -> impl Strategy<Value = (Unit, Dialogue)> {
+    (prop_oneof![Just(Unit::Millimetre), Just(Unit::Inch)], proptest::sample::select(Dialogue::ALL.to_vec()))
 }
 
 /// Limits as a pair of nanometres that is not swapped.

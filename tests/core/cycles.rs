@@ -1,6 +1,7 @@
 //! Cycles 421 and 422 on the simulated workpiece and on recorded contacts.
 
 use fitcheck::length::Length;
+use fitcheck::message::Say as _;
 use fitcheck::probing::circle::evaluate;
 use fitcheck::probing::cycle::{Angle, CircleFound, Cycle, CycleError, CycleResult, Inputs, Move, Phase, Value};
 use fitcheck::probing::cycles::{CYCLES, cycle};
@@ -8,7 +9,7 @@ use fitcheck::probing::simulated::{Lobes, Machine, Probe, Workpiece};
 use fitcheck::probing::{Contact, NoContact, Prober, Recorded, Touch};
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Say as _, Words};
+use fitcheck::words::{Language, Words};
 use proptest::prelude::*;
 
 const STILL: Probe = scattering(0.0);

@@ -5,7 +5,7 @@ use fitcheck::exchange::{WhyUnjudged, import};
 use fitcheck::length::{Length, Unit};
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
-use fitcheck::words::Language;
+use fitcheck::words::Dialogue;
 use proptest::prelude::*;
 
 fn mm(text: &str) -> Length {
@@ -31,7 +31,7 @@ fn point(deviation: &str) -> PointLog {
     }
 }
 
-fn page(logs: &[PointLog], language: Language) -> String {
+fn page(logs: &[PointLog], language: Dialogue) -> String {
     String::from_utf8(write(logs, language).unwrap()).unwrap()
 }
 
@@ -64,7 +64,7 @@ fn borders_of_the_band_belong_to_it() {
 #[test]
 fn a_page_shows_points_deviations_tolerance_and_status_in_words() {
     assert_eq!(
-        seen(&page(&[point("-0.100001")], Language::En)),
+        seen(&page(&[point("-0.100001")], Dialogue::En)),
         [
             "Measuring log for touch probe cycle 444 Probing in 3-D",
             "No.",
@@ -110,10 +110,10 @@ fn a_page_shows_points_deviations_tolerance_and_status_in_words() {
 fn words_and_decimal_sign_are_those_of_the_language_and_colour_never_stands_alone() {
     let logs = [point("0.0123"), point("0.5"), point("-0.2"), PointLog { band: None, status: None, ..point("0") }];
     for (language, title, words, along) in [
-        (Language::En, "Probing in 3-D", ["GOOD", "REWORK", "SCRAP", "NOT JUDGED"], "+0.0123"),
-        (Language::Nl, "Tasten 3D", ["GOED", "NABEWERKING", "AFGEKEURD", "NIET BEOORDEELD"], "+0,0123"),
-        (Language::De, "Antasten 3D", ["GUT", "NACHARBEIT", "AUSSCHUSS", "NICHT BEURTEILT"], "+0,0123"),
-        (Language::It, "Tastatura 3D", ["BUONO", "RIPRESA", "SCARTO", "NON VALUTATO"], "+0,0123"),
+        (Dialogue::En, "Probing in 3-D", ["GOOD", "REWORK", "SCRAP", "NOT JUDGED"], "+0.0123"),
+        (Dialogue::Nl, "Tasten 3D", ["GOED", "NABEWERKING", "AFGEKEURD", "NIET BEOORDEELD"], "+0,0123"),
+        (Dialogue::De, "Antasten 3D", ["GUT", "NACHARBEIT", "AUSSCHUSS", "NICHT BEURTEILT"], "+0,0123"),
+        (Dialogue::It, "Tastatura 3D", ["BUONO", "RIPRESA", "SCARTO", "NON VALUTATO"], "+0,0123"),
     ] {
         let page = page(&logs, language);
         let seen = seen(&page);
@@ -131,7 +131,7 @@ fn words_and_decimal_sign_are_those_of_the_language_and_colour_never_stands_alon
 
 #[test]
 fn the_page_is_self_contained_and_runs_nothing() {
-    let page = page(&[point("0")], Language::En);
+    let page = page(&[point("0")], Dialogue::En);
     assert!(page.contains("default-src 'none'"));
     for outside in ["http:", "https:", "src=", "href=", "url(", "@import", "onload"] {
         assert!(!page.contains(outside), "{outside}");
@@ -147,7 +147,7 @@ fn the_page_is_self_contained_and_runs_nothing() {
 fn everything_is_escaped_and_still_read_back() {
     let hostile = "</script><script>alert(1)</script>\"'&<!--\u{202e}\u{0}\r\n\u{2028}Ø\u{1f600}";
     let log = PointLog { program: Some(hostile.to_owned()), tolerance: hostile.to_owned(), ..point("0") };
-    let page = page(std::slice::from_ref(&log), Language::En);
+    let page = page(std::slice::from_ref(&log), Dialogue::En);
     assert_eq!(page.matches("<script").count(), 1);
     assert_eq!(page.matches("</script>").count(), 1);
     assert!(!page.contains("<!--") && !page.contains('\u{202e}') && !page.contains('\0'));
@@ -162,9 +162,9 @@ fn measurements_are_added_to_a_page() {
     let logs = [point("0.1"), point("0.5"), point("-0.2")];
     let mut added = Vec::new();
     for log in &logs {
-        added = append(&added, log, Language::Nl).unwrap();
+        added = append(&added, log, Dialogue::Nl).unwrap();
     }
-    assert_eq!(added, write(&logs, Language::Nl).unwrap());
+    assert_eq!(added, write(&logs, Dialogue::Nl).unwrap());
     assert_eq!(points(&added), logs);
     let answers = read(&added);
     let lines: Vec<usize> = answers.iter().map(|answer| answer.as_ref().unwrap().0).collect();
@@ -176,7 +176,7 @@ fn measurements_are_added_to_a_page() {
 /// The page of two points, changed.
 #[track_caller]
 fn check(from: &str, to: &str, expected: &[&str]) {
-    let page = page(&[point("0.1"), point("0.5")], Language::En);
+    let page = page(&[point("0.1"), point("0.5")], Dialogue::En);
     assert!(page.contains(from), "{from}");
     let changed = page.replacen(from, to, 1);
     let said = |answer: Result<(usize, PointLog), _>| match answer {
@@ -187,7 +187,7 @@ fn check(from: &str, to: &str, expected: &[&str]) {
         }
     };
     assert_eq!(read(changed.as_bytes()).into_iter().map(said).collect::<Vec<_>>(), expected, "{from} to {to}");
-    let added = append(changed.as_bytes(), &point("0"), Language::En);
+    let added = append(changed.as_bytes(), &point("0"), Dialogue::En);
     assert_eq!(added.is_err(), expected.iter().any(|said| said.len() > 3), "{added:?}");
 }
 
@@ -224,14 +224,14 @@ fn contradictions_and_damage_are_refused_and_the_others_kept() {
         "content=\"3\"",
         &["0.1", "0.5", "the page says that it holds 3 measurements, but it holds 2: it is cut off or was changed"],
     );
-    let json = read(page(&[point("0")], Language::En).replace("\"version\":1", "\"version\":1,\"x\":1").as_bytes());
+    let json = read(page(&[point("0")], Dialogue::En).replace("\"version\":1", "\"version\":1,\"x\":1").as_bytes());
     let error = json[0].as_ref().unwrap_err().to_string();
     assert!(error.contains(": the measurement cannot be read: unknown field `x`"), "{error}");
 }
 
 #[test]
 fn every_prefix_of_a_page_says_that_something_is_missing() {
-    let page = write(&[point("0.1"), point("0.5")], Language::En).unwrap();
+    let page = write(&[point("0.1"), point("0.5")], Dialogue::En).unwrap();
     let last = page.len() - "\n</tbody>\n</table>\n</body>\n</html>".len();
     for end in 0..last {
         let answers = read(&page[..end]);
@@ -248,12 +248,12 @@ fn what_is_no_log_says_so() {
         assert_eq!(answers[0].as_ref().unwrap_err().fault, PointFault::NoLog);
     }
     assert!(!is_log("<html></html>"));
-    assert!(append(b"<html></html>", &point("0"), Language::En).is_err());
+    assert!(append(b"<html></html>", &point("0"), Dialogue::En).is_err());
 }
 
 #[test]
 fn what_contradicts_itself_is_not_written() {
-    let fault = |log: PointLog| write(&[point("0"), log], Language::En).unwrap_err().to_string();
+    let fault = |log: PointLog| write(&[point("0"), log], Dialogue::En).unwrap_err().to_string();
     assert_eq!(
         fault(PointLog { status: Some(Status::Rework), ..point("0") }),
         "line 2: status REWORK does not follow from deviation and tolerance, GOOD"
@@ -293,7 +293,7 @@ fn the_normal_may_have_any_length() {
 fn a_page_is_imported_as_deviations_with_their_status() {
     let logs = [point("0.4"), point("0.400001"), point("-0.2"), PointLog { band: None, status: None, ..point("0.1") }];
     let now = jiff::civil::date(2000, 1, 1).at(0, 0, 0, 0);
-    let bytes = write(&logs, Language::De).unwrap();
+    let bytes = write(&logs, Dialogue::De).unwrap();
     let imported = import("points.html", &bytes, &Sources::default(), now);
     assert_eq!((imported.rows, imported.records.len(), imported.problems.len()), (4, 0, 0));
     let said = imported.unjudged.iter().map(|point| match &point.why {
@@ -370,7 +370,7 @@ proptest! {
     #[test]
     fn a_page_reads_back_unchanged(
         logs in proptest::collection::vec(any_point(), 0..4),
-        language in proptest::sample::select(Language::ALL.to_vec()),
+        language in proptest::sample::select(Dialogue::ALL.to_vec()),
     ) {
         let page = write(&logs, language).unwrap();
         if logs.is_empty() {
@@ -395,7 +395,7 @@ proptest! {
     #[test]
     fn one_changed_byte_never_moves_a_verdict(at in 0..4000_usize, byte in any::<u8>()) {
         let log = point("0.1");
-        let mut page = write(std::slice::from_ref(&log), Language::En).unwrap();
+        let mut page = write(std::slice::from_ref(&log), Dialogue::En).unwrap();
         let at = at % page.len();
         page[at] = byte;
         for (_, read) in read(&page).into_iter().flatten() {

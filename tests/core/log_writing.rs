@@ -6,7 +6,7 @@ use fitcheck::control::log::{Figure, Further, LimitPair, Log, LogWriteError, app
 use fitcheck::length::{Length, Unit};
 use fitcheck::probing::cycle::FigureKind;
 use fitcheck::probing::cycles::CYCLES;
-use fitcheck::words::Language;
+use fitcheck::words::Dialogue;
 use proptest::prelude::*;
 
 fn folder() -> PathBuf {
@@ -22,16 +22,16 @@ fn logs(bytes: &[u8]) -> Vec<Log> {
 }
 
 /// The logs of a file written again, one behind the other.
-fn written(bytes: &[u8], language: Language) -> Vec<u8> {
+fn written(bytes: &[u8], language: Dialogue) -> Vec<u8> {
     logs(bytes).iter().fold(Vec::new(), |file, log| append(&file, log, language).unwrap())
 }
 
 /// A sample's language: its folder's; that of the variants by their words.
-fn language(file: &str) -> Language {
+fn language(file: &str) -> Dialogue {
     match file.split_once('/').unwrap() {
-        ("variants", "TCHPR421_decimal_comma.TXT") => Language::De,
-        ("variants", _) => Language::En,
-        (folder, _) => Language::from_code(folder).unwrap(),
+        ("variants", "TCHPR421_decimal_comma.TXT") => Dialogue::De,
+        ("variants", _) => Dialogue::En,
+        (folder, _) => Dialogue::from_code(folder).unwrap(),
     }
 }
 
@@ -134,13 +134,13 @@ fn a_decimal_comma_becomes_a_point_and_nothing_else() {
     let points: Vec<u8> = bytes.iter().map(|&byte| if byte == b',' { b'.' } else { byte }).collect();
     // 15 figures and the measuring height.
     assert_eq!(bytes.split(|&byte| byte == b',').count(), 17);
-    assert_eq!(written(&bytes, Language::De), points);
+    assert_eq!(written(&bytes, Dialogue::De), points);
 }
 
 #[test]
 fn values_on_lines_of_their_own_move_behind_their_labels() {
     let bytes = sample("variants/TCHPR421_value_on_next_line.TXT");
-    let ours = String::from_utf8(written(&bytes, Language::En)).unwrap();
+    let ours = String::from_utf8(written(&bytes, Dialogue::En)).unwrap();
     let theirs = String::from_utf8(bytes).unwrap();
     // Blanks, blank lines and line ends are all that differs.
     assert!(ours.split_whitespace().eq(theirs.split_whitespace()));
@@ -157,10 +157,10 @@ fn the_published_figures_are_written_in_the_documented_layout() {
         date: Some(jiff::civil::date(2005, 6, 30)),
         time: Some(jiff::civil::time(6, 55, 4, 0)),
         program: Some(r"TNC:\GEH35712\CHECK1.H".to_owned()),
-        further: vec![Further::measuring_height(mm("-5"), Unit::Millimetre, Language::En)],
+        further: vec![Further::measuring_height(mm("-5"), Unit::Millimetre, Dialogue::En)],
         ..Log::new(421, published(), Unit::Millimetre)
     };
-    let text = String::from_utf8(write(&log, Language::En).unwrap()).unwrap();
+    let text = String::from_utf8(write(&log, Dialogue::En).unwrap()).unwrap();
     assert_eq!(
         text.replace("\r\n", "\n"),
         "\
@@ -223,7 +223,7 @@ fn good_rework_and_scrap_are_written_alike_for_a_log_holds_no_status() {
     let with = |diameter: &str| {
         let mut circle = published();
         circle[2] = Figure::of(mm("12"), circle[2].limits, mm(diameter)).unwrap();
-        let bytes = write(&Log::new(421, circle, Unit::Millimetre), Language::En).unwrap();
+        let bytes = write(&Log::new(421, circle, Unit::Millimetre), Dialogue::En).unwrap();
         String::from_utf8(bytes).unwrap().replace(|c: char| c.is_ascii_digit() || "- ".contains(c), "")
     };
     assert_eq!(with("12.0259"), with("11.9999"));
@@ -236,11 +236,11 @@ fn what_a_log_lacks_is_left_out() {
     circle.iter_mut().for_each(|figure| figure.deviation = None);
     circle[2].limits = None;
     let log = Log::new(421, circle, Unit::Millimetre);
-    let bytes = write(&log, Language::Nl).unwrap();
+    let bytes = write(&log, Dialogue::Nl).unwrap();
     let text = String::from_utf8(bytes.clone()).unwrap();
     assert!(!text.contains("Datum") && !text.contains("Afwijkingen") && !text.contains("Overige"), "{text}");
     let read = logs(&bytes);
-    assert_eq!(read[0], Log { warnings: read[0].warnings.clone(), ..log.printed(Language::Nl) });
+    assert_eq!(read[0], Log { warnings: read[0].warnings.clone(), ..log.printed(Dialogue::Nl) });
     let warnings: Vec<_> = read[0].warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         warnings,
@@ -253,7 +253,7 @@ fn figures_finer_than_the_log_are_rounded_half_away_from_zero_and_its_own_limits
     let limits = LimitPair { maximum: mm("5.1"), minimum: mm("4.95") };
     let printed = |actual: &str| {
         let log = Log::new(427, vec![Figure::bare(Some(limits), mm(actual))], Unit::Millimetre);
-        let read = logs(&write(&log, Language::En).unwrap());
+        let read = logs(&write(&log, Dialogue::En).unwrap());
         let [coordinate] = read[0].figures[..] else { panic!("{read:?}") };
         coordinate.actual.to_string()
     };
@@ -270,7 +270,7 @@ fn a_coordinate_with_a_nominal_value_comes_with_its_deviation() {
     let limits = LimitPair { maximum: mm("5.1"), minimum: mm("4.95") };
     let figures = vec![Figure::of(mm("5"), Some(limits), mm("4.98")).unwrap()];
     let log = Log::new(427, figures.clone(), Unit::Millimetre);
-    let bytes = write(&log, Language::De).unwrap();
+    let bytes = write(&log, Dialogue::De).unwrap();
     let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
     assert!(text.contains("Abweichungen:\r\nGemessene Koordinate:                              -0.0200\r\n"), "{text}");
     assert_eq!(logs(&bytes)[0].figures, figures);
@@ -279,7 +279,7 @@ fn a_coordinate_with_a_nominal_value_comes_with_its_deviation() {
 #[test]
 fn the_measuring_height_is_named_in_the_language_that_is_written() {
     let german = logs(&sample("de/TCHPR421.TXT"));
-    let english = logs(&write(&german[0], Language::En).unwrap());
+    let english = logs(&write(&german[0], Dialogue::En).unwrap());
     assert_eq!(english[0].further, [Further { label: "Measuring height".to_owned(), value: "-12.0000".to_owned() }]);
     assert_eq!(english[0].figures, german[0].figures);
 }
@@ -309,7 +309,7 @@ fn logs_are_added_to_a_file_and_all_of_them_read_back() {
 fn a_file_in_utf8_stays_in_utf8() {
     let german: String = sample("de/TCHPR421.TXT").iter().map(|&byte| char::from(byte)).collect();
     let log = &logs(german.as_bytes())[0];
-    let both = append(german.as_bytes(), log, Language::De).unwrap();
+    let both = append(german.as_bytes(), log, Dialogue::De).unwrap();
     assert_eq!(std::str::from_utf8(&both).unwrap(), format!("{german}\r\n{german}"));
 }
 
@@ -318,7 +318,7 @@ fn nothing_is_added_to_a_file_that_is_cut_off() {
     let log = &logs(&sample("en/TCHPR421.TXT"))[0];
     let whole = sample("en/TCHPR421.TXT");
     for end in 1..whole.len() {
-        let answer = append(&whole[..end], log, Language::En);
+        let answer = append(&whole[..end], log, Dialogue::En);
         match answer {
             Ok(both) => {
                 assert_eq!(whole[..end].last().map(|last| b"\r\n".contains(last)), Some(true));
@@ -341,7 +341,7 @@ fn check_error(change: impl Fn(&mut Log), expected: &str) {
         ..Log::new(421, published(), Unit::Millimetre)
     };
     change(&mut log);
-    assert_eq!(write(&log, Language::En).unwrap_err().to_string(), expected);
+    assert_eq!(write(&log, Dialogue::En).unwrap_err().to_string(), expected);
 }
 
 fn shrink(diameter: &mut Figure) {
@@ -388,9 +388,9 @@ fn what_would_not_read_back_is_refused() {
     );
     // A log of the stud with a hole's figures is one of a stud: what differs is its words only.
     let stud = Log { cycle: 422, ..Log::new(421, published(), Unit::Millimetre) };
-    assert_eq!(logs(&write(&stud, Language::En).unwrap())[0].cycle, 422);
+    assert_eq!(logs(&write(&stud, Dialogue::En).unwrap())[0].cycle, 422);
     let short = Log::new(425, published(), Unit::Millimetre);
-    assert_eq!(write(&short, Language::En), Err(LogWriteError::Cycle { cycle: 425 }));
+    assert_eq!(write(&short, Dialogue::En), Err(LogWriteError::Cycle { cycle: 425 }));
 }
 
 /// Nanometres of a log's last figure.
@@ -457,9 +457,9 @@ fn values(step: i64) -> impl Strategy<Value = (u16, Vec<Figure>)> {
 }
 
 /// A log with the finest step that its figures may have, in nanometres; `None` for the printed grid.
-fn any_log(step: Option<i64>) -> impl Strategy<Value = (Log, Language)> {
+fn any_log(step: Option<i64>) -> impl Strategy<Value = (Log, Dialogue)> {
     let unit = prop_oneof![Just(Unit::Millimetre), Just(Unit::Inch)];
-    let language = proptest::sample::select(Language::ALL.to_vec());
+    let language = proptest::sample::select(Dialogue::ALL.to_vec());
     (unit, language).prop_flat_map(move |(unit, language)| {
         let step = step.unwrap_or_else(|| figure(unit));
         let date = (1900_i16..2200, 1_i8..=12, 1_i8..=28).prop_map(|(y, m, d)| jiff::civil::date(y, m, d));

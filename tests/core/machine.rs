@@ -16,7 +16,7 @@ use fitcheck::probing::simulated::Simulation;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::tolerance::{Callout, Sources};
 use fitcheck::verdict::{Status, judge};
-use fitcheck::words::{Language, Words};
+use fitcheck::words::{Dialogue, Language, Words};
 use proptest::prelude::*;
 
 fn sample(name: &str) -> Vec<u8> {
@@ -24,7 +24,7 @@ fn sample(name: &str) -> Vec<u8> {
 }
 
 fn settings() -> Settings {
-    Settings::new(Language::En, jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0))
+    Settings::new(Dialogue::En, jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0))
 }
 
 fn program(text: &[u8]) -> Arc<Program> {
@@ -777,7 +777,7 @@ fn the_shipped_programs_print_the_native_window() {
         let (nominal, class) = callout.split_once(' ').unwrap();
         let mut machine = shipped(nominal, class, &workpiece);
         to_end(&mut machine);
-        assert_eq!(machine.windows()[0].text, status_window(&record, Language::Nl, None).unwrap(), "{callout}");
+        assert_eq!(machine.windows()[0].text, status_window(&record, Dialogue::Nl, None).unwrap(), "{callout}");
         assert_eq!(machine.status(), Some(record.verdict.status()), "{callout}");
     }
 }

@@ -7,6 +7,7 @@ mod callouts;
 mod check_cli;
 mod circle_cli;
 mod circles;
+mod corpus;
 mod cycle_cli;
 mod cycle_declaration;
 mod cycle_logs;

@@ -8,7 +8,7 @@ use fitcheck::length::Length;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::tolerance::{Callout, Deviations, Limits, Source};
 use fitcheck::verdict::{Status, doubt, judge};
-use fitcheck::words::Language;
+use fitcheck::words::Dialogue;
 use jiff::civil::{DateTime, date};
 
 fn time() -> DateTime {
@@ -37,7 +37,7 @@ fn record(callout: &str, upper_um: i32, measured: &str) -> Record {
     }
 }
 
-fn render(mask: &[u8], variables: &Variables, language: Language) -> Result<String, String> {
+fn render(mask: &[u8], variables: &Variables, language: Dialogue) -> Result<String, String> {
     let (mask, _) = Mask::read(mask).map_err(|error| error.to_string())?;
     let context = Context { language, time: time(), call_path: r"TNC:\PART.H" };
     mask.render(variables, &context).map(|output| output.text).map_err(|error| error.to_string())
@@ -60,62 +60,62 @@ fn the_shipped_dutch_mask_is_the_seeds_byte_for_byte() {
 fn the_status_window_in_all_languages_and_for_all_statuses() {
     let expected = [
         (
-            Language::Nl,
+            Dialogue::Nl,
             "25.012",
             "STATUS VAN DE PASSING: GOED\nGEPRUEFTE PASSUNG: 25 H7\nMINIMALE MAAT:  25.0000\nMAXIMALE MAAT:  25.0210\nGEMETEN DIAMETER:  25.0120\n",
         ),
         (
-            Language::Nl,
+            Dialogue::Nl,
             "24.998",
             "STATUS VAN DE PASSING: Nabewerking\nGEPRUEFTE PASSUNG: 25 H7\nMINIMALE MAAT:  25.0000\nMAXIMALE MAAT:  25.0210\nGEMETEN DIAMETER:  24.9980\n",
         ),
         (
-            Language::Nl,
+            Dialogue::Nl,
             "25.030",
             "STATUS VAN DE PASSING: Afgekeurd\nGEPRUEFTE PASSUNG: 25 H7\nMINIMALE MAAT:  25.0000\nMAXIMALE MAAT:  25.0210\nGEMETEN DIAMETER:  25.0300\n",
         ),
         (
-            Language::De,
+            Dialogue::De,
             "25.012",
             "STATUS DER PASSUNG: GUT\nGEPRUEFTE PASSUNG: 25 H7\nMINDESTMASS:  25.0000\nHOECHSTMASS:  25.0210\nGEMESSENER DURCHMESSER:  25.0120\n",
         ),
         (
-            Language::De,
+            Dialogue::De,
             "24.998",
             "STATUS DER PASSUNG: Nacharbeit\nGEPRUEFTE PASSUNG: 25 H7\nMINDESTMASS:  25.0000\nHOECHSTMASS:  25.0210\nGEMESSENER DURCHMESSER:  24.9980\n",
         ),
         (
-            Language::De,
+            Dialogue::De,
             "25.030",
             "STATUS DER PASSUNG: Ausschuss\nGEPRUEFTE PASSUNG: 25 H7\nMINDESTMASS:  25.0000\nHOECHSTMASS:  25.0210\nGEMESSENER DURCHMESSER:  25.0300\n",
         ),
         (
-            Language::En,
+            Dialogue::En,
             "25.012",
             "FIT STATUS: GOOD\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  25.0120\n",
         ),
         (
-            Language::En,
+            Dialogue::En,
             "24.998",
             "FIT STATUS: REWORK\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  24.9980\n",
         ),
         (
-            Language::En,
+            Dialogue::En,
             "25.030",
             "FIT STATUS: SCRAP\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  25.0300\n",
         ),
         (
-            Language::It,
+            Dialogue::It,
             "25.012",
             "STATO ACCOPPIAMENTO: BUONO\nACCOPPIAMENTO CONTROLLATO: 25 H7\nDIMENSIONE MINIMA:  25.0000\nDIMENSIONE MASSIMA:  25.0210\nDIAMETRO MISURATO:  25.0120\n",
         ),
         (
-            Language::It,
+            Dialogue::It,
             "24.998",
             "STATO ACCOPPIAMENTO: Ripresa\nACCOPPIAMENTO CONTROLLATO: 25 H7\nDIMENSIONE MINIMA:  25.0000\nDIMENSIONE MASSIMA:  25.0210\nDIAMETRO MISURATO:  24.9980\n",
         ),
         (
-            Language::It,
+            Dialogue::It,
             "25.030",
             "STATO ACCOPPIAMENTO: Scarto\nACCOPPIAMENTO CONTROLLATO: 25 H7\nDIMENSIONE MINIMA:  25.0000\nDIMENSIONE MASSIMA:  25.0210\nDIAMETRO MISURATO:  25.0300\n",
         ),
@@ -130,7 +130,7 @@ fn the_fit_is_written_with_only_the_decimals_it_has() {
     for (typed, printed) in
         [("25 H7", "25 H7"), ("25.50H7", "25.5 H7"), ("25,0 h6", "25 h6"), ("0.125 JS7", "0.125 JS7")]
     {
-        let variables = status_variables(&record(typed, 10, "25"), Language::En);
+        let variables = status_variables(&record(typed, 10, "25"), Dialogue::En);
         assert_eq!(variables.get(Parameter::qs(2)), Some(&Value::Text(printed.to_owned())));
     }
 }
@@ -139,7 +139,7 @@ fn the_fit_is_written_with_only_the_decimals_it_has() {
 fn exactly_one_status_marker_is_set() {
     for measured in ["25.012", "24.998", "25.030"] {
         let record = record("25 H7", 21, measured);
-        let variables = status_variables(&record, Language::En);
+        let variables = status_variables(&record, Dialogue::En);
         let set: Vec<u16> =
             (180..183).filter(|number| variables.get(Parameter::q(*number)) == Some(&Value::Number(1.0))).collect();
         let expected = match record.verdict.status() {
@@ -155,7 +155,7 @@ fn exactly_one_status_marker_is_set() {
 fn the_sample_masks_print_their_expected_texts() {
     let window = status_window(
         &record("25 H7", 21, "25.0134"),
-        Language::En,
+        Dialogue::En,
         Some(&Mask::read(&sample("status_en.a")).unwrap().0),
     );
     assert_eq!(window.unwrap().as_bytes(), sample("status_en.expected.txt"));
@@ -169,10 +169,10 @@ fn the_sample_masks_print_their_expected_texts() {
             "line 4: the ; at the end is missing"
         ]
     );
-    let window = status_window(&record("10 H7", 15, "9.99"), Language::En, Some(&mask)).unwrap();
+    let window = status_window(&record("10 H7", 15, "9.99"), Dialogue::En, Some(&mask)).unwrap();
     assert_eq!(window.as_bytes(), sample("defects.expected.txt"));
     let german = Mask::read(&sample("status_de_latin1_crlf.a")).unwrap().0;
-    let window = status_window(&record("25 H7", 21, "25.012"), Language::De, Some(&german)).unwrap();
+    let window = status_window(&record("25 H7", 21, "25.012"), Dialogue::De, Some(&german)).unwrap();
     assert_eq!(
         window,
         "STATUS DER PASSUNG: GUT\nGEPRÜFTE PASSUNG: 25 H7\nKLEINSTMAß:  25.0000\nGRÖßTMAß:  25.0210\nGEMESSENER Ø:  25.0120\n"
@@ -200,7 +200,7 @@ fn every_element_of_the_grammar_prints() {
     }
     variables.set(Parameter { family: Family::Ql, number: 1 }, Value::Number(63.81));
     variables.set(Parameter { family: Family::Qr, number: 3 }, Value::Number(12.0));
-    let printed = render(&sample("all_elements.a"), &variables, Language::En).unwrap();
+    let printed = render(&sample("all_elements.a"), &variables, Dialogue::En).unwrap();
     let expected = [
         "FIT REPORT 07-03-2026 08:05:09",
         r"PROGRAM: TNC:\PART.H",
@@ -219,15 +219,15 @@ fn every_element_of_the_grammar_prints() {
     ];
     assert_eq!(printed, expected.map(|line| format!("{line}\n")).concat());
     for (language, first) in [
-        (Language::De, "PASSUNGSBERICHT 07.03.26"),
-        (Language::Nl, "PASSINGSRAPPORT"),
-        (Language::It, "RAPPORTO ACCOPPIAMENTO"),
+        (Dialogue::De, "PASSUNGSBERICHT 07.03.26"),
+        (Dialogue::Nl, "PASSINGSRAPPORT"),
+        (Dialogue::It, "RAPPORTO ACCOPPIAMENTO"),
     ] {
         let printed = render(&sample("all_elements.a"), &variables, language).unwrap();
         assert_eq!(printed.lines().next(), Some(first));
     }
     variables.set(Parameter::qs(9), text("note"));
-    let printed = render(&sample("all_elements.a"), &variables, Language::En).unwrap();
+    let printed = render(&sample("all_elements.a"), &variables, Dialogue::En).unwrap();
     assert_eq!(printed.lines().count(), 15);
 }
 
@@ -235,7 +235,7 @@ fn every_element_of_the_grammar_prints() {
 fn file_words_are_told_apart() {
     let used = |mask: &str| {
         let (mask, _) = Mask::read(mask.as_bytes()).unwrap();
-        let context = Context { language: Language::En, time: time(), call_path: "" };
+        let context = Context { language: Dialogue::En, time: time(), call_path: "" };
         let output = mask.render(&Variables::new(), &context).unwrap();
         (output.file, output.close)
     };
@@ -247,7 +247,7 @@ fn file_words_are_told_apart() {
 
 #[test]
 fn a_mask_that_cannot_be_read_says_where_and_why() {
-    let q = |mask: &str| render(mask.as_bytes(), &Variables::new(), Language::En).unwrap_err();
+    let q = |mask: &str| render(mask.as_bytes(), &Variables::new(), Dialogue::En).unwrap_err();
     assert_eq!(q(""), "the mask is empty");
     assert_eq!(q("* only a comment\n"), "the mask is empty");
     assert_eq!(q("\"A %X\", Q1;"), "line 1, column 4: %X is no format, allowed are %S %RS %F %LF %D %I %%");
@@ -267,7 +267,7 @@ fn a_mask_that_cannot_be_read_says_where_and_why() {
 
 #[test]
 fn quotation_marks_within_a_record_are_printed() {
-    let printed = |mask: &str| render(mask.as_bytes(), &Variables::new(), Language::En);
+    let printed = |mask: &str| render(mask.as_bytes(), &Variables::new(), Dialogue::En);
     for mask in ["\"A %\"b; c%\" d\";", "\"A %\\\"b; c%\\\" d\";", "\"A \\\"b; c\\\" d\";"] {
         assert_eq!(printed(mask).unwrap(), "A \"b; c\" d\n", "{mask}");
     }
@@ -285,9 +285,9 @@ fn hiding_empty_texts_does_not_hide_an_undefined_one() {
     let mask = b"M_EMPTY_HIDE;\n\"STATUS: %S %S\", QS3, QS9;\n";
     let mut variables = Variables::new();
     variables.set(Parameter::qs(3), Value::Text("SCRAP".to_owned()));
-    assert_eq!(render(mask, &variables, Language::En).unwrap_err(), "line 2, column 13: QS9 is not defined");
+    assert_eq!(render(mask, &variables, Dialogue::En).unwrap_err(), "line 2, column 13: QS9 is not defined");
     variables.set(Parameter::qs(9), Value::Text(String::new()));
-    assert_eq!(render(mask, &variables, Language::En).unwrap(), "");
+    assert_eq!(render(mask, &variables, Dialogue::En).unwrap(), "");
 }
 
 #[test]
@@ -302,13 +302,13 @@ fn a_huge_mask_is_refused_before_it_fills_the_memory() {
 #[test]
 fn deviations_in_micrometres_are_exact() {
     // 0.5015 mm times 1000 is 501.49999999999994 in binary arithmetic.
-    let variables = status_variables(&record("25 H7", 0, "25"), Language::En);
+    let variables = status_variables(&record("25 H7", 0, "25"), Dialogue::En);
     assert_eq!(variables.get(Parameter::q(4)), Some(&Value::Number(0.0)));
     let mut record = record("25 H7", 0, "25");
     let deviations = Deviations::new("0.5015".parse().unwrap(), "-1.0235".parse().unwrap()).unwrap();
     record.limits.deviations = deviations;
     let printed = |record: &Record| {
-        render(b"\"%.0F %.1F\", Q4, Q5;", &status_variables(record, Language::En), Language::En).unwrap()
+        render(b"\"%.0F %.1F\", Q4, Q5;", &status_variables(record, Dialogue::En), Dialogue::En).unwrap()
     };
     assert_eq!(printed(&record), "502 -1023.5\n");
 }
@@ -318,7 +318,7 @@ fn a_parameter_of_the_other_kind_is_refused() {
     let mut variables = Variables::new();
     variables.set(Parameter::qs(1), Value::Text("H7".to_owned()));
     variables.set(Parameter::q(1), Value::Number(1.0));
-    let q = |mask: &str| render(mask.as_bytes(), &variables, Language::En).unwrap_err();
+    let q = |mask: &str| render(mask.as_bytes(), &variables, Dialogue::En).unwrap_err();
     assert_eq!(q("\"%F\", QS1;"), "line 1, column 2: QS1 is a text, the format wants a number");
     assert_eq!(q("\"x%S\", Q1;"), "line 1, column 3: Q1 is a number, the format wants a text");
 }
@@ -327,7 +327,7 @@ fn a_parameter_of_the_other_kind_is_refused() {
 fn no_bytes_make_the_reader_panic() {
     proptest::proptest!(|(bytes in proptest::collection::vec(proptest::prelude::any::<u8>(), 0..200))| {
         if let Ok((mask, _)) = Mask::read(&bytes) {
-            let context = Context { language: Language::En, time: time(), call_path: "" };
+            let context = Context { language: Dialogue::En, time: time(), call_path: "" };
             let _rendered = mask.render(&Variables::new(), &context);
         }
     });
@@ -338,7 +338,7 @@ fn no_bytes_make_the_reader_panic() {
 
 #[test]
 fn every_language_has_its_shipped_mask() {
-    for language in Language::ALL {
+    for language in Dialogue::ALL {
         assert!(
             shipped_mask(language)
                 .render(
@@ -348,4 +348,39 @@ fn every_language_has_its_shipped_mask() {
                 .is_ok()
         );
     }
+}
+
+/// Every dialogue has every file that one of them has; what is missing is named.
+#[test]
+fn every_dialogue_has_every_mask_program_page_and_its_words() {
+    use fitcheck::shipped;
+    let mut missing = Vec::new();
+    let lists = [
+        ("assets/masks", shipped::MASKS),
+        ("assets/nc", shipped::NC),
+        ("assets/dialogues", shipped::DIALOGUES),
+        ("assets/logs", shipped::LOGS),
+    ];
+    for (folder, list) in lists {
+        // `82552_nl.a` is there for every dialogue once it is there for one; so is `nl.toml`.
+        let parts = list.iter().filter_map(|(name, _)| {
+            let (stem, ending) = name.rsplit_once('.')?;
+            let (before, code) =
+                stem.rsplit_once('_').map_or(("", stem), |(_, code)| (&name[..stem.len() - code.len()], code));
+            Dialogue::from_code(code).map(|_| (before, ending))
+        });
+        let parts: std::collections::BTreeSet<_> = parts.collect();
+        assert!(!parts.is_empty(), "{folder}");
+        for (before, ending) in parts {
+            let names = Dialogue::ALL.map(|dialogue| format!("{before}{dialogue}.{ending}"));
+            missing.extend(
+                names
+                    .into_iter()
+                    .filter(|name| shipped::file(list, name).is_none())
+                    .map(|name| format!("{folder}/{name}")),
+            );
+        }
+    }
+    assert!(missing.is_empty(), "{missing:#?}");
+    assert_eq!(Dialogue::ALL.map(Dialogue::name), ["English", "Nederlands", "Deutsch", "Italiano"]);
 }

@@ -20,7 +20,7 @@ use fitcheck::probing::{Measurement, Origin};
 use fitcheck::tolerance::table_edit::standard_table;
 use fitcheck::tolerance::{Callout, Limits, Sources, ToleranceClass, iso286};
 use fitcheck::verdict::{Status, judge};
-use fitcheck::words::Language;
+use fitcheck::words::Dialogue;
 use proptest::prelude::*;
 
 fn mm(text: &str) -> Length {
@@ -35,7 +35,7 @@ fn time() -> jiff::civil::DateTime {
     jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0)
 }
 
-fn make(features: Vec<NcFeature>, control: Control, language: Language) -> NcSet {
+fn make(features: Vec<NcFeature>, control: Control, language: Dialogue) -> NcSet {
     let plan = NcPlan::new(features).unwrap();
     NcSet::make(&plan, &Target::new(control, language), &Sources::default()).unwrap()
 }
@@ -64,7 +64,7 @@ impl Store for OnControl {
 
 /// The set's main program on these contacts, run to its end.
 #[track_caller]
-fn run(set: &NcSet, control: Control, language: Language, contacts: Contacts) -> Machine {
+fn run(set: &NcSet, control: Control, language: Dialogue, contacts: Contacts) -> Machine {
     let main = &set.files[0];
     let (program, warnings) = Program::read(&main.bytes).unwrap();
     assert_eq!(warnings, []);
@@ -92,7 +92,7 @@ fn measured(feature: &NcFeature, limits: &Limits, diameter: Length) -> Measureme
 }
 
 /// The native answer: window and status.
-fn native(callout: Callout, limits: &Limits, measurement: Measurement, language: Language) -> (String, Status) {
+fn native(callout: Callout, limits: &Limits, measurement: Measurement, language: Dialogue) -> (String, Status) {
     let verdict = judge(limits, measurement.diameter, None);
     let record = Record {
         time: time(),
@@ -112,7 +112,7 @@ fn check(
     features: &[NcFeature],
     diameters: &[Length],
     control: Control,
-    language: Language,
+    language: Dialogue,
     sources: &Sources,
 ) -> Vec<Status> {
     let plan = NcPlan::new(features.to_vec()).unwrap();
@@ -165,7 +165,7 @@ fn every_control_and_language_gives_the_native_verdicts() {
     let limits: Vec<Limits> = features.iter().map(|feature| sources.limits(&feature.callout, None).unwrap()).collect();
     let off = |length: Length, nm: i64| Length::from_nanometres(length.nanometres() + nm).unwrap();
     for control in Control::ALL {
-        for language in Language::ALL {
+        for language in Dialogue::ALL {
             // Below, on, within, on and above the limits: each feature has its turn.
             let mut statuses = Vec::new();
             for turn in 0..3 {
@@ -201,7 +201,7 @@ fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
         {
             let one = feature(callout, ["40", "30", "-8"]);
             let limits = Sources::default().limits(&one.callout, None).unwrap();
-            let set = make(vec![one], control, Language::En);
+            let set = make(vec![one], control, Dialogue::En);
             for (diameter, status) in [
                 (limits.minimum().saturating_sub(mm("0.000001")), below),
                 (limits.minimum(), Status::Good),
@@ -211,7 +211,7 @@ fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
             ] {
                 let workpiece = Workpiece::round(limits.feature, [40.0, 30.0], diameter.to_mm_f64());
                 let simulation = Simulation::perfect(Surface::Round(workpiece, Plane::Xy));
-                let machine = run(&set, control, Language::En, Contacts::Workpiece(simulation));
+                let machine = run(&set, control, Dialogue::En, Contacts::Workpiece(simulation));
                 assert_eq!(machine.status(), Some(status), "{callout} {diameter} {control:?}");
             }
         }
@@ -223,8 +223,8 @@ fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
 fn the_probe_moves_between_features_at_clearance_height() {
     let features = vec![feature("25 H7", ["40", "30", "-8"]), feature("20 g6", ["90", "30", "-8"])];
     for control in Control::ALL {
-        let set = make(features.clone(), control, Language::En);
-        let machine = run(&set, control, Language::En, Contacts::Perfect);
+        let set = make(features.clone(), control, Dialogue::En);
+        let machine = run(&set, control, Dialogue::En, Contacts::Perfect);
         let between = machine.path().iter().filter(|step| 25.0 < (step.to[0] - step.from[0]).abs());
         let heights: Vec<f64> = between.flat_map(|step| [step.from[2], step.to[2]]).collect();
         assert_eq!(heights, [50.0, 50.0], "{control:?}");
@@ -238,12 +238,12 @@ fn names_follow_the_control() {
         set.files.iter().map(|file| file.name.clone()).collect::<Vec<_>>()
     };
     assert_eq!(
-        names(Control::Itnc530, Language::De),
+        names(Control::Itnc530, Dialogue::De),
         ["8255_de.h", "82551_de.h", "82552_de.a", "82553_hole.tab", "82553_shaft.tab", "LIESMICH.TXT"]
     );
     for control in [Control::Tnc640, Control::Tnc7] {
         assert_eq!(
-            names(control, Language::Nl),
+            names(control, Dialogue::Nl),
             ["FIT_MAIN.H", "FIT_CHECK.H", "FIT_STATUS.A", "FIT_HOLE.TAB", "FIT_SHAFT.TAB", "LEESMIJ.TXT"]
         );
     }
@@ -255,7 +255,7 @@ fn text_of(set: &NcSet, number: usize) -> String {
 
 #[test]
 fn what_differs_between_the_controls() {
-    let of = |control| make(plan(), control, Language::En);
+    let of = |control| make(plan(), control, Dialogue::En);
     let [itnc, tnc640, tnc7] = Control::ALL.map(of);
     // The set-up clearance is added to a machine parameter or to the table's SET_UP.
     assert!(text_of(&itnc, 0).contains("Q51 = 2 ;LATERAL SET-UP CLEARANCE, ADDED TO MP6140\r\n"));
@@ -292,8 +292,8 @@ fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
         machine.cycles().iter().filter(|run| run.result.remarks.iter().any(is_outside)).count()
     };
     for control in Control::ALL {
-        let set = make(features.clone(), control, Language::En);
-        let machine = run(&set, control, Language::En, Contacts::Perfect);
+        let set = make(features.clone(), control, Dialogue::En);
+        let machine = run(&set, control, Dialogue::En, Contacts::Perfect);
         let moved = set.remarks.iter().filter(|remark| matches!(remark, SetRemark::MovedNominal { .. })).count();
         // 24 of the 47 classes lie beside the nominal size at 25 mm (`docs/SOURCES.md`, sets for a control).
         let expected = if control == Control::Tnc7 { (0, 24) } else { (24, 0) };
@@ -302,8 +302,8 @@ fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
     // The note names the very value that the cycle gets.
     for class in ["D10", "g6", "s7", "P9", "k6"] {
         let one = feature(&format!("25 {class}"), ["0", "0", "0"]);
-        let set = make(vec![one], Control::Tnc7, Language::En);
-        let machine = run(&set, Control::Tnc7, Language::En, Contacts::Perfect);
+        let set = make(vec![one], Control::Tnc7, Dialogue::En);
+        let machine = run(&set, Control::Tnc7, Dialogue::En, Contacts::Perfect);
         let Some(SetRemark::MovedNominal { value, .. }) = set.remarks.first() else { panic!("{class}") };
         let Some(Value::Number(given)) = machine.variables().get(Parameter::q(62)) else { panic!("{class}") };
         assert_eq!(Length::from_mm_f64(*given).unwrap(), *value, "{class}");
@@ -314,7 +314,7 @@ fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
 #[test]
 fn programs_keep_to_the_common_ground() {
     for control in Control::ALL {
-        for language in Language::ALL {
+        for language in Dialogue::ALL {
             let set = make(plan(), control, language);
             for file in &set.files[..2] {
                 assert!(file.bytes.is_ascii(), "{}", file.name);
@@ -344,7 +344,7 @@ fn programs_keep_to_the_common_ground() {
 
 #[test]
 fn tables_hold_the_47_classes_and_what_the_plan_needs_beside_them() {
-    let set = make(plan(), Control::Tnc640, Language::En);
+    let set = make(plan(), Control::Tnc640, Dialogue::En);
     let table = |number: usize| {
         let file = &set.files[number];
         let (table, warnings) = read_table(&file.bytes, &file.name, &file.name, false).unwrap();
@@ -373,17 +373,17 @@ fn tables_hold_the_47_classes_and_what_the_plan_needs_beside_them() {
 #[test]
 fn an_itnc_530_takes_thirty_columns_and_then_only_those_of_the_plan() {
     let few = ["25 ZA8", "25 U7"].map(|callout| feature(callout, ["0", "0", "0"])).to_vec();
-    let set = make(few, Control::Itnc530, Language::En);
+    let set = make(few, Control::Itnc530, Dialogue::En);
     assert!(!set.remarks.iter().any(|remark| matches!(remark, SetRemark::FewerColumns { .. })));
     let many: Vec<NcFeature> =
         ["ZA8", "U7", "S7", "T7", "H7"].map(|class| feature(&format!("25 {class}"), ["0", "0", "0"])).to_vec();
-    let set = make(many.clone(), Control::Itnc530, Language::En);
+    let set = make(many.clone(), Control::Itnc530, Dialogue::En);
     let fewer = SetRemark::FewerColumns { table: "82553_hole.tab", classes: "ZA8 U7 S7 T7 H7".to_owned() };
     assert_eq!(set.remarks.last(), Some(&fewer));
     let sources = Sources::default();
     let diameters: Vec<Length> =
         many.iter().map(|feature| sources.limits(&feature.callout, None).unwrap().minimum()).collect();
-    assert_eq!(check(&many, &diameters, Control::Itnc530, Language::It, &sources), [Status::Good; 5]);
+    assert_eq!(check(&many, &diameters, Control::Itnc530, Dialogue::It, &sources), [Status::Good; 5]);
     // More than even those: refused with the control's limit, nothing is left out.
     let letters = "CD D E EF F FG G H J JS K M N P R S T U V X Y Z ZA ZB ZC".split(' ');
     let all: Vec<NcFeature> = letters
@@ -392,9 +392,9 @@ fn an_itnc_530_takes_thirty_columns_and_then_only_those_of_the_plan() {
         .map(|callout| feature(&callout, ["0", "0", "0"]))
         .collect();
     let plan = NcPlan::new(all).unwrap();
-    let refused = NcSet::make(&plan, &Target::new(Control::Itnc530, Language::En), &sources).unwrap_err();
+    let refused = NcSet::make(&plan, &Target::new(Control::Itnc530, Dialogue::En), &sources).unwrap_err();
     assert!(matches!(refused, SetError::Table { table: "82553_hole.tab", .. }), "{refused}");
-    assert!(NcSet::make(&plan, &Target::new(Control::Tnc7, Language::En), &sources).is_ok());
+    assert!(NcSet::make(&plan, &Target::new(Control::Tnc7, Dialogue::En), &sources).is_ok());
 }
 
 /// A user's own table comes first, with ranges and values of its own.
@@ -411,21 +411,21 @@ fn own_tables_are_what_the_control_gets() {
     let features = ["20 H8", "35 H8", "60 H8"].map(|callout| feature(callout, ["0", "0", "0"])).to_vec();
     let diameters = [mm("20.1"), mm("35.0004"), mm("60.046")];
     for control in Control::ALL {
-        let statuses = check(&features, &diameters, control, Language::En, &sources);
+        let statuses = check(&features, &diameters, control, Dialogue::En, &sources);
         assert_eq!(statuses, [Status::Good, Status::Rework, Status::Good]);
     }
     // The control's own tables alone: classes beyond the 47 are refused, with the line's place.
     let sources = Sources::of_tables(shipped_tables());
     let plan = NcPlan::read(b"callout,x,y,z\n25 H7,0,0,0\n25 U7,0,0,0\n").unwrap();
-    let refused = NcSet::make(&plan, &Target::new(Control::Tnc7, Language::En), &sources).unwrap_err().to_string();
+    let refused = NcSet::make(&plan, &Target::new(Control::Tnc7, Dialogue::En), &sources).unwrap_err().to_string();
     assert!(refused.starts_with("line 3: 25 U7: U7 is not in table 82553_hole.tab"), "{refused}");
 }
 
 #[test]
 fn the_same_plan_gives_the_same_bytes_and_the_zip_holds_them() {
     use std::io::Read as _;
-    let set = make(plan(), Control::Tnc7, Language::Nl);
-    assert_eq!(set, make(plan(), Control::Tnc7, Language::Nl));
+    let set = make(plan(), Control::Tnc7, Dialogue::Nl);
+    assert_eq!(set, make(plan(), Control::Tnc7, Dialogue::Nl));
     let bytes = set.zip().unwrap();
     assert_eq!(bytes, set.zip().unwrap());
     let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
@@ -471,7 +471,7 @@ proptest! {
             let border = if at_maximum { limits.maximum() } else { limits.minimum() };
             let diameter = Length::from_nanometres(border.nanometres() + off).unwrap();
             let one = NcFeature::new(callout, ["0", "0", "0"].map(mm));
-            check(&[one], &[diameter], Control::ALL[control], Language::Nl, &sources);
+            check(&[one], &[diameter], Control::ALL[control], Dialogue::Nl, &sources);
         }
     }
 

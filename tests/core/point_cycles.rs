@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 
 use fitcheck::length::Length;
+use fitcheck::message::Say as _;
 use fitcheck::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Key, LogTarget, Phase, Plane, Remark, Value};
 use fitcheck::probing::cycles::cycle_named;
 use fitcheck::probing::simulated::{Face, FreePoint, Lobes, Machine, Probe, Simulation, Surface, Workpiece};
 use fitcheck::probing::{Contact, NoContact, Prober, Recorded, Touch, TouchProbe};
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Say as _, Words};
+use fitcheck::words::{Language, Words};
 use proptest::prelude::*;
 
 /// Seed 004, the example block of cycle 427.
@@ -40,7 +41,7 @@ fn results(result: &CycleResult) -> String {
     result.results.iter().map(|found| format!("{}={}", found.key, found.value)).collect::<Vec<_>>().join(" ")
 }
 
-fn said(what: &(impl std::fmt::Display + fitcheck::words::Say)) -> String {
+fn said(what: &(impl std::fmt::Display + fitcheck::message::Say)) -> String {
     let english = what.to_string();
     assert_eq!(Words::new(Language::En).told(what), english);
     assert_ne!(Words::new(Language::Nl).told(what), english);

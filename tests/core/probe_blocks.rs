@@ -2,11 +2,12 @@
 
 use fitcheck::control::probe_block::{ProbeBlockError, ProbeBlockFault, read, read_or_lines, write};
 use fitcheck::length::Length;
+use fitcheck::message::Say as _;
 use fitcheck::probing::Recorded;
 use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Unset, Value};
 use fitcheck::probing::cycles::{CYCLES, cycle_named};
 use fitcheck::tolerance::Deviations;
-use fitcheck::words::{Language, Say as _, Words};
+use fitcheck::words::{Dialogue, Language, Words};
 use proptest::prelude::*;
 
 /// The example of seed 004 as it is printed: comments on lines of their own, no `~` behind the values.
@@ -72,7 +73,7 @@ fn the_example_of_seed_004_is_read_as_printed_and_written_as_a_control_does() {
     let block = read(SEED_004).unwrap();
     assert_eq!((block.line, block.cycle.code, block.settings.len(), &block.unused), (1, "427", 14, &None));
     let inputs = block.put_into(Inputs::new()).unwrap();
-    assert_eq!(write(block.cycle, &inputs, Language::It).unwrap().replace("\r\n", "\n"), WRITTEN_004);
+    assert_eq!(write(block.cycle, &inputs, Dialogue::It).unwrap().replace("\r\n", "\n"), WRITTEN_004);
     assert_eq!(pairs(SEED_004), pairs(WRITTEN_004));
     assert_eq!(pairs(SEED_004), pairs(&SEED_004.replace('\n', "\r\n")));
 }
@@ -82,7 +83,7 @@ fn the_example_of_seed_003_is_read_and_written_again() {
     check(SEED_003, "G785: R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0");
     let block = read(SEED_003).unwrap();
     let inputs = block.put_into(Inputs::new()).unwrap();
-    let written = write(block.cycle, &inputs, Language::De).unwrap();
+    let written = write(block.cycle, &inputs, Dialogue::De).unwrap();
     assert_eq!(written, format!("{}\r\n", SEED_003.trim_start_matches("N3 ")));
 }
 
@@ -201,7 +202,7 @@ fn a_text_that_no_block_can_hold_is_not_written() {
     let cycle = cycle_named("427").unwrap();
     for name in ["A\"B", "A\nB"] {
         let inputs = Inputs::new().with(330, Value::Text(name.to_owned()));
-        let error = write(cycle, &inputs, Language::En).unwrap_err();
+        let error = write(cycle, &inputs, Dialogue::En).unwrap_err();
         assert!(matches!(&error.fault, ProbeBlockFault::NotWritable { key: Key::Q(330), .. }));
         assert!(told(&error).ends_with("a text in a block holds no quotation mark and no line end"), "{error}");
     }
@@ -211,8 +212,8 @@ fn a_text_that_no_block_can_hold_is_not_written() {
 fn three_contacts_without_a_step_are_written_with_the_step_that_they_get() {
     let cycle = cycle_named("421").unwrap();
     let inputs = cycle.set(Inputs::new(), "Q423", "3").unwrap();
-    assert!(write(cycle, &inputs, Language::En).unwrap().contains("Q247=+120  ;STEPPING ANGLE ~"));
-    assert!(write(cycle, &Inputs::new(), Language::En).unwrap().contains("Q247=+90   ;STEPPING ANGLE ~"));
+    assert!(write(cycle, &inputs, Dialogue::En).unwrap().contains("Q247=+120  ;STEPPING ANGLE ~"));
+    assert!(write(cycle, &Inputs::new(), Dialogue::En).unwrap().contains("Q247=+90   ;STEPPING ANGLE ~"));
 }
 
 /// Any value that a parameter may have.
@@ -281,7 +282,7 @@ proptest! {
     #[test]
     fn every_block_reads_back_as_the_same_inputs(
         (cycle, inputs) in any_inputs(),
-        language in proptest::sample::select(Language::ALL.to_vec()),
+        language in proptest::sample::select(Dialogue::ALL.to_vec()),
     ) {
         let text = write(cycle, &inputs, language).unwrap();
         let block = read(&text).unwrap();

@@ -4,11 +4,12 @@
 
 use fitcheck::journal::Record;
 use fitcheck::length::Length;
+use fitcheck::message::Message;
 use fitcheck::probing::{Circle, Contact, Measurement, Origin};
 use fitcheck::report::{RENDERINGS, Report};
 use fitcheck::tolerance::{Callout, Deviations, Limits, Source};
 use fitcheck::verdict::{AxisPosition, PositionVerdict, doubt, judge};
-use fitcheck::words::{Language, Message, Words};
+use fitcheck::words::{Language, Words};
 use jiff::civil::date;
 
 fn um(um: i32) -> Length {
@@ -144,7 +145,7 @@ fn a_report_says_everything_about_each_check() {
         part: Some("4711-A".to_owned()),
         order: Some("2026-118".to_owned()),
         inspector: Some("J. de Vries".to_owned()),
-        notes: vec![Message::new("report-empty")],
+        notes: vec![Message::new("cli-report-empty")],
         ..report(vec![bore("Bore A", "25.012"), bore("Bore B", "24.998"), bore("Bore C", "25.030"), stud(4)])
     };
     let page = html(&report, Language::En);
@@ -220,7 +221,7 @@ fn the_dutch_report_is_dutch_with_a_decimal_comma() {
 
 #[test]
 fn no_text_is_missing_in_a_language() {
-    for language in Language::COMPLETE {
+    for language in Language::all() {
         let words = Words::new(language);
         let text = include_str!("../../assets/locales/en/report.ftl");
         for id in text.lines().filter_map(|line| line.split_once(" = ")).map(|(id, _)| id) {

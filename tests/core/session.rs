@@ -8,11 +8,12 @@ use std::sync::Arc;
 use assert_cmd::cargo::cargo_bin_cmd;
 use fitcheck::exchange::import;
 use fitcheck::files::FileError;
+use fitcheck::message::{Message, Say as _};
 use fitcheck::report::RENDERINGS;
 use fitcheck::session::{Command, Effect, Field, MeasureBy, Purpose, Session};
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Message, Say as _, Words};
+use fitcheck::words::{Dialogue, Language, Words};
 use jiff::civil::{DateTime, date};
 
 fn now() -> DateTime {
@@ -335,7 +336,7 @@ fn another_language_redraws_the_status_window() {
     assert!(window(&session).starts_with("FIT STATUS: REWORK\n"));
     run(&mut session, [Command::SetLanguage(Language::Nl)]);
     assert!(window(&session).starts_with("STATUS VAN DE PASSING: Nabewerking\n"));
-    run(&mut session, [Command::SetMask(Some(Language::En))]);
+    run(&mut session, [Command::SetMask(Some(Dialogue::En))]);
     assert!(window(&session).starts_with("FIT STATUS: REWORK\n"));
     run(&mut session, [Command::SetMask(None)]);
     assert!(window(&session).starts_with("STATUS VAN DE PASSING: Nabewerking\n"));

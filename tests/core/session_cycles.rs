@@ -6,11 +6,11 @@ use fitcheck::probing::cycle::{Key, Value};
 use fitcheck::probing::cycles::CYCLES;
 use fitcheck::probing::simulated::{Shape, Simulation};
 use fitcheck::session::{
-    Axis, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Saved, Session,
-    Step, WorkpieceField,
+    Axis, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Saved, Session, Step,
+    WorkpieceField,
 };
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Words};
+use fitcheck::words::{Dialogue, Language, Words};
 
 fn send(session: &mut Session, command: CyclesCommand) -> Vec<Effect> {
     session.apply(Command::Cycles(command), jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0))
@@ -323,7 +323,7 @@ fn the_status_window_speaks_the_language_of_the_window_or_of_the_mask() {
     assert_eq!(first(&session), "FIT STATUS: REWORK");
     apply(&mut session, Command::SetLanguage(Language::Nl));
     assert_eq!(first(&session), "STATUS VAN DE PASSING: Nabewerking");
-    apply(&mut session, Command::SetMask(Some(Language::It)));
+    apply(&mut session, Command::SetMask(Some(Dialogue::It)));
     assert_eq!(first(&session), "STATO ACCOPPIAMENTO: Ripresa");
     let effects = send(&mut session, CyclesCommand::CopyStatus);
     assert!(matches!(effects.as_slice(), [Effect::Copy(text)] if text.contains("75 (422)")), "{effects:?}");
@@ -375,7 +375,7 @@ fn a_shown_result_is_always_that_of_what_is_on_screen() {
         CyclesCommand::ContactsRead { name: "a.csv".into(), result: Ok((contacts.to_vec(), Vec::new())) },
         CyclesCommand::WorkpieceRead(Ok(simulation("[bore]\ncentre = [0, 0]\ndiameter = 25.03\n"))),
         CyclesCommand::WorkpieceRead(Ok(simulation("seed = 4\n[point]\npoint = [0, 0, 5]\nnormal = [0, 0, 1]\n"))),
-        CyclesCommand::WorkpieceRead(Err(fitcheck::words::Message::new("cycles-no-workpiece"))),
+        CyclesCommand::WorkpieceRead(Err(fitcheck::message::Message::new("cycles-no-workpiece"))),
     ];
     commands.extend(ContactsFrom::ALL.map(CyclesCommand::From));
     commands.extend(CYCLES.iter().map(|cycle| CyclesCommand::Choose(cycle.number)));

@@ -5,13 +5,14 @@
 use std::path::PathBuf;
 
 use fitcheck::control::variables::{Parameter, Value};
+use fitcheck::message::Message;
 use fitcheck::nc::machine::BlockPlace;
 use fitcheck::session::program::{
     Agreement, BlockStep, Document, Input, ProblemKind, Run, Speed, State, Switch, WorkpieceFrom,
 };
 use fitcheck::session::{Command, Effect, Page, ProgramCommand, ProgramField, Purpose, Session};
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Message, Words};
+use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
 
 fn now() -> DateTime {
@@ -83,7 +84,7 @@ fn the_shipped_program_of_the_language_is_open() {
 #[test]
 fn every_shipped_program_runs_and_agrees() {
     let mut session = session();
-    for (_, name) in fitcheck::session::program::SHIPPED {
+    for (_, name) in fitcheck::nc::machine::Shipped::main_programs() {
         send(&mut session, ProgramCommand::OpenShipped(name));
         for (size, class) in [("25", "H7"), ("25", "g6"), ("400", "H11"), ("3", "js6"), ("0.5", "M7")] {
             type_text(&mut session, ProgramField::Input(Input::Size), size);

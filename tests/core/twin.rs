@@ -21,7 +21,7 @@ use fitcheck::probing::simulated::{Simulation, Surface, Workpiece};
 use fitcheck::probing::{Origin, Recorded};
 use fitcheck::tolerance::{Callout, DeviationTable, Feature, Limits, Sources, ToleranceClass};
 use fitcheck::verdict::{Status, doubt, judge};
-use fitcheck::words::Language;
+use fitcheck::words::Dialogue;
 
 /// The centre that the shipped main programs name.
 const CENTRE: [i32; 2] = [40, 30];
@@ -41,7 +41,7 @@ fn time() -> jiff::civil::DateTime {
     jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0)
 }
 
-fn main_program(language: Language) -> Arc<Program> {
+fn main_program(language: Dialogue) -> Arc<Program> {
     let bytes = Shipped::file(&format!("8255_{language}.h")).unwrap();
     let (program, warnings) = Program::read(bytes).unwrap();
     assert_eq!(warnings, []);
@@ -62,7 +62,7 @@ struct Answer {
 }
 
 /// A machine with the main program of a language; it is started again for every workpiece.
-fn machine(language: Language) -> Machine {
+fn machine(language: Dialogue) -> Machine {
     let settings = Settings::new(language, time());
     let path = format!(r"TNC:\8255\8255_{language}.h");
     Machine::new(&path, main_program(language), Shipped, Contacts::Perfect, settings)
@@ -181,7 +181,7 @@ fn sweep(feature: Feature, odd: bool) -> Count {
     let (tables, published) = (shipped_tables(), published());
     let table = tables.iter().find(|table| table.columns()[0].class.feature() == feature).unwrap();
     let sources = Sources::of_tables(tables.clone());
-    let mut machine = machine(Language::Nl);
+    let mut machine = machine(Dialogue::Nl);
     let mut count = Count::default();
     for column in table.columns().iter().skip(usize::from(odd)).step_by(2) {
         count.classes += 1;
@@ -249,7 +249,7 @@ fn the_other_shaft_classes_agree_as_well() {
 fn every_language_says_the_same() {
     let tables = shipped_tables();
     let sources = Sources::of_tables(tables.clone());
-    for language in Language::ALL {
+    for language in Dialogue::ALL {
         let mut machine = machine(language);
         for class in tables.iter().flat_map(|table| table.columns().iter().map(|column| column.class)) {
             let callout = Callout::new("25.5".parse().unwrap(), class).unwrap();
@@ -264,7 +264,7 @@ fn every_language_says_the_same() {
 /// Where the program has no answer of its own: what the control says beside what Fitcheck says.
 #[track_caller]
 fn side_by_side(nominal: &str, class: &str, control: &str, fitcheck: &str) {
-    let mut machine = machine(Language::Nl);
+    let mut machine = machine(Dialogue::Nl);
     let fault = run(&mut machine, nominal, class, Contacts::Perfect).expect_err("a fault");
     let sources = Sources::of_tables(shipped_tables());
     let refused = match format!("{nominal} {class}").parse::<Callout>() {
@@ -360,9 +360,9 @@ fn without_a_marker_the_program_never_says_good() {
     let (before, rest) = text.split_once("33 TCH PROBE 421").unwrap();
     let (_cycle, after) = rest.split_once("34 L  Z+Q61").unwrap();
     let without = format!("{before}33 Q180 = 0\r\nQ181 = 0\r\nQ182 = 0\r\n34 L  Z+Q61{after}");
-    let settings = Settings::new(Language::Nl, time());
+    let settings = Settings::new(Dialogue::Nl, time());
     let store = InMemory::new().with("82551_nl.h", without);
-    let mut machine = Machine::new("8255_nl.h", main_program(Language::Nl), store, Contacts::Perfect, settings);
+    let mut machine = Machine::new("8255_nl.h", main_program(Dialogue::Nl), store, Contacts::Perfect, settings);
     let fault = machine.run(u64::MAX).expect_err("an error of the program");
     assert_eq!(fault.kind.to_string(), "the program stopped itself with error 1004");
     assert!(machine.windows().is_empty());
@@ -371,7 +371,7 @@ fn without_a_marker_the_program_never_says_good() {
 /// All languages have the same blocks but for comments, names and words.
 #[test]
 fn the_programs_differ_in_words_only() {
-    let bare = |name: &str, language: Language| {
+    let bare = |name: &str, language: Dialogue| {
         let bytes = Shipped::file(&format!("{name}_{language}.h")).unwrap();
         assert!(bytes.is_ascii(), "{name}_{language}.h");
         let (program, warnings) = Program::read(bytes).unwrap();
@@ -394,8 +394,8 @@ fn the_programs_differ_in_words_only() {
         blocks
     };
     for name in ["8255", "82551"] {
-        for language in Language::ALL {
-            assert_eq!(bare(name, language), bare(name, Language::Nl), "{name}_{language}.h");
+        for language in Dialogue::ALL {
+            assert_eq!(bare(name, language), bare(name, Dialogue::Nl), "{name}_{language}.h");
         }
     }
 }

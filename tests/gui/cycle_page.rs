@@ -48,7 +48,7 @@ fn choose(window: &mut Harness<'_, App>, name: &str) {
 fn name(window: &Harness<'_, App>, key: &str) -> String {
     let cycle = window.state().session().cycles().cycle();
     let parameter = cycle.parameter_named(key).unwrap_or_else(|| panic!("no {key}"));
-    format!("{}  {}", parameter.key, parameter.question(window.state().session().language()))
+    format!("{}  {}", parameter.key, parameter.question(window.state().session().language().dialogue()))
 }
 
 /// Fills the form: fields are typed, choices are picked from their list.

@@ -129,6 +129,7 @@ block-none = no probing cycle here: a block begins with TCH PROBE and a number, 
 block-second = a second probing cycle: one at a time, the first begins on line { $first }
 block-unknown-cycle = TCH PROBE { $given }: the cycles are { $known }
 block-not-a-parameter = { $given } is no parameter: one is written as { $example }
+no-parameter = { $value } is no parameter, allowed are Q, QL, QR and QS with a number
 block-no-value = { $key } has no value
 block-twice = { $key } is given twice, first on line { $first }
 block-unclosed-quote = a quotation mark is not closed

@@ -80,8 +80,3 @@ report-footer = Every verdict was made with the limits and the decision rule nam
 ## Notes
 report-note = { $place }: { $what }
 report-note-line = { $place }, line { $line }: { $what }
-report-check-no-measured = { $text } has no measured value: write a callout, = and millimetres, such as 25 H7=25.012
-report-check-measured = measured value: { $reason }
-report-check-not-positive = measured value { $measured } mm is not above 0
-report-format = --format { $format } does not fit the ending of { $file }: leave one of them out
-report-empty = no check could be used, so no report was written

@@ -129,6 +129,7 @@ block-none = hier staat geen tastcyclus: een regel begint met TCH PROBE en een n
 block-second = een tweede tastcyclus: één tegelijk, de eerste begint op regel { $first }
 block-unknown-cycle = TCH PROBE { $given }: de cycli zijn { $known }
 block-not-a-parameter = { $given } is geen parameter: die schrijf je als { $example }
+no-parameter = { $value } is geen parameter; toegestaan zijn Q, QL, QR en QS met een nummer
 block-no-value = { $key } heeft geen waarde
 block-twice = { $key } is twee keer gegeven, eerst op regel { $first }
 block-unclosed-quote = een aanhalingsteken is niet gesloten

@@ -80,8 +80,3 @@ report-footer = Elk oordeel is geveld met de grensmaten en de beslisregel die er
 ## Notes
 report-note = { $place }: { $what }
 report-note-line = { $place }, regel { $line }: { $what }
-report-check-no-measured = { $text } heeft geen gemeten waarde: schrijf een passing, = en millimeters, bijvoorbeeld 25 H7=25.012
-report-check-measured = gemeten waarde: { $reason }
-report-check-not-positive = gemeten waarde { $measured } mm is niet groter dan 0
-report-format = --format { $format } past niet bij de extensie van { $file }: laat een van beide weg
-report-empty = geen enkele controle kon worden gebruikt, dus er is geen rapport geschreven

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use fitcheck::nc::machine::{Budget, Contacts, InMemory, Machine, Settings, Step};
 use fitcheck::nc::program::Program;
 use fitcheck::control::variables::{Parameter, Value};
-use fitcheck::words::Language;
+use fitcheck::words::Dialogue;
 use libfuzzer_sys::fuzz_target;
 
 /// What a run may use.
@@ -35,7 +35,7 @@ fuzz_target!(|bytes: &[u8]| {
     let main = part();
     let Ok((program, _)) = Program::read(main) else { return };
     let store = InMemory::new().with("main.h", main).with("sub.h", part()).with("own.tab", part()).with("m.a", part());
-    let mut settings = Settings::new(Language::En, jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0));
+    let mut settings = Settings::new(Dialogue::En, jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0));
     settings.budget = SMALL;
     settings.skip_unknown = flags & 1 != 0;
     settings.block_skip = flags & 2 != 0;

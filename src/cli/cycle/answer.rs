@@ -3,11 +3,10 @@
 use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 
-use super::super::limits::csv_error;
 use super::{CliError, Io, Run, Source};
 use crate::length::Length;
 use crate::probing::cycle::{Check, LogTarget, Move, Value};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// What the contacts cannot tell, and where the log says something else.
 pub(super) fn warnings(run: &Run<'_>) -> Vec<String> {
@@ -40,7 +39,7 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
     let result = run.result;
     let answer = Answer {
         cycle: run.cycle.code,
-        name: run.cycle.name(Language::En),
+        name: run.cycle.name(Dialogue::En),
         source: source(run),
         probe: probe(run),
         inputs: inputs(run),
@@ -64,9 +63,7 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
         warnings: warnings(run),
         path: result.path.iter().map(step).collect(),
     };
-    let text = serde_json::to_string_pretty(&answer).map_err(|error| CliError::Data(error.to_string()))?;
-    writeln!(io.out, "{text}")?;
-    Ok(())
+    io.json(&answer)
 }
 
 /// A length has at most 16 figures and none finer than a nanometre: its nearest float prints the same.
@@ -147,14 +144,14 @@ fn step(step: &Move) -> Json {
 
 pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut writer = csv::Writer::from_writer(&mut *io.out);
-    writer.write_record(["key", "name", "value", "unit"]).map_err(csv_error)?;
+    writer.write_record(["key", "name", "value", "unit"])?;
     for found in &run.result.results {
         let unit = if matches!(found.value, Value::Length(_)) { "mm" } else { "" };
         let (key, name, value) = (found.key.to_string(), found.name.to_string(), found.value.to_string());
-        writer.write_record([key.as_str(), &name, &value, unit]).map_err(csv_error)?;
+        writer.write_record([key.as_str(), &name, &value, unit])?;
     }
     let status = run.result.status.map_or("", crate::verdict::Status::word);
-    writer.write_record(["status", "status", status, ""]).map_err(csv_error)?;
+    writer.write_record(["status", "status", status, ""])?;
     writer.flush()?;
     Ok(())
 }
@@ -162,13 +159,13 @@ pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> 
 pub(super) fn print_path_csv(path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
     let mut writer = csv::Writer::from_writer(&mut *io.out);
     let names = ["step", "phase", "touch", "from_x", "from_y", "from_z", "to_x", "to_y", "to_z"];
-    writer.write_record(names).map_err(csv_error)?;
+    writer.write_record(names)?;
     for (number, step) in (1_usize..).zip(path) {
         let places = step.from.iter().chain(&step.to).map(ToString::to_string);
         let touch = step.touch.map(|touch| touch.to_string()).unwrap_or_default();
         let row: Vec<String> =
             [number.to_string(), step.phase.word().to_owned(), touch].into_iter().chain(places).collect();
-        writer.write_record(&row).map_err(csv_error)?;
+        writer.write_record(&row)?;
     }
     writer.flush()?;
     Ok(())

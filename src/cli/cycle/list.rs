@@ -2,10 +2,9 @@
 
 use serde::Serialize;
 
-use super::super::limits::csv_error;
 use super::{CliError, Format, Io};
 use crate::probing::cycle::{Cycle, Inputs, Parameter, Unset, Value};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// One parameter; the names are a contract.
 #[derive(Debug, Serialize)]
@@ -25,7 +24,7 @@ struct Row {
 }
 
 impl Row {
-    fn of(parameter: &Parameter, language: Language) -> Self {
+    fn of(parameter: &Parameter, language: Dialogue) -> Self {
         Self {
             key: parameter.key.to_string(),
             name: parameter.name_in(language),
@@ -53,17 +52,14 @@ impl Row {
     }
 }
 
-pub(super) fn print(cycle: &Cycle, language: Language, format: Format, io: &mut Io<'_>) -> Result<(), CliError> {
+pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut Io<'_>) -> Result<(), CliError> {
     let rows: Vec<_> = cycle.parameters.iter().map(|parameter| Row::of(parameter, language)).collect();
     match format {
-        Format::Json => {
-            let text = serde_json::to_string_pretty(&rows).map_err(|error| CliError::Data(error.to_string()))?;
-            writeln!(io.out, "{text}")?;
-        }
+        Format::Json => io.json(&rows)?,
         Format::Csv => {
             let mut writer = csv::Writer::from_writer(&mut *io.out);
             for row in &rows {
-                writer.serialize(row).map_err(csv_error)?;
+                writer.serialize(row)?;
             }
             writer.flush()?;
         }

@@ -2,13 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
+use super::super::{Note, Refused as _, What};
 use super::{CliError, Io};
 use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use crate::control::text::decode;
 use crate::files::{self, FileError};
 use crate::length::Unit;
+use crate::message::{Located, Place};
 use crate::probing::cycle::{Cycle, CycleResult, LogTarget};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// Where and how the log is kept.
 #[derive(Debug, clap::Args)]
@@ -39,7 +41,7 @@ impl LogArgs {
         &self,
         cycle: &Cycle,
         result: &CycleResult,
-        language: Language,
+        language: Dialogue,
         io: &mut Io<'_>,
     ) -> Result<Kept, CliError> {
         let date_time = Some(self.time.unwrap_or_else(super::super::now));
@@ -48,17 +50,16 @@ impl LogArgs {
             LogTarget::None | LogTarget::Shown => None,
             LogTarget::File(_) | LogTarget::Screen => CycleLog::of(cycle, result, &heading, language),
         };
-        let refused = |error: &dyn std::fmt::Display| CliError::Data(format!("log: {error}"));
         let Some(log) = log else {
             match result.log {
                 LogTarget::File(_) | LogTarget::Screen => {
-                    io.tell(format_args!("warning: no log is made: that of cycle {} is not known", cycle.code))?;
+                    io.warn(&Note::LogUnknown { code: cycle.code })?;
                 }
                 LogTarget::None if self.log_folder.is_some() => {
-                    io.tell(format_args!("warning: no log is written: Q281 = 0"))?;
+                    io.warn(&Note::LogOff)?;
                 }
                 LogTarget::Shown if self.log_folder.is_some() => {
-                    io.tell(format_args!("warning: no log is written: the cycle has none"))?;
+                    io.warn(&Note::LogNone)?;
                 }
                 LogTarget::None | LogTarget::Shown => {}
             }
@@ -68,27 +69,28 @@ impl LogArgs {
         match (result.log, &self.log_folder) {
             (LogTarget::File(name), Some(folder)) => add(&log, &folder.join(name), language, io)?,
             (LogTarget::Screen, _) => {
-                let bytes = log.write(language).map_err(|error| refused(&error))?;
+                let bytes = log.write(language).about(&What::Log)?;
                 kept.shown = Some(decode(&bytes).replace("\r\n", "\n"));
             }
             // Nothing is written, so nothing differs.
             _ => kept.other = None,
         }
         if let (LogTarget::Screen, Some(_)) = (result.log, &self.log_folder) {
-            io.tell(format_args!("warning: no log is written: Q281 = 2 shows it on screen"))?;
+            io.warn(&Note::LogOnScreen)?;
         }
         Ok(kept)
     }
 }
 
 /// Adds the log to the file, which may not be there yet.
-fn add(log: &CycleLog, path: &Path, language: Language, io: &mut Io<'_>) -> Result<(), CliError> {
+fn add(log: &CycleLog, path: &Path, language: Dialogue, io: &mut Io<'_>) -> Result<(), CliError> {
     let before = match files::read(path) {
         Ok(bytes) => bytes,
         Err(FileError::Missing { .. }) => Vec::new(),
         Err(error) => return Err(error.into()),
     };
-    let refused = |error| CliError::Data(format!("log: {error}: {}", path.display()));
-    let bytes = log.append(&before, language).map_err(refused)?;
+    let of_file =
+        |what| Located { what, place: Place { file: Some(path.to_string_lossy().into()), ..Place::default() } };
+    let bytes = log.append(&before, language).map_err(of_file).about(&What::Log)?;
     super::super::save(path, &bytes, io)
 }

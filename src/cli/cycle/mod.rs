@@ -19,17 +19,17 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 
-use super::{CliError, Format, Io, Outcome, read_input};
+use super::{CliError, Format, Io, Note, Outcome, Refused as _, What, read_contacts, read_input};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
-use crate::exchange::contacts;
 use crate::length::Length;
-use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Key, Move};
+use crate::message::Located;
+use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Move};
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::{Shape, Simulation};
 use crate::probing::{self, Contact, Prober, Recorded, SourceError, TouchProbe};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// Examples, and what the files are; the names of logs and workpieces come from the declarations.
 fn help() -> String {
@@ -95,7 +95,7 @@ pub(super) struct Args {
     #[command(flatten)]
     log: log::LogArgs,
     /// Language of the log, and of the control's questions and names as far as they are known
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Dialogue::ALL.map(Dialogue::code)))]
     language: String,
     /// How the result is printed
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -116,7 +116,7 @@ enum Source {
 /// Everything that is printed.
 struct Run<'a> {
     cycle: &'static Cycle,
-    language: Language,
+    language: Dialogue,
     source: &'a Source,
     ball_radius: f64,
     result: &'a CycleResult,
@@ -129,7 +129,7 @@ fn known(text: &str) -> Result<&'static Cycle, String> {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let language = Language::from_code(&self.language).unwrap_or_default();
+        let language = Dialogue::from_code(&self.language).unwrap_or_default();
         if self.list {
             list::print(self.cycle, language, self.format, io)?;
             return Ok(Outcome::Done);
@@ -137,9 +137,9 @@ impl Args {
         let inputs = self.read_inputs(io)?;
         if self.as_block {
             // A block that the control would refuse is not written.
-            self.cycle.checked(&inputs).map_err(|error| self.refused(&error))?;
+            self.cycle.checked(&inputs).about(&self.what())?;
             let block = probe_block::write(self.cycle, &inputs, language);
-            write!(io.out, "{}", block.map_err(|error| CliError::Data(error.to_string()))?)?;
+            write!(io.out, "{}", block.said()?)?;
             return Ok(Outcome::Done);
         }
         let (source, mut prober) = self.source(&inputs, io)?;
@@ -150,7 +150,7 @@ impl Args {
                 if self.path && self.format == Format::Text {
                     text::print_path(&path, io)?;
                 }
-                return Err(CliError::Data(format!("cycle {}: {error}", self.cycle.code)));
+                return Err(error).about(&self.what());
             }
         };
         warn_of_unused(&source, &path, io)?;
@@ -164,7 +164,7 @@ impl Args {
             Format::Json => answer::print_json(&run, io)?,
         }
         if let (Some(stop), Format::Csv) = (&result.stop, self.format) {
-            io.tell(format_args!("{stop}"))?;
+            io.tell(stop)?;
         }
         Ok(result.status.map_or(Outcome::Done, Outcome::Judged))
     }
@@ -179,16 +179,16 @@ impl Args {
         }
         let mut names = BTreeSet::new();
         for (name, value) in pairs(&self.settings)? {
-            inputs = self.cycle.set(inputs, name, value).map_err(|error| CliError::Data(error.to_string()))?;
+            inputs = self.cycle.set(inputs, name, value).said()?;
             if !names.insert(self.cycle.parameter_named(name).map(|parameter| parameter.key)) {
-                return Err(CliError::Data(format!("{name} is set twice")));
+                return Err(CliError::SetTwice { name: name.to_owned() });
             }
         }
         for (name, value) in pairs(&self.globals)? {
-            let unknown = || CliError::Data(format!("{name} is no parameter that may be PREDEF"));
+            let unknown = || CliError::NotPredef { name: name.to_owned() };
             let parameter = self.cycle.parameter_named(name).filter(|parameter| parameter.may_be_predef);
             let parameter = parameter.ok_or_else(unknown)?;
-            let value = parameter.accept(value).map_err(|error| CliError::Data(error.to_string()))?;
+            let value = parameter.accept(value).said()?;
             inputs = inputs.with_global(parameter.key, value);
         }
         if let Some(text) = &self.position {
@@ -199,35 +199,36 @@ impl Args {
 
     fn with_block(&self, inputs: Inputs, path: &Path, io: &mut Io<'_>) -> Result<Inputs, CliError> {
         let (name, bytes) = read_input(path, io)?;
-        let block = probe_block::read(&decode(&bytes)).map_err(|error| data(&name, &error))?;
+        let block = probe_block::read(&decode(&bytes)).about(&name)?;
         if block.cycle.number != self.cycle.number {
-            let (line, given, wanted) = (block.line, block.cycle.code, self.cycle.code);
-            return Err(CliError::Data(format!("{name}: line {line}: this is cycle {given}, not {wanted}")));
+            let other = CliError::OtherCycle { given: block.cycle.code, wanted: self.cycle.code };
+            return Err(Located::in_line(block.line, other)).about(&name);
         }
         if let Some(unused) = &block.unused {
-            io.tell(format_args!("warning: {name}: {unused}"))?;
+            io.warn_about(&name, unused)?;
         }
-        block.put_into(inputs).map_err(|error| data(&name, &error))
+        block.put_into(inputs).about(&name)
     }
 
     fn with_json(&self, mut inputs: Inputs, path: &Path, io: &mut Io<'_>) -> Result<Inputs, CliError> {
         use serde_json::Value;
         let (name, bytes) = read_input(path, io)?;
-        let json::Pairs(object) = serde_json::from_slice(&bytes).map_err(|error| {
-            CliError::Data(format!("{name}: inputs are a JSON object such as {{\"Q263\": 35}}: {error}"))
-        })?;
+        let read = serde_json::from_slice(&bytes);
+        let json::Pairs(object) =
+            read.map_err(|error| CliError::NotAnObject { error: error.to_string() }).about(&name)?;
         let mut given: BTreeSet<Key> = BTreeSet::new();
         for (key, value) in &object {
             let text = match value {
                 Value::Number(number) => number.to_string(),
                 Value::String(text) => text.clone(),
                 other => {
-                    return Err(CliError::Data(format!("{name}: {key} = {other}: a number or a text is needed")));
+                    let wrong = CliError::NotAnInput { name: key.clone(), value: other.to_string() };
+                    return Err(wrong).about(&name);
                 }
             };
-            inputs = self.cycle.set(inputs, key, &text).map_err(|error| data(&name, &error))?;
+            inputs = self.cycle.set(inputs, key, &text).about(&name)?;
             if self.cycle.parameter_named(key).is_some_and(|parameter| !given.insert(parameter.key)) {
-                return Err(CliError::Data(format!("{name}: {key} is given twice")));
+                return Err(CliError::GivenTwice { name: key.clone() }).about(&name);
             }
         }
         Ok(inputs)
@@ -235,7 +236,7 @@ impl Args {
 
     fn touch_probe(&self, io: &mut Io<'_>) -> Result<TouchProbe, CliError> {
         let table = probe_table(self.probe_table.as_deref(), io)?;
-        let missing = || CliError::Data(format!("the touch-probe table has no probe {}", self.probe.unwrap_or(1)));
+        let missing = || CliError::NoProbe { number: self.probe.unwrap_or(1) };
         table.probe(self.probe).copied().ok_or_else(missing)
     }
 
@@ -248,20 +249,20 @@ impl Args {
         let Some(path) = &self.workpiece else {
             return match probing::Source::Perfect.prober(self.cycle, inputs) {
                 Ok(prober) => Ok((Source::Perfect, prober)),
-                Err(SourceError::Cycle(error)) => Err(self.refused(&error)),
-                Err(error) => Err(data("workpiece at nominal", &error)),
+                Err(SourceError::Cycle(error)) => Err(error).about(&self.what()),
+                Err(error) => Err(error).about(&What::PerfectWorkpiece),
             };
         };
         let (file, mut simulation) = read_workpiece(path, io)?;
         simulation.seed = self.seed.unwrap_or(simulation.seed);
         match probing::Source::Simulated(&simulation).prober(self.cycle, inputs) {
             Ok(prober) => Ok((Source::Workpiece { file, simulation }, prober)),
-            Err(error) => Err(data(&file, &error)),
+            Err(error) => Err(error).about(&file),
         }
     }
 
-    fn refused(&self, error: &CycleError) -> CliError {
-        CliError::Data(format!("cycle {}: {error}", self.cycle.code))
+    const fn what(&self) -> What<'static> {
+        What::Cycle { code: self.cycle.code }
     }
 }
 
@@ -269,27 +270,17 @@ impl Args {
 pub(super) fn probe_table(path: Option<&Path>, io: &mut Io<'_>) -> Result<ProbeTable, CliError> {
     let Some(path) = path else { return Ok(ProbeTable::shipped().clone()) };
     let (name, bytes) = read_input(path, io)?;
-    let table = ProbeTable::read(&bytes, &name).map_err(|error| CliError::Data(error.to_string()))?;
+    let table = ProbeTable::read(&bytes, &name).said()?;
     for warning in &table.warnings {
-        io.tell(format_args!("warning: {warning}"))?;
+        io.warn(warning)?;
     }
     Ok(table)
-}
-
-/// A file of contacts, and its name.
-pub(super) fn read_contacts(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec<Contact>), CliError> {
-    let (file, bytes) = read_input(path, io)?;
-    let read = contacts::read(&bytes).map_err(|error| data(&file, &error))?;
-    for column in &read.ignored {
-        io.tell(format_args!("warning: {file}: column {column} is not used"))?;
-    }
-    Ok((file, read.contacts))
 }
 
 /// A file of a simulated workpiece, and its name.
 pub(super) fn read_workpiece(path: &Path, io: &mut Io<'_>) -> Result<(String, Simulation), CliError> {
     let (file, bytes) = read_input(path, io)?;
-    let simulation = Simulation::read(&decode(&bytes)).map_err(|error| data(&file, &error))?;
+    let simulation = Simulation::read(&decode(&bytes)).about(&file)?;
     Ok((file, simulation))
 }
 
@@ -298,28 +289,23 @@ fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) -> Result<(),
     let Source::Contacts { file, contacts } = source else { return Ok(()) };
     let (count, unused) = (contacts.len(), probing::Source::Recorded(contacts).unused(path));
     if 0 < unused {
-        let used = count - unused;
-        io.tell(format_args!("warning: {file}: the cycle took {used} of {count} contacts"))?;
+        io.warn_about(file, &Note::ContactsLeft { used: count - unused, count })?;
     }
     Ok(())
 }
 
 pub(super) fn pairs(texts: &[String]) -> Result<Vec<(&str, &str)>, CliError> {
-    let no_pair = |text: &str| CliError::Data(format!("{text}: a parameter is given as NAME=VALUE"));
+    let no_pair = |text: &str| CliError::NotAPair { text: text.to_owned() };
     texts.iter().map(|text| text.split_once('=').ok_or_else(|| no_pair(text))).collect()
 }
 
 /// `X,Y,Z` in millimetres.
 fn position(text: &str) -> Result<[f64; 3], CliError> {
-    let wrong = || CliError::Data(format!("position {text}: three numbers X,Y,Z in mm are needed"));
+    let wrong = || CliError::NotAPosition { text: text.to_owned() };
     let parts: Vec<f64> = text
         .split(',')
         .map(|part| part.trim().parse().map(Length::to_mm_f64))
         .collect::<Result<_, _>>()
         .map_err(|_number| wrong())?;
     parts.try_into().map_err(|_count| wrong())
-}
-
-pub(super) fn data(what: &str, error: &impl std::fmt::Display) -> CliError {
-    CliError::Data(format!("{what}: {error}"))
 }

@@ -4,7 +4,7 @@ use super::Asked;
 use super::heat::{Heat, Heated};
 use crate::length::Length;
 use crate::tolerance::fit::equivalent::{Difference, equivalent};
-use crate::tolerance::fit::{Actual, Fit, Possible};
+use crate::tolerance::fit::{Actual, Fit, FitError, Possible};
 use crate::tolerance::{Callout, Feature, Tolerance, ToleranceClass};
 use crate::verdict::Status;
 
@@ -23,7 +23,7 @@ pub(super) struct Answer<'a> {
 pub(super) struct Equivalent {
     pub callout: Callout,
     /// Its fit and how far it is from the one that was asked for, or why it is not defined.
-    pub fit: Result<(Fit, Difference), String>,
+    pub fit: Result<(Fit, Difference), FitError>,
 }
 
 /// The measured parts.
@@ -54,13 +54,14 @@ impl Measured {
 
 impl<'a> Answer<'a> {
     /// The answer, or why there is none.
-    pub(super) fn of(callout: Callout, asked: &'a Asked<'_>) -> Result<Self, String> {
-        let fit = Fit::of_callout(&callout, asked.sources).map_err(|error| error.to_string())?;
-        let Tolerance::Fit { hole, shaft } = callout.tolerance() else { return Err(format!("{callout} is no fit")) };
+    pub(super) fn of(callout: Callout, asked: &'a Asked<'_>) -> Result<Self, FitError> {
+        let fit = Fit::of_callout(&callout, asked.sources)?;
+        let Tolerance::Fit { hole, shaft } = callout.tolerance() else {
+            return Err(FitError::OneSided { callout });
+        };
         let equivalent = equivalent(hole, shaft).and_then(|(hole, shaft)| {
             let callout = Callout::fit(callout.nominal(), hole, shaft).ok()?;
-            let other = Fit::of_callout(&callout, asked.sources).map_err(|error| error.to_string());
-            let fit = other.map(|other| {
+            let fit = Fit::of_callout(&callout, asked.sources).map(|other| {
                 let difference = Difference::between(&fit, &other);
                 (other, difference)
             });
@@ -74,7 +75,7 @@ impl<'a> Answer<'a> {
         };
         let heated = match &asked.heat {
             Some(heat) => {
-                let heated = heat.of(&fit, measured.clearance()).ok_or("the clearance is too large")?;
+                let heated = heat.of(&fit, measured.clearance()).ok_or(FitError::TooLarge)?;
                 Some((heat, heated))
             }
             None => None,

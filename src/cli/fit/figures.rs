@@ -146,7 +146,7 @@ impl EquivalentFigures {
             exact: fit.map(|(_, difference)| difference.is_none()),
             minimum_clearance_um: fit.map(|(fit, _)| um(fit.minimum_clearance())),
             maximum_clearance_um: fit.map(|(fit, _)| um(fit.maximum_clearance())),
-            error: equivalent.fit.as_ref().err().cloned(),
+            error: equivalent.fit.as_ref().err().map(ToString::to_string),
         }
     }
 

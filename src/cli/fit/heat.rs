@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::cli::CliError;
+use crate::cli::{CliError, Refused as _, What};
 use crate::control::text::decode;
 use crate::files;
 use crate::length::Length;
@@ -95,50 +95,42 @@ impl HeatArgs {
         let shipped = Materials::shipped();
         let materials = match &self.materials {
             Some(path) => {
-                let read = Materials::read(&decode(&files::read(path)?));
-                let own = read.map_err(|error| CliError::Data(format!("{}: {error}", path.display())))?;
-                shipped.with_own(own)
+                let own = Materials::read(&decode(&files::read(path)?));
+                shipped.with_own(own.about(path)?)
             }
             None => shipped.clone(),
         };
-        let part = |name: &str, own_temperature: Option<&String>, which: &str| {
+        let part = |name: &str, own_temperature: Option<&String>, which: What<'_>| {
             let temperature = match self.temperatures.temperature.as_ref().or(own_temperature) {
-                Some(text) => text.parse().map_err(|error| bad("temperature", &error))?,
+                Some(text) => text.parse().about(&What::Temperature)?,
                 None => Temperature::REFERENCE,
             };
-            Part::of(name, &materials, temperature).map_err(|error| bad(which, &error))
+            Part::of(name, &materials, temperature).about(&which)
         };
-        let hole = part(hole, self.temperatures.hole_temperature.as_ref(), "hole material")?;
-        let shaft = part(shaft, self.temperatures.shaft_temperature.as_ref(), "shaft material")?;
+        let hole = part(hole, self.temperatures.hole_temperature.as_ref(), What::HoleMaterial)?;
+        let shaft = part(shaft, self.temperatures.shaft_temperature.as_ref(), What::ShaftMaterial)?;
         Ok(Some(Heat { hole, shaft }))
     }
 }
 
-fn bad(what: &str, error: &dyn std::fmt::Display) -> CliError {
-    CliError::Data(format!("{what}: {error}"))
-}
-
 impl Part {
     /// A material by its name, which may be a number such as 1.4301, or else an expansion.
-    fn of(text: &str, materials: &Materials, temperature: Temperature) -> Result<Self, String> {
-        let unknown = match materials.find(text) {
-            Ok(material) => {
-                return Ok(Self {
-                    name: Some(material.name.clone()),
-                    certainty: material.certainty,
-                    source: material.source.clone(),
-                    warm: Warm { expansion: material.expansion, temperature },
-                });
-            }
-            Err(error) => error,
-        };
-        match text.parse::<Expansion>() {
-            Ok(expansion) => {
-                let warm = Warm { expansion, temperature };
-                Ok(Self { name: None, certainty: Certainty::Own, source: None, warm })
-            }
-            Err(ThermalError::NotANumber { .. }) => Err(unknown.to_string()),
-            Err(error) => Err(error.to_string()),
+    fn of(text: &str, materials: &Materials, temperature: Temperature) -> Result<Self, CliError> {
+        let warm = |expansion| Warm { expansion, temperature };
+        match materials.find(text) {
+            Ok(material) => Ok(Self {
+                name: Some(material.name.clone()),
+                certainty: material.certainty,
+                source: material.source.clone(),
+                warm: warm(material.expansion),
+            }),
+            Err(unknown) => match text.parse::<Expansion>() {
+                Ok(expansion) => {
+                    Ok(Self { name: None, certainty: Certainty::Own, source: None, warm: warm(expansion) })
+                }
+                Err(ThermalError::NotANumber { .. }) => Err(unknown).said(),
+                Err(error) => Err(error).said(),
+            },
         }
     }
 }

@@ -3,13 +3,14 @@
 mod figures;
 
 use clap::ValueEnum;
-use clap::builder::PossibleValuesParser;
 use figures::{COLUMNS, CandidateFigures, Figures, MissFigures};
 
 use super::figures::{nominal, um};
 use super::{csv_line, text};
+use crate::cli::args::one_of;
 use crate::cli::limits::printable;
-use crate::cli::{CliError, Format, Io, Outcome};
+use crate::cli::note::about;
+use crate::cli::{CliError, Format, Io, Note, Outcome, Refused as _, What};
 use crate::length::Length;
 use crate::tolerance::fit::preferred::{self, Function};
 use crate::tolerance::fit::search::{self, Candidate, Found, Miss, Scope, Wanted};
@@ -30,10 +31,10 @@ pub(super) struct ReverseArgs {
     /// The pairs that ANSI B4.2 names for a function
     #[arg(
         long,
-        value_parser = PossibleValuesParser::new(Function::ALL.map(Function::word)),
+        value_parser = one_of(Function::ALL, |function| function.word()),
         conflicts_with_all = ["min_clearance", "max_clearance", "scope", "limit"]
     )]
-    function: Option<String>,
+    function: Option<Function>,
 
     /// Search: which pairs are looked at; all without it
     #[arg(long, value_enum, requires = "min_clearance")]
@@ -89,24 +90,22 @@ impl ReverseArgs {
         io: &mut Io<'_>,
     ) -> Result<Outcome, CliError> {
         let [size] = callouts else {
-            return Err(CliError::Data("a search needs one nominal size, such as 25".to_owned()));
+            return Err(CliError::SearchWithoutSize);
         };
         let size = nominal_size(size)?;
-        let function = self.function.as_ref();
-        if let Some(function) = function.and_then(|name| Function::ALL.into_iter().find(|one| one.word() == name)) {
+        if let Some(function) = self.function {
             return of_function(size, function, sources, format, io);
         }
         let (Some(minimum), Some(maximum)) = (&self.min_clearance, &self.max_clearance) else {
-            return Err(CliError::Data("a search needs --min-clearance and --max-clearance".to_owned()));
+            return Err(CliError::SearchWithoutClearance);
         };
-        let length = |text: &str, which: &str| -> Result<Length, CliError> {
-            text.parse().map_err(|error| CliError::Data(format!("{which} clearance: {error}")))
+        let wanted = Wanted {
+            minimum: minimum.parse().about(&What::SmallestClearance)?,
+            maximum: maximum.parse().about(&What::LargestClearance)?,
         };
-        let wanted = Wanted { minimum: length(minimum, "smallest")?, maximum: length(maximum, "largest")? };
         let scope = self.scope.unwrap_or(ScopeChoice::All);
         let found = search::search_in(size, wanted, sources, scope.scope(), self.limit.unwrap_or(SHOWN));
-        let found = found.map_err(|error| CliError::Data(error.to_string()))?;
-        print(format, &Searched { size, wanted: Some((wanted, scope)), function: None, found: &found }, io)?;
+        print(format, &Searched { size, wanted: Some((wanted, scope)), function: None, found: &found.said()? }, io)?;
         Ok(Outcome::Done)
     }
 }
@@ -115,7 +114,7 @@ impl ReverseArgs {
 fn nominal_size(text: &str) -> Result<Length, CliError> {
     let shown = printable(text.trim());
     let bare = text.trim().trim_start_matches(['Ø', 'ø', '⌀']);
-    bare.parse().map_err(|error| CliError::Data(format!("nominal size {shown}: {error}")))
+    bare.parse().about(&What::NominalSize { text: &shown })
 }
 
 /// The pairs of a function, hole basis first; one that is not defined at this size is refused by name.
@@ -129,7 +128,7 @@ fn of_function(
     let mut candidates = Vec::new();
     let mut refused = Vec::new();
     for named in function.fits() {
-        let callout = Callout::fit(size, named.hole, named.shaft).map_err(|error| CliError::Data(error.to_string()))?;
+        let callout = Callout::fit(size, named.hole, named.shaft).said()?;
         match Fit::of_callout(&callout, sources) {
             Ok(fit) => candidates.push(Candidate {
                 hole: named.hole,
@@ -140,14 +139,14 @@ fn of_function(
                 function: Some(function),
                 basis: fit::basis(named.hole, named.shaft),
             }),
-            Err(error) => refused.push(format!("{callout}: {error}")),
+            Err(error) => refused.push(about(&callout.to_string(), &error)),
         }
     }
     let found = Found { total: candidates.len(), candidates, nearest: None };
     print(format, &Searched { size, wanted: None, function: Some(function), found: &found }, io)?;
     io.out.flush()?;
     for refusal in &refused {
-        io.tell(format_args!("{refusal}"))?;
+        io.tell(refusal)?;
     }
     Ok(if refused.is_empty() { Outcome::Done } else { Outcome::BadData })
 }
@@ -169,7 +168,7 @@ fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(),
                 csv_line(CandidateFigures::of(searched.size, candidate).cells(), io)?;
             }
             if let Some(miss) = &searched.found.nearest {
-                io.tell(format_args!("no pair fits; nearest is {}", nearest(miss)))?;
+                io.tell(Note::NoPair { nearest: nearest(miss) })?;
             }
             Ok(())
         }
@@ -190,8 +189,7 @@ fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(),
                     above_um: um(miss.above),
                 }),
             };
-            serde_json::to_writer_pretty(&mut *io.out, &figures).map_err(std::io::Error::from)?;
-            Ok(writeln!(io.out)?)
+            io.json(&figures)
         }
     }
 }

@@ -123,18 +123,10 @@ impl Value<'_> {
 fn csv(rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut writer = csv::Writer::from_writer(&mut *io.out);
     for row in rows {
-        writer.write_record(row.values().map(|value| value.csv())).map_err(stream)?;
+        writer.write_record(row.values().map(|value| value.csv()))?;
     }
     writer.flush()?;
     Ok(())
-}
-
-/// A closed pipe stays one.
-fn stream(error: csv::Error) -> CliError {
-    match error.into_kind() {
-        csv::ErrorKind::Io(error) => CliError::Stream(error),
-        other => CliError::Data(format!("{other:?}")),
-    }
 }
 
 const HEADINGS: [&str; 9] =

@@ -130,7 +130,5 @@ pub(super) fn print(machine: &Machine, ended: &Ended, trace: Trace, io: &mut Io<
         answer.insert("trace".to_owned(), trace.blocks.into());
         answer.insert("trace_not_listed".to_owned(), trace.dropped.into());
     }
-    let text = serde_json::to_string_pretty(&answer).map_err(|error| CliError::Data(error.to_string()))?;
-    writeln!(io.out, "{text}")?;
-    Ok(())
+    io.json(&answer)
 }

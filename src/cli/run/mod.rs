@@ -14,13 +14,13 @@ use std::sync::Arc;
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
 
-use super::cycle::{data, pairs, probe_table, read_contacts, read_workpiece};
-use super::{CliError, Io, Outcome, now, read_input, tame};
+use super::cycle::{pairs, probe_table, read_workpiece};
+use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input, tame};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::files::{self, FileError};
 use crate::nc::machine::{Contacts, Fault, Folders, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::Program;
-use crate::words::Language;
+use crate::words::Dialogue;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -81,7 +81,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "N", default_value_t = 10_000_000)]
     max_blocks: u64,
     /// Dialogue language of masks and notes
-    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Language::ALL.map(Language::code)))]
+    #[arg(long, default_value = "en", value_parser = PossibleValuesParser::new(Dialogue::ALL.map(Dialogue::code)))]
     language: String,
     /// How the result is printed
     #[arg(long, value_enum, default_value_t = RunFormat::Text)]
@@ -114,7 +114,7 @@ trait Listener {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let language = Language::from_code(&self.language).unwrap_or_default();
+        let language = Dialogue::from_code(&self.language).unwrap_or_default();
         let mut machine = self.machine(language, io)?;
         for (name, value) in pairs(&self.settings)? {
             set(&mut machine, name, value)?;
@@ -123,7 +123,7 @@ impl Args {
             RunFormat::Text => {
                 let mut listener = text::Printer::new(self.trace);
                 let ended = run(&mut machine, &mut listener, io)?;
-                text::notes(&machine, &ended, language, io)?;
+                text::notes(&machine, &ended, language.language(), io)?;
                 ended
             }
             RunFormat::Json => {
@@ -134,23 +134,23 @@ impl Args {
             }
         };
         if let Some(fault) = ended.fault {
-            text::tell_fault(&fault, language, io)?;
+            text::tell_fault(&fault, language.language(), io)?;
             return Ok(Outcome::BadData);
         }
         Ok(machine.status().map_or(Outcome::Done, Outcome::Judged))
     }
 
-    fn machine(&self, language: Language, io: &mut Io<'_>) -> Result<Machine, CliError> {
+    fn machine(&self, language: Dialogue, io: &mut Io<'_>) -> Result<Machine, CliError> {
         let (name, bytes, folder) = self.read_program(io)?;
-        let (program, warnings) = Program::read(&bytes).map_err(|error| data(&name, &error))?;
+        let (program, warnings) = Program::read(&bytes).about(&name)?;
         for warning in warnings {
-            io.tell(format_args!("warning: {name}: {warning}"))?;
+            io.warn_about(&name, &warning)?;
         }
         let own = folder.into_iter().chain(self.folders.iter().cloned());
         let mut store = own.fold(Folders::new(), Folders::reading);
         for folder in &self.folders {
             if !folder.is_dir() {
-                return Err(CliError::Data(format!("no such folder: {}", folder.display())));
+                return Err(CliError::NoFolder { path: folder.clone() });
             }
         }
         if let Some(folder) = &self.output_folder {
@@ -175,9 +175,11 @@ impl Args {
         let is_bare = self.program.parent().is_some_and(|folder| folder.as_os_str().is_empty());
         let (name, bytes) = read_input(&self.program, io).map_err(|error| match error {
             CliError::File(error @ FileError::Missing { .. }) if is_bare => {
-                // Those that begin by themselves: the others are called by them.
-                let names: Vec<&str> = Shipped::names().filter(|name| name.starts_with("8255_")).collect();
-                CliError::Data(format!("{error}; built-in programs are {}", names.join(", ")))
+                // NC-Solution 8255's own first.
+                let mut programs: Vec<_> = Shipped::main_programs().collect();
+                programs.sort_by_key(|(dialogue, _)| *dialogue != Dialogue::Nl);
+                let names: Vec<&str> = programs.into_iter().map(|(_, name)| name).collect();
+                CliError::NoProgram { error, names: names.join(", ") }
             }
             error => error,
         })?;
@@ -197,23 +199,23 @@ impl Args {
         let (file, mut simulation) = read_workpiece(path, io)?;
         simulation.seed = self.seed.unwrap_or(simulation.seed);
         // Figures that cannot be are said now, with the file's name, and not in the middle of the run.
-        simulation.machine().map_err(|error| data(&file, &error))?;
+        simulation.machine().about(&file)?;
         Ok(Contacts::Workpiece(simulation))
     }
 }
 
 fn set(machine: &mut Machine, name: &str, value: &str) -> Result<(), CliError> {
-    let refused = |error: &dyn std::fmt::Display| CliError::Data(format!("--set {name}={value}: {error}"));
-    let parameter: Parameter = name.parse().map_err(|error| refused(&error))?;
+    let what = What::Set { name, value };
+    let parameter: Parameter = name.parse().about(&what)?;
     let value = if parameter.family == Family::Qs {
         Value::Text(value.to_owned())
     } else {
         let plain = value.trim().replace(',', ".");
         let is_decimal = plain.bytes().all(|byte| byte.is_ascii_digit() || b"+-.".contains(&byte));
         let number = plain.parse().ok().filter(|_| is_decimal);
-        Value::Number(number.ok_or_else(|| refused(&"this is no number"))?)
+        Value::Number(number.ok_or(CliError::NotANumber).about(&what)?)
     };
-    machine.set(parameter, value).map_err(|error| refused(&error))
+    machine.set(parameter, value).about(&what)
 }
 
 /// Runs to the end or to a fault; pauses are remembered and passed over.

@@ -1,8 +1,10 @@
 //! What came of a run, for people: windows and trace on standard output, notes on standard error.
 
+use super::super::Note;
 use super::{CliError, Ended, Io, Listener, place, tame};
+use crate::message::Message;
 use crate::nc::machine::{BlockPlace, Fault, Machine, Pause, shown};
-use crate::words::{Language, Message, Words};
+use crate::words::{Language, Words};
 
 /// Prints windows as they open, and with a trace every block before.
 pub(super) struct Printer {
@@ -81,12 +83,12 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &m
     // A file that is printed to a thousand times is one file.
     written.dedup();
     for path in written {
-        io.tell(format_args!("wrote {path}"))?;
+        io.tell(Note::Wrote { path: path.to_string() })?;
     }
     Ok(())
 }
 
 /// Why the run stopped.
 pub(super) fn tell_fault(fault: &Fault, language: Language, io: &mut Io<'_>) -> Result<(), CliError> {
-    io.tell(format_args!("fitcheck: {}", Words::new(language).told(fault)))
+    io.fail(Words::new(language).told(fault))
 }

@@ -3,12 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use clap::builder::PossibleValuesParser;
-
-use crate::cli::{CliError, Io, Outcome, StandardArgs, heard_or_not, read_input, save};
-use crate::control::deviations::read_table;
+use crate::cli::args::one_of;
+use crate::cli::{CliError, Io, Note, Outcome, Refused as _, StandardArgs, What, heard_or_not, read_table, save};
 use crate::control::shipped_tables;
-use crate::exchange::tables::{TABLE_FORMATS, TableFormat, table_format};
+use crate::exchange::tables::{TABLE_FORMATS, TableFormat};
 use crate::length::Length;
 use crate::tolerance::compare::compare;
 use crate::tolerance::iso286;
@@ -59,8 +57,8 @@ pub(super) struct NewArgs {
     #[command(flatten)]
     choice: Choice,
     /// Which generation of controls the table is for
-    #[arg(long, default_value = "itnc530", value_parser = PossibleValuesParser::new(["itnc530", "tnc640", "tnc7"]))]
-    generation: String,
+    #[arg(long, default_value = "itnc530", value_parser = one_of(generations(), |format| format.name))]
+    generation: &'static TableFormat,
     /// The table's file, *.tab
     #[arg(short, long, value_name = "FILE.tab")]
     output: PathBuf,
@@ -79,8 +77,8 @@ pub(super) struct ExportArgs {
     #[command(flatten)]
     choice: Choice,
     /// The format
-    #[arg(long, value_parser = PossibleValuesParser::new(TABLE_FORMATS.iter().map(|format| format.name)))]
-    format: String,
+    #[arg(long, value_parser = one_of(TABLE_FORMATS, |format| format.name))]
+    format: &'static TableFormat,
     /// The file to write; - or nothing is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -89,17 +87,16 @@ pub(super) struct ExportArgs {
 impl NewArgs {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let classes = classes(&self.classes)?;
-        let format = format(&self.generation)?;
         let is_table = self.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("tab"));
         if !is_table {
-            return Err(CliError::Data(format!("{}: the name of a control table ends in .tab", self.output.display())));
+            return Err(CliError::TableEnding { path: self.output.clone() });
         }
         // Everything is made before anything is written.
         let mut files = Vec::new();
         for (path, classes) in self.parts(&classes) {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             let table = self.choice.table(&name, &classes, io)?;
-            files.push((path, (format.write)(&table).map_err(|error| CliError::Data(format!("{name}: {error}")))?));
+            files.push((path, (self.generation.write)(&table).about(&name)?));
         }
         for (path, bytes) in files {
             save(&path, &bytes, io)?;
@@ -130,14 +127,13 @@ impl Choice {
             }
             None => standard_table(name, classes, size(&self.to)?, options),
         };
-        let table = made.map_err(|error: MakeError| CliError::Data(error.to_string()))?;
+        let table = made.said()?;
         let mut empty: Vec<_> = compare(&table, options).differences.into_iter().map(|d| (d.class, d.range)).collect();
         empty.dedup();
         for (class, range) in empty {
             let over = range.checked_sub(1).and_then(|before| table.ends().get(before)).copied().unwrap_or_default();
             let to = table.ends().get(range).copied().unwrap_or_default();
-            let why = "is left empty: ISO 286 has no single value for all of it";
-            io.tell(format_args!("warning: {name}: {class} over {over} up to {to} mm {why}"))?;
+            io.warn_about(name, &Note::EmptyCell { class, over, to })?;
         }
         Ok(table)
     }
@@ -145,17 +141,15 @@ impl Choice {
 
 impl ExportArgs {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let format = format(&self.format)?;
+        let format = self.format;
         let output = self.output.as_deref().filter(|path| *path != Path::new("-"));
         if let Some(path) = output.filter(|path| !format.fits(path)) {
-            let (name, endings) = (format.name, format.endings.join(", ."));
-            return Err(CliError::Data(format!("{}: a file of format {name} ends in .{endings}", path.display())));
+            let (path, endings) = (path.to_owned(), format.endings.join(", ."));
+            return Err(CliError::FormatEnding { path, format: format.name, endings });
         }
         let tables = self.tables(io)?;
         if format.endings.contains(&"tab") && 1 < tables.len() {
-            return Err(CliError::Data(
-                "a control table is one file: name one table, or classes of one feature".into(),
-            ));
+            return Err(CliError::SeveralTables);
         }
         let mut bytes = Vec::new();
         for (number, table) in tables.iter().enumerate() {
@@ -163,7 +157,7 @@ impl ExportArgs {
             let file = output.and_then(Path::file_name).filter(|_| format.endings.contains(&"tab"));
             let renamed = file.map(|file| table.named(&file.to_string_lossy()));
             let table = renamed.as_ref().unwrap_or(table);
-            let part = (format.write)(table).map_err(|error| CliError::Data(format!("{}: {error}", table.name())))?;
+            let part = (format.write)(table).about(table.name())?;
             // One header, however many tables.
             let header =
                 if format.name == "csv" && 0 < number { part.iter().position(|byte| *byte == b'\n') } else { None };
@@ -174,7 +168,7 @@ impl ExportArgs {
             None => heard_or_not(io.out.write_all(&bytes))?,
         }
         if let Some(caution) = tables.iter().find_map(|table| (format.caution)(table)) {
-            io.tell(format_args!("warning: {caution}"))?;
+            io.warn(&caution)?;
         }
         Ok(Outcome::Done)
     }
@@ -194,18 +188,8 @@ impl ExportArgs {
         if self.files.is_empty() {
             return Ok(shipped_tables());
         }
-        self.files.iter().map(|path| table_file(path, io)).collect()
+        self.files.iter().map(|path| Ok(Arc::new(read_table(path, io)?.0))).collect()
     }
-}
-
-fn table_file(path: &Path, io: &mut Io<'_>) -> Result<Arc<DeviationTable>, CliError> {
-    let (name, bytes) = read_input(path, io)?;
-    let read = read_table(&bytes, &name, &name, false);
-    let (table, warnings) = read.map_err(|error| CliError::Data(error.to_string()))?;
-    for warning in warnings {
-        io.tell(format_args!("warning: {warning}"))?;
-    }
-    table.map(Arc::new).ok_or_else(|| CliError::Data(format!("{name} is no table of deviations")))
 }
 
 /// Classes by name, or one of the two lists.
@@ -219,18 +203,17 @@ fn classes(text: &str) -> Result<Vec<ToleranceClass>, CliError> {
         }
         text => {
             let words = text.split([' ', ',', ';']).filter(|word| !word.is_empty());
-            let classes: Result<_, _> = words.map(str::parse::<ToleranceClass>).collect();
-            classes.map_err(|error| CliError::Data(error.to_string()))?
+            words.map(str::parse).collect::<Result<_, _>>().said()?
         }
     };
-    if found.is_empty() { Err(CliError::Data(MakeError::NoClass.to_string())) } else { Ok(found) }
+    if found.is_empty() { Err(MakeError::NoClass).said() } else { Ok(found) }
+}
+
+/// The formats of control tables.
+fn generations() -> impl Iterator<Item = &'static TableFormat> {
+    TABLE_FORMATS.iter().filter(|format| format.endings.contains(&"tab"))
 }
 
 fn size(text: &str) -> Result<Length, CliError> {
-    text.parse().map_err(|error| CliError::Data(format!("size: {error}")))
-}
-
-fn format(name: &str) -> Result<&'static TableFormat, CliError> {
-    // Names come from the list, so clap has refused every other.
-    table_format(name).ok_or_else(|| CliError::Data(format!("{name} is no format of a table")))
+    text.parse().about(&What::Size)
 }

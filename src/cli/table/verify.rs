@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::cli::{CliError, Figure, Format, Io, Outcome, StandardArgs, heard_or_not, read_input};
-use crate::control::deviations::read_table;
+use crate::cli::{CliError, Figure, Format, Io, Outcome, Refused as _, StandardArgs, heard_or_not, read_table};
 use crate::control::shipped_tables;
 use crate::control::table::{ControlTable, Place, TableFile};
 use crate::length::{Length, Unit};
@@ -91,7 +90,7 @@ impl Args {
                 // The other files are compared all the same.
                 Err(error) => {
                     bad = true;
-                    io.tell(format_args!("fitcheck: {error}"))?;
+                    io.fail(error)?;
                 }
             }
         }
@@ -105,14 +104,8 @@ impl Args {
     }
 
     fn file(&self, path: &std::path::Path, io: &mut Io<'_>) -> Result<Verified, CliError> {
-        let (name, bytes) = read_input(path, io)?;
-        let data = |error: &dyn std::fmt::Display| CliError::Data(error.to_string());
-        let (table, warnings) = read_table(&bytes, &name, &name, false).map_err(|error| data(&error))?;
-        for warning in &warnings {
-            io.tell(format_args!("warning: {warning}"))?;
-        }
-        let table = table.ok_or_else(|| CliError::Data(format!("{name} is no table of deviations")))?;
-        let file = ControlTable::read(&bytes, &name).map_err(|error| data(&error))?;
+        let (table, name, bytes) = read_table(path, io)?;
+        let file = ControlTable::read(&bytes, &name).said()?;
         Ok(self.compared(Arc::new(table), Some(file)))
     }
 
@@ -226,7 +219,6 @@ fn pair(deviations: &Deviations) -> String {
 }
 
 fn write_csv(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {
-    let failed = |error: csv::Error| CliError::Data(error.to_string());
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     let names = [
         "file",
@@ -243,13 +235,13 @@ fn write_csv(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {
         "column",
         "reason",
     ];
-    writer.write_record(names).map_err(failed)?;
+    writer.write_record(names)?;
     for one in verified {
         for difference in &one.found.differences {
-            writer.serialize(one.row(difference)).map_err(failed)?;
+            writer.serialize(one.row(difference))?;
         }
     }
-    let bytes = writer.into_inner().map_err(|error| CliError::Data(error.to_string()))?;
+    let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
     heard_or_not(io.out.write_all(&bytes))
 }
 
@@ -265,6 +257,5 @@ fn write_json(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {
             differences: one.found.differences.iter().map(|difference| one.row(difference)).collect(),
         })
         .collect();
-    let text = serde_json::to_string_pretty(&answers).map_err(|error| CliError::Data(error.to_string()))?;
-    heard_or_not(writeln!(io.out, "{text}"))
+    io.json(&answers)
 }

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use crate::control::table::{Located, TableError, TableWarning};
 use crate::files::FileError;
 use crate::length::{Length, LengthError, signed_mm};
+use crate::message::{Message, Say};
 use crate::tolerance::table::TableShapeError;
 use crate::tolerance::{DeviationsError, ToleranceClass};
-use crate::words::{Message, Say};
 
 /// Why tables of deviations cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

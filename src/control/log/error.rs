@@ -3,9 +3,9 @@
 use std::fmt;
 
 use crate::length::LengthError;
+use crate::message::{Message, Say};
 use crate::probing::cycle::Log;
 use crate::probing::cycles::CYCLES;
-use crate::words::{Message, Say};
 
 /// Why a log cannot be used, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -4,14 +4,14 @@
 //! goes by order and numbers and never asks for them.
 
 use std::collections::BTreeMap;
-use std::sync::LazyLock;
 
 use serde::Deserialize;
 
 use crate::probing::cycle::LogFigure;
-use crate::words::Language;
+use crate::shipped;
+use crate::words::{Dialogue, PerDialogue};
 
-/// The words of one language.
+/// The words of one dialogue language.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(in crate::control) struct Labels {
@@ -69,23 +69,14 @@ pub(in crate::control) struct Surface {
 }
 
 impl Labels {
-    /// The words of a language.
-    pub(in crate::control) fn of(language: Language) -> &'static Self {
-        static LABELS: LazyLock<[Labels; 4]> = LazyLock::new(|| {
-            [
-                shipped(include_str!("../../../assets/logs/en.toml")),
-                shipped(include_str!("../../../assets/logs/nl.toml")),
-                shipped(include_str!("../../../assets/logs/de.toml")),
-                shipped(include_str!("../../../assets/logs/it.toml")),
-            ]
+    /// The words of a dialogue language.
+    pub(in crate::control) fn of(dialogue: Dialogue) -> &'static Self {
+        static LABELS: PerDialogue<Labels> = PerDialogue::new(|dialogue| {
+            let text = shipped::text(shipped::LOGS, &format!("{dialogue}.toml"));
+            #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
+            toml::from_str(text).expect("words of logs can be read")
         });
-        let [en, nl, de, it] = &*LABELS;
-        match language {
-            Language::En => en,
-            Language::Nl => nl,
-            Language::De => de,
-            Language::It => it,
-        }
+        LABELS.of(dialogue)
     }
 
     /// The title of a cycle's log; a test finds one that is missing.
@@ -100,12 +91,6 @@ impl Labels {
     }
 }
 
-/// Words that are part of the program; a test reads all of them.
-fn shipped(text: &str) -> Labels {
-    #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
-    toml::from_str(text).expect("words of logs can be read")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -114,7 +99,7 @@ mod tests {
 
     #[test]
     fn every_language_has_the_words_of_every_cycle() {
-        for language in Language::ALL {
+        for language in Dialogue::ALL {
             let labels = Labels::of(language);
             for cycle in CYCLES {
                 let Log::Text(log) = cycle.log else { continue };

@@ -5,7 +5,7 @@ use jiff::civil::Time;
 use super::labels::Labels;
 use super::{Figure, Further, LimitPair, Log};
 use crate::length::{Length, Unit};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// Decimals of a log's figures, in millimetres as in inches: those of the maker's published log; for inches our rule.
 pub(super) const DECIMALS: usize = 4;
@@ -33,7 +33,7 @@ impl Log {
     /// The log's own limits decide what the log says: where a figure is finer than the log prints, its verdict may
     /// be another than that of the measurement. Compare the two before relying on the file.
     #[must_use]
-    pub fn printed(&self, language: Language) -> Self {
+    pub fn printed(&self, language: Dialogue) -> Self {
         let labels = Labels::of(language);
         let round = |length: Length| on_grid(length, self.unit);
         let pair = |pair: LimitPair| LimitPair { maximum: round(pair.maximum), minimum: round(pair.minimum) };
@@ -83,14 +83,14 @@ impl LimitPair {
 
 impl Further {
     /// The measuring height, which every log ends with.
-    pub fn measuring_height(height: Length, unit: Unit, language: Language) -> Self {
+    pub fn measuring_height(height: Length, unit: Unit, language: Dialogue) -> Self {
         let label = Labels::of(language).measuring_height.clone();
         Self { label, value: height.rounded(unit, DECIMALS) }
     }
 
     /// The result as it is printed: the measuring height is named in the log's language, a number has a point.
     pub(super) fn printed(&self, labels: &Labels) -> Self {
-        let known = Language::ALL.map(|language| &Labels::of(language).measuring_height);
+        let known = Dialogue::ALL.map(|language| &Labels::of(language).measuring_height);
         let label = if known.contains(&&self.label) { &labels.measuring_height } else { &self.label };
         let is_number = Length::parse_in(&self.value, Unit::Millimetre).is_ok();
         let value = if is_number { self.value.replace(',', ".") } else { self.value.clone() };

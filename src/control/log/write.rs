@@ -13,8 +13,9 @@ use super::labels::Labels;
 use super::model::DECIMALS;
 use super::{Figure, LimitPair, Log, LogError, LogReason, layout, read};
 use crate::length::{Length, Unit};
+use crate::message::{Message, Say};
 use crate::probing::cycle::{FigureKind, LogFigure, TextLog};
-use crate::words::{Language, Message, Say};
+use crate::words::Dialogue;
 
 /// Characters of a label and its colon (our rule).
 const LABEL_WIDTH: usize = 46;
@@ -84,7 +85,7 @@ impl Say for LogWriteError {
 /// ```
 /// use fitcheck::control::log::{self, Figure, Further, LimitPair, Log};
 /// use fitcheck::length::Unit;
-/// use fitcheck::words::Language;
+/// use fitcheck::words::Dialogue;
 ///
 /// let limits = LimitPair { maximum: "5.1".parse()?, minimum: "4.95".parse()? };
 /// let coordinate = Figure::bare(Some(limits), "5.0231".parse()?);
@@ -92,18 +93,18 @@ impl Say for LogWriteError {
 ///     date: Some(jiff::civil::date(2024, 3, 14)),
 ///     time: Some(jiff::civil::time(8, 5, 9, 0)),
 ///     program: Some(r"TNC:\PART1.H".to_owned()),
-///     further: vec![Further::measuring_height("-3".parse()?, Unit::Millimetre, Language::En)],
+///     further: vec![Further::measuring_height("-3".parse()?, Unit::Millimetre, Dialogue::En)],
 ///     ..Log::new(427, vec![coordinate], Unit::Millimetre)
 /// };
-/// let bytes = log::write(&log, Language::En)?;
+/// let bytes = log::write(&log, Dialogue::En)?;
 /// assert!(bytes.starts_with(b"Measuring log for touch probe cycle 427"));
-/// assert_eq!(log::read(&bytes), [Ok(log.printed(Language::En))]);
+/// assert_eq!(log::read(&bytes), [Ok(log.printed(Dialogue::En))]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// [`LogWriteError`]: whatever would not be read back as the same log.
-pub fn write(log: &Log, language: Language) -> Result<Vec<u8>, LogWriteError> {
+pub fn write(log: &Log, language: Dialogue) -> Result<Vec<u8>, LogWriteError> {
     let bytes = encode(&text(log, language)?);
     reads_back(&read(&bytes), log, language)?;
     Ok(bytes)
@@ -116,7 +117,7 @@ pub fn write(log: &Log, language: Language) -> Result<Vec<u8>, LogWriteError> {
 /// # Errors
 /// As for [`write()`]; [`LogWriteError::Unfinished`] where the file ends within a line, because a figure that was cut
 /// off would look whole with something behind it.
-pub fn append(file: &[u8], log: &Log, language: Language) -> Result<Vec<u8>, LogWriteError> {
+pub fn append(file: &[u8], log: &Log, language: Dialogue) -> Result<Vec<u8>, LogWriteError> {
     if file.is_empty() {
         return write(log, language);
     }
@@ -144,7 +145,7 @@ pub fn append(file: &[u8], log: &Log, language: Language) -> Result<Vec<u8>, Log
 }
 
 /// Whether the one log that was read is the one that was written.
-fn reads_back(read: &[Result<Log, LogError>], log: &Log, language: Language) -> Result<(), LogWriteError> {
+fn reads_back(read: &[Result<Log, LogError>], log: &Log, language: Dialogue) -> Result<(), LogWriteError> {
     let read = match read {
         [Ok(read)] => read,
         [Err(error)] => return Err(LogWriteError::Contradiction(error.reason.clone())),
@@ -160,7 +161,7 @@ fn reads_back(read: &[Result<Log, LogError>], log: &Log, language: Language) -> 
     Ok(())
 }
 
-fn text(log: &Log, language: Language) -> Result<String, LogWriteError> {
+fn text(log: &Log, language: Dialogue) -> Result<String, LogWriteError> {
     let labels = Labels::of(language);
     let wrong = LogWriteError::Cycle { cycle: log.cycle };
     let layout = layout(log.cycle).filter(|layout| fits(layout, &log.figures)).ok_or(wrong)?;
@@ -287,7 +288,7 @@ fn encode(text: &str) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::words::Words;
+    use crate::words::{Language, Words};
 
     #[test]
     fn every_error_is_said_in_english_and_dutch() {

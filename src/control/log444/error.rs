@@ -1,8 +1,8 @@
 //! What is wrong with a measurement of cycle 444 or with its page.
 
 use crate::length::{Length, LengthError, signed_mm};
+use crate::message::{Message, Say};
 use crate::verdict::Status;
-use crate::words::{Message, Say};
 
 /// Why a page or one of its measurements cannot be used or written, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -13,7 +13,7 @@ use crate::control::log::labels::{Labels, Surface};
 use crate::control::status::status_word;
 use crate::length::{Length, Unit};
 use crate::verdict::Status;
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// How dates are written: as in the report.
 const DATE: &str = "%Y-%m-%d %H:%M:%S";
@@ -24,7 +24,7 @@ const DECIMALS: usize = 4;
 #[derive(Template)]
 #[template(path = "444.html", config = "assets/logs/askama.toml")]
 struct Page {
-    language: Language,
+    language: Dialogue,
     words: &'static Surface,
     count_name: &'static str,
     rows: Vec<Row>,
@@ -62,7 +62,7 @@ struct Axis {
 /// ```
 /// use fitcheck::control::log444::{self, Band, PointLog};
 /// use fitcheck::length::{Length, Unit};
-/// use fitcheck::words::Language;
+/// use fitcheck::words::Dialogue;
 ///
 /// let band = Band { upper: "0.4".parse()?, lower: "-0.1".parse()? };
 /// let deviation = "0.0123".parse()?;
@@ -79,8 +79,8 @@ struct Axis {
 ///     band: Some(band),
 ///     status: Some(band.status(deviation)),
 /// };
-/// let page = log444::write(std::slice::from_ref(&log), Language::En)?;
-/// let both = log444::append(&page, &log, Language::En)?;
+/// let page = log444::write(std::slice::from_ref(&log), Dialogue::En)?;
+/// let both = log444::append(&page, &log, Dialogue::En)?;
 /// let read: Vec<_> = log444::read(&both).into_iter().flatten().map(|(_, log)| log).collect();
 /// assert_eq!(read, [log.clone(), log]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -88,7 +88,7 @@ struct Axis {
 ///
 /// # Errors
 /// [`PointLogError`] with the number of the first measurement that contradicts itself.
-pub fn write(logs: &[PointLog], language: Language) -> Result<Vec<u8>, PointLogError> {
+pub fn write(logs: &[PointLog], language: Dialogue) -> Result<Vec<u8>, PointLogError> {
     let words = &Labels::of(language).surface;
     let rows = logs.iter().zip(1..).map(|(log, number)| {
         log.check().and_then(|()| row(log, number, words, language)).map_err(|fault| fault.at(number))
@@ -104,7 +104,7 @@ pub fn write(logs: &[PointLog], language: Language) -> Result<Vec<u8>, PointLogE
 /// # Errors
 /// As for [`write()`]; [`PointLogError`] of the page where it is not one of these or is damaged: nothing is added to it
 /// then.
-pub fn append(page: &[u8], log: &PointLog, language: Language) -> Result<Vec<u8>, PointLogError> {
+pub fn append(page: &[u8], log: &PointLog, language: Dialogue) -> Result<Vec<u8>, PointLogError> {
     let mut logs = Vec::new();
     if !page.is_empty() {
         for answer in read(page) {
@@ -115,7 +115,7 @@ pub fn append(page: &[u8], log: &PointLog, language: Language) -> Result<Vec<u8>
     write(&logs, language)
 }
 
-fn row(log: &PointLog, number: usize, words: &Surface, language: Language) -> Result<Row, PointFault> {
+fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Result<Row, PointFault> {
     let unit = log.unit;
     let plain = |length: Length| people(&length.exact(unit, DECIMALS), language);
     let signed = |length: Length| {
@@ -163,8 +163,8 @@ const fn class(status: Option<Status>) -> &'static str {
 }
 
 /// A plain number as people of the language read it.
-fn people(plain: &str, language: Language) -> String {
-    let sign = language.decimal_sign().to_string();
+fn people(plain: &str, language: Dialogue) -> String {
+    let sign = language.words().decimal_sign.to_string();
     plain.replace('.', &sign).replace('-', "\u{2212}")
 }
 

@@ -1,6 +1,6 @@
 //! What can be wrong with a mask, or with rendering it.
 
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// Why a mask cannot be read. Lines and columns count from 1, columns in characters.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -5,13 +5,13 @@ use jiff::civil::DateTime;
 use super::{Format, Keyword, Kind, Line, Mask, Name, Record, RenderError};
 use crate::control::mask::Part;
 use crate::control::variables::{Family, Value, Variables};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// What a mask prints besides parameters.
 #[derive(Debug, Clone, Copy)]
 pub struct Context<'a> {
     /// The dialogue language, for `L_` sections.
-    pub language: Language,
+    pub language: Dialogue,
     /// Local date and time.
     pub time: DateTime,
     /// Path of the NC program, for `CALL_PATH`.
@@ -53,7 +53,7 @@ impl Mask {
         for line in &self.lines {
             match line {
                 Line::Language(language) => {
-                    speaks = language.as_deref().is_none_or(|word| word == language_word(context.language));
+                    speaks = language.as_deref().is_none_or(|word| word == context.language.words().mask_language);
                 }
                 Line::Keyword(Keyword::Close) => output.close = true,
                 Line::Keyword(Keyword::Append) => output.file = FileUse::Append,
@@ -74,14 +74,6 @@ impl Mask {
 }
 
 /// The control's word for a language, as in its tables.
-const fn language_word(language: Language) -> &'static str {
-    match language {
-        Language::En => "ENGLISH",
-        Language::Nl => "DUTCH",
-        Language::De => "GERMAN",
-        Language::It => "ITALIAN",
-    }
-}
 
 impl Record {
     /// Whether a text parameter is empty, for `M_EMPTY_HIDE`. An undefined one stays an error: a slip in its number must

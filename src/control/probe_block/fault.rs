@@ -1,7 +1,7 @@
 //! What is wrong with the block of a probing cycle, and where.
 
+use crate::message::{Message, Say};
 use crate::probing::cycle::{CycleError, Key};
-use crate::words::{Message, Say};
 
 /// Why a block cannot be read or written.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

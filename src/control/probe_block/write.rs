@@ -3,7 +3,7 @@
 use super::fault::{ProbeBlockError, ProbeBlockFault};
 use super::shown;
 use crate::probing::cycle::{Control, Cycle, Inputs, Key, Parameter, Value};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// Between lines.
 const LINE_END: &str = "\r\n";
@@ -15,17 +15,17 @@ const LINE_END: &str = "\r\n";
 /// use fitcheck::control::probe_block::write;
 /// use fitcheck::probing::cycle::Inputs;
 /// use fitcheck::probing::cycles::cycle_named;
-/// use fitcheck::words::Language;
+/// use fitcheck::words::Dialogue;
 ///
 /// let cycle = cycle_named("427").unwrap();
-/// let block = write(cycle, &cycle.set(Inputs::new(), "Q263", "35")?, Language::It)?;
+/// let block = write(cycle, &cycle.set(Inputs::new(), "Q263", "35")?, Dialogue::It)?;
 /// assert!(block.starts_with("TCH PROBE 427 MISURAZ. COORDINATA ~\r\n    Q263=+35   ;1. PUNTO 1. ASSE ~\r\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// [`ProbeBlockFault::NotWritable`], with the line of the block, for a text that no block can hold.
-pub fn write(cycle: &Cycle, inputs: &Inputs, language: Language) -> Result<String, ProbeBlockError> {
+pub fn write(cycle: &Cycle, inputs: &Inputs, language: Dialogue) -> Result<String, ProbeBlockError> {
     let mut pairs = Vec::new();
     for (line, parameter) in (2..).zip(cycle.parameters) {
         let given = inputs.value(parameter.key).cloned();

@@ -5,7 +5,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// A place in a file. Line and column count from 1; the column counts characters, not bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]

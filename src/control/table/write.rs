@@ -4,7 +4,7 @@
 //! back as the same table, or it is an error. Rules: `docs/SOURCES.md`.
 
 use crate::control::text::decode;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 use super::{Column, Comment, CommentPlace, ControlTable, Generation};
 

@@ -15,8 +15,8 @@ mod pcdmis;
 use std::path::Path;
 
 use crate::control::table::WriteError;
+use crate::message::{Message, Say};
 use crate::tolerance::{DeviationTable, ToleranceClass};
-use crate::words::{Message, Say};
 
 /// A format that a table of deviations is written in.
 #[derive(Debug, Clone, Copy)]

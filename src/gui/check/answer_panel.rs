@@ -6,8 +6,9 @@ use crate::gui::verdict_card::{card_ui, half_um, status_id};
 use crate::gui::view::{Digits, View, quiet};
 use crate::journal::Record;
 use crate::length::Length;
+use crate::message::{Message, Say};
 use crate::verdict::PositionVerdict;
-use crate::words::{Message, Say, Words};
+use crate::words::Words;
 
 /// The verdict card and the reasons below it.
 pub(super) fn answer_ui(ui: &mut Ui, view: &View<'_>) {

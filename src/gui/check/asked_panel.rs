@@ -7,9 +7,9 @@ use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::session::{Command, Field, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
-use crate::words::{Message, Say as _};
 
 /// The panel's content.
 pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -9,9 +9,10 @@ use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
 use crate::length::Length;
+use crate::message::Message;
 use crate::report::band::{Band, Marker, Side};
 use crate::tolerance::{Feature, Limits};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// Heading and plot over the given height.
 pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {

@@ -10,7 +10,8 @@ use crate::gui::shapes::magnification;
 use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
-use crate::words::{Message, Say as _, Words};
+use crate::message::{Message, Say as _};
+use crate::words::Words;
 
 /// How far the largest deviation reaches, as a share of the nominal radius.
 const REACH: f64 = 0.3;

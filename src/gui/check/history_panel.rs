@@ -8,8 +8,9 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
+use crate::message::{Message, Say as _};
 use crate::session::Command;
-use crate::words::{Message, Say as _, Words};
+use crate::words::Words;
 
 fn unfolded_id() -> Id {
     Id::unique("history-unfolded")

@@ -5,7 +5,7 @@ use eframe::egui::{ComboBox, Ui};
 use crate::gui::popup::popup_ui;
 use crate::gui::view::{View, quiet};
 use crate::session::{Command, MaskChoice, Purpose};
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// The pop-up and what can be done with it.
 pub(super) fn status_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -37,7 +37,7 @@ pub(in crate::gui) fn mask_chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
             };
             let of_language = words.get("mask-choice-of-language");
             choice(ui, of_language, Command::SetMask(None));
-            for language in Language::ALL {
+            for language in Dialogue::ALL {
                 choice(ui, language.name().to_owned(), Command::SetMask(Some(language)));
             }
             let own = words.get("mask-choice-own");

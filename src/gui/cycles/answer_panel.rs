@@ -8,9 +8,10 @@ use crate::gui::theme::{self, sizes, space};
 use crate::gui::verdict_card::{card_ui, half_um, status_id};
 use crate::gui::view::{Digits, View, heading, quiet, quiet_cut};
 use crate::length::{Length, Unit};
+use crate::message::Message;
 use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
 use crate::session::{Command, CycleRun, CyclesCommand, Purpose, RunLog};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// The panel.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -6,10 +6,10 @@ use super::parameter_row::{figure_ui, parameter_ui};
 use super::{column_ui, keep_focus, opener_ui};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
+use crate::message::Message;
 use crate::probing::cycle::{Cycle, Key};
 use crate::probing::cycles::CYCLES;
 use crate::session::{Axis, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Purpose};
-use crate::words::Message;
 
 /// The panel.
 pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -27,7 +27,7 @@ pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn title(view: &View<'_>, cycle: &Cycle) -> String {
-    format!("{}  {}", cycle.code, cycle.name(view.words.language()))
+    format!("{}  {}", cycle.code, cycle.name(view.words.language().dialogue()))
 }
 
 /// All cycles, by the name that the control has for them.

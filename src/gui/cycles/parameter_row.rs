@@ -18,7 +18,7 @@ const UNIT: f32 = 7.0;
 /// The row; answers whether it has the focus.
 pub(super) fn parameter_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static Parameter) -> bool {
     let key = parameter.key;
-    let question = parameter.question(view.words.language());
+    let question = parameter.question(view.words.language().dialogue());
     let mut has_focus = false;
     row_ui(ui, format!("{key}  {question}"), |ui, name| {
         has_focus = match parameter.range {

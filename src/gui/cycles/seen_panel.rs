@@ -6,9 +6,10 @@ use super::form_panel::last_focused;
 use super::{column_ui, picture};
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, quiet};
+use crate::message::Message;
 use crate::probing::cycle::{Move, Parameter, Phase, Range, Unset, Value};
 use crate::session::{Command, CycleRun, CyclesCommand, Step};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// The panel.
 pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -56,7 +57,7 @@ fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             heading(ui, parameter.key.to_string());
-            ui.label(parameter.question(view.words.language()));
+            ui.label(parameter.question(view.words.language().dialogue()));
             quiet(ui, allowed(view, parameter));
             quiet(ui, default(view, parameter));
             if parameter.may_be_predef {

@@ -9,12 +9,12 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::session::{Command, Equivalent, FitCommand, Parts, WarmFit, extremes};
 use crate::tolerance::fit::preferred::{function, preference};
 use crate::tolerance::fit::{Actual, Fit, Kind, Possible, basis};
 use crate::tolerance::{Feature, Limits};
 use crate::verdict::Status;
-use crate::words::{Message, Say as _};
 
 /// The panel's content.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {

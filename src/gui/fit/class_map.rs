@@ -13,10 +13,10 @@ use super::staircase::staircase_ui;
 use crate::gui::class_chooser::feature_classes_id;
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
+use crate::message::Message;
 use crate::session::{ClassMap, Command, Direction, FitCommand, MapCell};
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::{Feature, ToleranceClass};
-use crate::words::Message;
 
 /// Where the columns of letters are: the same in the staircase and in the grid.
 #[derive(Debug, Clone, Copy)]

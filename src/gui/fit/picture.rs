@@ -8,10 +8,11 @@ use crate::gui::shapes::{self, Hatch};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet, quiet_cut};
 use crate::length::Length;
+use crate::message::Message;
 use crate::session::{Mark, Parts, Picture, PictureZone, extremes, measured_field};
 use crate::tolerance::fit::Fit;
 use crate::tolerance::{Feature, Limits};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// Heading and picture over a height.
 pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {

@@ -7,10 +7,10 @@ use super::parts_panel::pair_ui;
 use crate::gui::theme::{self, Hex, palette, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::length::Length;
+use crate::message::Message;
 use crate::session::{Command, Field, FitCommand};
 use crate::tolerance::Feature;
 use crate::tolerance::fit::search::{Candidate, Found, Scope};
-use crate::words::Message;
 
 /// How many rows the list shows at once.
 const ROWS: f32 = 6.0;

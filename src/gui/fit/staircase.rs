@@ -7,10 +7,10 @@ use super::class_map::Columns;
 use super::picture::screen;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
+use crate::message::Message;
 use crate::session::{ClassMap, Command, FitCommand};
 use crate::tolerance::Feature;
 use crate::tolerance::iso286::Grade;
-use crate::words::Message;
 
 /// The zones of a grade over a height.
 pub(super) fn staircase_ui(

@@ -9,11 +9,12 @@ use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, quiet};
+use crate::message::Message;
 use crate::nc::machine::{CycleRun, Window};
 use crate::probing::cycle::Value;
 use crate::session::program::Run;
 use crate::session::{Command, ProgramCommand};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// The most windows and cycles that are drawn; the last ones count.
 const MOST: usize = 20;

@@ -8,10 +8,10 @@ use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, problem, quiet};
+use crate::message::{Message, Say as _};
 use crate::session::program::{Agreement, Input, Run, WorkpieceFrom};
 use crate::session::{Command, CycleFile, CyclesCommand, ProgramCommand, ProgramField, Purpose};
 use crate::verdict::Status;
-use crate::words::{Message, Say as _};
 
 /// The panel's content.
 pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -11,10 +11,10 @@ use eframe::egui::{
 use super::paint;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
+use crate::message::Message;
 use crate::nc::program::Body;
 use crate::session::program::{BlockStep, Document, Run, State};
 use crate::session::{Command, ProgramCommand};
-use crate::words::Message;
 
 /// What the keys do.
 const STEPS: [(Key, BlockStep); 6] = [

@@ -5,10 +5,10 @@ use eframe::egui::{Button, Panel, RichText, ScrollArea, Sense, Ui, vec2};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
+use crate::message::Message;
 use crate::session::program::{ProblemKind, Run};
 use crate::session::{Command, ProgramCommand};
 use crate::verdict::Status;
-use crate::words::Message;
 
 /// How many lines are seen without scrolling.
 const LINES: u8 = 4;

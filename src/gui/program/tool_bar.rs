@@ -6,7 +6,8 @@ use eframe::egui::{Button, ComboBox, KeyboardShortcut, RichText, Sense, Ui, Widg
 use super::{BREAKPOINT, OPEN, PAUSE, RESET, RUN, STEP, STEP_OVER, TO_SELECTED, paint};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, list_height};
-use crate::session::program::{Document, EntryKind, Origin, Run, SHIPPED, Speed, State, Switch};
+use crate::nc::machine::Shipped;
+use crate::session::program::{Document, EntryKind, Origin, Run, Speed, State, Switch};
 use crate::session::{Command, ProgramCommand, Purpose};
 
 /// Two rows: what is done with the program, and where the run is.
@@ -53,7 +54,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
         .truncate()
         .height(list_height(ui));
     let response = combo.show_ui(ui, |ui| {
-        for (language, file) in SHIPPED {
+        for (language, file) in Shipped::main_programs() {
             let chosen = view.session.program().origin() == Some(&Origin::Shipped(file));
             let text = format!("{file}, {}", language.name());
             if ui.selectable_label(chosen, text).clicked() {

@@ -7,10 +7,10 @@ use crate::control::variables::Value;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
+use crate::message::Message;
 use crate::nc::machine::shown;
 use crate::session::program::{Name, Watched};
 use crate::session::{Command, ProgramCommand, ProgramField};
-use crate::words::Message;
 
 /// The panel's content.
 pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {

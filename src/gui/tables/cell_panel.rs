@@ -8,11 +8,11 @@ use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::session::tables::{Document, Origin};
 use crate::session::{Command, Field, TablesCommand};
 use crate::tolerance::compare::Difference;
 use crate::tolerance::{Deviations, ToleranceClass, iso286};
-use crate::words::{Message, Say as _};
 
 /// The selected cell.
 struct Selected<'a> {

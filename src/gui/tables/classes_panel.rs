@@ -5,9 +5,9 @@ use eframe::egui::{Button, Key, Ui};
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, heading, quiet};
+use crate::message::Message;
 use crate::session::tables::Document;
 use crate::session::{Command, Field, TablesCommand};
-use crate::words::Message;
 
 /// The panel's content.
 pub(super) fn classes_panel_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -13,10 +13,10 @@ use crate::gui::dialogs::just_opened;
 use crate::gui::field;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
+use crate::message::Message;
 use crate::session::tables::{Document, Step};
 use crate::session::{Command, Field, TablesCommand};
 use crate::tolerance::ToleranceClass;
-use crate::words::Message;
 
 /// What the keys do.
 const STEPS: [(Key, Step); 10] = [

@@ -9,10 +9,10 @@ use crate::gui::field::{Look, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, list_height, quiet};
+use crate::message::Message;
 use crate::session::tables::{Document, Origin, TableChoice};
 use crate::session::{Command, Field, Purpose, TablesCommand};
 use crate::verdict::Status;
-use crate::words::Message;
 
 /// Two rows: what is done with the table, and what is seen of it.
 pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {

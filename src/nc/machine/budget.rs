@@ -3,7 +3,8 @@
 use jiff::civil::DateTime;
 
 use crate::control::probe_table::ProbeTable;
-use crate::words::{Language, Message, Say};
+use crate::message::{Message, Say};
+use crate::words::Dialogue;
 
 /// What a run may use; each of them ends it with a fault of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +62,7 @@ impl Default for Budget {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// The dialogue language, for masks.
-    pub language: Language,
+    pub language: Dialogue,
     /// Local date and time, for masks and `SYSSTR`.
     pub time: DateTime,
     /// What the run may use.
@@ -78,7 +79,7 @@ pub struct Settings {
 
 impl Settings {
     /// The control's own: unknown blocks stop, blocks with a `/` run, M1 does not stop, the shipped touch-probe table.
-    pub fn new(language: Language, time: DateTime) -> Self {
+    pub fn new(language: Dialogue, time: DateTime) -> Self {
         Self {
             language,
             time,

@@ -10,10 +10,10 @@ use super::store::StoreError;
 use crate::control::mask::{MaskError, RenderError};
 use crate::control::table::{TableError, WriteError};
 use crate::control::variables::Parameter;
+use crate::message::{Message, Say};
 use crate::nc::program::{LabelFault, ProgramError};
 use crate::probing::cycle::CycleError;
 use crate::probing::simulated::WorkpieceError;
-use crate::words::{Message, Say};
 
 /// A block of a program.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// The drive of programs on these controls; no other is followed.
 const DRIVE: &str = "TNC:";

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::path::NcPath;
 use crate::control::variables::Parameter;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// Something worth knowing.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -35,11 +35,11 @@ pub(super) enum State {
 /// use fitcheck::nc::machine::{Contacts, Machine, Settings, Shipped, Step};
 /// use fitcheck::nc::program::Program;
 /// use fitcheck::control::variables::{Parameter, Value};
-/// use fitcheck::words::Language;
+/// use fitcheck::words::Dialogue;
 ///
 /// let text = b"BEGIN PGM sum MM\nQ1 = 5 * 3 + 2 * 10\nEND PGM sum MM\n";
 /// let program = Arc::new(Program::read(text)?.0);
-/// let settings = Settings::new(Language::En, jiff::civil::date(2026, 1, 31).at(12, 0, 0, 0));
+/// let settings = Settings::new(Dialogue::En, jiff::civil::date(2026, 1, 31).at(12, 0, 0, 0));
 /// let mut machine = Machine::new("sum.h", program, Shipped, Contacts::Perfect, settings);
 /// assert_eq!(machine.run(100)?, Step::Ended);
 /// assert_eq!(machine.variables().get(Parameter::q(1)), Some(&Value::Number(35.0)));

@@ -1,7 +1,7 @@
 //! What a step of the machine comes to.
 
+use crate::message::{Message, Say};
 use crate::probing::cycle::Stop;
-use crate::words::{Message, Say};
 
 /// What a step came to.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use super::path::NcPath;
 use crate::control::mask::FileUse;
 use crate::files;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
+use crate::shipped;
+use crate::words::Dialogue;
 
 /// Files as a program sees them. Paths are followed to their end before they come here.
 pub trait Store: Send {
@@ -79,25 +81,6 @@ impl Say for StoreError {
     }
 }
 
-/// The files that are embedded in the program.
-const SHIPPED: [(&str, &[u8]); 15] = [
-    ("8255_nl.h", include_bytes!("../../../assets/nc/8255_nl.h")),
-    ("8255_en.h", include_bytes!("../../../assets/nc/8255_en.h")),
-    ("8255_de.h", include_bytes!("../../../assets/nc/8255_de.h")),
-    ("8255_it.h", include_bytes!("../../../assets/nc/8255_it.h")),
-    ("82551_nl.h", include_bytes!("../../../assets/nc/82551_nl.h")),
-    ("82551_en.h", include_bytes!("../../../assets/nc/82551_en.h")),
-    ("82551_de.h", include_bytes!("../../../assets/nc/82551_de.h")),
-    ("82551_it.h", include_bytes!("../../../assets/nc/82551_it.h")),
-    ("82552_nl.a", include_bytes!("../../../assets/masks/82552_nl.a")),
-    ("82552_en.a", include_bytes!("../../../assets/masks/82552_en.a")),
-    ("82552_de.a", include_bytes!("../../../assets/masks/82552_de.a")),
-    ("82552_it.a", include_bytes!("../../../assets/masks/82552_it.a")),
-    ("82553_hole.tab", include_bytes!("../../../tables/82553_hole.tab")),
-    ("82553_shaft.tab", include_bytes!("../../../tables/82553_shaft.tab")),
-    ("tchprobe.tp", include_bytes!("../../../tables/tchprobe.tp")),
-];
-
 /// The programs, tables and masks that are embedded: found by file name, whatever the folder. Nothing is written.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Shipped;
@@ -105,12 +88,13 @@ pub struct Shipped;
 impl Shipped {
     /// The bytes of an embedded file.
     pub fn file(name: &str) -> Option<&'static [u8]> {
-        SHIPPED.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, bytes)| *bytes)
+        [shipped::NC, shipped::MASKS, shipped::TABLES].into_iter().find_map(|list| shipped::file(list, name))
     }
 
-    /// The names of all of them.
-    pub fn names() -> impl Iterator<Item = &'static str> {
-        SHIPPED.iter().map(|(name, _)| *name)
+    /// The programs that begin by themselves, one a dialogue language.
+    pub fn main_programs() -> impl Iterator<Item = (Dialogue, &'static str)> {
+        let named = |dialogue| shipped::NC.iter().find(|(name, _)| *name == format!("8255_{dialogue}.h"));
+        Dialogue::ALL.into_iter().filter_map(move |dialogue| Some((dialogue, named(dialogue)?.0)))
     }
 }
 

@@ -6,10 +6,11 @@ use super::*;
 use crate::control::mask::{MaskError, RenderError};
 use crate::control::table::{Located, Place, TableFault, WriteError};
 use crate::control::variables::Parameter;
+use crate::message::Say;
 use crate::nc::program::{LabelFault, ProgramError, Target};
 use crate::probing::cycle::CycleError;
 use crate::probing::simulated::WorkpieceError;
-use crate::words::{Language, Say, Words};
+use crate::words::{Language, Words};
 
 #[track_caller]
 fn check(what: &(impl Say + std::fmt::Display)) {

@@ -2,7 +2,7 @@
 
 use super::block::{Place, Target, Unit};
 use super::reason::Reason;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// Why a file is no program at all.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

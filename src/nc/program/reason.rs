@@ -1,7 +1,7 @@
 //! Why a block of a known kind cannot be understood.
 
 use crate::control::variables::Parameter;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// Why a block cannot be understood.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

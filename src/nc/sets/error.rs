@@ -4,10 +4,10 @@ use std::fmt;
 
 use crate::control::table::WriteError;
 use crate::length::{Length, LengthError, signed_mm};
+use crate::message::{Message, Say};
 use crate::probing::cycle::CycleError;
 use crate::tolerance::table::TableShapeError;
 use crate::tolerance::{Callout, CalloutError, LimitsError, ToleranceClass};
-use crate::words::{Message, Say};
 
 /// Where in a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -32,7 +32,7 @@ pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, MOST_FEATURES, NcFea
 use super::program::Program;
 use crate::control::mask::Mask;
 use crate::tolerance::{Feature, Limits, Sources};
-use crate::words::Language;
+use crate::words::Dialogue;
 use names::Names;
 
 /// Which control a set is for, and in which language.
@@ -41,14 +41,14 @@ pub struct Target {
     /// The generation.
     pub control: Control,
     /// The language of comments, status words and mask.
-    pub language: Language,
+    pub language: Dialogue,
     /// The folder on the control that the files will stand in: the paths in the programs.
     pub folder: ControlFolder,
 }
 
 impl Target {
     /// A control's usual folder.
-    pub fn new(control: Control, language: Language) -> Self {
+    pub fn new(control: Control, language: Dialogue) -> Self {
         Self { control, language, folder: control.usual_folder() }
     }
 }
@@ -84,11 +84,11 @@ impl NcSet {
     /// ```
     /// use fitcheck::nc::sets::{Control, NcFeature, NcPlan, NcSet, Target};
     /// use fitcheck::tolerance::Sources;
-    /// use fitcheck::words::Language;
+    /// use fitcheck::words::Dialogue;
     ///
     /// let feature = NcFeature::new("25 H7".parse()?, ["40", "30", "-8"].map(|mm| mm.parse().unwrap()));
     /// let plan = NcPlan::new(vec![feature])?;
-    /// let set = NcSet::make(&plan, &Target::new(Control::Tnc7, Language::En), &Sources::default())?;
+    /// let set = NcSet::make(&plan, &Target::new(Control::Tnc7, Dialogue::En), &Sources::default())?;
     /// let names: Vec<_> = set.files.iter().map(|file| file.name.as_str()).collect();
     /// assert_eq!(names, ["FIT_MAIN.H", "FIT_CHECK.H", "FIT_STATUS.A", "FIT_HOLE.TAB", "FIT_SHAFT.TAB", "README.TXT"]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

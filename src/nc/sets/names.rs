@@ -7,7 +7,6 @@ use super::Target;
 use super::error::SetError;
 use crate::control::table::Generation;
 use crate::tolerance::Feature;
-use crate::words::Language;
 
 /// A generation of controls that sets are written for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -140,12 +139,6 @@ impl<'a> Names<'a> {
     /// (manual 81762x-19); the other files follow.
     pub(super) fn new(target: &'a Target) -> Self {
         let language = target.language;
-        let readme = match language {
-            Language::En => "README.TXT",
-            Language::Nl => "LEESMIJ.TXT",
-            Language::De => "LIESMICH.TXT",
-            Language::It => "LEGGIMI.TXT",
-        };
         let [main, check, mask, hole, shaft] = match target.control {
             Control::Itnc530 => ["8255_", "82551_", "82552_", "82553_hole.tab", "82553_shaft.tab"],
             Control::Tnc640 | Control::Tnc7 => {
@@ -161,7 +154,7 @@ impl<'a> Names<'a> {
             check: full(check, ".h"),
             mask: full(mask, ".a"),
             tables: [hole, shaft],
-            readme,
+            readme: &language.words().readme,
         }
     }
 

@@ -9,7 +9,7 @@ use crate::length::Length;
 use crate::nc::machine::Shipped;
 use crate::nc::program::{Body, Program};
 use crate::tolerance::Feature;
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// The last block that computes a limit: behind it both are known.
 const MINIMUM: Parameter = Parameter::q(33);
@@ -39,7 +39,7 @@ impl ShippedBlock {
 }
 
 /// A shipped file of a language.
-fn shipped(name: &str, language: Language, ending: &str) -> &'static [u8] {
+fn shipped(name: &str, language: Dialogue, ending: &str) -> &'static [u8] {
     // They are part of Fitcheck, and tests make a set in every language.
     Shipped::file(&format!("{name}_{language}.{ending}")).unwrap_or_default()
 }

@@ -82,12 +82,12 @@ mod tests {
     use super::*;
     use crate::nc::sets::{Control, NcFeature, NcPlan, NcSet, Target};
     use crate::tolerance::Sources;
-    use crate::words::Language;
+    use crate::words::Dialogue;
 
     /// Makes a set, changes a text in one of its files, and runs it again.
     #[track_caller]
     fn check(name: &str, from: &str, to: &str, expected: &str) {
-        let target = Target::new(Control::Tnc7, Language::En);
+        let target = Target::new(Control::Tnc7, Dialogue::En);
         let places = [["0", "0", "0"], ["100", "0", "-5.5"]].map(|place| place.map(|mm| mm.parse().unwrap()));
         let callouts = ["25 H7", "20 g6"].map(|callout| callout.parse().unwrap());
         let features = callouts.into_iter().zip(places).map(|(callout, place)| NcFeature::new(callout, place));

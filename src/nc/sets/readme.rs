@@ -6,17 +6,12 @@
 use super::Planned;
 use super::error::SetRemark;
 use super::names::Names;
+use crate::shipped;
 use crate::tolerance::Feature;
-use crate::words::Language;
 
 /// The page as a file: Windows-1252, CRLF.
 pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRemark]) -> Vec<u8> {
-    let template = match names.target.language {
-        Language::En => include_str!("../../../assets/nc/readme_en.txt"),
-        Language::Nl => include_str!("../../../assets/nc/readme_nl.txt"),
-        Language::De => include_str!("../../../assets/nc/readme_de.txt"),
-        Language::It => include_str!("../../../assets/nc/readme_it.txt"),
-    };
+    let template = shipped::text(shipped::NC, &format!("readme_{}.txt", names.target.language));
     let mut page = String::new();
     for line in template.lines() {
         let Some(line) = for_control(line, names.target.control.code()) else { continue };

@@ -6,8 +6,8 @@
 
 use super::Circle;
 use crate::length::Length;
+use crate::message::{Message, Say};
 use crate::probing::contact::Contact;
-use crate::words::{Message, Say};
 
 /// Rounding of a coordinate, in units of the largest coordinate: contacts nearer to each other than this, or to a
 /// straight line, differ by rounding only.

@@ -1,7 +1,7 @@
 //! What an evaluation cannot tell, and what is suspicious about its contacts.
 
 use super::{Evaluation, MOST_FOR_ZONE};
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// An arc from here on counts as half a circle or more: a half circle may come out a rounding short.
 const HALF_CIRCLE_DEG: f64 = 180.0 - 1e-6;

@@ -5,9 +5,9 @@ use std::fmt;
 use super::key::Key;
 use super::parameter::Range;
 use crate::length::{Length, LengthError};
+use crate::message::{Message, Say};
 use crate::probing::circle::CircleError;
 use crate::probing::contact::NoContact;
-use crate::words::{Message, Say};
 
 /// Why a cycle did not run, or not to its end.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -37,8 +37,7 @@ pub use meaning::{Axis, Meaning};
 pub(crate) use parameter::number;
 pub use parameter::{Parameter, Range, Texts, Unset, UnsetWhere};
 pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Remark, Stop};
-pub(in crate::probing) use shown::mask_files;
-pub use shown::{FigureKind, Log, LogFigure, MaskFiles, TextLog, Window};
+pub use shown::{FigureKind, Log, LogFigure, TextLog, Window};
 pub(in crate::probing) use value::QUARTER_TURN;
 pub use value::{Angle, Value};
 
@@ -46,7 +45,7 @@ use super::contact::{Contact, Prober};
 use super::simulated::{Shape, Surface};
 use crate::length::Length;
 use crate::verdict::Status;
-use crate::words::Language;
+use crate::words::Dialogue;
 
 /// A measuring cycle of a control.
 #[derive(Debug)]
@@ -96,10 +95,10 @@ pub struct Measured {
 
 impl Cycle {
     /// The name in a language; English where the language has none, else the first there is.
-    pub fn name(&self, language: Language) -> &'static str {
+    pub fn name(&self, language: Dialogue) -> &'static str {
         let of = |wanted| self.names.iter().find(|(language, _)| *language == wanted).map(|(_, name)| *name);
         let first = || self.names.first().map(|(_, name)| *name);
-        of(language).or_else(|| of(Language::En)).or_else(first).unwrap_or_default()
+        of(language).or_else(|| of(Dialogue::En)).or_else(first).unwrap_or_default()
     }
 
     /// A parameter by its key; a bare number is that of a Q parameter.

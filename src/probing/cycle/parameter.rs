@@ -8,11 +8,12 @@ use super::key::Key;
 use super::meaning::Meaning;
 use super::value::{Angle, PREDEF, Value};
 use crate::length::{Length, LengthError};
+use crate::message::{Message, Say};
 use crate::tolerance::callout::qs400;
-use crate::words::{Language, Message, Say};
+use crate::words::Dialogue;
 
 /// Words of the control by dialogue language.
-pub type Texts = &'static [(Language, &'static str)];
+pub type Texts = &'static [(Dialogue, &'static str)];
 
 /// One parameter of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -257,14 +258,14 @@ impl Parameter {
     }
 
     /// The name in a dialogue language; English where the language has none.
-    pub fn name_in(&self, language: Language) -> &'static str {
+    pub fn name_in(&self, language: Dialogue) -> &'static str {
         in_language(self.names, language).unwrap_or(self.name)
     }
 
     /// The control's question in a dialogue language; else in English, else the name.
-    pub fn question(&self, language: Language) -> &'static str {
+    pub fn question(&self, language: Dialogue) -> &'static str {
         in_language(self.questions, language)
-            .or_else(|| in_language(self.questions, Language::En))
+            .or_else(|| in_language(self.questions, Dialogue::En))
             .unwrap_or_else(|| self.name_in(language))
     }
 
@@ -360,7 +361,7 @@ impl Parameter {
     }
 }
 
-fn in_language(texts: Texts, language: Language) -> Option<&'static str> {
+fn in_language(texts: Texts, language: Dialogue) -> Option<&'static str> {
     texts.iter().find(|(known, _)| *known == language).map(|(_, text)| *text)
 }
 

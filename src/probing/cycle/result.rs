@@ -7,10 +7,10 @@ use super::inputs::Inputs;
 use super::key::Key;
 use super::value::Value;
 use crate::length::Length;
+use crate::message::{Message, Say};
 use crate::probing::circle::{Circle, Evaluation, evaluate};
 use crate::probing::contact::Contact;
 use crate::verdict::{PositionVerdict, Removal, Status};
-use crate::words::{Message, Say};
 
 /// What a cycle found.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,7 +5,7 @@
 use super::key::Key;
 use super::meaning::{Axis, Meaning};
 use super::parameter::{Parameter, Texts};
-use crate::words::Language::{En, It};
+use crate::words::Dialogue::{En, It};
 
 const CHOSEN: &[i64] = &[0, 1];
 

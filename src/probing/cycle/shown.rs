@@ -2,7 +2,6 @@
 
 use super::meaning::{Axis, Meaning};
 use super::result::FoundName;
-use crate::words::Language;
 
 /// The status window that a cycle's result is drawn in.
 #[derive(Debug, Clone, Copy)]
@@ -11,28 +10,9 @@ pub enum Window {
     None,
     /// That of program 82551, which shows a diameter.
     Diameter,
-    /// One with a mask of the cycle's own.
-    Own(MaskFiles),
+    /// One with a mask of the cycle's own, by its name: `427` is drawn with `427_nl.a` and its like.
+    Own(&'static str),
 }
-
-/// A mask in each dialogue language: the bytes of `assets/masks/NAME_LANGUAGE.a`.
-pub type MaskFiles = &'static [(Language, &'static [u8])];
-
-/// The files of a mask by its name: `mask_files!("427")`.
-macro_rules! mask_files {
-    ($name:literal) => {
-        &[
-            (crate::words::Language::En, mask_files!($name, "en")),
-            (crate::words::Language::Nl, mask_files!($name, "nl")),
-            (crate::words::Language::De, mask_files!($name, "de")),
-            (crate::words::Language::It, mask_files!($name, "it")),
-        ]
-    };
-    ($name:literal, $code:literal) => {
-        include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/masks/", $name, "_", $code, ".a")) as &[u8]
-    };
-}
-pub(in crate::probing) use mask_files;
 
 /// The measuring log of a cycle.
 #[derive(Debug, Clone, Copy)]

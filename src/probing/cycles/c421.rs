@@ -3,7 +3,7 @@
 use super::circle_cycle::{Side, figures, parameters, run, subject, surface};
 use crate::probing::cycle::{Control, Cycle, Log, LogFigure, Parameter, TextLog, Window};
 use crate::tolerance::Feature;
-use crate::words::Language::{En, Nl};
+use crate::words::Dialogue::{En, Nl};
 
 const SIDE: Side = Side {
     feature: Feature::Hole,

@@ -1,9 +1,9 @@
 //! Cycle 423, measure rectangle inside: a pocket with its sides along the axes, limits in Q284 to Q287.
 
 use super::rectangle_cycle::{FIGURES, PARAMETERS, run, subject, surface};
-use crate::probing::cycle::{Control, Cycle, Log, TextLog, Window, mask_files};
+use crate::probing::cycle::{Control, Cycle, Log, TextLog, Window};
 use crate::tolerance::Feature;
-use crate::words::Language::En;
+use crate::words::Dialogue::En;
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
@@ -15,6 +15,6 @@ pub(super) const CYCLE: Cycle = Cycle {
     surface: |inputs| surface(Feature::Hole, inputs),
     run: |inputs, course| run(Feature::Hole, inputs, course),
     subject,
-    window: Window::Own(mask_files!("rectangle")),
+    window: Window::Own("rectangle"),
     log: Log::Text(TextLog { file: "TCHPR423.TXT", figures: FIGURES }),
 };

@@ -1,9 +1,9 @@
 //! Cycle 424, measure rectangle outside: a boss with its sides along the axes, limits in Q284 to Q287.
 
 use super::rectangle_cycle::{FIGURES, PARAMETERS, run, subject, surface};
-use crate::probing::cycle::{Control, Cycle, Log, TextLog, Window, mask_files};
+use crate::probing::cycle::{Control, Cycle, Log, TextLog, Window};
 use crate::tolerance::Feature;
-use crate::words::Language::En;
+use crate::words::Dialogue::En;
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
@@ -15,6 +15,6 @@ pub(super) const CYCLE: Cycle = Cycle {
     surface: |inputs| surface(Feature::Shaft, inputs),
     run: |inputs, course| run(Feature::Shaft, inputs, course),
     subject,
-    window: Window::Own(mask_files!("rectangle")),
+    window: Window::Own("rectangle"),
     log: Log::Text(TextLog { file: "TCHPR424.TXT", figures: FIGURES }),
 };

@@ -14,10 +14,9 @@ use crate::probing::cycle::shared::{
 };
 use crate::probing::cycle::{
     Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, along,
-    mask_files,
 };
 use crate::tolerance::Feature;
-use crate::words::Language::En;
+use crate::words::Dialogue::En;
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
@@ -47,7 +46,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     },
     run,
     subject,
-    window: Window::Own(mask_files!("width")),
+    window: Window::Own("width"),
     log: Log::Text(TextLog { file: "TCHPR425.TXT", figures: FIGURES }),
 };
 

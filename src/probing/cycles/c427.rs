@@ -13,11 +13,11 @@ use crate::probing::cycle::shared::{
 };
 use crate::probing::cycle::{
     Control, Course, Cycle, CycleError, FigureKind, Found, FoundName, Inputs, Key, Log, LogFigure, Meaning, Measured,
-    Parameter, Remark, TextLog, Window, along, limits, mask_files, nearest,
+    Parameter, Remark, TextLog, Window, along, limits, nearest,
 };
 use crate::probing::simulated::{Face, Surface};
 use crate::tolerance::Feature;
-use crate::words::Language::{En, It};
+use crate::words::Dialogue::{En, It};
 
 /// The declaration, in the order of the seed's example.
 pub(super) const CYCLE: Cycle = Cycle {
@@ -64,7 +64,7 @@ pub(super) const CYCLE: Cycle = Cycle {
             .find(|(_, axis)| *axis == inputs.whole(272))
             .map(|(name, _)| name.to_owned())
     },
-    window: Window::Own(mask_files!("427")),
+    window: Window::Own("427"),
     log: Log::Text(TextLog {
         file: "TCHPR427.TXT",
         figures: &[LogFigure { what: FoundName::COORDINATE, word: "coordinate", kind: FigureKind::Coordinate }],

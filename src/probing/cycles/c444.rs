@@ -9,12 +9,12 @@ use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, POINT_1, POINT_2, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
     Axis, Check, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Parameter,
-    Range, Remark, Stop, Value, Window, along, mask_files, nearest,
+    Range, Remark, Stop, Value, Window, along, nearest,
 };
 use crate::probing::simulated::{FreePoint, Surface};
 use crate::tolerance::{Deviations, Feature};
 use crate::verdict::{Status, classify};
-use crate::words::Language::{En, Nl};
+use crate::words::Dialogue::{En, Nl};
 
 /// The permitted deviation along the normal, as a text.
 const TOLERANCE: Key = Key::Qs(400);
@@ -50,7 +50,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     surface: |inputs| Surface::Point(FreePoint::flat(point(inputs), normal(inputs).unwrap_or_default())),
     run,
     subject: |_inputs| None,
-    window: Window::Own(mask_files!("444")),
+    window: Window::Own("444"),
     log: Log::Points { file: "TCHPR444.html" },
 };
 

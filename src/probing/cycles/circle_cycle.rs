@@ -16,7 +16,7 @@ use crate::probing::cycle::{
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
 use crate::verdict::Status;
-use crate::words::Language::En;
+use crate::words::Dialogue::En;
 
 /// The name of Q262.
 const NOMINAL_DIAMETER: &str = "NOMINAL DIAMETER";

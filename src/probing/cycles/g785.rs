@@ -15,7 +15,7 @@ use crate::probing::cycle::{
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
-use crate::words::Language::{De, En};
+use crate::words::Dialogue::{De, En};
 
 const PLANE: Key = Key::Word("R");
 const SIDE: Key = Key::Word("BR");

@@ -14,7 +14,7 @@ use crate::probing::cycle::{
 };
 use crate::probing::simulated::{Surface, Walls};
 use crate::tolerance::Feature;
-use crate::words::Language::{En, It};
+use crate::words::Dialogue::{En, It};
 
 /// The measured axis, one of the two of the plane.
 pub(super) const AXIS: Parameter = Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2])

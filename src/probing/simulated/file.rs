@@ -35,9 +35,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Face, FreePoint, Lobes, Machine, Probe, Shape, Surface, Walls, Workpiece, WorkpieceError, in_range};
+use crate::message::{Message, Say};
 use crate::probing::cycle::Plane;
 use crate::tolerance::Feature;
-use crate::words::{Message, Say};
 
 /// Steel, millionths per kelvin.
 const STEEL: f64 = 11.5;

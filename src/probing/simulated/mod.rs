@@ -35,7 +35,7 @@ use super::contact::{Contact, NoContact, Prober, Touch};
 use super::cycle::{Plane, along};
 use super::touch_probe::TouchProbe;
 use crate::length::Length;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// The largest coordinate and diameter, mm.
 const FARTHEST: f64 = 100_000.0;

@@ -2,10 +2,10 @@
 
 use super::{Step, WorkpieceField};
 use crate::control::probe_table::ProbeTable;
+use crate::message::Message;
 use crate::probing::Contact;
 use crate::probing::cycle::{Key, Plane};
 use crate::probing::simulated::{Shape, Simulation};
-use crate::words::Message;
 
 /// What can be done on the cycles page.
 #[derive(Debug, Clone)]

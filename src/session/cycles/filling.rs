@@ -5,11 +5,12 @@ use std::sync::Arc;
 use super::{ContactsFrom, CyclesPage, RecordedContacts, WorkpieceForm};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
+use crate::message::{Message, Say as _};
 use crate::probing::cycles::cycle;
 use crate::probing::simulated::{Probe, Simulation};
 use crate::probing::{Contact, Source};
 use crate::session::{Notice, SavedCycles, Session};
-use crate::words::{Language, Message, Say as _};
+use crate::words::Dialogue;
 
 impl CyclesPage {
     pub(super) fn choose(&mut self, number: u16) {
@@ -75,7 +76,7 @@ impl CyclesPage {
     }
 
     /// The form as a block for the clipboard, with the line ends of a text.
-    pub(super) fn written(&self, language: Language) -> Result<String, Message> {
+    pub(super) fn written(&self, language: Dialogue) -> Result<String, Message> {
         let block = probe_block::write(self.cycle, &self.inputs, language);
         block.map(|block| block.replace("\r\n", "\n")).map_err(|error| error.message())
     }
@@ -134,7 +135,7 @@ impl Session {
         match result {
             Ok(table) => {
                 self.file_done();
-                let details: Vec<_> = table.warnings.iter().map(crate::words::Say::message).collect();
+                let details: Vec<_> = table.warnings.iter().map(crate::message::Say::message).collect();
                 if !details.is_empty() {
                     let message = Message::new("cycles-probes-loaded").text("name", &name);
                     self.notices.push(Notice { message, details, is_problem: false });

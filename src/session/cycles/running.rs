@@ -10,12 +10,13 @@ use crate::control::cycle_status::cycle_window;
 use crate::control::mask::Mask;
 use crate::control::text::decode;
 use crate::length::Unit;
+use crate::message::{Message, Say as _};
 use crate::probing::circle::Evaluation;
 use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move};
 use crate::probing::simulated::Surface;
 use crate::probing::{Source, SourceError};
 use crate::session::{MaskChoice, Session};
-use crate::words::{Language, Message, Say as _};
+use crate::words::Dialogue;
 
 /// A run of a cycle.
 #[derive(Debug, Clone)]
@@ -57,7 +58,7 @@ pub struct RunLog {
 
 impl RunLog {
     /// The log of a result, as Q281 asks for it; a page of points is written only, never shown.
-    fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Language) -> Option<Result<Self, Message>> {
+    fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Dialogue) -> Option<Result<Self, Message>> {
         let (LogTarget::File(_) | LogTarget::Screen) = result.log else { return None };
         let (name, is_shown) = (cycle.log.file()?.to_owned(), result.log == LogTarget::Screen);
         let heading = Heading { date_time: Some(time), program: None, unit: Unit::Millimetre };
@@ -79,8 +80,8 @@ impl CycleRun {
 
     /// What is worth knowing: remarks of the cycle, warnings of the circle, contacts that were left over.
     pub fn remarks(&self) -> Vec<Message> {
-        let remarks = self.found().into_iter().flat_map(|result| &result.remarks).map(crate::words::Say::message);
-        let warnings = self.evaluation.iter().flat_map(|found| &found.warnings).map(crate::words::Say::message);
+        let remarks = self.found().into_iter().flat_map(|result| &result.remarks).map(crate::message::Say::message);
+        let warnings = self.evaluation.iter().flat_map(|found| &found.warnings).map(crate::message::Say::message);
         let unused = (0 < self.unused).then(|| Message::new("cycles-unused").count("count", self.unused));
         let log = self.log.iter().filter_map(|log| match log {
             Ok(log) => log.other.map(|other| other.message()),
@@ -133,7 +134,7 @@ impl CyclesPage {
         };
     }
 
-    pub(super) fn measure(&mut self, now: DateTime, language: Language) {
+    pub(super) fn measure(&mut self, now: DateTime, language: Dialogue) {
         self.clear();
         self.read();
         let missing: Vec<_> = self.missing().collect();
@@ -149,7 +150,7 @@ impl CyclesPage {
         self.go(Step::Last);
     }
 
-    fn run_source(&self, time: DateTime, language: Language) -> Result<CycleRun, Message> {
+    fn run_source(&self, time: DateTime, language: Dialogue) -> Result<CycleRun, Message> {
         let (cycle, inputs) = (self.cycle, &self.inputs);
         let (source, from) = self.source()?;
         let refused = |error: SourceError| error.message();
@@ -207,11 +208,11 @@ impl Session {
     pub fn cycle_window(&self) -> Option<Result<String, Message>> {
         let run = self.cycles.run()?;
         let own: Option<&Mask>;
-        let language: Language;
+        let language: Dialogue;
         (language, own) = match self.mask() {
-            MaskChoice::OfLanguage => (self.language(), None),
+            MaskChoice::OfLanguage => (self.language().dialogue(), None),
             MaskChoice::Shipped(language) => (*language, None),
-            MaskChoice::Own { mask, .. } => (self.language(), Some(mask.as_ref())),
+            MaskChoice::Own { mask, .. } => (self.language().dialogue(), Some(mask.as_ref())),
         };
         let window = cycle_window(run.cycle, run.found()?, language, own, run.time)?;
         Some(window.map_err(|error| error.message()))

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use super::workpiece_field::WorkpieceField;
 use crate::length::{Length, LengthError};
+use crate::message::{Message, Say as _};
 use crate::probing::cycle::{Plane, number};
 use crate::probing::simulated::{Face, FreePoint, Lobes, Probe, Shape, Simulation, Surface, Walls, Wave, Workpiece};
 use crate::tolerance::Feature;
-use crate::words::{Message, Say as _};
 
 /// The simulated workpiece, its probe and its seed as they are typed.
 #[derive(Debug, Clone)]

@@ -6,9 +6,9 @@ use super::Document;
 use super::inputs::Input;
 use super::run::Speed;
 use crate::control::variables::Parameter;
+use crate::message::Message;
 use crate::nc::machine::{BlockPlace, NcPath};
 use crate::nc::program::ProgramWarning;
-use crate::words::Message;
 
 /// What can be done on the program page.
 #[derive(Debug, Clone)]

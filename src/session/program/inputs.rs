@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use super::{Document, ProgramField, ProgramPage};
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::nc::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
 use crate::probing::cycle::{self, Axis, Meaning};
 use crate::probing::cycles::measuring;
 use crate::session::Session;
 use crate::tolerance::{Callout, Feature, Limits};
 use crate::verdict::{SizeVerdict, Status, judge_size};
-use crate::words::{Message, Say as _};
 
 /// An input of NC-Solution 8255 (seed `000_2e707c2d138629e0.txt`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -3,21 +3,13 @@
 use std::path::PathBuf;
 
 use super::{Document, Origin, ProgramField, WorkpieceFrom};
+use crate::message::{Message, Say as _};
 use crate::nc::machine::Shipped;
 use crate::nc::program::ProgramWarning;
 use crate::session::Session;
-use crate::words::{Language, Message, Say as _};
 
 /// How many files are remembered.
 const MOST_RECENT: usize = 8;
-
-/// The main programs that are shipped, one a language.
-pub const SHIPPED: [(Language, &str); 4] = [
-    (Language::En, "8255_en.h"),
-    (Language::Nl, "8255_nl.h"),
-    (Language::De, "8255_de.h"),
-    (Language::It, "8255_it.h"),
-];
 
 impl Session {
     /// The page is opened: the first time with the shipped program of the window's language.
@@ -25,8 +17,8 @@ impl Session {
         if self.program.origin.is_some() {
             return;
         }
-        let shipped = SHIPPED.iter().find(|(language, _)| *language == self.language);
-        if let Some((_, name)) = shipped.or_else(|| SHIPPED.first()) {
+        let dialogue = self.language.dialogue();
+        if let Some((_, name)) = Shipped::main_programs().find(|(known, _)| *known == dialogue) {
             self.open_shipped(name);
         }
     }

@@ -1,8 +1,8 @@
 //! What is wrong, block by block: what reading remarked, what the run remarked, and the error that ended it.
 
 use super::ProgramPage;
+use crate::message::{Message, Say as _};
 use crate::nc::machine::BlockPlace;
-use crate::words::{Message, Say as _};
 
 /// Something that is wrong or worth knowing.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::length::Length;
+use crate::message::{Message, Say as _};
 use crate::nc::machine::{
     BlockPlace, CycleRun, Fault, Machine, NcPath, Pause, Remark, Step, Travel, TravelKind, Window, Written,
 };
 use crate::nc::program::Program;
 use crate::probing::cycle::{Move, Phase};
 use crate::verdict::Status;
-use crate::words::{Message, Say as _};
 
 /// Blocks of a slice at full speed: some milliseconds.
 const SLICE: u64 = 2_000;

@@ -6,9 +6,9 @@ use jiff::civil::DateTime;
 
 use super::run::{Goal, Run, State};
 use super::{Origin, ProgramField, ProgramPage, Speed};
+use crate::message::{Message, Say as _};
 use crate::nc::machine::{BlockPlace, Folders, Machine, Settings};
 use crate::session::Session;
-use crate::words::{Message, Say as _};
 
 /// How far a run goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,7 +78,7 @@ impl Session {
             }),
             _ => Folders::new(),
         };
-        let mut settings = Settings::new(self.language, now);
+        let mut settings = Settings::new(self.language.dialogue(), now);
         settings.skip_unknown = page.switches.skip_unknown;
         settings.block_skip = page.switches.block_skip;
         settings.optional_stop = page.switches.optional_stop;

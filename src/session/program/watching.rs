@@ -3,8 +3,8 @@
 use super::{ProgramField, ProgramPage};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::length::Length;
+use crate::message::Message;
 use crate::session::Session;
-use crate::words::Message;
 
 /// A parameter in the list.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,12 +5,12 @@ use jiff::civil::DateTime;
 use super::inputs::{Input, length};
 use super::{ProgramField, ProgramPage, WorkpieceFrom};
 use crate::length::Length;
+use crate::message::Message;
 use crate::nc::machine::Contacts;
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::{Simulation, Surface, Workpiece};
 use crate::session::{CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Session};
 use crate::tolerance::Feature;
-use crate::words::Message;
 
 impl ProgramPage {
     /// A hole's or a shaft's workpiece at the inputs' centre.

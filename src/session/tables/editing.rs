@@ -2,11 +2,11 @@
 
 use super::document::{Document, Origin};
 use crate::length::{Length, Unit};
+use crate::message::{Message, Say as _};
 use crate::session::{Field, Session};
 use crate::tolerance::table::TableShapeError;
 use crate::tolerance::table_edit::{MakeError, TableEdit, standard_column, standard_table};
 use crate::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass, iso286};
-use crate::words::{Message, Say as _};
 
 /// What the fields of the cell say, or which of them is wrong.
 type Typed = Result<Option<Deviations>, (Field, Message)>;

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use super::document::{Document, Origin};
 use crate::exchange::tables::TABLE_FORMATS;
+use crate::message::{Message, Say as _};
 use crate::session::{Notice, Session};
 use crate::tolerance::DeviationTable;
-use crate::words::{Message, Say as _};
 
 /// A table that is on its way to a file.
 #[derive(Debug)]

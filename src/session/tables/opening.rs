@@ -5,9 +5,9 @@ use std::sync::Arc;
 use super::MOST_DOCUMENTS;
 use super::document::{Document, Origin};
 use crate::control::shipped_tables;
+use crate::message::Message;
 use crate::session::{Field, Notice, Session};
 use crate::tolerance::DeviationTable;
-use crate::words::Message;
 
 impl Session {
     /// Opens the built-in tables when the page is opened for the first time.

@@ -3,7 +3,7 @@
 use super::error::CalloutError;
 use super::kind::{CalloutErrorKind, Part, capital};
 use crate::length::signed_mm;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 impl Say for CalloutError {
     fn message(&self) -> Message {

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
+use crate::message::{Message, Say};
 use crate::tolerance::class::ToleranceClass;
 use crate::tolerance::iso286::{self, Letter};
-use crate::words::{Message, Say};
 
 /// The system that a fit belongs to, in the words of ISO 286-1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

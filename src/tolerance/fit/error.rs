@@ -1,9 +1,9 @@
 //! Why a callout or two limits are no fit.
 
 use crate::length::{Length, signed_mm};
+use crate::message::{Message, Say};
 use crate::tolerance::callout::Callout;
 use crate::tolerance::sources::LimitsError;
-use crate::words::{Message, Say};
 
 /// Why a callout or two limits are no fit.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

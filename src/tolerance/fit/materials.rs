@@ -3,7 +3,7 @@
 //! A file is TOML with a `[[material]]` for each, as `assets/materials.toml`; it arrives as text. Alloys differ, so a
 //! user's own values come first and nothing is taken for a material that the list does not have.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -12,7 +12,8 @@ use serde::de::{Deserializer, Visitor};
 use toml::Spanned;
 
 use super::thermal::Expansion;
-use crate::words::{Language, Message, Say};
+use crate::message::{Message, Say};
+use crate::words::Language;
 
 /// The version of the file that this program reads.
 const VERSION: u32 = 1;
@@ -73,8 +74,8 @@ impl Say for Certainty {
 pub struct Material {
     /// Its English name, by which it is replaced.
     pub name: String,
-    /// Its name in other languages.
-    pub names: HashMap<Language, String>,
+    /// Its name in other languages, by code.
+    pub names: BTreeMap<String, String>,
     /// How much it expands.
     pub expansion: Expansion,
     /// Where the value comes from.
@@ -86,12 +87,12 @@ pub struct Material {
 impl Material {
     /// The name in a language, the English one where there is no other.
     pub fn name_in(&self, language: Language) -> &str {
-        self.names.get(&language).unwrap_or(&self.name)
+        self.names.get(language.code()).unwrap_or(&self.name)
     }
 
     fn is_called(&self, name: &str) -> bool {
         let called = |own: &str| own.to_lowercase() == name.to_lowercase();
-        called(&self.name) || Language::ALL.iter().any(|language| called(self.name_in(*language)))
+        called(&self.name) || self.names.values().any(|own| called(own))
     }
 }
 
@@ -201,8 +202,7 @@ impl Materials {
         for entry in file.material {
             let (line, _) = place(text, entry.name.span().start);
             let material = entry.material();
-            let names =
-                || std::iter::once(&material.name).chain(Language::ALL.iter().filter_map(|l| material.names.get(l)));
+            let names = || std::iter::once(&material.name).chain(material.names.values());
             if !names().all(|name| is_name(name)) {
                 return Err(MaterialsError::Name { line });
             }
@@ -259,7 +259,7 @@ struct File {
 struct Entry {
     name: Spanned<String>,
     #[serde(default)]
-    names: HashMap<Language, String>,
+    names: BTreeMap<String, String>,
     #[serde(deserialize_with = "expansion")]
     expansion: Expansion,
     source: Option<String>,

@@ -32,8 +32,8 @@ use super::class::Feature;
 use super::limits::Limits;
 use super::sources::Sources;
 use crate::length::Length;
+use crate::message::{Message, Say};
 use crate::verdict::{self, Status, Verdict};
-use crate::words::{Message, Say};
 
 /// A hole and a shaft of the same nominal size.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -5,9 +5,9 @@
 
 use std::fmt;
 
+use crate::message::{Message, Say};
 use crate::tolerance::class::{Feature, ToleranceClass};
 use crate::tolerance::iso286::{self, Grade, Letter};
-use crate::words::{Message, Say};
 
 /// A letter and the number of a grade.
 type Part = (Letter, u8);

@@ -11,10 +11,10 @@ use super::Kind;
 use super::basis::Basis;
 use super::preferred::{Function, Preference};
 use crate::length::{Length, signed_mm};
+use crate::message::{Message, Say};
 use crate::tolerance::class::{Feature, ToleranceClass};
 use crate::tolerance::iso286::Options;
 use crate::tolerance::sources::{Base, Sources};
-use crate::words::{Message, Say};
 
 /// A range of clearance; negative is an interference. The borders belong to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

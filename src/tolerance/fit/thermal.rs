@@ -7,7 +7,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::length::Length;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// The reference temperature of ISO 1.
 const REFERENCE: i32 = 20_000;

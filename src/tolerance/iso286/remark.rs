@@ -4,8 +4,8 @@ use std::fmt;
 
 use super::{Grade, JsHalves, Letter, Options, millimetres};
 use crate::length::Length;
+use crate::message::{Message, Say};
 use crate::tolerance::limits::Deviations;
-use crate::words::{Message, Say};
 
 /// Something that a reader should know about a figure. The numbers of the rules are those of `docs/SOURCES.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,8 @@
 //! Rules and words. The standard cell by cell against independent transcriptions: `tests/core/iso286.rs`.
 
 use super::*;
-use crate::words::{Language, Say as _, Words};
+use crate::message::Say as _;
+use crate::words::{Language, Words};
 
 #[track_caller]
 fn check_with(options: Options, class: &str, nominal: &str, expected: &str) {

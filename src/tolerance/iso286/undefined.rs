@@ -7,7 +7,7 @@ use super::super::ranges;
 use super::zone::{self, Place};
 use super::{Grade, Letter, Options, parts, sizes};
 use crate::length::{Length, signed_mm};
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 /// A class that the standard does not define at a size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

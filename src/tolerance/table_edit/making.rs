@@ -1,10 +1,10 @@
 //! Tables made of the standard.
 
 use crate::length::{Length, signed_mm};
+use crate::message::{Message, Say};
 use crate::tolerance::iso286::{self, Undefined};
 use crate::tolerance::table::{Column, DeviationTable, TableShapeError};
 use crate::tolerance::{Deviations, Feature, ToleranceClass};
-use crate::words::{Message, Say};
 
 /// Why no table can be made of the standard.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -7,8 +7,9 @@ use super::canvas::{Canvas, screen};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::length::{Length, Unit};
+use crate::message::Message;
 use crate::probing::cycle::{CycleResult, FoundName, Value};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// How high the drawing is, in steps.
 const STEPS: f32 = 26.0;

@@ -10,10 +10,11 @@ use super::canvas::{Canvas, screen};
 use super::criteria::plain;
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::View;
+use crate::message::Message;
 use crate::probing::Contact;
 use crate::probing::circle::{Circle, Evaluation};
 use crate::probing::cycle::{CircleFound, CycleResult, FoundName, Value};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// How far the largest deviation reaches, as a share of the radius.
 const REACH: f64 = 0.3;

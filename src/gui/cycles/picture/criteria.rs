@@ -5,8 +5,9 @@ use eframe::egui::{Align2, Grid, RichText, Ui, WidgetInfo};
 
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
+use crate::message::Message;
 use crate::probing::circle::{Circle, CircleWarning, Evaluation, TwoPoint};
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// So many two-point sizes are listed one by one; of more, the smallest and the largest.
 const MOST_PAIRS: usize = 4;

@@ -7,9 +7,10 @@ use super::canvas::Canvas;
 use super::{choice, plan, section};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
+use crate::message::Message;
 use crate::probing::cycle::{Axis, Cycle, Key, Meaning, Parameter, Range};
 use crate::probing::simulated::Shape;
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// The size of the drawing in steps; the sentence stands below it.
 const STEPS: [f32; 2] = [65.0, 40.0];
@@ -54,7 +55,7 @@ impl Scene {
 pub(super) fn sentence(words: &Words, parameter: &Parameter) -> String {
     let mut message = Message::new(parameter.meaning.sentence());
     if parameter.meaning.is_general() {
-        message = message.text("name", parameter.question(words.language()));
+        message = message.text("name", parameter.question(words.language().dialogue()));
     }
     if let (Meaning::Choice, Range::OneOf(of)) = (parameter.meaning, parameter.range) {
         let of: Vec<_> = of.iter().map(|number| words.number(&number.to_string())).collect();

@@ -10,9 +10,10 @@ use super::criteria::plain;
 use super::scale::{Scale, legend};
 use crate::gui::theme::{palette, sizes, space};
 use crate::gui::view::View;
+use crate::message::Message;
 use crate::probing::cycle::{Move, Phase, Plane};
 use crate::probing::simulated::Surface;
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// Points on an arc of the way.
 const STEPS: u8 = 48;

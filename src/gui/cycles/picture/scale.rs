@@ -6,9 +6,10 @@ use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 use super::canvas::{Canvas, screen};
 use super::path::{Eye, Way, phase_id, place, trace};
 use crate::gui::theme::{sizes, space};
+use crate::message::Message;
 use crate::probing::cycle::{Move, Phase, Plane};
 use crate::probing::simulated::Outline;
-use crate::words::{Message, Words};
+use crate::words::Words;
 
 /// The share of the room that is left around a view.
 const MARGIN: f64 = 0.08;

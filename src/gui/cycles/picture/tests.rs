@@ -17,7 +17,7 @@ use crate::probing::cycles::{CYCLES, cycle, cycle_named};
 use crate::probing::simulated::{Face, Lobes, Machine, Probe, Surface, Workpiece};
 use crate::session::Session;
 use crate::tolerance::Feature;
-use crate::words::{Language, Words};
+use crate::words::{Dialogue, Language, Words};
 
 /// Draws in a window and gives it back, settled.
 fn drawn<'a>(
@@ -95,7 +95,7 @@ fn every_parameter_with_effect_has_its_own_drawing_and_sentence() {
             assert!(!is_general, "{} {} is drawn by its range only", cycle.code, parameter.key);
             assert!(!meanings.contains(&meaning), "{} {}: {meaning:?} twice", cycle.code, parameter.key);
             meanings.push(meaning);
-            for language in Language::COMPLETE {
+            for language in Language::all() {
                 let words = Words::new(language);
                 let said = label_of(cycle, parameter.key, language);
                 assert_eq!(said, format!("{}: {}", parameter.key, words.get(meaning.id())));
@@ -108,7 +108,7 @@ fn every_parameter_with_effect_has_its_own_drawing_and_sentence() {
 #[test]
 fn a_sentence_has_room_below_its_drawing() {
     // The panel below must not jump: three lines of the drawing's width are enough in every language.
-    for language in Language::COMPLETE {
+    for language in Language::all() {
         let words = Words::new(language);
         for cycle in CYCLES {
             for parameter in cycle.parameters.iter().filter(|parameter| parameter.has_effect) {
@@ -146,7 +146,7 @@ fn a_cycle_that_is_not_known_is_drawn_by_its_numbers_and_ranges() {
         code: "425",
         names: &[],
         parameters: &[
-            Parameter::size(Key::Q(311), "NOMINAL LENGTH").asked(&[(Language::En, "Nominal length?")]),
+            Parameter::size(Key::Q(311), "NOMINAL LENGTH").asked(&[(Dialogue::En, "Nominal length?")]),
             Parameter::angle(Key::Q(400), "ROTATION", 90, 0),
             Parameter::choice(Key::Q(401), "WALLS", &[1, 2, 4]),
             Parameter::new(Key::Q(402), "SHARE", Range::Number { most: 10 }),

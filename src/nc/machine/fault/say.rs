@@ -2,7 +2,7 @@
 
 use super::FaultKind;
 use crate::control::variables::Parameter;
-use crate::words::{Message, Say};
+use crate::message::{Message, Say};
 
 impl Say for FaultKind {
     fn message(&self) -> Message {

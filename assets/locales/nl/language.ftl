@@ -1,0 +1,4 @@
+# Wat een taal van zichzelf zegt
+
+language-name = Nederlands
+language-decimal-sign = ,

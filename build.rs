@@ -1,0 +1,48 @@
+//! Lists what is shipped: every file of the folders below, so that a new language, mask or program is a file and no line.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::{env, fs, io};
+
+/// Constant, folder, what it holds.
+const SHIPPED: [(&str, &str, &str); 6] = [
+    ("LOCALES", "assets/locales", "Fluent files of the window's languages, as `en/tolerance.ftl`."),
+    ("DIALOGUES", "assets/dialogues", "Words of the control's dialogue languages, as `nl.toml`."),
+    ("LOGS", "assets/logs", "Words and templates of measuring logs, as `nl.toml`."),
+    ("MASKS", "assets/masks", "FN 16 masks, as `82552_nl.a`."),
+    ("NC", "assets/nc", "NC programs and pages of text for a control, as `8255_nl.h`."),
+    ("TABLES", "tables", "Control tables, as `82553_hole.tab`."),
+];
+
+fn main() -> io::Result<()> {
+    let root = env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?;
+    let out = env::var("OUT_DIR").map_err(io::Error::other)?;
+    let mut code = String::new();
+    println!("cargo::rerun-if-changed=build.rs");
+    for (name, folder, what) in SHIPPED {
+        println!("cargo::rerun-if-changed={folder}");
+        let base = Path::new(&root).join(folder);
+        let mut files = Vec::new();
+        collect(&base, &mut files)?;
+        files.sort();
+        let mut add = |line: std::fmt::Arguments<'_>| code.write_fmt(line).map_err(io::Error::other);
+        add(format_args!("/// {what}\npub static {name}: &[(&str, &[u8])] = &[\n"))?;
+        for file in &files {
+            let short = file.strip_prefix(&base).map_err(io::Error::other)?.to_string_lossy().replace('\\', "/");
+            add(format_args!(
+                "    ({short:?}, include_bytes!(concat!(env!(\"CARGO_MANIFEST_DIR\"), {:?}))),\n",
+                format!("/{folder}/{short}")
+            ))?;
+        }
+        add(format_args!("];\n"))?;
+    }
+    fs::write(Path::new(&out).join("shipped.rs"), code)
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() { collect(&path, files)? } else { files.push(path) }
+    }
+    Ok(())
+}

@@ -1,0 +1,49 @@
+//! `#[derive(Say)]`: what an error, a warning or a remark says stands in the locale files and nowhere else.
+//!
+//! ```ignore
+//! /// What is wrong with a table file.
+//! #[derive(Debug, Clone, PartialEq, Eq, Say)]
+//! #[say(prefix = "table", error)]
+//! pub enum TableFault {
+//!     /// Nothing but blanks and line ends.
+//!     Empty,                                                    // table-empty
+//!     /// A line beyond the bound of the reader.
+//!     LineTooLong { limit: usize },                             // table-line-too-long = … { $limit } …
+//!     /// A control character.
+//!     NotText { #[say(with = code_point)] code: u32 },          // { $code } is code_point(&code)
+//!     /// Beyond what a length can hold.
+//!     #[say(args(most = Length::MAX))]
+//!     TooFar(#[say(name = "given")] String),                    // { $given }, { $most }
+//!     /// What another room says, as it says it.
+//!     #[say(transparent)]
+//!     Path(#[from] PathError),
+//! }
+//! ```
+//!
+//! Made from it: `Say` (the text's name with its values), `Display` (the English text), with `error` also
+//! `std::error::Error`, and `From` for a field with `#[from]`.
+//!
+//! A text's name is the prefix and the variant's name in kebab case; `#[say(id = "…")]` on a variant, or on a struct,
+//! names another. Arguments are the fields by name in kebab case; a single unnamed field is `$value` where
+//! `#[say(name = "…")]` gives no other name, and `#[say(skip)]` leaves a field out. A field's type says with
+//! `IntoArg` how it is put in. `args(…)` adds values that are computed from the fields, which are bound by reference.
+//!
+//! A text that `assets/locales/en` lacks, and an argument that the text asks for and the variant lacks, are errors when
+//! the program is compiled, at the variant. That the other languages have the same texts is a test.
+
+mod input;
+mod output;
+mod texts;
+
+use proc_macro::TokenStream;
+use syn::{DeriveInput, parse_macro_input};
+
+/// Gives a type its texts; see the crate's documentation.
+#[proc_macro_derive(Say, attributes(say, from))]
+pub fn derive_say(tokens: TokenStream) -> TokenStream {
+    let input = parse_macro_input!(tokens as DeriveInput);
+    input::Said::read(&input)
+        .and_then(|said| output::write(&said))
+        .unwrap_or_else(syn::Error::into_compile_error)
+        .into()
+}

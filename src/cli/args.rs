@@ -1,0 +1,95 @@
+//! Arguments that several subcommands share.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use super::{CliError, Io, Refused as _};
+use crate::control::deviations::read_folder;
+use crate::control::shipped_tables;
+use crate::tolerance::{Base, Sources, iso286};
+
+/// One of some values that have names: clap lists the names, the program gets the value.
+pub(super) fn one_of<T: Clone + Send + Sync + 'static>(
+    all: impl IntoIterator<Item = T>,
+    name: fn(&T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    let all: Vec<T> = all.into_iter().collect();
+    let names = PossibleValuesParser::new(all.iter().map(name).collect::<Vec<_>>());
+    // Names that are not listed have been refused before.
+    names.try_map(move |given| all.iter().find(|one| name(one) == given).cloned().ok_or(std::fmt::Error))
+}
+
+/// How a result is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// For people.
+    Text,
+    /// For spreadsheets and scripts: the same in every language.
+    Csv,
+    /// For programs: the same in every language.
+    Json,
+}
+
+/// Where the tables come from.
+#[derive(Debug, Clone, clap::Args)]
+pub(super) struct TableArgs {
+    /// Folder with your own control tables (*.tab); they come first for the classes and sizes that they hold
+    #[arg(long, value_name = "FOLDER", global = false)]
+    tables: Option<PathBuf>,
+    /// What answers after your own tables
+    #[arg(long, value_enum, default_value_t = SourceChoice::Iso286)]
+    source: SourceChoice,
+    #[command(flatten)]
+    standard: StandardArgs,
+}
+
+/// The two sources of limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum SourceChoice {
+    /// ISO 286, every class to 3150 mm.
+    Iso286,
+    /// The control's two tables, 47 classes to 400 mm.
+    Control,
+}
+
+const EDITIONS: [(&str, iso286::Edition); 2] = [("1988", iso286::Edition::Of1988), ("2010", iso286::Edition::Of2010)];
+
+/// Where editions of ISO 286 differ.
+#[derive(Debug, Clone, clap::Args)]
+pub(super) struct StandardArgs {
+    /// Edition of ISO 286 for cd, ef and fg: to 10 mm (1988) or to 50 mm (2010)
+    #[arg(long, value_name = "YEAR", default_value = "2010", value_parser = one_of(EDITIONS, |edition| edition.0))]
+    edition: (&'static str, iso286::Edition),
+    /// Round half micrometres of JS7 to JS11 and js7 to js11 off, as in 1988
+    #[arg(long)]
+    js_rounded: bool,
+}
+
+impl StandardArgs {
+    /// The options of the standard.
+    pub(super) const fn options(&self) -> iso286::Options {
+        iso286::Options {
+            edition: self.edition.1,
+            js: if self.js_rounded { iso286::JsHalves::Rounded } else { iso286::JsHalves::Exact },
+        }
+    }
+}
+
+impl TableArgs {
+    /// Where limits are looked up; warnings about the user's own tables go to standard error.
+    pub(super) fn load(&self, io: &mut Io<'_>) -> Result<Sources, CliError> {
+        let base = match self.source {
+            SourceChoice::Iso286 => Base::Iso286,
+            SourceChoice::Control => Base::Tables(shipped_tables()),
+        };
+        let sources = Sources::default().with_base(base).with_options(self.standard.options());
+        let Some(folder) = &self.tables else { return Ok(sources) };
+        let own = read_folder(folder).said()?;
+        for warning in &own.warnings {
+            io.warn(warning)?;
+        }
+        Ok(sources.with_own(own.tables))
+    }
+}

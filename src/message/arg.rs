@@ -1,0 +1,70 @@
+//! What can be put into a text, and how each type goes in.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::{Message, Say};
+
+/// Something that is put into a [`Message`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Arg {
+    /// A text as it is.
+    Text(String),
+    /// A whole number; it also chooses plural forms.
+    Count(usize),
+    /// A decimal number with a point and an ASCII minus; each language prints it its own way.
+    Number(String),
+    /// A sentence within the sentence.
+    Message(Message),
+}
+
+/// How a value goes into a text.
+pub trait IntoArg {
+    /// The value as an argument.
+    fn arg(&self) -> Arg;
+}
+
+impl<T: Say> IntoArg for T {
+    fn arg(&self) -> Arg {
+        Arg::Message(self.message())
+    }
+}
+
+impl IntoArg for Arg {
+    fn arg(&self) -> Arg {
+        self.clone()
+    }
+}
+
+/// Types that go in as the text that they print.
+macro_rules! as_text {
+    ($($type:ty),+ $(,)?) => {$(
+        impl $crate::message::IntoArg for $type {
+            fn arg(&self) -> $crate::message::Arg {
+                $crate::message::Arg::Text(self.to_string())
+            }
+        }
+    )+};
+}
+pub(crate) use as_text;
+
+as_text!(str, &str, String, Arc<str>, char, f64, i8, i16, i32, i64, u64);
+
+/// Small numbers choose plural forms.
+macro_rules! as_count {
+    ($($type:ty),+) => {$(
+        impl IntoArg for $type {
+            fn arg(&self) -> Arg {
+                usize::try_from(*self).map_or_else(|_| Arg::Text(self.to_string()), Arg::Count)
+            }
+        }
+    )+};
+}
+
+as_count!(u8, u16, u32, usize);
+
+impl IntoArg for PathBuf {
+    fn arg(&self) -> Arg {
+        Arg::Text(self.display().to_string())
+    }
+}

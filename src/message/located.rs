@@ -1,0 +1,77 @@
+//! An error or a warning with its place in a file.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::{Message, Say};
+
+/// A place in a file, as far as it is known. Lines and columns count from 1; a column counts characters, not bytes.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Place {
+    /// The file as the user named it.
+    pub file: Option<Arc<str>>,
+    /// The line.
+    pub line: Option<usize>,
+    /// The character in the line.
+    pub column: Option<usize>,
+}
+
+impl Place {
+    /// A line of a text whose name is said elsewhere.
+    pub const fn line(line: usize) -> Self {
+        Self { file: None, line: Some(line), column: None }
+    }
+
+    /// A character of a file.
+    pub fn in_file(file: &Arc<str>, line: usize, column: usize) -> Self {
+        Self { file: Some(Arc::clone(file)), line: Some(line), column: Some(column) }
+    }
+}
+
+/// An error or a warning with its place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Located<T> {
+    /// What it is.
+    pub what: T,
+    /// Where it is.
+    pub place: Place,
+}
+
+impl<T> Located<T> {
+    /// Something in a line of a text whose name is said elsewhere.
+    pub const fn in_line(line: usize, what: T) -> Self {
+        Self { what, place: Place::line(line) }
+    }
+}
+
+/// The place stands last where the file is named, first where only the line is.
+impl<T: Say> Say for Located<T> {
+    fn message(&self) -> Message {
+        let what = self.what.message();
+        let Place { file, line, column } = &self.place;
+        match (file, line, column) {
+            (Some(file), Some(line), Some(column)) => Message::new("located-in-file")
+                .message("what", what)
+                .with("file", file)
+                .with("line", line)
+                .with("column", column),
+            (Some(file), Some(line), None) => {
+                Message::new("located-in-line-of-file").message("what", what).with("file", file).with("line", line)
+            }
+            (Some(file), None, _) => Message::new("located-at-file").message("what", what).with("file", file),
+            (None, Some(line), Some(column)) => {
+                Message::new("located-at-column").message("what", what).with("line", line).with("column", column)
+            }
+            (None, Some(line), None) => Message::new("located-at-line").message("what", what).with("line", line),
+            (None, None, _) => what,
+        }
+    }
+}
+
+impl<T: Say> fmt::Display for Located<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message().fmt(f)
+    }
+}
+
+impl<T: Say + fmt::Debug> std::error::Error for Located<T> {}

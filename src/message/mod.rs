@@ -1,0 +1,112 @@
+//! A sentence without its language: the name of a text and what is put into it.
+//!
+//! Errors, warnings and remarks derive [`Say`]; their only wording is in `assets/locales`. `Display` is the English
+//! text, as logs and machines read it: a point for the decimal sign and an ASCII minus. The window and the report ask
+//! [`Words`](crate::words::Words) for their own language.
+//!
+//! | file | what |
+//! |---|---|
+//! | `arg` | what can be put into a text, and how |
+//! | `bundle` | the texts of one language |
+//! | `located` | an error or a warning with its place in a file |
+
+mod arg;
+mod bundle;
+mod located;
+
+use std::fmt;
+use std::sync::LazyLock;
+
+pub(crate) use arg::as_text;
+pub use arg::{Arg, IntoArg};
+pub use bundle::Bundle;
+pub use fitcheck_derive::Say;
+pub use located::{Located, Place};
+
+/// A sentence without its language: the name of a text and what is put into it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Message {
+    /// The text's name in the Fluent files.
+    pub id: &'static str,
+    /// What is put in, by name.
+    pub args: Vec<(&'static str, Arg)>,
+}
+
+impl Message {
+    /// A message without arguments.
+    pub const fn new(id: &'static str) -> Self {
+        Self { id, args: Vec::new() }
+    }
+
+    /// The same with a value put in as its type says.
+    #[must_use]
+    pub fn with(mut self, name: &'static str, value: &(impl IntoArg + ?Sized)) -> Self {
+        self.args.push((name, value.arg()));
+        self
+    }
+
+    /// The same with one more text put in, as it is.
+    #[must_use]
+    pub fn text(mut self, name: &'static str, text: impl fmt::Display) -> Self {
+        self.args.push((name, Arg::Text(text.to_string())));
+        self
+    }
+
+    /// The same with one more whole number put in.
+    #[must_use]
+    pub fn count(self, name: &'static str, count: usize) -> Self {
+        self.with(name, &count)
+    }
+
+    /// The same with one more decimal number put in: a length in millimetres.
+    #[must_use]
+    pub fn mm(mut self, name: &'static str, length: impl fmt::Display) -> Self {
+        self.args.push((name, Arg::Number(length.to_string())));
+        self
+    }
+
+    /// The same with another message put in.
+    #[must_use]
+    pub fn message(mut self, name: &'static str, message: Self) -> Self {
+        self.args.push((name, Arg::Message(message)));
+        self
+    }
+}
+
+impl Say for Message {
+    fn message(&self) -> Message {
+        self.clone()
+    }
+}
+
+/// The English text, numbers as machines write them.
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        static ENGLISH: LazyLock<Bundle> = LazyLock::new(|| Bundle::of("en"));
+        f.pad(&ENGLISH.say(self, &str::to_owned))
+    }
+}
+
+/// What can be said in every language: errors, warnings and remarks.
+pub trait Say {
+    /// The sentence without its language.
+    fn message(&self) -> Message;
+}
+
+impl<T: Say + ?Sized> Say for Box<T> {
+    fn message(&self) -> Message {
+        self.as_ref().message()
+    }
+}
+
+/// `Display` for a type whose sentence is put together by hand: the English text.
+macro_rules! display {
+    ($($type:ty),+ $(,)?) => {$(
+        impl ::std::fmt::Display for $type {
+            fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
+                ::std::fmt::Display::fmt(&$crate::message::Say::message(self), f)
+            }
+        }
+    )+};
+}
+pub(crate) use display;

@@ -1,0 +1,91 @@
+//! Texts in the user's language: [`Message`]s said in it, numbers written as its people read them.
+//!
+//! The window and the report ask [`Words`]; files made for machines never do.
+//!
+//! | file | what |
+//! |---|---|
+//! | `language` | the languages of the window and of reports: the folders of `assets/locales` |
+//! | `dialogue` | the dialogue languages of the control: masks, logs, programs, cycles |
+
+mod dialogue;
+mod language;
+
+pub(crate) use dialogue::PerDialogue;
+pub use dialogue::{Dialogue, DialogueWords, StatusWords};
+pub use language::Language;
+
+use crate::length::{Length, Unit};
+use crate::message::{Bundle, Message, Say};
+
+/// The texts of one language.
+#[derive(Debug)]
+pub struct Words {
+    language: Language,
+    bundle: Bundle,
+}
+
+impl Words {
+    /// Loads the embedded texts of a language; nothing is read from disk.
+    pub fn new(language: Language) -> Self {
+        Self { language, bundle: Bundle::of(language.code()) }
+    }
+
+    /// Which language.
+    pub const fn language(&self) -> Language {
+        self.language
+    }
+
+    /// The text of a name without arguments.
+    pub fn get(&self, id: &str) -> String {
+        self.bundle.get(id)
+    }
+
+    /// The text of a name without arguments, where there is one.
+    pub fn find(&self, id: &str) -> Option<String> {
+        self.bundle.find(id)
+    }
+
+    /// A sentence in this language.
+    pub fn say(&self, message: &Message) -> String {
+        self.bundle.say(message, &|plain| self.number(plain))
+    }
+
+    /// What an error or a warning says in this language.
+    pub fn told(&self, what: &impl Say) -> String {
+        self.say(&what.message())
+    }
+
+    /// A machine's number (`-25.012`) as people of this language read it: decimal sign, true minus sign.
+    pub fn number(&self, plain: &str) -> String {
+        let sign = self.language.decimal_sign();
+        plain
+            .chars()
+            .map(|c| {
+                if c == '.' {
+                    sign
+                } else if c == '-' {
+                    '\u{2212}'
+                } else {
+                    c
+                }
+            })
+            .collect()
+    }
+
+    /// Millimetres with at least so many decimals, exactly.
+    pub fn mm(&self, length: Length, decimals: usize) -> String {
+        self.number(&length.exact(Unit::Millimetre, decimals))
+    }
+
+    /// Micrometres exactly, with a sign unless zero: `+12`, `−7,5`, `0`.
+    pub fn signed_um(&self, length: Length) -> String {
+        let plain = length.exact(Unit::Micrometre, 0);
+        let plus = if Length::ZERO < length { "+" } else { "" };
+        format!("{plus}{}", self.number(&plain))
+    }
+
+    /// Micrometres exactly, without a plus sign.
+    pub fn um(&self, length: Length) -> String {
+        self.number(&length.exact(Unit::Micrometre, 0))
+    }
+}
