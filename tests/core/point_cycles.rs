@@ -541,10 +541,13 @@ fn a_machine_file_that_cannot_be_is_refused_with_its_line() {
         let error = Simulation::read(text).unwrap_err();
         assert_eq!(said_in_both(&error), expected);
     };
-    refused("seed = 1\n", "the file has 0 of [bore], [stud], [face] and [point]: it needs exactly one");
+    refused(
+        "seed = 1\n",
+        "the file has 0 of [bore], [stud], [face], [point], [slot], [ridge], [pocket], [boss]: it needs exactly one",
+    );
     refused(
         &format!("{BORE}[face]\npoint=[0,0,0]\nnormal=[0,0,1]\n"),
-        "the file has 2 of [bore], [stud], [face] and [point]: it needs exactly one",
+        "the file has 2 of [bore], [stud], [face], [point], [slot], [ridge], [pocket], [boss]: it needs exactly one",
     );
     refused("[bore]\ncentre = [0, 0]\ndiameter = -1\n", "line 3: diameter = -1: at least 0.001, at most 100000");
     refused(

@@ -84,7 +84,7 @@ fn answer_of(machine: &Machine) -> Answer {
 }
 
 /// What `fitcheck check` answers on the same workpiece.
-fn native(limits: &Limits, callout: Callout, simulation: Simulation, language: Language) -> Answer {
+fn native(limits: &Limits, callout: Callout, simulation: Simulation, language: Dialogue) -> Answer {
     let position = ProbePosition {
         centre: CENTRE.map(|mm| Length::from_micrometres(mm * 1000)),
         height: Length::from_micrometres(-8_000),

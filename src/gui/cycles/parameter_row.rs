@@ -86,7 +86,7 @@ fn number_ui(
 /// What a number of a choice stands for, where that is known.
 fn stands_for(view: &View<'_>, meaning: Meaning, number: i64) -> Option<String> {
     let number = if number < 0 { format!("minus-{}", number.unsigned_abs()) } else { number.to_string() };
-    view.words.find(&format!("cycles-choice-{}-{number}", meaning.word()))
+    view.words.find(&format!("cycles-choice-{}", [meaning.word(), &number].join("-")))
 }
 
 /// One of a few numbers, each with what it means.
