@@ -17,7 +17,7 @@ use crate::verdict::judge_size;
 pub(super) const FORMAT: Format = Format {
     name: "log-444",
     endings: &["html", "htm"],
-    description: "logs of cycle 444 as written by Fitcheck",
+    description: "logs of probing in 3-D as written by Fitcheck",
     description_id: "exchange-format-log-444",
     recognises: |source| log444::is_log(&source.head()),
     read,

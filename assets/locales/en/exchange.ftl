@@ -2,7 +2,7 @@
 
 # Measurements from files
 exchange-format-logs = HEIDENHAIN measuring logs such as TCHPR421.TXT
-exchange-format-log-444 = logs of cycle 444 as written by Fitcheck
+exchange-format-log-444 = logs of probing in 3-D as written by Fitcheck
 exchange-format-contacts = contacts of one circle: x, y and perhaps z
 exchange-format-measurements = measurements as CSV: id, callout, measured
 exchange-at-line = line { $line }: { $reason }

@@ -2,7 +2,7 @@
 
 # Metingen uit bestanden
 exchange-format-logs = HEIDENHAIN-meetprotocollen zoals TCHPR421.TXT
-exchange-format-log-444 = protocollen van cyclus 444, geschreven door Fitcheck
+exchange-format-log-444 = protocollen van het 3D-tasten, geschreven door Fitcheck
 exchange-format-contacts = tastpunten van één cirkel: x, y en eventueel z
 exchange-format-measurements = metingen als CSV: naam, passing, gemeten
 exchange-at-line = regel { $line }: { $reason }
