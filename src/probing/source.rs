@@ -3,7 +3,7 @@
 use super::contact::{Contact, Prober, Recorded};
 use super::cycle::{Cycle, CycleError, Inputs, Move, Phase};
 use super::simulated::{Simulation, WorkpieceError};
-use crate::message::{Message, Say};
+use crate::message::Say;
 
 /// Where contacts come from.
 #[derive(Debug, Clone, Copy)]
@@ -17,23 +17,15 @@ pub enum Source<'a> {
 }
 
 /// Why there is nothing to touch.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "source", error)]
 pub enum SourceError {
     /// The cycle's inputs name no workpiece.
-    #[error(transparent)]
+    #[say(transparent)]
     Cycle(#[from] CycleError),
     /// The workpiece cannot be.
-    #[error(transparent)]
+    #[say(transparent)]
     Workpiece(#[from] WorkpieceError),
-}
-
-impl Say for SourceError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Cycle(error) => error.message(),
-            Self::Workpiece(error) => error.message(),
-        }
-    }
 }
 
 impl Source<'_> {

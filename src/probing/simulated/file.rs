@@ -35,7 +35,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Face, FreePoint, Lobes, Machine, Probe, Shape, Surface, Walls, Workpiece, WorkpieceError, in_range};
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::probing::cycle::Plane;
 use crate::tolerance::Feature;
 
@@ -64,10 +64,10 @@ pub struct Simulation {
 }
 
 /// Why a file is no machine.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "workpiece-file", error)]
 pub enum SimulationError {
     /// It is no TOML, or has other keys.
-    #[error("line {line}: {said}")]
     Toml {
         /// Where.
         line: usize,
@@ -75,33 +75,18 @@ pub enum SimulationError {
         said: String,
     },
     /// Not exactly one surface.
-    #[error("the file has {found} of {}: it needs exactly one", tables())]
+    #[say(args(tables = tables()))]
     NotOne {
         /// How many there are.
         found: usize,
     },
     /// A figure that cannot be.
-    #[error("line {line}: {error}")]
     CannotBe {
         /// Where.
         line: usize,
         /// Which figure, and what is allowed.
         error: WorkpieceError,
     },
-}
-
-impl Say for SimulationError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Toml { line, said } => Message::new("workpiece-file-toml").text("line", line).text("said", said),
-            Self::NotOne { found } => {
-                Message::new("workpiece-file-not-one").text("found", found).text("tables", tables())
-            }
-            Self::CannotBe { line, error } => {
-                Message::new("workpiece-file-cannot-be").text("line", line).message("error", error.message())
-            }
-        }
-    }
 }
 
 /// The tables of which a file has one: `[bore], [stud], …`.

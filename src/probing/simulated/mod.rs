@@ -35,14 +35,14 @@ use super::contact::{Contact, NoContact, Prober, Touch};
 use super::cycle::{Plane, along};
 use super::touch_probe::TouchProbe;
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::Say;
 
 /// The largest coordinate and diameter, mm.
 const FARTHEST: f64 = 100_000.0;
 
 /// Why a workpiece cannot be.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{what} = {given}: at least {least}, at most {most}")]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(id = "workpiece-cannot-be", error)]
 pub struct WorkpieceError {
     /// Which figure.
     pub what: &'static str,
@@ -52,16 +52,6 @@ pub struct WorkpieceError {
     pub least: f64,
     /// The largest that is allowed.
     pub most: f64,
-}
-
-impl Say for WorkpieceError {
-    fn message(&self) -> Message {
-        Message::new("workpiece-cannot-be")
-            .text("what", self.what)
-            .text("given", self.given)
-            .text("least", self.least)
-            .text("most", self.most)
-    }
 }
 
 /// NaN is in no range.
