@@ -233,7 +233,9 @@ fn good_rework_and_scrap_are_written_alike_for_a_log_holds_no_status() {
 #[test]
 fn what_a_log_lacks_is_left_out() {
     let mut circle = published();
-    circle.iter_mut().for_each(|figure| figure.deviation = None);
+    for figure in &mut circle {
+        figure.deviation = None;
+    }
     circle[2].limits = None;
     let log = Log::new(421, circle, Unit::Millimetre);
     let bytes = write(&log, Dialogue::Nl).unwrap();

@@ -22,7 +22,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     parameters: &PARAMETERS,
     surface: |inputs| surface(SIDE.feature, inputs),
     run: |inputs, course| run(&SIDE, inputs, course),
-    subject,
+    subject: |inputs| Some(subject(inputs)),
     window: Window::Diameter,
     log: Log::Text(TextLog { file: "TCHPR421.TXT", figures: &FIGURES }),
 };

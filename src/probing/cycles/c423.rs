@@ -14,7 +14,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     parameters: &PARAMETERS,
     surface: |inputs| surface(Feature::Hole, inputs),
     run: |inputs, course| run(Feature::Hole, inputs, course),
-    subject,
+    subject: |inputs| Some(subject(inputs)),
     window: Window::Own("rectangle"),
     log: Log::Text(TextLog { file: "TCHPR423.TXT", figures: FIGURES }),
 };

@@ -14,7 +14,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     parameters: &PARAMETERS,
     surface: |inputs| surface(Feature::Shaft, inputs),
     run: |inputs, course| run(Feature::Shaft, inputs, course),
-    subject,
+    subject: |inputs| Some(subject(inputs)),
     window: Window::Own("rectangle"),
     log: Log::Text(TextLog { file: "TCHPR424.TXT", figures: FIGURES }),
 };

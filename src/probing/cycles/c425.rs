@@ -45,7 +45,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         surface(Feature::Hole, [x, y], inputs)
     },
     run,
-    subject,
+    subject: |inputs| Some(subject(inputs)),
     window: Window::Own("width"),
     log: Log::Text(TextLog { file: "TCHPR425.TXT", figures: FIGURES }),
 };

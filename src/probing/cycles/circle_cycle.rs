@@ -136,8 +136,8 @@ pub(super) fn surface(feature: Feature, inputs: &Inputs) -> Surface {
 }
 
 /// The nominal diameter, as the status window names it.
-pub(super) fn subject(inputs: &Inputs) -> Option<String> {
-    Some(inputs.length(262).to_string())
+pub(super) fn subject(inputs: &Inputs) -> String {
+    inputs.length(262).to_string()
 }
 
 /// The touches in order: at Q325 + k · Q247, from inside a hole or from outside a stud.

@@ -57,8 +57,8 @@ pub(super) fn surface(feature: Feature, inputs: &Inputs) -> Surface {
 }
 
 /// The nominal sides, as the status window names them.
-pub(super) fn subject(inputs: &Inputs) -> Option<String> {
-    Some(format!("{} x {}", inputs.length(282), inputs.length(283)))
+pub(super) fn subject(inputs: &Inputs) -> String {
+    format!("{} x {}", inputs.length(282), inputs.length(283))
 }
 
 /// The nominal centre at measuring height.

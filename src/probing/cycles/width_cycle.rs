@@ -59,8 +59,8 @@ pub(super) fn surface(feature: Feature, [x, y]: [f64; 2], inputs: &Inputs) -> Su
 }
 
 /// The nominal width, as the status window names it.
-pub(super) fn subject(inputs: &Inputs) -> Option<String> {
-    Some(inputs.length(311).to_string())
+pub(super) fn subject(inputs: &Inputs) -> String {
+    inputs.length(311).to_string()
 }
 
 /// The limits: swapped is refused before anything is probed.

@@ -110,7 +110,7 @@ impl WorkpieceForm {
                 match second {
                     None => self.fill(&[(F::Width, first.to_string())]),
                     Some(second) => {
-                        self.fill(&[(F::FirstLength, first.to_string()), (F::SecondLength, second.to_string())])
+                        self.fill(&[(F::FirstLength, first.to_string()), (F::SecondLength, second.to_string())]);
                     }
                 }
             }

@@ -84,48 +84,54 @@ pub enum WorkpieceField {
 impl WorkpieceField {
     /// The figures of a surface, in reading order.
     pub const fn of(shape: Shape) -> &'static [Self] {
-        use WorkpieceField as F;
         match shape {
             Shape::Hole | Shape::Stud => &[
-                F::CentreX,
-                F::CentreY,
-                F::Diameter,
-                F::SurfaceScatter,
-                F::Ovality,
-                F::OvalityAngle,
-                F::LobeCount,
-                F::LobeHeight,
-                F::LobeAngle,
+                Self::CentreX,
+                Self::CentreY,
+                Self::Diameter,
+                Self::SurfaceScatter,
+                Self::Ovality,
+                Self::OvalityAngle,
+                Self::LobeCount,
+                Self::LobeHeight,
+                Self::LobeAngle,
             ],
             Shape::Face => &[
-                F::PointX,
-                F::PointY,
-                F::PointZ,
-                F::NormalX,
-                F::NormalY,
-                F::NormalZ,
-                F::SurfaceScatter,
-                F::WaveHeight,
-                F::WaveLength,
-                F::WaveX,
-                F::WaveY,
-                F::WaveZ,
+                Self::PointX,
+                Self::PointY,
+                Self::PointZ,
+                Self::NormalX,
+                Self::NormalY,
+                Self::NormalZ,
+                Self::SurfaceScatter,
+                Self::WaveHeight,
+                Self::WaveLength,
+                Self::WaveX,
+                Self::WaveY,
+                Self::WaveZ,
             ],
             Shape::Point => &[
-                F::PointX,
-                F::PointY,
-                F::PointZ,
-                F::NormalX,
-                F::NormalY,
-                F::NormalZ,
-                F::Deviation,
-                F::Radius,
-                F::SurfaceScatter,
+                Self::PointX,
+                Self::PointY,
+                Self::PointZ,
+                Self::NormalX,
+                Self::NormalY,
+                Self::NormalZ,
+                Self::Deviation,
+                Self::Radius,
+                Self::SurfaceScatter,
             ],
-            Shape::Slot | Shape::Ridge => &[F::CentreX, F::CentreY, F::Width, F::Angle, F::SurfaceScatter],
-            Shape::Pocket | Shape::Boss => {
-                &[F::CentreX, F::CentreY, F::FirstLength, F::SecondLength, F::Angle, F::SurfaceScatter]
+            Shape::Slot | Shape::Ridge => {
+                &[Self::CentreX, Self::CentreY, Self::Width, Self::Angle, Self::SurfaceScatter]
             }
+            Shape::Pocket | Shape::Boss => &[
+                Self::CentreX,
+                Self::CentreY,
+                Self::FirstLength,
+                Self::SecondLength,
+                Self::Angle,
+                Self::SurfaceScatter,
+            ],
         }
     }
 

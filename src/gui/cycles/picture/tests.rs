@@ -16,7 +16,7 @@ use crate::probing::cycles::{CYCLES, cycle, cycle_named};
 use crate::probing::simulated::{Face, Lobes, Machine, Probe, Surface, Walls, Workpiece};
 use crate::session::Session;
 use crate::tolerance::Feature;
-use crate::words::{Dialogue, Language, Words};
+use crate::words::{Language, Words};
 
 /// Draws in a window and gives it back, settled.
 fn drawn<'a>(
