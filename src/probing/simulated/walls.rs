@@ -172,7 +172,7 @@ mod tests {
         assert!(boss.is_free([34.0, 23.0], 5.0) && !boss.is_free([33.9, 22.9], 5.0));
         // Turned by 45 degrees the edge points along the axis.
         let turned = Walls { angle: 45.0, lengths: (20.0, Some(20.0)), ..boss };
-        check(&turned, [30.0, 0.0], [-1.0, 0.0], 0.0, None);
+        check(&turned, [30.0, 14.2], [-1.0, 0.0], 0.0, None);
         check(&turned, [30.0, 0.001], [-1.0, 0.0], 0.0, Some(30.0 - 200.0_f64.sqrt() + 0.001));
         let corners = turned.corners(1e3);
         assert!(corners.iter().any(|[x, y]| (x - 200.0_f64.sqrt()).abs() < 1e-12 && y.abs() < 1e-12), "{corners:?}");
