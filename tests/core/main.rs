@@ -44,3 +44,4 @@ mod table_cli;
 mod table_compare;
 mod tables;
 mod twin;
+mod wall_cycles;

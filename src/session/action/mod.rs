@@ -334,7 +334,7 @@ impl Session {
         let is_heard = |action: Action| match action.place() {
             Place::Everywhere => true,
             // Its window lies over the listing, and takes Escape.
-            Place::Page(Page::Program) if self.bench_is_open() => false,
+            Place::Page(Page::Program) if self.workpiece_is_open() => false,
             Place::Part(of) => part == Some(of) && of.page() == self.page(),
             place => place.is_on(self.page()),
         };

@@ -193,9 +193,11 @@ pub(super) fn row(action: Action) -> Row {
         }
         Action::EditWorkpiece => of_workpiece("cycles-workpiece", WorkpieceCommand::Show(true)),
         Action::SuitWorkpiece => of_workpiece("cycles-suit", WorkpieceCommand::Suit),
-        Action::OpenWorkpiece => of_workpiece("cycles-open-bench", open(Purpose::OpenCycleFile(CycleFile::Bench))),
-        Action::SaveWorkpiece => of_workpiece("cycles-save-bench", open(Purpose::SaveBench))
-            .when(|session| session.bench().bench().is_some()),
+        Action::OpenWorkpiece => {
+            of_workpiece("cycles-open-workpiece", open(Purpose::OpenCycleFile(CycleFile::Workpiece)))
+        }
+        Action::SaveWorkpiece => of_workpiece("cycles-save-workpiece", open(Purpose::SaveWorkpiece))
+            .when(|session| session.workpiece().simulation().is_some()),
         Action::OpenContacts => of_workpiece("cycles-open-contacts", open(Purpose::OpenCycleFile(CycleFile::Contacts))),
         Action::OpenProbes => on(Page::Cycles, "cycles-open-probes", open(Purpose::OpenCycleFile(CycleFile::Probes))),
         Action::ShippedProbes => on(Page::Cycles, "cycles-shipped-probes", CyclesCommand::ShippedProbes)
@@ -346,7 +348,7 @@ fn uppermost(session: &Session) -> Option<Command> {
         Some(Command::Close)
     } else if session.cycles().block().is_some() && is_on(Page::Cycles) {
         Some(CyclesCommand::ShowBlock(false).into())
-    } else if session.bench_is_open() && (is_on(Page::Cycles) || is_on(Page::Program)) {
+    } else if session.workpiece_is_open() && (is_on(Page::Cycles) || is_on(Page::Program)) {
         Some(WorkpieceCommand::Show(false).into())
     } else {
         None
