@@ -31,6 +31,7 @@ mod nc_sets;
 mod point_cycles;
 mod probe_blocks;
 mod programs;
+mod promises;
 mod report;
 mod report_cli;
 mod run_cli;
