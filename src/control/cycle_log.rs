@@ -1,18 +1,19 @@
 //! The measuring log of a cycle's result: what the control would write beside its program, or show on its screen.
 //!
-//! Cycles 421, 422 and 427 have a text ([`super::log`]), 444 has a page ([`super::log444`]), G785 of the lathe has none.
-//! Nothing here opens a file or asks for the time.
+//! The cycle's declaration says which it is: a text ([`super::log`]) of certain figures, a page of points
+//! ([`super::log444`]), or none. Nothing here opens a file or asks for the time.
 //!
 //! Whether a control overwrites a log of the same name or adds to it is not documented. Here a log is added to what is
 //! there ([`CycleLog::append`]): no measurement is lost, and every reader of ours takes several logs in one file.
 
 use jiff::civil::DateTime;
 
-use super::log::{self, Circle, Coordinate, Further, LimitPair, Log, LogWriteError, Place, Values};
+use super::log::{self, Figure, Further, LimitPair, Log, LogWriteError};
 use super::log444::{self, Band, PointLog, PointLogError};
 use crate::length::{Length, Unit};
 use crate::message::{Message, Say};
-use crate::probing::cycle::{CircleFound, Cycle, CycleResult, Key, Value};
+use crate::probing::cycle::{self, Axis, Cycle, CycleResult, FigureKind, FoundName, Meaning, Value};
+use crate::probing::cycles::cycle as cycle_of;
 use crate::tolerance::Feature;
 use crate::verdict::{Status, classify};
 use crate::words::Dialogue;
@@ -20,9 +21,9 @@ use crate::words::Dialogue;
 /// The log of a cycle's result.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CycleLog {
-    /// `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT`.
+    /// A text.
     Text(Log),
-    /// `TCHPR444.html`.
+    /// A page of points.
     Page(PointLog),
 }
 
@@ -40,10 +41,10 @@ pub struct Heading {
 /// Why a log cannot be written.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum CycleLogError {
-    /// A log of 421, 422 or 427.
+    /// A text.
     #[error(transparent)]
     Text(#[from] LogWriteError),
-    /// A log of 444.
+    /// A page of points.
     #[error(transparent)]
     Page(#[from] PointLogError),
 }
@@ -97,22 +98,19 @@ impl CycleLog {
     /// centre without a tolerance has its nominal value as both limits, and a diameter or coordinate that was not
     /// monitored has limits of 0.
     pub fn of(cycle: &Cycle, result: &CycleResult, heading: &Heading, language: Dialogue) -> Option<Self> {
-        if cycle.number == 444 {
-            return point(result, heading).map(Self::Page);
-        }
-        let values = match cycle.number {
-            421 => Values::Circle(circle(Feature::Hole, result)?),
-            422 => Values::Circle(circle(Feature::Shaft, result)?),
-            427 => Values::Coordinate(coordinate(result)?),
-            _ => return None,
+        let figures = match &cycle.log {
+            cycle::Log::Screen => return None,
+            cycle::Log::Points { .. } => return point(cycle, result, heading).map(Self::Page),
+            cycle::Log::Text(log) => log.figures.iter().map(|of| figure(cycle, result, of.what, of.kind)),
         };
-        let height = length(result.inputs.value(261))?;
+        let figures = figures.collect::<Option<_>>()?;
+        let height = cycle.length_of(&result.inputs, Meaning::MeasuringHeight)?;
         Some(Self::Text(Log {
             date: heading.date_time.map(DateTime::date),
             time: heading.date_time.map(DateTime::time),
             program: heading.program.clone(),
             further: vec![Further::measuring_height(height, heading.unit, language)],
-            ..Log::new(values, heading.unit)
+            ..Log::new(cycle.number, figures, heading.unit)
         }))
     }
 
@@ -139,7 +137,7 @@ impl CycleLog {
     /// nothing was monitored.
     pub fn status(&self, language: Dialogue) -> Option<Status> {
         match self {
-            Self::Text(log) => status(&log.printed(language).values),
+            Self::Text(log) => status(&log.printed(language)),
             Self::Page(log) => log.status,
         }
     }
@@ -153,60 +151,43 @@ impl CycleLog {
     }
 }
 
-fn length(value: Option<&Value>) -> Option<Length> {
-    if let Some(Value::Length(length)) = value { Some(*length) } else { None }
+/// A figure of the log; `None` where the result is not this cycle's.
+fn figure(cycle: &Cycle, result: &CycleResult, what: FoundName, kind: FigureKind) -> Option<Figure> {
+    let actual = result.length(what)?;
+    let of = |meaning| cycle.length_of(&result.inputs, meaning);
+    let against = |nominal: Length, limits| {
+        Some(Figure { nominal: Some(nominal), limits, actual, deviation: Some(actual.saturating_sub(nominal)) })
+    };
+    match kind {
+        FigureKind::Centre(axis) => {
+            let nominal = of(Meaning::Centre(axis))?;
+            // A tolerance of 0 is that of an axis that is not monitored.
+            let tolerance = of(Meaning::CentreTolerance(axis)).unwrap_or_default();
+            let maximum = nominal.saturating_sub(tolerance.negated());
+            against(nominal, Some(LimitPair { maximum, minimum: nominal.saturating_sub(tolerance) }))
+        }
+        FigureKind::Size(nominal) => against(of(nominal)?, compared(result, what)),
+        FigureKind::Coordinate => Some(Figure::bare(compared(result, what), actual)),
+        FigureKind::Information => Some(Figure::bare(None, actual)),
+    }
 }
 
 /// The limits that the cycle compared a value with.
-fn compared(result: &CycleResult, measured: Length, what: crate::probing::cycle::FoundName) -> Option<LimitPair> {
-    let check = result.checks.iter().find(|check| check.what == what && check.measured == measured)?;
+fn compared(result: &CycleResult, what: FoundName) -> Option<LimitPair> {
+    let check = result.checks.iter().find(|check| check.what == what)?;
     Some(LimitPair { maximum: check.maximum, minimum: check.minimum })
 }
 
-fn circle(feature: Feature, result: &CycleResult) -> Option<Circle> {
-    use crate::probing::cycle::FoundName;
-    let CircleFound { centre, diameter, position, .. } = result.circle.as_ref()?;
-    let nominal = Place {
-        centre: [length(result.inputs.value(273))?, length(result.inputs.value(274))?],
-        diameter: length(result.inputs.value(262))?,
-    };
-    let ([nominal_1, nominal_2], [axis_1, axis_2]) = (nominal.centre, position.axes);
-    // A tolerance of 0 is that of an axis that is not monitored.
-    let about = |nominal: Length, tolerance: Option<Length>| {
-        let tolerance = tolerance.unwrap_or_default();
-        let maximum = nominal.saturating_sub(tolerance.negated());
-        LimitPair { maximum, minimum: nominal.saturating_sub(tolerance) }
-    };
-    Some(Circle {
-        feature,
-        nominal,
-        centre_limits: [about(nominal_1, axis_1.tolerance), about(nominal_2, axis_2.tolerance)],
-        diameter_limits: compared(result, *diameter, FoundName::DIAMETER),
-        actual: Place { centre: *centre, diameter: *diameter },
-        deviations: Some(Place {
-            centre: [axis_1.deviation, axis_2.deviation],
-            diameter: diameter.saturating_sub(nominal.diameter),
-        }),
-    })
-}
+const AXES: [Axis; 3] = [Axis::First, Axis::Second, Axis::Third];
 
-fn coordinate(result: &CycleResult) -> Option<Coordinate> {
-    use crate::probing::cycle::FoundName;
-    let actual = length(result.value(160))?;
-    let not_monitored = LimitPair { maximum: Length::ZERO, minimum: Length::ZERO };
-    let limits = compared(result, actual, FoundName::COORDINATE).unwrap_or(not_monitored);
-    Some(Coordinate { nominal: None, limits, actual })
-}
-
-fn point(result: &CycleResult, heading: &Heading) -> Option<PointLog> {
-    let inputs = |keys: [u16; 3]| lengths(keys.map(|key| result.inputs.value(key)));
-    let found = |keys: [u16; 3]| lengths(keys.map(|key| result.value(key)));
-    let [normal_1, normal_2, normal_3] = [581, 582, 583].map(|key: u16| match result.inputs.value(key) {
+fn point(cycle: &Cycle, result: &CycleResult, heading: &Heading) -> Option<PointLog> {
+    let found = |names: [FoundName; 3]| all(names.map(|name| result.length(name)));
+    let normal = |axis| match cycle.value_of(&result.inputs, Meaning::Normal(axis)) {
         Some(Value::Number(number)) => Some(*number),
         _ => None,
-    });
-    let deviation = length(result.value(164))?;
-    let tolerance = result.inputs.value(Key::Qs(400));
+    };
+    let deviation = result.length(FoundName::DEVIATION_ALONG)?;
+    let tolerance = cycle.value_of(&result.inputs, Meaning::Band);
     let band = match tolerance {
         Some(Value::Band(Some(band))) => Some(Band { upper: band.upper(), lower: band.lower() }),
         _ => None,
@@ -215,10 +196,10 @@ fn point(result: &CycleResult, heading: &Heading) -> Option<PointLog> {
         date_time: heading.date_time,
         program: heading.program.clone(),
         unit: heading.unit,
-        nominal: inputs([263, 264, 294])?,
-        normal: [normal_1?, normal_2?, normal_3?],
-        measured: found([151, 152, 153])?,
-        deviations: found([161, 162, 163])?,
+        nominal: all(AXES.map(|axis| cycle.length_of(&result.inputs, Meaning::Point(axis))))?,
+        normal: all(AXES.map(normal))?,
+        measured: found([FoundName::POSITION_1, FoundName::POSITION_2, FoundName::POSITION_3])?,
+        deviations: found([FoundName::DEVIATION_1, FoundName::DEVIATION_2, FoundName::DEVIATION_3])?,
         deviation,
         tolerance: tolerance.map(ToString::to_string).unwrap_or_default(),
         band,
@@ -226,29 +207,28 @@ fn point(result: &CycleResult, heading: &Heading) -> Option<PointLog> {
     })
 }
 
-fn lengths([x, y, z]: [Option<&Value>; 3]) -> Option<[Length; 3]> {
-    Some([length(x)?, length(y)?, length(z)?])
+fn all<T>([x, y, z]: [Option<T>; 3]) -> Option<[T; 3]> {
+    Some([x?, y?, z?])
 }
 
-/// The worst that a log's figures say: diameter or coordinate by its limits, a centre out of position is scrap.
-fn status(values: &Values) -> Option<Status> {
-    match values {
-        Values::Circle(circle) => {
-            let size = circle.diameter_limits.map(|LimitPair { maximum, minimum }| {
-                classify(circle.feature, minimum, maximum, circle.actual.diameter)
-            });
-            let monitored = circle.centre_limits.into_iter().zip(circle.actual.centre);
-            let axes = monitored.filter(|(limits, _)| limits.minimum < limits.maximum).map(|(limits, actual)| {
-                let within = limits.minimum <= actual && actual <= limits.maximum;
-                if within { Status::Good } else { Status::Scrap }
-            });
-            size.into_iter().chain(axes).max()
-        }
-        Values::Coordinate(coordinate) => {
-            let LimitPair { maximum, minimum } = coordinate.limits;
-            let monitored = maximum != Length::ZERO || minimum != Length::ZERO;
-            monitored.then(|| classify(Feature::Shaft, minimum, maximum, coordinate.actual))
-        }
+/// The worst that a log's figures say: sizes and coordinates by their limits, a centre out of position is scrap.
+fn status(log: &Log) -> Option<Status> {
+    let feature = cycle_of(log.cycle)?.shape().feature();
+    let figures = log::layout(log.cycle)?.figures.iter().zip(&log.figures);
+    let judged = figures.filter_map(|(of, figure)| judged(of.kind, feature, figure));
+    judged.max()
+}
+
+/// What the limits of a figure say of it; `None` where it was not monitored.
+fn judged(kind: FigureKind, feature: Feature, figure: &Figure) -> Option<Status> {
+    let (LimitPair { maximum, minimum }, actual) = (figure.limits?, figure.actual);
+    let is_centre = matches!(kind, FigureKind::Centre(_));
+    let is_within = minimum <= actual && actual <= maximum;
+    match (is_centre, is_within) {
+        (false, _) => Some(classify(feature, minimum, maximum, actual)),
+        (true, _) if minimum == maximum => None,
+        (true, true) => Some(Status::Good),
+        (true, false) => Some(Status::Scrap),
     }
 }
 

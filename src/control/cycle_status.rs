@@ -1,24 +1,24 @@
 //! The status window of a measuring cycle: what a program would hand to its mask after the cycle has run.
 //!
-//! A circle is drawn with the mask of program 82551 of NC-Solution 8255 (7/2020): QS2 is the nominal diameter and the
-//! cycle, QS3 the status word, Q33 and Q23 the limits, Q153 the measured diameter. Cycles 427 and 444 have masks of
-//! our own, drawn from the parameters that the cycle itself was given and found.
+//! A diameter is drawn with the mask of program 82551 (NC-Solution 8255): QS2 is the nominal diameter and the cycle,
+//! QS3 the status word, Q33 and Q23 the limits, Q153 the measured diameter. Other cycles declare masks of their own, drawn
+//! from the parameters that the cycle itself was given and found.
 
 use jiff::civil::DateTime;
 
 use super::mask::{Context, Mask, RenderError};
 use super::status::{mask_named, micrometres, shipped_mask, status_word};
 use super::variables::{Parameter, Value, Variables};
-use crate::probing::cycle::{self, Check, Cycle, CycleResult, FoundName, Key, Nominal};
-use crate::tolerance::Feature;
+use crate::probing::cycle::{self, Check, Cycle, CycleResult, FoundName, Key, Meaning, Window};
 use crate::words::Dialogue;
 
-/// The shipped mask of a cycle; `None` for a cycle that measures no circle and has none of its own.
-pub fn cycle_mask(cycle: &Cycle, result: &CycleResult, language: Dialogue) -> Option<&'static Mask> {
-    if result.circle.is_some() {
-        return Some(shipped_mask(language));
+/// The shipped mask of a cycle; `None` for a cycle without a status window.
+pub fn cycle_mask(cycle: &Cycle, language: Dialogue) -> Option<&'static Mask> {
+    match cycle.window {
+        Window::None => None,
+        Window::Diameter => Some(shipped_mask(language)),
+        Window::Own(mask) => mask_named(mask, language),
     }
-    mask_named(cycle.code, language)
 }
 
 /// The parameters after a cycle has run: all that it was given and all that it found, and what the masks ask for besides.
@@ -47,13 +47,11 @@ fn set_diameter(cycle: &Cycle, result: &CycleResult, check: &Check, variables: &
     variables.set(Parameter::qs(1), Value::Text(String::new()));
     variables.set(Parameter::q(33), Value::Length(check.minimum));
     variables.set(Parameter::q(23), Value::Length(check.maximum));
-    if let Nominal::Circle { feature, .. } = (cycle.nominal)(&result.inputs) {
-        variables.set(Parameter::q(2), Value::Number(if feature == Feature::Hole { -1.0 } else { 1.0 }));
-    }
-    if let Some(cycle::Value::Length(nominal)) = result.inputs.value(262) {
-        variables.set(Parameter::q(1), Value::Length(*nominal));
-        variables.set(Parameter::q(4), micrometres(check.maximum.saturating_sub(*nominal)));
-        variables.set(Parameter::q(5), micrometres(check.minimum.saturating_sub(*nominal)));
+    variables.set(Parameter::q(2), Value::Number(if cycle.shape().is_outside() { 1.0 } else { -1.0 }));
+    if let Some(nominal) = cycle.length_of(&result.inputs, Meaning::Diameter) {
+        variables.set(Parameter::q(1), Value::Length(nominal));
+        variables.set(Parameter::q(4), micrometres(check.maximum.saturating_sub(nominal)));
+        variables.set(Parameter::q(5), micrometres(check.minimum.saturating_sub(nominal)));
     }
 }
 
@@ -69,9 +67,10 @@ pub fn cycle_window(
     mask: Option<&Mask>,
     time: DateTime,
 ) -> Option<Result<String, RenderError>> {
-    let has_limits = if result.circle.is_some() { diameter(result).is_some() } else { !result.checks.is_empty() };
+    // A centre alone has no limits of size to show.
+    let has_limits = result.checks.iter().any(|check| !check.what.is_centre());
     // The user's mask is one for diameters.
-    let mask = mask.filter(|_| result.circle.is_some()).or_else(|| cycle_mask(cycle, result, language));
+    let mask = mask.filter(|_| matches!(cycle.window, Window::Diameter)).or_else(|| cycle_mask(cycle, language));
     let mask = mask.filter(|_| has_limits)?;
     let context = Context { language, time, call_path: r"TNC:\82551.h" };
     Some(mask.render(&cycle_variables(cycle, result, language), &context).map(|output| output.text))
@@ -82,18 +81,11 @@ fn diameter(result: &CycleResult) -> Option<&Check> {
     result.checks.iter().find(|check| check.what == FoundName::DIAMETER)
 }
 
-/// What was checked, as QS2 says it: the nominal diameter, or the axis, and the cycle.
+/// What was checked, as QS2 says it: the nominal size or the axis, and the cycle.
 fn checked(cycle: &Cycle, result: &CycleResult) -> String {
-    let axis = match result.inputs.value(272) {
-        Some(cycle::Value::Whole(1)) => Some("X"),
-        Some(cycle::Value::Whole(2)) => Some("Y"),
-        Some(cycle::Value::Whole(3)) => Some("Z"),
-        _ => None,
-    };
-    match (result.inputs.value(262), axis) {
-        (Some(nominal), _) => format!("{nominal} ({})", cycle.code),
-        (None, Some(axis)) => format!("{axis} ({})", cycle.code),
-        (None, None) => cycle.code.to_owned(),
+    match (cycle.subject)(&result.inputs) {
+        Some(subject) => format!("{subject} ({})", cycle.code),
+        None => cycle.code.to_owned(),
     }
 }
 

@@ -9,8 +9,8 @@
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
 //! | `deviations` | such a table as a table of deviations; the two shipped ones |
 //! | `mask` | FN 16 masks, read and rendered |
-//! | `log` | measuring logs `TCHPR421.TXT`, `TCHPR422.TXT`, `TCHPR427.TXT`, read and written |
-//! | `log444` | the log of cycle 444 as HTML, read and written |
+//! | `log` | measuring logs as texts, read and written |
+//! | `log444` | the log of points as HTML, read and written |
 //! | `probe_block` | the block of a probing cycle in an NC program, read and written |
 //! | `cycle_log` | from a cycle's result to its log |
 

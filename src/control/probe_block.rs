@@ -109,8 +109,3 @@ fn shown(text: &str) -> String {
     let short: String = text.chars().take(MOST).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     if text.chars().nth(MOST).is_some() { format!("{short}…") } else { short }
 }
-
-/// Whether the cycle is one of a lathe control, with address letters in one line.
-fn is_lathe(cycle: &Cycle) -> bool {
-    cycle.code.starts_with('G')
-}

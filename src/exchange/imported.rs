@@ -7,6 +7,7 @@ use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Located, Place, Say};
 use crate::probing::Contact;
+use crate::probing::cycle::FoundName;
 use crate::verdict::{PositionVerdict, Removal, Status};
 
 /// The most rows that one file is read for: a record takes some hundred bytes, so this bounds the memory.
@@ -59,11 +60,27 @@ pub enum WhyUnjudged {
         /// The log's nominal diameter.
         nominal: Length,
     },
-    /// A coordinate of cycle 427 is no feature of size, but its log has limits.
+    /// A coordinate is no feature of size, but its log has limits.
+    #[say(args(cycle = field_0.cycle))]
     Coordinate(#[say(skip)] Coordinate),
-    /// A coordinate of cycle 427 whose limits are both 0: the control did not monitor it.
+    /// A coordinate whose limits are both 0: the control did not monitor it.
     CoordinateWithoutLimits,
-    /// A point on a surface that cycle 444 probed: the measured value is its deviation along the normal, nominal 0.
+    /// A width or the side of a rectangle: judged by its limits, but no hole or shaft.
+    #[say(args(cycle = judged.cycle))]
+    Size {
+        /// What was measured.
+        what: FoundName,
+        /// Its limits, and what they say.
+        #[say(skip)]
+        judged: Coordinate,
+    },
+    /// A width or side whose limits are both 0: the control did not monitor it.
+    SizeWithoutLimits {
+        /// What was measured.
+        what: FoundName,
+    },
+    /// A point on a surface that was probed in 3-D: the measured value is its deviation along the normal, nominal 0.
+    #[say(args(cycle = field_0.cycle))]
     Point(#[say(skip)] Coordinate),
     /// Such a point without a tolerance.
     PointWithoutTolerance,
@@ -74,9 +91,11 @@ pub enum WhyUnjudged {
     },
 }
 
-/// A coordinate that cycle 427 measured, or a deviation that cycle 444 did. As on the control, above the maximum is rework and below the minimum scrap.
+/// A value without a callout against its limits, judged as the control does: a coordinate, a deviation, a width, a side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Coordinate {
+    /// What programs call the cycle that measured it.
+    pub cycle: &'static str,
     /// The nominal value, where the log has one.
     pub nominal: Option<Length>,
     /// The largest permitted value.

@@ -1,4 +1,4 @@
-//! Logs of cycle 444 as deviations along the normal: no feature of size, so none of them makes a record.
+//! Logs of points as deviations along the normal: no feature of size, so none of them makes a record.
 //!
 //! The status is computed from deviation and tolerance; a log whose own status is another is refused when it is read.
 
@@ -10,6 +10,8 @@ use super::{Format, Source};
 use crate::control::log444::{self, Band, PointLog};
 use crate::length::Length;
 use crate::message::Place;
+use crate::probing::cycle::Log;
+use crate::probing::cycles::CYCLES;
 use crate::tolerance::{Deviations, Feature, Limits, LimitsError, Source as LimitSource};
 use crate::verdict::judge_size;
 
@@ -61,10 +63,16 @@ fn judged(log: &PointLog, band: Band, source: &Source<'_>) -> Option<Coordinate>
     let limits = Limits::new(Feature::Shaft, Length::ZERO, deviations, from)?;
     let verdict = judge_size(&limits, log.deviation);
     Some(Coordinate {
+        cycle: cycle_of_points(),
         nominal: Some(Length::ZERO),
         maximum: limits.maximum(),
         minimum: limits.minimum(),
         status: verdict.status,
         removal: verdict.removal,
     })
+}
+
+/// What programs call the cycle that writes such logs.
+fn cycle_of_points() -> &'static str {
+    CYCLES.iter().find(|cycle| matches!(cycle.log, Log::Points { .. })).map_or("", |cycle| cycle.code)
 }

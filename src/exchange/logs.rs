@@ -1,17 +1,22 @@
 //! HEIDENHAIN measuring logs as records.
 //!
-//! The limits come from the log, the callout is not in it. The verdict is computed: a log holds no status.
+//! The limits come from the log, the callout is not in it. The verdict is computed: a log holds no status. A diameter
+//! makes a record; widths, sides and coordinates are judged, but make none.
 
 use std::path::Path;
 use std::sync::Arc;
 
+use jiff::civil::DateTime;
+
 use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
 use super::problem::{Reason, WarningReason};
 use super::{Format, Source};
-use crate::control::log::{self, Circle, LimitPair, Log, Values};
+use crate::control::log::{self, Figure, LimitPair, Log, layout};
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::message::Place;
+use crate::probing::cycle::{Cycle, FigureKind, FoundName, Meaning, TextLog};
+use crate::probing::cycles::cycle;
 use crate::probing::{Measurement, Origin};
 use crate::tolerance::{Deviations, Feature, Limits, Source as LimitSource};
 use crate::verdict::{AxisPosition, PositionVerdict, judge_size};
@@ -42,66 +47,110 @@ fn read(source: &Source<'_>) -> Imported {
 }
 
 fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
-    let line = log.line;
-    let time = log.date_time().unwrap_or(source.now);
-    let id = id(&source.file);
-    match log.values {
-        Values::Circle(circle) => {
-            let position = Some(position(&circle));
-            let Some(pair) = circle.diameter_limits else {
-                let why = WhyUnjudged::NoLimits { nominal: circle.nominal.diameter };
-                let measured = Some(circle.actual.diameter);
-                return finish(imported, log.warnings, line, |imported| {
-                    imported.set_aside(Unjudged { line, id, time, measured, position, why });
-                });
-            };
-            let Some(limits) = limits(circle.feature, circle.nominal.diameter, pair, &source.file) else {
-                let given = pair.maximum.to_string();
-                let reason = Reason::Limits(crate::tolerance::LimitsError::TooLarge { nominal: pair.maximum });
-                return imported.refuse(Place::line(line), reason, given);
-            };
-            let measured = circle.actual.diameter;
-            let origin = Origin::Imported { file: Arc::clone(&source.file) };
-            let measurement =
-                Measurement { centre: Some(circle.actual.centre), ..Measurement::of_diameter(measured, origin) };
-            let record = Record::judged(time, id, None, limits, measurement, position);
-            finish(imported, log.warnings, line, |imported| imported.keep(line, record));
-        }
-        Values::Coordinate(values) => {
-            let measured = Some(values.actual);
-            if values.limits.minimum == Length::ZERO && values.limits.maximum == Length::ZERO {
-                // As in the cycle itself: limits of 0 monitor nothing.
-                let why = WhyUnjudged::CoordinateWithoutLimits;
-                return finish(imported, log.warnings, line, |imported| {
-                    imported.set_aside(Unjudged { line, id, time, measured, position: None, why });
-                });
+    // The reader knows the cycle of every log that it has read.
+    let Some((cycle, layout)) = cycle(log.cycle).zip(layout(log.cycle)) else { return };
+    let read = Read {
+        cycle,
+        line: log.line,
+        time: log.date_time().unwrap_or(source.now),
+        id: id(&source.file),
+        position: position(layout, &log.figures),
+        centre: centre(layout, &log.figures),
+    };
+    finish(imported, log.warnings, log.line);
+    let mut sizes = layout.figures.iter().zip(&log.figures).filter_map(|(of, figure)| match of.kind {
+        FigureKind::Size(Meaning::Diameter) => Some(read.diameter(figure, source)),
+        FigureKind::Size(_) | FigureKind::Coordinate => Some(read.size(of.what, of.kind, figure, source)),
+        FigureKind::Centre(_) | FigureKind::Information => None,
+    });
+    // The centre is told with the first size.
+    let Some(first) = sizes.next() else { return };
+    first.add(imported, &read, read.position);
+    sizes.for_each(|other| other.add(imported, &read, None));
+}
+
+/// What all sizes of a log share.
+struct Read {
+    cycle: &'static Cycle,
+    line: usize,
+    time: DateTime,
+    id: String,
+    position: Option<PositionVerdict>,
+    centre: Option<[Length; 2]>,
+}
+
+/// What a size of a log comes to.
+enum Made {
+    Record(Box<Record>),
+    Unjudged { measured: Length, why: WhyUnjudged },
+    Refused { reason: Reason, given: String },
+}
+
+impl Made {
+    fn add(self, imported: &mut Imported, read: &Read, position: Option<PositionVerdict>) {
+        let (line, time, id) = (read.line, read.time, read.id.clone());
+        match self {
+            Self::Record(record) => imported.keep(line, *record),
+            Self::Unjudged { measured, why } => {
+                imported.set_aside(Unjudged { line, id, time, measured: Some(measured), position, why });
             }
-            // Cycle 427 assumes an outside dimension, so it is judged as a shaft is.
-            let Some(limits) = limits(Feature::Shaft, values.limits.minimum, values.limits, &source.file) else {
-                let given = values.limits.maximum.to_string();
-                let reason = Reason::Measured(LengthError::TooLarge { text: given.clone() });
-                return imported.refuse(Place::line(line), reason, given);
-            };
-            let verdict = judge_size(&limits, values.actual);
-            let why = WhyUnjudged::Coordinate(Coordinate {
-                nominal: values.nominal,
-                maximum: limits.maximum(),
-                minimum: limits.minimum(),
-                status: verdict.status,
-                removal: verdict.removal,
-            });
-            finish(imported, log.warnings, line, |imported| {
-                imported.set_aside(Unjudged { line, id, time, measured, position: None, why });
-            });
+            Self::Refused { reason, given } => imported.refuse(Place::line(line), reason, given),
         }
     }
 }
 
-fn finish(imported: &mut Imported, warnings: Vec<log::LogWarning>, row: usize, add: impl FnOnce(&mut Imported)) {
+impl Read {
+    /// A diameter makes a record, with the centre's position.
+    fn diameter(&self, figure: &Figure, source: &Source<'_>) -> Made {
+        let (measured, nominal) = (figure.actual, figure.nominal.unwrap_or_default());
+        let Some(pair) = figure.limits else {
+            return Made::Unjudged { measured, why: WhyUnjudged::NoLimits { nominal } };
+        };
+        let feature = self.cycle.shape().feature();
+        let Some(limits) = limits(feature, nominal, pair, &source.file) else {
+            let reason = Reason::Limits(crate::tolerance::LimitsError::TooLarge { nominal: pair.maximum });
+            return Made::Refused { reason, given: pair.maximum.to_string() };
+        };
+        let origin = Origin::Imported { file: Arc::clone(&source.file) };
+        let measurement = Measurement { centre: self.centre, ..Measurement::of_diameter(measured, origin) };
+        Made::Record(Box::new(Record::judged(self.time, self.id.clone(), None, limits, measurement, self.position)))
+    }
+
+    /// Any other size, or a coordinate: its status, and no record.
+    fn size(&self, what: FoundName, kind: FigureKind, figure: &Figure, source: &Source<'_>) -> Made {
+        let (measured, is_coordinate) = (figure.actual, kind == FigureKind::Coordinate);
+        let Some(pair) = figure.limits else {
+            // As in the cycle itself: limits of 0 monitor nothing.
+            let why = if is_coordinate {
+                WhyUnjudged::CoordinateWithoutLimits
+            } else {
+                WhyUnjudged::SizeWithoutLimits { what }
+            };
+            return Made::Unjudged { measured, why };
+        };
+        let feature = self.cycle.shape().feature();
+        let Some(limits) = limits(feature, pair.minimum, pair, &source.file) else {
+            let given = pair.maximum.to_string();
+            return Made::Refused { reason: Reason::Measured(LengthError::TooLarge { text: given.clone() }), given };
+        };
+        let verdict = judge_size(&limits, measured);
+        let judged = Coordinate {
+            cycle: self.cycle.code,
+            nominal: figure.nominal,
+            maximum: limits.maximum(),
+            minimum: limits.minimum(),
+            status: verdict.status,
+            removal: verdict.removal,
+        };
+        let why = if is_coordinate { WhyUnjudged::Coordinate(judged) } else { WhyUnjudged::Size { what, judged } };
+        Made::Unjudged { measured, why }
+    }
+}
+
+fn finish(imported: &mut Imported, warnings: Vec<log::LogWarning>, row: usize) {
     for warning in warnings {
         imported.warn(warning.line(), Some(row), WarningReason::Log(warning));
     }
-    add(imported);
 }
 
 /// The name that a user gave the file, as users keep one file a feature; the control's own name says nothing.
@@ -117,12 +166,18 @@ fn limits(feature: Feature, nominal: Length, pair: LimitPair, file: &Arc<str>) -
     Limits::new(feature, nominal, deviations, LimitSource::File(Arc::clone(file)))
 }
 
+/// The measured centre.
+fn centre(layout: &TextLog, figures: &[Figure]) -> Option<[Length; 2]> {
+    let centre = layout.figures.iter().zip(figures).filter(|(of, _)| matches!(of.kind, FigureKind::Centre(_)));
+    centre.map(|(_, figure)| figure.actual).collect::<Vec<_>>().try_into().ok()
+}
+
 /// The centre by the log's own limits: a tolerance of 0 means that the axis is not monitored.
-fn position(circle: &Circle) -> PositionVerdict {
-    let [limits_1, limits_2] = circle.centre_limits;
-    let [nominal_1, nominal_2] = circle.nominal.centre;
-    let [actual_1, actual_2] = circle.actual.centre;
-    PositionVerdict { axes: [axis(limits_1, nominal_1, actual_1), axis(limits_2, nominal_2, actual_2)] }
+fn position(layout: &TextLog, figures: &[Figure]) -> Option<PositionVerdict> {
+    let centre = layout.figures.iter().zip(figures).filter(|(of, _)| matches!(of.kind, FigureKind::Centre(_)));
+    let axes: Vec<_> =
+        centre.filter_map(|(_, figure)| Some(axis(figure.limits?, figure.nominal?, figure.actual))).collect();
+    Some(PositionVerdict { axes: axes.try_into().ok()? })
 }
 
 /// Rounding may leave the limits uneven by the last figure: the limit on the side where the centre is decides.

@@ -5,7 +5,7 @@
 //! | `imported` | what came out of a file: records, and everything that made none |
 //! | `problem` | what is wrong or odd, and where |
 //! | `logs` | HEIDENHAIN measuring logs as records |
-//! | `log444` | logs of cycle 444 as deviations along the normal |
+//! | `log444` | logs of points as deviations along the normal |
 //! | `contacts` | CSV of x, y and perhaps z |
 //! | `measurements` | CSV of id, callout and measured value |
 //! | `columns`, `words` | which column of a CSV is which, by header or content |

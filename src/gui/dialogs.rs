@@ -27,7 +27,7 @@ fn dropped(ui: &Ui, view: &mut View<'_>) {
 /// What a file that is dropped on the program page is, by its ending.
 fn program_file(path: &Path) -> Purpose {
     match cycle_file(path) {
-        CycleFile::Bench => Purpose::OpenCycleFile(CycleFile::Bench),
+        CycleFile::Workpiece => Purpose::OpenCycleFile(CycleFile::Workpiece),
         _ if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) => {
             Purpose::OpenCycleFile(CycleFile::Contacts)
         }
@@ -39,7 +39,7 @@ fn program_file(path: &Path) -> Purpose {
 fn cycle_file(path: &Path) -> CycleFile {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
     match ending.as_str() {
-        "toml" => CycleFile::Bench,
+        "toml" => CycleFile::Workpiece,
         "tp" => CycleFile::Probes,
         _ => CycleFile::Contacts,
     }
@@ -92,9 +92,9 @@ const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::Export(_) => "dialog-export",
         Purpose::ExportStatus => "dialog-export-status",
         Purpose::OpenCycleFile(CycleFile::Contacts) => "cycles-dialog-contacts",
-        Purpose::OpenCycleFile(CycleFile::Bench) => "cycles-dialog-bench",
+        Purpose::OpenCycleFile(CycleFile::Workpiece) => "cycles-dialog-workpiece",
         Purpose::OpenCycleFile(CycleFile::Probes) => "cycles-dialog-probes",
-        Purpose::SaveBench => "cycles-dialog-save-bench",
+        Purpose::SaveWorkpiece => "cycles-dialog-save-workpiece",
         Purpose::SaveCycleLog => "cycles-dialog-save-log",
         Purpose::OpenTable => "tables-dialog-open",
         Purpose::OpenProgram => "program-page-dialog-open",
@@ -113,7 +113,7 @@ const fn confirm_id(purpose: Purpose) -> &'static str {
         Purpose::Export(_)
         | Purpose::ExportStatus
         | Purpose::SaveTable(_)
-        | Purpose::SaveBench
+        | Purpose::SaveWorkpiece
         | Purpose::SaveCycleLog => "dialog-save",
     }
 }

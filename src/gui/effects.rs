@@ -18,7 +18,7 @@ use crate::files;
 use crate::message::{Message, Say as _};
 use crate::nc::program::ProgramWarning;
 use crate::probing::Contact;
-use crate::probing::simulated::Bench;
+use crate::probing::simulated::Simulation;
 use crate::report::RENDERINGS;
 use crate::session::program::Document;
 use crate::session::{
@@ -150,7 +150,7 @@ fn read_program(path: &Path) -> Result<(Box<Document>, Vec<ProgramWarning>), Mes
 fn read_cycle_file(file: CycleFile, path: &Path) -> Command {
     match file {
         CycleFile::Contacts => WorkpieceCommand::ContactsRead { name: name(path), result: read_contacts(path) }.into(),
-        CycleFile::Bench => WorkpieceCommand::Read(read_bench(path)).into(),
+        CycleFile::Workpiece => WorkpieceCommand::Read(read_workpiece(path)).into(),
         CycleFile::Probes => CyclesCommand::ProbesRead { name: name(path), result: read_probes(path) }.into(),
     }
 }
@@ -162,9 +162,9 @@ fn read_contacts(path: &Path) -> Result<(Vec<Contact>, Vec<Message>), Message> {
     Ok((read.contacts, ignored.collect()))
 }
 
-fn read_bench(path: &Path) -> Result<Box<Bench>, Message> {
+fn read_workpiece(path: &Path) -> Result<Box<Simulation>, Message> {
     let bytes = files::read(path).map_err(|error| error.message())?;
-    Bench::read(&decode(&bytes)).map(Box::new).map_err(|error| error.message())
+    Simulation::read(&decode(&bytes)).map(Box::new).map_err(|error| error.message())
 }
 
 fn read_probes(path: &Path) -> Result<ProbeTable, Message> {
@@ -190,13 +190,15 @@ fn pick(purpose: Purpose) -> Option<PathBuf> {
         Purpose::OpenCycleFile(CycleFile::Contacts) => {
             dialog.add_filter("Contacts", &both(&["csv", "txt"])).add_filter("*", &["*"]).pick_file()
         }
-        Purpose::OpenCycleFile(CycleFile::Bench) => {
+        Purpose::OpenCycleFile(CycleFile::Workpiece) => {
             dialog.add_filter("TOML", &both(&["toml"])).add_filter("*", &["*"]).pick_file()
         }
         Purpose::OpenCycleFile(CycleFile::Probes) => {
             dialog.add_filter("TP", &both(&["tp"])).add_filter("*", &["*"]).pick_file()
         }
-        Purpose::SaveBench => dialog.add_filter("TOML", &both(&["toml"])).set_file_name("workpiece.toml").save_file(),
+        Purpose::SaveWorkpiece => {
+            dialog.add_filter("TOML", &both(&["toml"])).set_file_name("workpiece.toml").save_file()
+        }
         Purpose::SaveCycleLog => {
             // As the control ends them: text, and HTML for cycle 444.
             dialog.add_filter("Log", &both(&["txt", "html"])).save_file()

@@ -1,7 +1,7 @@
 //! One touch of the probe, and whoever makes it.
 
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::Say;
 
 /// A point in millimetres, in the workpiece's coordinates: on the workpiece's surface, or the centre of the ball where a
 /// [`Prober`] has one that touches.
@@ -39,16 +39,15 @@ impl Contact {
 }
 
 /// The probe met nothing on its way.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "contact", error)]
 pub enum NoContact {
     /// Nothing within reach of the movement.
-    #[error("contact {number}: the probe met nothing on the probing path")]
     Missed {
         /// Which touch of the cycle, from 1.
         number: usize,
     },
     /// Something is there, but farther away than the movement may go.
-    #[error("contact {number}: the probe met nothing within the probing path of {longest} mm")]
     OutOfReach {
         /// Which touch of the cycle, from 1.
         number: usize,
@@ -56,34 +55,17 @@ pub enum NoContact {
         longest: Length,
     },
     /// The movement begins where material is: a real probe would have collided on its way there.
-    #[error("contact {number}: the probing path begins inside the material")]
     InMaterial {
         /// Which touch of the cycle, from 1.
         number: usize,
     },
     /// The recorded contacts are used up.
-    #[error("contact {number}: the file has only {available} contact{}", if *available == 1 { "" } else { "s" })]
     UsedUp {
         /// Which touch of the cycle, from 1.
         number: usize,
         /// How many contacts there are.
         available: usize,
     },
-}
-
-impl Say for NoContact {
-    fn message(&self) -> Message {
-        match self {
-            Self::Missed { number } => Message::new("contact-missed").text("number", number),
-            Self::OutOfReach { number, longest } => {
-                Message::new("contact-out-of-reach").text("number", number).text("longest", longest)
-            }
-            Self::InMaterial { number } => Message::new("contact-in-material").text("number", number),
-            Self::UsedUp { number, available } => {
-                Message::new("contact-used-up").text("number", number).count("available", *available)
-            }
-        }
-    }
 }
 
 /// Where a cycle's contacts come from: the simulated workpiece, or contacts recorded in a file.

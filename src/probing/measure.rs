@@ -2,8 +2,8 @@
 
 use super::circle::CircleError;
 use super::contact::Prober;
-use super::cycle::{Angle, CycleError, Inputs, Value};
-use super::cycles::cycle;
+use super::cycle::{Angle, Axis, CycleError, Inputs, Meaning, Value};
+use super::cycles::measuring;
 use super::measurement::{Measurement, Origin};
 use super::touch_probe::TouchProbe;
 use crate::length::Length;
@@ -25,12 +25,9 @@ pub struct ProbePosition {
     pub centre_tolerance: Length,
 }
 
-/// The number of the cycle that program 82551 calls: 421 for a hole (LBL 14), 422 for a shaft (LBL 15).
+/// The number of the cycle that program 82551 calls: that for a hole (LBL 14), or that for a shaft (LBL 15).
 pub const fn cycle_number(feature: Feature) -> u16 {
-    match feature {
-        Feature::Hole => 421,
-        Feature::Shaft => 422,
-    }
+    measuring(feature).number
 }
 
 /// Measures a feature with the cycle for it, as LBL 14 and LBL 15 of program 82551 do: four contacts at 90 degrees.
@@ -43,28 +40,29 @@ pub fn measure(
     prober: &mut dyn Prober,
     origin: Origin,
 ) -> Result<(Measurement, PositionVerdict), CycleError> {
-    let number = cycle_number(limits.feature);
-    let (maximum, minimum) = match limits.feature {
-        Feature::Hole => (275, 276),
-        Feature::Shaft => (277, 278),
-    };
+    let cycle = measuring(limits.feature);
     let [x, y] = position.centre;
     // The program sets no longest path: the probe goes on until it meets something.
     let probe = TouchProbe { longest_path: Length::MAX, ..TouchProbe::default() };
-    let inputs = Inputs::new()
-        .with_probe(probe)
-        .with(273, Value::Length(x))
-        .with(274, Value::Length(y))
-        .with(262, Value::Length(limits.nominal))
-        .with(325, Value::Angle(position.first_angle))
-        .with(261, Value::Length(position.height))
-        .with(320, Value::Length(position.clearance))
-        .with(maximum, Value::Length(limits.maximum()))
-        .with(minimum, Value::Length(limits.minimum()))
-        .with(279, Value::Length(position.centre_tolerance))
-        .with(280, Value::Length(position.centre_tolerance));
-    let unknown = || CycleError::NoSuchParameter { cycle: "", parameter: number.to_string(), known: String::new() };
-    let result = cycle(number).ok_or_else(unknown)?.measure(&inputs, prober)?;
+    let given = [
+        (Meaning::Centre(Axis::First), Value::Length(x)),
+        (Meaning::Centre(Axis::Second), Value::Length(y)),
+        (Meaning::Diameter, Value::Length(limits.nominal)),
+        (Meaning::FirstAngle, Value::Angle(position.first_angle)),
+        (Meaning::MeasuringHeight, Value::Length(position.height)),
+        (Meaning::SetUpClearance, Value::Length(position.clearance)),
+        (Meaning::MaximumDiameter, Value::Length(limits.maximum())),
+        (Meaning::MinimumDiameter, Value::Length(limits.minimum())),
+        (Meaning::CentreTolerance(Axis::First), Value::Length(position.centre_tolerance)),
+        (Meaning::CentreTolerance(Axis::Second), Value::Length(position.centre_tolerance)),
+    ];
+    let inputs = given.into_iter().fold(Inputs::new().with_probe(probe), |inputs, (meaning, value)| {
+        match cycle.meant(meaning) {
+            Some(parameter) => inputs.with(parameter.key, value),
+            None => inputs,
+        }
+    });
+    let result = cycle.measure(&inputs, prober)?;
     // Both cycles measure a circle.
     let found = result.circle.ok_or(CircleError::TooFew { contacts: 0 })?;
     let measurement = Measurement::of_circle(found.circle, result.contacts, origin)?;

@@ -2,38 +2,30 @@
 
 use super::contact::{Contact, Prober, Recorded};
 use super::cycle::{Cycle, CycleError, Inputs, Move, Phase};
-use super::simulated::{Bench, WorkpieceError};
-use crate::message::{Message, Say};
+use super::simulated::{Simulation, WorkpieceError};
+use crate::message::Say;
 
 /// Where contacts come from.
 #[derive(Debug, Clone, Copy)]
 pub enum Source<'a> {
     /// A workpiece without faults where the cycle expects it, and a point as probe.
     Perfect,
-    /// A simulated machine.
-    Simulated(&'a Bench),
+    /// A simulated workpiece.
+    Simulated(&'a Simulation),
     /// Contacts in probing order, points of the surface.
     Recorded(&'a [Contact]),
 }
 
 /// Why there is nothing to touch.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "source", error)]
 pub enum SourceError {
     /// The cycle's inputs name no workpiece.
-    #[error(transparent)]
+    #[say(transparent)]
     Cycle(#[from] CycleError),
     /// The workpiece cannot be.
-    #[error(transparent)]
+    #[say(transparent)]
     Workpiece(#[from] WorkpieceError),
-}
-
-impl Say for SourceError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Cycle(error) => error.message(),
-            Self::Workpiece(error) => error.message(),
-        }
-    }
 }
 
 impl Source<'_> {
@@ -42,12 +34,12 @@ impl Source<'_> {
     /// # Errors
     /// [`SourceError`] where the inputs or the figures of the workpiece make none.
     pub fn prober(self, cycle: &Cycle, inputs: &Inputs) -> Result<Box<dyn Prober>, SourceError> {
-        let bench = match self {
+        let simulation = match self {
             Self::Recorded(contacts) => return Ok(Box::new(Recorded::new(contacts.to_vec()))),
-            Self::Simulated(bench) => *bench,
-            Self::Perfect => Bench::perfect(cycle.nominal(inputs)?.into()),
+            Self::Simulated(simulation) => *simulation,
+            Self::Perfect => Simulation::perfect(cycle.nominal(inputs)?),
         };
-        let machine = bench.machine().map_err(|error| self.refused(error, cycle, inputs))?;
+        let machine = simulation.machine().map_err(|error| self.refused(error, cycle, inputs))?;
         Ok(Box::new(machine.calibrated(inputs.probe())))
     }
 

@@ -145,7 +145,7 @@ pub enum Purpose {
     /// Reading something for the cycles page.
     OpenCycleFile(CycleFile),
     /// Writing the simulated workpiece.
-    SaveBench,
+    SaveWorkpiece,
     /// Writing the measuring log of the cycle that was run.
     SaveCycleLog,
     /// Reading an NC program.
@@ -158,7 +158,7 @@ pub enum CycleFile {
     /// Recorded contacts.
     Contacts,
     /// A simulated workpiece and probe.
-    Bench,
+    Workpiece,
     /// A touch-probe table.
     Probes,
 }

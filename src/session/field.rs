@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::check::{CheckCommand, CheckField};
 use super::command::Command;
-use super::cycles::{BenchField, CycleField, CyclesCommand};
+use super::cycles::{CycleField, CyclesCommand, WorkpieceField};
 use super::fit::{FitCommand, FitField};
 use super::program::{ProgramCommand, ProgramField};
 use super::tables::{TablesCommand, TablesField};
@@ -24,7 +24,7 @@ pub enum Field {
     /// One of the program page.
     Program(ProgramField),
     /// A figure of the simulated workpiece, which the cycles page and the program page share.
-    Workpiece(BenchField),
+    Workpiece(WorkpieceField),
 }
 
 impl Field {
@@ -71,8 +71,8 @@ impl From<ProgramField> for Field {
     }
 }
 
-impl From<BenchField> for Field {
-    fn from(field: BenchField) -> Self {
+impl From<WorkpieceField> for Field {
+    fn from(field: WorkpieceField) -> Self {
         Self::Workpiece(field)
     }
 }

@@ -25,7 +25,7 @@ impl Session {
             }
             Purpose::ExportStatus => "fitcheck-status.txt".to_owned(),
             Purpose::SaveTable(format) => self.tables.file_name(format),
-            Purpose::SaveBench => "workpiece.toml".to_owned(),
+            Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
             Purpose::Import
             | Purpose::LoadMask
@@ -77,7 +77,7 @@ impl Session {
             Purpose::OpenProgram => return Ok(Effect::ReadProgram(path)),
             Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?,
             Purpose::Export(format) => self.export(format, now)?,
-            Purpose::SaveBench => self.shared.workpiece.bytes()?,
+            Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?,
             Purpose::SaveCycleLog => {
                 let log = self.cycles.log().ok_or_else(|| Message::new("cycles-no-log"))?;
                 log.bytes.clone()

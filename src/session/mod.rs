@@ -43,7 +43,7 @@ pub use action::Action;
 pub use check::{Asked, CheckCommand, CheckField, CheckPage, MeasureBy, Shown};
 pub use command::{Command, CycleFile, Effect, Page, Purpose, SourceChoice, Theme};
 pub use cycles::{
-    Axis, BenchField, BenchForm, BenchKind, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Step,
+    Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Step, WorkpieceField, WorkpieceForm,
 };
 pub use field::Field;
 pub use fit::{

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::command::{Page, SourceChoice, Theme};
-use super::cycles::BenchForm;
+use super::cycles::WorkpieceForm;
 use super::shared::{Dialog, MaskChoice, Notice};
 use super::workpiece::RecordedContacts;
 use super::{Session, tables};
@@ -82,12 +82,12 @@ impl Session {
     }
 
     /// The simulated workpiece that the cycles page and the program page measure.
-    pub const fn bench(&self) -> &BenchForm {
+    pub const fn workpiece(&self) -> &WorkpieceForm {
         &self.shared.workpiece.form
     }
 
     /// Whether its dialog is open.
-    pub const fn bench_is_open(&self) -> bool {
+    pub const fn workpiece_is_open(&self) -> bool {
         self.shared.workpiece.is_open
     }
 

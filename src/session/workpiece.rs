@@ -3,28 +3,28 @@
 use std::sync::Arc;
 
 use super::command::{CycleFile, Purpose};
-use super::cycles::{BenchField, BenchForm, BenchKind};
+use super::cycles::{WorkpieceField, WorkpieceForm};
 use super::shared::{News, Shared};
 use crate::message::Message;
 use crate::probing::Contact;
 use crate::probing::cycle::Plane;
-use crate::probing::simulated::Bench;
+use crate::probing::simulated::{Shape, Simulation};
 
 /// What can be done with the simulated workpiece and with recorded contacts.
 #[derive(Debug, Clone)]
 pub enum WorkpieceCommand {
     /// Replaces the text of a field.
-    Type(BenchField, String),
+    Type(WorkpieceField, String),
     /// Opens or closes the dialog of the simulated workpiece.
     Show(bool),
     /// Chooses what kind of surface the simulated workpiece has.
-    ChooseKind(BenchKind),
+    ChooseShape(Shape),
     /// Chooses the plane of a round surface.
     ChoosePlane(Plane),
     /// Makes a simulated workpiece that suits the inputs of the open page.
     Suit,
     /// A file of a simulated machine was read, or not.
-    Read(Result<Box<Bench>, Message>),
+    Read(Result<Box<Simulation>, Message>),
     /// A file of contacts was read, or not.
     ContactsRead {
         /// Its name without the folder.
@@ -46,7 +46,7 @@ pub struct RecordedContacts {
 /// The simulated workpiece as it is typed, and the contacts that were read.
 #[derive(Debug, Default)]
 pub(super) struct SimulatedWorkpiece {
-    pub form: BenchForm,
+    pub form: WorkpieceForm,
     /// Whether its dialog is open.
     pub is_open: bool,
     pub recorded: Option<Arc<RecordedContacts>>,
@@ -54,9 +54,9 @@ pub(super) struct SimulatedWorkpiece {
 
 impl SimulatedWorkpiece {
     /// The simulated machine, or what is wrong with its first field.
-    pub fn machine(&self) -> Result<&Bench, Message> {
-        let wrong = || self.form.problem().unwrap_or_else(|| Message::new("cycles-no-bench"));
-        self.form.bench().ok_or_else(wrong)
+    pub fn machine(&self) -> Result<&Simulation, Message> {
+        let wrong = || self.form.problem().unwrap_or_else(|| Message::new("cycles-no-workpiece"));
+        self.form.simulation().ok_or_else(wrong)
     }
 
     /// The simulated machine as a file's bytes.
@@ -76,21 +76,21 @@ impl Shared {
     pub fn apply_workpiece(
         &mut self,
         command: WorkpieceCommand,
-        suited: impl FnOnce(&Self) -> Option<Result<Bench, Message>>,
+        suited: impl FnOnce(&Self) -> Option<Result<Simulation, Message>>,
     ) {
         match command {
             WorkpieceCommand::Show(is_open) => self.workpiece.is_open = is_open,
             WorkpieceCommand::Type(field, text) => self.change_workpiece(|form| form.set(field, text)),
-            WorkpieceCommand::ChooseKind(kind) => self.change_workpiece(|form| form.set_kind(kind)),
+            WorkpieceCommand::ChooseShape(kind) => self.change_workpiece(|form| form.set_shape(kind)),
             WorkpieceCommand::ChoosePlane(plane) => self.change_workpiece(|form| form.set_plane(plane)),
             WorkpieceCommand::Suit => match suited(self) {
-                Some(Ok(bench)) => self.change_workpiece(|form| *form = BenchForm::of(&bench)),
+                Some(Ok(bench)) => self.change_workpiece(|form| *form = WorkpieceForm::of(&bench)),
                 Some(Err(problem)) => self.tell(Message::new("cycles-cannot-suit").message("problem", problem)),
                 None => {}
             },
             WorkpieceCommand::Read(result) => {
                 if let Some(bench) = self.file_answered(result) {
-                    self.workpiece.form = BenchForm::of(&bench);
+                    self.workpiece.form = WorkpieceForm::of(&bench);
                     self.spread(News::WorkpieceTaken);
                 }
             }
@@ -104,7 +104,7 @@ impl Shared {
         }
     }
 
-    fn change_workpiece(&mut self, change: impl FnOnce(&mut BenchForm)) {
+    fn change_workpiece(&mut self, change: impl FnOnce(&mut WorkpieceForm)) {
         change(&mut self.workpiece.form);
         self.spread(News::Workpiece);
     }

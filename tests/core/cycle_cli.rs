@@ -392,3 +392,40 @@ fn help_tells_the_keys_of_all_files() {
         assert!(help.contains(word), "{word}: {help}");
     }
 }
+
+#[test]
+fn widths_and_rectangles_through_the_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let slot = file(&folder, "slot.toml", "[slot]\ncentre = [50, 0]\nwidth = 20.2\n");
+    let settings = ["Q328=50", "Q329=0", "Q272=1", "Q261=-5", "Q311=20", "Q288=20.1", "Q289=20"];
+    let (code, answer) = json(&[&["425", "--workpiece", &slot, "--set"][..], &settings].concat(), "");
+    assert_eq!(
+        (code, result(&answer, "Q156"), result(&answer, "Q157")),
+        (Some(11), &Value::from(20.2), &Value::from(50.0))
+    );
+    // The block that it writes is read back as the same inputs.
+    let block = fitcheck(&[&["425", "--as-block", "--set"][..], &settings].concat(), "").out;
+    assert!(
+        block.starts_with("TCH PROBE 425 MEASURE INSIDE WIDTH ~\r\n    Q328=+50   ;STARTNG PNT 1ST AXIS ~\r\n"),
+        "{block}"
+    );
+    let (code, again) = json(&["425", "--workpiece", &slot, "--block", "-"], &block);
+    assert_eq!((code, &again["results"], &again["contacts"]), (Some(11), &answer["results"], &answer["contacts"]));
+    let logs = folder.path().display().to_string();
+    let said = fitcheck(
+        &[&["425", "--workpiece", &slot, "--log-folder", &logs, "--set", "Q281=1"][..], &settings].concat(),
+        "",
+    );
+    assert_eq!(said.code, Some(11), "{}", said.err);
+    assert!(std::fs::read_to_string(folder.path().join("TCHPR425.TXT")).unwrap().contains("cycle 425"));
+    // Perfect workpieces at nominal.
+    let rectangle = ["Q273=50", "Q274=20", "Q282=60", "Q283=40", "Q261=-5"];
+    for code in ["423", "424"] {
+        let (exit, answer) = json(&[&[code, "--set"][..], &rectangle].concat(), "");
+        let sides = (result(&answer, "Q154"), result(&answer, "Q155"));
+        assert_eq!((exit, sides), (Some(0), (&Value::from(60.0), &Value::from(40.0))), "{code}");
+    }
+    let ridge = ["Q263=60", "Q264=0", "Q265=40", "Q266=0", "Q272=1", "Q261=-5", "Q311=20"];
+    let (exit, answer) = json(&[&["426", "--set"][..], &ridge].concat(), "");
+    assert_eq!((exit, result(&answer, "Q156")), (Some(0), &Value::from(20.0)));
+}

@@ -2,9 +2,11 @@
 
 use fitcheck::length::Length;
 use fitcheck::message::Say;
-use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Remark, Unset, Value};
+use fitcheck::probing::cycle::{
+    Angle, Cycle, CycleError, Inputs, Key, Meaning, Parameter, Range, Remark, Unset, Value,
+};
 use fitcheck::probing::cycles::{CYCLES, cycle, cycle_named};
-use fitcheck::probing::simulated::{Bench, Machine, Probe, Workpiece};
+use fitcheck::probing::simulated::{Machine, Probe, Simulation, Workpiece};
 use fitcheck::probing::{Contact, Recorded};
 use fitcheck::tolerance::{Deviations, Feature};
 use fitcheck::verdict::Status;
@@ -13,6 +15,8 @@ use fitcheck::words::{Language, Words};
 /// A text that every cycle accepts for a parameter, out of its declaration.
 fn usual(parameter: &Parameter) -> Value {
     match parameter.range {
+        // The two points of a ridge lie on either side of it.
+        Range::Length { .. } if matches!(parameter.meaning, Meaning::SecondPoint(_)) => length("0"),
         Range::Length { .. } => length("25"),
         Range::Angle { .. } => Value::Angle(Angle::from_degrees(60)),
         Range::OneOf(allowed) => Value::Whole(allowed[0]),
@@ -227,6 +231,63 @@ const OF_444: &[Documented] = &[
     ("MB", SIZE, false),
 ];
 
+/// 423 and 424: manual of the TNC 320; those of the limits by analogy.
+const OF_RECTANGLES: &[Documented] = &[
+    ("Q273", COORDINATE, false),
+    ("Q274", COORDINATE, false),
+    ("Q282", SIZE, false),
+    ("Q283", SIZE, false),
+    ("Q261", COORDINATE, false),
+    ("Q320", SIZE, true),
+    ("Q260", COORDINATE, true),
+    ("Q301", "0, 1", true),
+    ("Q284", SIZE, false),
+    ("Q285", SIZE, false),
+    ("Q286", SIZE, false),
+    ("Q287", SIZE, false),
+    ("Q279", SIZE, false),
+    ("Q280", SIZE, false),
+    ("Q281", "0, 1, 2", false),
+    ("Q309", "0, 1", false),
+    ("Q330", TOOL, false),
+];
+
+/// 425: manual of the TNC 320, Q272 is never the probe axis.
+const OF_425: &[Documented] = &[
+    ("Q328", COORDINATE, false),
+    ("Q329", COORDINATE, false),
+    ("Q310", COORDINATE, false),
+    ("Q272", "1, 2", false),
+    ("Q261", COORDINATE, false),
+    ("Q260", COORDINATE, true),
+    ("Q311", SIZE, false),
+    ("Q288", SIZE, false),
+    ("Q289", SIZE, false),
+    ("Q281", "0, 1, 2", false),
+    ("Q309", "0, 1", false),
+    ("Q330", TOOL, false),
+    ("Q320", SIZE, true),
+    ("Q301", "0, 1", true),
+];
+
+/// 426: as 425 and 427.
+const OF_426: &[Documented] = &[
+    ("Q263", COORDINATE, false),
+    ("Q264", COORDINATE, false),
+    ("Q265", COORDINATE, false),
+    ("Q266", COORDINATE, false),
+    ("Q272", "1, 2", false),
+    ("Q261", COORDINATE, false),
+    ("Q320", SIZE, true),
+    ("Q260", COORDINATE, true),
+    ("Q311", SIZE, false),
+    ("Q288", SIZE, false),
+    ("Q289", SIZE, false),
+    ("Q281", "0, 1, 2", false),
+    ("Q309", "0, 1", false),
+    ("Q330", TOOL, false),
+];
+
 /// Seed 003 gives no ranges but those of the choices.
 const OF_785: &[Documented] = &[
     ("R", "0, 1, 2", false),
@@ -249,6 +310,10 @@ fn the_ranges_are_those_of_the_manuals() {
     let documented = [
         ("421", round_ranges("Q275", "Q276")),
         ("422", round_ranges("Q277", "Q278")),
+        ("423", OF_RECTANGLES.to_vec()),
+        ("424", OF_RECTANGLES.to_vec()),
+        ("425", OF_425.to_vec()),
+        ("426", OF_426.to_vec()),
         ("427", OF_427.to_vec()),
         ("444", OF_444.to_vec()),
         ("G785", OF_785.to_vec()),
@@ -343,7 +408,7 @@ fn what_has_no_effect_is_kept_and_said() {
     for cycle in CYCLES {
         let required = asked(cycle);
         let run = |inputs: &Inputs| {
-            let mut machine = Bench::perfect(cycle.nominal(inputs).unwrap().into()).machine().unwrap();
+            let mut machine = Simulation::perfect(cycle.nominal(inputs).unwrap()).machine().unwrap();
             cycle.measure(inputs, &mut machine).unwrap()
         };
         // What must be given is enough, and the workpiece at nominal is good.
@@ -392,6 +457,7 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         Remark::ToolLeftAlone { tool: "5.1".to_owned() },
         Remark::OutsideDimension,
         Remark::NominalOutsideLimits { nominal: mm("25") },
+        Remark::NominalWidthOutsideLimits { nominal: mm("25") },
         Remark::VariableHoldsDiameter,
         Remark::NoTolerance { key: Key::Qs(400) },
     ] {

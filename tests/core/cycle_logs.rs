@@ -1,7 +1,7 @@
 //! From a cycle to its log and back: the same figures, the same verdict, in every language.
 
 use fitcheck::control::cycle_log::{CycleLog, Heading};
-use fitcheck::control::log::{self, LimitPair, Values};
+use fitcheck::control::log;
 use fitcheck::control::log444;
 use fitcheck::exchange::{Imported, WhyUnjudged, import};
 use fitcheck::length::{Length, Unit};
@@ -50,7 +50,7 @@ fn import_says(file: &str, bytes: &[u8]) -> Option<Status> {
     }
     let [unjudged] = found.unjudged.as_slice() else { panic!("{found:?}") };
     match &unjudged.why {
-        WhyUnjudged::Coordinate(coordinate) | WhyUnjudged::Point(coordinate) => Some(coordinate.status),
+        WhyUnjudged::Coordinate(found) | WhyUnjudged::Point(found) => Some(found.status),
         WhyUnjudged::NoLimits { .. } => {
             let position = unjudged.position.filter(PositionVerdict::is_monitored)?;
             Some(if position.is_out() { Status::Scrap } else { Status::Good })
@@ -299,16 +299,11 @@ fn pair(one: i64, other: i64) -> [i64; 2] {
 /// Values of the log in nanometres.
 fn figures(log: &CycleLog) -> Vec<i64> {
     let CycleLog::Text(log) = log else { panic!() };
-    let both = |pair: LimitPair| [pair.maximum, pair.minimum];
-    let lengths: Vec<Length> = match &log.values {
-        Values::Circle(values) => {
-            let place = |place: log::Place| [place.centre[0], place.centre[1], place.diameter];
-            let limits = values.centre_limits.into_iter().chain(values.diameter_limits).flat_map(both);
-            place(values.nominal).into_iter().chain(place(values.actual)).chain(limits).collect()
-        }
-        Values::Coordinate(values) => both(values.limits).into_iter().chain([values.actual]).collect(),
-    };
-    lengths.into_iter().map(Length::nanometres).collect()
+    let lengths = log.figures.iter().flat_map(|figure| {
+        let limits = figure.limits.map(|pair| [pair.maximum, pair.minimum]);
+        [figure.nominal, Some(figure.actual)].into_iter().flatten().chain(limits.into_iter().flatten())
+    });
+    lengths.map(Length::nanometres).collect()
 }
 
 /// The worse of two verdicts is never the log's: rounding takes no value over its limit.

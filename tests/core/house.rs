@@ -199,3 +199,42 @@ fn files_are_written_whole_in_one_place() {
     let others = files(|name| name != "files.rs");
     none_names(&others, &["std::fs::write", "File::create"]);
 }
+
+/// A cycle is one file: nothing else in the source names its number. The page of points has a format's own marks.
+#[test]
+fn no_cycle_is_named_outside_its_own_file() {
+    let others = |name: &str| {
+        // Records for tests.
+        let is_test = name.ends_with("tests.rs") || name == "report/sample.rs";
+        !is_test && !name.starts_with("probing/cycles/") && !name.starts_with("tolerance/")
+    };
+    let named = files(others).into_iter().flat_map(|(name, code)| {
+        let part_of_a_word = |c: char| c.is_ascii_alphanumeric() || "._-#".contains(c);
+        let words: Vec<String> = code.split(|c| !part_of_a_word(c)).map(str::to_owned).collect();
+        let is_cycle = |word: &&String| {
+            let word = word.trim_start_matches(['G', 'Q']).trim_end_matches("_u16");
+            fitcheck::probing::cycles::CYCLES.iter().any(|cycle| word == cycle.number.to_string())
+        };
+        let found: Vec<String> = words.iter().filter(is_cycle).map(|word| format!("{name} names {word}")).collect();
+        found
+    });
+    let marks = ["control/log444/stored.rs names 444", "control/log444/error.rs names 444"];
+    let found: Vec<_> = named.filter(|found| !marks.contains(&found.as_str())).collect();
+    assert_eq!(found, Vec::<String>::new());
+}
+
+/// What a parameter is called is said by the cycles alone.
+#[test]
+fn no_parameter_of_a_cycle_is_asked_for_by_its_number() {
+    let others = files(|name| {
+        let room = ["control/", "nc/machine/", "session/", "gui/", "cli/", "exchange/"];
+        room.iter().any(|room| name.starts_with(room)) && !name.starts_with("control/variables")
+    });
+    for (name, code) in &others {
+        for call in ["inputs.value(", "result.value(", ".parameter("] {
+            for rest in code.split(call).skip(1) {
+                assert!(!rest.starts_with(|c: char| c.is_ascii_digit()), "{name}: {call} with a number");
+            }
+        }
+    }
+}

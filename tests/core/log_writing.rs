@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use fitcheck::control::log::{
-    Circle, Coordinate, Further, LimitPair, Log, LogWriteError, Place, Values, append, read, write,
-};
+use fitcheck::control::log::{Figure, Further, LimitPair, Log, LogWriteError, append, layout, read, write};
 use fitcheck::length::{Length, Unit};
-use fitcheck::tolerance::Feature;
+use fitcheck::probing::cycle::FigureKind;
+use fitcheck::probing::cycles::CYCLES;
 use fitcheck::words::Dialogue;
 use proptest::prelude::*;
 
@@ -159,7 +158,7 @@ fn the_published_figures_are_written_in_the_documented_layout() {
         time: Some(jiff::civil::time(6, 55, 4, 0)),
         program: Some(r"TNC:\GEH35712\CHECK1.H".to_owned()),
         further: vec![Further::measuring_height(mm("-5"), Unit::Millimetre, Dialogue::En)],
-        ..Log::new(Values::Circle(published()), Unit::Millimetre)
+        ..Log::new(421, published(), Unit::Millimetre)
     };
     let text = String::from_utf8(write(&log, Dialogue::En).unwrap()).unwrap();
     assert_eq!(
@@ -208,26 +207,23 @@ fn mm(text: &str) -> Length {
     text.parse().unwrap()
 }
 
-fn published() -> Circle {
-    let nominal = Place { centre: [mm("50"), mm("65")], diameter: mm("12") };
-    let actual = Place { centre: [mm("50.081"), mm("64.953")], diameter: mm("12.0259") };
-    Circle {
-        feature: Feature::Hole,
-        nominal,
-        centre_limits: nominal.centre.map(|nominal| LimitPair::about(nominal, mm("0.1")).unwrap()),
-        diameter_limits: Some(LimitPair { maximum: mm("12.045"), minimum: mm("12") }),
-        actual,
-        deviations: actual.checked_sub(nominal),
-    }
+/// A coordinate of the centre, 0.1 either way.
+fn centre(nominal: &str, actual: &str) -> Figure {
+    Figure::of(mm(nominal), LimitPair::about(mm(nominal), mm("0.1")), mm(actual)).unwrap()
+}
+
+fn published() -> Vec<Figure> {
+    let limits = LimitPair { maximum: mm("12.045"), minimum: mm("12") };
+    let diameter = Figure::of(mm("12"), Some(limits), mm("12.0259")).unwrap();
+    vec![centre("50", "50.081"), centre("65", "64.953"), diameter]
 }
 
 #[test]
 fn good_rework_and_scrap_are_written_alike_for_a_log_holds_no_status() {
     let with = |diameter: &str| {
         let mut circle = published();
-        circle.actual.diameter = mm(diameter);
-        circle.deviations = circle.actual.checked_sub(circle.nominal);
-        let bytes = write(&Log::new(Values::Circle(circle), Unit::Millimetre), Dialogue::En).unwrap();
+        circle[2] = Figure::of(mm("12"), circle[2].limits, mm(diameter)).unwrap();
+        let bytes = write(&Log::new(421, circle, Unit::Millimetre), Dialogue::En).unwrap();
         String::from_utf8(bytes).unwrap().replace(|c: char| c.is_ascii_digit() || "- ".contains(c), "")
     };
     assert_eq!(with("12.0259"), with("11.9999"));
@@ -237,9 +233,11 @@ fn good_rework_and_scrap_are_written_alike_for_a_log_holds_no_status() {
 #[test]
 fn what_a_log_lacks_is_left_out() {
     let mut circle = published();
-    circle.deviations = None;
-    circle.diameter_limits = None;
-    let log = Log::new(Values::Circle(circle), Unit::Millimetre);
+    for figure in &mut circle {
+        figure.deviation = None;
+    }
+    circle[2].limits = None;
+    let log = Log::new(421, circle, Unit::Millimetre);
     let bytes = write(&log, Dialogue::Nl).unwrap();
     let text = String::from_utf8(bytes.clone()).unwrap();
     assert!(!text.contains("Datum") && !text.contains("Afwijkingen") && !text.contains("Overige"), "{text}");
@@ -256,10 +254,9 @@ fn what_a_log_lacks_is_left_out() {
 fn figures_finer_than_the_log_are_rounded_half_away_from_zero_and_its_own_limits_decide() {
     let limits = LimitPair { maximum: mm("5.1"), minimum: mm("4.95") };
     let printed = |actual: &str| {
-        let values = Values::Coordinate(Coordinate { nominal: None, limits, actual: mm(actual) });
-        let log = Log::new(values, Unit::Millimetre);
+        let log = Log::new(427, vec![Figure::bare(Some(limits), mm(actual))], Unit::Millimetre);
         let read = logs(&write(&log, Dialogue::En).unwrap());
-        let Values::Coordinate(coordinate) = &read[0].values else { panic!("{read:?}") };
+        let [coordinate] = read[0].figures[..] else { panic!("{read:?}") };
         coordinate.actual.to_string()
     };
     assert_eq!(printed("5.10005"), "5.1001");
@@ -273,12 +270,12 @@ fn figures_finer_than_the_log_are_rounded_half_away_from_zero_and_its_own_limits
 #[test]
 fn a_coordinate_with_a_nominal_value_comes_with_its_deviation() {
     let limits = LimitPair { maximum: mm("5.1"), minimum: mm("4.95") };
-    let values = Values::Coordinate(Coordinate { nominal: Some(mm("5")), limits, actual: mm("4.98") });
-    let log = Log::new(values.clone(), Unit::Millimetre);
+    let figures = vec![Figure::of(mm("5"), Some(limits), mm("4.98")).unwrap()];
+    let log = Log::new(427, figures.clone(), Unit::Millimetre);
     let bytes = write(&log, Dialogue::De).unwrap();
     let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
     assert!(text.contains("Abweichungen:\r\nGemessene Koordinate:                              -0.0200\r\n"), "{text}");
-    assert_eq!(logs(&bytes)[0].values, values);
+    assert_eq!(logs(&bytes)[0].figures, figures);
 }
 
 #[test]
@@ -286,7 +283,7 @@ fn the_measuring_height_is_named_in_the_language_that_is_written() {
     let german = logs(&sample("de/TCHPR421.TXT"));
     let english = logs(&write(&german[0], Dialogue::En).unwrap());
     assert_eq!(english[0].further, [Further { label: "Measuring height".to_owned(), value: "-12.0000".to_owned() }]);
-    assert_eq!(english[0].values, german[0].values);
+    assert_eq!(english[0].figures, german[0].figures);
 }
 
 #[test]
@@ -306,7 +303,7 @@ fn logs_are_added_to_a_file_and_all_of_them_read_back() {
     let all = logs(&file);
     assert_eq!(all.iter().map(|log| log.cycle).collect::<Vec<_>>(), [421, 422, 427, 422, 421]);
     for (log, other) in all[1..].iter().zip(others) {
-        assert_eq!(log.values, logs(&sample(other))[0].values, "{other}");
+        assert_eq!(log.figures, logs(&sample(other))[0].figures, "{other}");
     }
 }
 
@@ -330,7 +327,7 @@ fn nothing_is_added_to_a_file_that_is_cut_off() {
                 // What was there reads as before, whatever it was.
                 let before = read(&whole[..end]);
                 let after = read(&both);
-                assert_eq!(after.last().unwrap().as_ref().unwrap().values, log.values, "{end}");
+                assert_eq!(after.last().unwrap().as_ref().unwrap().figures, log.figures, "{end}");
                 assert!(after.len() == 1 || after[..after.len() - 1] == before[..], "{end}");
             }
             Err(error) => assert_eq!(error, LogWriteError::Unfinished, "{end}"),
@@ -343,28 +340,22 @@ fn check_error(change: impl Fn(&mut Log), expected: &str) {
     let mut log = Log {
         date: Some(jiff::civil::date(2005, 6, 30)),
         program: Some(r"TNC:\CHECK1.H".to_owned()),
-        ..Log::new(Values::Circle(published()), Unit::Millimetre)
+        ..Log::new(421, published(), Unit::Millimetre)
     };
     change(&mut log);
     assert_eq!(write(&log, Dialogue::En).unwrap_err().to_string(), expected);
 }
 
-fn circle(log: &mut Log) -> &mut Circle {
-    match &mut log.values {
-        Values::Circle(circle) => circle,
-        Values::Coordinate(_) => panic!(),
-    }
-}
-
-fn shrink(circle: &mut Circle) {
-    circle.nominal.diameter = mm("0.00004");
-    circle.deviations = circle.actual.checked_sub(circle.nominal);
+fn shrink(diameter: &mut Figure) {
+    *diameter = Figure::of(mm("0.00004"), diameter.limits, diameter.actual).unwrap();
 }
 
 #[test]
 fn what_would_not_read_back_is_refused() {
     let further = |label: &str, value: &str| Further { label: label.to_owned(), value: value.to_owned() };
-    check_error(|log| log.cycle = 422, "cycle 422 does not write these values: they are those of cycle 421");
+    check_error(|log| log.cycle = 427, "cycle 427 does not write these values");
+    check_error(|log| log.cycle = 444, "cycle 444 does not write these values");
+    check_error(|log| log.cycle = 430, "cycle 430 does not write these values");
     check_error(|log| log.unit = Unit::Micrometre, "a log is in mm or inch, not in µm");
     check_error(
         |log| log.program = Some("TNC:\\\u{20ac}.H".to_owned()),
@@ -384,22 +375,24 @@ fn what_would_not_read_back_is_refused() {
     check_error(|log| log.further = vec![further("Again", "1-2-2020")], otherwise);
     check_error(|log| log.further = vec![further("a: b", "1")], otherwise);
     check_error(
-        |log| circle(log).actual.diameter = mm("12.03"),
+        |log| log.figures[2].actual = mm("12.03"),
         "deviation 0.0259 is not actual minus nominal value, 12.0300 - 12.0000",
     );
     // Above zero, but not when it is printed.
-    check_error(|log| shrink(circle(log)), "diameter 0.0000 is not above 0");
+    check_error(|log| shrink(&mut log.figures[2]), "diameter 0.0000 is not above 0");
     check_error(
-        |log| circle(log).diameter_limits = Some(LimitPair { maximum: mm("1"), minimum: mm("2") }),
+        |log| log.figures[2].limits = Some(LimitPair { maximum: mm("1"), minimum: mm("2") }),
         "maximum 1.0000 is below minimum 2.0000",
     );
     check_error(
-        |log| circle(log).centre_limits[0].maximum = mm("51"),
+        |log| log.figures[0].limits.as_mut().unwrap().maximum = mm("51"),
         "limits 49.9000 and 51.0000 are not symmetrical about the nominal value 50.0000",
     );
-    let log = Log::new(Values::Circle(published()), Unit::Millimetre);
-    let swapped = Log { values: Values::Circle(Circle { feature: Feature::Shaft, ..published() }), ..log };
-    assert_eq!(write(&swapped, Dialogue::En), Err(LogWriteError::Cycle { cycle: 421, expected: 422 }));
+    // A log of the stud with a hole's figures is one of a stud: what differs is its words only.
+    let stud = Log { cycle: 422, ..Log::new(421, published(), Unit::Millimetre) };
+    assert_eq!(logs(&write(&stud, Dialogue::En).unwrap())[0].cycle, 422);
+    let short = Log::new(425, published(), Unit::Millimetre);
+    assert_eq!(write(&short, Dialogue::En), Err(LogWriteError::Cycle { cycle: 425 }));
 }
 
 /// Nanometres of a log's last figure.
@@ -429,31 +422,40 @@ fn pair(a: Length, b: Length) -> LimitPair {
     LimitPair { maximum: a.max(b), minimum: a.min(b) }
 }
 
-fn circles(step: i64) -> impl Strategy<Value = Values> {
-    let place = move || ([coordinate(step), coordinate(step)], size(step));
-    let limits = proptest::option::of([size(step), size(step)]);
-    (any::<bool>(), place(), place(), [small(step), small(step)], limits).prop_map(
-        |(hole, (centre, diameter), (centre_2, diameter_2), [tolerance_1, tolerance_2], limits)| {
-            let nominal = Place { centre, diameter };
-            let actual = Place { centre: centre_2, diameter: diameter_2 };
-            let about = |nominal, tolerance| LimitPair::about(nominal, tolerance).unwrap();
-            Values::Circle(Circle {
-                feature: if hole { Feature::Hole } else { Feature::Shaft },
-                nominal,
-                centre_limits: [about(centre[0], tolerance_1), about(centre[1], tolerance_2)],
-                diameter_limits: limits.map(|[a, b]| pair(a, b)),
-                actual,
-                deviations: actual.checked_sub(nominal),
-            })
-        },
-    )
+fn centres(step: i64) -> impl Strategy<Value = Figure> {
+    (coordinate(step), small(step), coordinate(step)).prop_map(|(nominal, tolerance, actual)| {
+        Figure::of(nominal, LimitPair::about(nominal, tolerance), actual).unwrap()
+    })
 }
 
-fn values(step: i64) -> impl Strategy<Value = Values> {
+fn sizes(step: i64) -> impl Strategy<Value = Figure> {
+    let limits = proptest::option::of([size(step), size(step)]);
+    (size(step), limits, size(step))
+        .prop_map(|(nominal, limits, actual)| Figure::of(nominal, limits.map(|[a, b]| pair(a, b)), actual).unwrap())
+}
+
+fn coordinates(step: i64) -> impl Strategy<Value = Figure> {
     let limits = [coordinate(step), coordinate(step)];
-    let coordinates = (proptest::option::of(coordinate(step)), limits, coordinate(step))
-        .prop_map(|(nominal, [a, b], actual)| Values::Coordinate(Coordinate { nominal, limits: pair(a, b), actual }));
-    prop_oneof![2 => circles(step), 1 => coordinates]
+    (proptest::option::of(coordinate(step)), limits, coordinate(step)).prop_map(|(nominal, [a, b], actual)| {
+        // Limits of 0 and 0 are those of a coordinate that was not monitored.
+        let limits = Some(pair(a, b)).filter(|pair| pair.maximum != Length::ZERO || pair.minimum != Length::ZERO);
+        nominal.map_or(Figure::bare(limits, actual), |nominal| Figure::of(nominal, limits, actual).unwrap())
+    })
+}
+
+/// The figures of every cycle with a log, out of its declaration.
+fn values(step: i64) -> impl Strategy<Value = (u16, Vec<Figure>)> {
+    let logs = CYCLES.iter().filter_map(|cycle| Some((cycle.number, layout(cycle.number)?)));
+    let logs = proptest::sample::select(logs.collect::<Vec<_>>());
+    logs.prop_flat_map(move |(cycle, layout)| {
+        let figures = layout.figures.iter().map(|figure| match figure.kind {
+            FigureKind::Centre(_) => centres(step).boxed(),
+            FigureKind::Size(_) => sizes(step).boxed(),
+            FigureKind::Coordinate => coordinates(step).boxed(),
+            FigureKind::Information => coordinate(step).prop_map(|actual| Figure::bare(None, actual)).boxed(),
+        });
+        (Just(cycle), figures.collect::<Vec<_>>())
+    })
 }
 
 /// A log with the finest step that its figures may have, in nanometres; `None` for the printed grid.
@@ -467,9 +469,9 @@ fn any_log(step: Option<i64>) -> impl Strategy<Value = (Log, Dialogue)> {
         let program =
             proptest::option::of(r"(TNC|PLC|SF):\\([A-Z0-9_äöüßé]{1,8}\\){0,3}[A-Z0-9_ -]{0,8}[A-Z0-9_]\.(H|I)");
         (values(step), proptest::option::of(date), proptest::option::of(time), program, coordinate(figure(unit)))
-            .prop_map(move |(values, date, time, program, height)| {
+            .prop_map(move |((cycle, figures), date, time, program, height)| {
                 let further = vec![Further::measuring_height(height, unit, language)];
-                (Log { date, time, program, further, ..Log::new(values, unit) }, language)
+                (Log { date, time, program, further, ..Log::new(cycle, figures, unit) }, language)
             })
     })
 }
@@ -479,23 +481,14 @@ fn as_read(log: &Log, read: &Log) -> Log {
     Log { title: read.title.clone(), warnings: read.warnings.clone(), ..log.clone() }
 }
 
-/// Every figure of a log.
-fn figures(values: &Values) -> Vec<Length> {
-    let pair = |pair: LimitPair| vec![pair.maximum, pair.minimum];
-    let place = |place: Place| vec![place.centre[0], place.centre[1], place.diameter];
-    match values {
-        Values::Circle(circle) => [
-            place(circle.nominal),
-            circle.centre_limits.into_iter().flat_map(pair).collect(),
-            circle.diameter_limits.map(pair).unwrap_or_default(),
-            place(circle.actual),
-            circle.deviations.map(place).unwrap_or_default(),
-        ]
-        .concat(),
-        Values::Coordinate(coordinate) => {
-            [coordinate.nominal.into_iter().collect(), pair(coordinate.limits), vec![coordinate.actual]].concat()
-        }
-    }
+/// Every length of a log.
+fn figures(log: &Log) -> Vec<Length> {
+    let lengths = log.figures.iter().flat_map(|figure| {
+        let limits = figure.limits.map(|pair| [pair.maximum, pair.minimum]);
+        let others = [figure.nominal, Some(figure.actual), figure.deviation];
+        others.into_iter().flatten().chain(limits.into_iter().flatten()).collect::<Vec<_>>()
+    });
+    lengths.collect()
 }
 
 proptest! {
@@ -519,7 +512,7 @@ proptest! {
         let read = logs(&write(&log, language).unwrap());
         prop_assert_eq!(&read[0], &Log { warnings: read[0].warnings.clone(), ..log.printed(language) });
         let step = figure(log.unit);
-        for (exact, printed) in figures(&log.values).into_iter().zip(figures(&read[0].values)) {
+        for (exact, printed) in figures(&log).into_iter().zip(figures(&read[0])) {
             prop_assert_eq!(printed.nanometres() % step, 0);
             let off = printed.nanometres().abs() - exact.nanometres().abs();
             // Half a figure is rounded away from zero.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use fitcheck::control::log::{self, Circle, Log, Values};
+use fitcheck::control::log::{self, Figure, Log};
 use fitcheck::exchange::{Imported, WhyUnjudged, import};
 use fitcheck::journal::Record;
 use fitcheck::length::{Length, Unit};
@@ -49,11 +49,9 @@ fn status(expected: &Expected) -> Status {
     [Status::Good, Status::Rework, Status::Scrap].into_iter().find(|s| s.word() == expected["status"]).unwrap()
 }
 
-fn circle(log: &Log) -> Option<&Circle> {
-    match &log.values {
-        Values::Circle(circle) => Some(circle),
-        Values::Coordinate(_) => None,
-    }
+/// Centre and diameter; `None` for a coordinate.
+fn circle(log: &Log) -> Option<[Figure; 3]> {
+    log.figures.clone().try_into().ok()
 }
 
 #[test]
@@ -63,33 +61,31 @@ fn figures_are_those_of_the_log() {
         let of = |column: &str| value(expected, column, log.unit);
         assert_eq!(log.cycle.to_string(), expected["cycle"], "{file}");
         assert_eq!(if log.unit == Unit::Inch { "INCH" } else { "MM" }, expected["unit"], "{file}");
-        match &log.values {
-            Values::Circle(circle) => {
-                let limits = circle.diameter_limits.unwrap();
-                assert_eq!(Some(circle.nominal.diameter), of("nominal"), "{file}");
-                assert_eq!(Some(limits.minimum), of("minimum"), "{file}");
-                assert_eq!(Some(limits.maximum), of("maximum"), "{file}");
-                assert_eq!(Some(circle.actual.diameter), of("actual"), "{file}");
-                let deviation = circle.actual.diameter.checked_sub(circle.nominal.diameter);
-                assert_eq!(deviation, of("deviation"), "{file}");
-                for (axis, number) in [(0, 1), (1, 2)] {
-                    let (actual, nominal) = (circle.actual.centre[axis], circle.nominal.centre[axis]);
-                    assert_eq!(actual.checked_sub(nominal), of(&format!("centre_{number}_deviation")), "{file}");
-                    let limits = circle.centre_limits[axis];
-                    let tolerance = of(&format!("centre_{number}_tolerance"));
-                    assert_eq!(limits.maximum.checked_sub(nominal), tolerance, "{file}");
-                    assert_eq!(nominal.checked_sub(limits.minimum), tolerance, "{file}");
-                }
-                if let Some(deviations) = circle.deviations {
-                    assert_eq!(Some(deviations.diameter), of("deviation"), "{file}");
-                }
-            }
-            Values::Coordinate(coordinate) => {
-                assert_eq!(coordinate.nominal, of("nominal"), "{file}");
-                assert_eq!(Some(coordinate.limits.minimum), of("minimum"), "{file}");
-                assert_eq!(Some(coordinate.limits.maximum), of("maximum"), "{file}");
-                assert_eq!(Some(coordinate.actual), of("actual"), "{file}");
-            }
+        let Some([centre_1, centre_2, diameter]) = circle(log) else {
+            let [coordinate] = log.figures[..] else { panic!("{file}") };
+            let limits = coordinate.limits.unwrap();
+            assert_eq!(coordinate.nominal, of("nominal"), "{file}");
+            assert_eq!(Some(limits.minimum), of("minimum"), "{file}");
+            assert_eq!(Some(limits.maximum), of("maximum"), "{file}");
+            assert_eq!(Some(coordinate.actual), of("actual"), "{file}");
+            return;
+        };
+        let limits = diameter.limits.unwrap();
+        assert_eq!(diameter.nominal, of("nominal"), "{file}");
+        assert_eq!(Some(limits.minimum), of("minimum"), "{file}");
+        assert_eq!(Some(limits.maximum), of("maximum"), "{file}");
+        assert_eq!(Some(diameter.actual), of("actual"), "{file}");
+        assert_eq!(diameter.actual.checked_sub(diameter.nominal.unwrap()), of("deviation"), "{file}");
+        for (axis, number) in [(centre_1, 1), (centre_2, 2)] {
+            let (actual, nominal) = (axis.actual, axis.nominal.unwrap());
+            assert_eq!(actual.checked_sub(nominal), of(&format!("centre_{number}_deviation")), "{file}");
+            let limits = axis.limits.unwrap();
+            let tolerance = of(&format!("centre_{number}_tolerance"));
+            assert_eq!(limits.maximum.checked_sub(nominal), tolerance, "{file}");
+            assert_eq!(nominal.checked_sub(limits.minimum), tolerance, "{file}");
+        }
+        if let Some(deviation) = diameter.deviation {
+            assert_eq!(Some(deviation), of("deviation"), "{file}");
         }
     });
 }
@@ -101,7 +97,7 @@ fn verdicts_are_the_expected_ones() {
         assert_eq!(imported.problems, [], "{file}");
         // The column is in micrometres; no inch log has one.
         let remove = value(expected, "remove_um_or_inch", Unit::Micrometre);
-        let Some(circle) = circle(log) else {
+        let Some([centre_1, centre_2, _]) = circle(log) else {
             let WhyUnjudged::Coordinate(coordinate) = &imported.unjudged[number].why else { panic!("{file}") };
             assert_eq!(coordinate.status, status(expected), "{file}");
             assert_eq!(coordinate.removal.map(|removal| removal.to_limit), remove, "{file}");
@@ -117,7 +113,7 @@ fn verdicts_are_the_expected_ones() {
         assert_eq!(Some(record.limits.maximum()), of("maximum"), "{file}");
         assert_eq!(Some(record.measurement.diameter), of("actual"), "{file}");
         assert_eq!(Some(record.verdict.size.deviation), of("deviation"), "{file}");
-        assert_eq!(record.measurement.centre, Some(circle.actual.centre), "{file}");
+        assert_eq!(record.measurement.centre, Some([centre_1.actual, centre_2.actual]), "{file}");
         let position = record.verdict.position.unwrap();
         for (axis, number) in [(0, 1), (1, 2)] {
             assert_eq!(Some(position.axes[axis].deviation), of(&format!("centre_{number}_deviation")), "{file}");

@@ -15,7 +15,7 @@ use fitcheck::nc::program::{Body, Program, TextExpression, TextOperand};
 use fitcheck::nc::sets::{Control, MOST_FEATURES, NcFeature, NcPlan, NcSet, SetError, SetRemark, Target};
 use fitcheck::probing::cycle::{Angle, Plane, Remark};
 use fitcheck::probing::measure::{ProbePosition, cycle_number, measure};
-use fitcheck::probing::simulated::{Bench, Surface, Workpiece};
+use fitcheck::probing::simulated::{Simulation, Surface, Workpiece};
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::tolerance::table_edit::standard_table;
 use fitcheck::tolerance::{Callout, Limits, Sources, ToleranceClass, iso286};
@@ -86,7 +86,7 @@ fn measured(feature: &NcFeature, limits: &Limits, diameter: Length) -> Measureme
         clearance: feature.clearance,
         ..ProbePosition::default()
     };
-    let mut machine = Bench::perfect(Surface::Round(workpiece, Plane::Xy)).machine().unwrap();
+    let mut machine = Simulation::perfect(Surface::Round(workpiece, Plane::Xy)).machine().unwrap();
     let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: 1 };
     measure(limits, &position, &mut machine, origin).unwrap().0
 }
@@ -210,8 +210,8 @@ fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
                 (limits.maximum().checked_add(mm("0.000001")).unwrap(), above),
             ] {
                 let workpiece = Workpiece::round(limits.feature, [40.0, 30.0], diameter.to_mm_f64());
-                let bench = Bench::perfect(Surface::Round(workpiece, Plane::Xy));
-                let machine = run(&set, control, Dialogue::En, Contacts::Workpiece(bench));
+                let simulation = Simulation::perfect(Surface::Round(workpiece, Plane::Xy));
+                let machine = run(&set, control, Dialogue::En, Contacts::Workpiece(simulation));
                 assert_eq!(machine.status(), Some(status), "{callout} {diameter} {control:?}");
             }
         }

@@ -6,7 +6,7 @@ use fitcheck::length::Length;
 use fitcheck::message::Say as _;
 use fitcheck::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Key, LogTarget, Phase, Plane, Remark, Value};
 use fitcheck::probing::cycles::cycle_named;
-use fitcheck::probing::simulated::{Bench, Face, FreePoint, Lobes, Machine, Probe, Surface, Workpiece};
+use fitcheck::probing::simulated::{Face, FreePoint, Lobes, Machine, Probe, Simulation, Surface, Workpiece};
 use fitcheck::probing::{Contact, NoContact, Prober, Recorded, Touch, TouchProbe};
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
@@ -467,8 +467,8 @@ proptest! {
 }
 
 #[track_caller]
-fn bench(text: &str) -> Bench {
-    Bench::read(text).unwrap_or_else(|error| panic!("{error}"))
+fn simulation(text: &str) -> Simulation {
+    Simulation::read(text).unwrap_or_else(|error| panic!("{error}"))
 }
 
 const BORE: &str = "[bore]\ncentre = [50, 20]\ndiameter = 25\n";
@@ -477,7 +477,7 @@ const BORE: &str = "[bore]\ncentre = [50, 20]\ndiameter = 25\n";
 fn found(text: &str, probe: TouchProbe) -> (f64, f64, f64) {
     let cycle = cycle_named("421").unwrap();
     let given = inputs(cycle, "Q273=50 Q274=20 Q262=25").unwrap().with_probe(probe);
-    let mut machine = bench(text).machine().unwrap().calibrated(&probe);
+    let mut machine = simulation(text).machine().unwrap().calibrated(&probe);
     let circle = cycle.measure(&given, &mut machine).unwrap().circle.unwrap().circle;
     (circle.x, circle.y, circle.diameter)
 }
@@ -521,7 +521,7 @@ fn a_wave_lifts_the_ball_to_the_crest_and_lets_it_into_the_trough() {
         );
         let cycle = cycle_named("427").unwrap();
         let given = inputs(cycle, &format!("Q263={x} Q264=0 Q261=5 Q272=3 Q267=-1")).unwrap();
-        let result = cycle.measure(&given, &mut bench(&text).machine().unwrap()).unwrap();
+        let result = cycle.measure(&given, &mut simulation(&text).machine().unwrap()).unwrap();
         result.contacts[0].z
     };
     for ball in ["0", "2"] {
@@ -538,13 +538,16 @@ fn a_wave_lifts_the_ball_to_the_crest_and_lets_it_into_the_trough() {
 #[test]
 fn a_machine_file_that_cannot_be_is_refused_with_its_line() {
     let refused = |text: &str, expected: &str| {
-        let error = Bench::read(text).unwrap_err();
+        let error = Simulation::read(text).unwrap_err();
         assert_eq!(said_in_both(&error), expected);
     };
-    refused("seed = 1\n", "the file has 0 of [bore], [stud], [face] and [point]: it needs exactly one");
+    refused(
+        "seed = 1\n",
+        "the file has 0 of [bore], [stud], [face], [point], [slot], [ridge], [pocket], [boss]: it needs exactly one",
+    );
     refused(
         &format!("{BORE}[face]\npoint=[0,0,0]\nnormal=[0,0,1]\n"),
-        "the file has 2 of [bore], [stud], [face] and [point]: it needs exactly one",
+        "the file has 2 of [bore], [stud], [face], [point], [slot], [ridge], [pocket], [boss]: it needs exactly one",
     );
     refused("[bore]\ncentre = [0, 0]\ndiameter = -1\n", "line 3: diameter = -1: at least 0.001, at most 100000");
     refused(
@@ -561,16 +564,16 @@ fn a_machine_file_that_cannot_be_is_refused_with_its_line() {
         "line 3: length of the normal = 0: at least 0.000001, at most 200000",
     );
     refused("[bore]\ncentre = [0, nan]\ndiameter = 25\n", "line 2: centre y = NaN: at least -100000, at most 100000");
-    let odd = Bench::read("[bore]\ncentre = [0, 0]\ndiameter = 25\ncolour = 'red'\n").unwrap_err().to_string();
+    let odd = Simulation::read("[bore]\ncentre = [0, 0]\ndiameter = 25\ncolour = 'red'\n").unwrap_err().to_string();
     assert!(odd.starts_with("line 4: unknown field `colour`"), "{odd}");
-    let long = Bench::read(&format!("[bore]\n{}=1\n", "a".repeat(300_000))).unwrap_err().to_string();
+    let long = Simulation::read(&format!("[bore]\n{}=1\n", "a".repeat(300_000))).unwrap_err().to_string();
     assert!(long.starts_with("line 2: unknown field `aaa") && long.ends_with('…'), "{}", long.len());
     assert!(long.chars().count() < 400, "{}", long.len());
-    let broken = Bench::read("[bore\n").unwrap_err().to_string();
+    let broken = Simulation::read("[bore\n").unwrap_err().to_string();
     assert!(broken.starts_with("line 1: "), "{broken}");
 }
 
-fn said_in_both(error: &fitcheck::probing::simulated::BenchError) -> String {
+fn said_in_both(error: &fitcheck::probing::simulated::SimulationError) -> String {
     let english = error.to_string();
     assert_eq!(Words::new(Language::En).told(error), english);
     assert_ne!(Words::new(Language::Nl).told(error), error.message().id);

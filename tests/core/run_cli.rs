@@ -281,3 +281,35 @@ fn wrong_usage_is_told_apart_from_bad_data() {
     );
     check_stopped(&[&main, "--folder", "none"], "no such folder: none");
 }
+
+/// Slots and rectangles in a program: figures of the workpiece by hand, each in the parameter of its cycle.
+#[test]
+fn a_slot_and_a_pocket_are_measured_in_a_program() {
+    let shop = Shop::new();
+    let slot = shop.file("slot.toml", "[slot]\ncentre = [50.02, 0.0]\nwidth = 20.05\n[probe]\nball_radius = 3.0\n");
+    let blocks = "TOOL CALL 1 Z\nTCH PROBE 425 MEASURE INSIDE WIDTH ~\n  Q328=+50 ;STARTNG PNT 1ST AXIS ~\n  Q329=+10 ~\n  \
+                  Q310=+0 ~\n  Q272=+1 ~\n  Q261=-5 ~\n  Q260=+20 ~\n  Q311=+20 ~\n  Q288=+20.1 ~\n  Q289=+20 ~\n  \
+                  Q281=+0 ~\n  Q309=+0 ~\n  Q330=+0\nFN 9: IF +Q180 EQU +1 GOTO LBL 1\nFN 14: ERROR= 1072\nLBL 1\n";
+    let values = |program: &str, workpiece: &str, names: &[&str]| {
+        let said = fitcheck(&[program, "--workpiece", workpiece, "--format", "json"]);
+        let answer: Value = serde_json::from_str(&said.out).unwrap_or_else(|_| panic!("{}{}", said.out, said.err));
+        let [cycle] = answer["cycles"].as_array().unwrap().as_slice() else { panic!("{answer}") };
+        let found = names.iter().map(|name| cycle["results"][name].clone());
+        (said.code, found.collect::<Vec<_>>())
+    };
+    let program = shop.program(blocks);
+    // 20.05 wide, its middle at 50.02, 0.05 more than nominal, within 20 to 20.1.
+    let expected = [20.05, 50.02, 0.05].map(Value::from).to_vec();
+    assert_eq!(values(&program, &slot, &["Q156", "Q157", "Q166"]), (Some(0), expected));
+    let pocket = "[pocket]\ncentre = [50.03, 19.98]\nlengths = [59.9, 40.04]\n[probe]\nball_radius = 2.0\n";
+    let pocket = shop.file("pocket.toml", pocket);
+    let blocks = "TOOL CALL 1 Z\nTCH PROBE 423 MEAS. RECTAN. INSIDE ~\n  Q273=+50 ~\n  Q274=+20 ~\n  Q282=+60 ~\n  Q283=+40 ~\n  \
+                  Q261=-5 ~\n  Q320=+0 ~\n  Q260=+20 ~\n  Q301=+0 ~\n  Q284=+60.1 ~\n  Q285=+60 ~\n  Q286=+40.1 ~\n  \
+                  Q287=+40 ~\n  Q279=+0 ~\n  Q280=+0 ~\n  Q281=+0 ~\n  Q309=+0 ~\n  Q330=+0\n";
+    let program = shop.program(blocks);
+    // The first side is 0.1 too small: rework. The second is within its limits.
+    let names = ["Q151", "Q152", "Q154", "Q155", "Q161", "Q162", "Q164", "Q165", "Q180", "Q181", "Q182"];
+    let expected = [50.03, 19.98, 59.9, 40.04, 0.03, -0.02, -0.1, 0.04].map(Value::from).into_iter();
+    let expected = expected.chain([0, 1, 0].map(Value::from)).collect::<Vec<_>>();
+    assert_eq!(values(&program, &pocket, &names), (Some(10), expected));
+}

@@ -167,8 +167,8 @@ fn enter_measures_where_there_is_something_to_measure() {
         (TablesField::Filter.into(), Page::Tables, None),
         (TablesField::CellUpper.into(), Page::Tables, Some(Action::SetCell)),
         (TablesField::To.into(), Page::Tables, Some(Action::MakeTable)),
-        (fitcheck::session::BenchField::Seed.into(), Page::Cycles, Some(Action::RunCycle)),
-        (fitcheck::session::BenchField::Seed.into(), Page::Program, Some(Action::RunProgram)),
+        (fitcheck::session::WorkpieceField::Seed.into(), Page::Cycles, Some(Action::RunCycle)),
+        (fitcheck::session::WorkpieceField::Seed.into(), Page::Program, Some(Action::RunProgram)),
         (ProgramField::Filter.into(), Page::Program, None),
         (ProgramField::Value.into(), Page::Program, Some(Action::GiveValue)),
     ] {

@@ -4,10 +4,10 @@ use fitcheck::length::Length;
 use fitcheck::probing::Contact;
 use fitcheck::probing::cycle::{Key, Value};
 use fitcheck::probing::cycles::CYCLES;
-use fitcheck::probing::simulated::Bench;
+use fitcheck::probing::simulated::{Shape, Simulation};
 use fitcheck::session::{
-    Axis, BenchField, BenchKind, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose,
-    Saved, Session, Step, WorkpieceCommand,
+    Axis, Command, ContactsFrom, CycleField, CycleFile, CyclesCommand, Effect, Page, Purpose, Saved, Session, Step,
+    WorkpieceCommand, WorkpieceField,
 };
 use fitcheck::verdict::Status;
 use fitcheck::words::{Dialogue, Language, Words};
@@ -78,12 +78,12 @@ fn a_run_is_kept_with_its_inputs_and_any_change_clears_it() {
     }
     // The simulated workpiece is no input as long as it is not touched.
     now(&mut session);
-    send(&mut session, WorkpieceCommand::Type(BenchField::Diameter, "30".into()));
-    send(&mut session, WorkpieceCommand::ChooseKind(BenchKind::Face));
+    send(&mut session, WorkpieceCommand::Type(WorkpieceField::Diameter, "30".into()));
+    send(&mut session, WorkpieceCommand::ChooseShape(Shape::Face));
     assert!(session.cycles().run().is_some());
     send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
     apply(&mut session, Command::Cycles(CyclesCommand::Run));
-    send(&mut session, WorkpieceCommand::Type(BenchField::PointZ, "5".into()));
+    send(&mut session, WorkpieceCommand::Type(WorkpieceField::PointZ, "5".into()));
     assert!(session.cycles().run().is_none());
 }
 
@@ -181,12 +181,12 @@ fn every_cycle_is_run_and_stepped() {
 fn a_cycle_that_does_not_come_to_its_end_shows_its_way() {
     let mut session = with(427, &FACE);
     send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
-    send(&mut session, WorkpieceCommand::ChooseKind(BenchKind::Face));
-    send(&mut session, WorkpieceCommand::Type(BenchField::PointZ, "-60".into()));
+    send(&mut session, WorkpieceCommand::ChooseShape(Shape::Face));
+    send(&mut session, WorkpieceCommand::Type(WorkpieceField::PointZ, "-60".into()));
     send(&mut session, CyclesCommand::Run);
     assert_eq!(problem(&session), "contact 1: the probe met nothing within the probing path of 50 mm");
     assert!(!session.cycles().run().unwrap().path.is_empty());
-    send(&mut session, WorkpieceCommand::Type(BenchField::Temperature, "hot".into()));
+    send(&mut session, WorkpieceCommand::Type(WorkpieceField::Temperature, "hot".into()));
     send(&mut session, CyclesCommand::Run);
     assert_eq!(problem(&session), "simulated workpiece: Workpiece temperature: hot is not a number");
 }
@@ -232,7 +232,7 @@ fn the_measuring_log_is_shown_or_saved_as_q281_asks() {
     let logs = fitcheck::control::log::read(bytes);
     let [Ok(log)] = logs.as_slice() else { panic!("{logs:?}") };
     assert_eq!(log.date, Some(jiff::civil::date(2026, 11, 21)));
-    let fitcheck::control::log::Values::Coordinate(found) = &log.values else { panic!("{log:?}") };
+    let [found] = log.figures[..] else { panic!("{log:?}") };
     assert_eq!(found.actual, "5".parse().unwrap());
     apply(&mut session, Command::Close);
     fill(&mut session, &["Q281=2"]);
@@ -244,22 +244,22 @@ fn the_measuring_log_is_shown_or_saved_as_q281_asks() {
 #[test]
 fn the_workpiece_is_saved_and_opened_as_a_file() {
     let mut session = with(421, &[]);
-    send(&mut session, WorkpieceCommand::Type(BenchField::Diameter, "25.012".into()));
-    apply(&mut session, Command::OpenDialog(Purpose::SaveBench));
+    send(&mut session, WorkpieceCommand::Type(WorkpieceField::Diameter, "25.012".into()));
+    apply(&mut session, Command::OpenDialog(Purpose::SaveWorkpiece));
     let effects = apply(&mut session, Command::Confirm);
     let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
     assert_eq!(path.display().to_string(), "workpiece.toml");
-    let bench = Bench::read(std::str::from_utf8(bytes).unwrap()).unwrap();
-    assert_eq!(Some(&bench), session.bench().bench());
+    let bench = Simulation::read(std::str::from_utf8(bytes).unwrap()).unwrap();
+    assert_eq!(Some(&bench), session.workpiece().simulation());
     let mut other = with(421, &[]);
-    apply(&mut other, Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Bench)));
+    apply(&mut other, Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Workpiece)));
     apply(&mut other, Command::TypePath("workpiece.toml".into()));
     let effects = apply(&mut other, Command::Confirm);
-    assert_eq!(effects, [Effect::ReadCycleFile(CycleFile::Bench, "workpiece.toml".into())]);
+    assert_eq!(effects, [Effect::ReadCycleFile(CycleFile::Workpiece, "workpiece.toml".into())]);
     send(&mut other, WorkpieceCommand::Read(Ok(Box::new(bench))));
     assert!(other.dialog().is_none());
     assert_eq!(other.cycles().from(), ContactsFrom::Simulated);
-    assert_eq!(other.text(BenchField::Diameter), "25.012");
+    assert_eq!(other.text(WorkpieceField::Diameter), "25.012");
 }
 
 #[test]
@@ -361,7 +361,7 @@ fn no_text_in_any_field_makes_the_page_panic() {
 #[test]
 fn a_shown_result_is_always_that_of_what_is_on_screen() {
     let contacts = [[12.5, 0.0, 0.0], [0.0, 12.502, 0.0], [-12.5, 0.0, 0.0], [0.0, -12.502, 0.0]].map(Contact::at);
-    let bench = |text: &str| Box::new(Bench::read(text).unwrap());
+    let bench = |text: &str| Box::new(Simulation::read(text).unwrap());
     let mut commands: Vec<Command> = vec![
         WorkpieceCommand::Show(true).into(),
         WorkpieceCommand::Suit.into(),
@@ -377,15 +377,17 @@ fn a_shown_result_is_always_that_of_what_is_on_screen() {
         WorkpieceCommand::ContactsRead { name: "a.csv".into(), result: Ok((contacts.to_vec(), Vec::new())) }.into(),
         WorkpieceCommand::Read(Ok(bench("[bore]\ncentre = [0, 0]\ndiameter = 25.03\n"))).into(),
         WorkpieceCommand::Read(Ok(bench("seed = 4\n[point]\npoint = [0, 0, 5]\nnormal = [0, 0, 1]\n"))).into(),
-        WorkpieceCommand::Read(Err(fitcheck::message::Message::new("cycles-no-bench"))).into(),
+        WorkpieceCommand::Read(Err(fitcheck::message::Message::new("cycles-no-workpiece"))).into(),
     ];
     commands.extend(ContactsFrom::ALL.map(CyclesCommand::From).map(Command::from));
     commands.extend(CYCLES.iter().map(|cycle| CyclesCommand::Choose(cycle.number).into()));
-    commands.extend(BenchKind::ALL.map(WorkpieceCommand::ChooseKind).map(Command::from));
+    commands.extend(Shape::ALL.map(WorkpieceCommand::ChooseShape).map(Command::from));
     commands.extend(
-        ["25", "25,02", "0", "x"].map(|text| Command::from(WorkpieceCommand::Type(BenchField::Diameter, text.into()))),
+        ["25", "25,02", "0", "x"]
+            .map(|text| Command::from(WorkpieceCommand::Type(WorkpieceField::Diameter, text.into()))),
     );
-    commands.extend(["1", ""].map(|text| Command::from(WorkpieceCommand::Type(BenchField::BallRadius, text.into()))));
+    commands
+        .extend(["1", ""].map(|text| Command::from(WorkpieceCommand::Type(WorkpieceField::BallRadius, text.into()))));
     commands
         .extend(["0", ""].map(|text| Command::from(CyclesCommand::Type(CycleField::Position(Axis::X), text.into()))));
     commands.extend(

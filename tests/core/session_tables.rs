@@ -250,7 +250,7 @@ fn tables_and_columns_that_cannot_be_are_refused_beside_their_field() {
     assert_eq!(shown(&session).differing(), 0);
     type_text(&mut session, TablesField::Classes, "H6");
     send(&mut session, TablesCommand::AddColumns);
-    assert!(error(&session, TablesField::Classes).unwrap().starts_with("H6 and h7 cannot stand in one table"));
+    assert!(error(&session, TablesField::Classes).unwrap().starts_with("H6 and h7 cannot be in one table"));
 }
 
 #[test]

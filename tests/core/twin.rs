@@ -17,7 +17,7 @@ use fitcheck::nc::machine::{Contacts, Fault, InMemory, Machine, Settings, Shippe
 use fitcheck::nc::program::{Body, Program};
 use fitcheck::probing::cycle::Plane;
 use fitcheck::probing::measure::{ProbePosition, cycle_number, measure};
-use fitcheck::probing::simulated::{Bench, Surface, Workpiece};
+use fitcheck::probing::simulated::{Simulation, Surface, Workpiece};
 use fitcheck::probing::{Origin, Recorded};
 use fitcheck::tolerance::{Callout, DeviationTable, Feature, Limits, Sources, ToleranceClass};
 use fitcheck::verdict::{Status, doubt, judge};
@@ -48,9 +48,9 @@ fn main_program(language: Dialogue) -> Arc<Program> {
     Arc::new(program)
 }
 
-fn bench(feature: Feature, diameter: Length) -> Bench {
+fn simulation(feature: Feature, diameter: Length) -> Simulation {
     let workpiece = Workpiece::round(feature, CENTRE.map(f64::from), diameter.to_mm_f64());
-    Bench::perfect(Surface::Round(workpiece, Plane::Xy))
+    Simulation::perfect(Surface::Round(workpiece, Plane::Xy))
 }
 
 /// What a run of 8255 leaves behind.
@@ -84,7 +84,7 @@ fn answer_of(machine: &Machine) -> Answer {
 }
 
 /// What `fitcheck check` answers on the same workpiece.
-fn native(limits: &Limits, callout: Callout, bench: Bench, language: Dialogue) -> Answer {
+fn native(limits: &Limits, callout: Callout, simulation: Simulation, language: Dialogue) -> Answer {
     let position = ProbePosition {
         centre: CENTRE.map(|mm| Length::from_micrometres(mm * 1000)),
         height: Length::from_micrometres(-8_000),
@@ -92,7 +92,7 @@ fn native(limits: &Limits, callout: Callout, bench: Bench, language: Dialogue) -
         ..ProbePosition::default()
     };
     let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: 1 };
-    let mut machine = bench.machine().unwrap();
+    let mut machine = simulation.machine().unwrap();
     let (measurement, _) = measure(limits, &position, &mut machine, origin).unwrap();
     let verdict = judge(limits, measurement.diameter, None);
     let record = Record {
@@ -128,10 +128,10 @@ fn workpieces(limits: &Limits) -> [(Length, Status); 5] {
 
 /// Runs both on one workpiece.
 fn compare(machine: &mut Machine, callout: Callout, limits: &Limits, (diameter, expected): (Length, Status)) {
-    let bench = bench(limits.feature, diameter);
-    let native = native(limits, callout, bench, machine.settings().language);
+    let simulation = simulation(limits.feature, diameter);
+    let native = native(limits, callout, simulation, machine.settings().language);
     let class = callout.class().unwrap();
-    run(machine, &callout.nominal().to_string(), class.as_str(), Contacts::Workpiece(bench))
+    run(machine, &callout.nominal().to_string(), class.as_str(), Contacts::Workpiece(simulation))
         .unwrap_or_else(|fault| panic!("{callout}, {diameter} mm: {fault}"));
     assert_eq!(answer_of(machine), native, "{callout}, {diameter} mm");
     assert_eq!(native.status, Some(expected), "{callout}, {diameter} mm");

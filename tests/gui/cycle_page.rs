@@ -239,6 +239,28 @@ fn all_other_cycles_are_run_and_read_back() {
 }
 
 #[test]
+fn a_slot_and_a_boss_are_run_and_read_back() {
+    let mut window = page();
+    choose(&mut window, "425  MEASURE INSIDE WIDTH");
+    fill(&mut window, &[("Q328", "50"), ("Q329", "10"), ("Q272", "1"), ("Q261", "-5"), ("Q311", "20")]);
+    fill(&mut window, &[("Q288", "20,1"), ("Q289", "20"), ("Q281", "1")]);
+    key(&mut window, Modifiers::NONE, Key::F5);
+    let said = verdict(&window);
+    assert!(said.starts_with("GOOD. 20.0000 mm. measured width. 0.0 µm above minimum"), "{said}");
+    assert_eq!((result(&window, "Q156"), result(&window, "Q157")), ("20".to_owned(), "50".to_owned()));
+    window.get_by_label("The control writes TCHPR425.TXT");
+    window.get_by_label_contains("CENTRE LINE:  50.0000");
+
+    choose(&mut window, "424  MEAS. RECTAN. OUTS.");
+    fill(&mut window, &[("Q273", "50"), ("Q274", "20"), ("Q282", "60"), ("Q283", "40"), ("Q261", "-5")]);
+    fill(&mut window, &[("Q284", "59,9"), ("Q285", "59,8")]);
+    key(&mut window, Modifiers::NONE, Key::F5);
+    let said = verdict(&window);
+    assert!(said.starts_with("REWORK. 60.0000 mm. measured length, 1st side. 100.0 µm above maximum"), "{said}");
+    assert_eq!((result(&window, "Q155"), result(&window, "Q181")), ("40".to_owned(), "1".to_owned()));
+}
+
+#[test]
 fn rework_says_how_much_stops_and_shows_the_control_s_window() {
     let mut window = stud(Window::default());
     key(&mut window, Modifiers::NONE, Key::Enter);
@@ -386,12 +408,12 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
     key(&mut window, Modifiers::NONE, Key::F5);
     assert_eq!(result(&window, "Q153"), before, "the same seed gives the same result");
     click(&mut window, Role::Button, "Workpiece…");
-    for kind in ["Shaft", "Face", "Free surface point", "Hole"] {
+    for kind in ["Shaft", "Face", "Free surface point", "Slot", "Ridge", "Pocket", "Boss", "Hole"] {
         click(&mut window, Role::RadioButton, kind);
-        assert!(window.state().session().bench().bench().is_some(), "{kind}");
+        assert!(window.state().session().workpiece().simulation().is_some(), "{kind}");
     }
     click(&mut window, Role::RadioButton, "Z/X");
-    assert_eq!(window.state().session().bench().plane(), fitcheck::probing::cycle::Plane::Zx);
+    assert_eq!(window.state().session().workpiece().plane(), fitcheck::probing::cycle::Plane::Zx);
 }
 
 /// Presses the last of several buttons of the same name: that of what lies on top.
@@ -525,7 +547,7 @@ fn the_workpiece_s_dialog_takes_the_focus_and_is_whole_at_once() {
     window.step();
     assert_eq!(close(&window), settled);
     key(&mut window, Modifiers::NONE, Key::Escape);
-    assert!(!window.state().session().bench_is_open());
+    assert!(!window.state().session().workpiece_is_open());
     // Back to where it was opened from.
     assert_eq!(focused(&window), "Workpiece…");
 }

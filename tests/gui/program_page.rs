@@ -227,7 +227,7 @@ fn the_simulated_workpiece_is_that_of_the_cycles_page() {
     press(&mut page, Key::F5);
     says(&page, "GOOD");
     says(&page, "The program agrees with Fitcheck");
-    let bench = page.state().session().bench().bench().copied().unwrap();
+    let bench = page.state().session().workpiece().simulation().copied().unwrap();
     assert!(format!("{:?}", bench.surface).contains("centre: [40.0, 30.0]"), "{bench:?}");
 }
 

@@ -21,7 +21,7 @@ log-at-line = line { $line }: { $reason }
 log-empty = the file is empty
 log-no-log = not a measuring log: there is no title line with the number of a measuring cycle
 log-no-title = the log has no title line, so its cycle is unknown
-log-other-cycle = logs of cycle { $cycle } are not read, only those of 421, 422 and 427
+log-other-cycle = logs of cycle { $cycle } are not read, only those of { $known }
 log-unit = type of dimension { $given } is neither 0 (mm) nor 1 (inch)
 log-number = { $reason }
 log-count = { $section }: expected { $expected }, found { $found }
@@ -92,7 +92,7 @@ deviations-mixed-case = column { $name } mixes upper and lower case, so it is no
 no-parameter = { $given } is not a parameter: allowed are Q, QL, QR and QS with a number
 
 ## Writing measuring logs
-log-write-cycle = cycle { $cycle } does not write these values: they are those of cycle { $expected }
+log-write-cycle = cycle { $cycle } does not write these values
 log-write-unit = a log is in mm or inch, not in µm
 log-write-character = { $given } cannot be written: a log holds no character U+{ $code }
 log-write-program = { $given } would not be read back as the path of a program: write it as in TNC:\PART\CHECK.H

@@ -1,8 +1,8 @@
 # exchange
 
 # Measurements from files
-exchange-format-logs = HEIDENHAIN measuring logs of cycles 421, 422 and 427
-exchange-format-log-444 = logs of cycle 444 as written by Fitcheck
+exchange-format-logs = HEIDENHAIN measuring logs such as TCHPR421.TXT
+exchange-format-log-444 = logs of probing in 3-D as written by Fitcheck
 exchange-format-contacts = contacts of one circle: x, y and optionally z
 exchange-format-measurements = measurements as CSV: id, callout, measured
 exchange-empty = the file is empty
@@ -29,9 +29,11 @@ exchange-decimal-comma = { $joined } may be one number with a decimal comma: use
 exchange-too-many-rows = only the first { $most } rows were read: split the file
 exchange-unjudged-no-callout = not judged: there is no callout
 exchange-unjudged-no-limits = not judged: the log's limits of size are 0, so the diameter was not monitored
-exchange-unjudged-coordinate = a coordinate of cycle 427, not a hole or shaft
+exchange-unjudged-coordinate = a coordinate of cycle { $cycle }, not a hole or shaft
 exchange-unjudged-coordinate-without-limits = not judged: the log's limits are 0, so the coordinate was not monitored
-exchange-unjudged-point = a point on a surface of cycle 444: its deviation along the normal, not a size
+exchange-unjudged-size = { $what } of cycle { $cycle }, not a hole or shaft
+exchange-unjudged-size-without-limits = not judged: the log's limits are 0, so the { $what } was not monitored
+exchange-unjudged-point = a point on a surface of cycle { $cycle }: its deviation along the normal, not a size
 exchange-unjudged-point-without-tolerance = not judged: the point was probed without a tolerance
 exchange-unjudged-contacts = not judged: { $count } contacts without a callout
 exchange-warning-ignored-columns = columns skipped: { $columns }

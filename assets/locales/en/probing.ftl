@@ -80,6 +80,13 @@ found-deviation-1 = deviation, 1st axis
 found-deviation-2 = deviation, 2nd axis
 found-deviation-3 = deviation, 3rd axis
 found-deviation-along = deviation along the normal
+found-side-1 = measured length, 1st side
+found-side-2 = measured length, 2nd side
+found-width = measured width
+found-centre-line = position of the centre line
+found-side-deviation-1 = deviation of the 1st side
+found-side-deviation-2 = deviation of the 2nd side
+found-width-deviation = deviation of the width
 found-good = within tolerance
 found-rework = rework
 found-scrap = scrap
@@ -88,10 +95,11 @@ remark-without-effect = { $key } is accepted and has no effect
 remark-tool-left-alone = Q330 = { $tool }: the control would correct this tool; Fitcheck corrects no tool
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap
 remark-nominal-outside-limits = nominal diameter { $nominal } mm is not between the limits: a TNC7 refuses that
+remark-nominal-width-outside-limits = nominal width { $nominal } mm is not between the limits: a TNC7 refuses that
 remark-variable-holds-diameter = #i99 is read as the diameter: the manual does not say which value it holds
 remark-no-tolerance = { $key } is not a tolerance: nothing is judged
 
 ## The simulated machine
-bench-toml = line { $line }: { $said }
-bench-not-one = the file has { $found } of [bore], [stud], [face] and [point]: it needs exactly one
-bench-cannot-be = line { $line }: { $error }
+workpiece-file-toml = line { $line }: { $said }
+workpiece-file-not-one = the file has { $found } of { $tables }: it needs exactly one
+workpiece-file-cannot-be = line { $line }: { $error }

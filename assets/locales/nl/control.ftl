@@ -21,7 +21,7 @@ log-at-line = regel { $line }: { $reason }
 log-empty = het bestand is leeg
 log-no-log = hier staat geen meetprotocol: er is geen titelregel met het nummer van een meetcyclus
 log-no-title = een protocol zonder titelregel: onbekend is met welke cyclus is gemeten
-log-other-cycle = protocollen van cyclus { $cycle } worden niet gelezen, alleen die van 421, 422 en 427
+log-other-cycle = protocollen van cyclus { $cycle } worden niet gelezen, alleen die van { $known }
 log-unit = maateenheid { $given } is niet 0 (mm) en niet 1 (inch)
 log-number = { $reason }
 log-count = { $section } heeft { $found } getallen, het moeten er { $expected } zijn
@@ -92,7 +92,7 @@ deviations-mixed-case = kolom { $name } mengt hoofdletters en kleine letters, is
 no-parameter = { $given } is geen parameter, toegestaan zijn Q, QL, QR en QS met een nummer
 
 ## Meetprotocollen schrijven
-log-write-cycle = cyclus { $cycle } schrijft deze waarden niet: ze horen bij cyclus { $expected }
+log-write-cycle = cyclus { $cycle } schrijft deze waarden niet
 log-write-unit = een protocol is in mm of inch, niet in µm
 log-write-character = { $given } is niet te schrijven: een protocol bevat geen teken U+{ $code }
 log-write-program = { $given } wordt niet teruggelezen als pad van een programma: schrijf het zoals TNC:\PART\CHECK.H

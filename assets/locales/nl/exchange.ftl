@@ -1,8 +1,8 @@
 # exchange
 
 # Metingen uit bestanden
-exchange-format-logs = HEIDENHAIN-meetprotocollen van cyclus 421, 422 en 427
-exchange-format-log-444 = protocollen van cyclus 444, geschreven door Fitcheck
+exchange-format-logs = HEIDENHAIN-meetprotocollen zoals TCHPR421.TXT
+exchange-format-log-444 = protocollen van het 3D-tasten, geschreven door Fitcheck
 exchange-format-contacts = tastpunten van één cirkel: x, y en eventueel z
 exchange-format-measurements = metingen als CSV: naam, passing, gemeten
 exchange-empty = het bestand is leeg
@@ -29,9 +29,11 @@ exchange-decimal-comma = { $joined } is misschien één getal met een decimale k
 exchange-too-many-rows = alleen de eerste { $most } regels zijn gelezen: splits het bestand
 exchange-unjudged-no-callout = niet beoordeeld: er is geen passing
 exchange-unjudged-no-limits = niet beoordeeld: de grensmaten in het protocol zijn 0, de diameter is dus niet bewaakt
-exchange-unjudged-coordinate = een coördinaat van cyclus 427, geen gat of as
+exchange-unjudged-coordinate = een coördinaat van cyclus { $cycle }, geen gat of as
 exchange-unjudged-coordinate-without-limits = niet beoordeeld: de grenzen in het protocol zijn 0, dus de coördinaat is niet bewaakt
-exchange-unjudged-point = een punt op een oppervlak van cyclus 444: de afwijking langs de normaal, geen maat
+exchange-unjudged-size = { $what } van cyclus { $cycle }, geen gat of as
+exchange-unjudged-size-without-limits = niet beoordeeld: de grenzen in het protocol zijn 0, dus { $what } is niet bewaakt
+exchange-unjudged-point = een punt op een oppervlak van cyclus { $cycle }: de afwijking langs de normaal, geen maat
 exchange-unjudged-point-without-tolerance = niet beoordeeld: het punt is zonder tolerantie getast
 exchange-unjudged-contacts = niet beoordeeld: { $count } tastpunten zonder passing
 exchange-warning-ignored-columns = niet gebruikte kolommen: { $columns }

@@ -80,6 +80,13 @@ found-deviation-1 = afwijking, 1e as
 found-deviation-2 = afwijking, 2e as
 found-deviation-3 = afwijking, 3e as
 found-deviation-along = afwijking langs de normaal
+found-side-1 = gemeten lengte, 1e zijde
+found-side-2 = gemeten lengte, 2e zijde
+found-width = gemeten breedte
+found-centre-line = positie van de middenlijn
+found-side-deviation-1 = afwijking van de 1e zijde
+found-side-deviation-2 = afwijking van de 2e zijde
+found-width-deviation = afwijking van de breedte
 found-good = binnen tolerantie
 found-rework = nabewerking
 found-scrap = afkeur
@@ -88,10 +95,11 @@ remark-without-effect = { $key } wordt aanvaard en heeft geen effect
 remark-tool-left-alone = Q330 = { $tool }: de besturing zou dit gereedschap corrigeren; hier wordt geen gereedschap gecorrigeerd
 remark-outside-dimension = een buitenmaat wordt aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
 remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grenzen: een TNC7 weigert dat
+remark-nominal-width-outside-limits = nominale breedte { $nominal } mm ligt niet tussen de grenzen: een TNC7 weigert dat
 remark-variable-holds-diameter = #i99 bevat één waarde, aangenomen is de diameter: het handboek zegt niet welke
 remark-no-tolerance = { $key } zoals opgegeven is geen tolerantie: er wordt niets beoordeeld
 
 ## The simulated machine
-bench-toml = regel { $line }: { $said }
-bench-not-one = het bestand heeft { $found } van [bore], [stud], [face] en [point]: er moet er precies één zijn
-bench-cannot-be = regel { $line }: { $error }
+workpiece-file-toml = regel { $line }: { $said }
+workpiece-file-not-one = het bestand heeft { $found } van { $tables }: er moet er precies één zijn
+workpiece-file-cannot-be = regel { $line }: { $error }

@@ -92,8 +92,8 @@ fn inputs(run: &Run<'_>) -> Map<String, Json> {
 fn source(run: &Run<'_>) -> Json {
     match run.source {
         Source::Perfect => json!({"kind": "perfect"}),
-        Source::Workpiece { file, bench } => json!({
-            "kind": "simulated", "file": file, "seed": bench.seed, "temperature_c": bench.temperature,
+        Source::Workpiece { file, simulation } => json!({
+            "kind": "simulated", "file": file, "seed": simulation.seed, "temperature_c": simulation.temperature,
         }),
         Source::Contacts { file, .. } => json!({"kind": "contacts", "file": file}),
     }

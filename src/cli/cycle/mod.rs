@@ -26,48 +26,31 @@ use crate::length::Length;
 use crate::message::Located;
 use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Move};
 use crate::probing::cycles::{CYCLES, cycle_named};
-use crate::probing::simulated::Bench;
+use crate::probing::simulated::{Shape, Simulation};
 use crate::probing::{self, Contact, Prober, Recorded, SourceError, TouchProbe};
 use crate::words::Dialogue;
 
-const EXAMPLES: &str = "\
-Examples:
-  fitcheck cycle 427 --list                                    the parameters, their ranges and defaults
-  fitcheck cycle 421 --set Q273=50 Q274=50 Q262=25 Q275=25.021 Q276=25
-  fitcheck cycle 427 --inputs block.json --workpiece face.toml --format json
-  fitcheck cycle 444 --set Q263=0 Q264=0 Q294=0 Q581=0 Q582=0 Q583=1 QS400=0.4-0.1 --path
-  fitcheck cycle G785 --set K=2 RC=60 --contacts bore.csv
-  fitcheck cycle 427 --block part.h --log-folder logs --program 'TNC:\\PART1.H' --language de
-  fitcheck cycle 427 --inputs block.json --as-block --language it
+/// Examples, and what the files are; the names of logs and workpieces come from the declarations.
+fn help() -> String {
+    let logs = CYCLES.iter().filter_map(|cycle| cycle.log.file()).collect::<Vec<_>>();
+    let tables = Shape::ALL.map(|shape| format!("[{}]", shape.table()));
+    include_str!("help.txt")
+        .replace("{logs}", &logs.join(", "))
+        .replace("{tables}", &tables.join(", "))
+        .trim_end()
+        .to_owned()
+}
 
-Inputs are a JSON object such as {\"Q263\": 35, \"QS400\": \"0.4-0.1\"}, or the one TCH PROBE or G785 block
-of an NC program, with names in any language; --set comes after either. Without --workpiece and
---contacts a perfect workpiece at nominal is measured.
+/// The cycles as people call them.
+fn codes() -> String {
+    CYCLES.iter().map(|cycle| cycle.code).collect::<Vec<_>>().join(", ")
+}
 
-Logs: Q281 = 1 and cycle 444 ask for a file. With --log-folder it is written there as TCHPR421.TXT,
-TCHPR422.TXT, TCHPR427.TXT or TCHPR444.html; where one is there already, the log is added at its end.
-Q281 = 2 shows the log.
-
-A workpiece is a TOML file with exactly one of [bore], [stud], [face], [point], and perhaps [probe],
-seed, temperature, expansion (millionths per kelvin); lengths in mm, angles in degrees:
-  [bore] [stud]  centre = [x, y], diameter, plane (\"XY\", \"ZX\", \"YZ\"), ovality and lobes =
-                 { count, amplitude, angle }, surface_scatter
-  [face]         point = [x, y, z], normal, wave = { amplitude, length, direction }, surface_scatter
-  [point]        point, normal, deviation, radius, surface_scatter
-  [probe]        ball_radius, trigger_scatter, calibration_error, offset = [x, y],
-                 lobing = { count, amplitude, angle }
-
-JSON: cycle, name, source, probe, inputs, contacts, circle, results, checks, status, stop, log,
-log_text (Q281 = 2), remarks, warnings, path. CSV: key, name, value, unit of every result; with --path the moves instead.
-
-Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage.";
-
-/// Run a measuring cycle: 421, 422, 427, 444 or G785
+/// Everything that `fitcheck cycle` may be given.
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(about = format!("Run a measuring cycle: {}", codes()), after_help = help())]
 pub(super) struct Args {
-    /// The cycle: 421, 422, 427, 444, G785
-    #[arg(value_name = "CYCLE", value_parser = known)]
+    #[arg(value_name = "CYCLE", value_parser = known, help = format!("The cycle: {}", codes()))]
     cycle: &'static Cycle,
     /// Parameters such as Q263=35, QS400=0.4-0.1 or BR=1
     #[arg(long = "set", value_name = "NAME=VALUE", num_args = 1..)]
@@ -123,8 +106,8 @@ pub(super) struct Args {
 enum Source {
     /// A workpiece without faults and a point as probe.
     Perfect,
-    /// A file of a simulated machine.
-    Workpiece { file: String, bench: Bench },
+    /// A file of a simulated workpiece.
+    Workpiece { file: String, simulation: Simulation },
     /// A file of contacts.
     Contacts { file: String, contacts: Vec<Contact> },
 }
@@ -140,10 +123,7 @@ struct Run<'a> {
 }
 
 fn known(text: &str) -> Result<&'static Cycle, String> {
-    cycle_named(text).ok_or_else(|| {
-        let codes: Vec<_> = CYCLES.iter().map(|cycle| cycle.code).collect();
-        format!("the cycles are {}", codes.join(", "))
-    })
+    cycle_named(text).ok_or_else(|| format!("the cycles are {}", codes()))
 }
 
 impl Args {
@@ -272,10 +252,10 @@ impl Args {
                 Err(error) => Err(error).about(&What::PerfectWorkpiece),
             };
         };
-        let (file, mut bench) = read_bench(path, io)?;
-        bench.seed = self.seed.unwrap_or(bench.seed);
-        match probing::Source::Simulated(&bench).prober(self.cycle, inputs) {
-            Ok(prober) => Ok((Source::Workpiece { file, bench }, prober)),
+        let (file, mut simulation) = read_workpiece(path, io)?;
+        simulation.seed = self.seed.unwrap_or(simulation.seed);
+        match probing::Source::Simulated(&simulation).prober(self.cycle, inputs) {
+            Ok(prober) => Ok((Source::Workpiece { file, simulation }, prober)),
             Err(error) => Err(error).about(&file),
         }
     }
@@ -296,11 +276,11 @@ pub(super) fn probe_table(path: Option<&Path>, io: &mut Io<'_>) -> Result<ProbeT
     Ok(table)
 }
 
-/// A file of a simulated machine, and its name.
-pub(super) fn read_bench(path: &Path, io: &mut Io<'_>) -> Result<(String, Bench), CliError> {
+/// A file of a simulated workpiece, and its name.
+pub(super) fn read_workpiece(path: &Path, io: &mut Io<'_>) -> Result<(String, Simulation), CliError> {
     let (file, bytes) = read_input(path, io)?;
-    let bench = Bench::read(&decode(&bytes)).about(&file)?;
-    Ok((file, bench))
+    let simulation = Simulation::read(&decode(&bytes)).about(&file)?;
+    Ok((file, simulation))
 }
 
 /// Contacts that the cycle did not ask for.

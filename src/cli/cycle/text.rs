@@ -74,8 +74,8 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
 fn source(run: &Run<'_>) -> String {
     match run.source {
         Source::Perfect => "perfect workpiece at nominal, probe without faults".to_owned(),
-        Source::Workpiece { file, bench } => {
-            format!("simulated workpiece {file}, {} °C, seed {}", bench.temperature, bench.seed)
+        Source::Workpiece { file, simulation } => {
+            format!("simulated workpiece {file}, {} °C, seed {}", simulation.temperature, simulation.seed)
         }
         Source::Contacts { file, .. } => format!("contacts from {file}"),
     }

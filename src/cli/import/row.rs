@@ -151,7 +151,9 @@ impl Row {
             ..Self::default()
         };
         match &unjudged.why {
-            WhyUnjudged::Coordinate(coordinate) | WhyUnjudged::Point(coordinate) => Self {
+            WhyUnjudged::Coordinate(coordinate)
+            | WhyUnjudged::Point(coordinate)
+            | WhyUnjudged::Size { judged: coordinate, .. } => Self {
                 nominal: coordinate.nominal,
                 minimum: Some(coordinate.minimum),
                 maximum: Some(coordinate.maximum),
@@ -169,6 +171,7 @@ impl Row {
             },
             WhyUnjudged::NoCallout
             | WhyUnjudged::CoordinateWithoutLimits
+            | WhyUnjudged::SizeWithoutLimits { .. }
             | WhyUnjudged::PointWithoutTolerance
             | WhyUnjudged::Contacts { .. } => Self { error: Some(unjudged.why.to_string()), ..row },
         }

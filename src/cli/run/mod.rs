@@ -11,15 +11,16 @@ mod text;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use clap::ValueEnum;
+
 use super::args::dialogue;
-use super::cycle::{pairs, probe_table, read_bench};
+use super::cycle::{pairs, probe_table, read_workpiece};
 use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input, tame};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::files::{self, FileError, Folders};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::Program;
 use crate::words::Dialogue;
-use clap::ValueEnum;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -190,11 +191,11 @@ impl Args {
             return Ok(Contacts::Recorded(read_contacts(path, io)?.1));
         }
         let Some(path) = &self.workpiece else { return Ok(Contacts::Perfect) };
-        let (file, mut bench) = read_bench(path, io)?;
-        bench.seed = self.seed.unwrap_or(bench.seed);
+        let (file, mut simulation) = read_workpiece(path, io)?;
+        simulation.seed = self.seed.unwrap_or(simulation.seed);
         // Figures that cannot be are said now, with the file's name, and not in the middle of the run.
-        bench.machine().about(&file)?;
-        Ok(Contacts::Workpiece(bench))
+        simulation.machine().about(&file)?;
+        Ok(Contacts::Workpiece(simulation))
     }
 }
 

@@ -4,6 +4,8 @@ use std::fmt;
 
 use crate::length::LengthError;
 use crate::message::{Message, Say};
+use crate::probing::cycle::Log;
+use crate::probing::cycles::CYCLES;
 
 /// Why a log cannot be used, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -30,10 +32,12 @@ pub enum LogReason {
     #[error("the log has no title line, so its cycle is unknown")]
     NoTitle,
     /// A measuring cycle that is not read.
-    #[error("logs of cycle {cycle} are not read, only those of 421, 422 and 427")]
+    #[error("logs of cycle {cycle} are not read, only those of {known}")]
     OtherCycle {
         /// The cycle's number.
         cycle: u16,
+        /// The cycles whose logs are read.
+        known: String,
     },
     /// The unit is neither 0 nor 1.
     #[error("type of dimension {given} is neither 0 (mm) nor 1 (inch)")]
@@ -144,6 +148,12 @@ impl fmt::Display for Section {
 }
 
 impl LogReason {
+    /// A cycle whose logs are not read, with those whose are.
+    pub(super) fn other_cycle(cycle: u16) -> Self {
+        let known = CYCLES.iter().filter(|known| matches!(known.log, Log::Text(_))).map(|known| known.code);
+        Self::OtherCycle { cycle, known: known.collect::<Vec<_>>().join(", ") }
+    }
+
     pub(super) const fn at(self, line: usize) -> LogError {
         LogError { line, column: None, reason: self }
     }
@@ -163,7 +173,7 @@ impl LogReason {
                 | LengthError::TooFine { text }
                 | LengthError::TooLarge { text },
             ) => text.clone(),
-            Self::OtherCycle { cycle } => cycle.to_string(),
+            Self::OtherCycle { cycle, .. } => cycle.to_string(),
             Self::Number(LengthError::Empty)
             | Self::Empty
             | Self::NoLog
@@ -186,7 +196,9 @@ impl Say for LogReason {
             Self::Empty => Message::new("log-empty"),
             Self::NoLog => Message::new("log-no-log"),
             Self::NoTitle => Message::new("log-no-title"),
-            Self::OtherCycle { cycle } => Message::new("log-other-cycle").text("cycle", cycle),
+            Self::OtherCycle { cycle, known } => {
+                Message::new("log-other-cycle").text("cycle", cycle).text("known", known)
+            }
             Self::Unit { given } => Message::new("log-unit").text("given", given),
             Self::Number(error) => Message::new("log-number").message("reason", error.message()),
             Self::Count { section, found, expected } => Message::new("log-count")
@@ -299,7 +311,7 @@ mod tests {
             LogReason::Empty,
             LogReason::NoLog,
             LogReason::NoTitle,
-            LogReason::OtherCycle { cycle: 423 },
+            LogReason::other_cycle(430),
             LogReason::Unit { given: text() },
             LogReason::Number(LengthError::NotANumber { text: text() }),
             LogReason::Count { section: Section::Nominal, found: 2, expected: 3 },

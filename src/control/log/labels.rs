@@ -3,11 +3,12 @@
 //! They belong to the files that a control writes, not to the window, so they stand apart from the locales. A reader
 //! goes by order and numbers and never asks for them.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 
-use super::Values;
+use crate::probing::cycle::LogFigure;
 use crate::shipped;
-use crate::tolerance::Feature;
 use crate::words::{Dialogue, PerDialogue};
 
 /// The words of one dialogue language.
@@ -24,29 +25,30 @@ pub(in crate::control) struct Labels {
     pub(super) deviations: String,
     pub(super) further: String,
     pub(super) end: String,
-    /// Centre in reference and minor axis, diameter.
-    pub(super) place: [String; 3],
-    /// Maximum and minimum in the reference axis, then in the minor axis.
-    pub(super) centre_limits: [String; 4],
-    pub(super) coordinate: String,
     pub(super) measuring_height: String,
-    hole: Sort,
-    stud: Sort,
-    length: Sort,
-    /// The log of cycle 444.
+    /// The title of each cycle's log, by what programs call the cycle.
+    titles: BTreeMap<String, String>,
+    /// The words of each figure, by the name that a cycle's declaration gives it.
+    figures: BTreeMap<String, Words>,
+    /// A page of points.
     pub(in crate::control) surface: Surface,
 }
 
-/// What differs between the cycles.
-#[derive(Debug, Deserialize)]
+/// The words of a figure.
+#[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Sort {
-    pub(super) title: String,
+pub(super) struct Words {
+    /// In nominal values, actual values and deviations.
+    pub(super) value: String,
+    /// Its upper limit; a value without limits has none.
+    #[serde(default)]
     pub(super) maximum: String,
+    /// Its lower limit.
+    #[serde(default)]
     pub(super) minimum: String,
 }
 
-/// The words of cycle 444's log.
+/// The words of a page of points.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(in crate::control) struct Surface {
@@ -77,26 +79,39 @@ impl Labels {
         LABELS.of(dialogue)
     }
 
-    /// What differs between the cycles.
-    pub(super) const fn sort(&self, values: &Values) -> &Sort {
-        match values {
-            Values::Circle(circle) => match circle.feature {
-                Feature::Hole => &self.hole,
-                Feature::Shaft => &self.stud,
-            },
-            Values::Coordinate(_) => &self.length,
-        }
+    /// The title of a cycle's log; a test finds one that is missing.
+    pub(super) fn title(&self, cycle: u16) -> &str {
+        self.titles.get(&cycle.to_string()).map_or("", String::as_str)
+    }
+
+    /// The words of a figure; a test finds those that are missing.
+    pub(super) fn figure(&self, figure: &LogFigure) -> &Words {
+        static NONE: Words = Words { value: String::new(), maximum: String::new(), minimum: String::new() };
+        self.figures.get(figure.word).unwrap_or(&NONE)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::probing::cycle::{FigureKind, Log};
+    use crate::probing::cycles::CYCLES;
 
     #[test]
-    fn every_dialogue_can_be_read() {
-        for dialogue in Dialogue::ALL {
-            assert!(Labels::of(dialogue).surface.title.contains("444"), "{dialogue}");
+    fn every_language_has_the_words_of_every_cycle() {
+        for language in Dialogue::ALL {
+            let labels = Labels::of(language);
+            for cycle in CYCLES {
+                let Log::Text(log) = cycle.log else { continue };
+                assert!(labels.title(cycle.number).contains(cycle.code), "{language} {}", cycle.code);
+                for figure in log.figures {
+                    let words = labels.figure(figure);
+                    let is_limited = figure.kind != FigureKind::Information;
+                    let is_whole = !is_limited || !words.maximum.is_empty() && !words.minimum.is_empty();
+                    assert!(!words.value.is_empty() && is_whole, "{language} {}", figure.word);
+                }
+            }
+            assert!(labels.surface.title.contains("444"), "{language}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Measuring logs `TCHPR421.TXT`, `TCHPR422.TXT` and `TCHPR427.TXT`.
+//! Measuring logs of cycles as texts, such as `TCHPR421.TXT`: which figures there are says the cycle's declaration.
 //!
 //! | file | what |
 //! |---|---|
@@ -22,11 +22,13 @@ mod write;
 use jiff::civil::{Date, DateTime, Time};
 
 pub use error::{LogError, LogReason, LogWarning, Section};
-pub use values::{Circle, Coordinate, LimitPair, Place, Values};
+pub use values::{Figure, LimitPair};
 pub use write::{LogWriteError, append, write};
 
 use super::text;
 use crate::length::Unit;
+use crate::probing::cycle::{self, TextLog};
+use crate::probing::cycles::cycle as cycle_of;
 use lines::Chunk;
 
 /// One measuring log.
@@ -34,7 +36,7 @@ use lines::Chunk;
 pub struct Log {
     /// The line of the title, from 1.
     pub line: usize,
-    /// The measuring cycle: 421, 422 or 427.
+    /// The number of the measuring cycle.
     pub cycle: u16,
     /// The title as the control wrote it.
     pub title: String,
@@ -46,8 +48,8 @@ pub struct Log {
     pub program: Option<String>,
     /// What the figures were written in; all lengths here are converted exactly.
     pub unit: Unit,
-    /// The figures.
-    pub values: Values,
+    /// The figures in the order of the cycle's declaration.
+    pub figures: Vec<Figure>,
     /// Further results, such as the measuring height, as they were written.
     pub further: Vec<Further>,
     /// What was odd but readable.
@@ -67,6 +69,14 @@ impl Log {
     /// When it was measured, where the log tells both day and time.
     pub fn date_time(&self) -> Option<DateTime> {
         Some(self.date?.to_datetime(self.time?))
+    }
+}
+
+/// How the log of a cycle is laid out; `None` for a cycle that is not known or writes no such log.
+pub fn layout(cycle: u16) -> Option<&'static TextLog> {
+    match &cycle_of(cycle)?.log {
+        cycle::Log::Text(log) => Some(log),
+        cycle::Log::Points { .. } | cycle::Log::Screen => None,
     }
 }
 
@@ -123,7 +133,7 @@ fn read_one(chunk: &Chunk<'_>) -> Result<Log, LogError> {
         warnings.push(LogWarning::NoTime { line: title.line });
     }
     let body = values::Body::new(chunk, sections, unit);
-    let (values, further) = body.read(title, &mut warnings)?;
+    let (figures, further) = body.read(title, &mut warnings)?;
     Ok(Log {
         line: title.line,
         cycle: title.cycle,
@@ -132,7 +142,7 @@ fn read_one(chunk: &Chunk<'_>) -> Result<Log, LogError> {
         time: header.time,
         program: header.program,
         unit,
-        values,
+        figures,
         further,
         warnings,
     })

@@ -3,9 +3,8 @@
 use jiff::civil::Time;
 
 use super::labels::Labels;
-use super::{Circle, Coordinate, Further, LimitPair, Log, Place, Values};
+use super::{Figure, Further, LimitPair, Log};
 use crate::length::{Length, Unit};
-use crate::tolerance::Feature;
 use crate::words::Dialogue;
 
 /// Decimals of a log's figures, in millimetres as in inches: those of the maker's published log; for inches our rule.
@@ -13,16 +12,16 @@ pub(super) const DECIMALS: usize = 4;
 
 impl Log {
     /// A log to be written: no day, time, program or further results yet; these fields are public.
-    pub const fn new(values: Values, unit: Unit) -> Self {
+    pub const fn new(cycle: u16, figures: Vec<Figure>, unit: Unit) -> Self {
         Self {
             line: 1,
-            cycle: values.cycle(),
+            cycle,
             title: String::new(),
             date: None,
             time: None,
             program: None,
             unit,
-            values,
+            figures,
             further: Vec::new(),
             warnings: Vec::new(),
         }
@@ -38,56 +37,36 @@ impl Log {
         let labels = Labels::of(language);
         let round = |length: Length| on_grid(length, self.unit);
         let pair = |pair: LimitPair| LimitPair { maximum: round(pair.maximum), minimum: round(pair.minimum) };
-        let place = |place: Place| Place { centre: place.centre.map(round), diameter: round(place.diameter) };
-        let values = match &self.values {
-            Values::Circle(circle) => Values::Circle(Circle {
-                feature: circle.feature,
-                nominal: place(circle.nominal),
-                centre_limits: circle.centre_limits.map(pair),
-                diameter_limits: circle.diameter_limits.map(pair),
-                actual: place(circle.actual),
-                deviations: circle.deviations.map(place),
-            }),
-            Values::Coordinate(coordinate) => Values::Coordinate(Coordinate {
-                nominal: coordinate.nominal.map(round),
-                limits: pair(coordinate.limits),
-                actual: round(coordinate.actual),
-            }),
+        let figure = |figure: &Figure| Figure {
+            nominal: figure.nominal.map(round),
+            limits: figure.limits.map(pair),
+            actual: round(figure.actual),
+            deviation: figure.deviation.map(round),
         };
         Self {
             line: 1,
             cycle: self.cycle,
-            title: labels.sort(&values).title.clone(),
+            title: labels.title(self.cycle).to_owned(),
             date: self.date,
             time: self.time.map(whole_seconds),
             program: self.program.clone(),
             unit: self.unit,
-            values,
+            figures: self.figures.iter().map(figure).collect(),
             further: self.further.iter().map(|further| further.printed(labels)).collect(),
             warnings: Vec::new(),
         }
     }
 }
 
-impl Values {
-    /// The cycle that measures these values: 421 a hole, 422 a shaft or stud, 427 a coordinate.
-    pub const fn cycle(&self) -> u16 {
-        match self {
-            Self::Circle(circle) => match circle.feature {
-                Feature::Hole => 421,
-                Feature::Shaft => 422,
-            },
-            Self::Coordinate(_) => 427,
-        }
+impl Figure {
+    /// A measured value against its nominal one; `None` beyond [`Length::MAX`].
+    pub fn of(nominal: Length, limits: Option<LimitPair>, actual: Length) -> Option<Self> {
+        Some(Self { nominal: Some(nominal), limits, actual, deviation: Some(actual.checked_sub(nominal)?) })
     }
-}
 
-impl Place {
-    /// What this place is off another one; `None` beyond [`Length::MAX`].
-    pub fn checked_sub(self, nominal: Self) -> Option<Self> {
-        let ([first, second], [nominal_1, nominal_2]) = (self.centre, nominal.centre);
-        let centre = [first.checked_sub(nominal_1)?, second.checked_sub(nominal_2)?];
-        Some(Self { centre, diameter: self.diameter.checked_sub(nominal.diameter)? })
+    /// A measured value without a nominal one.
+    pub const fn bare(limits: Option<LimitPair>, actual: Length) -> Self {
+        Self { nominal: None, limits, actual, deviation: None }
     }
 }
 

@@ -45,17 +45,18 @@ fn mm(text: &str) -> Length {
 fn said(text: &str) -> String {
     let one = |log: Result<Log, LogError>| match log {
         Ok(log) => {
-            let figures = match &log.values {
-                Values::Circle(circle) => {
-                    let limits = circle
-                        .diameter_limits
+            let figures = match log.figures.as_slice() {
+                [_, _, diameter] => {
+                    let limits = diameter
+                        .limits
                         .map_or("no limits".to_owned(), |limits| format!("{} to {}", limits.minimum, limits.maximum));
-                    format!("{} is {} in {limits}", circle.nominal.diameter, circle.actual.diameter)
+                    format!("{} is {} in {limits}", diameter.nominal.unwrap(), diameter.actual)
                 }
-                Values::Coordinate(coordinate) => {
-                    let limits = coordinate.limits;
+                [coordinate] => {
+                    let limits = coordinate.limits.unwrap();
                     format!("{} in {} to {}", coordinate.actual, limits.minimum, limits.maximum)
                 }
+                others => panic!("{others:?}"),
             };
             let warnings = log.warnings.iter().map(|warning| format!("; line {}: {warning}", warning.line()));
             figures + &warnings.collect::<String>()
@@ -82,11 +83,15 @@ fn the_published_log_is_read_whole() {
     assert_eq!((log.line, log.cycle, log.unit), (1, 421, Unit::Millimetre));
     assert_eq!(log.date_time().unwrap().to_string(), "2005-06-30T06:55:04");
     assert_eq!(log.program.as_deref(), Some("TNC:\\GEH35712\\CHECK1.H"));
-    let Values::Circle(circle) = &log.values else { panic!("{log:?}") };
-    assert_eq!(circle.nominal, Place { centre: [mm("50"), mm("65")], diameter: mm("12") });
-    assert_eq!(circle.actual, Place { centre: [mm("50.081"), mm("64.953")], diameter: mm("12.0259") });
-    assert_eq!(circle.deviations, Some(Place { centre: [mm("0.081"), mm("-0.047")], diameter: mm("0.0259") }));
-    assert_eq!(circle.centre_limits[0], LimitPair { maximum: mm("50.1"), minimum: mm("49.9") });
+    let about = |nominal: &str| LimitPair::about(mm(nominal), mm("0.1"));
+    let size = LimitPair { maximum: mm("12.045"), minimum: mm("12") };
+    let expected = [
+        Figure::of(mm("50"), about("50"), mm("50.081")),
+        Figure::of(mm("65"), about("65"), mm("64.953")),
+        Figure::of(mm("12"), Some(size), mm("12.0259")),
+    ];
+    assert_eq!(log.figures, expected.map(Option::unwrap));
+    assert_eq!(log.figures[2].deviation, Some(mm("0.0259")));
     assert_eq!(log.further, [Further { label: "Measuring height".to_owned(), value: "-5.0000".to_owned() }]);
     assert_eq!(log.warnings, []);
 }
@@ -158,9 +163,9 @@ fn a_cut_off_log_is_judged_as_long_as_its_actual_values_are_whole() {
 fn every_prefix_gives_the_right_diameter_or_an_error() {
     for end in 0..=LOG.len() {
         for log in read(&LOG.as_bytes()[..end]).into_iter().flatten() {
-            let Values::Circle(circle) = log.values else { panic!("{end}") };
-            assert_eq!(circle.actual.diameter, mm("12.0259"), "{end}");
-            assert_eq!(circle.diameter_limits, Some(LimitPair { maximum: mm("12.045"), minimum: mm("12") }), "{end}");
+            let [_, _, diameter] = log.figures[..] else { panic!("{end}") };
+            assert_eq!(diameter.actual, mm("12.0259"), "{end}");
+            assert_eq!(diameter.limits, Some(LimitPair { maximum: mm("12.045"), minimum: mm("12") }), "{end}");
         }
     }
 }
@@ -205,7 +210,11 @@ fn contradictions_name_the_line() {
         "Center in minor axis:\n65.0000\n7.0\n",
         "! line 12: 7.0 has no label before it",
     );
-    with("cycle 421", "cycle 423", "! line 1: logs of cycle 423 are not read, only those of 421, 422 and 427");
+    with(
+        "cycle 421",
+        "cycle 430",
+        "! line 1: logs of cycle 430 are not read, only those of 421, 422, 423, 424, 425, 426, 427",
+    );
 }
 
 #[test]
@@ -273,8 +282,8 @@ proptest::proptest! {
         let mut bytes = LOG.as_bytes().to_vec();
         bytes[at] = byte;
         for log in read(&bytes).into_iter().flatten() {
-            let Values::Circle(circle) = &log.values else { continue };
-            let unchanged = [circle.actual.diameter == mm("12.0259"), circle.nominal.diameter == mm("12")];
+            let [_, _, diameter] = log.figures[..] else { continue };
+            let unchanged = [diameter.actual == mm("12.0259"), diameter.nominal == Some(mm("12"))];
             let figures = LOG.as_bytes()[at].is_ascii_digit() || b".-\n".contains(&LOG.as_bytes()[at]);
             proptest::prop_assert!(figures || log.unit == Unit::Inch || unchanged == [true; 2], "{log:?}");
         }

@@ -1,44 +1,25 @@
 //! A log's figures by their order, and whether they agree with each other.
+//!
+//! Which figures there are, and what stands beside each, says the cycle's declaration.
 
-use super::Further;
 use super::error::{LogError, LogReason, LogWarning, Section as Name};
 use super::lines::{Chunk, Pair, Section, Title};
+use super::{Further, layout};
 use crate::length::{Length, Unit};
-use crate::tolerance::Feature;
+use crate::probing::cycle::{FigureKind, FoundName, LogFigure, TextLog};
 
-/// The figures of a log.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Values {
-    /// Cycles 421 and 422.
-    Circle(Circle),
-    /// Cycle 427.
-    Coordinate(Coordinate),
-}
-
-/// The figures of cycle 421 or 422.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Circle {
-    /// Hole for 421, shaft for 422.
-    pub feature: Feature,
-    /// Nominal values; the diameter is above zero.
-    pub nominal: Place,
-    /// Permitted positions of the centre in reference and minor axis, even about the nominal ones to the last figure.
-    pub centre_limits: [LimitPair; 2],
-    /// Limits of size; `None` where both are 0: the control did not monitor the diameter.
-    pub diameter_limits: Option<LimitPair>,
-    /// Actual values; the diameter is above zero.
-    pub actual: Place,
-    /// Deviations as the log gives them, if it does; they equal actual minus nominal to the last figure.
-    pub deviations: Option<Place>,
-}
-
-/// A centre and a diameter.
+/// A measured value of a log, and what stands beside it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
-    /// Reference axis, minor axis.
-    pub centre: [Length; 2],
-    /// The diameter.
-    pub diameter: Length,
+pub struct Figure {
+    /// Nominal value, where the log has one; that of a diameter is above zero.
+    pub nominal: Option<Length>,
+    /// Permitted values; `None` where both are 0 and the control did not monitor it. Those of a centre lie evenly about
+    /// the nominal value to the last figure, and are the nominal value itself where it is not monitored.
+    pub limits: Option<LimitPair>,
+    /// Measured value; that of a diameter is above zero.
+    pub actual: Length,
+    /// Deviation as the log gives it, if it does; it equals actual minus nominal to the last figure.
+    pub deviation: Option<Length>,
 }
 
 /// A maximum and a minimum that is not above it.
@@ -48,17 +29,6 @@ pub struct LimitPair {
     pub maximum: Length,
     /// The smallest permitted value.
     pub minimum: Length,
-}
-
-/// The figures of cycle 427.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Coordinate {
-    /// Nominal value, where the log has one.
-    pub nominal: Option<Length>,
-    /// Permitted values.
-    pub limits: LimitPair,
-    /// The measured coordinate.
-    pub actual: Length,
 }
 
 /// What is left of a log below its header.
@@ -75,9 +45,9 @@ struct Group<'a> {
     pairs: Vec<Pair<'a>>,
 }
 
-/// A figure that was read.
+/// A number that was read.
 #[derive(Debug, Clone, Copy)]
-struct Figure<'a> {
+struct Number<'a> {
     pair: Pair<'a>,
     value: Length,
 }
@@ -93,28 +63,25 @@ impl<'a> Body<'a> {
         mut self,
         title: &Title<'_>,
         warnings: &mut Vec<LogWarning>,
-    ) -> Result<(Values, Vec<Further>), LogError> {
-        let feature = match title.cycle {
-            421 => Feature::Hole,
-            422 => Feature::Shaft,
-            427 => {
-                let coordinate = self.coordinate()?;
-                return Ok((Values::Coordinate(coordinate), self.further()));
-            }
-            cycle => return Err(LogReason::OtherCycle { cycle }.at(title.line)),
-        };
-        if let [_] = self.groups.as_slice() {
-            self.cut_by_order();
+    ) -> Result<(Vec<Figure>, Vec<Further>), LogError> {
+        let Some(log) = layout(title.cycle) else { return Err(LogReason::other_cycle(title.cycle).at(title.line)) };
+        if let [LogFigure { kind: FigureKind::Coordinate, .. }] = log.figures {
+            let coordinate = self.coordinate()?;
+            return Ok((vec![coordinate], self.further()));
         }
-        let circle = self.circle(feature, warnings)?;
-        Ok((Values::Circle(circle), self.further()))
+        let limited = log.limited().count();
+        if let [_] = self.groups.as_slice() {
+            self.cut_by_order([limited, 2 * limited, log.figures.len(), limited, usize::MAX]);
+        }
+        let figures = self.figures(log, limited, warnings)?;
+        Ok((figures, self.further()))
     }
 
-    /// A log without headings: 3 nominal values, 6 limits, 3 actual values, 3 deviations, further results.
-    fn cut_by_order(&mut self) {
+    /// A log without headings: nominal values, limits, actual values, deviations, further results.
+    fn cut_by_order(&mut self, sizes: [usize; 5]) {
         let mut pairs: std::collections::VecDeque<_> =
             self.groups.drain(..).flat_map(|group| group.pairs.into_iter()).collect();
-        for size in [3, 6, 3, 3, usize::MAX] {
+        for size in sizes {
             let pairs: Vec<_> = pairs.drain(..size.min(pairs.len())).collect();
             if let Some(first) = pairs.first() {
                 self.groups.push(Group { line: first.line, pairs });
@@ -122,102 +89,130 @@ impl<'a> Body<'a> {
         }
     }
 
-    fn circle(&mut self, feature: Feature, warnings: &mut Vec<LogWarning>) -> Result<Circle, LogError> {
-        let nominal: [Figure<'_>; 3] = self.take(Name::Nominal)?;
-        let limits: [Figure<'_>; 6] = self.take(Name::Limits)?;
-        let actual: [Figure<'_>; 3] = self.take(Name::Actual)?;
+    /// The sections of nominal values, limits, actual values and deviations, and how they agree.
+    fn figures(
+        &mut self,
+        log: &TextLog,
+        limited: usize,
+        warnings: &mut Vec<LogWarning>,
+    ) -> Result<Vec<Figure>, LogError> {
+        let nominal = self.take(Name::Nominal, limited)?;
+        let limits = self.take(Name::Limits, 2 * limited)?;
+        let actual = self.take(Name::Actual, log.figures.len())?;
         let decimals = decimals(nominal.first());
         if let Some(last) = actual.last() {
             self.whole(last, decimals)?;
         }
-        let deviations = self.deviations(&nominal, &actual, decimals)?;
+        let compared: Vec<_> = actual.iter().zip(log.figures).filter(|(_, figure)| is_limited(figure)).collect();
+        let compared: Vec<_> = compared.into_iter().map(|(actual, _)| *actual).collect();
+        let deviations = self.deviations(&nominal, &compared, decimals)?;
         if deviations.is_none() {
             warnings.push(LogWarning::NoDeviations { line: self.chunk.last_line() });
         }
-        let [max_1, min_1, max_2, min_2, max_d, min_d] = limits;
-        let [nominal_1, nominal_2, nominal_d] = nominal;
-        positive(&nominal_d)?;
-        positive(actual.last().unwrap_or(&nominal_d))?;
-        let diameter = limit_pair(&max_d, &min_d)?;
-        Ok(Circle {
-            feature,
-            centre_limits: [self.even(&max_1, &min_1, &nominal_1)?, self.even(&max_2, &min_2, &nominal_2)?],
-            diameter_limits: Some(diameter)
-                .filter(|limits| limits.maximum != Length::ZERO || limits.minimum != Length::ZERO),
-            nominal: place(nominal),
-            actual: place(actual),
-            deviations: deviations.map(place),
-        })
+        let is_diameter = |figure: &&LogFigure| figure.what == FoundName::DIAMETER;
+        for numbers in [nominal.iter().zip(log.limited()), compared.iter().zip(log.limited())] {
+            for (number, _) in numbers.filter(|(_, figure)| is_diameter(figure)) {
+                positive(number)?;
+            }
+        }
+        let mut found = Vec::new();
+        let mut beside = nominal.iter().zip(limits.chunks_exact(2)).zip(0..);
+        for (actual, figure) in actual.iter().zip(log.figures) {
+            let with = if is_limited(figure) { beside.next() } else { None };
+            let Some(((nominal, [maximum, minimum]), number)) = with else {
+                found.push(Figure { nominal: None, limits: None, actual: actual.value, deviation: None });
+                continue;
+            };
+            let limits = match figure.kind {
+                FigureKind::Centre(_) => Some(self.even(maximum, minimum, nominal)?),
+                _ => monitored(limit_pair(maximum, minimum)?),
+            };
+            let deviation: Option<&Number<'_>> = deviations.as_ref().and_then(|deviations| deviations.get(number));
+            found.push(Figure {
+                nominal: Some(nominal.value),
+                limits,
+                actual: actual.value,
+                deviation: deviation.map(|deviation| deviation.value),
+            });
+        }
+        Ok(found)
     }
 
     /// Limits and actual value; nominal value and deviation may be absent, and are told by the sizes of the sections.
-    fn coordinate(&mut self) -> Result<Coordinate, LogError> {
+    fn coordinate(&mut self) -> Result<Figure, LogError> {
         let has_nominal = self.groups.first().is_some_and(|group| group.pairs.len() == 1);
-        let nominal: Option<[Figure<'_>; 1]> = if has_nominal { Some(self.take(Name::Nominal)?) } else { None };
-        let [maximum, minimum]: [Figure<'_>; 2] = self.take(Name::Limits)?;
-        let [actual]: [Figure<'_>; 1] = self.take(Name::Actual)?;
-        self.whole(&actual, decimals(Some(&maximum)))?;
-        let named_alike = self.groups.first().is_some_and(|group| labels_match(&group.pairs, &[actual]));
-        if let (true, Some([nominal])) = (named_alike, nominal) {
-            let [deviation]: [Figure<'_>; 1] = self.take(Name::Deviations)?;
-            self.agrees(&deviation, &actual, &nominal)?;
+        let nominal = if has_nominal { self.take(Name::Nominal, 1)?.first().copied() } else { None };
+        let limits = self.take(Name::Limits, 2)?;
+        let actual = self.take(Name::Actual, 1)?;
+        let ([maximum, minimum], [actual]) = (limits.as_slice(), actual.as_slice()) else {
+            // Each section was taken with so many.
+            return Err(LogReason::NoLog.at(self.chunk.last_line()));
+        };
+        self.whole(actual, decimals(Some(maximum)))?;
+        let named_alike = self.groups.first().is_some_and(|group| labels_match(&group.pairs, &[*actual]));
+        let mut deviation = None;
+        if let (true, Some(nominal)) = (named_alike, nominal) {
+            for number in self.take(Name::Deviations, 1)? {
+                self.agrees(&number, actual, &nominal)?;
+                deviation = Some(number.value);
+            }
         }
-        let nominal = nominal.map(|[nominal]| nominal.value);
-        Ok(Coordinate { nominal, limits: limit_pair(&maximum, &minimum)?, actual: actual.value })
+        let nominal = nominal.map(|nominal| nominal.value);
+        Ok(Figure { nominal, limits: monitored(limit_pair(maximum, minimum)?), actual: actual.value, deviation })
     }
 
-    /// The next section, which must have so many figures.
-    fn take<const N: usize>(&mut self, name: Name) -> Result<[Figure<'a>; N], LogError> {
+    /// The next section, which must have so many numbers.
+    fn take(&mut self, name: Name, expected: usize) -> Result<Vec<Number<'a>>, LogError> {
         if self.groups.is_empty() {
             return Err(LogReason::Missing { section: name }.at(self.chunk.last_line()));
         }
         let group = self.groups.remove(0);
-        let mut figures = Vec::with_capacity(N);
-        for pair in &group.pairs {
-            figures.push(self.figure(pair)?);
+        let numbers: Vec<_> = group.pairs.iter().map(|pair| self.figure(pair)).collect::<Result<_, _>>()?;
+        if numbers.len() == expected {
+            return Ok(numbers);
         }
-        figures.try_into().map_err(|figures: Vec<_>| {
-            LogReason::Count { section: name, found: figures.len(), expected: N }.at(group.line)
-        })
+        Err(LogReason::Count { section: name, found: numbers.len(), expected }.at(group.line))
     }
 
-    fn figure(&self, pair: &Pair<'a>) -> Result<Figure<'a>, LogError> {
+    fn figure(&self, pair: &Pair<'a>) -> Result<Number<'a>, LogError> {
         let value = Length::parse_in(pair.given, self.unit).map_err(|error| at(pair, LogReason::Number(error)))?;
-        Ok(Figure { pair: *pair, value })
+        Ok(Number { pair: *pair, value })
     }
 
-    /// The next section as deviations: where it has three figures, or the names of the actual values. One that the
-    /// file ends in is not used.
+    /// The next section as deviations: where it has as many numbers, of which one alone says nothing, or the names of
+    /// the actual values. One that the file ends in is not used.
     fn deviations(
         &mut self,
-        nominal: &[Figure<'a>; 3],
-        actual: &[Figure<'a>; 3],
+        nominal: &[Number<'a>],
+        actual: &[Number<'a>],
         decimals: usize,
-    ) -> Result<Option<[Figure<'a>; 3]>, LogError> {
+    ) -> Result<Option<Vec<Number<'a>>>, LogError> {
         let Some(group) = self.groups.first() else { return Ok(None) };
-        if group.pairs.len() != 3 && !labels_match(&group.pairs, actual) {
+        let expected = actual.len();
+        let is_as_long = 1 < expected && group.pairs.len() == expected;
+        if !is_as_long && !labels_match(&group.pairs, actual) {
             return Ok(None);
         }
         let is_last = self.groups.len() == 1;
         let cut = |pair: &Pair<'_>| self.chunk.ends_within(pair.line) && decimals_of(pair.given) < decimals;
         let whole = group.pairs.iter().take_while(|pair| !(is_last && cut(pair))).count();
-        let mut figures = Vec::with_capacity(3);
+        let mut numbers = Vec::with_capacity(expected);
         for ((pair, actual), nominal) in group.pairs.iter().take(whole).zip(actual).zip(nominal) {
             let deviation = self.figure(pair)?;
             self.agrees(&deviation, actual, nominal)?;
-            figures.push(deviation);
+            numbers.push(deviation);
         }
-        if 3 < group.pairs.len() || !is_last && group.pairs.len() < 3 {
-            let found = group.pairs.len();
-            return Err(LogReason::Count { section: Name::Deviations, found, expected: 3 }.at(group.line));
+        let found = group.pairs.len();
+        if expected < found || !is_last && found < expected {
+            return Err(LogReason::Count { section: Name::Deviations, found, expected }.at(group.line));
         }
         self.groups.remove(0);
-        Ok(figures.try_into().ok())
+        Ok((numbers.len() == expected).then_some(numbers))
     }
 
     /// A figure that the file ends in may be cut off: 25.01 of 25.0134. It is whole if it has as many decimals as
     /// the log's first figure.
-    fn whole(&self, figure: &Figure<'_>, decimals: usize) -> Result<(), LogError> {
+    fn whole(&self, figure: &Number<'_>, decimals: usize) -> Result<(), LogError> {
         if self.chunk.ends_within(figure.pair.line) && decimals_of(figure.pair.given) < decimals {
             return Err(at(&figure.pair, LogReason::CutFigure { given: figure.pair.given.to_owned() }));
         }
@@ -234,7 +229,7 @@ impl<'a> Body<'a> {
         .unwrap_or_default()
     }
 
-    fn agrees(&self, deviation: &Figure<'_>, actual: &Figure<'_>, nominal: &Figure<'_>) -> Result<(), LogError> {
+    fn agrees(&self, deviation: &Number<'_>, actual: &Number<'_>, nominal: &Number<'_>) -> Result<(), LogError> {
         let difference = actual.value.saturating_sub(nominal.value);
         if deviation.value.saturating_sub(difference).abs() <= self.last_figure() {
             return Ok(());
@@ -248,7 +243,7 @@ impl<'a> Body<'a> {
     }
 
     /// Limits of the centre: even about the nominal value to the last figure.
-    fn even(&self, maximum: &Figure<'_>, minimum: &Figure<'_>, nominal: &Figure<'_>) -> Result<LimitPair, LogError> {
+    fn even(&self, maximum: &Number<'_>, minimum: &Number<'_>, nominal: &Number<'_>) -> Result<LimitPair, LogError> {
         let limits = limit_pair(maximum, minimum)?;
         let above = limits.maximum.saturating_sub(nominal.value);
         let below = nominal.value.saturating_sub(limits.minimum);
@@ -273,11 +268,17 @@ fn at(pair: &Pair<'_>, reason: LogReason) -> LogError {
     LogError { line: pair.line, column: Some(pair.column), reason }
 }
 
-fn place([first, second, diameter]: [Figure<'_>; 3]) -> Place {
-    Place { centre: [first.value, second.value], diameter: diameter.value }
+/// Whether a figure has a nominal value, limits and a deviation.
+fn is_limited(figure: &LogFigure) -> bool {
+    figure.kind != FigureKind::Information
 }
 
-fn limit_pair(maximum: &Figure<'_>, minimum: &Figure<'_>) -> Result<LimitPair, LogError> {
+/// Limits of 0 and 0 monitor nothing.
+fn monitored(limits: LimitPair) -> Option<LimitPair> {
+    Some(limits).filter(|limits| limits.maximum != Length::ZERO || limits.minimum != Length::ZERO)
+}
+
+fn limit_pair(maximum: &Number<'_>, minimum: &Number<'_>) -> Result<LimitPair, LogError> {
     if maximum.value < minimum.value {
         let (max, min) = (maximum.pair.given.to_owned(), minimum.pair.given.to_owned());
         return Err(at(&maximum.pair, LogReason::Swapped { maximum: max, minimum: min }));
@@ -285,7 +286,7 @@ fn limit_pair(maximum: &Figure<'_>, minimum: &Figure<'_>) -> Result<LimitPair, L
     Ok(LimitPair { maximum: maximum.value, minimum: minimum.value })
 }
 
-fn positive(figure: &Figure<'_>) -> Result<(), LogError> {
+fn positive(figure: &Number<'_>) -> Result<(), LogError> {
     if Length::ZERO < figure.value {
         return Ok(());
     }
@@ -293,12 +294,12 @@ fn positive(figure: &Figure<'_>) -> Result<(), LogError> {
 }
 
 /// Whether every pair has the name of the figure at its place, whatever the language.
-fn labels_match(pairs: &[Pair<'_>], figures: &[Figure<'_>]) -> bool {
+fn labels_match(pairs: &[Pair<'_>], figures: &[Number<'_>]) -> bool {
     pairs.len() <= figures.len()
         && pairs.iter().zip(figures).all(|(pair, figure)| pair.label.to_lowercase() == figure.pair.label.to_lowercase())
 }
 
-fn decimals(figure: Option<&Figure<'_>>) -> usize {
+fn decimals(figure: Option<&Number<'_>>) -> usize {
     figure.map_or(0, |figure| decimals_of(figure.pair.given))
 }
 

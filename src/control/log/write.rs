@@ -3,7 +3,7 @@
 //! Title, header, sections, their order and four decimals of a millimetre are the maker's for cycle 421
 //! (`docs/SOURCES.md`). Our rule are the columns (label and colon left aligned in 46 characters, the value right aligned
 //! in 12), CRLF, ASCII or, where the words need it, Latin-1, four decimals of an inch, the lines behind the deviations, all
-//! of cycle 427's sections, and other languages' words. The documented layout has no line for a status, a tolerance class
+//! sections of the other cycles, and other languages' words. The documented layout has no line for a status, a tolerance class
 //! or a tool: a log has the same lines whether the part is good, rework or scrap.
 //!
 //! What is written reads back as the same log ([`Log::printed`]), or it is an error. What a log lacks is left out and
@@ -11,9 +11,10 @@
 
 use super::labels::Labels;
 use super::model::DECIMALS;
-use super::{Circle, Coordinate, LimitPair, Log, LogError, LogReason, Place, Values, read};
+use super::{Figure, LimitPair, Log, LogError, LogReason, layout, read};
 use crate::length::{Length, Unit};
 use crate::message::{Message, Say};
+use crate::probing::cycle::{FigureKind, LogFigure, TextLog};
 use crate::words::Dialogue;
 
 /// Characters of a label and its colon (our rule).
@@ -26,13 +27,11 @@ const LINE_END: &str = "\r\n";
 /// Why a log cannot be written.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum LogWriteError {
-    /// The cycle does not measure such values.
-    #[error("cycle {cycle} does not write these values: they are those of cycle {expected}")]
+    /// The cycle does not measure such values, or has no log of this kind.
+    #[error("cycle {cycle} does not write these values")]
     Cycle {
         /// The log's cycle.
         cycle: u16,
-        /// The cycle of its values.
-        expected: u16,
     },
     /// The control knows millimetres and inches.
     #[error("a log is in mm or inch, not in µm")]
@@ -65,9 +64,7 @@ pub enum LogWriteError {
 impl Say for LogWriteError {
     fn message(&self) -> Message {
         match self {
-            Self::Cycle { cycle, expected } => {
-                Message::new("log-write-cycle").text("cycle", cycle).text("expected", expected)
-            }
+            Self::Cycle { cycle } => Message::new("log-write-cycle").text("cycle", cycle),
             Self::Unit => Message::new("log-write-unit"),
             Self::Character { given, code } => {
                 Message::new("log-write-character").text("given", given).text("code", code)
@@ -86,18 +83,18 @@ impl Say for LogWriteError {
 /// zero ([`Log::printed`] gives the log that this leads to).
 ///
 /// ```
-/// use fitcheck::control::log::{self, Coordinate, Further, LimitPair, Log, Values};
+/// use fitcheck::control::log::{self, Figure, Further, LimitPair, Log};
 /// use fitcheck::length::Unit;
 /// use fitcheck::words::Dialogue;
 ///
 /// let limits = LimitPair { maximum: "5.1".parse()?, minimum: "4.95".parse()? };
-/// let values = Values::Coordinate(Coordinate { nominal: None, limits, actual: "5.0231".parse()? });
+/// let coordinate = Figure::bare(Some(limits), "5.0231".parse()?);
 /// let log = Log {
 ///     date: Some(jiff::civil::date(2024, 3, 14)),
 ///     time: Some(jiff::civil::time(8, 5, 9, 0)),
 ///     program: Some(r"TNC:\PART1.H".to_owned()),
 ///     further: vec![Further::measuring_height("-3".parse()?, Unit::Millimetre, Dialogue::En)],
-///     ..Log::new(values, Unit::Millimetre)
+///     ..Log::new(427, vec![coordinate], Unit::Millimetre)
 /// };
 /// let bytes = log::write(&log, Dialogue::En)?;
 /// assert!(bytes.starts_with(b"Measuring log for touch probe cycle 427"));
@@ -166,20 +163,16 @@ fn reads_back(read: &[Result<Log, LogError>], log: &Log, language: Dialogue) -> 
 
 fn text(log: &Log, language: Dialogue) -> Result<String, LogWriteError> {
     let labels = Labels::of(language);
-    if log.cycle != log.values.cycle() {
-        return Err(LogWriteError::Cycle { cycle: log.cycle, expected: log.values.cycle() });
-    }
+    let wrong = LogWriteError::Cycle { cycle: log.cycle };
+    let layout = layout(log.cycle).filter(|layout| fits(layout, &log.figures)).ok_or(wrong)?;
     if log.unit == Unit::Micrometre {
         return Err(LogWriteError::Unit);
     }
     let mut page = Page { text: String::new(), unit: log.unit };
-    page.line(&labels.sort(&log.values).title);
+    page.line(labels.title(log.cycle));
     page.line("");
     page.header(log, labels)?;
-    match &log.values {
-        Values::Circle(circle) => page.circle(circle, &log.values, labels),
-        Values::Coordinate(coordinate) => page.coordinate(coordinate, &log.values, labels),
-    }
+    page.figures(layout, &log.figures, labels);
     if !log.further.is_empty() {
         page.heading(&labels.further);
         for further in &log.further {
@@ -190,6 +183,17 @@ fn text(log: &Log, language: Dialogue) -> Result<String, LogWriteError> {
     }
     page.line(&labels.end);
     Ok(page.text)
+}
+
+/// Whether figures are those of a layout: as many, and nominal values where it has them.
+fn fits(layout: &TextLog, figures: &[Figure]) -> bool {
+    let is_fit = |(layout, figure): (&LogFigure, &Figure)| match layout.kind {
+        FigureKind::Centre(_) => figure.nominal.is_some() && figure.limits.is_some(),
+        FigureKind::Size(_) => figure.nominal.is_some(),
+        FigureKind::Coordinate => figure.nominal.is_some() || figure.deviation.is_none(),
+        FigureKind::Information => *figure == Figure::bare(None, figure.actual),
+    };
+    layout.figures.len() == figures.len() && layout.figures.iter().zip(figures).all(is_fit)
 }
 
 /// A log's lines.
@@ -240,36 +244,27 @@ impl Page {
         Ok(())
     }
 
-    fn circle(&mut self, circle: &Circle, values: &Values, labels: &Labels) {
-        let place = |place: Place| {
-            let [first, second] = place.centre;
-            labels.place.iter().zip([first, second, place.diameter])
-        };
-        self.section(&labels.nominal, place(circle.nominal));
-        let limits = circle.centre_limits.into_iter().flat_map(|pair| [pair.maximum, pair.minimum]);
+    /// Every section with the figures that it has; deviations where all of them are known.
+    fn figures(&mut self, layout: &TextLog, figures: &[Figure], labels: &Labels) {
         let not_monitored = LimitPair { maximum: Length::ZERO, minimum: Length::ZERO };
-        let size = circle.diameter_limits.unwrap_or(not_monitored);
-        let sort = labels.sort(values);
-        let size = [(&sort.maximum, size.maximum), (&sort.minimum, size.minimum)];
-        self.section(&labels.limits, labels.centre_limits.iter().zip(limits).chain(size));
-        self.section(&labels.actual, place(circle.actual));
-        if let Some(deviations) = circle.deviations {
-            self.section(&labels.deviations, place(deviations));
+        let named: Vec<_> = layout.figures.iter().map(|figure| labels.figure(figure)).zip(figures).collect();
+        let limited: Vec<_> =
+            layout.figures.iter().zip(&named).filter(|(figure, _)| figure.kind != FigureKind::Information).collect();
+        let limited: Vec<_> = limited.into_iter().map(|(_, named)| *named).collect();
+        let nominal: Vec<_> = limited.iter().filter_map(|(words, of)| Some((&words.value, of.nominal?))).collect();
+        if !nominal.is_empty() {
+            self.section(&labels.nominal, nominal);
         }
-    }
-
-    /// Limits and actual value as assumed for cycle 427; a nominal value comes with its deviation (our rule).
-    fn coordinate(&mut self, coordinate: &Coordinate, values: &Values, labels: &Labels) {
-        let name = &labels.coordinate;
-        let sort = labels.sort(values);
-        let limits = [(&sort.maximum, coordinate.limits.maximum), (&sort.minimum, coordinate.limits.minimum)];
-        if let Some(nominal) = coordinate.nominal {
-            self.section(&labels.nominal, [(name, nominal)]);
-        }
+        let limits = limited.iter().flat_map(|(words, figure)| {
+            let LimitPair { maximum, minimum } = figure.limits.unwrap_or(not_monitored);
+            [(&words.maximum, maximum), (&words.minimum, minimum)]
+        });
         self.section(&labels.limits, limits);
-        self.section(&labels.actual, [(name, coordinate.actual)]);
-        if let Some(nominal) = coordinate.nominal {
-            self.section(&labels.deviations, [(name, coordinate.actual.saturating_sub(nominal))]);
+        self.section(&labels.actual, named.iter().map(|(words, figure)| (&words.value, figure.actual)));
+        let deviations: Option<Vec<_>> =
+            limited.iter().map(|(words, figure)| Some((&words.value, figure.deviation?))).collect();
+        if let Some(deviations) = deviations {
+            self.section(&labels.deviations, deviations);
         }
     }
 }
@@ -299,7 +294,7 @@ mod tests {
     fn every_error_is_said_in_english_and_dutch() {
         let given = || "TNC:\\".to_owned();
         for error in [
-            LogWriteError::Cycle { cycle: 421, expected: 422 },
+            LogWriteError::Cycle { cycle: 421 },
             LogWriteError::Unit,
             LogWriteError::Character { given: given(), code: "20AC".to_owned() },
             LogWriteError::Program { given: given() },

@@ -1,10 +1,10 @@
 //! A block as pairs of name and text: a line at a time, cut at every `~`.
 
 use super::fault::{ProbeBlockError, ProbeBlockFault};
-use super::{ProbeBlock, Setting, Unused, is_lathe, shown};
+use super::{ProbeBlock, Setting, Unused, shown};
 use crate::control::text::lines;
-use crate::probing::cycle::{Cycle, Inputs};
-use crate::probing::cycles::{CYCLES, cycle_named};
+use crate::probing::cycle::{Control, Cycle, Inputs};
+use crate::probing::cycles::{cycle_named, cycles_of};
 
 /// How a parameter of a milling control is written, for errors.
 const EXAMPLE: &str = "Q263=+35";
@@ -50,7 +50,10 @@ pub fn read(text: &str) -> Result<ProbeBlock, ProbeBlockError> {
 pub fn read_or_lines(text: &str, cycle: &'static Cycle) -> Result<ProbeBlock, ProbeBlockError> {
     match read(text) {
         Err(ProbeBlockError { fault: ProbeBlockFault::NoBlock, .. }) if !text.trim().is_empty() => {
-            let head = if is_lathe(cycle) { cycle.code.to_owned() } else { format!("TCH PROBE {} ~", cycle.code) };
+            let head = match cycle.control {
+                Control::Lathe => cycle.code.to_owned(),
+                Control::Milling => format!("TCH PROBE {} ~", cycle.code),
+            };
             read(&format!("{head} {text}"))
         }
         answer => answer,
@@ -258,7 +261,7 @@ fn head(body: &str) -> Result<Option<(&'static Cycle, Option<&str>)>, ProbeBlock
         return Ok(None);
     }
     let number = rest.split_whitespace().next().unwrap_or_default();
-    let known = || CYCLES.iter().filter(|cycle| !is_lathe(cycle));
+    let known = || cycles_of(Control::Milling);
     let Some(cycle) = known().find(|cycle| cycle.code == number) else {
         let known = known().map(|cycle| cycle.code).collect::<Vec<_>>().join(", ");
         return Err(ProbeBlockFault::UnknownCycle { given: shown(number), known });

@@ -1,8 +1,8 @@
 //! The block of a cycle's inputs, from its declaration.
 
 use super::fault::{ProbeBlockError, ProbeBlockFault};
-use super::{is_lathe, shown};
-use crate::probing::cycle::{Cycle, Inputs, Key, Parameter, Value};
+use super::shown;
+use crate::probing::cycle::{Control, Cycle, Inputs, Key, Parameter, Value};
 use crate::words::Dialogue;
 
 /// Between lines.
@@ -34,7 +34,7 @@ pub fn write(cycle: &Cycle, inputs: &Inputs, language: Dialogue) -> Result<Strin
             pairs.push((parameter, text));
         }
     }
-    if is_lathe(cycle) {
+    if cycle.control == Control::Lathe {
         let words = pairs.iter().map(|(parameter, text)| format!(" {}{text}", parameter.key));
         return Ok(format!("{}{}{LINE_END}", cycle.code, words.collect::<String>()));
     }
@@ -53,7 +53,7 @@ pub fn write(cycle: &Cycle, inputs: &Inputs, language: Dialogue) -> Result<Strin
 /// A value as a block has it: a sign for numbers of a milling control, quotation marks round a text.
 fn value_text(cycle: &Cycle, parameter: &Parameter, value: &Value) -> Result<String, ProbeBlockFault> {
     let number = |number: String| {
-        let is_plain = is_lathe(cycle) || number.starts_with('-');
+        let is_plain = cycle.control == Control::Lathe || number.starts_with('-');
         if is_plain { number } else { format!("+{number}") }
     };
     Ok(match value {

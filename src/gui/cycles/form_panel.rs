@@ -81,7 +81,7 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
             ui.horizontal(|ui| simulated_ui(ui, view));
             // The dialog says it beside the field.
             let session = view.session;
-            if let Some(error) = session.bench().problem().filter(|_| !session.bench_is_open()) {
+            if let Some(error) = session.workpiece().problem().filter(|_| !session.workpiece_is_open()) {
                 problem(ui, view.words.say(&error));
             }
         }
@@ -91,7 +91,7 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn simulated_ui(ui: &mut Ui, view: &mut View<'_>) {
-    opener_ui(ui, view, Action::EditWorkpiece, view.session.bench_is_open());
+    opener_ui(ui, view, Action::EditWorkpiece, view.session.workpiece_is_open());
     view.button(ui, Action::SuitWorkpiece);
 }
 

@@ -4,19 +4,19 @@
 //! |---|---|
 //! | `form_panel` | left: the cycle, where contacts come from, its parameters |
 //! | `parameter_row` | one parameter: question, field or choice, unit, error |
-//! | `bench_window` | the dialog of the simulated workpiece |
+//! | `workpiece_window` | the dialog of the simulated workpiece |
 //! | `block_window` | an NC block typed or pasted |
 //! | `seen_panel` | middle: the parameter in focus, the path step by step, contacts, criteria |
 //! | `answer_panel` | right: verdict, status window, result parameters |
 //! | `picture` | the drawings |
 
 mod answer_panel;
-pub(super) mod bench_window;
 mod block_window;
 mod form_panel;
 mod parameter_row;
 pub(super) mod picture;
 mod seen_panel;
+pub(super) mod workpiece_window;
 
 use eframe::egui::{CentralPanel, Id, Key, Memory, Panel, Response, ScrollArea, Ui};
 
@@ -42,7 +42,7 @@ pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
         column_ui(ui, |ui| answer_panel::answer_ui(ui, view));
     });
     CentralPanel::default().show(ui, |ui| seen_panel::seen_ui(ui, view));
-    bench_window::bench_ui(ui, view);
+    workpiece_window::workpiece_ui(ui, view);
     block_window::block_ui(ui, view);
     // A run that cannot begin leads to what is wrong, once it was tried.
     let is_run = |command: &Command| matches!(command, Command::Cycles(CyclesCommand::Run));

@@ -6,7 +6,7 @@ use super::{keep_focus, wrong_field};
 use crate::gui::field::{Look, error_ui, field_ui, select_all};
 use crate::gui::theme::{palette, sizes, space};
 use crate::gui::view::{View, list_height, quiet, quiet_cut};
-use crate::probing::cycle::{Key, Parameter, Range, Unset, Value};
+use crate::probing::cycle::{Meaning, Parameter, Range, Unset, Value};
 use crate::session::{CycleField, CyclesCommand, Field};
 
 /// How wide a field is.
@@ -83,10 +83,10 @@ fn number_ui(
     response.has_focus()
 }
 
-/// What a number of a choice means, where that is known.
-fn meaning(view: &View<'_>, key: Key, number: i64) -> Option<String> {
+/// What a number of a choice stands for, where that is known.
+fn stands_for(view: &View<'_>, meaning: Meaning, number: i64) -> Option<String> {
     let number = if number < 0 { format!("minus-{}", number.unsigned_abs()) } else { number.to_string() };
-    view.words.find(&format!("cycles-choice-{}", format!("{key}-{number}").to_lowercase()))
+    view.words.find(&format!("cycles-choice-{}", [meaning.word(), &number].join("-")))
 }
 
 /// One of a few numbers, each with what it means.
@@ -99,7 +99,7 @@ fn choice_ui(
     let key = parameter.key;
     let said = |number: i64| {
         let figure = view.words.number(&number.to_string());
-        meaning(view, key, number).map_or_else(|| figure.clone(), |meaning| format!("{figure}  {meaning}"))
+        stands_for(view, parameter.meaning, number).map_or_else(|| figure.clone(), |said| format!("{figure}  {said}"))
     };
     let typed = view.session.cycles().text(CycleField::Parameter(key)).trim().to_owned();
     let chosen = match (parameter.read(&typed).ok(), parameter.default_value()) {

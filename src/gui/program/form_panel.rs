@@ -177,7 +177,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
         WorkpieceFrom::Simulated => {
             let button = Button::new(view.text("program-page-edit-workpiece")).min_size(vec2(0.0, sizes().field));
             view.button_as(ui, Action::EditWorkpiece, button);
-            if let Some(error) = view.session.bench().problem() {
+            if let Some(error) = view.session.workpiece().problem() {
                 problem(ui, view.words.say(&error));
             }
         }

@@ -25,7 +25,7 @@ use std::time::Duration;
 use eframe::egui::{CentralPanel, Frame, Id, Panel, ScrollArea, Ui};
 pub(super) use listing::id as listing_id;
 
-use super::cycles::bench_window;
+use super::cycles::workpiece_window;
 use super::dialogs::just_opened;
 use super::field;
 use super::theme::{palette, space};
@@ -69,7 +69,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         listing::listing_ui(ui, view);
     });
-    bench_window::bench_ui(ui, view);
+    workpiece_window::workpiece_ui(ui, view);
 }
 
 /// The page opens ready for typing, or for walking through the program where it has no inputs.

@@ -2,8 +2,8 @@
 
 use super::fault::FaultKind;
 use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move};
-use crate::probing::simulated::{self, Bench};
-use crate::probing::{Contact, Recorded};
+use crate::probing::simulated::{self, Simulation};
+use crate::probing::{Contact, Recorded, Source, SourceError};
 
 /// What the probe touches.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,16 +11,16 @@ pub enum Contacts {
     /// Whatever a cycle expects, at nominal and without faults.
     Perfect,
     /// A simulated workpiece; scatter goes on from cycle to cycle.
-    Workpiece(Bench),
+    Workpiece(Simulation),
     /// Contacts in probing order, points of the surface, for all cycles of the run one after the other.
     Recorded(Vec<Contact>),
 }
 
 /// The contacts while the run goes on.
 #[derive(Debug)]
-pub(super) enum Workbench {
+pub(super) enum Probed {
     Perfect,
-    Workpiece(Bench),
+    Workpiece(Simulation),
     Machine(Box<simulated::Machine>),
     Recorded(Recorded),
 }
@@ -28,11 +28,11 @@ pub(super) enum Workbench {
 /// The way of the probe, and what came of it.
 type Measured = (Vec<Move>, Result<CycleResult, CycleError>);
 
-impl Workbench {
+impl Probed {
     pub(super) fn new(contacts: Contacts) -> Self {
         match contacts {
             Contacts::Perfect => Self::Perfect,
-            Contacts::Workpiece(bench) => Self::Workpiece(bench),
+            Contacts::Workpiece(simulation) => Self::Workpiece(simulation),
             Contacts::Recorded(contacts) => Self::Recorded(Recorded::new(contacts)),
         }
     }
@@ -45,8 +45,8 @@ impl Workbench {
 
     /// Runs a cycle.
     pub(super) fn measure(&mut self, cycle: &Cycle, inputs: &Inputs) -> Result<Measured, FaultKind> {
-        if let Self::Workpiece(bench) = self {
-            let machine = bench.machine().map_err(|error| FaultKind::Workpiece(Box::new(error)))?;
+        if let Self::Workpiece(simulation) = self {
+            let machine = simulation.machine().map_err(|error| FaultKind::Workpiece(Box::new(error)))?;
             *self = Self::Machine(Box::new(machine));
         }
         match self {
@@ -56,23 +56,11 @@ impl Workbench {
                 Ok(cycle.measure_along(inputs, machine.as_mut()))
             }
             Self::Recorded(recorded) => Ok(cycle.measure_along(inputs, recorded)),
-            Self::Perfect | Self::Workpiece(_) => perfect(cycle, inputs),
+            Self::Perfect | Self::Workpiece(_) => match Source::Perfect.prober(cycle, inputs) {
+                Ok(mut prober) => Ok(cycle.measure_along(inputs, &mut *prober)),
+                Err(SourceError::Cycle(error)) => Ok((Vec::new(), Err(error))),
+                Err(SourceError::Workpiece(error)) => Err(FaultKind::Workpiece(Box::new(error))),
+            },
         }
-    }
-}
-
-/// Runs a cycle on the surface that it expects.
-fn perfect(cycle: &Cycle, inputs: &Inputs) -> Result<Measured, FaultKind> {
-    let nominal = match cycle.nominal(inputs) {
-        Ok(nominal) => nominal,
-        Err(error) => return Ok((Vec::new(), Err(error))),
-    };
-    match Bench::perfect(nominal.into()).machine() {
-        Ok(machine) => Ok(cycle.measure_along(inputs, &mut machine.calibrated(inputs.probe()))),
-        // The cycle itself says better what is wrong with its inputs.
-        Err(error) => match cycle.measure(inputs, &mut Recorded::new(Vec::new())) {
-            Err(refused) if !matches!(refused, CycleError::NoContact(_)) => Ok((Vec::new(), Err(refused))),
-            _ => Err(FaultKind::Workpiece(Box::new(error))),
-        },
     }
 }

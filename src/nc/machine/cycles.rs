@@ -1,7 +1,7 @@
 //! `TCH PROBE`: the cycles of `probing::cycles`, by number.
 
 use super::budget::{Budget, Settings, UsedUp};
-use super::contacts::{Contacts, Workbench};
+use super::contacts::{Contacts, Probed};
 use super::fault::{BlockPlace, FaultKind};
 use super::remark::Remark;
 use super::values::{Values, length_of, whole};
@@ -10,8 +10,8 @@ use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
 use crate::nc::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool};
 use crate::probing::TouchProbe;
-use crate::probing::cycle::{self, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
-use crate::probing::cycles::CYCLES;
+use crate::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
+use crate::probing::cycles::cycles_of;
 
 /// A cycle that was run.
 #[derive(Debug, Clone)]
@@ -27,7 +27,7 @@ pub struct CycleRun {
 /// The cycles of a run, and what they measure with.
 #[derive(Debug)]
 pub(super) struct Cycles {
-    workbench: Workbench,
+    probed: Probed,
     probe: TouchProbe,
     /// The tool that is called and not in the touch-probe table.
     other_tool: Option<String>,
@@ -38,7 +38,7 @@ pub(super) struct Cycles {
 impl Cycles {
     pub(super) fn new(contacts: Contacts, settings: &Settings) -> Self {
         Self {
-            workbench: Workbench::new(contacts),
+            probed: Probed::new(contacts),
             probe: settings.probe_table.probe(None).copied().unwrap_or_default(),
             other_tool: None,
             runs: Vec::new(),
@@ -52,7 +52,7 @@ impl Cycles {
 
     /// That recorded contacts are left, where the cycles did not take all.
     pub(super) fn contacts_left(&self) -> Option<Remark> {
-        self.workbench.left().map(|(count, used)| Remark::ContactsLeft { count, used })
+        self.probed.left().map(|(count, used)| Remark::ContactsLeft { count, used })
     }
 
     /// TOOL CALL: the probe of that number; a name stands for the first probe of the table.
@@ -103,7 +103,7 @@ impl Cycles {
             inputs = inputs.with_position(place);
         }
         let inputs = with_lines(inputs, cycle, block, values)?;
-        let (path, result) = self.workbench.measure(cycle, &inputs)?;
+        let (path, result) = self.probed.measure(cycle, &inputs)?;
         Ok((path, result.map_err(|error| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) })))
     }
 
@@ -188,15 +188,10 @@ pub(super) fn hand_over(cycle: &Cycle, result: &CycleResult, values: &mut Values
     }
     Ok(())
 }
-/// The cycles of milling controls: those of lathe controls are no `TCH PROBE`.
-fn milling_cycles() -> impl Iterator<Item = &'static Cycle> {
-    CYCLES.iter().copied().filter(|cycle| cycle.code.bytes().all(|byte| byte.is_ascii_digit()))
-}
-
-/// The cycle of a number.
+/// The cycle of a number: those of lathe controls are no `TCH PROBE`.
 pub(super) fn cycle_of(number: &str) -> Result<&'static Cycle, FaultKind> {
-    milling_cycles().find(|cycle| cycle.code == number).ok_or_else(|| {
-        let known: Vec<&str> = milling_cycles().map(|cycle| cycle.code).collect();
+    cycles_of(Control::Milling).find(|cycle| cycle.code == number).ok_or_else(|| {
+        let known: Vec<&str> = cycles_of(Control::Milling).map(|cycle| cycle.code).collect();
         FaultKind::UnknownCycle { cycle: number.to_owned(), known: known.join(", ") }
     })
 }

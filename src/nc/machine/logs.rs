@@ -32,12 +32,9 @@ impl Log {
         program: &NcPath,
         settings: &Settings,
     ) -> Result<Option<Self>, FaultKind> {
-        let name = match result.log {
-            LogTarget::File(name) => name.to_owned(),
-            LogTarget::Screen => format!("TCHPR{}.TXT", cycle.code),
-            LogTarget::None | LogTarget::Shown => return Ok(None),
-        };
-        let path = program.resolve(&name)?;
+        let (LogTarget::File(_) | LogTarget::Screen) = result.log else { return Ok(None) };
+        let Some(name) = cycle.log.file() else { return Ok(None) };
+        let path = program.resolve(name)?;
         let program = Some(program.to_string());
         let heading = Heading { date_time: Some(settings.time), program, unit: Unit::Millimetre };
         let language = settings.language;

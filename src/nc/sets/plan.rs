@@ -3,9 +3,9 @@
 use super::error::{PlanError, PlanFault};
 use crate::length::Length;
 use crate::message::Place;
-use crate::probing::cycle::Angle;
-use crate::probing::cycles::cycle;
-use crate::tolerance::{Callout, Limits, Sources, Tolerance};
+use crate::probing::cycle::{Angle, Axis, Meaning};
+use crate::probing::cycles::measuring;
+use crate::tolerance::{Callout, Feature, Limits, Sources, Tolerance};
 
 /// The most features of a plan: a control opens a window for each.
 pub const MOST_FEATURES: usize = 1_000;
@@ -69,12 +69,12 @@ impl NcFeature {
             let name = self.name.chars().take(2 * LONGEST_NAME).collect();
             return Err(PlanFault::Name { name, most: LONGEST_NAME });
         }
-        in_range("Q273", &self.x)?;
-        in_range("Q274", &self.y)?;
-        in_range("Q261", &self.z)?;
-        in_range("Q325", &self.angle)?;
-        in_range("Q320", &self.clearance)?;
-        in_range("Q260", &self.clearance_height)?;
+        in_range(Meaning::Centre(Axis::First), &self.x)?;
+        in_range(Meaning::Centre(Axis::Second), &self.y)?;
+        in_range(Meaning::MeasuringHeight, &self.z)?;
+        in_range(Meaning::FirstAngle, &self.angle)?;
+        in_range(Meaning::SetUpClearance, &self.clearance)?;
+        in_range(Meaning::ClearanceHeight, &self.clearance_height)?;
         if self.clearance_height <= self.z {
             return Err(PlanFault::ClearanceHeight { height: self.clearance_height, z: self.z });
         }
@@ -134,7 +134,8 @@ impl NcPlan {
             let limits =
                 sources.limits(&callout, None).map_err(|error| PlanFault::Limits { callout, error: Box::new(error) });
             // Far below a millimetre a class can reach below 0, which no cycle takes.
-            let checked = limits.and_then(|limits| in_range("Q276", &limits.minimum()).map(|()| limits));
+            let checked =
+                limits.and_then(|limits| in_range(Meaning::MinimumDiameter, &limits.minimum()).map(|()| limits));
             checked.map_err(|what| located(self.lines.get(number), what))
         });
         limits.collect()
@@ -142,8 +143,8 @@ impl NcPlan {
 }
 
 /// Holds a value against the range of a parameter; both cycles have these parameters, with the same ranges.
-fn in_range(key: &str, value: &impl ToString) -> Result<(), PlanFault> {
-    let Some(parameter) = cycle(421).and_then(|cycle| cycle.parameter_named(key)) else { return Ok(()) };
+fn in_range(meaning: Meaning, value: &impl ToString) -> Result<(), PlanFault> {
+    let Some(parameter) = measuring(Feature::Hole).meant(meaning) else { return Ok(()) };
     let value = value.to_string();
     match parameter.accept(value.trim_end_matches('°')) {
         Ok(_value) => Ok(()),

@@ -10,10 +10,10 @@ use crate::probing::circle::CircleError;
 use crate::probing::contact::NoContact;
 
 /// Why a cycle did not run, or not to its end.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "cycle", error)]
 pub enum CycleError {
     /// A parameter is outside its range.
-    #[error("{key} {name} = {given}: {range}")]
     OutOfRange {
         /// The parameter.
         key: Key,
@@ -22,10 +22,10 @@ pub enum CycleError {
         /// What was given.
         given: String,
         /// What is allowed.
+        #[say(name = "allowed")]
         range: Range,
     },
     /// A text is no value for a parameter.
-    #[error("{key} {name}: {error}")]
     NotAValue {
         /// The parameter.
         key: Key,
@@ -35,7 +35,6 @@ pub enum CycleError {
         error: Reason,
     },
     /// A parameter without a default was not given.
-    #[error("{key} {name} is missing")]
     Missing {
         /// The parameter.
         key: Key,
@@ -43,7 +42,6 @@ pub enum CycleError {
         name: &'static str,
     },
     /// PREDEF, and no GLOBAL DEF before.
-    #[error("{key} {name} = PREDEF: no GLOBAL DEF gives a value")]
     NoGlobal {
         /// The parameter.
         key: Key,
@@ -51,7 +49,6 @@ pub enum CycleError {
         name: &'static str,
     },
     /// A parameter that the cycle does not have.
-    #[error("cycle {cycle} has no parameter {parameter}: its parameters are {known}")]
     NoSuchParameter {
         /// The cycle.
         cycle: &'static str,
@@ -61,9 +58,6 @@ pub enum CycleError {
         known: String,
     },
     /// The minimum is above the maximum.
-    #[error(
-        "{minimum_key} = {minimum} mm is above {maximum_key} = {maximum} mm: the minimum dimension is above the maximum"
-    )]
     LimitsSwapped {
         /// The parameter of the minimum.
         minimum_key: Key,
@@ -75,7 +69,6 @@ pub enum CycleError {
         maximum: Length,
     },
     /// A nominal diameter of zero.
-    #[error("{key} {name} = 0 mm: a circle needs a diameter above 0")]
     NoDiameter {
         /// The parameter.
         key: Key,
@@ -83,7 +76,6 @@ pub enum CycleError {
         name: &'static str,
     },
     /// A probing path of zero.
-    #[error("{key} {name} = 0 mm: a probing path needs a length; its sign gives the direction")]
     NoPath {
         /// The parameter.
         key: Key,
@@ -91,7 +83,6 @@ pub enum CycleError {
         name: &'static str,
     },
     /// A normal without a direction.
-    #[error("{first}, {second} and {third} are all 0: a normal needs a direction")]
     NoNormal {
         /// Its component in the first axis.
         first: Key,
@@ -101,7 +92,6 @@ pub enum CycleError {
         third: Key,
     },
     /// Two touches of the same point lie too far apart.
-    #[error("contact {contact}: its two probings lie {difference} mm apart, {key} permits {most} mm")]
     Apart {
         /// Which contact, from 1.
         contact: usize,
@@ -113,56 +103,15 @@ pub enum CycleError {
         most: Length,
     },
     /// The probe met nothing.
-    #[error(transparent)]
+    #[say(transparent)]
     NoContact(#[from] NoContact),
     /// The contacts make no circle.
-    #[error(transparent)]
+    #[say(transparent)]
     Circle(#[from] CircleError),
     /// The result is beyond what a length can hold.
-    #[error("the measured circle is too large: {0}")]
-    TooLarge(LengthError),
+    TooLarge(#[say(name = "error")] LengthError),
     /// A measured coordinate is beyond what a length can hold.
-    #[error("the measured coordinate is too large: {0}")]
-    TooFar(LengthError),
-}
-
-impl Say for CycleError {
-    fn message(&self) -> Message {
-        let of = |id, key: &Key, name: &str| Message::new(id).text("key", key).text("name", name);
-        match self {
-            Self::OutOfRange { key, name, given, range } => {
-                of("cycle-out-of-range", key, name).text("given", given).message("allowed", range.message())
-            }
-            Self::NotAValue { key, name, error } => {
-                of("cycle-not-a-value", key, name).message("error", error.message.clone())
-            }
-            Self::NoDiameter { key, name } => of("cycle-no-diameter", key, name),
-            Self::NoPath { key, name } => of("cycle-no-path", key, name),
-            Self::Missing { key, name } => of("cycle-missing", key, name),
-            Self::NoGlobal { key, name } => of("cycle-no-global", key, name),
-            Self::NoSuchParameter { cycle, parameter, known } => Message::new("cycle-no-such-parameter")
-                .text("cycle", cycle)
-                .text("parameter", parameter)
-                .text("known", known),
-            Self::LimitsSwapped { minimum_key, minimum, maximum_key, maximum } => Message::new("cycle-limits-swapped")
-                .text("minimum-key", minimum_key)
-                .mm("minimum", *minimum)
-                .text("maximum-key", maximum_key)
-                .mm("maximum", *maximum),
-            Self::NoNormal { first, second, third } => {
-                Message::new("cycle-no-normal").text("first", first).text("second", second).text("third", third)
-            }
-            Self::Apart { contact, difference, key, most } => Message::new("cycle-apart")
-                .text("contact", contact)
-                .text("difference", difference)
-                .text("key", key)
-                .text("most", most),
-            Self::NoContact(error) => error.message(),
-            Self::Circle(error) => error.message(),
-            Self::TooLarge(error) => Message::new("cycle-too-large").message("error", error.message()),
-            Self::TooFar(error) => Message::new("cycle-too-far").message("error", error.message()),
-        }
-    }
+    TooFar(#[say(name = "error")] LengthError),
 }
 
 /// What is wrong with a text, said by the room that reads such texts: in English, and for other languages.
@@ -175,6 +124,12 @@ pub struct Reason {
 impl Reason {
     pub(super) fn of(error: &(impl fmt::Display + Say)) -> Self {
         Self { english: error.to_string(), message: error.message() }
+    }
+}
+
+impl Say for Reason {
+    fn message(&self) -> Message {
+        self.message.clone()
     }
 }
 

@@ -23,6 +23,8 @@ impl fmt::Display for Key {
     }
 }
 
+crate::message::as_text!(Key);
+
 impl From<u16> for Key {
     /// A Q parameter by its number.
     fn from(number: u16) -> Self {

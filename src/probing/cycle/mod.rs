@@ -1,25 +1,31 @@
-//! What a measuring cycle declares: its parameters, once, with name, question, unit, range and default.
+//! What a measuring cycle declares: parameters with name, question, unit, range, default and meaning; the surface that it
+//! expects; what it does; its status window and its log.
 //!
-//! Range errors, forms and NC blocks are made from the declaration. Where contacts come from is not a cycle's business.
+//! Range errors, forms, drawings, NC blocks, logs and status windows are made from the declaration. Where contacts come
+//! from is not a cycle's business.
 //!
 //! | file | what |
 //! |---|---|
 //! | `key` | what programs call a parameter or a result |
 //! | `parameter` | one parameter: key, name, question, range, default |
+//! | `meaning` | what a parameter means: its drawing and its sentence |
 //! | `shared` | parameters that several cycles have |
 //! | `value` | what is put in and what comes out: lengths, angles, numbers, texts |
 //! | `inputs` | all values of a run, the probe, where the machine stands |
 //! | `course` | the way of the probe, move by move |
 //! | `result` | what a cycle found |
+//! | `shown` | its status window and its measuring log |
 //! | `error` | why it did not run |
 
 mod course;
 mod error;
 mod inputs;
 mod key;
+mod meaning;
 mod parameter;
 mod result;
 pub(in crate::probing) mod shared;
+mod shown;
 mod value;
 
 pub use course::{Course, Move, Phase};
@@ -27,15 +33,17 @@ pub(in crate::probing) use course::{along, nearest};
 pub use error::{CycleError, Reason};
 pub use inputs::Inputs;
 pub use key::Key;
+pub use meaning::{Axis, Meaning};
 pub(crate) use parameter::number;
 pub use parameter::{Parameter, Range, Texts, Unset, UnsetWhere};
 pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Remark, Stop};
+pub use shown::{FigureKind, Log, LogFigure, TextLog, Window};
 pub(in crate::probing) use value::QUARTER_TURN;
 pub use value::{Angle, Value};
 
 use super::contact::{Contact, Prober};
+use super::simulated::{Shape, Surface};
 use crate::length::Length;
-use crate::tolerance::Feature;
 use crate::verdict::Status;
 use crate::words::Dialogue;
 
@@ -46,14 +54,31 @@ pub struct Cycle {
     pub number: u16,
     /// What programs call it: `421`, `G785`.
     pub code: &'static str,
+    /// The control that has it.
+    pub control: Control,
     /// Its name in NC programs, by dialogue language.
     pub names: Texts,
     /// Its parameters in the order of NC programs.
     pub parameters: &'static [Parameter],
+    /// The perfect surface that it would find nothing wrong with.
+    pub surface: fn(&Inputs) -> Surface,
     /// Runs it on checked inputs.
     pub run: fn(&Inputs, &mut Course<'_>) -> Result<Measured, CycleError>,
-    /// The perfect workpiece that it would find nothing wrong with.
-    pub nominal: fn(&Inputs) -> Nominal,
+    /// What is checked, as the status window names it: the nominal size, or the measured axis.
+    pub subject: fn(&Inputs) -> Option<String>,
+    /// Its status window.
+    pub window: Window,
+    /// Its measuring log.
+    pub log: Log,
+}
+
+/// The controls that have measuring cycles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Control {
+    /// A milling control: a `TCH PROBE` block, one parameter a line.
+    Milling,
+    /// A lathe control: address letters on one line.
+    Lathe,
 }
 
 /// What a cycle makes of its contacts; the rest of a [`CycleResult`] is the same for all.
@@ -65,31 +90,7 @@ pub struct Measured {
     pub(in crate::probing) status: Option<Status>,
     pub(in crate::probing) results: Vec<Found>,
     pub(in crate::probing) stop: Option<Stop>,
-    pub(in crate::probing) log: LogTarget,
     pub(in crate::probing) remarks: Vec<Remark>,
-}
-
-/// The surface that a cycle expects, millimetres.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Nominal {
-    /// A hole or a stud.
-    Circle {
-        /// Which of them.
-        feature: Feature,
-        /// The plane that it lies in.
-        plane: Plane,
-        /// Its centre in first and second axis.
-        centre: [f64; 2],
-        /// Its diameter.
-        diameter: f64,
-    },
-    /// A plane face.
-    Face {
-        /// A point of it.
-        point: [f64; 3],
-        /// Its normal, out of the material, of any length but zero.
-        normal: [f64; 3],
-    },
 }
 
 impl Cycle {
@@ -109,6 +110,26 @@ impl Cycle {
     /// A parameter by the name that people type: `Q273`, `q273`, `QS400`, `br`. `QS330` is the text form of Q330.
     pub fn parameter_named(&self, name: &str) -> Option<&'static Parameter> {
         self.parameters.iter().find(|parameter| parameter.key.is_named(name))
+    }
+
+    /// The parameter of a meaning.
+    pub fn meant(&self, meaning: Meaning) -> Option<&'static Parameter> {
+        self.parameters.iter().find(|parameter| parameter.meaning == meaning)
+    }
+
+    /// What inputs say for a meaning; `None` where the cycle has no such parameter, or the inputs no value for it.
+    pub fn value_of<'a>(&self, inputs: &'a Inputs, meaning: Meaning) -> Option<&'a Value> {
+        inputs.value(self.meant(meaning)?.key)
+    }
+
+    /// A length by its meaning.
+    pub fn length_of(&self, inputs: &Inputs, meaning: Meaning) -> Option<Length> {
+        if let Some(Value::Length(length)) = self.value_of(inputs, meaning) { Some(*length) } else { None }
+    }
+
+    /// What is measured, as its drawings show it. Where inputs choose, it is what no input chooses.
+    pub fn shape(&self) -> Shape {
+        (self.surface)(&Inputs::new()).shape()
     }
 
     /// Gives a parameter a value, both as people type them.
@@ -153,7 +174,6 @@ impl Cycle {
             let mut remarks = self.remarks(&inputs);
             remarks.extend(measured.remarks);
             CycleResult {
-                inputs,
                 path: path.clone(),
                 contacts: measured.contacts,
                 circle: measured.circle,
@@ -161,8 +181,9 @@ impl Cycle {
                 status: measured.status,
                 results: measured.results,
                 stop: measured.stop,
-                log: measured.log,
+                log: self.log_target(&inputs),
                 remarks,
+                inputs,
             }
         });
         (path, result)
@@ -172,8 +193,8 @@ impl Cycle {
     ///
     /// # Errors
     /// As [`Self::measure`], but for what only a touch can tell.
-    pub fn nominal(&self, inputs: &Inputs) -> Result<Nominal, CycleError> {
-        self.checked(inputs).map(|inputs| (self.nominal)(&inputs))
+    pub fn nominal(&self, inputs: &Inputs) -> Result<Surface, CycleError> {
+        self.checked(inputs).map(|inputs| (self.surface)(&inputs))
     }
 
     /// Checks the values against the declaration and fills in defaults.
@@ -214,11 +235,21 @@ impl Cycle {
         CycleError::NoSuchParameter { cycle: self.code, parameter: parameter.to_owned(), known }
     }
 
+    /// Where the log goes: where a parameter asks for one, as that says.
+    fn log_target(&self, inputs: &Inputs) -> LogTarget {
+        match (self.log.file(), self.value_of(inputs, Meaning::Log)) {
+            (None, _) => LogTarget::Shown,
+            (Some(file), None | Some(Value::Whole(1))) => LogTarget::File(file),
+            (Some(_), Some(Value::Whole(2))) => LogTarget::Screen,
+            _ => LogTarget::None,
+        }
+    }
+
     /// What was given without effect, and a tool that stays as it is.
     fn remarks(&self, inputs: &Inputs) -> Vec<Remark> {
         let idle = self.parameters.iter().filter(|parameter| !parameter.has_effect && inputs.is_given(parameter.key));
         let mut remarks: Vec<_> = idle.map(|parameter| Remark::WithoutEffect { key: parameter.key }).collect();
-        match inputs.value(330) {
+        match self.value_of(inputs, Meaning::Tool) {
             Some(Value::Number(number)) if 0.0 < *number => {
                 remarks.push(Remark::ToolLeftAlone { tool: number.to_string() });
             }

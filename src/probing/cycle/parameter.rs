@@ -5,6 +5,7 @@ use std::fmt;
 use super::error::{CycleError, Reason};
 use super::inputs::Inputs;
 use super::key::Key;
+use super::meaning::Meaning;
 use super::value::{Angle, PREDEF, Value};
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say};
@@ -27,6 +28,8 @@ pub struct Parameter {
     pub questions: Texts,
     /// What it may be.
     pub range: Range,
+    /// What it means: how it is drawn, and which sentence explains it.
+    pub meaning: Meaning,
     /// What counts when nothing is given.
     pub unset: Unset,
     /// Another default, where another parameter has a certain value.
@@ -167,6 +170,7 @@ impl Parameter {
             names: &[],
             questions: &[],
             range,
+            meaning: Meaning::of_range(range),
             unset: Unset::Refused,
             unset_where: None,
             may_be_predef: false,
@@ -195,6 +199,13 @@ impl Parameter {
     pub const fn angle(key: Key, name: &'static str, most: i32, smallest: i32) -> Self {
         let range = Range::Angle { most: Angle::from_degrees(most), smallest: Angle::from_degrees(smallest) };
         Self::new(key, name, range)
+    }
+
+    /// The same with a meaning of its own.
+    #[must_use]
+    pub const fn means(mut self, meaning: Meaning) -> Self {
+        self.meaning = meaning;
+        self
     }
 
     /// The same with a default: nanometres, ten-thousandths of a degree, or the number itself.

@@ -39,6 +39,12 @@ pub struct CycleResult {
 }
 
 impl CycleResult {
+    /// A measured length by what it is.
+    pub fn length(&self, name: FoundName) -> Option<Length> {
+        let found = self.results.iter().find(|found| found.name == name)?;
+        if let Value::Length(length) = found.value { Some(length) } else { None }
+    }
+
     /// A result parameter.
     pub fn value(&self, key: impl Into<Key>) -> Option<&Value> {
         let key = key.into();
@@ -157,6 +163,20 @@ impl FoundName {
     pub const CENTRE_1: Self = Self::new("found-centre-1", "measured centre, 1st axis");
     /// Measured centre, second axis.
     pub const CENTRE_2: Self = Self::new("found-centre-2", "measured centre, 2nd axis");
+    /// Measured length of a rectangle's side along the first axis.
+    pub const SIDE_1: Self = Self::new("found-side-1", "measured length, 1st side");
+    /// Measured length of a rectangle's side along the second axis.
+    pub const SIDE_2: Self = Self::new("found-side-2", "measured length, 2nd side");
+    /// Measured width.
+    pub const WIDTH: Self = Self::new("found-width", "measured width");
+    /// Where the middle between two walls is in the measured axis.
+    pub const CENTRE_LINE: Self = Self::new("found-centre-line", "position of the centre line");
+    /// Deviation of a rectangle's side along the first axis.
+    pub const SIDE_DEVIATION_1: Self = Self::new("found-side-deviation-1", "deviation of the 1st side");
+    /// Deviation of a rectangle's side along the second axis.
+    pub const SIDE_DEVIATION_2: Self = Self::new("found-side-deviation-2", "deviation of the 2nd side");
+    /// Deviation of a width.
+    pub const WIDTH_DEVIATION: Self = Self::new("found-width-deviation", "deviation of the width");
     /// Measured diameter.
     pub const DIAMETER: Self = Self::new("found-diameter", "measured diameter");
     /// Deviation of the centre, first axis.
@@ -189,6 +209,11 @@ impl FoundName {
     pub const SCRAP: Self = Self::new("found-scrap", "scrap");
     /// Status in one number.
     pub const STATUS: Self = Self::new("found-status", "status: -1 undefined, 0 good, 1 rework, 2 scrap");
+
+    /// Whether it is a coordinate of a centre, which has no limits of size.
+    pub fn is_centre(self) -> bool {
+        self == Self::CENTRE_1 || self == Self::CENTRE_2
+    }
 
     /// A name by the id of its text and that text in English.
     pub const fn new(id: &'static str, english: &'static str) -> Self {
@@ -324,17 +349,6 @@ pub enum LogTarget {
     Shown,
 }
 
-impl LogTarget {
-    /// What Q281 asks for.
-    pub(in crate::probing) const fn of_q281(q281: i64, file: &'static str) -> Self {
-        match q281 {
-            1 => Self::File(file),
-            2 => Self::Screen,
-            _ => Self::None,
-        }
-    }
-}
-
 /// Something worth knowing about a run.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Remark {
@@ -353,6 +367,11 @@ pub enum Remark {
     /// The nominal diameter does not lie between the limits, which a TNC7 asks for.
     NominalOutsideLimits {
         /// The nominal diameter.
+        nominal: Length,
+    },
+    /// The nominal width does not lie between the limits, which a TNC7 asks for.
+    NominalWidthOutsideLimits {
+        /// The nominal width.
         nominal: Length,
     },
     /// What `#i99` holds is not documented.
@@ -377,6 +396,9 @@ impl fmt::Display for Remark {
             Self::NominalOutsideLimits { nominal } => {
                 write!(f, "nominal diameter {nominal} mm is not between the limits: a TNC7 refuses that")
             }
+            Self::NominalWidthOutsideLimits { nominal } => {
+                write!(f, "nominal width {nominal} mm is not between the limits: a TNC7 refuses that")
+            }
             Self::VariableHoldsDiameter => {
                 f.write_str("#i99 is read as the diameter: the manual does not say which value it holds")
             }
@@ -393,6 +415,9 @@ impl Say for Remark {
             Self::OutsideDimension => Message::new("remark-outside-dimension"),
             Self::NominalOutsideLimits { nominal } => {
                 Message::new("remark-nominal-outside-limits").text("nominal", nominal)
+            }
+            Self::NominalWidthOutsideLimits { nominal } => {
+                Message::new("remark-nominal-width-outside-limits").text("nominal", nominal)
             }
             Self::VariableHoldsDiameter => Message::new("remark-variable-holds-diameter"),
             Self::NoTolerance { key } => Message::new("remark-no-tolerance").text("key", key),

@@ -1,7 +1,7 @@
 //! Cycle 421, measure hole: limits in Q275 and Q276.
 
-use super::circle_cycle::{Side, nominal, parameters, run};
-use crate::probing::cycle::{Cycle, Parameter};
+use super::circle_cycle::{Side, figures, parameters, run, subject, surface};
+use crate::probing::cycle::{Control, Cycle, Log, LogFigure, Parameter, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{En, Nl};
 
@@ -11,17 +11,22 @@ const SIDE: Side = Side {
     maximum_question: &[(En, "Maximum limit of size for hole?")],
     minimum: 276,
     minimum_question: &[(En, "Minimum limit of size for hole?")],
-    log: "TCHPR421.TXT",
 };
 
 /// The declaration. The Dutch name is that of NC-Solution 8255 (7/2020).
 pub(super) const CYCLE: Cycle = Cycle {
     number: 421,
     code: "421",
+    control: Control::Milling,
     names: &[(En, "MEASURE HOLE"), (Nl, "METEN BORING")],
     parameters: &PARAMETERS,
+    surface: |inputs| surface(SIDE.feature, inputs),
     run: |inputs, course| run(&SIDE, inputs, course),
-    nominal: |inputs| nominal(&SIDE, inputs),
+    subject: |inputs| Some(subject(inputs)),
+    window: Window::Diameter,
+    log: Log::Text(TextLog { file: "TCHPR421.TXT", figures: &FIGURES }),
 };
 
 const PARAMETERS: [Parameter; 20] = parameters(&SIDE);
+
+const FIGURES: [LogFigure; 3] = figures("hole");

@@ -5,23 +5,25 @@
 //! Q261 lies between Q276 and Q275 is left over from cycle 421 and does not hold here. That limits of 0 and 0 monitor
 //! nothing is our reading: 0 may be a real coordinate.
 
+use super::judged;
 use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, INCIDENCE_ANGLE, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2, REVERSED, SET_UP_CLEARANCE,
     STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Check, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, LogTarget, Measured, Nominal, Parameter, Remark,
-    Stop, along, limits, nearest,
+    Control, Course, Cycle, CycleError, FigureKind, Found, FoundName, Inputs, Key, Log, LogFigure, Meaning, Measured,
+    Parameter, Remark, TextLog, Window, along, limits, nearest,
 };
+use crate::probing::simulated::{Face, Surface};
 use crate::tolerance::Feature;
-use crate::verdict::{Status, classify};
 use crate::words::Dialogue::{En, It};
 
 /// The declaration, in the order of the manual's example.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 427,
     code: "427",
+    control: Control::Milling,
     names: &[(En, "MEASURE COORDINATE"), (It, "MISURAZ. COORDINATA")],
     parameters: &[
         POINT_1,
@@ -30,27 +32,43 @@ pub(super) const CYCLE: Cycle = Cycle {
         SET_UP_CLEARANCE,
         Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2, 3])
             .named(&[(It, "ASSE MISURATO")])
-            .asked(&[(En, "Meas. axis (1...3: 1=ref. axis)?"), (It, "Asse mis. (1..3: 1=asse princ.)?")]),
+            .asked(&[(En, "Meas. axis (1...3: 1=ref. axis)?"), (It, "Asse mis. (1..3: 1=asse princ.)?")])
+            .means(Meaning::MeasuredAxis),
         Parameter::choice(Key::Q(267), "TRAVERSE DIRECTION", &[-1, 1])
             .named(&[(It, "DIREZIONE ATTRAVERS.")])
-            .asked(&[(En, "Trav. direction 1 (+1=+ / -1=-)?"), (It, "Direz. attravers. 1 (+1=+/-1=-)?")]),
+            .asked(&[(En, "Trav. direction 1 (+1=+ / -1=-)?"), (It, "Direz. attravers. 1 (+1=+/-1=-)?")])
+            .means(Meaning::Direction),
         CLEARANCE_HEIGHT,
         MEASURING_LOG,
         Parameter::coordinate(Key::Q(288), "MAXIMUM LIMIT")
             .named(&[(It, "LIMITE MASSIMO")])
             .asked(&[(En, "Maximum limit of size?"), (It, "Limite max dimensione?")])
-            .or(0),
+            .or(0)
+            .means(Meaning::MaximumCoordinate),
         Parameter::coordinate(Key::Q(289), "MINIMUM LIMIT")
             .named(&[(It, "LIMITE MINIMO")])
             .asked(&[(En, "Minimum limit of size?"), (It, "Limite minimo dimensione?")])
-            .or(0),
+            .or(0)
+            .means(Meaning::MinimumCoordinate),
         STOP_IF_ERROR,
         TOOL,
         REVERSED,
         INCIDENCE_ANGLE,
     ],
+    surface: |inputs| Surface::Face(Face::plane(point(inputs), direction(inputs).map(|part| -part))),
     run,
-    nominal: |inputs| Nominal::Face { point: point(inputs), normal: direction(inputs).map(|part| -part) },
+    subject: |inputs| {
+        ["X", "Y", "Z"]
+            .into_iter()
+            .zip(1..)
+            .find(|(_, axis)| *axis == inputs.whole(272))
+            .map(|(name, _)| name.to_owned())
+    },
+    window: Window::Own("427"),
+    log: Log::Text(TextLog {
+        file: "TCHPR427.TXT",
+        figures: &[LogFigure { what: FoundName::COORDINATE, word: "coordinate", kind: FigureKind::Coordinate }],
+    }),
 };
 
 /// The programmed point.
@@ -86,18 +104,9 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         2 => contact.y,
         _ => contact.z,
     })?;
-    let checks: Vec<_> = limits
-        .map(|(minimum, maximum)| Check {
-            what: FoundName::COORDINATE,
-            measured,
-            minimum,
-            maximum,
-            status: classify(Feature::Shaft, minimum, maximum, measured),
-        })
-        .into_iter()
-        .collect();
+    let checks: Vec<_> = judged::size(FoundName::COORDINATE, measured, limits, Feature::Shaft).into_iter().collect();
     // Without limits the markers are set all the same.
-    let status = checks.first().map_or(Status::Good, |check| check.status);
+    let status = judged::worst(&checks);
     let mut results = vec![Found::length(160, FoundName::COORDINATE, measured)];
     results.extend(Found::markers(status));
     Ok(Measured {
@@ -105,8 +114,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         circle: None,
         status: Some(status),
         results,
-        stop: if inputs.whole(309) == 1 { Stop::of(1, &checks) } else { None },
-        log: LogTarget::of_q281(inputs.whole(281), "TCHPR427.TXT"),
+        stop: judged::stop(inputs, &checks),
         remarks: if checks.is_empty() { Vec::new() } else { vec![Remark::OutsideDimension] },
         checks,
     })

@@ -8,9 +8,10 @@ use crate::length::Length;
 use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, POINT_1, POINT_2, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
-    Check, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, LogTarget, Measured, Nominal, Parameter, Range,
-    Remark, Stop, Value, along, nearest,
+    Axis, Check, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Parameter,
+    Range, Remark, Stop, Value, Window, along, nearest,
 };
+use crate::probing::simulated::{FreePoint, Surface};
 use crate::tolerance::{Deviations, Feature};
 use crate::verdict::{Status, classify};
 use crate::words::Dialogue::{En, Nl};
@@ -25,30 +26,37 @@ const RETRACT: Key = Key::Word("MB");
 pub(super) const CYCLE: Cycle = Cycle {
     number: 444,
     code: "444",
+    control: Control::Milling,
     names: &[(En, "PROBING IN 3-D"), (Nl, "TASTEN 3D")],
     parameters: &[
         POINT_1,
         POINT_2,
-        Parameter::coordinate(Key::Q(294), "1ST POINT 3RD AXIS").asked(&[(En, "1st meas. point 3rd axis?")]),
-        component(581, "SURFACE NORMAL 1ST AXIS").asked(&[(En, "Surface-normal in ref. axis?")]),
-        component(582, "SURFACE NORMAL 2ND AXIS").asked(&[(En, "Surface-normal in minor axis?")]),
-        component(583, "SURFACE NORMAL 3RD AXIS").asked(&[(En, "Surface-normal in tool axis?")]),
+        Parameter::coordinate(Key::Q(294), "1ST POINT 3RD AXIS")
+            .asked(&[(En, "1st meas. point 3rd axis?")])
+            .means(Meaning::Point(Axis::Third)),
+        component(581, "SURFACE NORMAL 1ST AXIS", Axis::First).asked(&[(En, "Surface-normal in ref. axis?")]),
+        component(582, "SURFACE NORMAL 2ND AXIS", Axis::Second).asked(&[(En, "Surface-normal in minor axis?")]),
+        component(583, "SURFACE NORMAL 3RD AXIS", Axis::Third).asked(&[(En, "Surface-normal in tool axis?")]),
         SET_UP_CLEARANCE,
         CLEARANCE_HEIGHT,
         Parameter::new(TOLERANCE, "TOLERANCE", Range::Band).asked(&[(En, "Tolerance value?")]).or_nothing(),
         Parameter::choice(Key::Q(309), "ERROR REACTION", &[0, 1, 2])
             .asked(&[(En, "Reaction to tolerance error?")])
-            .or(0),
-        Parameter::size(RETRACT, "RETRACTION").or_nothing(),
+            .or(0)
+            .means(Meaning::StopOnUndersize),
+        Parameter::size(RETRACT, "RETRACTION").or_nothing().means(Meaning::Retract),
     ],
-    run,
     // One without a direction is named by the cycle itself.
-    nominal: |inputs| Nominal::Face { point: point(inputs), normal: normal(inputs).unwrap_or_default() },
+    surface: |inputs| Surface::Point(FreePoint::flat(point(inputs), normal(inputs).unwrap_or_default())),
+    run,
+    subject: |_inputs| None,
+    window: Window::Own("444"),
+    log: Log::Points { file: "TCHPR444.html" },
 };
 
 /// A component of the normal: what counts is the direction of all three, so any length will do.
-const fn component(number: u16, name: &'static str) -> Parameter {
-    Parameter::new(Key::Q(number), name, Range::Number { most: 10 })
+const fn component(number: u16, name: &'static str, axis: Axis) -> Parameter {
+    Parameter::new(Key::Q(number), name, Range::Number { most: 10 }).means(Meaning::Normal(axis))
 }
 
 /// The nominal point.
@@ -114,7 +122,6 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         status,
         stop: if stops { Stop::of(inputs.whole(309), &checks) } else { None },
         checks,
-        log: LogTarget::File("TCHPR444.html"),
         remarks,
     })
 }

@@ -2,18 +2,20 @@
 //!
 //! Parameters, ranges and results as in the control's cycle manuals (TNC 320 and TNC7, cycles 421 and 422).
 
-use super::round;
+use super::{judged, round};
 use crate::length::Length;
 use crate::probing::contact::Touch;
 use crate::probing::cycle::shared::{
-    CLEARANCE_HEIGHT, INCIDENCE_ANGLE, MEASURING_HEIGHT, MEASURING_LOG, REVERSED, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
+    CENTRE_1, CENTRE_2, CENTRE_TOLERANCE_1, CENTRE_TOLERANCE_2, CLEARANCE_HEIGHT, INCIDENCE_ANGLE, MEASURING_HEIGHT,
+    MEASURING_LOG, MOVE_TO_CLEARANCE, REVERSED, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Angle, Check, CircleFound, Course, CycleError, Found, FoundName, Inputs, Key, LogTarget, Measured, Nominal,
-    Parameter, Plane, QUARTER_TURN, Remark, Stop, Texts, limits,
+    Angle, Axis, Check, CircleFound, Course, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning,
+    Measured, Parameter, Plane, QUARTER_TURN, Remark, Texts, limits,
 };
+use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
-use crate::verdict::{Status, classify};
+use crate::verdict::Status;
 use crate::words::Dialogue::En;
 
 /// The name of Q262.
@@ -33,8 +35,6 @@ pub(super) struct Side {
     pub(super) minimum: u16,
     /// Its question.
     pub(super) minimum_question: Texts,
-    /// The file of the measuring log.
-    pub(super) log: &'static str,
 }
 
 /// The declaration, in the order of NC programs.
@@ -43,34 +43,54 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
         Key::Q(number)
     }
     [
-        Parameter::coordinate(q(273), "CENTER IN 1ST AXIS").asked(&[(En, "Center in 1st axis (nom. value)?")]),
-        Parameter::coordinate(q(274), "CENTER IN 2ND AXIS").asked(&[(En, "Center in 2nd axis (nom. value)?")]),
-        Parameter::size(q(262), NOMINAL_DIAMETER).asked(&[(En, "Nominal diameter?")]),
-        Parameter::angle(q(325), "STARTING ANGLE", 360, 0).asked(&[(En, "Starting angle?")]).or(0),
+        CENTRE_1,
+        CENTRE_2,
+        Parameter::size(q(262), NOMINAL_DIAMETER).asked(&[(En, "Nominal diameter?")]).means(Meaning::Diameter),
+        Parameter::angle(q(325), "STARTING ANGLE", 360, 0)
+            .asked(&[(En, "Starting angle?")])
+            .or(0)
+            .means(Meaning::FirstAngle),
         Parameter::angle(q(247), "STEPPING ANGLE", 120, 5)
             .asked(&[(En, "Intermediate stepping angle?")])
             .or(QUARTER_TURN)
-            .or_where(q(423), 3, STEP_OF_THREE),
+            .or_where(q(423), 3, STEP_OF_THREE)
+            .means(Meaning::Step),
         MEASURING_HEIGHT.or(0),
         SET_UP_CLEARANCE,
         CLEARANCE_HEIGHT,
-        Parameter::choice(q(301), "MOVE TO CLEARANCE", &[0, 1])
-            .asked(&[(En, "Move to clearance height (0/1)?")])
+        MOVE_TO_CLEARANCE,
+        Parameter::size(q(side.maximum), "MAXIMUM DIMENSION")
+            .asked(side.maximum_question)
             .or(0)
-            .or_predef(),
-        Parameter::size(q(side.maximum), "MAXIMUM DIMENSION").asked(side.maximum_question).or(0),
-        Parameter::size(q(side.minimum), "MINIMUM DIMENSION").asked(side.minimum_question).or(0),
-        Parameter::size(q(279), "TOLERANCE 1ST CENTER").asked(&[(En, "Tolerance for center 1st axis?")]).or(0),
-        Parameter::size(q(280), "TOLERANCE 2ND CENTER").asked(&[(En, "Tolerance for center 2nd axis?")]).or(0),
+            .means(Meaning::MaximumDiameter),
+        Parameter::size(q(side.minimum), "MINIMUM DIMENSION")
+            .asked(side.minimum_question)
+            .or(0)
+            .means(Meaning::MinimumDiameter),
+        CENTRE_TOLERANCE_1,
+        CENTRE_TOLERANCE_2,
         MEASURING_LOG,
         STOP_IF_ERROR,
         TOOL,
         Parameter::choice(q(423), "NO. OF MEAS. POINTS", &[3, 4])
             .asked(&[(En, "No. probe points in plane (4/3)?")])
-            .or(4),
-        Parameter::choice(q(365), "TYPE OF TRAVERSE", &[0, 1]).asked(&[(En, "Type of traverse? Line=0/arc=1")]).or(1),
+            .or(4)
+            .means(Meaning::ContactCount),
+        Parameter::choice(q(365), "TYPE OF TRAVERSE", &[0, 1])
+            .asked(&[(En, "Type of traverse? Line=0/arc=1")])
+            .or(1)
+            .means(Meaning::Traverse),
         REVERSED,
         INCIDENCE_ANGLE,
+    ]
+}
+
+/// The figures of the log.
+pub(super) const fn figures(diameter: &'static str) -> [LogFigure; 3] {
+    [
+        LogFigure { what: FoundName::CENTRE_1, word: "centre-1", kind: FigureKind::Centre(Axis::First) },
+        LogFigure { what: FoundName::CENTRE_2, word: "centre-2", kind: FigureKind::Centre(Axis::Second) },
+        LogFigure { what: FoundName::DIAMETER, word: diameter, kind: FigureKind::Size(Meaning::Diameter) },
     ]
 }
 
@@ -93,30 +113,31 @@ pub(super) fn run(side: &Side, inputs: &Inputs, course: &mut Course<'_>) -> Resu
     let round = round::fit(contacts, side.feature, Plane::Xy, ball_radius)?;
     let centre = [inputs.length(273), inputs.length(274)];
     let found = round.found(centre, [inputs.length(279), inputs.length(280)])?;
-    let checks = checks(side, &found, limits, centre);
-    // A centre out of position cannot be machined back: it counts as scrap, and exactly one marker is set.
-    let status = checks.iter().map(|check| check.status).max().unwrap_or(Status::Good);
+    let checks: Vec<Check> = judged::size(FoundName::DIAMETER, found.diameter, limits, side.feature)
+        .into_iter()
+        .chain(judged::centre(found.centre, centre, &found.position))
+        .collect();
+    let status = judged::worst(&checks);
     let outside = limits.is_some_and(|(minimum, maximum)| nominal < minimum || maximum < nominal);
     Ok(Measured {
         contacts: round.contacts,
         results: results(&found, found.diameter.saturating_sub(nominal), status),
         circle: Some(found),
         status: Some(status),
-        stop: if inputs.whole(309) == 1 { Stop::of(1, &checks) } else { None },
+        stop: judged::stop(inputs, &checks),
         checks,
-        log: LogTarget::of_q281(inputs.whole(281), side.log),
         remarks: if outside { vec![Remark::NominalOutsideLimits { nominal }] } else { Vec::new() },
     })
 }
 
 /// The hole or stud at nominal.
-pub(super) fn nominal(side: &Side, inputs: &Inputs) -> Nominal {
-    Nominal::Circle {
-        feature: side.feature,
-        plane: Plane::Xy,
-        centre: [inputs.mm(273), inputs.mm(274)],
-        diameter: inputs.mm(262),
-    }
+pub(super) fn surface(feature: Feature, inputs: &Inputs) -> Surface {
+    Surface::Round(Workpiece::round(feature, [inputs.mm(273), inputs.mm(274)], inputs.mm(262)), Plane::Xy)
+}
+
+/// The nominal diameter, as the status window names it.
+pub(super) fn subject(inputs: &Inputs) -> String {
+    inputs.length(262).to_string()
 }
 
 /// The touches in order: at Q325 + k · Q247, from inside a hole or from outside a stud.
@@ -154,31 +175,6 @@ fn pre_position(inputs: &Inputs, touch: &Touch, is_first: bool, course: &mut Cou
     } else {
         course.pre_position(touch.from);
     }
-}
-
-/// The diameter where limits were given, and each axis of the centre that has a tolerance: each is its own cause.
-fn checks(side: &Side, found: &CircleFound, limits: Option<(Length, Length)>, nominal: [Length; 2]) -> Vec<Check> {
-    let measured = found.diameter;
-    let diameter = limits.map(|(minimum, maximum)| Check {
-        what: FoundName::DIAMETER,
-        measured,
-        minimum,
-        maximum,
-        status: classify(side.feature, minimum, maximum, measured),
-    });
-    let names = [FoundName::CENTRE_1, FoundName::CENTRE_2];
-    let axes = names.into_iter().zip(found.centre).zip(nominal.into_iter().zip(found.position.axes));
-    let centre = axes.filter_map(|((what, measured), (nominal, axis))| {
-        let tolerance = axis.tolerance?;
-        Some(Check {
-            what,
-            measured,
-            minimum: nominal.saturating_sub(tolerance),
-            maximum: nominal.saturating_sub(tolerance.negated()),
-            status: if axis.is_out() { Status::Scrap } else { Status::Good },
-        })
-    });
-    diameter.into_iter().chain(centre).collect()
 }
 
 /// Q151 to Q153 measured, Q161 to Q163 deviations, Q180 to Q182 markers of which exactly one is 1.

@@ -10,9 +10,10 @@ use super::round;
 use crate::length::Length;
 use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::{
-    Angle, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, LogTarget, Measured, Nominal, Parameter, Plane,
-    Remark, along, nearest,
+    Angle, Axis, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Parameter,
+    Plane, Remark, Window, along, nearest,
 };
+use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{De, En};
 
@@ -35,24 +36,52 @@ const TOUCHES: u8 = 3;
 pub(super) const CYCLE: Cycle = Cycle {
     number: 785,
     code: "G785",
+    control: Control::Lathe,
     names: &[(En, "CIRCLE MEASUREMENT"), (De, "KREISMESSUNG")],
     parameters: &[
-        Parameter::choice(PLANE, "PLANE", &[0, 1, 2]).asked(&[(De, "Nullpunkt-Verschiebung Art")]).or(0),
-        Parameter::choice(SIDE, "INSIDE / OUTSIDE", &[0, 1]).asked(&[(De, "Innen / Aussen")]).or(0),
-        Parameter::coordinate(PATH, PATH_NAME).asked(&[(De, "Messweg inkremental (Vorzeichen)")]),
-        Parameter::angle(FIRST_ANGLE, "ANGLE OF 1ST TOUCH", 360, 0).asked(&[(De, "Winkel 1. Messung")]).or(0),
-        Parameter::angle(STEP, "ANGLE STEP", 360, 0).asked(&[(De, "Winkel inkremental")]),
-        Parameter::size(START_DIAMETER, "START DIAMETER").asked(&[(De, "Startdurchmesser")]).or_nothing(),
-        Parameter::coordinate(HEIGHT, "MEASURING HEIGHT").asked(&[(De, "Position Zustellrichtung")]).or_nothing(),
-        Parameter::coordinate(CENTRE_1, "CENTER IN 1ST AXIS").asked(&[(De, "Kreismittelpunkt Achse 1")]).or(0),
-        Parameter::coordinate(CENTRE_2, "CENTER IN 2ND AXIS").asked(&[(De, "Kreismittelpunkt Achse 2")]).or(0),
-        Parameter::size(PERMITTED, "MAXIMUM DIFFERENCE").asked(&[(De, "Maximale Abweichung")]).or_nothing(),
+        Parameter::choice(PLANE, "PLANE", &[0, 1, 2])
+            .asked(&[(De, "Nullpunkt-Verschiebung Art")])
+            .or(0)
+            .means(Meaning::Plane),
+        Parameter::choice(SIDE, "INSIDE / OUTSIDE", &[0, 1])
+            .asked(&[(De, "Innen / Aussen")])
+            .or(0)
+            .means(Meaning::InsideOutside),
+        Parameter::coordinate(PATH, PATH_NAME).asked(&[(De, "Messweg inkremental (Vorzeichen)")]).means(Meaning::Path),
+        Parameter::angle(FIRST_ANGLE, "ANGLE OF 1ST TOUCH", 360, 0)
+            .asked(&[(De, "Winkel 1. Messung")])
+            .or(0)
+            .means(Meaning::FirstAngle),
+        Parameter::angle(STEP, "ANGLE STEP", 360, 0).asked(&[(De, "Winkel inkremental")]).means(Meaning::Step),
+        Parameter::size(START_DIAMETER, "START DIAMETER")
+            .asked(&[(De, "Startdurchmesser")])
+            .or_nothing()
+            .means(Meaning::StartDiameter),
+        Parameter::coordinate(HEIGHT, "MEASURING HEIGHT")
+            .asked(&[(De, "Position Zustellrichtung")])
+            .or_nothing()
+            .means(Meaning::MeasuringHeight),
+        Parameter::coordinate(CENTRE_1, "CENTER IN 1ST AXIS")
+            .asked(&[(De, "Kreismittelpunkt Achse 1")])
+            .or(0)
+            .means(Meaning::Centre(Axis::First)),
+        Parameter::coordinate(CENTRE_2, "CENTER IN 2ND AXIS")
+            .asked(&[(De, "Kreismittelpunkt Achse 2")])
+            .or(0)
+            .means(Meaning::Centre(Axis::Second)),
+        Parameter::size(PERMITTED, "MAXIMUM DIFFERENCE")
+            .asked(&[(De, "Maximale Abweichung")])
+            .or_nothing()
+            .means(Meaning::Difference),
         Parameter::coordinate(Key::Word("Q"), "Q").or(0).without_effect(),
         Parameter::coordinate(Key::Word("P"), "P").or(0).without_effect(),
         Parameter::coordinate(Key::Word("H"), "H").or(0).without_effect(),
     ],
+    surface,
     run,
-    nominal,
+    subject: |_inputs| None,
+    window: Window::None,
+    log: Log::Screen,
 };
 
 fn plane(inputs: &Inputs) -> Plane {
@@ -72,14 +101,9 @@ fn centre(inputs: &Inputs) -> [f64; 2] {
 }
 
 /// The circle that is met half-way along K by a ball without a radius: the cycle knows no nominal diameter.
-fn nominal(inputs: &Inputs) -> Nominal {
+fn surface(inputs: &Inputs) -> Surface {
     let reached = inputs.mm(START_DIAMETER) / 2.0 + inputs.mm(PATH) / 2.0;
-    Nominal::Circle {
-        feature: feature(inputs),
-        plane: plane(inputs),
-        centre: centre(inputs),
-        diameter: 2.0 * reached.abs(),
-    }
+    Surface::Round(Workpiece::round(feature(inputs), centre(inputs), 2.0 * reached.abs()), plane(inputs))
 }
 
 /// Where the touches begin and where they lead, in plane coordinates.
@@ -144,7 +168,6 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         ],
         circle: Some(found),
         stop: None,
-        log: LogTarget::Shown,
         remarks: vec![Remark::VariableHoldsDiameter],
     })
 }

@@ -4,12 +4,12 @@
 //! into account exactly, wherever the circle lies. How the control itself fits contacts is not published; geometric least
 //! squares is our choice.
 
+use super::judged;
 use crate::length::Length;
 use crate::probing::circle::{Circle, least_squares};
 use crate::probing::contact::Contact;
 use crate::probing::cycle::{CircleFound, CycleError, Plane};
 use crate::tolerance::Feature;
-use crate::verdict::{AxisPosition, PositionVerdict};
 
 /// A circle and the points of the surface that it goes through, in X, Y, Z.
 pub(super) struct Round {
@@ -51,20 +51,12 @@ impl Round {
     pub(super) fn found(&self, nominal: [Length; 2], tolerances: [Length; 2]) -> Result<CircleFound, CycleError> {
         let nearest = |mm: f64| Length::from_mm_f64(mm).map_err(CycleError::TooLarge);
         let centre = [nearest(self.circle.x)?, nearest(self.circle.y)?];
-        let [centre_1, centre_2] = centre;
-        let ([nominal_1, nominal_2], [tolerance_1, tolerance_2]) = (nominal, tolerances);
-        let axis = |measured: Length, nominal, tolerance: Length| AxisPosition {
-            deviation: measured.saturating_sub(nominal),
-            tolerance: (Length::ZERO < tolerance).then_some(tolerance),
-        };
         Ok(CircleFound {
             plane: self.plane,
             circle: self.circle,
             centre,
             diameter: nearest(self.circle.diameter)?,
-            position: PositionVerdict {
-                axes: [axis(centre_1, nominal_1, tolerance_1), axis(centre_2, nominal_2, tolerance_2)],
-            },
+            position: judged::position(centre, nominal, tolerances),
         })
     }
 }

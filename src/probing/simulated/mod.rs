@@ -2,41 +2,47 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `bench` | all of it as one TOML file |
+//! | `file` | all of it as one TOML file |
+//! | `shape` | what there is to probe, by its shape |
 //! | `surface` | round features, plane faces, points of free surfaces |
+//! | `walls` | slots, ridges, pockets and bosses |
 //! | `workpiece` | a round, oval or lobed contour |
 //! | `probe` | ball, scatter, pre-travel, calibration |
 //! | `nearest` | where a ball meets a wavy contour |
 //!
 //! The same seed gives the same contacts, on every machine and in every version.
 
-mod bench;
+mod file;
 mod nearest;
 mod probe;
+mod shape;
 mod surface;
+mod walls;
 mod workpiece;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng as _;
 use rand_distr::{Distribution as _, StandardNormal};
 
-pub use bench::{Bench, BenchError};
+pub use file::{Simulation, SimulationError};
 pub use probe::Probe;
-pub use surface::{Face, FreePoint, Surface, Wave};
+pub use shape::Shape;
+pub use surface::{Face, FreePoint, Outline, Surface, Wave};
+pub use walls::Walls;
 pub use workpiece::{Lobes, Workpiece};
 
 use super::contact::{Contact, NoContact, Prober, Touch};
 use super::cycle::{Plane, along};
 use super::touch_probe::TouchProbe;
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::Say;
 
 /// The largest coordinate and diameter, mm.
 const FARTHEST: f64 = 100_000.0;
 
 /// Why a workpiece cannot be.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{what} = {given}: at least {least}, at most {most}")]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(id = "workpiece-cannot-be", error)]
 pub struct WorkpieceError {
     /// Which figure.
     pub what: &'static str,
@@ -46,16 +52,6 @@ pub struct WorkpieceError {
     pub least: f64,
     /// The largest that is allowed.
     pub most: f64,
-}
-
-impl Say for WorkpieceError {
-    fn message(&self) -> Message {
-        Message::new("workpiece-cannot-be")
-            .text("what", self.what)
-            .text("given", self.given)
-            .text("least", self.least)
-            .text("most", self.most)
-    }
 }
 
 /// NaN is in no range.

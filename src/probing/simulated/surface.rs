@@ -1,10 +1,11 @@
-//! The surfaces that a simulated probe can touch: round features, plane faces, points of free surfaces.
+//! The surfaces that a simulated probe can touch: round features, plane faces, points of free surfaces, parallel walls.
 
 use serde::{Deserialize, Serialize};
 
 use super::nearest::{least, trace};
-use super::{FARTHEST, Workpiece, WorkpieceError, in_range};
-use crate::probing::cycle::{Nominal, Plane};
+use super::{FARTHEST, Shape, Walls, Workpiece, WorkpieceError, in_range};
+use crate::probing::cycle::Plane;
+use crate::tolerance::Feature;
 
 /// A surface of the workpiece.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +16,8 @@ pub enum Surface {
     Face(Face),
     /// The neighbourhood of a point of a free surface.
     Point(FreePoint),
+    /// A slot, ridge, pocket or boss in X/Y.
+    Walls(Walls),
 }
 
 /// A plane face, millimetres.
@@ -64,24 +67,89 @@ pub struct FreePoint {
     pub surface_scatter: f64,
 }
 
-impl From<Nominal> for Surface {
-    /// The perfect surface that a cycle expects.
-    fn from(nominal: Nominal) -> Self {
-        match nominal {
-            Nominal::Circle { feature, plane, centre, diameter } => {
-                Self::Round(Workpiece::round(feature, centre, diameter), plane)
-            }
-            Nominal::Face { point, normal } => Self::Face(Face { point, normal, wave: None, surface_scatter: 0.0 }),
-        }
+impl Face {
+    /// A perfect one.
+    pub const fn plane(point: [f64; 3], normal: [f64; 3]) -> Self {
+        Self { point, normal, wave: None, surface_scatter: 0.0 }
     }
 }
 
+impl FreePoint {
+    /// One where it should be, on a flat surface.
+    pub const fn flat(point: [f64; 3], normal: [f64; 3]) -> Self {
+        Self { point, normal, deviation: 0.0, radius: None, surface_scatter: 0.0 }
+    }
+}
+
+/// What a drawing shows of a surface, in the coordinates of its plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Outline {
+    /// A circle.
+    Circle {
+        /// Its centre.
+        centre: [f64; 2],
+        /// Its mean radius.
+        radius: f64,
+    },
+    /// Straight walls, corner by corner.
+    Walls([[f64; 2]; 4]),
+    /// A face.
+    Face {
+        /// A point of it.
+        point: [f64; 3],
+        /// Its normal out of the material.
+        normal: [f64; 3],
+    },
+}
+
 impl Surface {
+    /// What a drawing shows of it; walls without an end are as long as `reach` either way.
+    pub fn outline(&self, reach: f64) -> Outline {
+        match *self {
+            Self::Round(Workpiece { centre, diameter, .. }, _) => Outline::Circle { centre, radius: diameter / 2.0 },
+            Self::Walls(walls) => Outline::Walls(walls.corners(reach)),
+            Self::Face(Face { point, normal, .. }) | Self::Point(FreePoint { point, normal, .. }) => {
+                Outline::Face { point, normal }
+            }
+        }
+    }
+
+    /// Which way it faces in its plane; `None` where it faces every way.
+    pub fn facing(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Face(Face { normal: [x, y, _], .. }) | Self::Point(FreePoint { normal: [x, y, _], .. }) => {
+                Some([*x, *y])
+            }
+            Self::Walls(walls) if walls.lengths.1.is_none() => Some(walls.across()),
+            Self::Walls(_) | Self::Round(..) => None,
+        }
+    }
+
+    /// What it is.
+    pub const fn shape(&self) -> Shape {
+        match self {
+            Self::Round(Workpiece { feature: Feature::Hole, .. }, _) => Shape::Hole,
+            Self::Round(Workpiece { feature: Feature::Shaft, .. }, _) => Shape::Stud,
+            Self::Face(_) => Shape::Face,
+            Self::Point(_) => Shape::Point,
+            Self::Walls(Walls { feature: Feature::Hole, lengths: (_, None), .. }) => Shape::Slot,
+            Self::Walls(Walls { feature: Feature::Shaft, lengths: (_, None), .. }) => Shape::Ridge,
+            Self::Walls(Walls { feature: Feature::Hole, .. }) => Shape::Pocket,
+            Self::Walls(Walls { feature: Feature::Shaft, .. }) => Shape::Boss,
+        }
+    }
+
+    /// The plane that it lies in; X/Y for a face.
+    pub const fn plane(&self) -> Plane {
+        if let Self::Round(_, plane) = self { *plane } else { Plane::Xy }
+    }
+
     pub(super) fn check(&self, trigger_scatter: f64) -> Result<(), WorkpieceError> {
         match self {
             Self::Round(workpiece, _) => workpiece.check(trigger_scatter),
             Self::Face(face) => face.check(),
             Self::Point(point) => point.check(),
+            Self::Walls(walls) => walls.check(),
         }
     }
 
@@ -90,6 +158,7 @@ impl Surface {
             Self::Round(workpiece, _) => workpiece.surface_scatter,
             Self::Face(face) => face.surface_scatter,
             Self::Point(point) => point.surface_scatter,
+            Self::Walls(walls) => walls.surface_scatter,
         }
     }
 
@@ -107,26 +176,26 @@ impl Surface {
                 radius: point.radius.map(|radius| radius * factor),
                 ..point
             }),
+            Self::Walls(walls) => Self::Walls(walls.grown(factor)),
         }
     }
 
     /// Whether a ball there is not in the material.
     pub(super) fn is_free(&self, from: [f64; 3], ball_radius: f64) -> bool {
+        let [first, second, _] = self.plane().within(from);
         match self {
-            Self::Round(workpiece, plane) => {
-                let [first, second, _] = plane.within(from);
-                workpiece.is_free([first, second], ball_radius)
-            }
+            Self::Round(workpiece, _) => workpiece.is_free([first, second], ball_radius),
             Self::Face(face) => 0.0 <= face.gap(from, ball_radius),
             Self::Point(point) => 0.0 <= point.gap(from, ball_radius),
+            Self::Walls(walls) => walls.is_free([first, second], ball_radius),
         }
     }
 
     /// How far along a unit vector a ball meets the surface.
     pub(super) fn distance(&self, from: [f64; 3], direction: [f64; 3], ball_radius: f64) -> Option<f64> {
+        let ([first, second, _], [along_1, along_2, up]) = (self.plane().within(from), self.plane().within(direction));
         match self {
-            Self::Round(workpiece, plane) => {
-                let ([first, second, _], [along_1, along_2, up]) = (plane.within(from), plane.within(direction));
+            Self::Round(workpiece, _) => {
                 if up.abs() <= 0.0 {
                     return workpiece.distance([first, second], [along_1, along_2], ball_radius);
                 }
@@ -140,6 +209,7 @@ impl Surface {
             }
             Self::Face(face) => face.distance(from, direction, ball_radius),
             Self::Point(point) => point.distance(from, direction, ball_radius),
+            Self::Walls(walls) => walls.distance([first, second], [along_1, along_2], ball_radius),
         }
     }
 }

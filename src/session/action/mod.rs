@@ -15,8 +15,10 @@ mod table;
 pub use shortcut::{Held, Key, Shortcut};
 
 use self::table::Row;
+use super::cycles::CyclesCommand;
 use super::program::{BlockStep, ProgramField, Switch};
 use super::tables::{self, TablesField};
+use super::workpiece::WorkpieceCommand;
 use super::{Command, Direction, Field, MeasureBy, Page, Session, SourceChoice, Step, Theme};
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::message::Message;
@@ -328,13 +330,30 @@ impl Session {
         (action.row().possible)(self)
     }
 
+    /// What closes what lies uppermost over the page.
+    fn uppermost(&self) -> Option<Command> {
+        let is_on = |page| self.page() == page;
+        let has_notice = !self.notices().is_empty();
+        if self.is_leaving() {
+            Some(Command::Leave(false))
+        } else if self.dialog().is_some() || has_notice {
+            Some(Command::Close)
+        } else if self.cycles().block().is_some() && is_on(Page::Cycles) {
+            Some(CyclesCommand::ShowBlock(false).into())
+        } else if self.workpiece_is_open() && (is_on(Page::Cycles) || is_on(Page::Program)) {
+            Some(WorkpieceCommand::Show(false).into())
+        } else {
+            None
+        }
+    }
+
     /// What keys do now, the nearest place first: `part` has the focus, or a text field (`is_typing`).
     pub fn keys(&self, part: Option<Part>, is_typing: bool) -> Vec<(Shortcut, Action)> {
         let is_covered = self.dialog().is_some() || self.is_leaving();
         let is_heard = |action: Action| match action.place() {
             Place::Everywhere => true,
             // Its window lies over the listing, and takes Escape.
-            Place::Page(Page::Program) if self.bench_is_open() => false,
+            Place::Page(Page::Program) if self.workpiece_is_open() => false,
             Place::Part(of) => part == Some(of) && of.page() == self.page(),
             place => place.is_on(self.page()),
         };

@@ -139,8 +139,8 @@ pub(super) fn row(action: Action) -> Row {
         Action::ClearHistory => everywhere("clear-history", CheckCommand::ClearHistory.into()).when(has_history),
         Action::Keypad => switch("keypad", |session| Command::ShowKeypad(!session.has_keypad())),
         Action::Close => {
-            let row = switch("close", |session| uppermost(session).unwrap_or(Command::Close));
-            row.key(Shortcut::plain(Key::Escape)).when(|session| uppermost(session).is_some())
+            let row = switch("close", |session| session.uppermost().unwrap_or(Command::Close));
+            row.key(Shortcut::plain(Key::Escape)).when(|session| session.uppermost().is_some())
         }
 
         Action::Measure => on(Page::Check, "measure", CheckCommand::Measure),
@@ -193,9 +193,11 @@ pub(super) fn row(action: Action) -> Row {
         }
         Action::EditWorkpiece => of_workpiece("cycles-workpiece", WorkpieceCommand::Show(true)),
         Action::SuitWorkpiece => of_workpiece("cycles-suit", WorkpieceCommand::Suit),
-        Action::OpenWorkpiece => of_workpiece("cycles-open-bench", open(Purpose::OpenCycleFile(CycleFile::Bench))),
-        Action::SaveWorkpiece => of_workpiece("cycles-save-bench", open(Purpose::SaveBench))
-            .when(|session| session.bench().bench().is_some()),
+        Action::OpenWorkpiece => {
+            of_workpiece("cycles-open-workpiece", open(Purpose::OpenCycleFile(CycleFile::Workpiece)))
+        }
+        Action::SaveWorkpiece => of_workpiece("cycles-save-workpiece", open(Purpose::SaveWorkpiece))
+            .when(|session| session.workpiece().simulation().is_some()),
         Action::OpenContacts => of_workpiece("cycles-open-contacts", open(Purpose::OpenCycleFile(CycleFile::Contacts))),
         Action::OpenProbes => on(Page::Cycles, "cycles-open-probes", open(Purpose::OpenCycleFile(CycleFile::Probes))),
         Action::ShippedProbes => on(Page::Cycles, "cycles-shipped-probes", CyclesCommand::ShippedProbes)
@@ -333,23 +335,6 @@ const fn block_key(step: BlockStep) -> Key {
         BlockStep::PageDown => Key::PageDown,
         BlockStep::First => Key::Home,
         BlockStep::Last => Key::End,
-    }
-}
-
-/// What closes what lies uppermost over the page.
-fn uppermost(session: &Session) -> Option<Command> {
-    let is_on = |page| session.page() == page;
-    let has_notice = !session.notices().is_empty();
-    if session.is_leaving() {
-        Some(Command::Leave(false))
-    } else if session.dialog().is_some() || has_notice {
-        Some(Command::Close)
-    } else if session.cycles().block().is_some() && is_on(Page::Cycles) {
-        Some(CyclesCommand::ShowBlock(false).into())
-    } else if session.bench_is_open() && (is_on(Page::Cycles) || is_on(Page::Program)) {
-        Some(WorkpieceCommand::Show(false).into())
-    } else {
-        None
     }
 }
 

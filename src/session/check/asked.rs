@@ -6,8 +6,8 @@ use std::ops;
 use super::CheckField;
 use crate::length::Length;
 use crate::message::{Message, Say as _};
-use crate::probing::cycle::{Angle, Value};
-use crate::probing::cycles::cycle;
+use crate::probing::cycle::{Angle, Axis, Meaning, Value};
+use crate::probing::cycles::measuring;
 use crate::session::field::Texts;
 use crate::tolerance::callout::halves;
 use crate::tolerance::{Callout, Feature, Limits, Sources};
@@ -30,13 +30,13 @@ pub struct Asked {
 }
 
 /// The fields that are parameters of the measuring cycle: the cycle's declaration says what they may be.
-const PARAMETERS: [(CheckField, u16); 6] = [
-    (CheckField::CentreX, 273),
-    (CheckField::CentreY, 274),
-    (CheckField::Height, 261),
-    (CheckField::FirstAngle, 325),
-    (CheckField::Clearance, 320),
-    (CheckField::CentreTolerance, 279),
+const PARAMETERS: [(CheckField, Meaning); 6] = [
+    (CheckField::CentreX, Meaning::Centre(Axis::First)),
+    (CheckField::CentreY, Meaning::Centre(Axis::Second)),
+    (CheckField::Height, Meaning::MeasuringHeight),
+    (CheckField::FirstAngle, Meaning::FirstAngle),
+    (CheckField::Clearance, Meaning::SetUpClearance),
+    (CheckField::CentreTolerance, Meaning::CentreTolerance(Axis::First)),
 ];
 
 /// The other fields that hold a length, with what they may be.
@@ -96,8 +96,8 @@ impl Asked {
             errors: BTreeMap::new(),
         };
         asked.read_callout(texts.text(CheckField::Callout), feature, sources);
-        for (field, q) in PARAMETERS {
-            asked.read_parameter(field, q, texts.text(field));
+        for (field, meaning) in PARAMETERS {
+            asked.read_parameter(field, meaning, texts.text(field));
         }
         for (field, range) in LENGTHS {
             asked.read_length(field, range, texts.text(field));
@@ -128,9 +128,9 @@ impl Asked {
         self.errors.insert(CheckField::Callout, problem);
     }
 
-    /// The ranges of cycles 421 and 422 are the same but for their limits.
-    fn read_parameter(&mut self, field: CheckField, q: u16, text: &str) {
-        let Some(parameter) = cycle(421).and_then(|cycle| cycle.parameter(q)) else { return };
+    /// The cycles for a hole and for a shaft have the same ranges but for their limits.
+    fn read_parameter(&mut self, field: CheckField, meaning: Meaning, text: &str) {
+        let Some(parameter) = measuring(Feature::Hole).meant(meaning) else { return };
         match parameter.accept(text) {
             Ok(Value::Length(length)) => _ = self.lengths.insert(field, length),
             Ok(Value::Angle(angle)) => self.first_angle = Some(angle),

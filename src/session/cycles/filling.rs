@@ -5,7 +5,7 @@ use crate::control::probe_block;
 use crate::message::{Message, Say as _};
 use crate::probing::Source;
 use crate::probing::cycles::cycle;
-use crate::probing::simulated::{Bench, Probe};
+use crate::probing::simulated::{Probe, Simulation};
 use crate::session::saved::SavedCycles;
 use crate::session::shared::Shared;
 use crate::words::Dialogue;
@@ -73,14 +73,15 @@ impl CyclesPage {
     }
 
     /// A workpiece that suits the cycle: where the ball does not go into it, a point measures.
-    pub(in crate::session) fn suited(&self, shared: &Shared) -> Result<Bench, Message> {
+    pub(in crate::session) fn suited(&self, shared: &Shared) -> Result<Simulation, Message> {
         let nominal = self.cycle.nominal(&self.inputs).map_err(|error| error.message())?;
-        let bench = shared.workpiece.form.suited(nominal);
-        let point = Bench { probe: Probe { ball_radius: 0.0, calibration_error: 0.0, ..bench.probe }, ..bench };
-        let runs = |bench: &Bench| {
-            let prober = Source::Simulated(bench).prober(self.cycle, &self.inputs);
+        let simulation = shared.workpiece.form.suited(nominal);
+        let point =
+            Simulation { probe: Probe { ball_radius: 0.0, calibration_error: 0.0, ..simulation.probe }, ..simulation };
+        let runs = |simulation: &Simulation| {
+            let prober = Source::Simulated(simulation).prober(self.cycle, &self.inputs);
             prober.is_ok_and(|mut prober| self.cycle.measure(&self.inputs, &mut *prober).is_ok())
         };
-        Ok(if !runs(&bench) && runs(&point) { point } else { bench })
+        Ok(if !runs(&simulation) && runs(&point) { point } else { simulation })
     }
 }

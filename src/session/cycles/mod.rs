@@ -6,28 +6,28 @@
 //! | `field` | the text fields |
 //! | `command`, `apply` | what can be done, and doing it |
 //! | `reading` | what the fields mean, read anew at every change |
-//! | `bench`, `bench_field` | the simulated workpiece as text fields |
+//! | `workpiece`, `workpiece_field` | the simulated workpiece as text fields |
 //! | `running` | from the fields to a run, and stepping along its path |
 //! | `filling` | NC blocks and files into fields |
 //!
 //! A result is kept with what it was made with: any change of an input clears it.
 
 mod apply;
-mod bench;
-mod bench_field;
 mod command;
 mod field;
 mod filling;
 mod reading;
 mod running;
+mod workpiece;
+mod workpiece_field;
 
 use std::collections::BTreeMap;
 
-pub use bench::BenchForm;
-pub use bench_field::{BenchField, BenchKind};
 pub use command::CyclesCommand;
 pub use field::{Axis, CycleField};
 pub use running::{CycleRun, RunLog, Step};
+pub use workpiece::WorkpieceForm;
+pub use workpiece_field::WorkpieceField;
 
 use super::saved::SavedCycles;
 use crate::control::probe_table::ProbeTable;

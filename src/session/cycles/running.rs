@@ -12,7 +12,8 @@ use crate::control::text::decode;
 use crate::length::Unit;
 use crate::message::{Message, Say as _};
 use crate::probing::circle::Evaluation;
-use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move, Nominal};
+use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move};
+use crate::probing::simulated::Surface;
 use crate::probing::{Source, SourceError};
 use crate::session::shared::Shared;
 use crate::words::Dialogue;
@@ -27,7 +28,7 @@ pub struct CycleRun {
     /// The way of the ball's centre, also where the cycle did not come to its end.
     pub path: Vec<Move>,
     /// The surface that the cycle expects.
-    pub nominal: Option<Nominal>,
+    pub nominal: Option<Surface>,
     /// The ball's radius as calibrated, mm.
     pub ball_radius: f64,
     /// What it found, or why it did not.
@@ -56,13 +57,10 @@ pub struct RunLog {
 }
 
 impl RunLog {
-    /// The log of a result, as Q281 asks for it; a page (cycle 444) is written only, never shown.
+    /// The log of a result, as Q281 asks for it; a page of points is written only, never shown.
     fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Dialogue) -> Option<Result<Self, Message>> {
-        let (name, is_shown) = match result.log {
-            LogTarget::File(name) => (name.to_owned(), false),
-            LogTarget::Screen => (format!("TCHPR{}.TXT", cycle.code), true),
-            LogTarget::None | LogTarget::Shown => return None,
-        };
+        let (LogTarget::File(_) | LogTarget::Screen) = result.log else { return None };
+        let (name, is_shown) = (cycle.log.file()?.to_owned(), result.log == LogTarget::Screen);
         let heading = Heading { date_time: Some(time), program: None, unit: Unit::Millimetre };
         let log = CycleLog::of(cycle, result, &heading, language)?;
         Some(log.write(language).map_err(|error| error.message()).map(|bytes| Self {
@@ -183,7 +181,7 @@ impl CyclesPage {
         match self.from {
             ContactsFrom::Perfect => Ok((Source::Perfect, Message::new("cycles-from-perfect"))),
             ContactsFrom::Simulated => {
-                let wrong = |problem| Message::new("cycles-bench-wrong").message("problem", problem);
+                let wrong = |problem| Message::new("cycles-workpiece-wrong").message("problem", problem);
                 let bench = shared.workpiece.machine().map_err(wrong)?;
                 let said = Message::new("cycles-from-simulated").text("seed", bench.seed);
                 Ok((Source::Simulated(bench), said))

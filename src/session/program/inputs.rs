@@ -7,9 +7,9 @@ use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::nc::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
-use crate::probing::cycle;
-use crate::probing::cycles::cycle as cycle_of;
-use crate::tolerance::{Callout, Limits, Sources};
+use crate::probing::cycle::{self, Axis, Meaning};
+use crate::probing::cycles::measuring;
+use crate::tolerance::{Callout, Feature, Limits, Sources};
 use crate::verdict::{SizeVerdict, judge_size};
 
 /// An input of NC-Solution 8255 (7/2020).
@@ -59,26 +59,26 @@ impl Input {
     }
 
     /// The parameter of the measuring cycle that it goes to; it says what is allowed.
-    const fn of_cycle(self) -> Option<u16> {
+    const fn of_cycle(self) -> Option<Meaning> {
         match self {
             Self::Size | Self::Class => None,
-            Self::CentreX => Some(273),
-            Self::CentreY => Some(274),
-            Self::Height => Some(261),
-            Self::Angle => Some(325),
-            Self::Clearance => Some(320),
+            Self::CentreX => Some(Meaning::Centre(Axis::First)),
+            Self::CentreY => Some(Meaning::Centre(Axis::Second)),
+            Self::Height => Some(Meaning::MeasuringHeight),
+            Self::Angle => Some(Meaning::FirstAngle),
+            Self::Clearance => Some(Meaning::SetUpClearance),
         }
     }
 
     /// Reads a text as the value of the parameter.
     fn read(self, text: &str) -> Result<Value, Message> {
-        let Some(number) = self.of_cycle() else {
+        let Some(meaning) = self.of_cycle() else {
             return match self {
                 Self::Class => Ok(Value::Text(text.trim().to_owned())),
                 _ => size(text).map(Value::Length),
             };
         };
-        let parameter = cycle_of(421).and_then(|cycle| cycle.parameter(number));
+        let parameter = measuring(Feature::Hole).meant(meaning);
         match parameter.map(|parameter| parameter.accept(text)) {
             Some(Ok(cycle::Value::Length(length))) => Ok(Value::Length(length)),
             Some(Ok(cycle::Value::Angle(angle))) => Ok(Value::Number(angle.to_degrees_f64())),

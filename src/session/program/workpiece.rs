@@ -6,7 +6,7 @@ use crate::length::Length;
 use crate::message::Message;
 use crate::nc::machine::Contacts;
 use crate::probing::cycle::Plane;
-use crate::probing::simulated::{Bench, Surface, Workpiece};
+use crate::probing::simulated::{Simulation, Surface, Workpiece};
 use crate::session::command::{CycleFile, Page};
 use crate::session::shared::Shared;
 use crate::tolerance::{Feature, Limits};
@@ -16,7 +16,7 @@ impl ProgramPage {
     fn round(feature: Feature, centre: [Length; 2], diameter: Length) -> Contacts {
         let workpiece = Workpiece::round(feature, centre.map(Length::to_mm_f64), diameter.to_mm_f64());
         let surface = Surface::Round(workpiece, Plane::Xy);
-        Contacts::Workpiece(Bench::perfect(surface))
+        Contacts::Workpiece(Simulation::perfect(surface))
     }
 
     fn field_length(&self, field: ProgramField) -> Result<Length, Message> {
@@ -62,12 +62,12 @@ impl ProgramPage {
     }
 
     /// The simulated workpiece that suits is that of the program's inputs, as a shop makes it.
-    pub(in crate::session) fn suited(&self, shared: &Shared) -> Option<Bench> {
+    pub(in crate::session) fn suited(&self, shared: &Shared) -> Option<Simulation> {
         let limits = self.limits(&shared.sources)?.ok()?;
         let usual = Workpiece::usual(limits.feature, limits.middle().to_mm_f64());
         let surface = Surface::Round(Workpiece { centre: self.centre().map(Length::to_mm_f64), ..usual }, Plane::Xy);
-        let machine = shared.workpiece.form.bench().copied().unwrap_or_else(|| Bench::perfect(surface));
-        Some(Bench { surface, ..machine })
+        let machine = shared.workpiece.form.simulation().copied().unwrap_or_else(|| Simulation::perfect(surface));
+        Some(Simulation { surface, ..machine })
     }
 
     /// What both pages measure was changed: a run on it is cleared. On this page it is what is measured from now on.
@@ -101,7 +101,7 @@ impl ProgramPage {
                 let feature = limits.map_or(Feature::Hole, |limits| limits.feature);
                 Ok(Self::round(feature, centre, diameter))
             }
-            WorkpieceFrom::Simulated => match shared.workpiece.form.bench() {
+            WorkpieceFrom::Simulated => match shared.workpiece.form.simulation() {
                 Some(bench) => Ok(Contacts::Workpiece(*bench)),
                 None => Err(Message::new("program-page-refused-workpiece")),
             },

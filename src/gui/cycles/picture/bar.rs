@@ -17,11 +17,14 @@ const STEPS: f32 = 26.0;
 /// The share of the width on either side of the zone.
 const BESIDE_ZONE: f64 = 0.25;
 
-/// The first value that was compared, or the deviation along the normal; else a sentence that nothing was compared.
+/// Every value that was compared, or the deviation along the normal; else a sentence that nothing was compared.
 pub(super) fn ui(ui: &mut Ui, view: &View<'_>, result: &CycleResult) {
-    if let Some(check) = result.checks.first() {
+    for check in &result.checks {
         let limits = [check.minimum, check.maximum];
-        return draw(ui, view.words, check.measured, Some(limits), &view.words.told(check));
+        draw(ui, view.words, check.measured, Some(limits), &view.words.told(check));
+    }
+    if !result.checks.is_empty() {
+        return;
     }
     let deviation = result.results.iter().find(|found| found.name == FoundName::DEVIATION_ALONG);
     match deviation.map(|found| &found.value) {

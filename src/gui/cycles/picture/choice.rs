@@ -4,7 +4,8 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Color32, Pos2, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
 
 use super::canvas::{Canvas, polar};
-use super::meaning::{Meaning, Scene};
+use super::parameter::Scene;
+use crate::probing::cycle::Meaning;
 
 /// Of more numbers only so many are drawn.
 const MOST: usize = 5;
@@ -12,15 +13,7 @@ const MOST: usize = 5;
 /// The ball.
 const BALL: f32 = 7.0;
 
-pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &str) {
-    let numbers: &[i64] = match meaning {
-        Meaning::ContactCount => &[3, 4],
-        Meaning::Plane | Meaning::Log | Meaning::StopOnUndersize => &[0, 1, 2],
-        Meaning::MeasuredAxis => &[1, 2, 3],
-        Meaning::Direction => &[-1, 1],
-        Meaning::Choice(of) => of,
-        _ => &[0, 1],
-    };
+pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, (meaning, numbers): (Meaning, &[i64]), key: &str) {
     canvas.key(canvas.rect.center_top(), Align2::CENTER_TOP, key);
     let left_out = MOST < numbers.len();
     let mut x = 0.0;
@@ -60,8 +53,8 @@ impl Choice<'_> {
             Meaning::Traverse => self.traverse(number == 1),
             Meaning::ContactCount => self.contacts(if number == 3 { 120.0 } else { 90.0 }),
             Meaning::Plane => self.plane(number),
-            Meaning::Side => self.side(number == 1),
-            Meaning::MeasuredAxis => self.measured_axis(number),
+            Meaning::InsideOutside => self.side(number == 1),
+            Meaning::MeasuredAxis | Meaning::AxisOfPlane => self.measured_axis(number),
             Meaning::Direction => self.direction(number < 0),
             Meaning::Log => self.log(number),
             Meaning::Stop => self.go_or_stop(self.middle, 18.0, number == 1),
@@ -76,7 +69,7 @@ impl Choice<'_> {
         let panel = self.panel.shrink(8.0);
         let top = panel.top() + 44.0;
         let (left, right) = (panel.left() + 20.0, panel.right() - 20.0);
-        let (from, to) = if self.scene == Scene::Stud {
+        let (from, to) = if self.scene.shape.is_outside() {
             self.canvas.cut(Rect::from_min_max(pos2(left + 18.0, top), pos2(right - 18.0, panel.bottom())));
             (pos2(left, top + 24.0), pos2(right, top + 24.0))
         } else {
@@ -90,7 +83,7 @@ impl Choice<'_> {
         if is_over {
             let way = vec![from, pos2(from.x, high), pos2(to.x, high), to];
             self.canvas.polyline(way, self.canvas.strong());
-        } else if self.scene == Scene::Stud {
+        } else if self.scene.shape.is_outside() {
             // Round the stud: seen from the side, behind it.
             self.canvas.dashed(&[from, to], self.canvas.strong(), 4.0, 4.0);
         } else {
@@ -111,7 +104,7 @@ impl Choice<'_> {
     }
 
     fn traverse(&self, is_arc: bool) {
-        let is_stud = self.scene == Scene::Stud;
+        let is_stud = self.scene.shape.is_outside();
         let radius = if is_stud { 20.0 } else { 40.0 };
         self.circle(radius, is_stud);
         let reach = if is_stud { radius + 14.0 } else { radius - 14.0 };
@@ -126,7 +119,7 @@ impl Choice<'_> {
     }
 
     fn contacts(&self, step: f32) {
-        let is_stud = self.scene == Scene::Stud;
+        let is_stud = self.scene.shape.is_outside();
         let radius = if is_stud { 30.0 } else { 38.0 };
         self.circle(radius, is_stud);
         self.canvas.cross(self.middle, 4.0, self.canvas.thin());

@@ -1,9 +1,9 @@
-//! Parameters of a cycle that the drawings do not know: a length, an angle, a number.
+//! Parameters whose declaration says no more than their range: a length, an angle, a number.
 
 use eframe::egui::{Align2, pos2, vec2};
 
 use super::canvas::{BESIDE, Canvas, polar};
-use super::meaning::Meaning;
+use crate::probing::cycle::Meaning;
 
 pub(super) fn draw(canvas: &Canvas<'_>, meaning: Meaning, key: &str) {
     match meaning {

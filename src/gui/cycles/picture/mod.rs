@@ -2,8 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `meaning` | what a parameter of a cycle means, for its drawing |
-//! | `parameter` | the drawing of a parameter, and its sentence |
+//! | `parameter` | the drawing of a parameter by its declared meaning and its cycle's shape, and its sentence |
 //! | `plan`, `section`, `choice`, `general` | its views: from above, from the side, one of a few numbers, any other |
 //! | `path`, `scale` | the way of the ball's centre, from above and from the side; one view of it |
 //! | `contacts` | contacts about a circle, deviations magnified; `bar`: one deviation between its limits |
@@ -18,7 +17,6 @@ mod choice;
 mod contacts;
 mod criteria;
 mod general;
-mod meaning;
 mod parameter;
 mod path;
 mod plan;

@@ -4,12 +4,12 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Sense, Ui, WidgetInfo, vec2};
 
 use super::canvas::Canvas;
-use super::meaning::{Axis, Meaning, Scene};
 use super::{choice, plan, section};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
 use crate::message::Message;
-use crate::probing::cycle::{Cycle, Key, Parameter};
+use crate::probing::cycle::{Axis, Cycle, Key, Meaning, Parameter, Range};
+use crate::probing::simulated::Shape;
 use crate::words::Words;
 
 /// The size of the drawing in steps; the sentence stands below it.
@@ -21,8 +21,7 @@ const LINES: f32 = 3.0;
 /// The drawing of a parameter and its sentence; nothing for a key that the cycle does not have.
 pub(in crate::gui) fn parameter_picture(ui: &mut Ui, view: &View<'_>, cycle: &Cycle, key: Key) {
     let Some(parameter) = cycle.parameter(key) else { return };
-    let meaning = Meaning::of(cycle, parameter);
-    let said = sentence(view.words, parameter, meaning);
+    let said = sentence(view.words, parameter);
     let [width, height] = STEPS.map(space);
     let line = ui.text_style_height(&eframe::egui::TextStyle::Small);
     let (whole, response) = ui.allocate_exact_size(vec2(width, height + line * LINES + space(1.0)), Sense::hover());
@@ -30,27 +29,43 @@ pub(in crate::gui) fn parameter_picture(ui: &mut Ui, view: &View<'_>, cycle: &Cy
         let palette = palette(ui.ctx());
         let rect = eframe::egui::Rect::from_min_size(whole.min, vec2(width, height));
         let canvas = Canvas::new(ui.painter(), palette, rect);
-        draw(&canvas, Scene::of(cycle), meaning, &key.to_string());
+        draw(&canvas, Scene::of(cycle), parameter);
         let galley = ui.painter().layout(said.clone(), theme::font(sizes().small), palette.text.0, width);
         ui.painter().galley(rect.left_bottom() + vec2(0.0, space(1.0)), galley, palette.text.0);
     }
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
 }
 
+/// What is drawn: the shape that the cycle measures, and what its axes are called.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Scene {
+    pub(super) shape: Shape,
+    pub(super) axes: [&'static str; 3],
+}
+
+impl Scene {
+    fn of(cycle: &Cycle) -> Self {
+        // Where a parameter chooses the plane, its axes have no letters.
+        let axes = if cycle.meant(Meaning::Plane).is_some() { ["1", "2", "3"] } else { ["X", "Y", "Z"] };
+        Self { shape: cycle.shape(), axes }
+    }
+}
+
 /// What the drawing says, in words.
-pub(super) fn sentence(words: &Words, parameter: &Parameter, meaning: Meaning) -> String {
-    let mut message = Message::new(meaning.id());
-    if matches!(meaning, Meaning::Length | Meaning::Angle | Meaning::Choice(_) | Meaning::Number) {
+pub(super) fn sentence(words: &Words, parameter: &Parameter) -> String {
+    let mut message = Message::new(parameter.meaning.sentence());
+    if parameter.meaning.is_general() {
         message = message.text("name", parameter.question(words.language().dialogue()));
     }
-    if let Meaning::Choice(of) = meaning {
+    if let (Meaning::Choice, Range::OneOf(of)) = (parameter.meaning, parameter.range) {
         let of: Vec<_> = of.iter().map(|number| words.number(&number.to_string())).collect();
         message = message.text("of", of.join(", "));
     }
     format!("{}: {}", parameter.key, words.say(&message))
 }
 
-fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &str) {
+fn draw(canvas: &Canvas<'_>, scene: Scene, parameter: &Parameter) {
+    let (meaning, key) = (parameter.meaning, parameter.key.to_string());
     match meaning {
         Meaning::MeasuringHeight
         | Meaning::SetUpClearance
@@ -58,20 +73,12 @@ fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &str) {
         | Meaning::Difference
         | Meaning::Band
         | Meaning::Retract
-        | Meaning::Point(Axis::Third) => section::draw(canvas, scene, meaning, key),
-        Meaning::Point(_) if scene == Scene::Surface => section::draw(canvas, scene, meaning, key),
-        Meaning::MoveToClearance
-        | Meaning::Traverse
-        | Meaning::ContactCount
-        | Meaning::Plane
-        | Meaning::Side
-        | Meaning::MeasuredAxis
-        | Meaning::Direction
-        | Meaning::Log
-        | Meaning::Stop
-        | Meaning::StopOnUndersize
-        | Meaning::Tool
-        | Meaning::Choice(_) => choice::draw(canvas, scene, meaning, key),
-        _ => plan::draw(canvas, scene, meaning, key),
+        | Meaning::Point(Axis::Third) => section::draw(canvas, scene, meaning, &key),
+        Meaning::Point(_) if scene.shape == Shape::Point => section::draw(canvas, scene, meaning, &key),
+        Meaning::Tool => choice::draw(canvas, scene, (meaning, &[0, 1]), &key),
+        _ => match parameter.range {
+            Range::OneOf(numbers) => choice::draw(canvas, scene, (meaning, numbers), &key),
+            _ => plan::draw(canvas, scene, meaning, &key),
+        },
     }
 }

@@ -11,7 +11,8 @@ use super::scale::{Scale, legend};
 use crate::gui::theme::{palette, sizes, space};
 use crate::gui::view::View;
 use crate::message::Message;
-use crate::probing::cycle::{Move, Nominal, Phase, Plane};
+use crate::probing::cycle::{Move, Phase, Plane};
+use crate::probing::simulated::Surface;
 use crate::words::Words;
 
 /// Points on an arc of the way.
@@ -24,7 +25,7 @@ pub(in crate::gui) fn path_picture(
     view: &View<'_>,
     path: &[Move],
     step: usize,
-    nominal: Option<Nominal>,
+    nominal: Option<Surface>,
     ball_radius: f64,
 ) {
     let moves: Vec<Move> = path.iter().copied().filter(is_finite).collect();
@@ -91,16 +92,13 @@ pub(super) fn place(moves: &[Move], step: usize) -> Option<[f64; 3]> {
 pub(super) struct Way<'a> {
     pub(super) moves: &'a [Move],
     pub(super) step: usize,
-    pub(super) nominal: Option<Nominal>,
+    pub(super) nominal: Option<Surface>,
     pub(super) ball_radius: f64,
 }
 
 impl Way<'_> {
     pub(super) fn plane(&self) -> Plane {
-        match self.nominal {
-            Some(Nominal::Circle { plane, .. }) => plane,
-            _ => Plane::Xy,
-        }
+        self.nominal.map_or(Plane::Xy, |surface| surface.plane())
     }
 
     /// Places of the way, in the coordinates of a view.
@@ -153,10 +151,10 @@ impl Eye {
         }
     }
 
-    /// The side from which a face is seen as a line, where there is one.
-    fn beside(nominal: Option<Nominal>) -> Self {
-        match nominal {
-            Some(Nominal::Face { normal: [x, y, _], .. }) if x.abs() < y.abs() => Self::Front,
+    /// The side from which a face or wall is seen as a line, where there is one.
+    fn beside(nominal: Option<Surface>) -> Self {
+        match nominal.and_then(|surface| surface.facing()) {
+            Some([x, y]) if x.abs() < y.abs() => Self::Front,
             _ => Self::Side,
         }
     }

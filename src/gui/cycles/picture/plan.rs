@@ -3,7 +3,9 @@
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
 use super::canvas::{BESIDE, Canvas, polar};
-use super::meaning::{Axis, Meaning, Scene};
+use super::parameter::Scene;
+use crate::probing::cycle::{Axis, Meaning};
+use crate::probing::simulated::Shape;
 
 /// The datum.
 const DATUM: Pos2 = pos2(46.0, 128.0);
@@ -15,6 +17,9 @@ const BALL: f32 = 9.0;
 /// The angle of the first contact, and the step to the next.
 const FIRST: f32 = 50.0;
 const STEP: f32 = 80.0;
+/// Half the lengths of a rectangle; a slot or ridge has the first, and ends beyond the drawing of its block.
+const HALVES: Vec2 = vec2(44.0, 32.0);
+const BLOCK: Vec2 = vec2(156.0, 112.0);
 /// The face that is touched, from above.
 const FACE: Rect = Rect { min: pos2(72.0, 20.0), max: pos2(168.0, 112.0) };
 /// Below and left of the datum is room for dimensions.
@@ -34,8 +39,8 @@ pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &st
         Meaning::CentreTolerance(axis) => plan.centre_tolerance(axis),
         Meaning::Diameter => plan.diameter(),
         Meaning::StartDiameter => plan.start_diameter(),
-        Meaning::MaximumSize => plan.limit(RADIUS + 10.0),
-        Meaning::MinimumSize => plan.limit(RADIUS - 8.0),
+        Meaning::MaximumDiameter => plan.limit(RADIUS + 10.0),
+        Meaning::MinimumDiameter => plan.limit(RADIUS - 8.0),
         Meaning::FirstAngle => plan.first_angle(),
         Meaning::Step => plan.step(),
         Meaning::Path => plan.path(),
@@ -43,6 +48,16 @@ pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &st
         Meaning::MaximumCoordinate => plan.coordinate(14.0),
         Meaning::MinimumCoordinate => plan.coordinate(-14.0),
         Meaning::Normal(axis) => plan.normal(axis),
+        Meaning::Side(axis) => plan.length(axis, 0.0),
+        Meaning::MaximumSide(axis) => plan.length(axis, 9.0),
+        Meaning::MinimumSide(axis) => plan.length(axis, -9.0),
+        Meaning::Width => plan.length(Axis::First, 0.0),
+        Meaning::MaximumWidth => plan.length(Axis::First, 9.0),
+        Meaning::MinimumWidth => plan.length(Axis::First, -9.0),
+        Meaning::Start(axis) => plan.start(axis),
+        Meaning::Shift => plan.shift(),
+        Meaning::FirstPoint(axis) => plan.point_of_wall(axis, 1.0),
+        Meaning::SecondPoint(axis) => plan.point_of_wall(axis, -1.0),
         _ => super::general::draw(canvas, meaning, key),
     }
 }
@@ -53,8 +68,7 @@ impl Plan<'_> {
     }
 
     fn axes(&self) {
-        let names = if self.scene == Scene::Turned { ["1", "2"] } else { ["X", "Y"] };
-        let [first, second] = names;
+        let [first, second, _] = self.scene.axes;
         let origin = self.at(DATUM);
         self.canvas.arrow(origin, self.at(pos2(254.0, DATUM.y)), self.canvas.thin());
         self.canvas.arrow(origin, self.at(pos2(DATUM.x, 6.0)), self.canvas.thin());
@@ -63,21 +77,45 @@ impl Plan<'_> {
         self.canvas.circle(origin, 3.5, self.canvas.palette.panel.0, self.canvas.edge());
     }
 
-    fn circle(&self) {
+    /// Half the lengths of walls, seen from their centre.
+    fn halves(&self) -> Vec2 {
+        match self.scene.shape {
+            Shape::Slot | Shape::Ridge => vec2(HALVES.x, BLOCK.y / 2.0),
+            _ => HALVES,
+        }
+    }
+
+    /// What is measured, with its centre.
+    fn feature(&self) {
         let centre = self.at(CENTRE);
         let palette = self.canvas.palette;
-        if self.scene == Scene::Stud {
-            self.canvas.circle(centre, RADIUS, palette.none.0, self.canvas.edge());
-        } else {
-            self.canvas.block(Rect::from_center_size(centre, vec2(156.0, 112.0)));
-            self.canvas.circle(centre, RADIUS, palette.panel.0, self.canvas.edge());
+        let (shape, block) = (self.scene.shape, Rect::from_center_size(centre, BLOCK));
+        if !shape.is_outside() {
+            self.canvas.block(block);
+        }
+        let fill = if shape.is_outside() { palette.none.0 } else { palette.panel.0 };
+        match shape {
+            Shape::Slot | Shape::Ridge | Shape::Pocket | Shape::Boss => {
+                let walls = Rect::from_center_size(centre, self.halves() * 2.0);
+                self.canvas.painter.rect_filled(walls, 0.0, fill);
+                let [left, right] = [walls.x_range().min, walls.x_range().max];
+                for x in [left, right] {
+                    self.canvas.line(pos2(x, walls.top()), pos2(x, walls.bottom()), self.canvas.edge());
+                }
+                if matches!(shape, Shape::Pocket | Shape::Boss) {
+                    for y in [walls.top(), walls.bottom()] {
+                        self.canvas.line(pos2(left, y), pos2(right, y), self.canvas.edge());
+                    }
+                }
+            }
+            _ => self.canvas.circle(centre, RADIUS, fill, self.canvas.edge()),
         }
         self.canvas.cross(centre, 5.0, self.canvas.thin());
     }
 
     /// The ball where it touches the circle in a direction, from the side that is probed.
     fn touching(&self, degrees: f32) -> Pos2 {
-        let off = if self.scene == Scene::Stud { BALL } else { -BALL };
+        let off = if self.scene.shape.is_outside() { BALL } else { -BALL };
         polar(self.at(CENTRE), RADIUS + off, degrees)
     }
 
@@ -105,7 +143,7 @@ impl Plan<'_> {
     }
 
     fn centre(&self, axis: Axis) {
-        self.circle();
+        self.feature();
         self.axes();
         self.coordinate_of(CENTRE, axis);
         self.canvas.cross(self.at(CENTRE), 7.0, self.canvas.strong());
@@ -113,7 +151,7 @@ impl Plan<'_> {
 
     fn centre_tolerance(&self, axis: Axis) {
         const HALF: f32 = 22.0;
-        self.circle();
+        self.feature();
         self.axes();
         let centre = self.at(CENTRE);
         let (along, across) = if axis == Axis::First { (Vec2::X, Vec2::Y) } else { (Vec2::Y, Vec2::X) };
@@ -135,7 +173,7 @@ impl Plan<'_> {
     }
 
     fn diameter(&self) {
-        self.circle();
+        self.feature();
         self.axes();
         self.across(RADIUS, -25.0);
     }
@@ -148,7 +186,7 @@ impl Plan<'_> {
     }
 
     fn start_diameter(&self) {
-        self.circle();
+        self.feature();
         self.axes();
         let (centre, radius) = (self.at(CENTRE), RADIUS * 0.7);
         self.canvas.ring(centre, radius, self.canvas.strong());
@@ -160,7 +198,7 @@ impl Plan<'_> {
 
     /// A limit of size, beside the edge.
     fn limit(&self, radius: f32) {
-        self.circle();
+        self.feature();
         self.axes();
         let centre = self.at(CENTRE);
         self.canvas.ring(centre, radius, self.canvas.strong());
@@ -168,11 +206,11 @@ impl Plan<'_> {
     }
 
     fn first_angle(&self) {
-        self.circle();
+        self.feature();
         self.axes();
         let centre = self.at(CENTRE);
         // On the side where the ball is not.
-        let radius = if self.scene == Scene::Stud { RADIUS * 0.65 } else { RADIUS + 14.0 };
+        let radius = if self.scene.shape.is_outside() { RADIUS * 0.65 } else { RADIUS + 14.0 };
         for degrees in [0.0, FIRST] {
             self.canvas.line(centre, polar(centre, radius.max(RADIUS) + 6.0, degrees), self.canvas.thin());
         }
@@ -184,7 +222,7 @@ impl Plan<'_> {
     }
 
     fn step(&self) {
-        self.circle();
+        self.feature();
         self.axes();
         let centre = self.at(CENTRE);
         for (number, touch) in ["1", "2", "3"].into_iter().zip(0_u8..) {
@@ -201,7 +239,7 @@ impl Plan<'_> {
     }
 
     fn path(&self) {
-        self.circle();
+        self.feature();
         self.axes();
         let centre = self.at(CENTRE);
         let from = polar(centre, 10.0, 20.0);
@@ -214,6 +252,71 @@ impl Plan<'_> {
         self.canvas.dashed(&[polar(centre, 2.0, 200.0), back], self.canvas.strong(), 4.0, 3.0);
         self.canvas.head(back, polar(Pos2::ZERO, 1.0, 200.0).to_vec2(), self.canvas.palette.accent.0);
         self.canvas.key(polar(centre, RADIUS + 8.0, 200.0), Align2::RIGHT_CENTER, &format!("−{}", self.key));
+    }
+
+    /// A length from wall to wall, or a limit of it so far beside the walls.
+    fn length(&self, axis: Axis, beside: f32) {
+        self.feature();
+        self.axes();
+        let (centre, halves) = (self.at(CENTRE), self.halves());
+        let (along, across, half, reach) = if axis == Axis::First {
+            (Vec2::X, Vec2::Y, halves.x, halves.y)
+        } else {
+            (Vec2::Y, Vec2::X, halves.y, halves.x)
+        };
+        let ends = [-1.0, 1.0].map(|sign| centre + along * (half + beside) * sign);
+        if 0.0 < beside.abs() {
+            for end in ends {
+                self.canvas.dashed(&[end - across * reach, end + across * reach], self.canvas.strong(), 6.0, 4.0);
+            }
+        }
+        let [from, to] = ends;
+        self.canvas.dimension(from, to);
+        self.canvas.key(centre, Align2::CENTER_CENTER, self.key);
+    }
+
+    /// Where the probe begins in a slot.
+    fn start(&self, axis: Axis) {
+        self.feature();
+        self.axes();
+        let start = CENTRE + vec2(8.0, 6.0);
+        let ball = self.at(start);
+        self.canvas.arrow(ball, self.at(pos2(CENTRE.x + self.halves().x - BALL, start.y)), self.canvas.thin());
+        self.canvas.ball(ball, BALL);
+        self.coordinate_of(start, axis);
+    }
+
+    /// The second contact, shifted along the slot.
+    fn shift(&self) {
+        const SHIFT: f32 = 44.0;
+        self.feature();
+        self.axes();
+        let (centre, half) = (self.at(CENTRE), self.halves().x);
+        let first = centre + vec2(half, SHIFT / 2.0);
+        let second = centre + vec2(-half, -SHIFT / 2.0);
+        for (wall, towards) in [(first, Vec2::X), (second, -Vec2::X)] {
+            let ball = wall - towards * BALL;
+            self.canvas.arrow(ball - towards * 26.0, ball - towards * BALL, self.canvas.thin());
+            self.canvas.ball(ball, BALL);
+            self.canvas.contact(wall, self.canvas.palette.accent.0);
+        }
+        let [low, high] = [first, second].map(|wall| pos2(centre.x, wall.y));
+        self.extension(low, first);
+        self.extension(high, second);
+        self.canvas.dimension(low, high);
+        self.canvas.key(centre, Align2::CENTER_CENTER, self.key);
+    }
+
+    /// A point on one of the walls of a ridge: the first on the side of plus, the second on that of minus.
+    fn point_of_wall(&self, axis: Axis, side: f32) {
+        self.feature();
+        self.axes();
+        let point = CENTRE + vec2(self.halves().x * side, 0.0);
+        let ball = self.at(point) + vec2(BALL * side, 0.0);
+        self.canvas.arrow(ball + vec2(36.0 * side, 0.0), ball + vec2(BALL * side, 0.0), self.canvas.thin());
+        self.canvas.ball(ball, BALL);
+        self.coordinate_of(point, axis);
+        self.canvas.contact(self.at(point), self.canvas.palette.accent.0);
     }
 
     /// The block with the point on its face.

@@ -1,13 +1,14 @@
 //! One view of the way of the ball's centre: the same scale on both axes, the nominal surface, moves, ball, contacts.
 
+use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
 use super::canvas::{Canvas, screen};
 use super::path::{Eye, Way, phase_id, place, trace};
 use crate::gui::theme::{sizes, space};
 use crate::message::Message;
-use crate::probing::cycle::{Move, Nominal, Phase, Plane};
-use crate::tolerance::Feature;
+use crate::probing::cycle::{Move, Phase, Plane};
+use crate::probing::simulated::Outline;
 use crate::words::Words;
 
 /// The share of the room that is left around a view.
@@ -15,6 +16,9 @@ const MARGIN: f64 = 0.08;
 
 /// The least that is shown, mm, where the way has no extent.
 const LEAST_MM: f64 = 1e-3;
+
+/// Farther away nothing is drawn, mm.
+const FARTHEST_MM: f64 = 1e9;
 
 /// Where a view shows what, with the same scale on both axes.
 pub(super) struct Scale {
@@ -31,9 +35,8 @@ impl Scale {
         let mut places = way.places(eye);
         let ball = way.ball_radius;
         let mut around = ball;
-        match way.nominal {
-            Some(Nominal::Circle { centre: [first, second], diameter, .. }) if diameter < 1e9 => {
-                let radius = diameter / 2.0;
+        match way.nominal.map(|surface| surface.outline(0.0)) {
+            Some(Outline::Circle { centre: [first, second], radius }) if radius < FARTHEST_MM => {
                 // From the side only as far as it is wide.
                 let height = places.first().map_or(0.0, |[_, height]| *height);
                 let across = [first - radius, first + radius];
@@ -46,7 +49,14 @@ impl Scale {
                 }
                 around = around.max(radius * MARGIN);
             }
-            Some(Nominal::Face { point, .. }) if point.iter().all(|value| value.abs() < 1e9) => {
+            Some(Outline::Walls(corners)) if is_near(corners.as_flattened()) => {
+                let height = places.first().map_or(0.0, |[_, height]| *height);
+                match eye {
+                    Eye::Above => places.extend(corners),
+                    _ => places.extend(span(&corners, eye).map(|across| [across, height])),
+                }
+            }
+            Some(Outline::Face { point, .. }) if is_near(&point) => {
                 places.push(eye.see(way.plane().within(point)));
             }
             _ => {}
@@ -97,23 +107,34 @@ impl Scale {
     }
 
     fn nominal(&self, canvas: &Canvas<'_>, way: &Way<'_>) {
-        match way.nominal {
-            Some(Nominal::Circle { feature, centre: [first, second], diameter, .. }) if diameter < 1e9 => {
-                let radius = diameter / 2.0;
+        let Some(surface) = way.nominal else { return };
+        let is_outside = surface.shape().is_outside();
+        let palette = canvas.palette;
+        let (out, within) =
+            if is_outside { (palette.panel.0, palette.none.0) } else { (palette.none.0, palette.panel.0) };
+        // Walls without an end reach beyond the view.
+        let reach = f64::from(self.rect.size().length()) / self.points_per_mm;
+        match surface.outline(reach) {
+            Outline::Circle { centre: [first, second], radius } if radius < FARTHEST_MM => {
                 if self.eye == Eye::Above {
                     let (centre, radius) = (self.at([first, second]), self.length(radius));
-                    let (out, within) = match feature {
-                        Feature::Hole => (canvas.palette.none.0, canvas.palette.panel.0),
-                        Feature::Shaft => (canvas.palette.panel.0, canvas.palette.none.0),
-                    };
                     canvas.painter.rect_filled(self.rect, 4.0, out);
                     canvas.circle(centre, radius, within, canvas.edge());
                     canvas.cross(centre, 5.0, canvas.thin());
                 } else {
-                    self.walls(canvas, way, feature, [first - radius, first + radius]);
+                    self.walls(canvas, way, is_outside, [first - radius, first + radius]);
                 }
             }
-            Some(Nominal::Face { point, normal }) if point.iter().all(|value| value.abs() < 1e9) => {
+            Outline::Walls(corners) if is_near(corners.as_flattened()) => {
+                if self.eye == Eye::Above {
+                    canvas.painter.rect_filled(self.rect, 4.0, out);
+                    let corners = corners.map(|corner| self.at(corner)).to_vec();
+                    canvas.painter.add(PathShape::convex_polygon(corners, within, canvas.edge()));
+                } else {
+                    self.walls(canvas, way, is_outside, span(&corners, self.eye));
+                }
+            }
+            Outline::Face { point, normal } if is_near(&point) => {
                 let plane = way.plane();
                 self.face(canvas, self.eye.see(plane.within(point)), self.eye.see(plane.within(normal)));
             }
@@ -121,8 +142,8 @@ impl Scale {
         }
     }
 
-    /// A hole or stud from the side, as far up as it is certain to reach: a ball's radius above the contacts.
-    fn walls(&self, canvas: &Canvas<'_>, way: &Way<'_>, feature: Feature, [left, right]: [f64; 2]) {
+    /// A hole, stud or walls from the side, as far up as it is certain to reach: a ball's radius above the contacts.
+    fn walls(&self, canvas: &Canvas<'_>, way: &Way<'_>, is_outside: bool, [left, right]: [f64; 2]) {
         let contacts = way.moves.iter().filter(|one| one.phase == Phase::Contact);
         let heights = contacts.map(|one| self.eye.see(way.plane().within(one.to))).map(|[_, height]| height);
         let Some(top) = heights.reduce(f64::max) else { return };
@@ -134,12 +155,11 @@ impl Scale {
                 canvas.cut(rect);
             }
         };
-        match feature {
-            Feature::Hole => {
-                block(self.rect.left() - 4.0, left);
-                block(right, self.rect.right() + 4.0);
-            }
-            Feature::Shaft => block(left, right),
+        if is_outside {
+            block(left, right);
+        } else {
+            block(self.rect.left() - 4.0, left);
+            block(right, self.rect.right() + 4.0);
         }
     }
 
@@ -233,6 +253,19 @@ impl Scale {
         }
         canvas.note(left + (right - left) / 2.0 - vec2(0.0, 4.0), Align2::CENTER_BOTTOM, &text);
     }
+}
+
+/// Whether a place can be drawn at all.
+fn is_near(place: &[f64]) -> bool {
+    place.iter().all(|part| part.abs() < FARTHEST_MM)
+}
+
+/// From where to where corners reach, seen from the side.
+fn span(corners: &[[f64; 2]; 4], eye: Eye) -> [f64; 2] {
+    let places = corners.map(|[first, second]| if eye == Eye::Front { second } else { first });
+    places
+        .into_iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], place| [least.min(place), most.max(place)])
 }
 
 /// How the phases differ, also without colour: dashes, a full line with an arrow, dots beside it, long dashes.

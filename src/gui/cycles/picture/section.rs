@@ -4,7 +4,9 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
 use super::canvas::{BESIDE, Canvas, arc, polar};
-use super::meaning::{Axis, Meaning, Scene};
+use super::parameter::Scene;
+use crate::probing::cycle::{Axis, Meaning};
+use crate::probing::simulated::Shape;
 
 /// The top of a workpiece, where the datum is.
 const DATUM: Pos2 = pos2(46.0, 78.0);
@@ -58,18 +60,18 @@ impl Section<'_> {
         let block = |left: f32, right: f32| {
             self.canvas.cut(Rect::from_min_max(self.at(pos2(left, DATUM.y)), self.at(pos2(right, BOTTOM))));
         };
-        let (datum, point, normal) = match self.scene {
-            Scene::Surface => return self.surface(across),
-            Scene::Hole | Scene::Turned => {
+        let (datum, point, normal) = match self.scene.shape {
+            Shape::Point => return self.surface(across),
+            Shape::Hole | Shape::Slot | Shape::Pocket => {
                 block(64.0, 106.0);
                 block(200.0, 246.0);
                 (DATUM, pos2(200.0, MEASURING), -Vec2::X)
             }
-            Scene::Stud => {
+            Shape::Stud | Shape::Ridge | Shape::Boss => {
                 block(76.0, 168.0);
                 (DATUM, pos2(168.0, MEASURING), Vec2::X)
             }
-            Scene::Face => {
+            Shape::Face => {
                 block(64.0, 168.0);
                 (DATUM, pos2(168.0, MEASURING), Vec2::X)
             }
@@ -83,8 +85,8 @@ impl Section<'_> {
     fn axis_up(&self, datum: Pos2) {
         let top = self.at(pos2(DATUM.x, 4.0));
         self.canvas.arrow(datum, top, self.canvas.thin());
-        let name = if self.scene == Scene::Turned { "3" } else { "Z" };
-        self.canvas.note(top + vec2(6.0, 0.0), Align2::LEFT_TOP, name);
+        let [.., third] = self.scene.axes;
+        self.canvas.note(top + vec2(6.0, 0.0), Align2::LEFT_TOP, third);
         self.canvas.circle(datum, 3.5, self.canvas.palette.panel.0, self.canvas.edge());
     }
 
@@ -203,7 +205,7 @@ impl Section<'_> {
 
     fn band(&self) {
         // Of a plane face the band is drawn as of a free surface.
-        let (_, point, normal) = Section { scene: Scene::Surface, ..*self }.workpiece("X");
+        let (_, point, normal) = Section { scene: Scene { shape: Shape::Point, ..self.scene }, ..*self }.workpiece("X");
         let centre = self.at(SURFACE_CENTRE);
         let (from, to) = (SURFACE_POINT - 20.0, SURFACE_POINT + 24.0);
         let fill = Stroke::new(2.0 * HALF_BAND, self.canvas.palette.zone.0);

@@ -7,17 +7,16 @@ use eframe::egui::{Theme, Ui, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-use super::meaning::Meaning;
 use super::*;
 use crate::gui::theme;
 use crate::gui::view::View;
 use crate::probing::circle::{Evaluation, evaluate};
-use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Move, Nominal, Parameter, Phase, Plane, Range};
+use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Meaning, Move, Phase, Plane};
 use crate::probing::cycles::{CYCLES, cycle, cycle_named};
-use crate::probing::simulated::{Face, Lobes, Machine, Probe, Surface, Workpiece};
+use crate::probing::simulated::{Face, Lobes, Machine, Probe, Surface, Walls, Workpiece};
 use crate::session::Session;
 use crate::tolerance::Feature;
-use crate::words::{Dialogue, Language, Words};
+use crate::words::{Language, Words};
 
 /// Draws in a window and gives it back, settled.
 fn drawn<'a>(
@@ -42,7 +41,7 @@ fn says(harness: &Harness<'_>, role: Role, said: &str) {
 }
 
 /// Runs a cycle with settings as people type them.
-fn run(code: &str, settings: &str, surface: Surface, ball_radius: f64) -> (CycleResult, Nominal) {
+fn run(code: &str, settings: &str, surface: Surface, ball_radius: f64) -> (CycleResult, Surface) {
     let cycle = cycle_named(code).unwrap();
     let inputs = settings.split_whitespace().fold(Inputs::new(), |inputs, setting| {
         let (name, text) = setting.split_once('=').unwrap();
@@ -53,7 +52,7 @@ fn run(code: &str, settings: &str, surface: Surface, ball_radius: f64) -> (Cycle
     (cycle.measure(&inputs, &mut machine).unwrap(), cycle.nominal(&inputs).unwrap())
 }
 
-fn bore() -> (CycleResult, Nominal) {
+fn bore() -> (CycleResult, Surface) {
     let hole = Workpiece {
         ovality: Lobes { count: 2, amplitude: 0.004, angle: 10.0 },
         ..Workpiece::round(Feature::Hole, [50.01, 20.004], 25.012)
@@ -62,7 +61,7 @@ fn bore() -> (CycleResult, Nominal) {
     run("421", settings, Surface::Round(hole, Plane::Xy), 3.0)
 }
 
-fn top(height: f64) -> (CycleResult, Nominal) {
+fn top(height: f64) -> (CycleResult, Surface) {
     let face = Face { point: [0.0, 0.0, height], normal: [0.0, 0.0, 1.0], wave: None, surface_scatter: 0.0 };
     let settings = "Q263=35 Q264=45 Q261=5 Q320=0 Q272=3 Q267=-1 Q260=20 Q288=5.1 Q289=4.95";
     run("427", settings, Surface::Face(face), 2.0)
@@ -90,16 +89,15 @@ fn every_parameter_with_effect_has_its_own_drawing_and_sentence() {
     for cycle in CYCLES {
         let mut meanings: Vec<Meaning> = Vec::new();
         for parameter in cycle.parameters.iter().filter(|parameter| parameter.has_effect) {
-            let meaning = Meaning::of(cycle, parameter);
-            let is_general = matches!(meaning, Meaning::Length | Meaning::Angle | Meaning::Choice(_) | Meaning::Number);
-            assert!(!is_general, "{} {} is drawn by its range only", cycle.code, parameter.key);
+            let meaning = parameter.meaning;
+            assert!(!meaning.is_general(), "{} {} is drawn by its range only", cycle.code, parameter.key);
             assert!(!meanings.contains(&meaning), "{} {}: {meaning:?} twice", cycle.code, parameter.key);
             meanings.push(meaning);
             for language in Language::all() {
                 let words = Words::new(language);
                 let said = label_of(cycle, parameter.key, language);
-                assert_eq!(said, format!("{}: {}", parameter.key, words.get(meaning.id())));
-                assert_ne!(words.get(meaning.id()), meaning.id());
+                assert_eq!(said, format!("{}: {}", parameter.key, words.get(meaning.sentence())));
+                assert_ne!(words.get(meaning.sentence()), meaning.sentence());
             }
         }
     }
@@ -112,7 +110,7 @@ fn a_sentence_has_room_below_its_drawing() {
         let words = Words::new(language);
         for cycle in CYCLES {
             for parameter in cycle.parameters.iter().filter(|parameter| parameter.has_effect) {
-                let said = parameter::sentence(&words, parameter, Meaning::of(cycle, parameter));
+                let said = parameter::sentence(&words, parameter);
                 drawn([300.0, 100.0], Theme::Light, language, |ui, _| {
                     let font = theme::font(theme::sizes().small);
                     let galley = ui.painter().layout(said.clone(), font, eframe::egui::Color32::PLACEHOLDER, 260.0);
@@ -130,45 +128,55 @@ fn a_drawing_says_what_its_key_means() {
         let cycle = cycle_named(code).unwrap();
         assert_eq!(label_of(cycle, cycle.parameter_named(name).unwrap().key, Language::En), said);
     }
-    check("421", "Q273", "Q273: nominal centre of the circle in the first axis");
+    check("421", "Q273", "Q273: nominal centre in the first axis");
     check("422", "Q277", "Q277: largest permitted diameter");
     check("427", "Q272", "Q272: measured axis: 1 first axis, 2 second axis, 3 probe axis");
     check("444", "QS400", "QS400: permitted deviation along the normal: oversize plus, undersize minus");
     check("444", "Q309", "Q309: out of tolerance: 0 the program continues, 1 it stops, 2 it stops on undersize only");
+    check("425", "Q310", "Q310: offset of the second contact along the walls; 0 probes opposite the first");
+    check("425", "Q272", "Q272: measured axis: 1 first axis, 2 second axis");
+    check("424", "Q286", "Q286: largest permitted length along the second axis");
     check("G785", "K", "K: longest probing path; plus leads away from the centre, minus towards it");
 }
 
 #[test]
-fn a_cycle_that_is_not_known_is_drawn_by_its_numbers_and_ranges() {
-    /// The width of a slot.
-    const SLOT: Cycle = Cycle {
-        number: 425,
-        code: "425",
-        names: &[],
-        parameters: &[
-            Parameter::size(Key::Q(311), "NOMINAL LENGTH").asked(&[(Dialogue::En, "Nominal length?")]),
-            Parameter::angle(Key::Q(400), "ROTATION", 90, 0),
-            Parameter::choice(Key::Q(401), "WALLS", &[1, 2, 4]),
-            Parameter::new(Key::Q(402), "SHARE", Range::Number { most: 10 }),
-            Parameter::coordinate(Key::Q(260), "CLEARANCE HEIGHT"),
-        ],
-        run: |_, _| unreachable!("it is only drawn"),
-        nominal: |_| unreachable!("it is only drawn"),
+fn what_has_no_effect_is_drawn_by_its_range_and_a_key_that_is_none_not_at_all() {
+    let idle = || CYCLES.iter().flat_map(|cycle| cycle.parameters.iter().map(move |parameter| (*cycle, parameter)));
+    for (cycle, parameter) in idle().filter(|(_, parameter)| !parameter.has_effect) {
+        assert!(parameter.meaning.is_general());
+        let said = label_of(cycle, parameter.key, Language::En);
+        let question = parameter.question(Language::En.dialogue());
+        assert!(said.starts_with(&format!("{}: {question} ", parameter.key)), "{said}");
+    }
+    let said = |code: &str, name: &str, language| {
+        let cycle = cycle_named(code).unwrap();
+        label_of(cycle, cycle.parameter_named(name).unwrap().key, language)
     };
-    static CYCLE: Cycle = SLOT;
-    assert_eq!(label_of(&CYCLE, Key::Q(311), Language::En), "Q311: Nominal length? A length");
-    assert_eq!(label_of(&CYCLE, Key::Q(400), Language::Nl), "Q400: ROTATION Een hoek");
-    assert_eq!(label_of(&CYCLE, Key::Q(401), Language::En), "Q401: WALLS One of 1, 2, 4");
-    assert_eq!(label_of(&CYCLE, Key::Q(402), Language::En), "Q402: SHARE A number");
-    assert_eq!(label_of(&CYCLE, Key::Q(260), Language::En), "Q260: height at which the probe moves freely");
-    // A key that the cycle does not have is not drawn.
+    assert_eq!(said("427", "Q498", Language::En), "Q498: REVERSE TOOL One of 0, 1");
+    assert_eq!(said("427", "Q531", Language::Nl), "Q531: ANGLE OF INCIDENCE Een hoek");
+    assert_eq!(said("G785", "Q", Language::En), "Q: Q A length");
     let nothing = drawn([300.0, 260.0], Theme::Light, Language::En, |ui, view| {
-        parameter_picture(ui, view, &CYCLE, Key::Q(1));
+        parameter_picture(ui, view, cycle_named("425").unwrap(), Key::Q(1));
     });
     assert!(nothing.query_by_role(Role::Figure).is_none());
 }
 
-fn path_label(path: &[Move], step: usize, nominal: Option<Nominal>, ball_radius: f64) -> String {
+#[test]
+fn a_rectangle_says_every_value_that_was_compared() {
+    let walls = Surface::Walls(Walls::new(Feature::Hole, [50.0, 20.0], (60.2, Some(40.0))));
+    let settings = "Q273=50 Q274=20 Q282=60 Q283=40 Q261=-5 Q284=60.1 Q285=60 Q286=40.1 Q287=40";
+    let (result, nominal) = run("423", settings, walls, 2.0);
+    let harness = drawn([560.0, 400.0], Theme::Light, Language::En, |ui, view| {
+        contacts_picture(ui, view, &result, None);
+    });
+    says(&harness, Role::Figure, "measured length, 1st side 60.2 mm is above its maximum 60.1 mm: SCRAP");
+    says(&harness, Role::Figure, "measured length, 2nd side 40 mm is within 40 to 40.1 mm");
+    for step in 0..=result.path.len() {
+        assert!(path_label(&result.path, step, Some(nominal), 2.0).starts_with("Path of the probe, "));
+    }
+}
+
+fn path_label(path: &[Move], step: usize, nominal: Option<Surface>, ball_radius: f64) -> String {
     let harness = drawn([640.0, 400.0], Theme::Light, Language::En, |ui, view| {
         path_picture(ui, view, path, step, nominal, ball_radius);
     });
@@ -210,12 +218,14 @@ fn no_path_and_no_extent_and_no_number_are_drawn_without_harm() {
     }
     // A circle of a micrometre, far away, and arcs about a centre where the ball is.
     let centre = [1e6, 1e6];
-    let circle = Nominal::Circle { feature: Feature::Hole, plane: Plane::Zx, centre, diameter: 0.001 };
+    let circle = Surface::Round(Workpiece::round(Feature::Hole, centre, 0.001), Plane::Zx);
     let about = Move { about: Some([1e6; 3]), ..still([1e6; 3]) };
     path_label(&[about], 1, Some(circle), 0.0);
-    let flat = Nominal::Face { point: [0.0; 3], normal: [0.0; 3] };
+    let flat = Surface::Face(Face::plane([0.0; 3], [0.0; 3]));
     path_label(&[still([0.0; 3])], 1, Some(flat), f64::NAN);
-    let lost = Nominal::Face { point: [f64::NAN; 3], normal: [f64::NAN; 3] };
+    let lost = Surface::Face(Face::plane([f64::NAN; 3], [f64::NAN; 3]));
+    let slot = Surface::Walls(Walls::new(Feature::Hole, [f64::NAN; 2], (f64::INFINITY, None)));
+    path_label(&[still([0.0; 3])], 1, Some(slot), 1.0);
     path_label(&[still([0.0; 3])], 1, Some(lost), 1e300);
 }
 

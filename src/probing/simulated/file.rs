@@ -5,7 +5,7 @@
 //! temperature = 23.7         # of the workpiece, °C; 20 without it
 //! expansion = 11.5           # millionths per kelvin; steel without it
 //!
-//! [bore]                     # or [stud], [face], [point]: exactly one
+//! [bore]                     # or one of the others below: exactly one
 //! centre = [50.0, 20.0]
 //! diameter = 25.012
 //! plane = "XY"               # "ZX" or "YZ" for G785
@@ -21,13 +21,21 @@
 //! lobing = { count = 3, amplitude = 0.0004 }
 //! ```
 //!
-//! `[face]` has point, normal, wave and `surface_scatter`; `[point]` has point, normal, deviation, radius and
-//! `surface_scatter`. Lengths are millimetres. A key that is not known is refused.
+//! | table | what | keys |
+//! |---|---|---|
+//! | `[bore]`, `[stud]` | a hole, a shaft | above |
+//! | `[face]` | a plane face | point, normal, wave, `surface_scatter` |
+//! | `[point]` | a point of a free surface | point, normal, deviation, radius, `surface_scatter` |
+//! | `[slot]`, `[ridge]` | two parallel walls | centre, width, angle, `surface_scatter` |
+//! | `[pocket]`, `[boss]` | a rectangle | centre, lengths = \[first, second\], angle, `surface_scatter` |
+//!
+//! The angle of walls is that of the first length, from the first axis; 0 without it. Lengths are millimetres, angles
+//! degrees. A key that is not known is refused.
 
 use serde::{Deserialize, Serialize};
 
-use super::{Face, FreePoint, Lobes, Machine, Probe, Surface, Workpiece, WorkpieceError, in_range};
-use crate::message::{Message, Say};
+use super::{Face, FreePoint, Lobes, Machine, Probe, Shape, Surface, Walls, Workpiece, WorkpieceError, in_range};
+use crate::message::Say;
 use crate::probing::cycle::Plane;
 use crate::tolerance::Feature;
 
@@ -42,7 +50,7 @@ const LONGEST: usize = 300;
 
 /// A simulated machine before it is switched on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bench {
+pub struct Simulation {
     /// The surface at 20 °C.
     pub surface: Surface,
     /// The probe.
@@ -56,10 +64,10 @@ pub struct Bench {
 }
 
 /// Why a file is no machine.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum BenchError {
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "workpiece-file", error)]
+pub enum SimulationError {
     /// It is no TOML, or has other keys.
-    #[error("line {line}: {said}")]
     Toml {
         /// Where.
         line: usize,
@@ -67,13 +75,12 @@ pub enum BenchError {
         said: String,
     },
     /// Not exactly one surface.
-    #[error("the file has {found} of [bore], [stud], [face] and [point]: it needs exactly one")]
+    #[say(args(tables = tables()))]
     NotOne {
         /// How many there are.
         found: usize,
     },
     /// A figure that cannot be.
-    #[error("line {line}: {error}")]
     CannotBe {
         /// Where.
         line: usize,
@@ -82,20 +89,13 @@ pub enum BenchError {
     },
 }
 
-impl Say for BenchError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Toml { line, said } => Message::new("bench-toml").text("line", line).text("said", said),
-            Self::NotOne { found } => Message::new("bench-not-one").text("found", found),
-            Self::CannotBe { line, error } => {
-                Message::new("bench-cannot-be").text("line", line).message("error", error.message())
-            }
-        }
-    }
+/// The tables of which a file has one: `[bore], [stud], …`.
+fn tables() -> String {
+    Shape::ALL.map(|shape| format!("[{}]", shape.table())).join(", ")
 }
 
 /// The file as it is written.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
     #[serde(default = "first_seed")]
@@ -112,6 +112,14 @@ struct File {
     face: Option<Face>,
     #[serde(skip_serializing_if = "Option::is_none")]
     point: Option<FreePoint>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    slot: Option<Pair>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ridge: Option<Pair>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pocket: Option<Rectangle>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    boss: Option<Rectangle>,
     #[serde(default)]
     probe: Probe,
 }
@@ -155,7 +163,45 @@ impl Round {
     }
 }
 
-impl Bench {
+/// Two walls.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Pair {
+    centre: [f64; 2],
+    width: f64,
+    #[serde(default)]
+    angle: f64,
+    #[serde(default)]
+    surface_scatter: f64,
+}
+
+/// Four walls.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Rectangle {
+    centre: [f64; 2],
+    lengths: [f64; 2],
+    #[serde(default)]
+    angle: f64,
+    #[serde(default)]
+    surface_scatter: f64,
+}
+
+impl Pair {
+    const fn surface(&self, feature: Feature) -> Surface {
+        let Self { centre, width, angle, surface_scatter } = *self;
+        Surface::Walls(Walls { feature, centre, lengths: (width, None), angle, surface_scatter })
+    }
+}
+
+impl Rectangle {
+    const fn surface(&self, feature: Feature) -> Surface {
+        let Self { centre, lengths: [first, second], angle, surface_scatter } = *self;
+        Surface::Walls(Walls { feature, centre, lengths: (first, Some(second)), angle, surface_scatter })
+    }
+}
+
+impl Simulation {
     /// A perfect machine with a surface at 20 °C.
     pub const fn perfect(surface: Surface) -> Self {
         Self { surface, probe: Probe::STILL, seed: 1, temperature: REFERENCE, expansion: STEEL }
@@ -164,32 +210,39 @@ impl Bench {
     /// Reads a file.
     ///
     /// ```
-    /// use fitcheck::probing::simulated::Bench;
+    /// use fitcheck::probing::simulated::Simulation;
     ///
-    /// let bench = Bench::read("[bore]\ncentre = [50, 20]\ndiameter = 25.012\n")?;
-    /// assert_eq!(bench.temperature, 20.0);
-    /// # Ok::<(), fitcheck::probing::simulated::BenchError>(())
+    /// let simulation = Simulation::read("[bore]\ncentre = [50, 20]\ndiameter = 25.012\n")?;
+    /// assert_eq!(simulation.temperature, 20.0);
+    /// # Ok::<(), fitcheck::probing::simulated::SimulationError>(())
     /// ```
     ///
     /// # Errors
-    /// [`BenchError`] with the line.
-    pub fn read(text: &str) -> Result<Self, BenchError> {
-        let file: File = toml::from_str(text).map_err(|error| BenchError::Toml {
+    /// [`SimulationError`] with the line.
+    pub fn read(text: &str) -> Result<Self, SimulationError> {
+        let file: File = toml::from_str(text).map_err(|error| SimulationError::Toml {
             line: line_at(text, error.span().map_or(0, |span| span.start)),
             said: bounded(&plain(&error, text)),
         })?;
         let surfaces = [
-            file.bore.map(|bore| ("bore", bore.surface(Feature::Hole))),
-            file.stud.map(|stud| ("stud", stud.surface(Feature::Shaft))),
-            file.face.map(|face| ("face", Surface::Face(face))),
-            file.point.map(|point| ("point", Surface::Point(point))),
+            file.bore.map(|bore| bore.surface(Feature::Hole)),
+            file.stud.map(|stud| stud.surface(Feature::Shaft)),
+            file.face.map(Surface::Face),
+            file.point.map(Surface::Point),
+            file.slot.map(|slot| slot.surface(Feature::Hole)),
+            file.ridge.map(|ridge| ridge.surface(Feature::Shaft)),
+            file.pocket.map(|pocket| pocket.surface(Feature::Hole)),
+            file.boss.map(|boss| boss.surface(Feature::Shaft)),
         ];
         let found: Vec<_> = surfaces.into_iter().flatten().collect();
-        let &[(kind, surface)] = found.as_slice() else { return Err(BenchError::NotOne { found: found.len() }) };
+        let &[surface] = found.as_slice() else { return Err(SimulationError::NotOne { found: found.len() }) };
+        let kind = surface.shape().table();
         let (seed, temperature, expansion) = (file.seed, file.temperature, file.expansion);
-        let bench = Self { surface, probe: file.probe, seed, temperature, expansion };
-        bench.check().map_err(|error| BenchError::CannotBe { line: line_of(text, kind, error.what), error })?;
-        Ok(bench)
+        let simulation = Self { surface, probe: file.probe, seed, temperature, expansion };
+        simulation
+            .check()
+            .map_err(|error| SimulationError::CannotBe { line: line_of(text, kind, error.what), error })?;
+        Ok(simulation)
     }
 
     /// The machine as a file that [`Self::read`] reads back as the same.
@@ -198,7 +251,7 @@ impl Bench {
     /// What the writer of TOML says, for figures that no file can hold.
     pub fn write(&self) -> Result<String, toml::ser::Error> {
         let (seed, temperature, expansion, probe) = (self.seed, self.temperature, self.expansion, self.probe);
-        let mut file = File { seed, temperature, expansion, bore: None, stud: None, face: None, point: None, probe };
+        let mut file = File { seed, temperature, expansion, probe, ..File::default() };
         match self.surface {
             Surface::Round(workpiece, plane) => match workpiece.feature {
                 Feature::Hole => file.bore = Some(Round::of(&workpiece, plane)),
@@ -206,6 +259,20 @@ impl Bench {
             },
             Surface::Face(face) => file.face = Some(face),
             Surface::Point(point) => file.point = Some(point),
+            Surface::Walls(Walls { feature, centre, lengths: (width, None), angle, surface_scatter }) => {
+                let pair = Some(Pair { centre, width, angle, surface_scatter });
+                match feature {
+                    Feature::Hole => file.slot = pair,
+                    Feature::Shaft => file.ridge = pair,
+                }
+            }
+            Surface::Walls(Walls { feature, centre, lengths: (first, Some(second)), angle, surface_scatter }) => {
+                let rectangle = Some(Rectangle { centre, lengths: [first, second], angle, surface_scatter });
+                match feature {
+                    Feature::Hole => file.pocket = rectangle,
+                    Feature::Shaft => file.boss = rectangle,
+                }
+            }
         }
         toml::to_string(&file)
     }
@@ -267,6 +334,7 @@ fn line_of(text: &str, kind: &str, what: &str) -> usize {
         "lobes" | "lobe height" | "lobe angle" => (Some(kind), "lobes"),
         "wave length" | "wave amplitude" | "wave direction" => (Some(kind), "wave"),
         "length of the normal" => (Some(kind), "normal"),
+        "1st length" | "2nd length" => (Some(kind), "lengths"),
         _ => (Some(kind), what),
     };
     let Ok(root) = toml::de::DeTable::parse(text) else { return 1 };

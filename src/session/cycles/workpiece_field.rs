@@ -1,71 +1,10 @@
 //! The figures of the simulated workpiece and probe: which there are, their units, and which one a refusal means.
 
-use crate::probing::simulated::WorkpieceError;
-
-/// What kind of surface there is to touch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum BenchKind {
-    /// A hole.
-    Bore,
-    /// A stud.
-    Stud,
-    /// A plane face.
-    Face,
-    /// A point of a free surface.
-    Point,
-}
-
-impl BenchKind {
-    /// All kinds.
-    pub const ALL: [Self; 4] = [Self::Bore, Self::Stud, Self::Face, Self::Point];
-
-    /// The figures of such a surface, in reading order.
-    pub const fn fields(self) -> &'static [BenchField] {
-        use BenchField as F;
-        match self {
-            Self::Bore | Self::Stud => &[
-                F::CentreX,
-                F::CentreY,
-                F::Diameter,
-                F::SurfaceScatter,
-                F::Ovality,
-                F::OvalityAngle,
-                F::LobeCount,
-                F::LobeHeight,
-                F::LobeAngle,
-            ],
-            Self::Face => &[
-                F::PointX,
-                F::PointY,
-                F::PointZ,
-                F::NormalX,
-                F::NormalY,
-                F::NormalZ,
-                F::SurfaceScatter,
-                F::WaveHeight,
-                F::WaveLength,
-                F::WaveX,
-                F::WaveY,
-                F::WaveZ,
-            ],
-            Self::Point => &[
-                F::PointX,
-                F::PointY,
-                F::PointZ,
-                F::NormalX,
-                F::NormalY,
-                F::NormalZ,
-                F::Deviation,
-                F::Radius,
-                F::SurfaceScatter,
-            ],
-        }
-    }
-}
+use crate::probing::simulated::{Shape, WorkpieceError};
 
 /// A figure of the simulated workpiece or probe.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum BenchField {
+pub enum WorkpieceField {
     /// Centre, first axis of the plane, mm.
     CentreX,
     /// Centre, second axis of the plane, mm.
@@ -108,6 +47,14 @@ pub enum BenchField {
     Deviation,
     /// Radius of the surface, mm; empty is flat.
     Radius,
+    /// From wall to wall of a slot or ridge, mm.
+    Width,
+    /// From wall to wall of a rectangle, across the first pair, mm.
+    FirstLength,
+    /// The same across the second pair.
+    SecondLength,
+    /// The direction across the first pair of walls, degrees from the first axis.
+    Angle,
     /// Scatter of the surface, one sigma, mm.
     SurfaceScatter,
     /// Radius of the ball, mm.
@@ -134,7 +81,60 @@ pub enum BenchField {
     Expansion,
 }
 
-impl BenchField {
+impl WorkpieceField {
+    /// The figures of a surface, in reading order.
+    pub const fn of(shape: Shape) -> &'static [Self] {
+        match shape {
+            Shape::Hole | Shape::Stud => &[
+                Self::CentreX,
+                Self::CentreY,
+                Self::Diameter,
+                Self::SurfaceScatter,
+                Self::Ovality,
+                Self::OvalityAngle,
+                Self::LobeCount,
+                Self::LobeHeight,
+                Self::LobeAngle,
+            ],
+            Shape::Face => &[
+                Self::PointX,
+                Self::PointY,
+                Self::PointZ,
+                Self::NormalX,
+                Self::NormalY,
+                Self::NormalZ,
+                Self::SurfaceScatter,
+                Self::WaveHeight,
+                Self::WaveLength,
+                Self::WaveX,
+                Self::WaveY,
+                Self::WaveZ,
+            ],
+            Shape::Point => &[
+                Self::PointX,
+                Self::PointY,
+                Self::PointZ,
+                Self::NormalX,
+                Self::NormalY,
+                Self::NormalZ,
+                Self::Deviation,
+                Self::Radius,
+                Self::SurfaceScatter,
+            ],
+            Shape::Slot | Shape::Ridge => {
+                &[Self::CentreX, Self::CentreY, Self::Width, Self::Angle, Self::SurfaceScatter]
+            }
+            Shape::Pocket | Shape::Boss => &[
+                Self::CentreX,
+                Self::CentreY,
+                Self::FirstLength,
+                Self::SecondLength,
+                Self::Angle,
+                Self::SurfaceScatter,
+            ],
+        }
+    }
+
     /// The figures of the probe, in reading order.
     pub const PROBE: &'static [Self] = &[
         Self::BallRadius,
@@ -147,7 +147,7 @@ impl BenchField {
         Self::LobingAngle,
     ];
 
-    /// The figures of the whole machine, in reading order.
+    /// The figures of the whole simulation, in reading order.
     pub const MACHINE: &'static [Self] = &[Self::Seed, Self::Temperature, Self::Expansion];
 
     /// Whether nothing is an answer.
@@ -158,7 +158,7 @@ impl BenchField {
     /// Its unit, where it has one.
     pub const fn unit(self) -> &'static str {
         match self {
-            Self::OvalityAngle | Self::LobeAngle | Self::LobingAngle => "°",
+            Self::OvalityAngle | Self::LobeAngle | Self::LobingAngle | Self::Angle => "°",
             Self::LobeCount
             | Self::LobingCount
             | Self::Seed
@@ -177,44 +177,48 @@ impl BenchField {
     /// The id of its name in the locale files.
     pub const fn name_id(self) -> &'static str {
         match self {
-            Self::CentreX => "cycles-bench-centre-1",
-            Self::CentreY => "cycles-bench-centre-2",
+            Self::CentreX => "workpiece-centre-1",
+            Self::CentreY => "workpiece-centre-2",
             Self::Diameter => "true-diameter",
             Self::Ovality => "ovality",
-            Self::OvalityAngle => "cycles-bench-ovality-angle",
+            Self::OvalityAngle => "workpiece-ovality-angle",
             Self::LobeCount => "lobes",
             Self::LobeHeight => "lobe-height",
-            Self::LobeAngle => "cycles-bench-lobe-angle",
-            Self::PointX => "cycles-bench-point-x",
-            Self::PointY => "cycles-bench-point-y",
-            Self::PointZ => "cycles-bench-point-z",
-            Self::NormalX => "cycles-bench-normal-x",
-            Self::NormalY => "cycles-bench-normal-y",
-            Self::NormalZ => "cycles-bench-normal-z",
-            Self::WaveHeight => "cycles-bench-wave-height",
-            Self::WaveLength => "cycles-bench-wave-length",
-            Self::WaveX => "cycles-bench-wave-x",
-            Self::WaveY => "cycles-bench-wave-y",
-            Self::WaveZ => "cycles-bench-wave-z",
-            Self::Deviation => "cycles-bench-deviation",
-            Self::Radius => "cycles-bench-radius",
+            Self::LobeAngle => "workpiece-lobe-angle",
+            Self::PointX => "workpiece-point-x",
+            Self::PointY => "workpiece-point-y",
+            Self::PointZ => "workpiece-point-z",
+            Self::NormalX => "workpiece-normal-x",
+            Self::NormalY => "workpiece-normal-y",
+            Self::NormalZ => "workpiece-normal-z",
+            Self::WaveHeight => "workpiece-wave-height",
+            Self::WaveLength => "workpiece-wave-length",
+            Self::WaveX => "workpiece-wave-x",
+            Self::WaveY => "workpiece-wave-y",
+            Self::WaveZ => "workpiece-wave-z",
+            Self::Deviation => "workpiece-deviation",
+            Self::Radius => "workpiece-radius",
+            Self::Width => "workpiece-width",
+            Self::FirstLength => "workpiece-length-1",
+            Self::SecondLength => "workpiece-length-2",
+            Self::Angle => "workpiece-angle",
             Self::SurfaceScatter => "surface-scatter",
-            Self::BallRadius => "cycles-bench-ball",
-            Self::TriggerScatter => "cycles-bench-trigger",
-            Self::CalibrationError => "cycles-bench-calibration",
-            Self::OffsetX => "cycles-bench-offset-x",
-            Self::OffsetY => "cycles-bench-offset-y",
-            Self::LobingCount => "cycles-bench-lobing-count",
-            Self::LobingHeight => "cycles-bench-lobing",
-            Self::LobingAngle => "cycles-bench-lobing-angle",
+            Self::BallRadius => "workpiece-ball",
+            Self::TriggerScatter => "workpiece-trigger",
+            Self::CalibrationError => "workpiece-calibration",
+            Self::OffsetX => "workpiece-offset-x",
+            Self::OffsetY => "workpiece-offset-y",
+            Self::LobingCount => "workpiece-lobing-count",
+            Self::LobingHeight => "workpiece-lobing",
+            Self::LobingAngle => "workpiece-lobing-angle",
             Self::Seed => "seed",
-            Self::Temperature => "cycles-bench-temperature",
-            Self::Expansion => "cycles-bench-expansion",
+            Self::Temperature => "workpiece-temperature",
+            Self::Expansion => "workpiece-expansion",
         }
     }
 
     /// The field of a figure that the simulated machine refuses by this name.
-    pub(super) fn named(error: &WorkpieceError, kind: BenchKind) -> Self {
+    pub(super) fn named(error: &WorkpieceError, shape: Shape) -> Self {
         match error.what {
             "temperature" => Self::Temperature,
             "expansion" => Self::Expansion,
@@ -240,8 +244,12 @@ impl BenchField {
             "normal" | "length of the normal" => Self::NormalX,
             "deviation" => Self::Deviation,
             "radius" => Self::Radius,
-            _ if matches!(kind, BenchKind::Bore | BenchKind::Stud) => Self::CentreX,
-            _ => Self::PointX,
+            "width" => Self::Width,
+            "1st length" => Self::FirstLength,
+            "2nd length" => Self::SecondLength,
+            "angle" => Self::Angle,
+            _ if matches!(shape, Shape::Face | Shape::Point) => Self::PointX,
+            _ => Self::CentreX,
         }
     }
 }

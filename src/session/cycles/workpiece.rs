@@ -2,61 +2,57 @@
 
 use std::collections::BTreeMap;
 
-use super::bench_field::{BenchField, BenchKind};
+use super::workpiece_field::WorkpieceField;
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say as _};
-use crate::probing::cycle::{Nominal, Plane, number};
-use crate::probing::simulated::{Bench, Face, FreePoint, Lobes, Probe, Surface, Wave, Workpiece};
+use crate::probing::cycle::{Plane, number};
+use crate::probing::simulated::{Face, FreePoint, Lobes, Probe, Shape, Simulation, Surface, Walls, Wave, Workpiece};
 use crate::tolerance::Feature;
 
-/// The simulated machine as it is typed.
+/// The simulated workpiece, its probe and its seed as they are typed.
 #[derive(Debug, Clone)]
-pub struct BenchForm {
-    kind: BenchKind,
+pub struct WorkpieceForm {
+    shape: Shape,
     plane: Plane,
-    texts: BTreeMap<BenchField, String>,
-    errors: BTreeMap<BenchField, Message>,
-    bench: Option<Bench>,
+    texts: BTreeMap<WorkpieceField, String>,
+    errors: BTreeMap<WorkpieceField, Message>,
+    simulation: Option<Simulation>,
 }
 
-impl Default for BenchForm {
+impl Default for WorkpieceForm {
     /// A bore as a shop makes it, and a usual probe with a ball.
     fn default() -> Self {
         let bore = Surface::Round(Workpiece::usual(Feature::Hole, 25.0), Plane::Xy);
-        Self::of(&Bench { probe: Probe { ball_radius: 3.0, ..Probe::USUAL }, ..Bench::perfect(bore) })
+        Self::of(&Simulation { probe: Probe { ball_radius: 3.0, ..Probe::USUAL }, ..Simulation::perfect(bore) })
     }
 }
 
-impl BenchForm {
-    /// The fields of a machine.
-    pub fn of(bench: &Bench) -> Self {
-        let (kind, plane) = match bench.surface {
-            Surface::Round(workpiece, plane) if workpiece.feature == Feature::Hole => (BenchKind::Bore, plane),
-            Surface::Round(_, plane) => (BenchKind::Stud, plane),
-            Surface::Face(_) => (BenchKind::Face, Plane::Xy),
-            Surface::Point(_) => (BenchKind::Point, Plane::Xy),
-        };
-        let mut form = Self { kind, plane, texts: BTreeMap::new(), errors: BTreeMap::new(), bench: Some(*bench) };
-        form.fill_surface(&bench.surface);
-        form.fill_probe(&bench.probe);
+impl WorkpieceForm {
+    /// The fields of a simulation.
+    pub fn of(simulation: &Simulation) -> Self {
+        let (shape, plane) = (simulation.surface.shape(), simulation.surface.plane());
+        let (texts, errors) = (BTreeMap::new(), BTreeMap::new());
+        let mut form = Self { shape, plane, texts, errors, simulation: Some(*simulation) };
+        form.fill_surface(&simulation.surface);
+        form.fill_probe(&simulation.probe);
         form.fill(&[
-            (BenchField::Seed, bench.seed.to_string()),
-            (BenchField::Temperature, bench.temperature.to_string()),
-            (BenchField::Expansion, bench.expansion.to_string()),
+            (WorkpieceField::Seed, simulation.seed.to_string()),
+            (WorkpieceField::Temperature, simulation.temperature.to_string()),
+            (WorkpieceField::Expansion, simulation.expansion.to_string()),
         ]);
         form.read();
         form
     }
 
-    fn fill(&mut self, texts: &[(BenchField, String)]) {
+    fn fill(&mut self, texts: &[(WorkpieceField, String)]) {
         self.texts.extend(texts.iter().cloned());
     }
 
-    fn fill_3(&mut self, fields: [BenchField; 3], parts: [f64; 3]) {
+    fn fill_3(&mut self, fields: [WorkpieceField; 3], parts: [f64; 3]) {
         self.texts.extend(fields.into_iter().zip(parts.map(|part| part.to_string())));
     }
 
-    fn fill_lobes(&mut self, [count, height, angle]: [BenchField; 3], lobes: &Lobes) {
+    fn fill_lobes(&mut self, [count, height, angle]: [WorkpieceField; 3], lobes: &Lobes) {
         self.fill(&[
             (count, lobes.count.to_string()),
             (height, lobes.amplitude.to_string()),
@@ -65,13 +61,15 @@ impl BenchForm {
     }
 
     fn fill_surface(&mut self, surface: &Surface) {
-        use BenchField as F;
+        use WorkpieceField as F;
         // What other kinds ask for keeps a sensible start.
         self.fill_3([F::PointX, F::PointY, F::PointZ], [0.0; 3]);
         self.fill_3([F::NormalX, F::NormalY, F::NormalZ], [0.0, 0.0, 1.0]);
         self.fill_3([F::WaveX, F::WaveY, F::WaveZ], [1.0, 0.0, 0.0]);
         self.fill_3([F::CentreX, F::CentreY, F::Diameter], [0.0, 0.0, 25.0]);
         self.fill_3([F::Ovality, F::OvalityAngle, F::Deviation], [0.0; 3]);
+        self.fill_3([F::Width, F::FirstLength, F::SecondLength], [25.0, 60.0, 40.0]);
+        self.fill(&[(F::Angle, "0".to_owned())]);
         self.fill(&[(F::WaveHeight, String::new()), (F::Radius, String::new()), (F::WaveLength, "10".to_owned())]);
         self.fill_lobes([F::LobeCount, F::LobeHeight, F::LobeAngle], &Lobes { count: 3, ..Lobes::default() });
         match surface {
@@ -105,11 +103,22 @@ impl BenchForm {
                     (F::SurfaceScatter, point.surface_scatter.to_string()),
                 ]);
             }
+            Surface::Walls(walls) => {
+                let ([x, y], (first, second)) = (walls.centre, walls.lengths);
+                self.fill_3([F::CentreX, F::CentreY, F::Angle], [x, y, walls.angle]);
+                self.fill(&[(F::SurfaceScatter, walls.surface_scatter.to_string())]);
+                match second {
+                    None => self.fill(&[(F::Width, first.to_string())]),
+                    Some(second) => {
+                        self.fill(&[(F::FirstLength, first.to_string()), (F::SecondLength, second.to_string())]);
+                    }
+                }
+            }
         }
     }
 
     fn fill_probe(&mut self, probe: &Probe) {
-        use BenchField as F;
+        use WorkpieceField as F;
         let parts = [probe.ball_radius, probe.trigger_scatter, probe.calibration_error];
         self.fill_3([F::BallRadius, F::TriggerScatter, F::CalibrationError], parts);
         let offset = |axis: usize| {
@@ -120,9 +129,9 @@ impl BenchForm {
         self.fill_lobes([F::LobingCount, F::LobingHeight, F::LobingAngle], &probe.lobing);
     }
 
-    /// What kind of surface it is.
-    pub const fn kind(&self) -> BenchKind {
-        self.kind
+    /// What shape the workpiece has.
+    pub const fn shape(&self) -> Shape {
+        self.shape
     }
 
     /// The plane of a round surface.
@@ -131,12 +140,12 @@ impl BenchForm {
     }
 
     /// The text of a field.
-    pub fn text(&self, field: BenchField) -> &str {
+    pub fn text(&self, field: WorkpieceField) -> &str {
         self.texts.get(&field).map_or("", String::as_str)
     }
 
     /// What is wrong with a field.
-    pub fn error(&self, field: BenchField) -> Option<&Message> {
+    pub fn error(&self, field: WorkpieceField) -> Option<&Message> {
         self.errors.get(&field)
     }
 
@@ -144,21 +153,21 @@ impl BenchForm {
     pub fn problem(&self) -> Option<Message> {
         let (field, error) = self.errors.first_key_value()?;
         let name = Message::new(field.name_id());
-        Some(Message::new("cycles-bench-field").message("name", name).message("problem", error.clone()))
+        Some(Message::new("cycles-workpiece-field").message("name", name).message("problem", error.clone()))
     }
 
-    /// The machine, where every field can be used.
-    pub const fn bench(&self) -> Option<&Bench> {
-        self.bench.as_ref()
+    /// The simulation, where every field can be used.
+    pub const fn simulation(&self) -> Option<&Simulation> {
+        self.simulation.as_ref()
     }
 
-    pub(in crate::session) fn set(&mut self, field: BenchField, text: String) {
+    pub(in crate::session) fn set(&mut self, field: WorkpieceField, text: String) {
         self.texts.insert(field, text);
         self.read();
     }
 
-    pub(in crate::session) fn set_kind(&mut self, kind: BenchKind) {
-        self.kind = kind;
+    pub(in crate::session) fn set_shape(&mut self, shape: Shape) {
+        self.shape = shape;
         self.read();
     }
 
@@ -168,10 +177,10 @@ impl BenchForm {
     }
 
     /// A workpiece that a cycle expects, with the form and the roughness that a shop gives it; probe, seed and
-    /// temperature stay.
-    pub(super) fn suited(&self, nominal: Nominal) -> Bench {
+    /// temperature stay. A point of a free surface and a face stand for each other: the chosen one stays.
+    pub(super) fn suited(&self, nominal: Surface) -> Simulation {
         let rough: f64 = 0.0003;
-        let surface = match Surface::from(nominal) {
+        let surface = match nominal {
             Surface::Round(round, plane) => {
                 // A tiny circle would not be round with a micrometre of ovality.
                 let height = 0.001_f64.min(round.diameter / 100.0);
@@ -179,54 +188,78 @@ impl BenchForm {
                 let surface_scatter = rough.min(round.diameter / 100.0);
                 Surface::Round(Workpiece { ovality, surface_scatter, ..round }, plane)
             }
-            Surface::Face(Face { point, normal, .. }) if self.kind == BenchKind::Point => {
-                Surface::Point(FreePoint { point, normal, deviation: 0.0, radius: None, surface_scatter: rough })
+            Surface::Face(Face { point, normal, .. }) | Surface::Point(FreePoint { point, normal, .. }) => {
+                match self.shape {
+                    Shape::Point => {
+                        Surface::Point(FreePoint { surface_scatter: rough, ..FreePoint::flat(point, normal) })
+                    }
+                    _ => Surface::Face(Face { surface_scatter: rough, ..Face::plane(point, normal) }),
+                }
             }
-            Surface::Face(face) => Surface::Face(Face { surface_scatter: rough, ..face }),
-            Surface::Point(point) => Surface::Point(point),
+            Surface::Walls(walls) => Surface::Walls(Walls { surface_scatter: rough, ..walls }),
         };
-        let machine = self
-            .bench
-            .unwrap_or_else(|| Bench { probe: Probe { ball_radius: 3.0, ..Probe::USUAL }, ..Bench::perfect(surface) });
-        Bench { surface, ..machine }
+        let machine = self.simulation.unwrap_or_else(|| Simulation {
+            probe: Probe { ball_radius: 3.0, ..Probe::USUAL },
+            ..Simulation::perfect(surface)
+        });
+        Simulation { surface, ..machine }
     }
 
     fn read(&mut self) {
         self.errors.clear();
-        let bench = self.read_bench();
-        self.bench = bench.filter(|_| self.errors.is_empty());
-        if let Some(Err(error)) = self.bench.map(|bench| bench.machine()) {
-            self.errors.insert(BenchField::named(&error, self.kind), error.message());
-            self.bench = None;
+        let simulation = self.read_workpiece();
+        self.simulation = simulation.filter(|_| self.errors.is_empty());
+        if let Some(Err(error)) = self.simulation.map(|simulation| simulation.machine()) {
+            self.errors.insert(WorkpieceField::named(&error, self.shape), error.message());
+            self.simulation = None;
         }
     }
 
-    fn read_bench(&mut self) -> Option<Bench> {
-        use BenchField as F;
-        let surface = match self.kind {
-            BenchKind::Bore => self.read_round(Feature::Hole),
-            BenchKind::Stud => self.read_round(Feature::Shaft),
-            BenchKind::Face => self.read_face(),
-            BenchKind::Point => self.read_point(),
+    fn read_workpiece(&mut self) -> Option<Simulation> {
+        use WorkpieceField as F;
+        let surface = match self.shape {
+            Shape::Hole | Shape::Stud => self.read_round(),
+            Shape::Face => self.read_face(),
+            Shape::Point => self.read_point(),
+            Shape::Slot | Shape::Ridge | Shape::Pocket | Shape::Boss => self.read_walls(),
         };
         let probe = self.read_probe();
         let seed = self.whole(F::Seed);
         let (temperature, expansion) = (self.figure(F::Temperature), self.figure(F::Expansion));
-        Some(Bench { surface: surface?, probe: probe?, seed: seed?, temperature: temperature?, expansion: expansion? })
+        Some(Simulation {
+            surface: surface?,
+            probe: probe?,
+            seed: seed?,
+            temperature: temperature?,
+            expansion: expansion?,
+        })
     }
 
-    fn read_round(&mut self, feature: Feature) -> Option<Surface> {
-        use BenchField as F;
+    fn read_walls(&mut self) -> Option<Surface> {
+        use WorkpieceField as F;
+        let [x, y, angle] = self.figures([F::CentreX, F::CentreY, F::Angle])?;
+        let lengths = match self.shape {
+            Shape::Slot | Shape::Ridge => (self.figure(F::Width)?, None),
+            _ => (self.figure(F::FirstLength)?, Some(self.figure(F::SecondLength)?)),
+        };
+        let surface_scatter = self.figure(F::SurfaceScatter)?;
+        let walls = Walls::new(self.shape.feature(), [x, y], lengths);
+        Some(Surface::Walls(Walls { angle, surface_scatter, ..walls }))
+    }
+
+    fn read_round(&mut self) -> Option<Surface> {
+        use WorkpieceField as F;
         let [x, y, diameter] = self.figures([F::CentreX, F::CentreY, F::Diameter])?;
         let [amplitude, angle, surface_scatter] = self.figures([F::Ovality, F::OvalityAngle, F::SurfaceScatter])?;
         let lobes = self.lobes([F::LobeCount, F::LobeHeight, F::LobeAngle])?;
         let ovality = Lobes { count: 2, amplitude, angle };
-        let round = Workpiece { feature, centre: [x, y], diameter, ovality, lobes, surface_scatter };
+        let round =
+            Workpiece { feature: self.shape.feature(), centre: [x, y], diameter, ovality, lobes, surface_scatter };
         Some(Surface::Round(round, self.plane))
     }
 
     fn read_face(&mut self) -> Option<Surface> {
-        use BenchField as F;
+        use WorkpieceField as F;
         let point = self.figures([F::PointX, F::PointY, F::PointZ])?;
         let normal = self.figures([F::NormalX, F::NormalY, F::NormalZ])?;
         let surface_scatter = self.figure(F::SurfaceScatter)?;
@@ -240,7 +273,7 @@ impl BenchForm {
     }
 
     fn read_point(&mut self) -> Option<Surface> {
-        use BenchField as F;
+        use WorkpieceField as F;
         let point = self.figures([F::PointX, F::PointY, F::PointZ])?;
         let normal = self.figures([F::NormalX, F::NormalY, F::NormalZ])?;
         let (deviation, surface_scatter) = (self.figure(F::Deviation)?, self.figure(F::SurfaceScatter)?);
@@ -250,7 +283,7 @@ impl BenchForm {
     }
 
     fn read_probe(&mut self) -> Option<Probe> {
-        use BenchField as F;
+        use WorkpieceField as F;
         let [ball_radius, trigger_scatter, calibration_error] =
             self.figures([F::BallRadius, F::TriggerScatter, F::CalibrationError])?;
         let is_known = [F::OffsetX, F::OffsetY].iter().all(|field| self.text(*field).trim().is_empty());
@@ -260,7 +293,7 @@ impl BenchForm {
     }
 
     /// Two figures that may only be left out together: one alone would be guessed.
-    fn both(&mut self, fields: [BenchField; 2]) -> Option<[f64; 2]> {
+    fn both(&mut self, fields: [WorkpieceField; 2]) -> Option<[f64; 2]> {
         for field in fields {
             if self.text(field).trim().is_empty() {
                 self.errors.insert(field, LengthError::Empty.message());
@@ -271,7 +304,7 @@ impl BenchForm {
         Some([one?, two?])
     }
 
-    fn lobes(&mut self, [count, height, angle]: [BenchField; 3]) -> Option<Lobes> {
+    fn lobes(&mut self, [count, height, angle]: [WorkpieceField; 3]) -> Option<Lobes> {
         let count = self.whole(count);
         let (amplitude, angle) = (self.figure(height), self.figure(angle));
         let lobes = Lobes { count: count?, amplitude: amplitude?, angle: angle? };
@@ -279,12 +312,12 @@ impl BenchForm {
         Some(if lobes.amplitude <= 0.0 && lobes.count < 2 { Lobes { count: 0, ..lobes } } else { lobes })
     }
 
-    fn figures(&mut self, fields: [BenchField; 3]) -> Option<[f64; 3]> {
+    fn figures(&mut self, fields: [WorkpieceField; 3]) -> Option<[f64; 3]> {
         let [one, two, three] = fields.map(|field| self.figure(field));
         Some([one?, two?, three?])
     }
 
-    fn figure(&mut self, field: BenchField) -> Option<f64> {
+    fn figure(&mut self, field: WorkpieceField) -> Option<f64> {
         let text = self.text(field).trim().to_owned();
         if text.is_empty() && field.is_optional() {
             return Some(0.0);
@@ -304,7 +337,7 @@ impl BenchForm {
         }
     }
 
-    fn whole<T: std::str::FromStr>(&mut self, field: BenchField) -> Option<T> {
+    fn whole<T: std::str::FromStr>(&mut self, field: WorkpieceField) -> Option<T> {
         let text = self.text(field).trim().to_owned();
         let value = text.parse().ok();
         if value.is_none() {
@@ -320,13 +353,13 @@ mod tests {
 
     #[track_caller]
     fn check(toml: &str) {
-        let bench = Bench::read(toml).unwrap();
-        let form = BenchForm::of(&bench);
+        let simulation = Simulation::read(toml).unwrap();
+        let form = WorkpieceForm::of(&simulation);
         assert_eq!(form.problem(), None);
-        let read = form.bench().unwrap();
-        let again = Bench::read(&read.write().unwrap()).unwrap();
+        let read = form.simulation().unwrap();
+        let again = Simulation::read(&read.write().unwrap()).unwrap();
         assert_eq!(*read, again, "what is written is read as the same");
-        assert_eq!(BenchForm::of(&again).bench(), Some(read));
+        assert_eq!(WorkpieceForm::of(&again).simulation(), Some(read));
     }
 
     #[test]
@@ -340,6 +373,10 @@ mod tests {
         check(
             "[face]\npoint = [1, 2, 3]\nnormal = [0, 0, 2]\nwave = { amplitude = 0.01, length = 4, direction = [1, 1, 0] }\n[probe]\nball_radius = 3\noffset = [0.01, 0]\n",
         );
+        check("[slot]\ncentre = [50, -20]\nwidth = 20.01\nangle = 90\n[probe]\nball_radius = 2\n");
+        check("[ridge]\ncentre = [1, 2]\nwidth = 8\nsurface_scatter = 0.001\n");
+        check("[pocket]\ncentre = [1, 2]\nlengths = [60, 40.5]\nangle = 0.25\n");
+        check("seed = 2\n[boss]\ncentre = [1, 2]\nlengths = [60, 40.5]\n");
         check(
             "[point]\npoint = [1, 2, 3]\nnormal = [0, 1, 1]\ndeviation = -0.02\nradius = -30\n[probe]\nlobing = { count = 3, amplitude = 0.0004 }\n",
         );
@@ -347,32 +384,32 @@ mod tests {
 
     #[test]
     fn a_figure_that_cannot_be_is_told_beside_its_field() {
-        let mut form = BenchForm::default();
+        let mut form = WorkpieceForm::default();
         for (field, text, id) in [
-            (BenchField::Diameter, "-1", "workpiece-cannot-be"),
-            (BenchField::Diameter, "7.5.2", "length-not-a-number"),
-            (BenchField::Diameter, "", "length-empty"),
-            (BenchField::Ovality, "5", "workpiece-cannot-be"),
-            (BenchField::LobeCount, "x", "field-not-whole"),
-            (BenchField::Temperature, "500", "workpiece-cannot-be"),
-            (BenchField::Temperature, "20 mm", "length-not-a-number"),
-            (BenchField::CalibrationError, "-4", "workpiece-cannot-be"),
+            (WorkpieceField::Diameter, "-1", "workpiece-cannot-be"),
+            (WorkpieceField::Diameter, "7.5.2", "length-not-a-number"),
+            (WorkpieceField::Diameter, "", "length-empty"),
+            (WorkpieceField::Ovality, "5", "workpiece-cannot-be"),
+            (WorkpieceField::LobeCount, "x", "field-not-whole"),
+            (WorkpieceField::Temperature, "500", "workpiece-cannot-be"),
+            (WorkpieceField::Temperature, "20 mm", "length-not-a-number"),
+            (WorkpieceField::CalibrationError, "-4", "workpiece-cannot-be"),
         ] {
             let before = form.text(field).to_owned();
             form.set(field, text.to_owned());
             assert_eq!(form.error(field).map(|error| error.id), Some(id), "{field:?} {text}");
-            assert!(form.bench().is_none());
+            assert!(form.simulation().is_none());
             form.set(field, before);
-            assert!(form.bench().is_some(), "{field:?}");
+            assert!(form.simulation().is_some(), "{field:?}");
         }
         // Half an offset would be guessed.
-        form.set(BenchField::OffsetX, "0,01".to_owned());
-        assert!(form.error(BenchField::OffsetY).is_some() && form.bench().is_none());
+        form.set(WorkpieceField::OffsetX, "0,01".to_owned());
+        assert!(form.error(WorkpieceField::OffsetY).is_some() && form.simulation().is_none());
         let said = form.problem().map(|problem| crate::words::Words::new(crate::words::Language::En).say(&problem));
         assert_eq!(said.as_deref(), Some("Offset of the ball Y: a length is missing"));
-        form.set(BenchField::OffsetX, String::new());
-        form.set(BenchField::Ovality, "2 µm".to_owned());
-        let Surface::Round(round, _) = form.bench().unwrap().surface else { panic!("no bore") };
+        form.set(WorkpieceField::OffsetX, String::new());
+        form.set(WorkpieceField::Ovality, "2 µm".to_owned());
+        let Surface::Round(round, _) = form.simulation().unwrap().surface else { panic!("no bore") };
         assert!((round.ovality.amplitude - 0.002).abs() < 1e-12);
     }
 }

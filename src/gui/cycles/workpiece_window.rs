@@ -8,16 +8,17 @@ use crate::gui::dialogs::just_opened;
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
-use crate::session::{Action, BenchField, BenchKind, WorkpieceCommand};
+use crate::probing::simulated::Shape;
+use crate::session::{Action, WorkpieceCommand, WorkpieceField};
 
 /// The window, where it is open. What is typed counts at once.
-pub(in crate::gui) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
-    if !view.session.bench_is_open() {
+pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
+    if !view.session.workpiece_is_open() {
         return;
     }
     let size = ui.ctx().content_rect().size();
     let window = Window::new(view.text("simulated-workpiece"))
-        .id(Id::unique("bench"))
+        .id(Id::unique("workpiece"))
         .anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0))
         .collapsible(false)
         .resizable(false)
@@ -32,49 +33,45 @@ pub(in crate::gui) fn bench_ui(ui: &Ui, view: &mut View<'_>) {
         });
     // A window takes the size of its content one frame late.
     let rect = window.map(|window| window.response.rect);
-    let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(Id::unique("bench-size")), rect));
+    let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(Id::unique("workpiece-size")), rect));
     if last != rect {
         ui.ctx().request_repaint();
     }
 }
 
-const fn kind_id(kind: BenchKind) -> &'static str {
-    match kind {
-        BenchKind::Bore => "cycles-kind-bore",
-        BenchKind::Stud => "cycles-kind-stud",
-        BenchKind::Face => "cycles-kind-face",
-        BenchKind::Point => "cycles-kind-point",
-    }
+/// The id of a shape's name: `cycles-shape-bore`.
+fn shape_id(shape: Shape) -> String {
+    format!("cycles-shape-{}", shape.table())
 }
 
 fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
-    let kind = view.session.bench().kind();
-    let is_new = just_opened(ui, Id::unique("bench-kind"));
-    ui.horizontal(|ui| {
-        for choice in BenchKind::ALL {
-            let radio = ui.radio(kind == choice, view.text(kind_id(choice)));
-            if is_new && kind == choice {
+    let shape = view.session.workpiece().shape();
+    let is_new = just_opened(ui, Id::unique("workpiece-shape"));
+    ui.horizontal_wrapped(|ui| {
+        for choice in Shape::ALL {
+            let radio = ui.radio(shape == choice, view.text(&shape_id(choice)));
+            if is_new && shape == choice {
                 radio.request_focus();
             }
             if radio.clicked() {
-                view.send(WorkpieceCommand::ChooseKind(choice));
+                view.send(WorkpieceCommand::ChooseShape(choice));
             }
         }
     });
-    if matches!(kind, BenchKind::Bore | BenchKind::Stud) {
+    if shape.is_round() {
         plane_ui(ui, view);
     }
     ui.columns(2, |columns| {
         if let [left, right] = columns {
             left.spacing_mut().item_spacing.y = space(1.0);
             right.spacing_mut().item_spacing.y = space(1.0);
-            heading(left, view.text(kind_id(kind)));
-            fields_ui(left, view, kind.fields());
-            heading(right, view.text("cycles-bench-probe"));
-            fields_ui(right, view, BenchField::PROBE);
-            heading(right, view.text("cycles-bench-machine"));
-            fields_ui(right, view, BenchField::MACHINE);
+            heading(left, view.text(&shape_id(shape)));
+            fields_ui(left, view, WorkpieceField::of(shape));
+            heading(right, view.text("workpiece-probe"));
+            fields_ui(right, view, WorkpieceField::PROBE);
+            heading(right, view.text("workpiece-machine"));
+            fields_ui(right, view, WorkpieceField::MACHINE);
         }
     });
 }
@@ -82,7 +79,7 @@ fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn plane_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         quiet(ui, view.text("cycles-plane"));
-        let chosen = view.session.bench().plane();
+        let chosen = view.session.workpiece().plane();
         for plane in [Plane::Xy, Plane::Zx, Plane::Yz] {
             if ui.radio(chosen == plane, plane.axes().join("/")).clicked() {
                 view.send(WorkpieceCommand::ChoosePlane(plane));
@@ -91,7 +88,7 @@ fn plane_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
-fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[BenchField]) {
+fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[WorkpieceField]) {
     for field in fields {
         figure_ui(ui, view, *field, view.text(field.name_id()), field.unit());
     }

@@ -1,0 +1,199 @@
+//! What a parameter means: how it is drawn, and which sentence explains it.
+//!
+//! A cycle declares the meaning of each of its parameters; the drawings, the log and the status window ask for a meaning
+//! and never for the number of a parameter. A new cycle whose meanings are here needs no drawing of its own.
+
+use super::parameter::Range;
+
+/// What a parameter means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Meaning {
+    /// The nominal centre, in one axis.
+    Centre(Axis),
+    /// The permitted deviation of the centre, in one axis.
+    CentreTolerance(Axis),
+    /// The nominal diameter.
+    Diameter,
+    /// The largest permitted diameter.
+    MaximumDiameter,
+    /// The smallest permitted diameter.
+    MinimumDiameter,
+    /// The nominal length of a rectangle's side, along one axis.
+    Side(Axis),
+    /// The largest permitted length of a side.
+    MaximumSide(Axis),
+    /// The smallest permitted length of a side.
+    MinimumSide(Axis),
+    /// The nominal width of a slot or ridge.
+    Width,
+    /// The largest permitted width.
+    MaximumWidth,
+    /// The smallest permitted width.
+    MinimumWidth,
+    /// Where the probe begins in a slot, in one axis.
+    Start(Axis),
+    /// How far the second contact is shifted across the measured axis.
+    Shift,
+    /// The first point of a ridge, in one axis.
+    FirstPoint(Axis),
+    /// The second point of a ridge, in one axis.
+    SecondPoint(Axis),
+    /// The diameter of the circle on which the probe stands before each contact.
+    StartDiameter,
+    /// The angle of the first contact.
+    FirstAngle,
+    /// The angle from contact to contact.
+    Step,
+    /// The longest probing path, with its direction.
+    Path,
+    /// How far two readings of one contact may differ.
+    Difference,
+    /// The height of the ball's centre during contact.
+    MeasuringHeight,
+    /// The clearance before the contact.
+    SetUpClearance,
+    /// The height at which the probe moves freely.
+    ClearanceHeight,
+    /// The point that is probed, in one axis.
+    Point(Axis),
+    /// The largest permitted coordinate.
+    MaximumCoordinate,
+    /// The smallest permitted coordinate.
+    MinimumCoordinate,
+    /// A component of the surface normal.
+    Normal(Axis),
+    /// The permitted deviation along the normal.
+    Band,
+    /// The way back from the contact.
+    Retract,
+    /// The way between contacts: at measuring height, or over the clearance height.
+    MoveToClearance,
+    /// The way to the next contact: straight, or on an arc.
+    Traverse,
+    /// The number of contacts.
+    ContactCount,
+    /// The plane of a circle.
+    Plane,
+    /// Inside or outside.
+    InsideOutside,
+    /// The measured axis, one of three.
+    MeasuredAxis,
+    /// The measured axis, one of the two of the plane.
+    AxisOfPlane,
+    /// The direction of the approach.
+    Direction,
+    /// The measuring log.
+    Log,
+    /// Whether the program stops.
+    Stop,
+    /// The same, with a stop for undersize only.
+    StopOnUndersize,
+    /// The tool to be monitored.
+    Tool,
+    /// A length without a drawing of its own.
+    Length,
+    /// An angle without a drawing of its own.
+    Angle,
+    /// A choice without a drawing of its own.
+    Choice,
+    /// A number without a drawing of its own.
+    Number,
+}
+
+/// An axis of the machine, or of the plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// The first.
+    First,
+    /// The second.
+    Second,
+    /// The third.
+    Third,
+}
+
+impl Meaning {
+    /// What is said of a parameter whose declaration says no more than its range.
+    pub(super) const fn of_range(range: Range) -> Self {
+        match range {
+            Range::Length { .. } => Self::Length,
+            Range::Angle { .. } => Self::Angle,
+            Range::OneOf(_) => Self::Choice,
+            Range::Number { .. } => Self::Number,
+            Range::Tool => Self::Tool,
+            Range::Band => Self::Band,
+        }
+    }
+
+    /// Whether nothing but the range is known.
+    pub const fn is_general(self) -> bool {
+        matches!(self, Self::Length | Self::Angle | Self::Choice | Self::Number)
+    }
+
+    /// The id of the sentence that explains it; in the plane there are two axes.
+    pub const fn sentence(self) -> &'static str {
+        match self {
+            Self::Centre(Axis::First) => "cycle-picture-centre-1",
+            Self::Centre(_) => "cycle-picture-centre-2",
+            Self::CentreTolerance(Axis::First) => "cycle-picture-centre-tolerance-1",
+            Self::CentreTolerance(_) => "cycle-picture-centre-tolerance-2",
+            Self::Side(Axis::First) => "cycle-picture-side-length-1",
+            Self::Side(_) => "cycle-picture-side-length-2",
+            Self::MaximumSide(Axis::First) => "cycle-picture-maximum-side-1",
+            Self::MaximumSide(_) => "cycle-picture-maximum-side-2",
+            Self::MinimumSide(Axis::First) => "cycle-picture-minimum-side-1",
+            Self::MinimumSide(_) => "cycle-picture-minimum-side-2",
+            Self::Start(Axis::First) => "cycle-picture-start-1",
+            Self::Start(_) => "cycle-picture-start-2",
+            Self::FirstPoint(Axis::First) => "cycle-picture-first-point-1",
+            Self::FirstPoint(_) => "cycle-picture-first-point-2",
+            Self::SecondPoint(Axis::First) => "cycle-picture-second-point-1",
+            Self::SecondPoint(_) => "cycle-picture-second-point-2",
+            Self::Point(Axis::First) => "cycle-picture-point-1",
+            Self::Point(Axis::Second) => "cycle-picture-point-2",
+            Self::Point(Axis::Third) => "cycle-picture-point-3",
+            Self::Normal(Axis::First) => "cycle-picture-normal-1",
+            Self::Normal(Axis::Second) => "cycle-picture-normal-2",
+            Self::Normal(Axis::Third) => "cycle-picture-normal-3",
+            Self::Diameter => "cycle-picture-diameter",
+            Self::MaximumDiameter => "cycle-picture-maximum-size",
+            Self::MinimumDiameter => "cycle-picture-minimum-size",
+            Self::Width => "cycle-picture-width",
+            Self::MaximumWidth => "cycle-picture-maximum-width",
+            Self::MinimumWidth => "cycle-picture-minimum-width",
+            Self::Shift => "cycle-picture-shift",
+            Self::StartDiameter => "cycle-picture-start-diameter",
+            Self::FirstAngle => "cycle-picture-first-angle",
+            Self::Step => "cycle-picture-step",
+            Self::Path => "cycle-picture-longest-path",
+            Self::Difference => "cycle-picture-difference",
+            Self::MeasuringHeight => "cycle-picture-measuring-height",
+            Self::SetUpClearance => "cycle-picture-set-up-clearance",
+            Self::ClearanceHeight => "cycle-picture-clearance-height",
+            Self::MaximumCoordinate => "cycle-picture-maximum-coordinate",
+            Self::MinimumCoordinate => "cycle-picture-minimum-coordinate",
+            Self::Band => "cycle-picture-band",
+            Self::Retract => "cycle-picture-retract",
+            Self::MoveToClearance => "cycle-picture-move-to-clearance",
+            Self::Traverse => "cycle-picture-traverse",
+            Self::ContactCount => "cycle-picture-contact-count",
+            Self::Plane => "cycle-picture-plane",
+            Self::InsideOutside => "cycle-picture-side",
+            Self::MeasuredAxis => "cycle-picture-measured-axis",
+            Self::AxisOfPlane => "cycle-picture-axis-of-plane",
+            Self::Direction => "cycle-picture-direction",
+            Self::Log => "cycle-picture-log",
+            Self::Stop => "cycle-picture-stop",
+            Self::StopOnUndersize => "cycle-picture-stop-on-undersize",
+            Self::Tool => "cycle-picture-tool",
+            Self::Length => "cycle-picture-any-length",
+            Self::Angle => "cycle-picture-any-angle",
+            Self::Choice => "cycle-picture-any-choice",
+            Self::Number => "cycle-picture-any-number",
+        }
+    }
+
+    /// Its word in the ids of other texts: `cycles-choice-log-1` is what 1 chooses.
+    pub fn word(self) -> &'static str {
+        self.sentence().trim_start_matches("cycle-picture-")
+    }
+}

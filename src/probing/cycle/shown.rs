@@ -1,0 +1,81 @@
+//! What a control shows and writes of a result: its status window and its measuring log, as a cycle declares them.
+
+use super::meaning::{Axis, Meaning};
+use super::result::FoundName;
+
+/// The status window that a cycle's result is drawn in.
+#[derive(Debug, Clone, Copy)]
+pub enum Window {
+    /// None: the cycle judges nothing.
+    None,
+    /// That of program 82551, which shows a diameter.
+    Diameter,
+    /// One with a mask of the cycle's own, by its name: `427` is drawn with `427_nl.a` and its like.
+    Own(&'static str),
+}
+
+/// The measuring log of a cycle.
+#[derive(Debug, Clone, Copy)]
+pub enum Log {
+    /// None; the control shows the result on its screen.
+    Screen,
+    /// A text with the same sections for all cycles; Q281 asks for it.
+    Text(TextLog),
+    /// A page of points with their deviations along the normal; written after every run.
+    Points {
+        /// The name of the file.
+        file: &'static str,
+    },
+}
+
+/// A log as a text: sections of nominal values, limits, actual values and deviations.
+#[derive(Debug, Clone, Copy)]
+pub struct TextLog {
+    /// The name of the file.
+    pub file: &'static str,
+    /// Its figures in the order of every section.
+    pub figures: &'static [LogFigure],
+}
+
+/// A measured value in the sections of a log.
+#[derive(Debug, Clone, Copy)]
+pub struct LogFigure {
+    /// The result that it is the actual value of.
+    pub what: FoundName,
+    /// Its words in `assets/logs`: those of the value, its maximum and its minimum.
+    pub word: &'static str,
+    /// What stands beside the actual value.
+    pub kind: FigureKind,
+}
+
+/// What stands beside the actual value of a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FigureKind {
+    /// A coordinate of a centre: nominal value, limits evenly about it, deviation. Beyond them it is scrap.
+    Centre(Axis),
+    /// A size: the nominal value that the parameter of this meaning gives, limits of which 0 and 0 monitor nothing,
+    /// deviation.
+    Size(Meaning),
+    /// A coordinate: limits of which 0 and 0 monitor nothing; a nominal value and a deviation only where the log has them.
+    Coordinate,
+    /// Nothing: the value is information only.
+    Information,
+}
+
+impl TextLog {
+    /// The figures that have nominal values, limits and deviations.
+    pub fn limited(&self) -> impl Iterator<Item = &'static LogFigure> + use<> {
+        self.figures.iter().filter(|figure| figure.kind != FigureKind::Information)
+    }
+}
+
+impl Log {
+    /// The name of the file; `None` where there is none.
+    pub const fn file(&self) -> Option<&'static str> {
+        match self {
+            Self::Screen => None,
+            Self::Text(log) => Some(log.file),
+            Self::Points { file } => Some(file),
+        }
+    }
+}

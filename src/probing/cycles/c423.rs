@@ -1,0 +1,20 @@
+//! Cycle 423, measure rectangle inside: a pocket with its sides along the axes, limits in Q284 to Q287.
+
+use super::rectangle_cycle::{FIGURES, PARAMETERS, run, subject, surface};
+use crate::probing::cycle::{Control, Cycle, Log, TextLog, Window};
+use crate::tolerance::Feature;
+use crate::words::Dialogue::En;
+
+/// The declaration.
+pub(super) const CYCLE: Cycle = Cycle {
+    number: 423,
+    code: "423",
+    control: Control::Milling,
+    names: &[(En, "MEAS. RECTAN. INSIDE")],
+    parameters: &PARAMETERS,
+    surface: |inputs| surface(Feature::Hole, inputs),
+    run: |inputs, course| run(Feature::Hole, inputs, course),
+    subject: |inputs| Some(subject(inputs)),
+    window: Window::Own("rectangle"),
+    log: Log::Text(TextLog { file: "TCHPR423.TXT", figures: FIGURES }),
+};

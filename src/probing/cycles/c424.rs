@@ -1,0 +1,20 @@
+//! Cycle 424, measure rectangle outside: a boss with its sides along the axes, limits in Q284 to Q287.
+
+use super::rectangle_cycle::{FIGURES, PARAMETERS, run, subject, surface};
+use crate::probing::cycle::{Control, Cycle, Log, TextLog, Window};
+use crate::tolerance::Feature;
+use crate::words::Dialogue::En;
+
+/// The declaration.
+pub(super) const CYCLE: Cycle = Cycle {
+    number: 424,
+    code: "424",
+    control: Control::Milling,
+    names: &[(En, "MEAS. RECTAN. OUTS.")],
+    parameters: &PARAMETERS,
+    surface: |inputs| surface(Feature::Shaft, inputs),
+    run: |inputs, course| run(Feature::Shaft, inputs, course),
+    subject: |inputs| Some(subject(inputs)),
+    window: Window::Own("rectangle"),
+    log: Log::Text(TextLog { file: "TCHPR424.TXT", figures: FIGURES }),
+};

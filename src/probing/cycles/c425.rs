@@ -1,0 +1,91 @@
+//! Cycle 425, measure inside width: a slot along one axis, limits in Q288 and Q289.
+//!
+//! Parameters and ranges as in the cycle manual of the TNC 320, their order and names as in a public post-processor,
+//! course and results as in the manual of the TNC7: first in plus direction, then, shifted by Q310, in minus direction.
+//! Our readings: Q310 shifts across the measured axis; Q320 and Q301 come last, where a program has them at all; the
+//! second touch begins at rapid traverse as far from the wall as the nominal width lets expect it.
+
+use super::width_cycle::{
+    AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, axis, measured, subject, surface, width_limits,
+};
+use crate::probing::contact::{Contact, Touch};
+use crate::probing::cycle::shared::{
+    CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, MOVE_TO_CLEARANCE, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
+};
+use crate::probing::cycle::{
+    Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, along,
+};
+use crate::tolerance::Feature;
+use crate::words::Dialogue::En;
+
+/// The declaration.
+pub(super) const CYCLE: Cycle = Cycle {
+    number: 425,
+    code: "425",
+    control: Control::Milling,
+    names: &[(En, "MEASURE INSIDE WIDTH")],
+    parameters: &[
+        Parameter::coordinate(Key::Q(328), "STARTNG PNT 1ST AXIS").means(Meaning::Start(Axis::First)),
+        Parameter::coordinate(Key::Q(329), "STARTNG PNT 2ND AXIS").means(Meaning::Start(Axis::Second)),
+        Parameter::coordinate(Key::Q(310), "OFFS. 2ND MEASUREMNT").or(0).means(Meaning::Shift),
+        AXIS,
+        MEASURING_HEIGHT,
+        CLEARANCE_HEIGHT,
+        WIDTH,
+        MAXIMUM,
+        MINIMUM,
+        MEASURING_LOG,
+        STOP_IF_ERROR,
+        TOOL,
+        SET_UP_CLEARANCE,
+        MOVE_TO_CLEARANCE,
+    ],
+    surface: |inputs| {
+        let [x, y, _] = start(inputs);
+        surface(Feature::Hole, [x, y], inputs)
+    },
+    run,
+    subject: |inputs| Some(subject(inputs)),
+    window: Window::Own("width"),
+    log: Log::Text(TextLog { file: "TCHPR425.TXT", figures: FIGURES }),
+};
+
+/// The starting point at measuring height.
+fn start(inputs: &Inputs) -> [f64; 3] {
+    [inputs.mm(328), inputs.mm(329), inputs.mm(261)]
+}
+
+/// Runs the cycle on checked inputs.
+fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
+    let limits = width_limits(inputs)?;
+    let (ball_radius, height) = (course.ball_radius(), inputs.mm(260));
+    let longest = inputs.probe().longest_path.to_mm_f64();
+    let (plus, start) = (along_axis(inputs), start(inputs));
+    let minus = plus.map(|part| -part);
+
+    let first = Touch { from: start, direction: plus, longest };
+    course.pre_position_from_above(start, height);
+    let ball = course.touch(&first)?.place();
+    course.retract(start);
+
+    let shift = if axis(inputs) == Axis::Second { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
+    let shifted = along(start, shift, inputs.mm(310));
+    // Where the ball would touch the other wall, seen from the start, less the clearance.
+    let gone = ball.iter().zip(start).zip(plus).map(|((ball, start), part)| (ball - start) * part).sum::<f64>();
+    let expected = inputs.mm(311) - 2.0 * ball_radius - gone;
+    let clearance = inputs.mm(320) + inputs.probe().set_up.to_mm_f64();
+    let from = along(shifted, minus, (expected - clearance).max(0.0));
+    if inputs.whole(301) == 1 && 0.0 < inputs.mm(310).abs() {
+        course.pre_position_from_above(from, height);
+    } else {
+        course.pre_position(shifted);
+        course.pre_position(from);
+    }
+    let second = Touch { from, direction: minus, longest };
+    let other = course.touch(&second)?.place();
+    course.retract(from);
+    course.leave(height);
+
+    let walls = [along(ball, plus, ball_radius), along(other, minus, ball_radius)];
+    measured(Feature::Hole, inputs, limits, walls.map(Contact::at))
+}

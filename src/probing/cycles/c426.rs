@@ -1,0 +1,77 @@
+//! Cycle 426, measure ridge width: two points on either side, limits in Q288 and Q289.
+//!
+//! Parameters in the order of a public post-processor, with the names of its neighbours; ranges, course and results by
+//! analogy with 425 and 427, for no public page was found: first in minus direction onto the first point, then over the
+//! clearance height and in plus direction onto the second. Our reading: each touch begins `SET_UP`, Q320 and the ball's
+//! radius beside its point, so the first point is that with the larger coordinate.
+
+use super::width_cycle::{
+    AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, measured, subject, surface, width_limits,
+};
+use crate::probing::contact::{Contact, Touch};
+use crate::probing::cycle::shared::{
+    CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
+};
+use crate::probing::cycle::{
+    Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, along,
+};
+use crate::tolerance::Feature;
+use crate::words::Dialogue::En;
+
+/// The declaration.
+pub(super) const CYCLE: Cycle = Cycle {
+    number: 426,
+    code: "426",
+    control: Control::Milling,
+    names: &[(En, "MEASURE RIDGE WIDTH")],
+    parameters: &[
+        POINT_1.means(Meaning::FirstPoint(Axis::First)),
+        POINT_2.means(Meaning::FirstPoint(Axis::Second)),
+        Parameter::coordinate(Key::Q(265), "2ND POINT 1ST AXIS").means(Meaning::SecondPoint(Axis::First)),
+        Parameter::coordinate(Key::Q(266), "2ND POINT 2ND AXIS").means(Meaning::SecondPoint(Axis::Second)),
+        AXIS,
+        MEASURING_HEIGHT,
+        SET_UP_CLEARANCE,
+        CLEARANCE_HEIGHT,
+        WIDTH,
+        MAXIMUM,
+        MINIMUM,
+        MEASURING_LOG,
+        STOP_IF_ERROR,
+        TOOL,
+    ],
+    surface: |inputs| {
+        let ([first_x, first_y, _], [second_x, second_y, _]) = (point(inputs, 263, 264), point(inputs, 265, 266));
+        let middle = [f64::midpoint(first_x, second_x), f64::midpoint(first_y, second_y)];
+        surface(Feature::Shaft, middle, inputs)
+    },
+    run,
+    subject: |inputs| Some(subject(inputs)),
+    window: Window::Own("width"),
+    log: Log::Text(TextLog { file: "TCHPR426.TXT", figures: FIGURES }),
+};
+
+/// A programmed point at measuring height.
+fn point(inputs: &Inputs, first: u16, second: u16) -> [f64; 3] {
+    [inputs.mm(first), inputs.mm(second), inputs.mm(261)]
+}
+
+/// Runs the cycle on checked inputs.
+fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
+    let limits = width_limits(inputs)?;
+    let (ball_radius, height) = (course.ball_radius(), inputs.mm(260));
+    let clearance = inputs.mm(320) + inputs.probe().set_up.to_mm_f64() + ball_radius;
+    let plus = along_axis(inputs);
+    let mut touch = |point: [f64; 3], direction: [f64; 3]| {
+        let longest = inputs.probe().longest_path.to_mm_f64();
+        let touch = Touch { from: along(point, direction, -clearance), direction, longest };
+        course.pre_position_from_above(touch.from, height);
+        let ball = course.touch(&touch)?;
+        course.retract(touch.from);
+        Ok(Contact::at(along(ball.place(), direction, ball_radius)))
+    };
+    let first: Result<_, CycleError> = touch(point(inputs, 263, 264), plus.map(|part| -part));
+    let contacts = [first?, touch(point(inputs, 265, 266), plus)?];
+    course.leave(height);
+    measured(Feature::Shaft, inputs, limits, contacts)
+}

@@ -1,0 +1,60 @@
+//! What cycles that monitor limits share: sizes and centres against them, the stop, the markers.
+
+use crate::length::Length;
+use crate::probing::cycle::{Check, CycleError, FoundName, Inputs, Stop, nearest};
+use crate::tolerance::Feature;
+use crate::verdict::{AxisPosition, PositionVerdict, Status, classify};
+
+/// A measured size or coordinate against its limits; nothing where it is not monitored.
+pub(super) fn size(
+    what: FoundName,
+    measured: Length,
+    limits: Option<(Length, Length)>,
+    feature: Feature,
+) -> Option<Check> {
+    let (minimum, maximum) = limits?;
+    Some(Check { what, measured, minimum, maximum, status: classify(feature, minimum, maximum, measured) })
+}
+
+/// A centre against its nominal place; a tolerance of zero is not monitored.
+pub(super) fn position(centre: [Length; 2], nominal: [Length; 2], tolerances: [Length; 2]) -> PositionVerdict {
+    let ([centre_1, centre_2], [nominal_1, nominal_2], [tolerance_1, tolerance_2]) = (centre, nominal, tolerances);
+    let axis = |measured: Length, nominal, tolerance: Length| AxisPosition {
+        deviation: measured.saturating_sub(nominal),
+        tolerance: (Length::ZERO < tolerance).then_some(tolerance),
+    };
+    PositionVerdict { axes: [axis(centre_1, nominal_1, tolerance_1), axis(centre_2, nominal_2, tolerance_2)] }
+}
+
+/// Each axis of a centre that has a tolerance, each its own cause: out of position cannot be machined back, so it is
+/// scrap.
+pub(super) fn centre(centre: [Length; 2], nominal: [Length; 2], position: &PositionVerdict) -> Vec<Check> {
+    let names = [FoundName::CENTRE_1, FoundName::CENTRE_2];
+    let axes = names.into_iter().zip(centre).zip(nominal.into_iter().zip(position.axes));
+    let checks = axes.filter_map(|((what, measured), (nominal, axis))| {
+        let tolerance = axis.tolerance?;
+        Some(Check {
+            what,
+            measured,
+            minimum: nominal.saturating_sub(tolerance),
+            maximum: nominal.saturating_sub(tolerance.negated()),
+            status: if axis.is_out() { Status::Scrap } else { Status::Good },
+        })
+    });
+    checks.collect()
+}
+
+/// The worst of several values, because exactly one marker is set; `Good` also where nothing was monitored.
+pub(super) fn worst(checks: &[Check]) -> Status {
+    checks.iter().map(|check| check.status).max().unwrap_or(Status::Good)
+}
+
+/// The stop where Q309 asks for one and something is out.
+pub(super) fn stop(inputs: &Inputs, checks: &[Check]) -> Option<Stop> {
+    if inputs.whole(309) == 1 { Stop::of(1, checks) } else { None }
+}
+
+/// How far two opposite walls are apart, and where the middle between them is, at the nearest nanometre.
+pub(super) fn between(one: f64, other: f64) -> Result<(Length, Length), CycleError> {
+    Ok((nearest((one - other).abs())?, nearest(f64::midpoint(one, other))?))
+}

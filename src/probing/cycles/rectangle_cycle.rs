@@ -1,0 +1,161 @@
+//! What cycles 423 and 424 share: four contacts on the walls of a rectangle, centre and sides.
+//!
+//! Parameters and ranges as in the cycle manual of the TNC 320, their order and names as in a public post-processor;
+//! results and course as in the manual of the TNC7. Our readings: contacts 1 to 4 lie in plus direction of the first axis,
+//! plus of the second, minus of the first and minus of the second, on the axes through the nominal centre; a side is the
+//! distance of its two contacts, the centre their middle, and a rectangle that is turned is not corrected. A pocket side
+//! that is too large is scrap, one that is too small rework, a boss the reverse, as the control's error texts say; a
+//! centre out of position counts as scrap.
+
+use super::judged;
+use crate::length::Length;
+use crate::probing::contact::{Contact, Touch};
+use crate::probing::cycle::shared::{
+    CENTRE_1, CENTRE_2, CENTRE_TOLERANCE_1, CENTRE_TOLERANCE_2, CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG,
+    MOVE_TO_CLEARANCE, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
+};
+use crate::probing::cycle::{
+    Axis, Course, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning, Measured, Parameter,
+    along, limits,
+};
+use crate::probing::simulated::{Surface, Walls};
+use crate::tolerance::Feature;
+
+/// The declaration, in the order of NC programs.
+pub(super) const PARAMETERS: [Parameter; 17] = [
+    CENTRE_1,
+    CENTRE_2,
+    Parameter::size(Key::Q(282), "FIRST SIDE LENGTH").means(Meaning::Side(Axis::First)),
+    Parameter::size(Key::Q(283), "2ND SIDE LENGTH").means(Meaning::Side(Axis::Second)),
+    MEASURING_HEIGHT,
+    SET_UP_CLEARANCE,
+    CLEARANCE_HEIGHT,
+    MOVE_TO_CLEARANCE,
+    Parameter::size(Key::Q(284), "MAX. LIMIT 1ST SIDE").or(0).means(Meaning::MaximumSide(Axis::First)),
+    Parameter::size(Key::Q(285), "MIN. LIMIT 1ST SIDE").or(0).means(Meaning::MinimumSide(Axis::First)),
+    Parameter::size(Key::Q(286), "MAX. LIMIT 2ND SIDE").or(0).means(Meaning::MaximumSide(Axis::Second)),
+    Parameter::size(Key::Q(287), "MIN. LIMIT 2ND SIDE").or(0).means(Meaning::MinimumSide(Axis::Second)),
+    CENTRE_TOLERANCE_1,
+    CENTRE_TOLERANCE_2,
+    MEASURING_LOG,
+    STOP_IF_ERROR,
+    TOOL,
+];
+
+/// The figures of the log; their order is our reading.
+pub(super) const FIGURES: &[LogFigure] = &[
+    LogFigure { what: FoundName::CENTRE_1, word: "centre-1", kind: FigureKind::Centre(Axis::First) },
+    LogFigure { what: FoundName::CENTRE_2, word: "centre-2", kind: FigureKind::Centre(Axis::Second) },
+    LogFigure { what: FoundName::SIDE_1, word: "side-1", kind: FigureKind::Size(Meaning::Side(Axis::First)) },
+    LogFigure { what: FoundName::SIDE_2, word: "side-2", kind: FigureKind::Size(Meaning::Side(Axis::Second)) },
+];
+
+/// The rectangle at nominal.
+pub(super) fn surface(feature: Feature, inputs: &Inputs) -> Surface {
+    let [x, y, _] = centre(inputs);
+    Surface::Walls(Walls::new(feature, [x, y], (inputs.mm(282), Some(inputs.mm(283)))))
+}
+
+/// The nominal sides, as the status window names them.
+pub(super) fn subject(inputs: &Inputs) -> String {
+    format!("{} x {}", inputs.length(282), inputs.length(283))
+}
+
+/// The nominal centre at measuring height.
+fn centre(inputs: &Inputs) -> [f64; 3] {
+    [inputs.mm(273), inputs.mm(274), inputs.mm(261)]
+}
+
+/// Runs either cycle on checked inputs.
+pub(super) fn run(feature: Feature, inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
+    let limits = [limits(inputs, 285, 284)?, limits(inputs, 287, 286)?];
+    let (ball_radius, height) = (course.ball_radius(), inputs.mm(260));
+    let mut contacts = Vec::new();
+    let mut before: Option<[f64; 3]> = None;
+    for touch in touches(feature, inputs, ball_radius) {
+        pre_position(inputs, before, touch.from, course);
+        let ball = course.touch(&touch)?;
+        course.retract(touch.from);
+        contacts.push(Contact::at(along(ball.place(), touch.direction, ball_radius)));
+        before = Some(touch.from);
+    }
+    course.leave(height);
+    measured(feature, inputs, limits, contacts)
+}
+
+/// The touches in order, from inside a pocket or from outside a boss.
+fn touches(feature: Feature, inputs: &Inputs, ball_radius: f64) -> [Touch; 4] {
+    let clearance = inputs.mm(320) + inputs.probe().set_up.to_mm_f64() + ball_radius;
+    let longest = inputs.probe().longest_path.to_mm_f64();
+    let touch = |outwards: [f64; 3], side: u16| {
+        let half = inputs.mm(side) / 2.0;
+        let (start, sign) = match feature {
+            // In a small pocket the probe starts at the centre.
+            Feature::Hole => ((half - clearance).max(0.0), 1.0),
+            Feature::Shaft => (half + clearance, -1.0),
+        };
+        let direction = outwards.map(|part| sign * part);
+        Touch { from: along(centre(inputs), outwards, start), direction, longest }
+    };
+    [
+        touch([1.0, 0.0, 0.0], 282),
+        touch([0.0, 1.0, 0.0], 283),
+        touch([-1.0, 0.0, 0.0], 282),
+        touch([0.0, -1.0, 0.0], 283),
+    ]
+}
+
+/// From above to the first touch; to the others as Q301 says, at measuring height one axis after the other.
+fn pre_position(inputs: &Inputs, before: Option<[f64; 3]>, to: [f64; 3], course: &mut Course<'_>) {
+    let Some([before_x, before_y, _]) = before.filter(|_| inputs.whole(301) == 0) else {
+        return course.pre_position_from_above(to, inputs.mm(260));
+    };
+    let ([to_x, to_y, height], [centre_x, _, _]) = (to, centre(inputs));
+    // The contact before was beside the centre in one axis, this one is in the other.
+    let is_from_first = (to_x - centre_x).abs() <= 0.0;
+    let corner = if is_from_first { [before_x, to_y, height] } else { [to_x, before_y, height] };
+    course.pre_position(corner);
+    course.pre_position(to);
+}
+
+/// What four contacts on the walls come to: Q151, Q152 centre, Q154, Q155 sides, Q161 to Q165 their deviations.
+fn measured(
+    feature: Feature,
+    inputs: &Inputs,
+    [limits_1, limits_2]: [Option<(Length, Length)>; 2],
+    contacts: Vec<Contact>,
+) -> Result<Measured, CycleError> {
+    let place = |number: usize, of: fn(&Contact) -> f64| contacts.get(number).map_or(0.0, of);
+    let (side_1, centre_1) = judged::between(place(0, |contact| contact.x), place(2, |contact| contact.x))?;
+    let (side_2, centre_2) = judged::between(place(1, |contact| contact.y), place(3, |contact| contact.y))?;
+    let (found, nominal) = ([centre_1, centre_2], [inputs.length(273), inputs.length(274)]);
+    let position = judged::position(found, nominal, [inputs.length(279), inputs.length(280)]);
+    let sides = [
+        judged::size(FoundName::SIDE_1, side_1, limits_1, feature),
+        judged::size(FoundName::SIDE_2, side_2, limits_2, feature),
+    ];
+    let centre = judged::centre(found, nominal, &position);
+    let checks: Vec<_> = sides.into_iter().flatten().chain(centre).collect();
+    let status = judged::worst(&checks);
+    let [axis_1, axis_2] = position.axes;
+    let mut results = vec![
+        Found::length(151, FoundName::CENTRE_1, centre_1),
+        Found::length(152, FoundName::CENTRE_2, centre_2),
+        Found::length(154, FoundName::SIDE_1, side_1),
+        Found::length(155, FoundName::SIDE_2, side_2),
+        Found::length(161, FoundName::CENTRE_DEVIATION_1, axis_1.deviation),
+        Found::length(162, FoundName::CENTRE_DEVIATION_2, axis_2.deviation),
+        Found::length(164, FoundName::SIDE_DEVIATION_1, side_1.saturating_sub(inputs.length(282))),
+        Found::length(165, FoundName::SIDE_DEVIATION_2, side_2.saturating_sub(inputs.length(283))),
+    ];
+    results.extend(Found::markers(status));
+    Ok(Measured {
+        contacts,
+        circle: None,
+        status: Some(status),
+        results,
+        stop: judged::stop(inputs, &checks),
+        checks,
+        remarks: Vec::new(),
+    })
+}

@@ -1,0 +1,100 @@
+//! What cycles 425 and 426 share: two contacts on opposite walls along one axis, width and centre line.
+//!
+//! Parameters in the order of a public post-processor; results Q156, Q157 and Q166 as the TNC7 manual has them for 425,
+//! those of 426 by analogy. That a slot which is too large is scrap and a ridge which is too large is rework is our
+//! reading of the control's error texts, as for 421 and 422. Walls that stand at an angle to the measured axis are not
+//! corrected.
+
+use super::judged;
+use crate::length::Length;
+use crate::probing::contact::Contact;
+use crate::probing::cycle::{
+    Axis, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning, Measured, Parameter, Remark,
+    limits,
+};
+use crate::probing::simulated::{Surface, Walls};
+use crate::tolerance::Feature;
+use crate::words::Dialogue::{En, It};
+
+/// The measured axis, one of the two of the plane.
+pub(super) const AXIS: Parameter = Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2])
+    .named(&[(It, "ASSE MISURATO")])
+    .asked(&[(En, "Meas. axis (1...2: 1=ref. axis)?")])
+    .means(Meaning::AxisOfPlane);
+/// The nominal width.
+pub(super) const WIDTH: Parameter = Parameter::size(Key::Q(311), "NOMINAL LENGTH").means(Meaning::Width);
+/// The largest permitted width.
+pub(super) const MAXIMUM: Parameter = Parameter::size(Key::Q(288), "MAXIMUM LIMIT")
+    .named(&[(It, "LIMITE MASSIMO")])
+    .asked(&[(En, "Maximum limit of size?"), (It, "Limite max dimensione?")])
+    .or(0)
+    .means(Meaning::MaximumWidth);
+/// The smallest permitted width.
+pub(super) const MINIMUM: Parameter = Parameter::size(Key::Q(289), "MINIMUM LIMIT")
+    .named(&[(It, "LIMITE MINIMO")])
+    .asked(&[(En, "Minimum limit of size?"), (It, "Limite minimo dimensione?")])
+    .or(0)
+    .means(Meaning::MinimumWidth);
+
+/// The figures of the log; their order is our reading.
+pub(super) const FIGURES: &[LogFigure] = &[
+    LogFigure { what: FoundName::WIDTH, word: "width", kind: FigureKind::Size(Meaning::Width) },
+    LogFigure { what: FoundName::CENTRE_LINE, word: "centre-line", kind: FigureKind::Information },
+];
+
+/// The measured axis.
+pub(super) fn axis(inputs: &Inputs) -> Axis {
+    if inputs.whole(272) == 2 { Axis::Second } else { Axis::First }
+}
+
+/// The unit vector of the measured axis.
+pub(super) fn along_axis(inputs: &Inputs) -> [f64; 3] {
+    if axis(inputs) == Axis::Second { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] }
+}
+
+/// The walls at nominal about a place.
+pub(super) fn surface(feature: Feature, [x, y]: [f64; 2], inputs: &Inputs) -> Surface {
+    let angle = if axis(inputs) == Axis::Second { 90.0 } else { 0.0 };
+    Surface::Walls(Walls { angle, ..Walls::new(feature, [x, y], (inputs.mm(311), None)) })
+}
+
+/// The nominal width, as the status window names it.
+pub(super) fn subject(inputs: &Inputs) -> String {
+    inputs.length(311).to_string()
+}
+
+/// The limits: swapped is refused before anything is probed.
+pub(super) fn width_limits(inputs: &Inputs) -> Result<Option<(Length, Length)>, CycleError> {
+    limits(inputs, 289, 288)
+}
+
+/// What two contacts on the walls come to.
+pub(super) fn measured(
+    feature: Feature,
+    inputs: &Inputs,
+    limits: Option<(Length, Length)>,
+    contacts: [Contact; 2],
+) -> Result<Measured, CycleError> {
+    let place = |contact: &Contact| if axis(inputs) == Axis::Second { contact.y } else { contact.x };
+    let [one, other] = contacts.each_ref().map(place);
+    let (width, centre_line) = judged::between(one, other)?;
+    let nominal = inputs.length(311);
+    let checks: Vec<_> = judged::size(FoundName::WIDTH, width, limits, feature).into_iter().collect();
+    let status = judged::worst(&checks);
+    let mut results = vec![
+        Found::length(156, FoundName::WIDTH, width),
+        Found::length(157, FoundName::CENTRE_LINE, centre_line),
+        Found::length(166, FoundName::WIDTH_DEVIATION, width.saturating_sub(nominal)),
+    ];
+    results.extend(Found::markers(status));
+    let is_outside = limits.is_some_and(|(minimum, maximum)| nominal < minimum || maximum < nominal);
+    Ok(Measured {
+        contacts: contacts.to_vec(),
+        circle: None,
+        status: Some(status),
+        results,
+        stop: judged::stop(inputs, &checks),
+        remarks: if is_outside { vec![Remark::NominalWidthOutsideLimits { nominal }] } else { Vec::new() },
+        checks,
+    })
+}

@@ -1,0 +1,62 @@
+//! What there is to probe, by its shape: the names that files have, and what lies inside or outside.
+
+use crate::tolerance::Feature;
+
+/// What a cycle measures and a simulated workpiece has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Shape {
+    /// A hole.
+    Hole,
+    /// A shaft that stands up.
+    Stud,
+    /// A plane face.
+    Face,
+    /// A point of a free surface.
+    Point,
+    /// Two walls with room between them.
+    Slot,
+    /// Two walls with material between them.
+    Ridge,
+    /// Four walls with room between them.
+    Pocket,
+    /// Four walls with material between them.
+    Boss,
+}
+
+impl Shape {
+    /// All shapes.
+    pub const ALL: [Self; 8] =
+        [Self::Hole, Self::Stud, Self::Face, Self::Point, Self::Slot, Self::Ridge, Self::Pocket, Self::Boss];
+
+    /// The table of a workpiece file: `bore` of `[bore]`.
+    pub const fn table(self) -> &'static str {
+        match self {
+            Self::Hole => "bore",
+            Self::Stud => "stud",
+            Self::Face => "face",
+            Self::Point => "point",
+            Self::Slot => "slot",
+            Self::Ridge => "ridge",
+            Self::Pocket => "pocket",
+            Self::Boss => "boss",
+        }
+    }
+
+    /// Whether it is a circle.
+    pub const fn is_round(self) -> bool {
+        matches!(self, Self::Hole | Self::Stud)
+    }
+
+    /// How its sizes are judged: as those of a hole where there is room inside, else as an outside dimension.
+    pub const fn feature(self) -> Feature {
+        match self {
+            Self::Hole | Self::Slot | Self::Pocket => Feature::Hole,
+            Self::Stud | Self::Ridge | Self::Boss | Self::Face | Self::Point => Feature::Shaft,
+        }
+    }
+
+    /// Whether its material lies inside, so that it is probed from outside.
+    pub const fn is_outside(self) -> bool {
+        matches!(self, Self::Stud | Self::Ridge | Self::Boss)
+    }
+}

@@ -1,0 +1,83 @@
+//! ARCHITECTURE.md and TERMS.md keep their word: what they name exists.
+
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The text of every source file below a folder.
+fn sources(folder: &Path, into: &mut Vec<(PathBuf, String)>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, into);
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            let text = std::fs::read_to_string(&path).unwrap();
+            into.push((path, text));
+        }
+    }
+}
+
+/// What stands in backticks.
+fn quoted(line: &str) -> impl Iterator<Item = &str> {
+    line.split('`').skip(1).step_by(2)
+}
+
+#[test]
+fn every_test_that_the_architecture_names_exists() {
+    let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let (_, invariants) = text.split_once("## Invariants").unwrap();
+    let mut files = Vec::new();
+    sources(&root().join("tests"), &mut files);
+    sources(&root().join("src"), &mut files);
+    let is_test = |name: &str| files.iter().any(|(_, text)| text.contains(&format!("fn {name}(")));
+    let is_module = |name: &str| {
+        let file = |path: &PathBuf| path.file_stem().is_some_and(|stem| stem == name);
+        let folder = |path: &PathBuf| path.parent().is_some_and(|folder| folder.ends_with(name));
+        files.iter().any(|(path, _)| file(path) || folder(path))
+    };
+    let rows = invariants.lines().filter_map(|line| line.strip_prefix("| ")?.split_once(" | "));
+    let mut named = 0;
+    for name in rows.flat_map(|(_, tests)| quoted(tests)).filter(|name| !name.contains(['/', '.', '*'])) {
+        named += 1;
+        let last = name.rsplit("::").next().unwrap();
+        assert!(is_test(last) || is_module(last), "ARCHITECTURE.md names {name}, which does not exist");
+    }
+    assert!(60 < named, "the search finds only {named}");
+}
+
+#[test]
+fn every_room_of_the_architecture_exists_and_every_room_is_in_it() {
+    let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let (_, rooms) = text.split_once("## Room by room").unwrap();
+    let (rooms, _) = rooms.split_once("## Things that are easy").unwrap();
+    let rows = rooms.lines().filter(|line| line.starts_with("| `"));
+    let mut named: Vec<String> =
+        rows.filter_map(quoted_first).map(|room| room.trim_end_matches('/').to_owned()).collect();
+    named.sort();
+    let entries = std::fs::read_dir(root().join("src")).unwrap();
+    let mut there: Vec<String> =
+        entries.map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned()).collect();
+    there.retain(|name| name != "lib");
+    there.sort();
+    there.dedup();
+    assert_eq!(named, there);
+}
+
+fn quoted_first(line: &str) -> Option<&str> {
+    quoted(line).next()
+}
+
+#[test]
+fn every_link_of_the_documents_leads_to_a_file() {
+    for document in ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "docs/SOURCES.md", "docs/TERMS.md"] {
+        let path = root().join(document);
+        let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{document}: {error}"));
+        for rest in text.split("](").skip(1) {
+            let target = rest.split(')').next().unwrap().split('#').next().unwrap();
+            let is_local = !target.is_empty() && !target.contains("://");
+            assert!(!is_local || path.parent().unwrap().join(target).exists(), "{document} links to {target}");
+        }
+    }
+}
