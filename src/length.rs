@@ -7,7 +7,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::message::{Arg, IntoArg, Message, Say};
+use crate::message::{Arg, IntoArg, Say};
 
 /// Nanometres in a millimetre.
 const NM_PER_MM: i64 = 1_000_000;
@@ -83,11 +83,6 @@ impl IntoArg for Length {
     fn arg(&self) -> Arg {
         Arg::Number(self.to_string())
     }
-}
-
-/// Puts a length that may be negative into a message: the plain minus of `Display` apart from the figures.
-pub(crate) fn signed_mm(message: Message, sign: &'static str, name: &'static str, length: Length) -> Message {
-    message.text(sign, if length < Length::ZERO { "-" } else { "" }).mm(name, length.abs())
 }
 
 impl Length {

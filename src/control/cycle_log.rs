@@ -11,7 +11,7 @@ use jiff::civil::DateTime;
 use super::log::{self, Figure, Further, LimitPair, Log, LogWriteError};
 use super::log444::{self, Band, PointLog, PointLogError};
 use crate::length::{Length, Unit};
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::probing::cycle::{self, Axis, Cycle, CycleResult, FigureKind, FoundName, Meaning, Value};
 use crate::probing::cycles::cycle as cycle_of;
 use crate::tolerance::Feature;
@@ -39,48 +39,28 @@ pub struct Heading {
 }
 
 /// Why a log cannot be written.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(error)]
 pub enum CycleLogError {
     /// A text.
-    #[error(transparent)]
+    #[say(transparent)]
     Text(#[from] LogWriteError),
     /// A page of points.
-    #[error(transparent)]
+    #[say(transparent)]
     Page(#[from] PointLogError),
 }
 
-impl Say for CycleLogError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Text(error) => error.message(),
-            Self::Page(error) => error.message(),
-        }
-    }
-}
-
 /// The log's rounded figures say something else than the cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(id = "cycle-log-other-verdict", args(unit = name(*unit)))]
 pub struct OtherVerdict {
     /// What the cycle said of the unrounded value.
     pub cycle: Status,
     /// What the log's own limits say of its rounded value.
     pub log: Status,
     /// The unit of the log: it has four decimals of it.
+    #[say(skip)]
     pub unit: Unit,
-}
-
-impl std::fmt::Display for OtherVerdict {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { cycle, log, unit } = self;
-        write!(f, "the log's values, rounded to 0.0001 {}, give {log} where the cycle gave {cycle}", name(*unit))
-    }
-}
-
-impl Say for OtherVerdict {
-    fn message(&self) -> Message {
-        let message = Message::new("cycle-log-other-verdict").with("cycle", &self.cycle).with("log", &self.log);
-        message.text("unit", name(self.unit))
-    }
 }
 
 const fn name(unit: Unit) -> &'static str {
@@ -235,23 +215,11 @@ fn judged(kind: FigureKind, feature: Feature, figure: &Figure) -> Option<Status>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::log444::PointFault;
-    use crate::words::{Language, Words};
-
-    #[track_caller]
-    fn said(what: &(impl std::fmt::Display + Say)) -> String {
-        let english = what.to_string();
-        assert_eq!(Words::new(Language::En).told(what), english);
-        let dutch = Words::new(Language::Nl).told(what);
-        assert!(dutch != english && dutch != what.message().id, "{dutch}");
-        english
-    }
 
     #[test]
-    fn errors_and_warnings_are_said_in_english_and_dutch() {
-        said(&CycleLogError::Text(LogWriteError::Unfinished));
-        said(&CycleLogError::Page(PointLogError { line: 1, fault: PointFault::NoLog }));
+    fn another_verdict_names_the_unit_of_the_log() {
         let other = OtherVerdict { cycle: Status::Scrap, log: Status::Good, unit: Unit::Inch };
-        assert_eq!(said(&other), "the log's values, rounded to 0.0001 inch, give GOOD where the cycle gave SCRAP");
+        let said = "the log's values, rounded to 0.0001 inch, give GOOD where the cycle gave SCRAP";
+        assert_eq!(other.to_string(), said);
     }
 }

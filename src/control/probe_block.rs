@@ -14,13 +14,11 @@ mod fault;
 mod read;
 mod write;
 
-use std::fmt;
-
 pub use fault::{ProbeBlockError, ProbeBlockFault};
 pub use read::{read, read_or_lines};
 pub use write::write;
 
-use crate::message::{Message, Say};
+use crate::message::{Message, Say, display};
 use crate::probing::cycle::{Cycle, Inputs};
 
 /// A block as it was read: the cycle and its parameters as texts.
@@ -58,13 +56,7 @@ pub struct Unused {
     pub more: usize,
 }
 
-impl fmt::Display for Unused {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { line, text, more } = self;
-        write!(f, "line {line}: {text} is not part of the probing cycle and was skipped")?;
-        if 0 < *more { write!(f, ", and {more} more") } else { Ok(()) }
-    }
-}
+display!(Unused);
 
 impl Say for Unused {
     fn message(&self) -> Message {

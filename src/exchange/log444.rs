@@ -29,8 +29,8 @@ fn read(source: &Source<'_>) -> Imported {
         match answer {
             Ok((line, log)) => add(&mut imported, line, &log, source),
             Err(error) => {
-                let given = error.fault.given();
-                imported.refuse(Place::line(error.line), Reason::Point(error.fault), given);
+                let given = error.what.given();
+                imported.refuse(error.place, Reason::Point(error.what), given);
             }
         }
     }

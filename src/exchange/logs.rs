@@ -9,12 +9,12 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
-use super::problem::{Reason, WarningReason};
+use super::problem::{Reason, Warning, WarningReason};
 use super::{Format, Source};
 use crate::control::log::{self, Figure, LimitPair, Log, layout};
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
-use crate::message::Place;
+use crate::message::{Located, Place};
 use crate::probing::cycle::{Cycle, FigureKind, FoundName, Meaning, TextLog};
 use crate::probing::cycles::cycle;
 use crate::probing::{Measurement, Origin};
@@ -37,9 +37,8 @@ fn read(source: &Source<'_>) -> Imported {
         match log {
             Ok(log) => add(&mut imported, log, source),
             Err(error) => {
-                let given = error.reason.given();
-                let place = Place { column: error.column, ..Place::line(error.line) };
-                imported.refuse(place, Reason::Log(error.reason), given);
+                let given = error.what.given();
+                imported.refuse(error.place, Reason::Log(error.what), given);
             }
         }
     }
@@ -147,9 +146,10 @@ impl Read {
     }
 }
 
-fn finish(imported: &mut Imported, warnings: Vec<log::LogWarning>, row: usize) {
+fn finish(imported: &mut Imported, warnings: Vec<Located<log::LogWarning>>, row: usize) {
     for warning in warnings {
-        imported.warn(warning.line(), Some(row), WarningReason::Log(warning));
+        let reason = WarningReason::Log(warning.what);
+        imported.warnings.push(Located { what: Warning { row: Some(row), reason }, place: warning.place });
     }
 }
 

@@ -40,11 +40,13 @@ pub use theme::install as install_theme;
 
 use eframe::egui::{Vec2, ViewportBuilder};
 
+use crate::message::Say;
+
 /// Why the window could not be opened.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "window", error)]
 pub enum WindowError {
     /// No renderer could open a window.
-    #[error("the window cannot be opened: {reason}; the command line works without a display, see fitcheck --help")]
     NotOpened {
         /// What the system says.
         reason: String,

@@ -1,12 +1,11 @@
 //! What came out of measuring: a diameter, perhaps a centre and contacts, and how it was got.
 
-use std::fmt;
 use std::sync::Arc;
 
 use super::circle::{Circle, CircleError, least_squares};
 use super::contact::Contact;
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::Say;
 
 /// A measured diameter and all that is known about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +23,8 @@ pub struct Measurement {
 }
 
 /// Where a measurement comes from.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "origin")]
 pub enum Origin {
     /// A cycle on the simulated workpiece.
     Simulated {
@@ -47,30 +47,9 @@ pub enum Origin {
     Typed,
 }
 
-impl Say for Origin {
-    fn message(&self) -> Message {
-        match self {
-            Self::Simulated { cycle, seed } => Message::new("origin-simulated").text("cycle", cycle).text("seed", seed),
-            Self::Contacts { file } => Message::new("origin-contacts").text("file", file),
-            Self::Imported { file } => Message::new("origin-imported").text("file", file),
-            Self::Typed => Message::new("origin-typed"),
-        }
-    }
-}
-
-impl fmt::Display for Origin {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Simulated { cycle, seed } => write!(f, "simulated, cycle {cycle}, seed {seed}"),
-            Self::Contacts { file } => write!(f, "contacts from {file}"),
-            Self::Imported { file } => write!(f, "imported from {file}"),
-            Self::Typed => f.pad("typed"),
-        }
-    }
-}
-
 /// What a measurement cannot tell. Said in the window and on every report.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "caveat")]
 pub enum Caveat {
     /// Only one number is known.
     OnlyADiameter,
@@ -86,34 +65,9 @@ pub enum Caveat {
     /// The contacts cover less than 180 degrees.
     ShortArc {
         /// The covered arc in whole degrees.
+        #[say(name = "arc")]
         arc_deg: u16,
     },
-}
-
-impl Say for Caveat {
-    fn message(&self) -> Message {
-        match self {
-            Self::OnlyADiameter => Message::new("caveat-only-a-diameter"),
-            Self::ThreeContacts => Message::new("caveat-three-contacts"),
-            Self::FourContacts => Message::new("caveat-four-contacts"),
-            Self::FewContacts { contacts } => Message::new("caveat-few-contacts").count("contacts", *contacts),
-            Self::ShortArc { arc_deg } => Message::new("caveat-short-arc").text("arc", arc_deg),
-        }
-    }
-}
-
-impl fmt::Display for Caveat {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::OnlyADiameter => f.write_str("one diameter only: form and position are unknown"),
-            Self::ThreeContacts => f.write_str("3 contacts: form cannot be measured"),
-            Self::FourContacts => f.write_str("4 contacts: no form beyond ovality is detected"),
-            Self::FewContacts { contacts } => write!(f, "{contacts} contacts: form between them is not detected"),
-            Self::ShortArc { arc_deg } => {
-                write!(f, "contacts cover only {arc_deg}°: scatter is magnified in diameter and centre")
-            }
-        }
-    }
 }
 
 /// Measures a circle from any number of contacts, at least three: the least-squares circle.
@@ -175,7 +129,7 @@ mod tests {
     use crate::words::{Language, Words};
 
     #[track_caller]
-    fn check(said: &(impl Say + fmt::Display), expected: &str) {
+    fn check(said: &(impl Say + std::fmt::Display), expected: &str) {
         assert_eq!(said.to_string(), expected);
         assert_eq!(Words::new(Language::En).told(said), expected);
         assert_ne!(Words::new(Language::Nl).told(said), said.message().id);

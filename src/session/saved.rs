@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::check::MeasureBy;
 use super::command::{SourceChoice, Theme};
+use crate::message::Say;
 use crate::tolerance::{Feature, iso286};
 use crate::words::Language;
 
@@ -77,16 +78,16 @@ impl Default for Saved {
 }
 
 /// Why a saved state cannot be used.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "saved", error)]
 pub enum SavedError {
     /// Not a state that this program wrote.
-    #[error("the saved state cannot be read: {reason}")]
     Broken {
         /// What the reader says.
         reason: String,
     },
     /// Written by a later version.
-    #[error("the saved state has version {version}, this program knows versions up to {VERSION}")]
+    #[say(args(known = VERSION))]
     Newer {
         /// Its version.
         version: u32,

@@ -183,7 +183,7 @@ fn check(from: &str, to: &str, expected: &[&str]) {
         Ok((_, log)) => log.deviation.to_string(),
         Err(error) => {
             let error: fitcheck::control::log444::PointLogError = error;
-            error.fault.to_string()
+            error.what.to_string()
         }
     };
     assert_eq!(read(changed.as_bytes()).into_iter().map(said).collect::<Vec<_>>(), expected, "{from} to {to}");
@@ -245,7 +245,7 @@ fn what_is_no_log_says_so() {
     for bytes in [&b""[..], b"<html><body>TCHPR444</body></html>", b"\xff\xfe\0"] {
         let answers = read(bytes);
         assert_eq!(answers.len(), 1);
-        assert_eq!(answers[0].as_ref().unwrap_err().fault, PointFault::NoLog);
+        assert_eq!(answers[0].as_ref().unwrap_err().what, PointFault::NoLog);
     }
     assert!(!is_log("<html></html>"));
     assert!(append(b"<html></html>", &point("0"), Dialogue::En).is_err());

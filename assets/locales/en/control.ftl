@@ -17,13 +17,11 @@ mask-text-as-number = { $name } is a text, the format needs a number
 mask-number-as-text = { $name } is a number, the format needs a text
 mask-not-finite = { $name } is not a finite number
 # Measuring logs
-log-at-line = line { $line }: { $reason }
 log-empty = the file is empty
 log-no-log = not a measuring log: there is no title line with the number of a measuring cycle
 log-no-title = the log has no title line, so its cycle is unknown
 log-other-cycle = logs of cycle { $cycle } are not read, only those of { $known }
 log-unit = type of dimension { $given } is neither 0 (mm) nor 1 (inch)
-log-number = { $reason }
 log-count = { $section }: expected { $expected }, found { $found }
 log-missing = { $section } is missing: the log is cut off or incomplete
 log-no-label = { $given } has no label before it
@@ -100,16 +98,15 @@ log-write-unfinished = the file ends within a line: it may be cut off, so nothin
 log-write-reads-otherwise = the log cannot be written so that it reads back the same: check date, time and further results
 
 ## Log of cycle 444
-log-444-at-line = line { $line }: { $fault }
 log-444-no-log = not a log of cycle 444: the page holds no machine-readable measurement
 log-444-count = the page says that it holds { $expected } measurements, but it holds { $found }: it is cut off or was changed
 log-444-cut-off = the measurement has no end: the page is cut off
 log-444-json = the measurement cannot be read: { $what }
 log-444-version = log version { $version } is not supported: expected { $known } or earlier
 log-444-normal = normal { $given } has no direction: it needs three numbers that are not all 0
-log-444-deviation = deviation { $given-sign }{ $given } in { $axis } is not measured minus nominal coordinate, { $difference-sign }{ $difference }
-log-444-along = deviation { $given-sign }{ $given } along the normal does not follow from those of the axes, { $along-sign }{ $along }
-log-444-band = upper deviation { $upper-sign }{ $upper } is below lower deviation { $lower-sign }{ $lower }
+log-444-deviation = deviation { $given } in { $axis } is not measured minus nominal coordinate, { $difference }
+log-444-along = deviation { $given } along the normal does not follow from those of the axes, { $along }
+log-444-band = upper deviation { $upper } is below lower deviation { $lower }
 log-444-status = status { $given } does not follow from deviation and tolerance, { $status }
 log-444-page = the page cannot be made: { $what }
 ## The touch-probe table

@@ -430,3 +430,8 @@ cycle-picture-two-point-least = Smallest two-point size, { $first }–{ $second 
 cycle-picture-two-point-most = Largest two-point size, { $first }–{ $second }
 cycle-picture-no-opposed = no two contacts oppose each other
 cycle-picture-uncertainty = Scatter s of a contact gives { $diameter } s in the diameter, { $against } times that of 3 contacts at 120°, and { $across } s to { $along } s in the centre
+
+# The saved state, and the window itself
+saved-broken = the saved state cannot be read: { $reason }
+saved-newer = the saved state has version { $version }, this program knows versions up to { $known }
+window-not-opened = the window cannot be opened: { $reason }; the command line works without a display, see fitcheck --help

@@ -17,13 +17,11 @@ mask-text-as-number = { $name } is een tekst, het formaat vraagt een getal
 mask-number-as-text = { $name } is een getal, het formaat vraagt een tekst
 mask-not-finite = { $name } is geen eindig getal
 # Meetprotocollen
-log-at-line = regel { $line }: { $reason }
 log-empty = het bestand is leeg
 log-no-log = hier staat geen meetprotocol: er is geen titelregel met het nummer van een meetcyclus
 log-no-title = een protocol zonder titelregel: onbekend is met welke cyclus is gemeten
 log-other-cycle = protocollen van cyclus { $cycle } worden niet gelezen, alleen die van { $known }
 log-unit = maateenheid { $given } is niet 0 (mm) en niet 1 (inch)
-log-number = { $reason }
 log-count = { $section } heeft { $found } getallen, het moeten er { $expected } zijn
 log-missing = { $section } ontbreekt: het protocol is afgebroken of niet volledig
 log-no-label = voor { $given } staat niet wat het is
@@ -100,16 +98,15 @@ log-write-unfinished = het bestand eindigt midden in een regel: misschien is het
 log-write-reads-otherwise = het protocol is niet zo te schrijven dat het gelijk teruggelezen wordt: controleer datum, tijd en overige resultaten
 
 ## Protocol van cyclus 444
-log-444-at-line = regel { $line }: { $fault }
 log-444-no-log = hier staat geen protocol van cyclus 444: de pagina bevat geen meting voor programma's
 log-444-count = volgens de pagina zelf staan er { $expected } metingen in, maar het zijn er { $found }: hij is afgebroken of veranderd
 log-444-cut-off = de meting heeft geen einde: de pagina is afgebroken
 log-444-json = de meting is niet te lezen: { $what }
 log-444-version = versie { $version } van het protocol is onbekend, bekend is alles tot en met { $known }
 log-444-normal = normaal { $given } heeft geen richting: er zijn drie getallen nodig die niet alle 0 zijn
-log-444-deviation = afwijking { $given-sign }{ $given } in { $axis } is niet gemeten min nominale coördinaat, { $difference-sign }{ $difference }
-log-444-along = afwijking { $given-sign }{ $given } langs de normaal volgt niet uit die van de assen, { $along-sign }{ $along }
-log-444-band = bovenafwijking { $upper-sign }{ $upper } ligt onder onderafwijking { $lower-sign }{ $lower }
+log-444-deviation = afwijking { $given } in { $axis } is niet gemeten min nominale coördinaat, { $difference }
+log-444-along = afwijking { $given } langs de normaal volgt niet uit die van de assen, { $along }
+log-444-band = bovenafwijking { $upper } ligt onder onderafwijking { $lower }
 log-444-status = status { $given } volgt niet uit afwijking en tolerantie, { $status }
 log-444-page = de pagina is niet te maken: { $what }
 ## The touch-probe table

@@ -430,3 +430,8 @@ cycle-picture-two-point-least = Kleinste tweepuntsmaat, { $first }–{ $second }
 cycle-picture-two-point-most = Grootste tweepuntsmaat, { $first }–{ $second }
 cycle-picture-no-opposed = geen twee contacten liggen tegenover elkaar
 cycle-picture-uncertainty = Spreiding s van een aanraking geeft { $diameter } s in de diameter, { $against } keer die van 3 contacten op 120°, en { $across } s tot { $along } s in het midden
+
+# De bewaarde toestand, en het venster zelf
+saved-broken = de bewaarde toestand is niet te lezen: { $reason }
+saved-newer = de bewaarde toestand heeft versie { $version }, dit programma kent versies tot en met { $known }
+window-not-opened = het venster kan niet worden geopend: { $reason }; de opdrachtregel werkt zonder scherm, zie fitcheck --help

@@ -9,6 +9,7 @@ use jiff::civil::{Date, Time};
 use super::error::{LogError, LogReason, LogWarning};
 use crate::control::text;
 use crate::length::Unit;
+use crate::message::{Located, Place};
 
 /// The measuring cycles whose number marks a title line.
 const CYCLES: std::ops::RangeInclusive<u16> = 420..=431;
@@ -133,7 +134,7 @@ impl<'a> Chunk<'a> {
     }
 
     /// Labels with their values, on the same or a following line. A label without one is a heading.
-    pub(super) fn sections(&self, warnings: &mut Vec<LogWarning>) -> Result<Vec<Section<'a>>, LogError> {
+    pub(super) fn sections(&self, warnings: &mut Vec<Located<LogWarning>>) -> Result<Vec<Section<'a>>, LogError> {
         let title = self.title.as_ref().map_or(1, |title| title.line);
         let mut sections = vec![Section { line: title, pairs: Vec::new() }];
         let mut open: Option<(usize, &str)> = None;
@@ -159,7 +160,7 @@ impl<'a> Chunk<'a> {
                 }
                 Line::Title(_) | Line::Text => {
                     if bare.contains(|c: char| c.is_ascii_digit()) {
-                        warnings.push(LogWarning::Ignored { line, text: bare.to_owned() });
+                        warnings.push(Located::in_line(line, LogWarning::Ignored { text: bare.to_owned() }));
                     }
                     open = None;
                     sections.push(Section { line, pairs: Vec::new() });
@@ -176,7 +177,10 @@ impl<'a> Chunk<'a> {
 
 /// Takes date, time, program and unit out of the sections; nothing else of the first section is needed where
 /// another one has pairs.
-pub(super) fn take_header(sections: &mut [Section<'_>], warnings: &mut Vec<LogWarning>) -> Result<Header, LogError> {
+pub(super) fn take_header(
+    sections: &mut [Section<'_>],
+    warnings: &mut Vec<Located<LogWarning>>,
+) -> Result<Header, LogError> {
     let mut header = Header::default();
     let mut wrong = None;
     for section in sections.iter_mut() {
@@ -195,7 +199,8 @@ pub(super) fn take_header(sections: &mut [Section<'_>], warnings: &mut Vec<LogWa
         && others.iter().any(|section| !section.pairs.is_empty())
     {
         for pair in first.pairs.drain(..) {
-            warnings.push(LogWarning::Ignored { line: pair.line, text: format!("{}: {}", pair.label, pair.given) });
+            let text = format!("{}: {}", pair.label, pair.given);
+            warnings.push(Located::in_line(pair.line, LogWarning::Ignored { text }));
         }
     }
     Ok(header)
@@ -203,9 +208,10 @@ pub(super) fn take_header(sections: &mut [Section<'_>], warnings: &mut Vec<LogWa
 
 impl Header {
     /// Whether the pair belongs to the header. What comes twice or cannot be a day or time is a warning.
-    fn take(&mut self, pair: &Pair<'_>, warnings: &mut Vec<LogWarning>) -> Result<bool, LogError> {
+    fn take(&mut self, pair: &Pair<'_>, warnings: &mut Vec<Located<LogWarning>>) -> Result<bool, LogError> {
         let mut odd = || {
-            warnings.push(LogWarning::Ignored { line: pair.line, text: format!("{}: {}", pair.label, pair.given) });
+            let text = format!("{}: {}", pair.label, pair.given);
+            warnings.push(Located::in_line(pair.line, LogWarning::Ignored { text }));
         };
         if is_unit_label(pair.label) {
             let unit = match pair.given {
@@ -213,12 +219,12 @@ impl Header {
                 "1" => Unit::Inch,
                 given => {
                     let reason = LogReason::Unit { given: given.to_owned() };
-                    return Err(LogError { line: pair.line, column: Some(pair.column), reason });
+                    return Err(Located { what: reason, place: Place::in_line(pair.line, pair.column) });
                 }
             };
             if self.unit.replace(unit).is_some_and(|before| before != unit) {
                 let reason = LogReason::Unit { given: pair.given.to_owned() };
-                return Err(LogError { line: pair.line, column: Some(pair.column), reason });
+                return Err(Located { what: reason, place: Place::in_line(pair.line, pair.column) });
             }
         } else if let Some(date) = date(pair.given) {
             match date {

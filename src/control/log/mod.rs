@@ -27,6 +27,7 @@ pub use write::{LogWriteError, append, write};
 
 use super::text;
 use crate::length::Unit;
+use crate::message::Located;
 use crate::probing::cycle::{self, TextLog};
 use crate::probing::cycles::cycle as cycle_of;
 use lines::Chunk;
@@ -53,7 +54,7 @@ pub struct Log {
     /// Further results, such as the measuring height, as they were written.
     pub further: Vec<Further>,
     /// What was odd but readable.
-    pub warnings: Vec<LogWarning>,
+    pub warnings: Vec<Located<LogWarning>>,
 }
 
 /// A further result.
@@ -98,7 +99,7 @@ pub fn read(bytes: &[u8]) -> Vec<Result<Log, LogError>> {
     for chunk in lines::chunks(&text) {
         if chunk.title.is_none() && !chunk.has_figures() {
             // Whatever was written above the first title.
-            before.extend(chunk.first_line().map(|line| LogWarning::TextBefore { line }));
+            before.extend(chunk.first_line().map(|line| Located::in_line(line, LogWarning::TextBefore)));
             continue;
         }
         logs.push(read_one(&chunk).map(|mut log| {
@@ -126,11 +127,11 @@ fn read_one(chunk: &Chunk<'_>) -> Result<Log, LogError> {
     let mut sections = chunk.sections(&mut warnings)?;
     let header = lines::take_header(&mut sections, &mut warnings)?;
     let unit = header.unit.unwrap_or_else(|| {
-        warnings.push(LogWarning::NoUnit { line: title.line });
+        warnings.push(Located::in_line(title.line, LogWarning::NoUnit));
         Unit::Millimetre
     });
     if header.date.is_none() || header.time.is_none() {
-        warnings.push(LogWarning::NoTime { line: title.line });
+        warnings.push(Located::in_line(title.line, LogWarning::NoTime));
     }
     let body = values::Body::new(chunk, sections, unit);
     let (figures, further) = body.read(title, &mut warnings)?;

@@ -58,12 +58,13 @@ fn said(text: &str) -> String {
                 }
                 others => panic!("{others:?}"),
             };
-            let warnings = log.warnings.iter().map(|warning| format!("; line {}: {warning}", warning.line()));
+            let warnings = log.warnings.iter().map(|warning| format!("; {warning}"));
             figures + &warnings.collect::<String>()
         }
         Err(error) => {
-            let column = error.column.map(|column| format!(" column {column}"));
-            format!("! {error}{}", column.unwrap_or_default())
+            let column = error.place.column.map(|column| format!(" column {column}"));
+            let line = error.place.line.unwrap_or_default();
+            format!("! line {line}: {}{}", error.what, column.unwrap_or_default())
         }
     };
     read(text.as_bytes()).into_iter().map(one).collect::<Vec<_>>().join("\n")

@@ -6,6 +6,7 @@ use super::error::{LogError, LogReason, LogWarning, Section as Name};
 use super::lines::{Chunk, Pair, Section, Title};
 use super::{Further, layout};
 use crate::length::{Length, Unit};
+use crate::message::{Located, Place};
 use crate::probing::cycle::{FigureKind, FoundName, LogFigure, TextLog};
 
 /// A measured value of a log, and what stands beside it.
@@ -62,7 +63,7 @@ impl<'a> Body<'a> {
     pub(super) fn read(
         mut self,
         title: &Title<'_>,
-        warnings: &mut Vec<LogWarning>,
+        warnings: &mut Vec<Located<LogWarning>>,
     ) -> Result<(Vec<Figure>, Vec<Further>), LogError> {
         let Some(log) = layout(title.cycle) else { return Err(LogReason::other_cycle(title.cycle).at(title.line)) };
         if let [LogFigure { kind: FigureKind::Coordinate, .. }] = log.figures {
@@ -94,7 +95,7 @@ impl<'a> Body<'a> {
         &mut self,
         log: &TextLog,
         limited: usize,
-        warnings: &mut Vec<LogWarning>,
+        warnings: &mut Vec<Located<LogWarning>>,
     ) -> Result<Vec<Figure>, LogError> {
         let nominal = self.take(Name::Nominal, limited)?;
         let limits = self.take(Name::Limits, 2 * limited)?;
@@ -107,7 +108,7 @@ impl<'a> Body<'a> {
         let compared: Vec<_> = compared.into_iter().map(|(actual, _)| *actual).collect();
         let deviations = self.deviations(&nominal, &compared, decimals)?;
         if deviations.is_none() {
-            warnings.push(LogWarning::NoDeviations { line: self.chunk.last_line() });
+            warnings.push(Located::in_line(self.chunk.last_line(), LogWarning::NoDeviations));
         }
         let is_diameter = |figure: &&LogFigure| figure.what == FoundName::DIAMETER;
         for numbers in [nominal.iter().zip(log.limited()), compared.iter().zip(log.limited())] {
@@ -265,7 +266,7 @@ impl<'a> Body<'a> {
 }
 
 fn at(pair: &Pair<'_>, reason: LogReason) -> LogError {
-    LogError { line: pair.line, column: Some(pair.column), reason }
+    Located { what: reason, place: Place::in_line(pair.line, pair.column) }
 }
 
 /// Whether a figure has a nominal value, limits and a deviation.

@@ -13,7 +13,7 @@ use super::labels::Labels;
 use super::model::DECIMALS;
 use super::{Figure, LimitPair, Log, LogError, LogReason, layout, read};
 use crate::length::{Length, Unit};
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::probing::cycle::{FigureKind, LogFigure, TextLog};
 use crate::words::Dialogue;
 
@@ -25,19 +25,17 @@ const VALUE_WIDTH: usize = 12;
 const LINE_END: &str = "\r\n";
 
 /// Why a log cannot be written.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "log-write", error)]
 pub enum LogWriteError {
     /// The cycle does not measure such values, or has no log of this kind.
-    #[error("cycle {cycle} does not write these values")]
     Cycle {
         /// The log's cycle.
         cycle: u16,
     },
     /// The control knows millimetres and inches.
-    #[error("a log is in mm or inch, not in µm")]
     Unit,
     /// A character that the file cannot hold.
-    #[error("{given} cannot be written: a log holds no character U+{code}")]
     Character {
         /// The text that holds it.
         given: String,
@@ -45,36 +43,17 @@ pub enum LogWriteError {
         code: String,
     },
     /// The program would not be read as one.
-    #[error("{given} would not be read back as the path of a program: write it as in TNC:\\PART\\CHECK.H")]
     Program {
         /// What was given.
         given: String,
     },
     /// The log contradicts itself.
-    #[error("{0}")]
+    #[say(transparent)]
     Contradiction(LogReason),
     /// The file that a log is to be added to does not end at the end of a line.
-    #[error("the file ends within a line: it may be cut off, so nothing is added to it")]
     Unfinished,
     /// Something in the log would be read as something else, such as a further result that looks like a date.
-    #[error("the log cannot be written so that it reads back the same: check date, time and further results")]
     ReadsOtherwise,
-}
-
-impl Say for LogWriteError {
-    fn message(&self) -> Message {
-        match self {
-            Self::Cycle { cycle } => Message::new("log-write-cycle").text("cycle", cycle),
-            Self::Unit => Message::new("log-write-unit"),
-            Self::Character { given, code } => {
-                Message::new("log-write-character").text("given", given).text("code", code)
-            }
-            Self::Program { given } => Message::new("log-write-program").text("given", given),
-            Self::Contradiction(reason) => reason.message(),
-            Self::Unfinished => Message::new("log-write-unfinished"),
-            Self::ReadsOtherwise => Message::new("log-write-reads-otherwise"),
-        }
-    }
 }
 
 /// A log as a file of its own, in the words of a language.
@@ -134,7 +113,7 @@ pub fn append(file: &[u8], log: &Log, language: Dialogue) -> Result<Vec<u8>, Log
         bytes.extend(encode(&text));
     }
     let mut before = read(file);
-    before.retain(|log| !matches!(log, Err(LogError { reason: LogReason::Empty | LogReason::NoLog, .. })));
+    before.retain(|log| !matches!(log, Err(LogError { what: LogReason::Empty | LogReason::NoLog, .. })));
     let logs = read(&bytes);
     let (old, new) = logs.split_at_checked(before.len()).unwrap_or_default();
     if old != before {
@@ -148,7 +127,7 @@ pub fn append(file: &[u8], log: &Log, language: Dialogue) -> Result<Vec<u8>, Log
 fn reads_back(read: &[Result<Log, LogError>], log: &Log, language: Dialogue) -> Result<(), LogWriteError> {
     let read = match read {
         [Ok(read)] => read,
-        [Err(error)] => return Err(LogWriteError::Contradiction(error.reason.clone())),
+        [Err(error)] => return Err(LogWriteError::Contradiction(error.what.clone())),
         _ => return Err(LogWriteError::ReadsOtherwise),
     };
     let printed = Log { line: read.line, warnings: read.warnings.clone(), ..log.printed(language) };
@@ -283,28 +262,4 @@ fn sound(text: &str) -> Result<&str, LogWriteError> {
 /// Latin-1. Every text in a log is [`sound`]; a test proves that the words are, too.
 fn encode(text: &str) -> Vec<u8> {
     text.chars().map(|c| u8::try_from(c).unwrap_or(b'?')).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::words::{Language, Words};
-
-    #[test]
-    fn every_error_is_said_in_english_and_dutch() {
-        let given = || "TNC:\\".to_owned();
-        for error in [
-            LogWriteError::Cycle { cycle: 421 },
-            LogWriteError::Unit,
-            LogWriteError::Character { given: given(), code: "20AC".to_owned() },
-            LogWriteError::Program { given: given() },
-            LogWriteError::Contradiction(LogReason::NotPositive { given: "0.0000".to_owned() }),
-            LogWriteError::Unfinished,
-            LogWriteError::ReadsOtherwise,
-        ] {
-            assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-            let dutch = Words::new(Language::Nl).told(&error);
-            assert!(dutch != error.message().id && dutch != error.to_string(), "{dutch}");
-        }
-    }
 }

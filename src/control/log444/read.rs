@@ -13,7 +13,7 @@ use crate::control::text;
 ///
 /// let answers = read(b"<html></html>");
 /// let error = answers.first().and_then(|answer| answer.as_ref().err());
-/// assert_eq!(error.map(|error| &error.fault), Some(&PointFault::NoLog));
+/// assert_eq!(error.map(|error| &error.what), Some(&PointFault::NoLog));
 /// ```
 pub fn read(bytes: &[u8]) -> Vec<Result<(usize, PointLog), PointLogError>> {
     let page = text::decode(bytes);

@@ -6,7 +6,7 @@
 
 use super::Circle;
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::Say;
 use crate::probing::contact::Contact;
 
 /// Rounding of a coordinate, in units of the largest coordinate: contacts nearer to each other than this, or to a
@@ -14,16 +14,15 @@ use crate::probing::contact::Contact;
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Why contacts are no circle.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "circle", error)]
 pub enum CircleError {
     /// One or two contacts, or none.
-    #[error("a circle needs at least 3 contacts, found {contacts}")]
     TooFew {
         /// How many were given.
         contacts: usize,
     },
     /// Contacts lie at the same place, and without the repeated ones fewer than three are left.
-    #[error("contacts {first} and {second} coincide at x = {x}, y = {y}: a circle needs 3 different points")]
     Coinciding {
         /// The first of the two, counted from 1.
         first: usize,
@@ -35,19 +34,16 @@ pub enum CircleError {
         y: f64,
     },
     /// All contacts lie on one straight line.
-    #[error("all {contacts} contacts lie on one straight line: no circle goes through them")]
     Collinear {
         /// How many.
         contacts: usize,
     },
     /// The contacts are so nearly straight that every larger circle fits better.
-    #[error("the {contacts} contacts fit a straight line better than any circle")]
     Straight {
         /// How many.
         contacts: usize,
     },
     /// A coordinate is NaN or infinite.
-    #[error("contact {contact}: {axis} = {value} is not a finite number")]
     NotFinite {
         /// Which contact, counted from 1.
         contact: usize,
@@ -57,33 +53,14 @@ pub enum CircleError {
         value: f64,
     },
     /// A coordinate or a diameter is beyond [`Length::MAX`].
-    #[error("{what} = {} mm is too large: at most {} mm either way", brief(*value), Length::MAX)]
+    #[say(args(value = brief(*value), most = Length::MAX))]
     TooLarge {
         /// `contact 3: x`, or `diameter`.
         what: String,
         /// What was given or found, in millimetres.
+        #[say(skip)]
         value: f64,
     },
-}
-
-impl Say for CircleError {
-    fn message(&self) -> Message {
-        match self {
-            Self::TooFew { contacts } => Message::new("circle-too-few").text("contacts", contacts),
-            Self::Coinciding { first, second, x, y } => {
-                Message::new("circle-coinciding").text("first", first).text("second", second).text("x", x).text("y", y)
-            }
-            Self::Collinear { contacts } => Message::new("circle-collinear").text("contacts", contacts),
-            Self::Straight { contacts } => Message::new("circle-straight").text("contacts", contacts),
-            Self::NotFinite { contact, axis, value } => {
-                Message::new("circle-not-finite").text("contact", contact).text("axis", axis).text("value", value)
-            }
-            Self::TooLarge { what, value } => {
-                let value = brief(*value);
-                Message::new("circle-too-large").text("what", what).text("value", value).text("most", Length::MAX)
-            }
-        }
-    }
 }
 
 /// A number as errors show it: 1e300 without its three hundred zeros.
@@ -267,18 +244,13 @@ fn is_straight(sorted: &[[f64; 2]], rounding: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::words::{Language, Words};
 
     #[track_caller]
     fn check(points: &[[f64; 2]], expected: &str) {
         let contacts: Vec<_> = points.iter().map(|&[x, y]| Contact { x, y, z: 0.0 }).collect();
         let said = match super::super::evaluate(&contacts) {
             Ok(evaluation) => format!("{:?}", evaluation.least_squares),
-            Err(error) => {
-                assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-                assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
-                error.to_string()
-            }
+            Err(error) => error.to_string(),
         };
         assert_eq!(said, expected);
     }

@@ -1,7 +1,7 @@
 //! What an evaluation cannot tell, and what is suspicious about its contacts.
 
 use super::{Evaluation, MOST_FOR_ZONE};
-use crate::message::{Message, Say};
+use crate::message::Say;
 
 /// An arc from here on counts as half a circle or more: a half circle may come out a rounding short.
 const HALF_CIRCLE_DEG: f64 = 180.0 - 1e-6;
@@ -13,18 +13,14 @@ const SHORT_CHORD_MM: f64 = 1e-4;
 const MOST_OF_A_KIND: usize = 5;
 
 /// One remark on an evaluation.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "circle")]
 pub enum CircleWarning {
     /// Three contacts.
-    #[error("3 contacts: form cannot be measured, the residual is always zero")]
     ThreeContacts,
     /// Four contacts.
-    #[error("4 contacts: four lobes are not detected and change the diameter")]
     FourContacts,
     /// Less than half a circle.
-    #[error(
-        "the contacts cover only {arc}° of arc: scatter in the diameter is {factor} times that of 3 contacts at 120°"
-    )]
     ShortArc {
         /// The covered arc in degrees, one decimal.
         arc: String,
@@ -32,10 +28,9 @@ pub enum CircleWarning {
         factor: String,
     },
     /// The minimum circumscribed circle of a short arc.
-    #[error("the minimum circumscribed circle of a short arc is not the size of the feature")]
     CircumscribedOfShortArc,
     /// Two contacts at one place.
-    #[error("contacts {first} and {second} coincide: this place counts twice")]
+    #[say(id = "circle-counts-twice")]
     Coinciding {
         /// Number of the first, from 1.
         first: usize,
@@ -43,21 +38,16 @@ pub enum CircleWarning {
         second: usize,
     },
     /// No maximum inscribed circle.
-    #[error("there is no maximum inscribed circle: the contacts do not surround one")]
     NoInscribed,
     /// A straight strip is narrower than every ring.
-    #[error("there is no minimum zone: a straight strip is narrower than every ring")]
     NoZone,
     /// Too many contacts to look at every pair.
-    #[error(
-        "maximum inscribed circle and minimum zone are not computed for {contacts} contacts: at most {MOST_FOR_ZONE}"
-    )]
+    #[say(args(most = MOST_FOR_ZONE))]
     TooManyContacts {
         /// How many.
         contacts: usize,
     },
     /// A two-point size beside the centre.
-    #[error("contacts {first} and {second} are opposite each other but off the centre: this size is {short} µm too small")]
     ShortChord {
         /// Number of the first, from 1.
         first: usize,
@@ -67,45 +57,18 @@ pub enum CircleWarning {
         short: String,
     },
     /// More warnings of the same kind as the one before.
-    #[error("the same holds for {more} more")]
+    #[say(id = "circle-more-of-a-kind")]
     More {
         /// How many.
         more: usize,
     },
     /// One contact lies apart from all others.
-    #[error("contact {contact} lies {apart} mm off the circle, far more than the others: dust or a false trigger?")]
     Apart {
         /// Its number, from 1.
         contact: usize,
         /// Its residual in millimetres, four decimals.
         apart: String,
     },
-}
-
-impl Say for CircleWarning {
-    fn message(&self) -> Message {
-        match self {
-            Self::ThreeContacts => Message::new("circle-three-contacts"),
-            Self::FourContacts => Message::new("circle-four-contacts"),
-            Self::ShortArc { arc, factor } => Message::new("circle-short-arc").text("arc", arc).text("factor", factor),
-            Self::CircumscribedOfShortArc => Message::new("circle-circumscribed-of-short-arc"),
-            Self::Coinciding { first, second } => {
-                Message::new("circle-counts-twice").text("first", first).text("second", second)
-            }
-            Self::NoInscribed => Message::new("circle-no-inscribed"),
-            Self::NoZone => Message::new("circle-no-zone"),
-            Self::TooManyContacts { contacts } => {
-                Message::new("circle-too-many-contacts").text("contacts", contacts).text("most", MOST_FOR_ZONE)
-            }
-            Self::ShortChord { first, second, short } => {
-                Message::new("circle-short-chord").text("first", first).text("second", second).text("short", short)
-            }
-            Self::More { more } => Message::new("circle-more-of-a-kind").text("more", more),
-            Self::Apart { contact, apart } => {
-                Message::new("circle-apart").text("contact", contact).text("apart", apart)
-            }
-        }
-    }
 }
 
 /// All remarks on an evaluation.
@@ -168,13 +131,10 @@ fn apart(residuals: &[f64]) -> Option<CircleWarning> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::words::{Language, Words};
 
     #[track_caller]
     fn check(warning: &CircleWarning, expected: &str) {
         assert_eq!(warning.to_string(), expected);
-        assert_eq!(Words::new(Language::En).told(warning), expected);
-        assert_ne!(Words::new(Language::Nl).told(warning), warning.message().id);
     }
 
     #[test]

@@ -1,11 +1,9 @@
 //! Why a cycle did not run, or not to its end.
 
-use std::fmt;
-
 use super::key::Key;
 use super::parameter::Range;
 use crate::length::{Length, LengthError};
-use crate::message::{Message, Say};
+use crate::message::{Message, Say, display};
 use crate::probing::circle::CircleError;
 use crate::probing::contact::NoContact;
 
@@ -114,27 +112,20 @@ pub enum CycleError {
     TooFar(#[say(name = "error")] LengthError),
 }
 
-/// What is wrong with a text, said by the room that reads such texts: in English, and for other languages.
+/// What is wrong with a text, said by the room that reads such texts.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Reason {
-    english: String,
-    message: Message,
-}
+pub struct Reason(Message);
 
 impl Reason {
-    pub(super) fn of(error: &(impl fmt::Display + Say)) -> Self {
-        Self { english: error.to_string(), message: error.message() }
+    pub(super) fn of(error: &impl Say) -> Self {
+        Self(error.message())
     }
 }
 
 impl Say for Reason {
     fn message(&self) -> Message {
-        self.message.clone()
+        self.0.clone()
     }
 }
 
-impl fmt::Display for Reason {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(&self.english)
-    }
-}
+display!(Reason);

@@ -1,14 +1,12 @@
 //! The declaration of a parameter: key, name, question, range and what counts when it is not given.
 
-use std::fmt;
-
 use super::error::{CycleError, Reason};
 use super::inputs::Inputs;
 use super::key::Key;
 use super::meaning::Meaning;
 use super::value::{Angle, PREDEF, Value};
 use crate::length::{Length, LengthError};
-use crate::message::{Message, Say};
+use crate::message::{Message, Say, display};
 use crate::tolerance::callout::qs400;
 use crate::words::Dialogue;
 
@@ -98,25 +96,13 @@ const HIGHEST_TOOL: f64 = 99_999.9;
 /// The most characters of a text parameter.
 const LONGEST_TEXT: usize = 255;
 
-/// What is allowed, as the second half of a range error.
-impl fmt::Display for Range {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Length { least, most } => write!(f, "at least {least} mm, at most {most} mm"),
-            Self::Angle { most, smallest } if *smallest == Angle::default() => write!(f, "at most {most} either way"),
-            Self::Angle { most, smallest } => write!(f, "at least {smallest} in size, at most {most}"),
-            Self::OneOf(allowed) => write!(f, "not one of {}", listed(allowed)),
-            Self::Number { most } => write!(f, "a number, at most {most} either way"),
-            Self::Tool => f.write_str("a tool is a number from 0 to 99999.9 or a name of at most 255 characters"),
-            Self::Band => f.write_str("write a tolerance as 0.4-0.1, 0.4 or -0.1; 0 is no tolerance"),
-        }
-    }
-}
+display!(Range);
 
+/// What is allowed, as the second half of a range error.
 impl Say for Range {
     fn message(&self) -> Message {
         match self {
-            Self::Length { least, most } => Message::new("cycle-length-range").text("least", least).text("most", most),
+            Self::Length { least, most } => Message::new("cycle-length-range").with("least", least).with("most", most),
             Self::Angle { most, smallest } if *smallest == Angle::default() => {
                 Message::new("cycle-angle-range").text("most", most)
             }

@@ -1,13 +1,11 @@
 //! What a cycle found: one type for all cycles.
 
-use std::fmt;
-
 use super::course::Move;
 use super::inputs::Inputs;
 use super::key::Key;
 use super::value::Value;
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::{Message, Say, display};
 use crate::probing::circle::{Circle, Evaluation, evaluate};
 use crate::probing::contact::Contact;
 use crate::verdict::{PositionVerdict, Removal, Status};
@@ -155,77 +153,72 @@ impl Found {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct FoundName {
     id: &'static str,
-    english: &'static str,
 }
 
 impl FoundName {
     /// Measured centre, first axis.
-    pub const CENTRE_1: Self = Self::new("found-centre-1", "measured centre, 1st axis");
+    pub const CENTRE_1: Self = Self::new("found-centre-1");
     /// Measured centre, second axis.
-    pub const CENTRE_2: Self = Self::new("found-centre-2", "measured centre, 2nd axis");
+    pub const CENTRE_2: Self = Self::new("found-centre-2");
     /// Measured length of a rectangle's side along the first axis.
-    pub const SIDE_1: Self = Self::new("found-side-1", "measured length, 1st side");
+    pub const SIDE_1: Self = Self::new("found-side-1");
     /// Measured length of a rectangle's side along the second axis.
-    pub const SIDE_2: Self = Self::new("found-side-2", "measured length, 2nd side");
+    pub const SIDE_2: Self = Self::new("found-side-2");
     /// Measured width.
-    pub const WIDTH: Self = Self::new("found-width", "measured width");
+    pub const WIDTH: Self = Self::new("found-width");
     /// Where the middle between two walls is in the measured axis.
-    pub const CENTRE_LINE: Self = Self::new("found-centre-line", "position of the centre line");
+    pub const CENTRE_LINE: Self = Self::new("found-centre-line");
     /// Deviation of a rectangle's side along the first axis.
-    pub const SIDE_DEVIATION_1: Self = Self::new("found-side-deviation-1", "deviation of the 1st side");
+    pub const SIDE_DEVIATION_1: Self = Self::new("found-side-deviation-1");
     /// Deviation of a rectangle's side along the second axis.
-    pub const SIDE_DEVIATION_2: Self = Self::new("found-side-deviation-2", "deviation of the 2nd side");
+    pub const SIDE_DEVIATION_2: Self = Self::new("found-side-deviation-2");
     /// Deviation of a width.
-    pub const WIDTH_DEVIATION: Self = Self::new("found-width-deviation", "deviation of the width");
+    pub const WIDTH_DEVIATION: Self = Self::new("found-width-deviation");
     /// Measured diameter.
-    pub const DIAMETER: Self = Self::new("found-diameter", "measured diameter");
+    pub const DIAMETER: Self = Self::new("found-diameter");
     /// Deviation of the centre, first axis.
-    pub const CENTRE_DEVIATION_1: Self = Self::new("found-centre-deviation-1", "deviation of the centre, 1st axis");
+    pub const CENTRE_DEVIATION_1: Self = Self::new("found-centre-deviation-1");
     /// Deviation of the centre, second axis.
-    pub const CENTRE_DEVIATION_2: Self = Self::new("found-centre-deviation-2", "deviation of the centre, 2nd axis");
+    pub const CENTRE_DEVIATION_2: Self = Self::new("found-centre-deviation-2");
     /// Deviation of the diameter.
-    pub const DIAMETER_DEVIATION: Self = Self::new("found-diameter-deviation", "deviation of the diameter");
+    pub const DIAMETER_DEVIATION: Self = Self::new("found-diameter-deviation");
     /// A coordinate in the measured axis.
-    pub const COORDINATE: Self = Self::new("found-coordinate", "measured coordinate");
+    pub const COORDINATE: Self = Self::new("found-coordinate");
     /// Measured position, first axis.
-    pub const POSITION_1: Self = Self::new("found-position-1", "measured position, 1st axis");
+    pub const POSITION_1: Self = Self::new("found-position-1");
     /// Measured position, second axis.
-    pub const POSITION_2: Self = Self::new("found-position-2", "measured position, 2nd axis");
+    pub const POSITION_2: Self = Self::new("found-position-2");
     /// Measured position, third axis.
-    pub const POSITION_3: Self = Self::new("found-position-3", "measured position, 3rd axis");
+    pub const POSITION_3: Self = Self::new("found-position-3");
     /// Deviation, first axis.
-    pub const DEVIATION_1: Self = Self::new("found-deviation-1", "deviation, 1st axis");
+    pub const DEVIATION_1: Self = Self::new("found-deviation-1");
     /// Deviation, second axis.
-    pub const DEVIATION_2: Self = Self::new("found-deviation-2", "deviation, 2nd axis");
+    pub const DEVIATION_2: Self = Self::new("found-deviation-2");
     /// Deviation, third axis.
-    pub const DEVIATION_3: Self = Self::new("found-deviation-3", "deviation, 3rd axis");
+    pub const DEVIATION_3: Self = Self::new("found-deviation-3");
     /// Deviation along the normal.
-    pub const DEVIATION_ALONG: Self = Self::new("found-deviation-along", "deviation along the normal");
+    pub const DEVIATION_ALONG: Self = Self::new("found-deviation-along");
     /// Marker of a good part.
-    pub const GOOD: Self = Self::new("found-good", "within tolerance");
+    pub const GOOD: Self = Self::new("found-good");
     /// Marker of rework.
-    pub const REWORK: Self = Self::new("found-rework", "rework");
+    pub const REWORK: Self = Self::new("found-rework");
     /// Marker of scrap.
-    pub const SCRAP: Self = Self::new("found-scrap", "scrap");
+    pub const SCRAP: Self = Self::new("found-scrap");
     /// Status in one number.
-    pub const STATUS: Self = Self::new("found-status", "status: -1 undefined, 0 good, 1 rework, 2 scrap");
+    pub const STATUS: Self = Self::new("found-status");
 
     /// Whether it is a coordinate of a centre, which has no limits of size.
     pub fn is_centre(self) -> bool {
         self == Self::CENTRE_1 || self == Self::CENTRE_2
     }
 
-    /// A name by the id of its text and that text in English.
-    pub const fn new(id: &'static str, english: &'static str) -> Self {
-        Self { id, english }
+    /// A name by the id of its text.
+    pub const fn new(id: &'static str) -> Self {
+        Self { id }
     }
 }
 
-impl fmt::Display for FoundName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.english)
-    }
-}
+display!(FoundName, Check, Stop);
 
 impl Say for FoundName {
     fn message(&self) -> Message {
@@ -273,19 +266,6 @@ impl Check {
     }
 }
 
-impl fmt::Display for Check {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { what, measured, minimum, maximum, status } = self;
-        if !self.is_out() {
-            write!(f, "{what} {measured} mm is within {minimum} to {maximum} mm")
-        } else if maximum < measured {
-            write!(f, "{what} {measured} mm is above its maximum {maximum} mm: {status}")
-        } else {
-            write!(f, "{what} {measured} mm is below its minimum {minimum} mm: {status}")
-        }
-    }
-}
-
 impl Say for Check {
     fn message(&self) -> Message {
         let id = match () {
@@ -295,9 +275,9 @@ impl Say for Check {
         };
         let message = Message::new(id)
             .message("what", self.what.message())
-            .text("measured", self.measured)
-            .text("minimum", self.minimum)
-            .text("maximum", self.maximum);
+            .with("measured", &self.measured)
+            .with("minimum", &self.minimum)
+            .with("maximum", &self.maximum);
         message.with("status", &self.status)
     }
 }
@@ -318,13 +298,6 @@ impl Stop {
     pub(in crate::probing) fn of(setting: i64, checks: &[Check]) -> Option<Self> {
         let mut out = checks.iter().copied().filter(Check::is_out);
         out.next().map(|first| Self { setting, out: first, more: out.collect() })
-    }
-}
-
-impl fmt::Display for Stop {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "program stop by Q309 = {}: {}", self.setting, self.out)?;
-        self.more.iter().try_for_each(|check| write!(f, "; {check}"))
     }
 }
 
@@ -350,7 +323,8 @@ pub enum LogTarget {
 }
 
 /// Something worth knowing about a run.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "remark")]
 pub enum Remark {
     /// A parameter was given that does nothing.
     WithoutEffect {
@@ -381,46 +355,4 @@ pub enum Remark {
         /// The parameter.
         key: Key,
     },
-}
-
-impl fmt::Display for Remark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::WithoutEffect { key } => write!(f, "{key} is accepted and has no effect"),
-            Self::ToolLeftAlone { tool } => {
-                write!(f, "Q330 = {tool}: the control would correct this tool; Fitcheck corrects no tool")
-            }
-            Self::OutsideDimension => {
-                f.write_str("an outside dimension is assumed: above the maximum is rework, below the minimum is scrap")
-            }
-            Self::NominalOutsideLimits { nominal } => {
-                write!(f, "nominal diameter {nominal} mm is not between the limits: a TNC7 refuses that")
-            }
-            Self::NominalWidthOutsideLimits { nominal } => {
-                write!(f, "nominal width {nominal} mm is not between the limits: a TNC7 refuses that")
-            }
-            Self::VariableHoldsDiameter => {
-                f.write_str("#i99 is read as the diameter: the manual does not say which value it holds")
-            }
-            Self::NoTolerance { key } => write!(f, "{key} is not a tolerance: nothing is judged"),
-        }
-    }
-}
-
-impl Say for Remark {
-    fn message(&self) -> Message {
-        match self {
-            Self::WithoutEffect { key } => Message::new("remark-without-effect").text("key", key),
-            Self::ToolLeftAlone { tool } => Message::new("remark-tool-left-alone").text("tool", tool),
-            Self::OutsideDimension => Message::new("remark-outside-dimension"),
-            Self::NominalOutsideLimits { nominal } => {
-                Message::new("remark-nominal-outside-limits").text("nominal", nominal)
-            }
-            Self::NominalWidthOutsideLimits { nominal } => {
-                Message::new("remark-nominal-width-outside-limits").text("nominal", nominal)
-            }
-            Self::VariableHoldsDiameter => Message::new("remark-variable-holds-diameter"),
-            Self::NoTolerance { key } => Message::new("remark-no-tolerance").text("key", key),
-        }
-    }
 }
