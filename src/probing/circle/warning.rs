@@ -57,7 +57,9 @@ pub enum CircleWarning {
         contacts: usize,
     },
     /// A two-point size beside the centre.
-    #[error("contacts {first} and {second} are opposite each other but off the centre: this size is {short} µm too small")]
+    #[error(
+        "contacts {first} and {second} are opposite each other but off the centre: this size is {short} µm too small"
+    )]
     ShortChord {
         /// Number of the first, from 1.
         first: usize,
