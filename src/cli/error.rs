@@ -82,7 +82,7 @@ pub(super) enum CliError {
     /// A position that is not three numbers.
     NotAPosition { text: String },
 
-    /// A value of `--set` that is no decimal number.
+    /// A value of `--set` that is not a decimal number.
     NotANumber,
     /// A folder that is not there.
     NoFolder { path: PathBuf },
@@ -99,7 +99,7 @@ pub(super) enum CliError {
     UseForce { error: FileError },
 }
 
-/// What an error is about, where it is no file and no callout.
+/// What an error is about, where it is neither a file nor a callout.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "cli-what")]
 pub(super) enum What<'a> {

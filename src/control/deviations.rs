@@ -10,7 +10,7 @@ mod write;
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
-pub use fault::{DeviationDoubt, DeviationError, DeviationFault, DeviationWarning};
+pub use fault::{DeviationError, DeviationFault, DeviationWarning, DeviationWarningKind};
 pub use write::to_control_table;
 
 use super::table::{Column, ControlTable, TableFile, TableUnit, is_blank, is_number};
@@ -150,7 +150,7 @@ impl Reading<'_> {
         match (self.file.table.column(RANGE), self.file.table.column(RANGE_ALIAS)) {
             (Some(_), Some(alias)) => Err(self.file.at_name(alias, DeviationFault::TwoRangeColumns)),
             (None, Some(alias)) => {
-                self.warn(alias, DeviationDoubt::RangeAlias);
+                self.warn(alias, DeviationWarningKind::RangeAlias);
                 Ok(Some(alias))
             }
             (range, None) => Ok(range),
@@ -188,7 +188,7 @@ impl Reading<'_> {
             Ok(class) => class,
             // "Js7": probably meant as a class; "Remark" is not.
             Err(ClassError::MixedCase { .. }) if self.has_numbers(number) => {
-                self.warn(number, DeviationDoubt::MixedCase { name: column.name.clone() });
+                self.warn(number, DeviationWarningKind::MixedCase { name: column.name.clone() });
                 return Ok(None);
             }
             Err(_no_class) => return Ok(None),
@@ -197,7 +197,7 @@ impl Reading<'_> {
         if has_text && !self.has_numbers(number) {
             // Texts under a name that could be a class; where the block calls them texts, all is as it should be.
             if column.is_text() != Some(true) {
-                self.warn(number, DeviationDoubt::NoNumbers { name: column.name.clone() });
+                self.warn(number, DeviationWarningKind::NoNumbers { name: column.name.clone() });
             }
             return Ok(None);
         }
@@ -255,7 +255,7 @@ impl Reading<'_> {
     }
 
     /// A warning about a column, at its name.
-    fn warn(&mut self, column: usize, what: DeviationDoubt) {
+    fn warn(&mut self, column: usize, what: DeviationWarningKind) {
         self.warnings.push(DeviationWarning::Content(self.file.at_name(column, what)));
     }
 }

@@ -70,7 +70,7 @@ impl ProbeBlock {
     /// The block's values put into inputs; ranges are checked when the cycle runs.
     ///
     /// # Errors
-    /// [`ProbeBlockError`] with the line of a parameter that the cycle does not have, or of a text that is no value.
+    /// [`ProbeBlockError`] with the line of a parameter that the cycle does not have, or of a text that is not a value.
     pub fn put_into(&self, inputs: Inputs) -> Result<Inputs, ProbeBlockError> {
         self.settings.iter().try_fold(inputs, |inputs, Setting { line, key, text }| {
             let fault = match self.cycle.set(inputs, key, text) {

@@ -48,7 +48,7 @@ pub enum ProbeFault {
     },
     /// There are no rows.
     NoProbe,
-    /// A cell is no length.
+    /// A cell is not a length.
     NoLength {
         /// The column's name.
         column: &'static str,
@@ -64,7 +64,7 @@ pub enum ProbeFault {
         /// What is allowed.
         least: Least,
     },
-    /// A cell is no whole number.
+    /// A cell is not a whole number.
     NotWhole {
         /// The column's name.
         column: &'static str,

@@ -46,7 +46,7 @@ pub enum ContactsError {
         /// The row.
         given: String,
     },
-    /// A cell that is no number.
+    /// A cell that is not a number.
     NotANumber {
         /// x, y or z.
         name: char,

@@ -65,7 +65,7 @@ impl Runner {
         let errands = self.errands;
         let errand = move || {
             let command = answer(effect, errands, &sources, now);
-            // A closed window hears no answer; that is no fault.
+            // A closed window hears no answer; that is not a fault.
             let _closed = sender.send(command);
             ctx.request_repaint();
         };

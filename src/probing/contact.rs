@@ -1,4 +1,4 @@
-//! One touch of the probe, and whoever makes it.
+//! One probing and its contact, and whoever makes it.
 
 use crate::length::Length;
 use crate::message::Say;
@@ -15,7 +15,7 @@ pub struct Contact {
     pub z: f64,
 }
 
-/// A touch that a cycle asks for: where the probe starts and in which direction it moves.
+/// A probing that a cycle asks for: where the probe starts and in which direction it moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touch {
     /// Where the probing movement begins, millimetres.
@@ -44,24 +44,24 @@ impl Contact {
 pub enum NoContact {
     /// Nothing within reach of the movement.
     Missed {
-        /// Which touch of the cycle, from 1.
+        /// Which contact of the cycle, from 1.
         number: usize,
     },
     /// Something is there, but farther away than the movement may go.
     OutOfReach {
-        /// Which touch of the cycle, from 1.
+        /// Which contact of the cycle, from 1.
         number: usize,
         /// The longest path.
         longest: Length,
     },
     /// The movement begins where material is: a real probe would have collided on its way there.
     InMaterial {
-        /// Which touch of the cycle, from 1.
+        /// Which contact of the cycle, from 1.
         number: usize,
     },
     /// The recorded contacts are used up.
     UsedUp {
-        /// Which touch of the cycle, from 1.
+        /// Which contact of the cycle, from 1.
         number: usize,
         /// How many contacts there are.
         available: usize,
@@ -70,7 +70,7 @@ pub enum NoContact {
 
 /// Where a cycle's contacts come from: the simulated workpiece, or contacts recorded in a file.
 pub trait Prober {
-    /// Makes one touch.
+    /// Makes one probing.
     ///
     /// # Errors
     /// [`NoContact`] when nothing is met.
@@ -130,7 +130,10 @@ mod tests {
     fn every_missing_contact_has_its_words() {
         check(&NoContact::Missed { number: 2 }, "contact 2: the probe met nothing on the probing path");
         let longest = Length::from_micrometres(2_000);
-        check(&NoContact::OutOfReach { number: 3, longest }, "contact 3: the probe met nothing within the probing path of 2 mm");
+        check(
+            &NoContact::OutOfReach { number: 3, longest },
+            "contact 3: the probe met nothing within the probing path of 2 mm",
+        );
         check(&NoContact::InMaterial { number: 1 }, "contact 1: the probing path begins inside the material");
         check(&NoContact::UsedUp { number: 4, available: 3 }, "contact 4: the file has only 3 contacts");
     }

@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `contact` | one touch of the probe |
+//! | `contact` | one probing and its contact |
 //! | `circle` | least-squares and other reference circles |
 //! | `measurement` | what came out: diameter, centre, contacts, and what they cannot tell |
 //! | `cycle` | what a measuring cycle declares: parameters, ranges, results |

@@ -29,7 +29,7 @@ pub enum SourceError {
 }
 
 impl Source<'_> {
-    /// What answers the touches of a cycle.
+    /// What gives a cycle its contacts.
     ///
     /// # Errors
     /// [`SourceError`] where the inputs or the figures of the workpiece make none.

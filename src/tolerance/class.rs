@@ -59,7 +59,7 @@ pub struct ToleranceClass {
     text: [u8; LONGEST],
 }
 
-/// Why a text is no tolerance class.
+/// Why a text is not a tolerance class.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "class", error)]
 pub enum ClassError {

@@ -361,7 +361,7 @@ fn own_tables_come_first_and_add_their_classes() {
     let u1 = json_of(&["5 U1", "--measured", "5.003", "--tables", &tables]);
     assert_eq!((&u1["min_mm"], &u1["max_mm"], &u1["status"]), (&json!(5.003), &json!(5.008), &json!("GOOD")));
     assert_eq!(run(&["5 U1", "--measured", "5.003"]).code, 1);
-    // An empty cell is no limit.
+    // An empty cell is not a limit.
     let empty = run(&["3 U1", "--measured", "3", "--tables", &tables]);
     assert_eq!(empty.code, 1);
     assert!(empty.err.contains("U1 is not defined over 0 up to 3 mm in table generation1_plain.tab"), "{}", empty.err);

@@ -144,7 +144,10 @@ fn recorded_contacts_are_measured_in_their_order() {
     assert!(said.out.ends_with("status,status,GOOD,\n"), "{}", said.out);
     assert_eq!(said.err, "warning: standard input: the cycle used 4 of 5 contacts\n");
     let few = fitcheck(&args, "x,y\n12.5,0\n");
-    assert_eq!((few.code, few.err.as_str()), (Some(1), "fitcheck: cycle 421: contact 2: the file has only 1 contact\n"));
+    assert_eq!(
+        (few.code, few.err.as_str()),
+        (Some(1), "fitcheck: cycle 421: contact 2: the file has only 1 contact\n")
+    );
 }
 
 #[test]
@@ -246,7 +249,10 @@ fn inputs_that_are_no_object_of_values_are_refused() {
     refused("{\"Q263\": 1, \"Q263\": 2}", "Q263 is given twice");
     refused("{\"Q272\": 3.5}", "Q272 MEASURING AXIS = 3.5: not one of 1, 2, 3");
     refused("{\"Q263\": \"NaN\"}", "Q263 1ST POINT 1ST AXIS: NaN is not a number");
-    refused("{\"Q999\": 1}", "cycle 427 has no parameter Q999: its parameters are Q263, Q264, Q261, Q320, Q272, Q267, Q260, Q281");
+    refused(
+        "{\"Q999\": 1}",
+        "cycle 427 has no parameter Q999: its parameters are Q263, Q264, Q261, Q320, Q272, Q267, Q260, Q281",
+    );
 }
 
 #[test]

@@ -369,7 +369,10 @@ fn a_text_that_is_no_value_is_refused_with_the_parameter_named() {
         }
         let error = cycle.set(Inputs::new(), "Q999", "1").unwrap_err().to_string();
         let known: Vec<_> = cycle.parameters.iter().map(|parameter| parameter.key.to_string()).collect();
-        assert_eq!(error, format!("cycle {} has no parameter Q999: its parameters are {}", cycle.code, known.join(", ")));
+        assert_eq!(
+            error,
+            format!("cycle {} has no parameter Q999: its parameters are {}", cycle.code, known.join(", "))
+        );
     }
 }
 

@@ -209,7 +209,10 @@ fn a_touch_that_meets_nothing_stops_the_cycle() {
     let mut away = at(Feature::Shaft, 20.0);
     away.centre = [39.0, 20.0];
     let mut prober = machine(away);
-    assert_eq!(run(cycle(422).unwrap(), "", &mut prober).unwrap_err(), "contact 2: the probe met nothing on the probing path");
+    assert_eq!(
+        run(cycle(422).unwrap(), "", &mut prober).unwrap_err(),
+        "contact 2: the probe met nothing on the probing path"
+    );
     check(421, "", 19.0, "contact 1: the probing path begins inside the material");
     let mut recorded = Recorded::new(vec![Contact { x: 0.0, y: 0.0, z: 0.0 }; 3]);
     assert_eq!(run(hole(), "", &mut recorded).unwrap_err(), "contact 4: the file has only 3 contacts");

@@ -391,7 +391,10 @@ fn what_numbers_cannot_do_is_said() {
         fault("Q2 = - 1\nQS1 = \"abc\"\nQS2 = SUBSTR ( SRC_QS1 BEG+Q2 )"),
         "BEG = -1: expected a whole number from 0"
     );
-    assert_eq!(fault("QS1 = SYSSTR ( ID5 NR0 )"), "unknown system text ID5 NR0: only date and time (ID10321) are supported");
+    assert_eq!(
+        fault("QS1 = SYSSTR ( ID5 NR0 )"),
+        "unknown system text ID5 NR0: only date and time (ID10321) are supported"
+    );
     assert_eq!(fault("FN 14: ERROR= 1072"), "the program stopped itself with error 1072");
 }
 
@@ -611,10 +614,7 @@ fn fn_16_writes_below_the_chosen_folder_and_nowhere_else() {
     {
         std::os::unix::fs::symlink(folder.path(), out.join("link")).unwrap();
         let to = r"TNC:\link\x.txt";
-        assert_eq!(
-            fault_of(&mut run(&print("close", to))),
-            r"TNC:\link\x.txt leads out of the given folders"
-        );
+        assert_eq!(fault_of(&mut run(&print("close", to))), r"TNC:\link\x.txt leads out of the given folders");
         std::os::unix::fs::symlink("/etc/hostname", masks.join("etc.a")).unwrap();
         let blocks = print("etc", "SCREEN:");
         assert_eq!(fault_of(&mut run(&blocks)), r"TNC:\fit\etc.a leads out of the given folders");
@@ -706,10 +706,7 @@ fn what_cycles_cannot_do_is_said() {
     );
     assert_eq!(fault(&with("Q320=+Q77")), "Q77 is undefined");
     assert_eq!(fault("TCH PROBE 427 X ~\nQ263=+35"), "cycle 427: Q264 1ST POINT 2ND AXIS is missing");
-    assert_eq!(
-        fault(&with("Q320= PREDEF")),
-        "cycle 427: Q320 SET-UP CLEARANCE = PREDEF: no GLOBAL DEF gives a value"
-    );
+    assert_eq!(fault(&with("Q320= PREDEF")), "cycle 427: Q320 SET-UP CLEARANCE = PREDEF: no GLOBAL DEF gives a value");
     let known: Vec<_> = cycles_of(Control::Milling).map(|cycle| cycle.code).collect();
     let unknown = format!("unknown cycle 431: the cycles are {}", known.join(", "));
     assert_eq!(fault("TCH PROBE 431 MEASURE PLANE ~\nQ263=+35"), unknown);

@@ -93,8 +93,10 @@ fn files_that_are_there_stay_unless_forced() {
     std::fs::write(folder.path().join("set.zip"), "mine").unwrap();
     for (output, there) in [("set", Path::new("set").join("FIT_HOLE.TAB")), ("set.zip", "set.zip".into())] {
         let answer = nc(folder.path(), &bore(&["--control", "tnc640", "-o", output]));
-        let why =
-            format!("fitcheck: a file or folder of this name already exists: {}; --force overwrites\n", there.display());
+        let why = format!(
+            "fitcheck: a file or folder of this name already exists: {}; --force overwrites\n",
+            there.display()
+        );
         assert_eq!(answer.code, Some(1));
         assert!(answer.err.ends_with(&why), "{}", answer.err);
     }

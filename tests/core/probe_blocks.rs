@@ -137,7 +137,10 @@ fn what_is_wrong_with_a_block_is_named_with_its_line() {
     check("TCH PROBE 427 ~\nQ263=+1 ~\nq263=+1", "line 3: Q263 is given twice, first on line 2");
     check("TCH PROBE 427 ~\nQ330=+1 ~\nQS330=\"A\"", "line 3: Q330 is given twice, first on line 2");
     check("TCH PROBE 427 ~\nQS330=\"A", "line 2: a quotation mark is not closed");
-    assert!(pairs("TCH PROBE 427 ~\nQ275=+1").starts_with("line 2: cycle 427 has no parameter Q275: its parameters are Q263, "));
+    assert!(
+        pairs("TCH PROBE 427 ~\nQ275=+1")
+            .starts_with("line 2: cycle 427 has no parameter Q275: its parameters are Q263, ")
+    );
     check(
         "TCH PROBE 427 ~\nQ263=+1 ;NO MORE\nQ264=+2",
         "line 3: Q264=+2 comes after the end of the block: every line but the last ends with ~",
@@ -170,7 +173,10 @@ fn a_value_that_is_none_is_named_with_its_line_and_a_program_s_parameter_as_such
         let said = said(&format!("TCH PROBE 427 ~\n\nQ263={given}"));
         assert_eq!(said, format!("line 3: Q263 = {name}: the value of {name} is known only while a program runs"));
     }
-    assert_eq!(said("TCH PROBE 444 ~\nQS400=QS5"), "line 2: QS400 = QS5: the value of QS5 is known only while a program runs");
+    assert_eq!(
+        said("TCH PROBE 444 ~\nQS400=QS5"),
+        "line 2: QS400 = QS5: the value of QS5 is known only while a program runs"
+    );
     // A tool may be called anything.
     assert!(read("TCH PROBE 427 ~\nQS330=\"Q1\"").unwrap().put_into(Inputs::new()).unwrap().is_given(330));
 }

@@ -130,7 +130,10 @@ fn a_differing_cell_is_marked_and_named_with_how_much() {
     let said =
         page.get_by(|node| node.role() == Role::Status && node.label().is_some_and(|label| label.starts_with("Q1")));
     let said = said.accesskit_node().label().unwrap();
-    assert!(said.starts_with("Q1, over 18 up to 30 mm. Q1 is not an ISO 286 tolerance class: there is no letter Q"), "{said}");
+    assert!(
+        said.starts_with("Q1, over 18 up to 30 mm. Q1 is not an ISO 286 tolerance class: there is no letter Q"),
+        "{said}"
+    );
 }
 
 #[test]

@@ -96,7 +96,7 @@ pub enum DeviationWarning {
     Table(#[from] TableWarning),
     /// In its content.
     #[say(transparent)]
-    Content(#[from] Located<DeviationDoubt>),
+    Content(#[from] Located<DeviationWarningKind>),
     /// A table of something else.
     NoDeviations {
         /// The file.
@@ -107,7 +107,7 @@ pub enum DeviationWarning {
 /// What is odd in a table of deviations that was read all the same.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "deviations")]
-pub enum DeviationDoubt {
+pub enum DeviationWarningKind {
     /// The range column has the other spelling of NC-Solution 8255.
     RangeAlias,
     /// A name that could be a class, over texts.

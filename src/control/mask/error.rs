@@ -6,7 +6,7 @@ use crate::message::{Located, Say};
 pub type MaskError = Located<MaskFault>;
 
 /// What was odd about a mask that could still be read, with its line.
-pub type MaskWarning = Located<MaskDoubt>;
+pub type MaskWarning = Located<MaskWarningKind>;
 
 /// Why a mask cannot be rendered, with line and column.
 pub type RenderError = Located<RenderFault>;
@@ -29,7 +29,7 @@ pub enum MaskFault {
     },
     /// A quoted format does not end.
     UnclosedQuote,
-    /// A letter that is no format.
+    /// A letter that is not a format.
     UnknownFormat {
         /// What stands there.
         found: String,
@@ -48,7 +48,7 @@ pub enum MaskFault {
         /// How many parameters there are.
         parameters: usize,
     },
-    /// A word that is no parameter.
+    /// A word that is not a parameter.
     UnknownParameter {
         /// What stands there.
         found: String,
@@ -58,7 +58,7 @@ pub enum MaskFault {
 /// What is odd about a mask that can still be read.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "mask")]
-pub enum MaskDoubt {
+pub enum MaskWarningKind {
     /// The record or keyword does not end in `;`, as in the first line of the mask of NC-Solution 8255.
     NoSemicolon,
     /// An `M_` or `L_` word that is not known; it has no effect.
@@ -66,7 +66,7 @@ pub enum MaskDoubt {
         /// The word.
         word: String,
     },
-    /// Text behind the `;` that is no comment.
+    /// Text behind the `;` that is not a comment.
     BehindSemicolon {
         /// What stands there.
         found: String,

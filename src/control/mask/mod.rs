@@ -14,7 +14,7 @@ mod error;
 mod read;
 mod render;
 
-pub use error::{MaskDoubt, MaskError, MaskFault, MaskWarning, RenderError, RenderFault};
+pub use error::{MaskError, MaskFault, MaskWarning, MaskWarningKind, RenderError, RenderFault};
 pub(crate) use render::decimal;
 pub use render::{Context, FileUse, Output};
 

@@ -1,6 +1,8 @@
 //! Text to mask.
 
-use super::{Format, Keyword, Kind, Line, Mask, MaskDoubt, MaskError, MaskFault, MaskWarning, Name, Part, Record};
+use super::{
+    Format, Keyword, Kind, Line, Mask, MaskError, MaskFault, MaskWarning, MaskWarningKind, Name, Part, Record,
+};
 use crate::control::text::{beginning, decode, lines};
 use crate::message::{Located, Place};
 
@@ -108,7 +110,7 @@ impl Reader {
         self.fault(column, MaskFault::Unknown { found: beginning(found) })
     }
 
-    fn warn(&mut self, what: MaskDoubt) {
+    fn warn(&mut self, what: MaskWarningKind) {
         self.warnings.push(Located::in_line(self.line, what));
     }
 
@@ -264,7 +266,7 @@ impl Reader {
                     (Some(kilobytes), _) => Line::Keyword(Keyword::AppendMax(kilobytes)),
                     (None, Some(language)) => Line::Language(Some(language.to_owned())),
                     (None, None) if other.starts_with("M_") || other.starts_with("L_") => {
-                        self.warn(MaskDoubt::UnknownWord { word: beginning(&word) });
+                        self.warn(MaskWarningKind::UnknownWord { word: beginning(&word) });
                         self.end(cursor)?;
                         return Ok(None);
                     }
@@ -283,11 +285,11 @@ impl Reader {
             if cursor.peek().is_some_and(|c| c != '*') {
                 return Err(self.unknown(cursor.column, cursor.rest()));
             }
-            self.warn(MaskDoubt::NoSemicolon);
+            self.warn(MaskWarningKind::NoSemicolon);
         }
         cursor.skip_blanks();
         if cursor.peek().is_some_and(|c| c != '*') {
-            self.warn(MaskDoubt::BehindSemicolon { found: beginning(cursor.rest()) });
+            self.warn(MaskWarningKind::BehindSemicolon { found: beginning(cursor.rest()) });
         }
         Ok(())
     }

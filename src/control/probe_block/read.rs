@@ -25,7 +25,7 @@ const EXAMPLE: &str = "Q263=+35";
 /// ```
 ///
 /// # Errors
-/// [`ProbeBlockError`]: no block or two, a cycle that is not known, a line that is no parameter, a parameter twice, a
+/// [`ProbeBlockError`]: no block or two, a cycle that is not known, a line that is not a parameter, a parameter twice, a
 /// block that is cut off.
 pub fn read(text: &str) -> Result<ProbeBlock, ProbeBlockError> {
     let mut reader = Reader::default();

@@ -3,7 +3,7 @@
 //! `#STRUCTBEGIN` … `#STRUCTEND` of iTNC 530 and `TableDescription ( … )` of TNC 640 and TNC7
 //! (`docs/SOURCES.md`). The width of a column is the figure in the block, 0 where there is none. What a block says beyond name, width, type and decimals is kept as it is written.
 
-use super::fault::{TableDoubt, TableError, TableFault};
+use super::fault::{TableError, TableFault, TableWarningKind};
 use super::read::{MOST_COLUMNS, Reader, WIDEST};
 use super::{Column, CommentPlace, ControlTable};
 use crate::control::text::beginning;
@@ -175,7 +175,7 @@ impl<'a> Tokens<'_, 'a> {
     /// Skips to the bracket that closes the one just read.
     fn skip(&mut self, name: &str, table: &mut ControlTable) -> Result<(), TableError> {
         let character = self.character;
-        self.reader.warn(TableDoubt::Skipped { name: beginning(name) }, character);
+        self.reader.warn(TableWarningKind::Skipped { name: beginning(name) }, character);
         self.reader.keep(1)?;
         let mut depth = 1_usize;
         while 0 < depth {

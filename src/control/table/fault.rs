@@ -8,7 +8,7 @@ use crate::message::{Located, Say};
 pub type TableError = Located<TableFault>;
 
 /// What was odd but readable.
-pub type TableWarning = Located<TableDoubt>;
+pub type TableWarning = Located<TableWarningKind>;
 
 /// What is wrong with a table file.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -98,7 +98,7 @@ pub enum TableFault {
 /// What is odd in a table file that was read all the same.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "table")]
-pub enum TableDoubt {
+pub enum TableWarningKind {
     /// The file has no end line.
     NoEnd,
     /// A word in the BEGIN line that is neither unit, version nor mark; it is kept as the mark.

@@ -15,7 +15,7 @@ mod fault;
 mod read;
 mod write;
 
-pub use fault::{TableDoubt, TableError, TableFault, TableWarning};
+pub use fault::{TableError, TableFault, TableWarning, TableWarningKind};
 pub use read::TableFile;
 pub use write::WriteError;
 

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::block::{read_description, read_structure};
-use super::fault::{TableDoubt, TableError, TableFault, TableWarning};
+use super::fault::{TableError, TableFault, TableWarning, TableWarningKind};
 use super::{Column, Comment, CommentPlace, ControlTable, Generation, TableUnit};
 use crate::control::text::{beginning, decode, lines};
 use crate::message::{Located, Place};
@@ -120,7 +120,7 @@ impl<'a> Reader<'a> {
         Located { what, place: Place::in_file(&self.file, line, character + 1) }
     }
 
-    pub(super) fn warn(&mut self, what: TableDoubt, character: usize) {
+    pub(super) fn warn(&mut self, what: TableWarningKind, character: usize) {
         let place = Place::in_file(&self.file, self.line.max(1), character + 1);
         self.warnings.push(Located { what, place });
     }
@@ -180,7 +180,7 @@ impl<'a> Reader<'a> {
         let mark = words.collect::<Vec<_>>().join(" ");
         let mark = Some(mark).filter(|mark| !mark.is_empty());
         if let Some(word) = mark.as_ref().filter(|mark| *mark != "U") {
-            self.warn(TableDoubt::BeginWord { word: beginning(word) }, 0);
+            self.warn(TableWarningKind::BeginWord { word: beginning(word) }, 0);
         }
         Ok(ControlTable {
             name: name.to_owned(),
@@ -271,7 +271,7 @@ impl<'a> Reader<'a> {
             let Some(at) = described.iter().position(|column| column.name == name) else {
                 // The row number stands in no #STRUCTBEGIN block.
                 if table.generation != Generation::Plain && name != "NR" {
-                    self.warn(TableDoubt::NotDescribed { name: name.to_owned() }, start);
+                    self.warn(TableWarningKind::NotDescribed { name: name.to_owned() }, start);
                 }
                 table.columns.push(Column::plain(name, width));
                 continue;
@@ -280,13 +280,13 @@ impl<'a> Reader<'a> {
             // 0: the block gives no width.
             let span = if column.width == 0 { width } else { span(&column, table.generation) };
             if next.is_some() && span != width {
-                self.warn(TableDoubt::Width { name: name.to_owned(), found: width, described: span }, start);
+                self.warn(TableWarningKind::Width { name: name.to_owned(), found: width, described: span }, start);
             }
             column.width = if next.is_some() { width } else { width.max(span) };
             table.columns.push(column);
         }
         for column in described {
-            self.warn(TableDoubt::NotInTable { name: column.name }, 0);
+            self.warn(TableWarningKind::NotInTable { name: column.name }, 0);
         }
         Ok(starts)
     }
@@ -357,7 +357,7 @@ impl<'a> Reader<'a> {
         if !ends_in_blank && body.row_lines.last() == Some(&self.line) {
             return Err(self.fault(TableFault::Truncated, 0));
         }
-        self.warn(TableDoubt::NoEnd, 0);
+        self.warn(TableWarningKind::NoEnd, 0);
         Ok(())
     }
 }

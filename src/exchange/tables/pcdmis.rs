@@ -5,10 +5,10 @@
 //! this class alone, and that case tells hole from shaft. The page shows H7 as a part of a file, so several classes one
 //! after the other are very likely. Not sure: the sign of a lower deviation, for the page shows 0 only and calls the
 //! pair plus and minus tolerance, and elsewhere in PC-DMIS a minus tolerance is typed without its sign. It is written
-//! with its sign here, and [`TableCaution::LowerSign`] says so. Nor is it sure that a class may come twice: where one is
+//! with its sign here, and [`FormatWarning::LowerSign`] says so. Nor is it sure that a class may come twice: where one is
 //! not defined in the middle of its sizes, it gets two lines for each part.
 
-use super::{TableCaution, TableFormat};
+use super::{FormatWarning, TableFormat};
 use crate::length::{Length, Unit};
 use crate::tolerance::table::Column;
 use crate::tolerance::{DeviationTable, Deviations};
@@ -22,12 +22,12 @@ pub const FORMAT: TableFormat = TableFormat {
     write: |table| Ok(write(table)),
 };
 
-fn caution(table: &DeviationTable) -> Option<TableCaution> {
+fn caution(table: &DeviationTable) -> Option<FormatWarning> {
     let class = |column: &Column| {
         let is_signed = column.cells.iter().flatten().any(|pair| pair.lower() != Length::ZERO);
         is_signed.then_some(column.class)
     };
-    table.columns().iter().find_map(class).map(|class| TableCaution::LowerSign { class })
+    table.columns().iter().find_map(class).map(|class| FormatWarning::LowerSign { class })
 }
 
 fn write(table: &DeviationTable) -> Vec<u8> {

@@ -137,7 +137,7 @@ const fn phase_id(phase: Phase) -> &'static str {
     }
 }
 
-/// `3 of 17: approach, touch 1, to X 35 Y 45 Z 5`.
+/// `3 of 17: approach, contact 1, to X 35 Y 45 Z 5`.
 fn said(words: &Words, now: &Move, step: usize, count: usize) -> String {
     let place = |place: [f64; 3]| {
         let parts = ["X", "Y", "Z"].into_iter().zip(place);

@@ -148,7 +148,7 @@ pub enum FaultKind {
         /// Where the part begins.
         from: usize,
     },
-    /// A text that is no number.
+    /// A text that is not a number.
     NoNumberInText {
         /// The parameter.
         parameter: Parameter,
@@ -202,7 +202,7 @@ pub enum FaultKind {
         /// The column.
         column: String,
     },
-    /// A cell that is no number, and a number is needed.
+    /// A cell that is not a number, and a number is needed.
     NoNumberInCell {
         /// The table.
         table: String,

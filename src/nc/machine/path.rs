@@ -43,7 +43,7 @@ pub enum PathError {
     },
     /// A device of the system, or a name that no file can have on every system.
     NoName {
-        /// The part that is no name.
+        /// The part that is not a name.
         name: String,
         /// What was given.
         path: String,
@@ -188,7 +188,10 @@ mod tests {
         check(r"..\..\..\a.h", r"..\..\..\a.h leads out of the folder");
         check(r"TNC:\..\a.h", r"TNC:\..\a.h leads out of the folder");
         check(r"C:\a.h", r"C:\a.h is neither a path on TNC: nor a path from the program's folder");
-        check(r"\\server\share\a.h", r"\\server\share\a.h is neither a path on TNC: nor a path from the program's folder");
+        check(
+            r"\\server\share\a.h",
+            r"\\server\share\a.h is neither a path on TNC: nor a path from the program's folder",
+        );
         check("/etc/passwd", "/etc/passwd is neither a path on TNC: nor a path from the program's folder");
         check("a.h:stream", "a.h:stream is neither a path on TNC: nor a path from the program's folder");
         check(r"TNC:\a.h:stream", r"a.h:stream in TNC:\a.h:stream is not a name for a file or folder");

@@ -60,7 +60,7 @@ impl<'a> Cursor<'a> {
         self.text.len() <= self.at
     }
 
-    /// The next character that is no blank.
+    /// The next character that is not a blank.
     pub(super) fn next(&mut self) -> Option<char> {
         self.blanks();
         self.rest().chars().next()

@@ -30,12 +30,12 @@ pub enum ProgramError {
 }
 
 /// What is odd about a program, with line and column.
-pub type ProgramWarning = Located<Oddity>;
+pub type ProgramWarning = Located<ProgramWarningKind>;
 
 /// What is odd about a program that can still be read.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "program", error)]
-pub enum Oddity {
+pub enum ProgramWarningKind {
     /// The first block is another one.
     NoBegin,
     /// There is a second `BEGIN PGM`.

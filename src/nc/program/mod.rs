@@ -41,7 +41,7 @@ pub use block::{
     Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, Feed, MachineFunction,
     Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
 };
-pub use error::{LabelFault, Oddity, ProgramError, ProgramWarning};
+pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
 pub use expression::{Expression, NumberFunction, Operation, TextExpression};
 pub use reason::{Reason, Wanted};
 

@@ -2,7 +2,7 @@
 
 use super::block::{Block, Body, Place, Unit};
 use super::cursor::Cursor;
-use super::error::{Oddity, ProgramError, ProgramWarning};
+use super::error::{ProgramError, ProgramWarning, ProgramWarningKind};
 use super::labels::Labels;
 use super::lines::{Front, Lines, Piece, first, front, next, trimmed};
 use super::reason::Reason;
@@ -53,7 +53,7 @@ impl Program {
         let (labels, twice) = Labels::of(&blocks);
         for again in twice {
             let place = Place { line: again.line, column: 1 };
-            warnings.add(place, || Oddity::LabelAgain { label: again.label.clone(), first: again.first });
+            warnings.add(place, || ProgramWarningKind::LabelAgain { label: again.label.clone(), first: again.first });
         }
         let program = Self { text, encoding, lines, blocks, labels };
         Ok((program, warnings.sorted()))
@@ -78,12 +78,12 @@ fn is_text(bytes: &[u8]) -> Result<(), ProgramError> {
 /// Warnings, of which only so many are kept.
 #[derive(Debug, Default)]
 struct Warnings {
-    kept: Vec<(Place, Oddity)>,
+    kept: Vec<(Place, ProgramWarningKind)>,
     dropped: usize,
 }
 
 impl Warnings {
-    fn add(&mut self, place: Place, what: impl FnOnce() -> Oddity) {
+    fn add(&mut self, place: Place, what: impl FnOnce() -> ProgramWarningKind) {
         if self.kept.len() < MOST_WARNINGS {
             self.kept.push((place, what()));
         } else {
@@ -94,7 +94,7 @@ impl Warnings {
     fn sorted(mut self) -> Vec<ProgramWarning> {
         self.kept.sort_by_key(|(place, _)| *place);
         if let (Some(&(place, _)), true) = (self.kept.last(), 0 < self.dropped) {
-            self.kept.push((place, Oddity::More { count: self.dropped }));
+            self.kept.push((place, ProgramWarningKind::More { count: self.dropped }));
         }
         self.kept.into_iter().map(|(place, what)| ProgramWarning { what, place: place.into() }).collect()
     }
@@ -146,10 +146,10 @@ impl<'a> Reader<'a> {
             line = if trimmed(self.line(line)).is_empty() { line + 1 } else { self.block(line) };
         }
         if let Some(NotRising { line, number, previous, count }) = self.not_rising {
-            self.warn(line, 0, Oddity::Numbers { number, previous, count });
+            self.warn(line, 0, ProgramWarningKind::Numbers { number, previous, count });
         }
         if let (false, Some(last)) = (self.has_end, self.blocks.last()) {
-            self.warn(last.lines.end - 1, 0, Oddity::NoEnd);
+            self.warn(last.lines.end - 1, 0, ProgramWarningKind::NoEnd);
         }
         (self.blocks, self.warnings)
     }
@@ -164,7 +164,7 @@ impl<'a> Reader<'a> {
         Place { line: line + 1, column: before + 1 }
     }
 
-    fn warn(&mut self, line: usize, at: usize, what: Oddity) {
+    fn warn(&mut self, line: usize, at: usize, what: ProgramWarningKind) {
         let place = self.place(line, at);
         self.warnings.add(place, || what);
     }
@@ -199,7 +199,7 @@ impl<'a> Reader<'a> {
                 end += 1;
             }
             if self.lines.count() <= end {
-                self.warn(last.line, 0, Oddity::OpenEnd);
+                self.warn(last.line, 0, ProgramWarningKind::OpenEnd);
                 return last.line + 1;
             }
             last = next(self.line(end), end, 0);
@@ -224,7 +224,7 @@ impl<'a> Reader<'a> {
             return Ok(());
         }
         let reason = Reason::TooMuch { most: MOST_FORMULAS >> 20 };
-        Err(Odd { line: first.line, at: first.start, what: Oddity::NotUnderstood(reason) })
+        Err(Odd { line: first.line, at: first.start, what: ProgramWarningKind::NotUnderstood(reason) })
     }
 
     fn check_number(&mut self, line: usize, front: Front) {
@@ -240,21 +240,21 @@ impl<'a> Reader<'a> {
     fn check_frame(&mut self, line: usize, body: &Body) {
         if self.has_end && !self.has_text_after_end {
             self.has_text_after_end = true;
-            self.warn(line, 0, Oddity::AfterEnd);
+            self.warn(line, 0, ProgramWarningKind::AfterEnd);
         }
         match body {
-            Body::Begin { .. } if self.begin.is_some() => self.warn(line, 0, Oddity::SecondBegin),
+            Body::Begin { .. } if self.begin.is_some() => self.warn(line, 0, ProgramWarningKind::SecondBegin),
             Body::Begin { unit, .. } => self.begin = Some(*unit),
             Body::End { unit, .. } if !self.has_end => {
                 self.has_end = true;
                 if let Some(begin) = self.begin.filter(|begin| begin != unit) {
-                    self.warn(line, 0, Oddity::Units { begin, end: *unit });
+                    self.warn(line, 0, ProgramWarningKind::Units { begin, end: *unit });
                 }
             }
             _ => {}
         }
         if self.blocks.is_empty() && !matches!(body, Body::Begin { .. }) {
-            self.warn(line, 0, Oddity::NoBegin);
+            self.warn(line, 0, ProgramWarningKind::NoBegin);
         }
     }
 }

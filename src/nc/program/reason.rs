@@ -21,12 +21,12 @@ pub enum Reason {
         /// What stands there.
         found: String,
     },
-    /// A word in a formula that is no function of it.
+    /// A word in a formula that is not a function of it.
     UnknownFunction {
         /// The word.
         found: String,
     },
-    /// A number that is no finite number.
+    /// A number that is not a finite number.
     NumberSize {
         /// What stands there.
         found: String,

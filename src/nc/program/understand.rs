@@ -4,7 +4,7 @@ use super::block::{Body, CycleBlock, Place};
 use super::body::body;
 use super::cursor::{Cursor, Stop};
 use super::cycle;
-use super::error::Oddity;
+use super::error::ProgramWarningKind;
 use super::lines::Piece;
 use super::reason::Reason;
 use super::words::DEEPEST;
@@ -17,14 +17,14 @@ const LONGEST: usize = 1 << 16;
 pub(super) struct Odd {
     pub line: usize,
     pub at: usize,
-    pub what: Oddity,
+    pub what: ProgramWarningKind,
 }
 
 /// What the lines of a block say; `place` counts characters of a line, given bytes.
 pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> Place) -> Result<Body, Odd> {
     let open = pieces.iter().find_map(|piece| piece.open_quote.map(|at| (piece.line, at)));
     if let Some((line, at)) = open {
-        return Err(Odd { line, at, what: Oddity::UnclosedQuote });
+        return Err(Odd { line, at, what: ProgramWarningKind::UnclosedQuote });
     }
     let Some((first, more)) = pieces.split_first() else { return Ok(Body::Nothing) };
     if let Some(text) = first.code.strip_prefix('*') {
@@ -43,10 +43,10 @@ pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> P
 }
 
 fn not_understood(piece: &Piece<'_>, at: usize, reason: Reason) -> Odd {
-    Odd { line: piece.line, at: piece.start + at, what: Oddity::NotUnderstood(reason) }
+    Odd { line: piece.line, at: piece.start + at, what: ProgramWarningKind::NotUnderstood(reason) }
 }
 
-/// A block that is no cycle: its lines are read as one.
+/// A block that is not a cycle: its lines are read as one.
 fn plain(pieces: &[Piece<'_>]) -> Result<Body, Odd> {
     let Some(first) = pieces.first() else { return Ok(Body::Nothing) };
     let length: usize = pieces.iter().map(|piece| piece.code.len() + 1).sum();

@@ -66,7 +66,7 @@ pub enum PlanFault {
         /// What is wrong.
         error: LengthError,
     },
-    /// A text is no callout.
+    /// A text is not a callout.
     #[say(id = "nc-value")]
     Callout {
         /// What was given.

@@ -9,7 +9,7 @@
 //! | `inscribed` | the largest empty circle that the contacts surround |
 //! | `zone` | the narrowest ring: roundness |
 //! | `two_point` | diameters between opposed contacts |
-//! | `uncertainty` | how much of a touch's scatter goes into diameter and centre |
+//! | `uncertainty` | how much of a contact's scatter goes into diameter and centre |
 //! | `warning` | what the contacts cannot tell |
 //!
 //! Everything here is `f64` millimetres and nothing is rounded; a result becomes a [`crate::length::Length`] once, in
@@ -68,7 +68,7 @@ pub struct Evaluation {
     pub arc_deg: f64,
     /// The largest angle in degrees without a contact, seen from the least-squares centre.
     pub largest_gap_deg: f64,
-    /// How scatter of the touches goes into diameter and centre.
+    /// How scatter of the contacts goes into diameter and centre.
     pub uncertainty: Uncertainty,
     /// What the contacts cannot tell, and what is suspicious.
     pub warnings: Vec<CircleWarning>,

@@ -1,8 +1,8 @@
-//! How much of a touch's scatter goes into diameter and centre.
+//! How much of a contact's scatter goes into diameter and centre.
 
 use super::frame::{count_f64, minus, norm};
 
-/// Standard uncertainties of the least-squares circle in units of that of one touch along the radius.
+/// Standard uncertainties of the least-squares circle in units of that of one contact along the radius.
 ///
 /// From the directions a of the contacts alone: rows (cos a, sin a, 1), covariance (JᵀJ)⁻¹, u(D) = 2 √C₃₃. Form of the
 /// workpiece is not in it.

@@ -1,4 +1,4 @@
-//! The way of the probe through a cycle: moves as values that can be listed and stepped, and the touches on it.
+//! The way of the probe through a cycle: moves as values that can be listed and stepped, and the contacts on it.
 //!
 //! All places are those of the ball's centre in workpiece coordinates, millimetres.
 
@@ -9,7 +9,7 @@ use crate::probing::contact::{Contact, Prober, Touch};
 /// What a move is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Phase {
-    /// To where a touch begins, at rapid traverse.
+    /// To where a probing begins, at rapid traverse.
     PrePosition,
     /// Towards the workpiece, at probing feed.
     Approach,
@@ -39,7 +39,7 @@ impl Phase {
 pub struct Move {
     /// What it is for.
     pub phase: Phase,
-    /// The touch that it belongs to, from 1; `None` for leaving.
+    /// The contact that it belongs to, from 1; `None` for leaving.
     pub touch: Option<usize>,
     /// Where it begins, mm.
     pub from: [f64; 3],
@@ -49,7 +49,7 @@ pub struct Move {
     pub about: Option<[f64; 3]>,
 }
 
-/// Asks for touches and writes down the way between them.
+/// Asks for contacts and writes down the way between them.
 pub struct Course<'a> {
     prober: &'a mut dyn Prober,
     moves: Vec<Move>,
@@ -71,7 +71,7 @@ impl<'a> Course<'a> {
         self.moves
     }
 
-    /// Moves in a straight line on the way to the next touch.
+    /// Moves in a straight line on the way to the next contact.
     pub(in crate::probing) fn pre_position(&mut self, to: [f64; 3]) {
         self.go(Phase::PrePosition, to, None);
     }
@@ -87,12 +87,12 @@ impl<'a> Course<'a> {
         self.pre_position(to);
     }
 
-    /// Moves on an arc on the way to the next touch.
+    /// Moves on an arc on the way to the next contact.
     pub(in crate::probing) fn pre_position_about(&mut self, to: [f64; 3], centre: [f64; 3]) {
         self.go(Phase::PrePosition, to, Some(centre));
     }
 
-    /// Touches from where the touch begins; the ball stays where it met the workpiece.
+    /// Probes from where the probing begins; the ball stays where it met the workpiece.
     pub(in crate::probing) fn touch(&mut self, touch: &Touch) -> Result<Contact, CycleError> {
         self.touches += 1;
         match self.prober.touch(touch) {

@@ -23,7 +23,7 @@ pub enum CycleError {
         #[say(name = "allowed")]
         range: Range,
     },
-    /// A text is no value for a parameter.
+    /// A text is not a value for a parameter.
     NotAValue {
         /// The parameter.
         key: Key,
@@ -89,7 +89,7 @@ pub enum CycleError {
         /// In the third.
         third: Key,
     },
-    /// Two touches of the same point lie too far apart.
+    /// Two probings of the same point lie too far apart.
     Apart {
         /// Which contact, from 1.
         contact: usize,

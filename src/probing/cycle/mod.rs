@@ -192,7 +192,7 @@ impl Cycle {
     /// The surface that the cycle expects by its inputs.
     ///
     /// # Errors
-    /// As [`Self::measure`], but for what only a touch can tell.
+    /// As [`Self::measure`], but for what only a contact can tell.
     pub fn nominal(&self, inputs: &Inputs) -> Result<Surface, CycleError> {
         self.checked(inputs).map(|inputs| (self.surface)(&inputs))
     }

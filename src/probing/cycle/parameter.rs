@@ -304,8 +304,8 @@ impl Parameter {
     /// Reads a value as people type it; the range is checked when the cycle runs.
     ///
     /// # Errors
-    /// [`CycleError::NotAValue`] for a text that is no value of the declared kind, [`CycleError::OutOfRange`] for a
-    /// choice that is no whole number.
+    /// [`CycleError::NotAValue`] for a text that is not a value of the declared kind, [`CycleError::OutOfRange`] for a
+    /// choice that is not a whole number.
     pub fn read(&self, text: &str) -> Result<Value, CycleError> {
         if self.may_be_predef && text.trim().eq_ignore_ascii_case(PREDEF) {
             return Ok(Value::Predef);

@@ -2,7 +2,7 @@
 //!
 //! Parameters in the order of a public post-processor, with the names of its neighbours; ranges, course and results by
 //! analogy with 425 and 427, for no public page was found: first in minus direction onto the first point, then over the
-//! clearance height and in plus direction onto the second. Our reading: each touch begins `SET_UP`, Q320 and the ball's
+//! clearance height and in plus direction onto the second. Our reading: each probing begins `SET_UP`, Q320 and the ball's
 //! radius beside its point, so the first point is that with the larger coordinate.
 
 use super::width_cycle::{

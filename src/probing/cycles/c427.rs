@@ -1,4 +1,4 @@
-//! Cycle 427, measure coordinate: one touch along one axis, limits in Q288 and Q289.
+//! Cycle 427, measure coordinate: one contact along one axis, limits in Q288 and Q289.
 //!
 //! Parameters, ranges, result and notes as in the Italian manual of TNC7. Rework and scrap are those of an outside
 //! dimension, as the cycle manual of the TNC 320 says: too large is rework, too small is scrap. The control's note that

@@ -19,7 +19,7 @@ use crate::words::Dialogue::{En, Nl};
 /// The permitted deviation along the normal, as a text.
 const TOLERANCE: Key = Key::Qs(400);
 
-/// The retraction after the touch; without it the ball goes back to where the touch began.
+/// The retraction after the contact; without it the ball goes back to where the probing began.
 const RETRACT: Key = Key::Word("MB");
 
 /// The declaration.
@@ -87,7 +87,7 @@ fn dot([x, y, z]: [f64; 3], [with_x, with_y, with_z]: [f64; 3]) -> f64 {
 
 /// Runs the cycle on checked inputs.
 ///
-/// The touch goes from a point on the normal to the nominal point; the ball's radius is taken into account along the
+/// The probing goes from a point on the normal to the nominal point; the ball's radius is taken into account along the
 /// normal that was given, so a wrong normal gives a wrong deviation, as on the control.
 fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
     let normal = normal(inputs)?;

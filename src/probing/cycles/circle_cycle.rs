@@ -140,7 +140,7 @@ pub(super) fn subject(inputs: &Inputs) -> String {
     inputs.length(262).to_string()
 }
 
-/// The touches in order: at Q325 + k · Q247, from inside a hole or from outside a stud.
+/// The contacts in order: at Q325 + k · Q247, from inside a hole or from outside a stud.
 fn touches(side: &Side, inputs: &Inputs, ball_radius: f64) -> Vec<Touch> {
     let (x, y, height) = (inputs.mm(273), inputs.mm(274), inputs.mm(261));
     let radius = inputs.mm(262) / 2.0;
@@ -166,7 +166,7 @@ fn touches(side: &Side, inputs: &Inputs, ball_radius: f64) -> Vec<Touch> {
         .collect()
 }
 
-/// From above to the first touch; to the others as Q301 says, and at measuring height as Q365 says.
+/// From above to the first contact; to the others as Q301 says, and at measuring height as Q365 says.
 fn pre_position(inputs: &Inputs, touch: &Touch, is_first: bool, course: &mut Course<'_>) {
     if is_first || inputs.whole(301) == 1 {
         course.pre_position_from_above(touch.from, inputs.mm(260));

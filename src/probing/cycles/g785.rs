@@ -1,8 +1,8 @@
-//! G785 of lathe controls, circle measurement: three touches, centre and diameter, no limits.
+//! G785 of lathe controls, circle measurement: three contacts, centre and diameter, no limits.
 //!
 //! As in the manual of `MANUALplus` 620 and CNC PILOT 640 (54843x-03). Our readings where the manual is silent: angles
 //! count from the first axis of the plane to the second; a positive K leads away from the centre, a negative one towards
-//! it; without D every touch begins at the present position, and that is the nominal centre where nothing else is said;
+//! it; without D every probing begins at the present position, and that is the nominal centre where nothing else is said;
 //! I and J are 0 without input; `#i99` holds the diameter. Q, P and H stand in the example block only: they are accepted
 //! without effect.
 
@@ -29,7 +29,7 @@ const CENTRE_1: Key = Key::Word("I");
 const CENTRE_2: Key = Key::Word("J");
 const PERMITTED: Key = Key::Word("WE");
 
-/// How many touches there are round the circle.
+/// How many contacts there are round the circle.
 const TOUCHES: u8 = 3;
 
 /// The declaration, in the order of the manual's list.
@@ -106,7 +106,7 @@ fn surface(inputs: &Inputs) -> Surface {
     Surface::Round(Workpiece::round(feature(inputs), centre(inputs), 2.0 * reached.abs()), plane(inputs))
 }
 
-/// Where the touches begin and where they lead, in plane coordinates.
+/// Where the probings begin and where they lead, in plane coordinates.
 fn touches(inputs: &Inputs) -> Vec<Touch> {
     let plane = plane(inputs);
     let [first, second] = centre(inputs);
@@ -172,7 +172,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     })
 }
 
-/// One contact; with WE the mean of two touches, which must agree.
+/// One contact; with WE the mean of two probings, which must agree.
 fn contact(touch: &Touch, number: usize, inputs: &Inputs, course: &mut Course<'_>) -> Result<Contact, CycleError> {
     let one = course.touch(touch)?;
     course.retract(touch.from);
@@ -182,7 +182,7 @@ fn contact(touch: &Touch, number: usize, inputs: &Inputs, course: &mut Course<'_
     let other = course.touch(touch)?;
     course.retract(touch.from);
     let (one, other) = (one.place(), other.place());
-    // Both lie on the line of the touch.
+    // Both lie on the line of the probing.
     let apart = along(one, other, -1.0).iter().map(|part| part * part).sum::<f64>().sqrt();
     let (difference, most) = (nearest(apart)?, inputs.length(PERMITTED));
     if most < difference {

@@ -83,7 +83,7 @@ pub(super) fn run(feature: Feature, inputs: &Inputs, course: &mut Course<'_>) ->
     measured(feature, inputs, limits, contacts)
 }
 
-/// The touches in order, from inside a pocket or from outside a boss.
+/// The contacts in order, from inside a pocket or from outside a boss.
 fn touches(feature: Feature, inputs: &Inputs, ball_radius: f64) -> [Touch; 4] {
     let clearance = inputs.mm(320) + inputs.probe().set_up.to_mm_f64() + ball_radius;
     let longest = inputs.probe().longest_path.to_mm_f64();
@@ -105,7 +105,7 @@ fn touches(feature: Feature, inputs: &Inputs, ball_radius: f64) -> [Touch; 4] {
     ]
 }
 
-/// From above to the first touch; to the others as Q301 says, at measuring height one axis after the other.
+/// From above to the first contact; to the others as Q301 says, at measuring height one axis after the other.
 fn pre_position(inputs: &Inputs, before: Option<[f64; 3]>, to: [f64; 3], course: &mut Course<'_>) {
     let Some([before_x, before_y, _]) = before.filter(|_| inputs.whole(301) == 0) else {
         return course.pre_position_from_above(to, inputs.mm(260));

@@ -59,7 +59,7 @@ fn in_range(what: &'static str, given: f64, least: f64, most: f64) -> Result<(),
     if least <= given && given <= most { Ok(()) } else { Err(WorkpieceError { what, given, least, most }) }
 }
 
-/// The simulated machine: answers touches with contacts.
+/// The simulated machine: answers probings with contacts.
 #[derive(Debug, Clone)]
 pub struct Machine {
     surface: Surface,

@@ -1,4 +1,4 @@
-//! A round feature with its form, and where a touch meets it.
+//! A round feature with its form, and where a probing meets it.
 
 use serde::{Deserialize, Serialize};
 

@@ -229,7 +229,7 @@ impl ProgramPage {
         let native = self.limits(sources)?;
         let run = self.run.as_ref()?;
         let Ok(limits) = native else {
-            // Both refuse, each in its own words: that is no difference.
+            // Both refuse, each in its own words: that is not a difference.
             return match (run.fault(), run.status()) {
                 (Some(_), _) => Some(Agreement::BothRefuse),
                 (None, Some(_)) => Some(Agreement::Differs(vec![Message::new("program-page-differs-native-refuses")])),

@@ -292,7 +292,7 @@ impl Run {
     }
 }
 
-/// A move as it is drawn: a block of the program is one on the way to the next touch.
+/// A move as it is drawn: a block of the program is one on the way to the next contact.
 fn as_move(travel: &Travel) -> Move {
     let (phase, touch) = match travel.kind {
         TravelKind::Cycle(phase) => (phase, None),

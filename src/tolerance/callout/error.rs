@@ -1,4 +1,4 @@
-//! Why a text is no callout: the reason, and the character at which it shows.
+//! Why a text is not a callout: the reason, and the character at which it shows.
 
 use std::ops::Range;
 
@@ -11,7 +11,7 @@ use crate::tolerance::ClassError;
 /// The most characters of a given text that an error repeats.
 const LONGEST_GIVEN: usize = 80;
 
-/// Why a text is no callout, and where.
+/// Why a text is not a callout, and where.
 ///
 /// ```
 /// use fitcheck::tolerance::Callout;

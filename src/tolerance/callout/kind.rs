@@ -1,4 +1,4 @@
-//! The reasons why a text is no callout, each with what is allowed instead.
+//! The reasons why a text is not a callout, each with what is allowed instead.
 
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say};
@@ -16,7 +16,7 @@ pub enum Part {
     Actual,
 }
 
-/// The reason why a text is no callout, no cycle text or no text of QS400.
+/// The reason why a text is not a callout, a cycle text or a text of QS400.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "callout", error)]
 pub enum CalloutErrorKind {

@@ -5,7 +5,7 @@
 //! | `scanner` | a text, character by character |
 //! | `reading` | the one grammar: size, then class, fit or limits |
 //! | `band` | the grammar's deviations, with sign and unit |
-//! | `error` | why a text is no callout, and at which character |
+//! | `error` | why a text is not a callout, and at which character |
 //! | `kind` | the reasons |
 //! | `cycle_text` | the texts of cycles 14xx: a callout, or less, or more |
 //! | `qs400` | the tolerance texts of cycle 444 |

@@ -90,10 +90,7 @@ mod tests {
         for text in ["", "  ", "0", "-0", "0-0", "0.1+0.1", "0.1+0.2", "-0.1-0.2"] {
             check(text, "");
         }
-        check(
-            "-0.1+0.4",
-            "! the lower deviation comes before the upper one: write QS400 as 0.4-0.1 (character 5)",
-        );
+        check("-0.1+0.4", "! the lower deviation comes before the upper one: write QS400 as 0.4-0.1 (character 5)");
         check("0.4-0.1-0.2", "! -0.2 is not expected here: the text ends before it (character 8)");
         check("H7", "! H7 is not a deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
         check("±0.1", "! ±0.1 is not a deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");

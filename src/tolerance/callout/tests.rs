@@ -105,7 +105,7 @@ fn refuses_deviations_that_may_mean_something_else() {
     let no_unit = "has no unit and the other deviation is in µm: write the unit after both";
     check("100 +10 -15 µm", &format!("! 10 {no_unit} (character 6)"));
     check("100 +10 µm -15", &format!("! 15 {no_unit} (character 13)"));
-    let mixed = "has another decimal sign than the number before: write one kind";
+    let mixed = "has a different decimal sign than the number before it: use one kind";
     check("1,234 +0.5", &format!("! 0.5 {mixed} (character 8)"));
     check("12.5 +0.1 -0,1", &format!("! 0,1 {mixed} (character 12)"));
 }

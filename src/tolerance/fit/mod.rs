@@ -106,7 +106,7 @@ impl Fit {
     /// ```
     ///
     /// # Errors
-    /// [`FitError::OneSided`] for a callout that is no fit, [`FitError::Limits`] where a class is not defined.
+    /// [`FitError::OneSided`] for a callout that is not a fit, [`FitError::Limits`] where a class is not defined.
     pub fn of_callout(callout: &Callout, sources: &Sources) -> Result<Self, FitError> {
         if !matches!(callout.tolerance(), Tolerance::Fit { .. }) {
             return Err(FitError::OneSided { callout: *callout });

@@ -24,7 +24,7 @@ pub struct Expansion(i32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Temperature(i32);
 
-/// Why a text is no temperature or no coefficient of expansion.
+/// Why a text is not a temperature or a coefficient of expansion.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "fit-thermal", error)]
 pub enum ThermalError {

@@ -32,9 +32,7 @@ fn a_truncated_table_is_refused() {
     // Cut within +12, which would read as +1.
     check(
         &SOUND[..SOUND.find("+12").unwrap() + 2],
-        &[
-            "! the row ends before column U1: fill it with blanks, or write - for no value: own.tab, line 5, column 15",
-        ],
+        &["! the row ends before column U1: fill it with blanks, or write - for no value: own.tab, line 5, column 15"],
     );
     // Cut within the last column: +25 would read as +2.
     let long = SOUND.replace("-\n3  ", "+25\n3  ");
@@ -64,9 +62,7 @@ fn broken_rows_and_columns_are_refused() {
     check(&SOUND.replace("U1", "H7"), &["! column H7 occurs twice: own.tab, line 2, column 20"]);
     check(
         &SOUND.replace("2   6       +12    -", "2   6       +12"),
-        &[
-            "! the row ends before column U1: fill it with blanks, or write - for no value: own.tab, line 5, column 16",
-        ],
+        &["! the row ends before column U1: fill it with blanks, or write - for no value: own.tab, line 5, column 16"],
     );
     check(&SOUND.replace("+12", "+1x"), &["! column H7: +1x is not a number: own.tab, line 5, column 13"]);
     check(&SOUND.replace("+12 ", "12mm"), &["! column H7: 12mm is not a number: own.tab, line 5, column 13"]);
@@ -157,10 +153,7 @@ fn other_columns_are_left_alone() {
             "column Js7 mixes upper and lower case, so it is not a tolerance class and was skipped: own.tab, line 2, column 20",
         ],
     );
-    check(
-        &SOUND.replace("BEREICH", "RANGE  "),
-        &["skipped, not a table of deviations (no column BEREICH): own.tab"],
-    );
+    check(&SOUND.replace("BEREICH", "RANGE  "), &["skipped, not a table of deviations (no column BEREICH): own.tab"]);
     let both = SOUND.replace("U1", "h7");
     let (table, _) = read_table(both.as_bytes(), "own.tab", "own.tab", false).unwrap();
     let tables = fitcheck::tolerance::Sources::of_tables(vec![table.unwrap()]);

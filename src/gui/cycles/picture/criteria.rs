@@ -121,7 +121,7 @@ fn two_point(words: &Words, sizes: &[TwoPoint]) -> Vec<Row> {
     ends.into_iter().filter_map(|(id, size)| size.map(|size| row(id, size))).collect()
 }
 
-/// What a touch's scatter does to diameter and centre.
+/// What a contact's scatter does to diameter and centre.
 fn uncertainty(words: &Words, evaluation: &Evaluation) -> String {
     let factors = &evaluation.uncertainty;
     let factor = |value: f64| words.number(&format!("{value:.2}"));

@@ -154,7 +154,7 @@ impl Section<'_> {
         self.height(datum, line_start(line));
     }
 
-    /// From the touch: what the table gives, what the parameter adds, the ball.
+    /// From the contact: what the table gives, what the parameter adds, the ball.
     fn set_up(&self) {
         let (_, point, normal) = self.workpiece("X");
         let ball = point + normal * (WITH_PARAMETER + BALL);
@@ -181,7 +181,7 @@ impl Section<'_> {
         }
     }
 
-    /// Two touches of one contact, much enlarged.
+    /// Two probings of one contact, much enlarged.
     fn difference(&self) {
         const LARGE: f32 = 34.0;
         let wall = self.at(pos2(186.0, 0.0));
