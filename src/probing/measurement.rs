@@ -129,7 +129,7 @@ mod tests {
     use crate::words::{Language, Words};
 
     #[track_caller]
-    fn check(said: &(impl Say + fmt::Display), expected: &str) {
+    fn check(said: &(impl Say + std::fmt::Display), expected: &str) {
         assert_eq!(said.to_string(), expected);
         assert_eq!(Words::new(Language::En).told(said), expected);
         assert_ne!(Words::new(Language::Nl).told(said), said.message().id);
