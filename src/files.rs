@@ -4,12 +4,14 @@
 
 mod folder;
 mod folders;
+mod tables;
 
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 pub use folder::{make_folder, write_folder, write_new};
 pub use folders::Folders;
+pub use tables::{OwnTables, OwnTablesError, read_tables};
 
 use crate::message::Say;
 

@@ -3,7 +3,10 @@
 //! A record holds the whole way from callout to verdict, so that a report made next year says the same as the screen
 //! today.
 
+mod window;
+
 use jiff::civil::DateTime;
+pub use window::{status_variables, status_window};
 
 use crate::probing::Measurement;
 use crate::tolerance::{Callout, Limits};

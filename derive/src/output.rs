@@ -77,9 +77,10 @@ fn arm(case: &Case) -> TokenStream {
     };
     let arguments = case.fields.iter().filter_map(|field| {
         let (argument, name) = (field.argument.as_ref()?, binding(&field.member));
-        Some(match &field.with {
-            Some(with) => quote!(.with(#argument, &#with(#name))),
-            None => quote!(.with(#argument, #name)),
+        Some(if let Some(with) = &field.with {
+            quote!(.with(#argument, &#with(#name)))
+        } else {
+            quote!(.with(#argument, #name))
         })
     });
     let computed = case.computed.iter().map(|(name, expression)| quote!(.with(#name, &(#expression))));

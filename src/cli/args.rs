@@ -6,8 +6,8 @@ use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::{CliError, Io, Refused as _};
-use crate::control::deviations::read_folder;
 use crate::control::shipped_tables;
+use crate::files;
 use crate::tolerance::{Base, Sources, iso286};
 use crate::words::Dialogue;
 
@@ -92,7 +92,7 @@ impl TableArgs {
         };
         let sources = Sources::default().with_base(base).with_options(self.standard.options());
         let Some(folder) = &self.tables else { return Ok(sources) };
-        let own = read_folder(folder).said()?;
+        let own = files::read_tables(folder).said()?;
         for warning in &own.warnings {
             io.warn(warning)?;
         }

@@ -7,7 +7,6 @@
 mod fault;
 mod write;
 
-use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
 pub use fault::{DeviationError, DeviationFault, DeviationWarning, DeviationWarningKind};
@@ -15,7 +14,6 @@ pub use write::to_control_table;
 
 use super::table::{Column, ControlTable, TableFile, TableUnit, is_blank, is_number};
 use super::text::beginning;
-use crate::files::{self, FileError};
 use crate::length::{Length, LengthError, Unit};
 use crate::message::Located;
 use crate::shipped;
@@ -46,47 +44,6 @@ pub fn shipped_tables() -> Vec<Arc<DeviationTable>> {
         tables.collect()
     });
     TABLES.clone()
-}
-
-/// What a folder of tables holds.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct OwnTables {
-    /// The tables, by file name.
-    pub tables: Vec<DeviationTable>,
-    /// What was odd but readable, each with its file and line.
-    pub warnings: Vec<DeviationWarning>,
-}
-
-/// Reads every `.tab` file of a folder, in the order of their names.
-///
-/// # Errors
-/// [`DeviationError`] where the folder has no table of deviations, or one of its tables is broken: then none is used.
-pub fn read_folder(folder: &Path) -> Result<OwnTables, DeviationError> {
-    let mut own = OwnTables::default();
-    for path in files_of(folder)? {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let file = path.display().to_string();
-        let (table, warnings) = read_table(&files::read(&path)?, &name, &file, false)?;
-        own.tables.extend(table);
-        own.warnings.extend(warnings);
-    }
-    if own.tables.is_empty() {
-        return Err(DeviationError::NoTables { folder: folder.to_owned() });
-    }
-    Ok(own)
-}
-
-fn files_of(folder: &Path) -> Result<Vec<std::path::PathBuf>, FileError> {
-    let mut paths = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(|error| files::system(folder, &error))? {
-        let path = entry.map_err(|error| files::system(folder, &error))?.path();
-        let is_table = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("tab"));
-        if is_table && !path.is_dir() {
-            paths.push(path);
-        }
-    }
-    paths.sort();
-    Ok(paths)
 }
 
 /// Reads a table of deviations; a table without a range column is none, and a warning says so.

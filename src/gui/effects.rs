@@ -124,7 +124,7 @@ fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
 }
 
 fn read_tables(folder: &Path) -> Result<(Vec<DeviationTable>, Vec<Message>), Message> {
-    let own = deviations::read_folder(folder).map_err(|error| error.message())?;
+    let own = files::read_tables(folder).map_err(|error| error.message())?;
     let warnings = own.warnings.iter().map(crate::message::Say::message).collect();
     Ok((own.tables, warnings))
 }

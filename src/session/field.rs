@@ -9,6 +9,8 @@ use super::fit::{FitCommand, FitField};
 use super::program::{ProgramCommand, ProgramField};
 use super::tables::{TablesCommand, TablesField};
 use super::workpiece::WorkpieceCommand;
+use crate::length::Length;
+use crate::message::{Message, Say as _};
 
 /// A text field of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -116,5 +118,43 @@ impl<F: KeptField> Texts<F> {
     pub fn restored(saved: &BTreeMap<String, String>) -> Self {
         let of_field = |field: &F| Some((*field, saved.get(field.declared().0)?.clone()));
         Self { texts: F::ALL.iter().filter_map(of_field).collect() }
+    }
+}
+
+/// The whole number in a field.
+///
+/// # Errors
+/// What is said beside the field where its text is none.
+pub(super) fn whole<T: std::str::FromStr>(text: &str) -> Result<T, Message> {
+    let text = text.trim();
+    text.parse().map_err(|_not_whole| Message::new("field-not-whole").text("given", text))
+}
+
+/// What a field's length may be, within the control's ±99999.9999 mm.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Range {
+    /// Of either sign.
+    Any,
+    /// Not below zero.
+    ZeroOrMore,
+    /// Above zero.
+    AboveZero,
+}
+
+impl Range {
+    /// The length in a field.
+    ///
+    /// # Errors
+    /// What is said beside the field where its text is no length, or one outside the range.
+    pub(super) fn read(self, text: &str) -> Result<Length, Message> {
+        let value = text.parse::<Length>().map_err(|error| error.message())?;
+        let largest = Length::from_nanometres(99_999_999_900).unwrap_or_default();
+        let outside = |id| Err(Message::new(id).mm("given", value).mm("limit", largest));
+        match self {
+            Self::ZeroOrMore if value < Length::ZERO => outside("field-not-negative"),
+            Self::AboveZero if value <= Length::ZERO => outside("field-above-zero"),
+            _ if largest < value.abs() => outside("field-range"),
+            _ => Ok(value),
+        }
     }
 }

@@ -243,7 +243,7 @@ fn what_a_log_lacks_is_left_out() {
     assert!(!text.contains("Datum") && !text.contains("Afwijkingen") && !text.contains("Overige"), "{text}");
     let read = logs(&bytes);
     assert_eq!(read[0], Log { warnings: read[0].warnings.clone(), ..log.printed(Dialogue::Nl) });
-    let warnings: Vec<_> = read[0].warnings.iter().map(ToString::to_string).collect();
+    let warnings: Vec<_> = read[0].warnings.iter().map(|warning| warning.what.to_string()).collect();
     assert_eq!(
         warnings,
         ["date and time of the measurement are unknown", "the deviations are missing: the log may be cut off"]

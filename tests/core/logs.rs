@@ -130,7 +130,7 @@ fn verdicts_are_the_expected_ones() {
 #[test]
 fn only_what_is_odd_is_warned_of() {
     each(|expected, log, _, _| {
-        let warnings: Vec<String> = log.warnings.iter().map(ToString::to_string).collect();
+        let warnings: Vec<String> = log.warnings.iter().map(|warning| warning.what.to_string()).collect();
         let expected: &[&str] = match expected["file"].as_str() {
             "variants/TCHPR421_without_unit_line.TXT" => &["no line gives the unit: millimetres assumed"],
             "variants/TCHPR421_cut_off.TXT" => &["the deviations are missing: the log may be cut off"],

@@ -4,10 +4,9 @@ use std::sync::Arc;
 
 use fitcheck::control::log::{self, Log};
 use fitcheck::control::shipped_tables;
-use fitcheck::control::status::status_window;
 use fitcheck::control::variables::{Family, Parameter, Value};
 use fitcheck::files::Folders;
-use fitcheck::journal::Record;
+use fitcheck::journal::{Record, status_window};
 use fitcheck::length::Length;
 use fitcheck::nc::machine::{
     BlockPlace, Budget, Contacts, FaultKind, InMemory, Machine, NcPath, Pause, Settings, Shipped, Step, TravelKind,

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use fitcheck::control::mask::{Context, FileUse, Mask};
-use fitcheck::control::status::{shipped_mask, status_variables, status_window};
+use fitcheck::control::status::shipped_mask;
 use fitcheck::control::variables::{Family, Parameter, Value, Variables};
-use fitcheck::journal::Record;
+use fitcheck::journal::{Record, status_variables, status_window};
 use fitcheck::length::Length;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::shipped;

@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use fitcheck::control::shipped_tables;
-use fitcheck::control::status::{status_window, status_word};
+use fitcheck::control::status::status_word;
 use fitcheck::control::variables::{Parameter, Value};
-use fitcheck::journal::Record;
+use fitcheck::journal::{Record, status_window};
 use fitcheck::length::{Length, Unit};
 use fitcheck::nc::machine::{Contacts, Fault, InMemory, Machine, Settings, Shipped, Step};
 use fitcheck::nc::program::{Body, Program};

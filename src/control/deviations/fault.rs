@@ -1,32 +1,21 @@
 //! What can be wrong or odd in a table of deviations.
 
-use std::path::PathBuf;
-
 use crate::control::table::{TableError, TableWarning};
-use crate::files::FileError;
 use crate::length::{Length, LengthError};
 use crate::message::{Located, Say};
 use crate::tolerance::table::TableShapeError;
 use crate::tolerance::{DeviationsError, ToleranceClass};
 
-/// Why tables of deviations cannot be used.
+/// Why a table of deviations cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
-#[say(prefix = "deviations", error)]
+#[say(error)]
 pub enum DeviationError {
-    /// The folder or a file in it cannot be read.
-    #[say(transparent)]
-    File(#[from] FileError),
     /// A file is no table.
     #[say(transparent)]
     Table(#[from] TableError),
     /// A table does not hold deviations as it should.
     #[say(transparent)]
     Content(#[from] Located<DeviationFault>),
-    /// There is not a table of deviations in the folder.
-    NoTables {
-        /// The folder.
-        folder: PathBuf,
-    },
 }
 
 /// What is wrong in a table of deviations; [`Located`] says where.

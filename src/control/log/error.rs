@@ -1,5 +1,7 @@
 //! What is wrong or odd with a measuring log.
 
+use std::sync::Arc;
+
 use crate::length::LengthError;
 use crate::message::{Located, Say};
 use crate::probing::cycle::Log;
@@ -71,7 +73,7 @@ pub enum LogReason {
         /// The maximum.
         maximum: String,
         /// The nominal value.
-        nominal: String,
+        nominal: Arc<str>,
     },
     /// The log's deviation is not actual minus nominal value.
     Deviation {
@@ -80,7 +82,7 @@ pub enum LogReason {
         /// The actual value.
         actual: String,
         /// The nominal value.
-        nominal: String,
+        nominal: Arc<str>,
     },
     /// A diameter of zero or less.
     NotPositive {

@@ -238,7 +238,7 @@ impl<'a> Body<'a> {
         let reason = LogReason::Deviation {
             given: deviation.pair.given.to_owned(),
             actual: actual.pair.given.to_owned(),
-            nominal: nominal.pair.given.to_owned(),
+            nominal: nominal.pair.given.into(),
         };
         Err(at(&deviation.pair, reason))
     }
@@ -254,7 +254,7 @@ impl<'a> Body<'a> {
         let reason = LogReason::Uneven {
             minimum: minimum.pair.given.to_owned(),
             maximum: maximum.pair.given.to_owned(),
-            nominal: nominal.pair.given.to_owned(),
+            nominal: nominal.pair.given.into(),
         };
         Err(at(&maximum.pair, reason))
     }

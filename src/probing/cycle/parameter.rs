@@ -102,7 +102,7 @@ display!(Range);
 impl Say for Range {
     fn message(&self) -> Message {
         match self {
-            Self::Length { least, most } => Message::new("cycle-length-range").with("least", least).with("most", most),
+            Self::Length { least, most } => Message::new("cycle-length-range").text("least", least).text("most", most),
             Self::Angle { most, smallest } if *smallest == Angle::default() => {
                 Message::new("cycle-angle-range").text("most", most)
             }

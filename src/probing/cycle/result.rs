@@ -275,9 +275,9 @@ impl Say for Check {
         };
         let message = Message::new(id)
             .message("what", self.what.message())
-            .with("measured", &self.measured)
-            .with("minimum", &self.minimum)
-            .with("maximum", &self.maximum);
+            .text("measured", self.measured)
+            .text("minimum", self.minimum)
+            .text("maximum", self.maximum);
         message.with("status", &self.status)
     }
 }

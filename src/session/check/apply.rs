@@ -5,9 +5,8 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::{Asked, CheckCommand, CheckField, CheckPage, MeasureBy, Shown, class_text, measuring, nominal_text};
-use crate::control::status;
 use crate::exchange::Imported;
-use crate::journal::Record;
+use crate::journal::{Record, status_window};
 use crate::message::{Message, Say as _};
 use crate::session::command::Effect;
 use crate::session::shared::{News, PageState, Shared};
@@ -172,7 +171,7 @@ impl CheckPage {
 
     fn draw(&mut self, record: Arc<Record>, shared: &Shared) {
         let (language, mask) = shared.drawn_with();
-        let window = status::status_window(&record, language, mask).map_err(|error| error.message());
+        let window = status_window(&record, language, mask).map_err(|error| error.message());
         self.shown = Some(Shown { record, window });
     }
 

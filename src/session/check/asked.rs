@@ -8,7 +8,7 @@ use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::probing::cycle::{Angle, Axis, Meaning, Value};
 use crate::probing::cycles::measuring;
-use crate::session::field::Texts;
+use crate::session::field::{Range, Texts, whole};
 use crate::tolerance::callout::halves;
 use crate::tolerance::{Callout, Feature, Limits, Sources};
 
@@ -50,27 +50,6 @@ const LENGTHS: [(CheckField, Range); 8] = [
     (CheckField::SurfaceScatter, Range::ZeroOrMore),
     (CheckField::ProbeScatter, Range::ZeroOrMore),
 ];
-
-/// What a field's number may be, within the control's ±99999.9999 mm.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Range {
-    Any,
-    ZeroOrMore,
-    AboveZero,
-}
-
-impl Range {
-    fn check(self, value: Length) -> Result<(), Message> {
-        let largest = Length::from_nanometres(99_999_999_900).unwrap_or_default();
-        let outside = |id| Err(Message::new(id).mm("given", value).mm("limit", largest));
-        match self {
-            Self::ZeroOrMore if value < Length::ZERO => outside("field-not-negative"),
-            Self::AboveZero if value <= Length::ZERO => outside("field-above-zero"),
-            _ if largest < value.abs() => outside("field-range"),
-            _ => Ok(()),
-        }
-    }
-}
 
 /// The size part of a callout as it is typed.
 pub(in crate::session) fn nominal_text(callout: &str) -> &str {
@@ -144,19 +123,14 @@ impl Asked {
         if optional && text.trim().is_empty() {
             return;
         }
-        let read = text.parse::<Length>().map_err(|error| error.message());
-        match read.and_then(|value| range.check(value).map(|()| value)) {
+        match range.read(text) {
             Ok(value) => _ = self.lengths.insert(field, value),
             Err(problem) => _ = self.errors.insert(field, problem),
         }
     }
 
     fn read_whole<T: std::str::FromStr>(&mut self, field: CheckField, text: &str) -> Option<T> {
-        let value = text.trim().parse().ok();
-        if value.is_none() {
-            self.errors.insert(field, Message::new("field-not-whole").text("given", text.trim()));
-        }
-        value
+        whole(text).map_err(|error| self.errors.insert(field, error)).ok()
     }
 
     /// The callout, when it can be read (its limits may still be refused).

@@ -7,6 +7,7 @@ use crate::length::{Length, LengthError};
 use crate::message::{Message, Say as _};
 use crate::probing::cycle::{Plane, number};
 use crate::probing::simulated::{Face, FreePoint, Lobes, Probe, Shape, Simulation, Surface, Walls, Wave, Workpiece};
+use crate::session::field::whole;
 use crate::tolerance::Feature;
 
 /// The simulated workpiece, its probe and its seed as they are typed.
@@ -338,12 +339,7 @@ impl WorkpieceForm {
     }
 
     fn whole<T: std::str::FromStr>(&mut self, field: WorkpieceField) -> Option<T> {
-        let text = self.text(field).trim().to_owned();
-        let value = text.parse().ok();
-        if value.is_none() {
-            self.errors.insert(field, Message::new("field-not-whole").text("given", text));
-        }
-        value
+        whole(self.text(field)).map_err(|error| self.errors.insert(field, error)).ok()
     }
 }
 

@@ -9,6 +9,7 @@ use crate::message::{Message, Say as _};
 use crate::nc::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
 use crate::probing::cycle::{self, Axis, Meaning};
 use crate::probing::cycles::measuring;
+use crate::session::field::Range;
 use crate::tolerance::{Callout, Feature, Limits, Sources};
 use crate::verdict::{SizeVerdict, judge_size};
 
@@ -75,7 +76,7 @@ impl Input {
         let Some(meaning) = self.of_cycle() else {
             return match self {
                 Self::Class => Ok(Value::Text(text.trim().to_owned())),
-                _ => size(text).map(Value::Length),
+                _ => Range::AboveZero.read(text).map(Value::Length),
             };
         };
         let parameter = measuring(Feature::Hole).meant(meaning);
@@ -85,18 +86,6 @@ impl Input {
             Some(Err(error)) => Err(error.message()),
             Some(Ok(_)) | None => Err(Message::new("field-not-whole").text("given", text.trim())),
         }
-    }
-}
-
-/// A size above zero, within the control's ±99999.9999 mm.
-fn size(text: &str) -> Result<Length, Message> {
-    let length = text.parse::<Length>().map_err(|error| error.message())?;
-    let largest = Length::from_nanometres(99_999_999_900).unwrap_or_default();
-    let outside = |id| Err(Message::new(id).mm("given", length).mm("limit", largest));
-    match length {
-        length if length <= Length::ZERO => outside("field-above-zero"),
-        length if largest < length => outside("field-range"),
-        length => Ok(length),
     }
 }
 

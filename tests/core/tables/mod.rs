@@ -20,11 +20,12 @@ mod writing;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use fitcheck::control::deviations::{read_folder, read_table, to_control_table};
+use fitcheck::control::deviations::{read_table, to_control_table};
 use fitcheck::control::shipped_tables;
 use fitcheck::control::table::{
     Column, Comment, CommentPlace, ControlTable, Generation, TableFile, TableUnit, WriteError,
 };
+use fitcheck::files::read_tables;
 use fitcheck::length::{Length, Unit};
 use fitcheck::tolerance::table::Column as ClassColumn;
 use fitcheck::tolerance::{Callout, DeviationTable, Deviations, Feature, ToleranceClass};

@@ -223,7 +223,7 @@ fn large_files_are_refused_before_they_fill_the_memory() {
 fn a_folder_is_read_by_name_and_every_message_names_its_file() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
-    let said = || match read_folder(folder.path()) {
+    let said = || match read_tables(folder.path()) {
         Ok(own) => {
             let tables = own.tables.iter().map(ToString::to_string);
             tables.chain(own.warnings.iter().map(ToString::to_string)).collect::<Vec<_>>()
@@ -251,6 +251,6 @@ fn a_folder_is_read_by_name_and_every_message_names_its_file() {
     );
     std::fs::write(at("c.tab"), SOUND.replace("+12", "x12")).unwrap();
     assert_eq!(said(), [format!("column H7: x12 is not a number: {}, line 5, column 13", shown("c.tab"))]);
-    let missing = read_folder(&at("none")).unwrap_err().to_string();
+    let missing = read_tables(&at("none")).unwrap_err().to_string();
     assert_eq!(missing, format!("no such file or folder: {}", shown("none")));
 }

@@ -1,0 +1,67 @@
+//! A folder of the user's own tables of deviations.
+
+use std::path::{Path, PathBuf};
+
+use super::{FileError, read, system};
+use crate::control::deviations::{DeviationError, DeviationWarning, read_table};
+use crate::message::Say;
+use crate::tolerance::DeviationTable;
+
+/// What a folder of tables holds.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct OwnTables {
+    /// The tables, by file name.
+    pub tables: Vec<DeviationTable>,
+    /// What was odd but readable, each with its file and line.
+    pub warnings: Vec<DeviationWarning>,
+}
+
+/// Why the tables of a folder cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(error)]
+pub enum OwnTablesError {
+    /// The folder or a file in it cannot be read.
+    #[say(transparent)]
+    File(#[from] FileError),
+    /// A table is broken.
+    #[say(transparent)]
+    Table(#[from] DeviationError),
+    /// There is no table of deviations in the folder.
+    #[say(id = "deviations-no-tables")]
+    NoTables {
+        /// The folder.
+        folder: PathBuf,
+    },
+}
+
+/// Reads every `.tab` file of a folder, in the order of their names.
+///
+/// # Errors
+/// [`OwnTablesError`] where the folder has no table of deviations, or one of its tables is broken: then none is used.
+pub fn read_tables(folder: &Path) -> Result<OwnTables, OwnTablesError> {
+    let mut own = OwnTables::default();
+    for path in files_of(folder)? {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let file = path.display().to_string();
+        let (table, warnings) = read_table(&read(&path)?, &name, &file, false)?;
+        own.tables.extend(table);
+        own.warnings.extend(warnings);
+    }
+    if own.tables.is_empty() {
+        return Err(OwnTablesError::NoTables { folder: folder.to_owned() });
+    }
+    Ok(own)
+}
+
+fn files_of(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+    let mut paths = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(|error| system(folder, &error))? {
+        let path = entry.map_err(|error| system(folder, &error))?.path();
+        let is_table = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("tab"));
+        if is_table && !path.is_dir() {
+            paths.push(path);
+        }
+    }
+    paths.sort();
+    Ok(paths)
+}
