@@ -355,7 +355,11 @@ fn every_call_says_what_it_said() {
         )
         .unwrap();
     }
-    assert!(count == 0, "{count} of {} calls differ:\n{differences}", calls.len());
+    assert!(
+        count == 0,
+        "{count} of {} calls differ:\n{differences}\nwhere that is meant: CORPUS=write, and read the diff",
+        calls.len()
+    );
 }
 
 /// Every option and every value of it that a subcommand of this name has, and does not occur in its calls.

@@ -173,18 +173,26 @@ fn every_file_is_embedded() {
 
 #[test]
 fn every_language_has_the_same_texts_in_the_same_files() {
-    let by_file = |language| -> BTreeMap<String, BTreeSet<String>> {
-        let names = |file: &str, text: &str| {
+    let ids = |language| -> BTreeSet<String> {
+        let in_file = |(file, text): (String, String)| {
             let mut found = Texts::new();
-            texts(file, text, &mut found);
-            found.into_keys().collect()
+            texts(&file, &text, &mut found);
+            found.into_keys().map(move |id| format!("{file} {id}"))
         };
-        locale(language).into_iter().map(|(file, text)| (file.clone(), names(&file, &text))).collect()
+        locale(language).into_iter().flat_map(in_file).collect()
     };
-    let english = by_file(Language::En);
+    let english = ids(Language::En);
+    let mut wrong = Vec::new();
     for language in Language::all() {
-        assert_eq!(by_file(language), english, "{language}");
+        let own = ids(language);
+        let line = |what: &str, entry: &String| {
+            let (file, id) = entry.split_once(' ').unwrap();
+            format!("assets/locales/{language}/{file} {what} {id}")
+        };
+        wrong.extend(english.difference(&own).map(|entry| line("lacks", entry)));
+        wrong.extend(own.difference(&english).map(|entry| line("has and en lacks", entry)));
     }
+    assert!(wrong.is_empty(), "{} texts:\n{}", wrong.len(), wrong.join("\n"));
 }
 
 #[test]
