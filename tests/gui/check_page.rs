@@ -129,7 +129,7 @@ fn simulating_measures_with_contacts_and_fills_the_history() {
     let picture = window.get_by_role_and_label(Role::Figure, "Contacts");
     let said = picture.accesskit_node().data().description().unwrap_or_default().to_owned();
     assert!(said.starts_with("4 contacts seen from above"), "{said}");
-    window.get_by_label_contains("no form seen beyond ovality");
+    window.get_by_label_contains("no form beyond ovality");
     window.get_by_label("1 check");
     let first = window.state().session().history()[0].measurement.contacts.clone();
     window.get_by_role_and_label(Role::Button, "Measure").click();

@@ -290,7 +290,7 @@ fn an_unknown_block_stops_the_run_or_is_passed_over() {
     says(&page, "Ready to run");
     press(&mut page, Key::F5);
     says(&page, "Ended after 5 blocks");
-    page.get_by_label_contains("was passed over");
+    page.get_by_label_contains("unknown block skipped");
 }
 
 #[test]
@@ -315,7 +315,7 @@ fn values_are_given_filtered_and_pinned() {
     click(&mut page, Role::Button, "Keep Q10 at the top");
     type_into(&mut page, "Filter", "Q5");
     assert_eq!(parameters(&page), ["Q10 TOTAL = 6.5, changed", "Q5  = 2.5"]);
-    click(&mut page, Role::Button, "Q5 = 2.5, take back");
+    click(&mut page, Role::Button, "Q5 = 2.5, remove");
     says(&page, "Ready to run");
 }
 
