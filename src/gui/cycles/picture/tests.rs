@@ -280,7 +280,7 @@ fn a_cell_of_the_criteria_says_its_row_and_column() {
     says(
         &harness,
         Role::Label,
-        "Scatter s of a touch gives 1.00 s in the diameter, 0.87 times that of 3 contacts at 120°, \
+        "Scatter s of a contact gives 1.00 s in the diameter, 0.87 times that of 3 contacts at 120°, \
          and 0.71 s to 0.71 s in the centre",
     );
     says(&harness, Role::Label, "• 4 contacts: four lobes are not detected and change the diameter");
