@@ -168,6 +168,3 @@ pub fn endings() -> Vec<&'static str> {
     endings.dedup();
     endings
 }
-
-#[cfg(test)]
-mod tests;

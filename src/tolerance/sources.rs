@@ -326,6 +326,3 @@ fn defined_ranges(table: &DeviationTable, column: &Column) -> Vec<(Length, Lengt
     }
     ranges
 }
-
-#[cfg(test)]
-mod tests;

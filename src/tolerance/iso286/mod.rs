@@ -186,6 +186,3 @@ fn cell(zone: Zone, place: Place) -> Option<Cell> {
     let deviations = Deviations::new(length(zone.upper)?, length(zone.lower)?).ok()?;
     Some(Cell { deviations, over: millimetres(over), to: millimetres(to), remark: None })
 }
-
-#[cfg(test)]
-mod tests;

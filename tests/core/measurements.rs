@@ -1,8 +1,11 @@
-use super::*;
-use crate::length::Length;
-use crate::tolerance::table::Column;
-use crate::tolerance::{DeviationTable, Deviations};
-use crate::verdict::Status;
+//! Files of measurements, as rows in and records, errors and warnings out.
+
+use fitcheck::exchange::{FORMATS, Imported, import};
+use fitcheck::length::Length;
+use fitcheck::tolerance::table::Column;
+use fitcheck::tolerance::{DeviationTable, Deviations, Sources};
+use fitcheck::verdict::Status;
+use jiff::civil::DateTime;
 
 /// Up to 18 and up to 30 mm, after ISO 286-2.
 fn tables() -> Sources {
