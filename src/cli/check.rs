@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use super::args::dialogue;
-use super::{CliError, Format, Io, Note, Outcome, Refused as _, TableArgs, What, heard_or_not};
+use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::control::mask::Mask;
 use crate::files;
 use crate::journal::{Record, status_window};
@@ -175,7 +175,7 @@ impl Args {
         heard_or_not(io.out.write_all(text.as_bytes()))?;
         if let Some(removal) = record.verdict.size.removal {
             let (limit, middle) = (removal.to_limit, removal.to_middle);
-            io.tell(Note::Remove { limit, middle })?;
+            io.tell(CliRemark::Remove { limit, middle })?;
         }
         Ok(())
     }
@@ -187,7 +187,7 @@ fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
         io.warn(&doubt)?;
     }
     if let Source::Table { instead_of: Some(shipped), name, .. } = &record.limits.source {
-        io.warn(&Note::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() })?;
+        io.warn(&CliWarning::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() })?;
     }
     Ok(())
 }

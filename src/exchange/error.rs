@@ -1,4 +1,4 @@
-//! What is wrong or odd with a file or a row, where, and what was given.
+//! Errors and warnings of a file or a row: what is wrong, and what was given.
 
 use super::contacts::ContactsError;
 use crate::control::log::{LogReason, LogWarning};
@@ -10,23 +10,23 @@ use crate::tolerance::{Callout, CalloutError, LimitsError};
 /// A row that could not be used. Its place is its line, 1 where the whole file is meant, and as the column the number of
 /// the cell in its row, or in a log the character in its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Problem {
+pub struct ImportError {
     /// What is wrong.
-    pub reason: Reason,
+    pub kind: ImportErrorKind,
     /// What was given there; long texts are cut.
     pub given: String,
 }
 
-impl Say for Problem {
+impl Say for ImportError {
     fn message(&self) -> Message {
-        self.reason.message()
+        self.kind.message()
     }
 }
 
 /// What is wrong with a row or a file.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "exchange", error)]
-pub enum Reason {
+pub enum ImportErrorKind {
     /// There is nothing in the file.
     Empty,
     /// No format knows the file.
@@ -128,25 +128,25 @@ pub enum Role {
     Time,
 }
 
-/// Something odd that did not keep a file or row from being used.
+/// A warning about a file or row that was used all the same.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Warning {
+pub struct ImportWarning {
     /// The line of the record or unjudged measurement that it belongs to; `None` where it is about the file.
     pub row: Option<usize>,
-    /// What is odd.
-    pub reason: WarningReason,
+    /// What it says.
+    pub kind: ImportWarningKind,
 }
 
-impl Say for Warning {
+impl Say for ImportWarning {
     fn message(&self) -> Message {
-        self.reason.message()
+        self.kind.message()
     }
 }
 
-/// What is odd.
+/// What a warning says, without its place.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "exchange-warning")]
-pub enum WarningReason {
+pub enum ImportWarningKind {
     /// In a log.
     #[say(transparent)]
     Log(LogWarning),

@@ -4,8 +4,8 @@
 
 use std::sync::Arc;
 
+use super::error::ImportErrorKind;
 use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
-use super::problem::Reason;
 use super::{Format, Source};
 use crate::control::log444::{self, Band, PointLog};
 use crate::length::Length;
@@ -30,7 +30,7 @@ fn read(source: &Source<'_>) -> Imported {
             Ok((line, log)) => add(&mut imported, line, &log, source),
             Err(error) => {
                 let given = error.what.given();
-                imported.refuse(error.place, Reason::Point(error.what), given);
+                imported.refuse(error.place, ImportErrorKind::Point(error.what), given);
             }
         }
     }
@@ -42,7 +42,7 @@ fn add(imported: &mut Imported, line: usize, log: &PointLog, source: &Source<'_>
         None => WhyUnjudged::PointWithoutTolerance,
         Some(Some(coordinate)) => WhyUnjudged::Point(coordinate),
         Some(None) => {
-            let reason = Reason::Limits(LimitsError::TooLarge { nominal: Length::ZERO });
+            let reason = ImportErrorKind::Limits(LimitsError::TooLarge { nominal: Length::ZERO });
             return imported.refuse(Place::line(line), reason, log.tolerance.clone());
         }
     };

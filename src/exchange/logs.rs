@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
+use super::error::{ImportErrorKind, ImportWarning, ImportWarningKind};
 use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
-use super::problem::{Reason, Warning, WarningReason};
 use super::{Format, Source};
 use crate::control::log::{self, Figure, LimitPair, Log, layout};
 use crate::journal::Record;
@@ -38,7 +38,7 @@ fn read(source: &Source<'_>) -> Imported {
             Ok(log) => add(&mut imported, log, source),
             Err(error) => {
                 let given = error.what.given();
-                imported.refuse(error.place, Reason::Log(error.what), given);
+                imported.refuse(error.place, ImportErrorKind::Log(error.what), given);
             }
         }
     }
@@ -82,7 +82,7 @@ struct Read {
 enum Made {
     Record(Box<Record>),
     Unjudged { measured: Length, why: WhyUnjudged },
-    Refused { reason: Reason, given: String },
+    Refused { reason: ImportErrorKind, given: String },
 }
 
 impl Made {
@@ -107,7 +107,7 @@ impl Read {
         };
         let feature = self.cycle.shape().feature();
         let Some(limits) = limits(feature, nominal, pair, &source.file) else {
-            let reason = Reason::Limits(crate::tolerance::LimitsError::TooLarge { nominal: pair.maximum });
+            let reason = ImportErrorKind::Limits(crate::tolerance::LimitsError::TooLarge { nominal: pair.maximum });
             return Made::Refused { reason, given: pair.maximum.to_string() };
         };
         let origin = Origin::Imported { file: Arc::clone(&source.file) };
@@ -130,7 +130,10 @@ impl Read {
         let feature = self.cycle.shape().feature();
         let Some(limits) = limits(feature, pair.minimum, pair, &source.file) else {
             let given = pair.maximum.to_string();
-            return Made::Refused { reason: Reason::Measured(LengthError::TooLarge { text: given.clone() }), given };
+            return Made::Refused {
+                reason: ImportErrorKind::Measured(LengthError::TooLarge { text: given.clone() }),
+                given,
+            };
         };
         let verdict = judge_size(&limits, measured);
         let judged = Coordinate {
@@ -148,8 +151,8 @@ impl Read {
 
 fn finish(imported: &mut Imported, warnings: Vec<Located<log::LogWarning>>, row: usize) {
     for warning in warnings {
-        let reason = WarningReason::Log(warning.what);
-        imported.warnings.push(Located { what: Warning { row: Some(row), reason }, place: warning.place });
+        let kind = ImportWarningKind::Log(warning.what);
+        imported.warnings.push(Located { what: ImportWarning { row: Some(row), kind }, place: warning.place });
     }
 }
 

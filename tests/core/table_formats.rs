@@ -75,9 +75,9 @@ fn pc_dmis_gets_two_lines_a_class() {
 
 #[test]
 fn pc_dmis_is_not_trusted_with_signs_that_its_manual_does_not_show() {
-    let caution = |classes: &str| (table_format("pcdmis").unwrap().caution)(&table("own.tab", classes, "50"));
-    assert_eq!(caution("H7 H8"), None);
-    let said = caution("H7 F8 G7").unwrap();
+    let warning = |classes: &str| (table_format("pcdmis").unwrap().warning)(&table("own.tab", classes, "50"));
+    assert_eq!(warning("H7 H8"), None);
+    let said = warning("H7 F8 G7").unwrap();
     assert_eq!(
         said.to_string(),
         "the PC-DMIS manual shows no lower deviation other than 0: check F8 in PC-DMIS before you rely on it, above all its signs"

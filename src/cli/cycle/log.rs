@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::super::{Note, Refused as _, What};
+use super::super::{CliWarning, Refused as _, What};
 use super::{CliError, Io};
 use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use crate::control::text::decode;
@@ -53,13 +53,13 @@ impl LogArgs {
         let Some(log) = log else {
             match result.log {
                 LogTarget::File(_) | LogTarget::Screen => {
-                    io.warn(&Note::LogUnknown { code: cycle.code })?;
+                    io.warn(&CliWarning::LogUnknown { code: cycle.code })?;
                 }
                 LogTarget::None if self.log_folder.is_some() => {
-                    io.warn(&Note::LogOff)?;
+                    io.warn(&CliWarning::LogOff)?;
                 }
                 LogTarget::Shown if self.log_folder.is_some() => {
-                    io.warn(&Note::LogNone)?;
+                    io.warn(&CliWarning::LogNone)?;
                 }
                 LogTarget::None | LogTarget::Shown => {}
             }
@@ -76,7 +76,7 @@ impl LogArgs {
             _ => kept.other = None,
         }
         if let (LogTarget::Screen, Some(_)) = (result.log, &self.log_folder) {
-            io.warn(&Note::LogOnScreen)?;
+            io.warn(&CliWarning::LogOnScreen)?;
         }
         Ok(kept)
     }

@@ -28,7 +28,7 @@ pub struct TableFormat {
     /// The text of one line for people.
     pub description: &'static str,
     /// What to look at before the file is relied on.
-    pub caution: fn(&DeviationTable) -> Option<FormatWarning>,
+    pub warning: fn(&DeviationTable) -> Option<FormatWarning>,
     /// Makes the file's bytes.
     pub write: fn(&DeviationTable) -> Result<Vec<u8>, TableFormatError>,
 }
@@ -52,7 +52,7 @@ impl TableFormat {
 
 /// What the other tool's documents leave open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
-#[say(prefix = "table-caution")]
+#[say(prefix = "table-format-warning")]
 pub enum FormatWarning {
     /// How PC-DMIS takes the sign of a lower deviation.
     LowerSign {
