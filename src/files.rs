@@ -6,9 +6,10 @@ mod folder;
 mod folders;
 mod tables;
 
-use std::io::{Read as _, Write as _};
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
+use folder::{beside, persist};
 pub use folder::{make_folder, write_folder, write_new};
 pub use folders::Folders;
 pub use tables::{OwnTables, OwnTablesError, read_tables};
@@ -86,28 +87,13 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     if path.is_dir() {
         return Err(FileError::IsFolder { path: path.to_owned() });
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
-    let whole = || -> std::io::Result<()> {
-        let mut beside = tempfile::Builder::new().prefix(".fitcheck-").tempfile_in(folder)?;
-        beside.write_all(bytes)?;
-        beside.as_file().sync_all()?;
-        make_readable(beside.as_file())?;
-        beside.persist(path).map_err(|error| error.error)?;
-        Ok(())
-    };
-    whole().map_err(|error| system(path, &error))
+    let beside = beside(folder_of(path), bytes).map_err(|error| system(path, &error))?;
+    persist(beside, path, true)
 }
 
-/// Temporary files are private; what a user saves is read by others, too.
-#[cfg(unix)]
-fn make_readable(file: &std::fs::File) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt as _;
-    file.set_permissions(std::fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn make_readable(_file: &std::fs::File) -> std::io::Result<()> {
-    Ok(())
+/// The folder that a path lies in.
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."))
 }
 
 /// Sets a broken file aside under another name and says which.

@@ -139,12 +139,8 @@ impl Length {
             return Err(LengthError::Empty);
         }
         let (number, unit) = split_unit(given, unit);
-        let (negative, digits) = match number.chars().next() {
-            Some('+') => (false, number.strip_prefix('+').unwrap_or(number)),
-            Some('-') => (true, number.strip_prefix('-').unwrap_or(number)),
-            Some('\u{2212}') => (true, number.strip_prefix('\u{2212}').unwrap_or(number)),
-            _ => (false, number),
-        };
+        let negative = number.starts_with(['-', '\u{2212}']);
+        let digits = number.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(number);
         let nm = decimal_nanometres(digits, unit, given)?;
         Self::from_nanometres(if negative { -nm } else { nm })
             .map_err(|_range| LengthError::TooLarge { text: given.to_owned() })
@@ -287,22 +283,18 @@ fn decimal_nanometres(digits: &str, unit: Unit, given: &str) -> Result<i64, Leng
     if 8 < decimals.len() {
         return Err(LengthError::TooFine { text: text() });
     }
-    let number = |part: &str| -> Result<i128, LengthError> {
-        let part = part.trim_start_matches('0');
-        if part.is_empty() {
-            return Ok(0);
-        }
-        if 18 < part.len() {
-            return Err(LengthError::TooLarge { text: text() });
-        }
-        part.parse().map_err(|_figures| LengthError::TooLarge { text: text() })
+    let too_large = || LengthError::TooLarge { text: text() };
+    let number = |part: &str| match part.trim_start_matches('0') {
+        "" => Ok(0),
+        part if 18 < part.len() => Err(too_large()),
+        part => part.parse::<i128>().map_err(|_figures| too_large()),
     };
     let scale = decimals.bytes().fold(1_i128, |scale, _| scale * 10);
     let scaled = (number(whole)? * scale + number(decimals)?) * i128::from(unit.nanometres());
     if scaled % scale != 0 {
         return Err(LengthError::TooFine { text: text() });
     }
-    i64::try_from(scaled / scale).map_err(|_range| LengthError::TooLarge { text: text() })
+    i64::try_from(scaled / scale).map_err(|_range| too_large())
 }
 
 impl FromStr for Length {

@@ -67,11 +67,9 @@ pub fn compare(table: &DeviationTable, options: iso286::Options) -> Comparison {
             found.unknown.push(column.class);
             continue;
         }
-        let mut over = Length::ZERO;
-        for (range, (&to, &cell)) in table.ends().iter().zip(&column.cells).enumerate() {
+        for (range, (sizes, &cell)) in table.ranges().zip(&column.cells).enumerate() {
             found.compared += 1;
-            found.differences.extend(differences(column.class, range, (over, to), cell, options));
-            over = to;
+            found.differences.extend(differences(column.class, range, sizes, cell, options));
         }
     }
     found
@@ -87,8 +85,7 @@ fn differences(
 ) -> Vec<Difference> {
     let mut found: Vec<Difference> = Vec::new();
     let mut over = over;
-    let steps = iso286::step_ends().filter(|end| over < *end && *end < to).collect::<Vec<_>>();
-    for end in steps.into_iter().chain([to]) {
+    for end in iso286::steps_within(over, to) {
         // Within a step no class changes, so its end speaks for all of it.
         let standard = iso286::deviations(class, end, options).map(|cell| cell.deviations);
         if standard.as_ref().ok() != table.as_ref() {

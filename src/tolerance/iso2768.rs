@@ -98,23 +98,12 @@ impl GeneralClass {
 
     /// The class of a small letter.
     pub fn from_letter(letter: &str) -> Option<Self> {
-        match letter {
-            "f" => Some(Self::Fine),
-            "m" => Some(Self::Medium),
-            "c" => Some(Self::Coarse),
-            "v" => Some(Self::VeryCoarse),
-            _ => None,
-        }
+        Self::ALL.into_iter().find(|class| class.to_string() == letter)
     }
 
-    fn half_width(self, [fine, medium, coarse, very_coarse]: [Option<i32>; 4]) -> Option<Length> {
-        let micrometres = match self {
-            Self::Fine => fine,
-            Self::Medium => medium,
-            Self::Coarse => coarse,
-            Self::VeryCoarse => very_coarse,
-        };
-        micrometres.map(Length::from_micrometres)
+    fn half_width(self, micrometres: [Option<i32>; 4]) -> Option<Length> {
+        let (_, own) = Self::ALL.into_iter().zip(micrometres).find(|(class, _)| *class == self)?;
+        own.map(Length::from_micrometres)
     }
 }
 

@@ -131,6 +131,6 @@ fn callout_text(callout: &Callout) -> String {
             let lower_sign = if Length::ZERO < lower { '+' } else { '-' };
             format!("{nominal}{upper_sign}{}{lower_sign}{}", upper.abs(), lower.abs())
         }
-        _ => callout.to_string(),
+        Tolerance::Fit { .. } | Tolerance::General(_) | Tolerance::Limits { .. } => callout.to_string(),
     }
 }

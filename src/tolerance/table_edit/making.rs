@@ -3,7 +3,7 @@
 use crate::length::Length;
 use crate::message::Say;
 use crate::tolerance::iso286::{self, Undefined};
-use crate::tolerance::table::{Column, DeviationTable, TableShapeError};
+use crate::tolerance::table::{Column, DeviationTable, TableShapeError, ranges};
 use crate::tolerance::{Deviations, Feature, ToleranceClass};
 
 /// Why no table can be made of the standard.
@@ -36,7 +36,7 @@ pub enum MakeError {
 /// whole range, or has more than one value in it.
 pub fn standard_column(class: ToleranceClass, ends: &[Length], options: iso286::Options) -> Column {
     let cell = |(over, to)| {
-        let mut values = steps(over, to).map(|end| value(class, end, options));
+        let mut values = iso286::steps_within(over, to).map(|end| value(class, end, options));
         let first = values.next().flatten();
         first.filter(|_| values.all(|value| value == first))
     };
@@ -55,7 +55,7 @@ pub fn standard_table(
     options: iso286::Options,
 ) -> Result<DeviationTable, MakeError> {
     check_last(to)?;
-    let all: Vec<Length> = steps(Length::ZERO, to).collect();
+    let all: Vec<Length> = iso286::steps_within(Length::ZERO, to).collect();
     let columns: Vec<Column> = classes.iter().map(|class| standard_column(*class, &all, options)).collect();
     // A range goes on as long as no class changes.
     let changes = |number: usize| columns.iter().any(|column| column.cells.get(number) != column.cells.get(number + 1));
@@ -94,16 +94,6 @@ pub fn table_of_standard(
 fn check_last(to: Length) -> Result<(), MakeError> {
     let largest = iso286::step_ends().last().unwrap_or_default();
     if to <= Length::ZERO || largest < to { Err(MakeError::LastSize { to }) } else { Ok(()) }
-}
-
-/// Above and up to, for ends of size ranges.
-fn ranges(ends: &[Length]) -> impl Iterator<Item = (Length, Length)> {
-    std::iter::once(Length::ZERO).chain(ends.iter().copied()).zip(ends.iter().copied())
-}
-
-/// The ends of the standard's steps within a size range, its own end last: within a step no class changes.
-fn steps(over: Length, to: Length) -> impl Iterator<Item = Length> {
-    iso286::step_ends().filter(move |end| over < *end && *end < to).chain([to])
 }
 
 fn value(class: ToleranceClass, size: Length, options: iso286::Options) -> Option<Deviations> {

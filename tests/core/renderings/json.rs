@@ -13,30 +13,30 @@ fn a_check_has_the_columns_of_the_csv() {
         r#"{
   "version": 1,
   "checks": [
-{
-  "time": "2026-11-21T10:43:00",
-  "id": "",
-  "callout": "25 H7",
-  "feature": "hole",
-  "nominal_mm": 25.0,
-  "min_mm": 25.0,
-  "max_mm": 25.021,
-  "measured_mm": 24.998,
-  "deviation_um": -2.0,
-  "status": "REWORK",
-  "remove_um": 2.0,
-  "remove_to_middle_um": 12.5,
-  "position": null,
-  "centre_x_mm": null,
-  "centre_y_mm": null,
-  "contacts": [],
-  "source": "ISO 286, over 18 up to 30 mm",
-  "origin": "typed",
-  "rule": "no guard band, limits belong to the zone",
-  "warnings": [
-    "one diameter only: form and position are unknown"
-  ]
-}
+    {
+      "time": "2026-11-21T10:43:00",
+      "id": "",
+      "callout": "25 H7",
+      "feature": "hole",
+      "nominal_mm": 25.0,
+      "min_mm": 25.0,
+      "max_mm": 25.021,
+      "measured_mm": 24.998,
+      "deviation_um": -2.0,
+      "status": "REWORK",
+      "remove_um": 2.0,
+      "remove_to_middle_um": 12.5,
+      "position": null,
+      "centre_x_mm": null,
+      "centre_y_mm": null,
+      "contacts": [],
+      "source": "ISO 286, over 18 up to 30 mm",
+      "origin": "typed",
+      "rule": "no guard band, limits belong to the zone",
+      "warnings": [
+        "one diameter only: form and position are unknown"
+      ]
+    }
   ]
 }
 "#
