@@ -177,14 +177,14 @@ fn header(row: &[&str], line: usize, ignored: &mut Vec<String>) -> Result<Places
 
 fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, Located<ContactsError>> {
     if row.len() != places.cells {
-        let given = super::error::shorten(&row.join(", ")).into_owned();
+        let given = super::error::shorten(&row.join(", "));
         let cells = ContactsError::Cells { cells: row.len(), wanted: places.cells, given };
         return Err(Located::in_line(line, cells));
     }
     let coordinate = |name: char, at: usize| {
         let cell = row.get(at).copied().unwrap_or_default();
         number(cell).ok_or_else(|| {
-            let given = if cell.is_empty() { "empty".to_owned() } else { super::error::shorten(cell).into_owned() };
+            let given = if cell.is_empty() { "empty".to_owned() } else { super::error::shorten(cell) };
             at_cell(line, at, ContactsError::NotANumber { name, given })
         })
     };

@@ -4,7 +4,7 @@ use super::contacts::ContactsError;
 use crate::control::log::{LogReason, LogWarning};
 use crate::control::log444::PointFault;
 use crate::length::{Length, LengthError};
-use crate::message::{Located, Message, Say};
+use crate::message::{Located, Message, Say, shortened};
 use crate::tolerance::{Callout, CalloutError, LimitsError};
 
 /// A row that could not be used. Its place is its line, 1 where the whole file is meant, and as the column the number of
@@ -172,15 +172,7 @@ pub enum ImportWarningKind {
 /// The longest text that errors repeat, in characters.
 const LONGEST_GIVEN: usize = 60;
 
-/// A cell as errors repeat it: a long one is cut, control characters are made visible, and what was changed can no
-/// longer be read as a number or callout.
-pub(super) fn shorten(cell: &str) -> std::borrow::Cow<'_, str> {
-    if cell.contains(char::is_control) {
-        let visible = cell.replace(char::is_control, "\u{fffd}");
-        return shorten(&visible).into_owned().into();
-    }
-    match cell.char_indices().nth(LONGEST_GIVEN).and_then(|(end, _)| cell.get(..end)) {
-        Some(short) => format!("{short}…").into(),
-        None => cell.into(),
-    }
+/// A cell as errors repeat it.
+pub(super) fn shorten(cell: &str) -> String {
+    shortened(cell, LONGEST_GIVEN)
 }

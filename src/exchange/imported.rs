@@ -8,7 +8,8 @@ use crate::length::Length;
 use crate::message::{Located, Place, Say};
 use crate::probing::Contact;
 use crate::probing::cycle::FoundName;
-use crate::verdict::{PositionVerdict, Removal, Status};
+use crate::tolerance::Limits;
+use crate::verdict::{PositionVerdict, Removal, SizeVerdict, Status, judge_size};
 
 /// The most rows that one file is read for: a record takes some hundred bytes, so this bounds the memory.
 pub const MOST_ROWS: usize = 500_000;
@@ -106,6 +107,14 @@ pub struct Coordinate {
     pub status: Status,
     /// On rework, how much to take off.
     pub removal: Option<Removal>,
+}
+
+impl Coordinate {
+    /// A value against its limits.
+    pub(super) fn judged(cycle: &'static str, nominal: Option<Length>, limits: &Limits, measured: Length) -> Self {
+        let SizeVerdict { status, removal, .. } = judge_size(limits, measured);
+        Self { cycle, nominal, maximum: limits.maximum(), minimum: limits.minimum(), status, removal }
+    }
 }
 
 impl Imported {

@@ -13,7 +13,6 @@ use crate::message::Place;
 use crate::probing::cycle::Log;
 use crate::probing::cycles::CYCLES;
 use crate::tolerance::{Deviations, Feature, Limits, LimitsError, Source as LimitSource};
-use crate::verdict::judge_size;
 
 pub(super) const FORMAT: Format = Format {
     name: "log-444",
@@ -61,15 +60,7 @@ fn judged(log: &PointLog, band: Band, source: &Source<'_>) -> Option<Coordinate>
     let deviations = Deviations::new(band.upper, band.lower).ok()?;
     let from = LimitSource::File(Arc::clone(&source.file));
     let limits = Limits::new(Feature::Shaft, Length::ZERO, deviations, from)?;
-    let verdict = judge_size(&limits, log.deviation);
-    Some(Coordinate {
-        cycle: cycle_of_points(),
-        nominal: Some(Length::ZERO),
-        maximum: limits.maximum(),
-        minimum: limits.minimum(),
-        status: verdict.status,
-        removal: verdict.removal,
-    })
+    Some(Coordinate::judged(cycle_of_points(), Some(Length::ZERO), &limits, log.deviation))
 }
 
 /// What programs call the cycle that writes such logs.

@@ -19,7 +19,7 @@ use crate::probing::cycle::{Cycle, FigureKind, FoundName, Meaning, TextLog};
 use crate::probing::cycles::cycle;
 use crate::probing::{Measurement, Origin};
 use crate::tolerance::{Deviations, Feature, Limits, Source as LimitSource};
-use crate::verdict::{AxisPosition, PositionVerdict, judge_size};
+use crate::verdict::{AxisPosition, PositionVerdict};
 
 pub(super) const FORMAT: Format =
     Format { name: "log", endings: &["txt"], description: "exchange-format-logs", recognises, read };
@@ -135,15 +135,7 @@ impl Read {
                 given,
             };
         };
-        let verdict = judge_size(&limits, measured);
-        let judged = Coordinate {
-            cycle: self.cycle.code,
-            nominal: figure.nominal,
-            maximum: limits.maximum(),
-            minimum: limits.minimum(),
-            status: verdict.status,
-            removal: verdict.removal,
-        };
+        let judged = Coordinate::judged(self.cycle.code, figure.nominal, &limits, measured);
         let why = if is_coordinate { WhyUnjudged::Coordinate(judged) } else { WhyUnjudged::Size { what, judged } };
         Made::Unjudged { measured, why }
     }

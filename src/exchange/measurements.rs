@@ -102,7 +102,7 @@ impl Reader<'_> {
     }
 
     fn refuse(&mut self, line: usize, cell: Cell<'_>, reason: ImportErrorKind) {
-        let given = shorten(cell.text.trim()).into_owned();
+        let given = shorten(cell.text.trim());
         self.imported.refuse(Place { column: cell.at.map(|at| at + 1), ..Place::line(line) }, reason, given);
     }
 
@@ -120,7 +120,7 @@ impl Reader<'_> {
             Some(header) if line == header && self.columns.names_known => return,
             Some(header) if line <= header => {
                 let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
-                return self.warn(line, ImportWarningKind::NotUsed { text: shorten(&text).into_owned() });
+                return self.warn(line, ImportWarningKind::NotUsed { text: shorten(&text) });
             }
             _ => {}
         }
@@ -168,7 +168,7 @@ impl Reader<'_> {
 
     fn measured<'c>(&self, cells: &'c StringRecord) -> Result<Length, Refused<'c>> {
         let (cell, measured) = length(cells, self.columns.measured, ImportErrorKind::Measured)?;
-        let given = || shorten(cell.text).into_owned();
+        let given = || shorten(cell.text);
         if let Some(sign) = self.columns.decimal_sign
             && cell.text.contains(if sign == '.' { ',' } else { '.' })
         {
@@ -240,7 +240,7 @@ impl Reader<'_> {
         let Ok(other) = joined.parse::<Callout>() else { return Ok(()) };
         let off = |nominal: Length| measured.saturating_sub(nominal).abs();
         if off(other.nominal()) < off(callout.nominal()) {
-            return Err((cell, ImportErrorKind::DecimalComma { joined: shorten(&joined).into_owned() }));
+            return Err((cell, ImportErrorKind::DecimalComma { joined: shorten(&joined) }));
         }
         Ok(())
     }
@@ -253,7 +253,7 @@ impl Reader<'_> {
             return self.source.now;
         }
         date_time(&given).unwrap_or_else(|| {
-            let reason = ImportWarningKind::Time { given: shorten(&given).into_owned() };
+            let reason = ImportWarningKind::Time { given: shorten(&given) };
             self.imported.warn(line, Some(line), reason);
             self.source.now
         })
