@@ -1,6 +1,6 @@
 //! `fitcheck check`: one verdict, printed through a mask.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 
 use super::args::dialogue;
@@ -145,7 +145,9 @@ impl Args {
             return Ok(Measurement::of_diameter(diameter, Origin::Typed));
         }
         if let Some(path) = &self.source.contacts {
-            return measure_file(path, io);
+            let (name, contacts) = super::read_contacts(path, io)?;
+            let origin = Origin::Contacts { file: name.as_str().into() };
+            return measure_contacts(&contacts, origin).about(&name);
         }
         let diameter = match &self.true_diameter {
             Some(text) => text.parse().about(&What::TrueDiameter)?,
@@ -190,12 +192,6 @@ fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
         io.warn(&CliWarning::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() })?;
     }
     Ok(())
-}
-
-fn measure_file(path: &Path, io: &mut Io<'_>) -> Result<Measurement, CliError> {
-    let (name, contacts) = super::read_contacts(path, io)?;
-    let origin = Origin::Contacts { file: name.as_str().into() };
-    measure_contacts(&contacts, origin).about(&name)
 }
 
 /// `unstated`: the callout has no letters and nobody said hole or shaft, so the file does not say it either.

@@ -163,16 +163,20 @@ fn limits(feature: Feature, nominal: Length, pair: LimitPair, file: &Arc<str>) -
 
 /// The measured centre.
 fn centre(layout: &TextLog, figures: &[Figure]) -> Option<[Length; 2]> {
-    let centre = layout.figures.iter().zip(figures).filter(|(of, _)| matches!(of.kind, FigureKind::Centre(_)));
-    centre.map(|(_, figure)| figure.actual).collect::<Vec<_>>().try_into().ok()
+    centre_figures(layout, figures).map(|figure| figure.actual).collect::<Vec<_>>().try_into().ok()
 }
 
 /// The centre by the log's own limits: a tolerance of 0 means that the axis is not monitored.
 fn position(layout: &TextLog, figures: &[Figure]) -> Option<PositionVerdict> {
-    let centre = layout.figures.iter().zip(figures).filter(|(of, _)| matches!(of.kind, FigureKind::Centre(_)));
-    let axes: Vec<_> =
-        centre.filter_map(|(_, figure)| Some(axis(figure.limits?, figure.nominal?, figure.actual))).collect();
+    let of = |figure: &Figure| Some(axis(figure.limits?, figure.nominal?, figure.actual));
+    let axes: Vec<_> = centre_figures(layout, figures).filter_map(of).collect();
     Some(PositionVerdict { axes: axes.try_into().ok()? })
+}
+
+/// What a log says of the centre's axes.
+fn centre_figures<'a>(layout: &TextLog, figures: &'a [Figure]) -> impl Iterator<Item = &'a Figure> {
+    let centre = layout.figures.iter().zip(figures).filter(|(of, _)| matches!(of.kind, FigureKind::Centre(_)));
+    centre.map(|(_, figure)| figure)
 }
 
 /// Rounding may leave the limits uneven by the last figure: the limit on the side where the centre is decides.

@@ -5,13 +5,15 @@ use std::sync::Arc;
 
 use fitcheck::control::deviations::read_table;
 use fitcheck::control::shipped_tables;
-use fitcheck::exchange::tables::{TABLE_FORMATS, table_format};
+use fitcheck::exchange::tables::TABLE_FORMATS;
 use fitcheck::length::{Length, Unit};
 use fitcheck::tolerance::compare::{Comparison, Difference, compare};
 use fitcheck::tolerance::iso286::{self, Edition, JsHalves, Options};
 use fitcheck::tolerance::table::Column;
 use fitcheck::tolerance::table_edit::{TableEdit, standard_table};
 use fitcheck::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass};
+
+use crate::table_formats::table_format;
 
 const NANOMETRE: i64 = 1;
 

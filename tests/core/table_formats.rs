@@ -3,10 +3,15 @@
 use std::path::Path;
 
 use fitcheck::control::deviations::read_table;
-use fitcheck::exchange::tables::{TABLE_FORMATS, table_format};
+use fitcheck::exchange::tables::{TABLE_FORMATS, TableFormat};
 use fitcheck::tolerance::DeviationTable;
 use fitcheck::tolerance::iso286::Options;
 use fitcheck::tolerance::table_edit::standard_table;
+
+/// The format of a name.
+pub fn table_format(name: &str) -> Option<&'static TableFormat> {
+    TABLE_FORMATS.iter().find(|format| format.name == name)
+}
 
 fn table(name: &str, classes: &str, to: &str) -> DeviationTable {
     let classes: Vec<_> = classes.split(' ').map(|class| class.parse().unwrap()).collect();

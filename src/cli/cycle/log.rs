@@ -51,17 +51,13 @@ impl LogArgs {
             LogTarget::File(_) | LogTarget::Screen => CycleLog::of(cycle, result, &heading, language),
         };
         let Some(log) = log else {
-            match result.log {
-                LogTarget::File(_) | LogTarget::Screen => {
-                    io.warn(&CliWarning::LogUnknown { code: cycle.code })?;
-                }
-                LogTarget::None if self.log_folder.is_some() => {
-                    io.warn(&CliWarning::LogOff)?;
-                }
-                LogTarget::Shown if self.log_folder.is_some() => {
-                    io.warn(&CliWarning::LogNone)?;
-                }
-                LogTarget::None | LogTarget::Shown => {}
+            let (warning, is_due) = match result.log {
+                LogTarget::File(_) | LogTarget::Screen => (CliWarning::LogUnknown { code: cycle.code }, true),
+                LogTarget::None => (CliWarning::LogOff, self.log_folder.is_some()),
+                LogTarget::Shown => (CliWarning::LogNone, self.log_folder.is_some()),
+            };
+            if is_due {
+                io.warn(&warning)?;
             }
             return Ok(Kept::default());
         };

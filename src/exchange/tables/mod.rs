@@ -37,11 +37,6 @@ pub struct TableFormat {
 pub const TABLE_FORMATS: &[TableFormat] =
     &[control::ITNC530, control::TNC640, control::TNC7, csv::FORMAT, pcdmis::FORMAT];
 
-/// The format of a name on the command line.
-pub fn table_format(name: &str) -> Option<&'static TableFormat> {
-    TABLE_FORMATS.iter().find(|format| format.name == name)
-}
-
 impl TableFormat {
     /// Whether a file of this name can be of this format.
     pub fn fits(&self, file: &Path) -> bool {
