@@ -6,9 +6,10 @@ mod folder;
 mod folders;
 mod tables;
 
-use std::io::{Read as _, Write as _};
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
+use folder::{beside, persist};
 pub use folder::{make_folder, write_folder, write_new};
 pub use folders::Folders;
 pub use tables::{OwnTables, OwnTablesError, read_tables};
@@ -86,28 +87,13 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     if path.is_dir() {
         return Err(FileError::IsFolder { path: path.to_owned() });
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
-    let whole = || -> std::io::Result<()> {
-        let mut beside = tempfile::Builder::new().prefix(".fitcheck-").tempfile_in(folder)?;
-        beside.write_all(bytes)?;
-        beside.as_file().sync_all()?;
-        make_readable(beside.as_file())?;
-        beside.persist(path).map_err(|error| error.error)?;
-        Ok(())
-    };
-    whole().map_err(|error| system(path, &error))
+    let beside = beside(folder_of(path), bytes).map_err(|error| system(path, &error))?;
+    persist(beside, path, true)
 }
 
-/// Temporary files are private; what a user saves is read by others, too.
-#[cfg(unix)]
-fn make_readable(file: &std::fs::File) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt as _;
-    file.set_permissions(std::fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn make_readable(_file: &std::fs::File) -> std::io::Result<()> {
-    Ok(())
+/// The folder that a path lies in.
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."))
 }
 
 /// Sets a broken file aside under another name and says which.
@@ -121,48 +107,4 @@ pub fn set_aside(path: &Path) -> Result<PathBuf, FileError> {
         }
     }
     Err(FileError::System { reason: "too many broken files were set aside".to_owned(), path: path.to_owned() })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_written_file_is_whole_and_leaves_nothing_beside_it() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("report.html");
-        write(&path, b"one").unwrap();
-        write(&path, b"two").unwrap();
-        assert_eq!(read(&path).unwrap(), b"two");
-        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
-    }
-
-    #[test]
-    fn folders_and_missing_files_are_named() {
-        let folder = tempfile::tempdir().unwrap();
-        assert_eq!(read(folder.path()), Err(FileError::IsFolder { path: folder.path().to_owned() }));
-        assert_eq!(write(folder.path(), b""), Err(FileError::IsFolder { path: folder.path().to_owned() }));
-        let missing = folder.path().join("none.csv");
-        assert_eq!(read(&missing), Err(FileError::Missing { path: missing }));
-        let beneath = folder.path().join("none").join("x.csv");
-        assert_eq!(write(&beneath, b""), Err(FileError::Missing { path: beneath }));
-    }
-
-    #[test]
-    fn a_file_beyond_the_bound_is_refused_unread() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("huge.csv");
-        std::fs::File::create(&path).unwrap().set_len(LARGEST + 1).unwrap();
-        assert_eq!(read(&path), Err(FileError::TooLarge { path }));
-    }
-
-    #[test]
-    fn a_broken_file_is_set_aside_not_lost() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("state.json");
-        write(&path, b"{").unwrap();
-        let aside = set_aside(&path).unwrap();
-        assert_eq!(std::fs::read(aside).unwrap(), b"{");
-        assert!(!path.exists());
-    }
 }

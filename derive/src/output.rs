@@ -1,22 +1,25 @@
-//! The code that is made, after the texts were found to fit.
+//! The code that is made, and an error for every text that does not fit.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Ident, Member};
 
 use crate::input::{Case, Said, Text};
-use crate::texts;
+use crate::texts::Texts;
 
-pub(crate) fn write(said: &Said) -> syn::Result<TokenStream> {
-    for case in &said.cases {
-        check(case)?;
-    }
+/// The impls stand beside the errors: where they were missing, every use of the type would be an error of its own.
+pub(crate) fn write(said: &Said, texts: &Texts) -> TokenStream {
+    let errors = said.cases.iter().filter_map(|case| {
+        let message = wrong(case, texts)?;
+        Some(syn::Error::new(case.span, message).into_compile_error())
+    });
     let Said { name, generics, .. } = said;
     let (for_impl, for_type, conditions) = generics.split_for_impl();
     let arms = said.cases.iter().map(arm);
     let error = said.is_error.then(|| quote!(impl #for_impl ::std::error::Error for #name #for_type #conditions {}));
     let from = said.cases.iter().flat_map(|case| conversions(said, case));
-    Ok(quote! {
+    quote! {
+        #(#errors)*
         #[automatically_derived]
         impl #for_impl crate::message::Say for #name #for_type #conditions {
             fn message(&self) -> crate::message::Message {
@@ -31,24 +34,21 @@ pub(crate) fn write(said: &Said) -> syn::Result<TokenStream> {
         }
         #error
         #(#from)*
-    })
+    }
 }
 
-/// The text is there, and gets all that it asks for.
-fn check(case: &Case) -> syn::Result<()> {
-    let refuse = |message: String| Err(syn::Error::new(case.span, message));
-    let Text::Named(id) = &case.text else { return Ok(()) };
-    let texts = match texts::english() {
+/// Why a case cannot be said: its text is missing, or asks for more than it is given.
+fn wrong(case: &Case, texts: &Texts) -> Option<String> {
+    let Text::Named(id) = &case.text else { return None };
+    let texts = match texts {
         Ok(texts) => texts,
-        Err(error) => return refuse(format!("the English texts cannot be read: {error}")),
+        Err(error) => return Some(format!("the English texts cannot be read: {error}")),
     };
-    let Some(wanted) = texts.get(id) else { return refuse(format!("assets/locales/en has no text {id}")) };
+    let Some(wanted) = texts.get(id) else { return Some(format!("assets/locales/en has no text {id}")) };
     let fields = case.fields.iter().filter_map(|field| field.argument.as_ref());
     let given: Vec<&String> = fields.chain(case.computed.iter().map(|(name, _)| name)).collect();
-    match wanted.iter().find(|name| !given.contains(name)) {
-        Some(name) => refuse(format!("text {id} asks for ${name}; given are {given:?}")),
-        None => Ok(()),
-    }
+    let missing = wanted.iter().find(|name| !given.contains(name))?;
+    Some(format!("text {id} asks for ${missing}; given are {given:?}"))
 }
 
 fn binding(member: &Member) -> Ident {
@@ -105,4 +105,50 @@ fn conversions<'a>(said: &'a Said, case: &'a Case) -> impl Iterator<Item = Token
             }
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is made of a type, where English has these texts, and the errors in it.
+    fn made(source: &str) -> (String, usize) {
+        let texts = ["shape-round", "shape-square"].map(|id| (id.to_owned(), ["side".to_owned()].into()));
+        let said = Said::read(&syn::parse_str(source).unwrap()).unwrap();
+        let code = write(&said, &Ok(texts.into())).to_string();
+        let errors = code.matches("compile_error").count();
+        (code, errors)
+    }
+
+    const IMPLS: [&str; 4] = [
+        "impl crate :: message :: Say for Shape",
+        "impl :: std :: fmt :: Display for Shape",
+        "impl :: std :: error :: Error for Shape",
+        "impl :: std :: convert :: From < u8 > for Shape",
+    ];
+
+    #[track_caller]
+    fn check(variants: &str, errors: &[&str]) {
+        let (code, count) = made(&format!("#[say(prefix = \"shape\", error)] enum Shape {{ {variants} }}"));
+        assert_eq!(count, errors.len(), "{code}");
+        for text in errors.iter().chain(&IMPLS) {
+            assert!(code.contains(text), "{text} is missing in {code}");
+        }
+    }
+
+    #[test]
+    fn texts_that_fit_make_no_error() {
+        check("Round { side: u8 }, Square(#[from] #[say(name = \"side\")] u8)", &[]);
+    }
+
+    #[test]
+    fn a_missing_text_or_argument_is_one_error_and_the_impls_are_there() {
+        check("Round { side: u8 }, Oval(#[from] u8)", &["assets/locales/en has no text shape-oval"]);
+        check("Round { edge: u8 }, Square(#[from] #[say(name = \"side\")] u8)", &["text shape-round asks for $side"]);
+    }
+
+    #[test]
+    fn two_wrong_variants_are_two_errors() {
+        check("Round(#[from] u8), Oval", &["asks for $side", "has no text shape-oval"]);
+    }
 }

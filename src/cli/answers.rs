@@ -7,7 +7,7 @@ use std::io::{BufRead, Write};
 
 use serde::Serialize;
 
-use super::{CliError, Format, Io, Note};
+use super::{CliError, CliRemark, Format, Io};
 use crate::control::text::decode;
 pub(super) use lines::LONGEST_LINE;
 use lines::{Found, Line};
@@ -153,7 +153,7 @@ impl Answers {
         }
         io.out.flush()?;
         if 0 < self.refused && !self.is_text() {
-            io.tell(Note::Refused { refused: self.refused, asked: self.answered })?;
+            io.tell(CliRemark::Refused { refused: self.refused, asked: self.answered })?;
         }
         Ok(self.refused == 0)
     }

@@ -1,10 +1,10 @@
 //! `fitcheck check`: one verdict, printed through a mask.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 
 use super::args::dialogue;
-use super::{CliError, Format, Io, Note, Outcome, Refused as _, TableArgs, What, heard_or_not};
+use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::control::mask::Mask;
 use crate::files;
 use crate::journal::{Record, status_window};
@@ -145,7 +145,9 @@ impl Args {
             return Ok(Measurement::of_diameter(diameter, Origin::Typed));
         }
         if let Some(path) = &self.source.contacts {
-            return measure_file(path, io);
+            let (name, contacts) = super::read_contacts(path, io)?;
+            let origin = Origin::Contacts { file: name.as_str().into() };
+            return measure_contacts(&contacts, origin).about(&name);
         }
         let diameter = match &self.true_diameter {
             Some(text) => text.parse().about(&What::TrueDiameter)?,
@@ -175,7 +177,7 @@ impl Args {
         heard_or_not(io.out.write_all(text.as_bytes()))?;
         if let Some(removal) = record.verdict.size.removal {
             let (limit, middle) = (removal.to_limit, removal.to_middle);
-            io.tell(Note::Remove { limit, middle })?;
+            io.tell(CliRemark::Remove { limit, middle })?;
         }
         Ok(())
     }
@@ -187,15 +189,9 @@ fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
         io.warn(&doubt)?;
     }
     if let Source::Table { instead_of: Some(shipped), name, .. } = &record.limits.source {
-        io.warn(&Note::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() })?;
+        io.warn(&CliWarning::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() })?;
     }
     Ok(())
-}
-
-fn measure_file(path: &Path, io: &mut Io<'_>) -> Result<Measurement, CliError> {
-    let (name, contacts) = super::read_contacts(path, io)?;
-    let origin = Origin::Contacts { file: name.as_str().into() };
-    measure_contacts(&contacts, origin).about(&name)
 }
 
 /// `unstated`: the callout has no letters and nobody said hole or shaft, so the file does not say it either.

@@ -67,19 +67,6 @@ struct Pair {
     direction_deg: f64,
 }
 
-impl From<Zone> for Ring {
-    fn from(zone: Zone) -> Self {
-        let Zone { x, y, width, outer_diameter, inner_diameter, .. } = zone;
-        Self { x, y, width, outer_diameter, inner_diameter }
-    }
-}
-
-impl From<&TwoPoint> for Pair {
-    fn from(pair: &TwoPoint) -> Self {
-        Self { contacts: pair.contacts, size: pair.size, direction_deg: pair.direction_deg }
-    }
-}
-
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let (name, contacts) = read_contacts(&self.file, io)?;
@@ -90,12 +77,17 @@ impl Args {
             }
         }
         let Circle { x, y, diameter } = evaluation.least_squares;
+        let ring = |zone| {
+            let Zone { x, y, width, outer_diameter, inner_diameter, .. } = zone;
+            Ring { x, y, width, outer_diameter, inner_diameter }
+        };
+        let pair = |&TwoPoint { contacts, size, direction_deg, .. }: &TwoPoint| Pair { contacts, size, direction_deg };
         let answer = Answer {
             least_squares: LeastSquares { x, y, diameter, form: evaluation.form() },
             minimum_circumscribed: evaluation.minimum_circumscribed,
             maximum_inscribed: evaluation.maximum_inscribed,
-            minimum_zone: evaluation.minimum_zone.map(Ring::from),
-            two_point: evaluation.two_point.iter().map(Pair::from).collect(),
+            minimum_zone: evaluation.minimum_zone.map(ring),
+            two_point: evaluation.two_point.iter().map(pair).collect(),
             contacts: contacts.len(),
             arc_deg: evaluation.arc_deg,
             residuals: &evaluation.residuals,

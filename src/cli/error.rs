@@ -93,8 +93,6 @@ pub(super) enum CliError {
     OptionBesidePlan { option: &'static str },
     /// An option that a single callout needs.
     OptionMissing { option: &'static str },
-    /// A control that has no sets.
-    NoControl { name: String },
     /// A file that is there already.
     UseForce { error: FileError },
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use jiff::civil::DateTime;
 
-use super::{CliError, Format, Io, Outcome, TableArgs, note};
+use super::{CliError, Format, Io, Outcome, TableArgs, said};
 use crate::exchange::{FORMATS, Imported, import};
 use crate::files;
 use crate::report::columns::names;
@@ -108,7 +108,7 @@ impl Args {
 fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> Result<(), CliError> {
     for warning in imported.warnings.iter().filter(|warning| warning.what.row.is_none()) {
         let line = warning.place.line.unwrap_or(1);
-        io.tell(format_args!("{}:{line}: {}", path.display(), note::warning(&warning.what.reason)))?;
+        io.tell(format_args!("{}:{line}: {}", path.display(), said::warning(&warning.what.kind)))?;
     }
     Ok(())
 }

@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::io::{BufRead, Read as _, Write};
 use std::path::Path;
 
-use super::note::{Note, about, note, warning};
+use super::said::{CliRemark, CliWarning, about, remark, warning};
 use super::{CliError, Refused as _, What};
 use crate::control::deviations;
 use crate::exchange::contacts;
@@ -47,8 +47,8 @@ impl Io<'_> {
     }
 
     /// Says what is worth knowing.
-    pub(super) fn note(&mut self, what: &impl Say) -> Result<(), CliError> {
-        self.tell(note(what))
+    pub(super) fn remark(&mut self, what: &impl Say) -> Result<(), CliError> {
+        self.tell(remark(what))
     }
 
     /// Says what failed, while the rest goes on.
@@ -90,7 +90,7 @@ pub(super) fn read_contacts(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec
     let (name, bytes) = read_input(path, io)?;
     let read = contacts::read(&bytes).about(&name)?;
     for column in &read.ignored {
-        io.warn_about(&name, &Note::ColumnNotUsed { column })?;
+        io.warn_about(&name, &CliWarning::ColumnNotUsed { column })?;
     }
     Ok((name, read.contacts))
 }
@@ -117,7 +117,7 @@ pub(super) fn diameter(text: &str, what: What<'_>) -> Result<Length, CliError> {
 /// Writes an output file and says its name on standard error.
 pub(super) fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), CliError> {
     files::write(path, bytes)?;
-    io.tell(Note::Wrote { path: path.display().to_string() })
+    io.tell(CliRemark::Wrote { path: path.display().to_string() })
 }
 
 /// The local date and time to the second: what a person reads, and what every control prints.

@@ -5,7 +5,7 @@ use std::io::Write;
 use super::answers::{Answerer, Answers, Asked, Cells};
 use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
 use crate::length::{Length, Unit};
-use crate::report::columns::{self, Cell as _, Column};
+use crate::report::columns::{self, Cell as _, Column, columns};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
 
 const EXAMPLES: &str = "\
@@ -67,20 +67,12 @@ struct Row<'a> {
 
 impl<'a> Row<'a> {
     /// The columns of CSV.
-    const COLUMNS: [Column<Self>; 8] = [
-        ("callout", |row| row.callout.cell()),
-        ("nominal_mm", |row| row.nominal_mm.cell()),
-        ("lower_um", |row| row.lower_um.cell()),
-        ("upper_um", |row| row.upper_um.cell()),
-        ("min_mm", |row| row.min_mm.cell()),
-        ("max_mm", |row| row.max_mm.cell()),
-        ("source", |row| row.source.cell()),
-        ("error", |row| row.error.cell()),
-    ];
+    const COLUMNS: [Column<Self>; 8] = columns! {
+        callout, nominal_mm, lower_um, upper_um, min_mm, max_mm, source, error,
+    };
 
     fn of(callout: &'a str, limits: &Limits) -> Self {
-        let mm = |length: Length, decimals| Some(Figure(length.exact(Unit::Millimetre, decimals)));
-        let um = |length: Length| Some(Figure(length.exact(Unit::Micrometre, 0)));
+        let (mm, um) = (|length, decimals| Some(Figure::mm(length, decimals)), |length| Some(Figure::um(length)));
         Self {
             callout,
             nominal_mm: mm(limits.nominal, 0),

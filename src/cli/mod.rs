@@ -11,7 +11,7 @@
 //! | `io` | the standard streams, reading and saving files |
 //! | `answers` | callouts answered one by one as text, CSV or JSON |
 //! | `error` | why a subcommand could not do its work |
-//! | `note` | what is said beside an answer |
+//! | `said` | remarks and warnings beside an answer |
 
 /// The table of subcommands: one file and one line each.
 macro_rules! subcommands {
@@ -42,22 +42,23 @@ mod import;
 mod io;
 mod limits;
 mod nc;
-mod note;
 mod report;
 mod run;
+mod said;
 mod table;
 
 use std::process::ExitCode;
 
 use clap::Parser;
 
+use crate::length::{Length, Unit};
 use crate::report::columns::Cell;
 use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
 use error::{CliError, Refused, What};
 pub use io::Io;
 use io::{diameter, heard_or_not, now, read_contacts, read_input, read_table, save, tame};
-use note::Note;
+use said::{CliRemark, CliWarning};
 
 /// Good, rework or scrap: limits and fits, measured.
 ///
@@ -86,6 +87,18 @@ subcommands! {
 /// An exact decimal: as it is in CSV, a number in JSON.
 #[derive(Debug)]
 struct Figure(String);
+
+impl Figure {
+    /// Millimetres exactly, with at least so many decimals.
+    fn mm(length: Length, decimals: usize) -> Self {
+        Self(length.exact(Unit::Millimetre, decimals))
+    }
+
+    /// Micrometres exactly.
+    fn um(length: Length) -> Self {
+        Self(length.exact(Unit::Micrometre, 0))
+    }
+}
 
 impl serde::Serialize for Figure {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::args::dialogue;
-use super::{CliError, Io, Note, Outcome, Refused as _, TableArgs, What, read_input};
+use super::{CliError, CliRemark, Io, Outcome, Refused as _, TableArgs, What, read_input};
 use crate::files;
 use crate::length::{Length, LengthError};
 use crate::nc::sets::{
@@ -46,8 +46,8 @@ pub(super) struct Args {
     #[arg(value_name = "CALLOUT|PLAN.csv")]
     what: String,
     /// Which control the files are for
-    #[arg(long, value_parser = PossibleValuesParser::new(["itnc530", "tnc640", "tnc620", "tnc320", "tnc7"]))]
-    control: String,
+    #[arg(long, value_parser = control())]
+    control: Control,
     /// Folder or .zip to write
     #[arg(short, long, value_name = "FOLDER|FILE.zip")]
     output: PathBuf,
@@ -92,6 +92,12 @@ struct Position {
     name: Option<String>,
 }
 
+/// A control by its name: TNC 320 and TNC 620 take the same files as TNC 640.
+fn control() -> impl TypedValueParser<Value = Control> {
+    let names = PossibleValuesParser::new(["itnc530", "tnc640", "tnc620", "tnc320", "tnc7"]);
+    names.try_map(|name| Control::from_code(&name).ok_or(std::fmt::Error))
+}
+
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
@@ -99,10 +105,10 @@ impl Args {
         let plan = self.plan(io)?;
         let set = self.named(NcSet::make(&plan, &target, &sources))?;
         for remark in &set.remarks {
-            io.note(remark)?;
+            io.remark(remark)?;
         }
         if !self.is_plan() && self.position.clearance_height.is_none() {
-            io.note(&Note::ClearanceHeight { height: DEFAULT_CLEARANCE_HEIGHT })?;
+            io.remark(&CliRemark::ClearanceHeight { height: DEFAULT_CLEARANCE_HEIGHT })?;
         }
         self.save(&set, io)?;
         Ok(Outcome::Done)
@@ -114,10 +120,7 @@ impl Args {
     }
 
     fn target(&self) -> Result<Target, CliError> {
-        let unknown = || CliError::NoControl { name: self.control.clone() };
-        let control = Control::from_code(&self.control).ok_or_else(unknown)?;
-        let language = self.language;
-        let usual = Target::new(control, language);
+        let usual = Target::new(self.control, self.language);
         let Some(folder) = &self.folder else { return Ok(usual) };
         let folder: ControlFolder = folder.parse().said()?;
         Ok(Target { folder, ..usual })
@@ -154,12 +157,12 @@ impl Args {
             let write = if self.force { files::write } else { files::write_new };
             write(&self.output, &bytes).map_err(hint)?;
             let path = self.output.display().to_string();
-            return io.tell(Note::WroteFiles { path, count: set.files.len() });
+            return io.tell(CliRemark::WroteFiles { path, count: set.files.len() });
         }
         let files: Vec<(&str, &[u8])> =
             set.files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
         for path in files::write_folder(&self.output, &files, self.force).map_err(hint)? {
-            io.tell(Note::Wrote { path: path.display().to_string() })?;
+            io.tell(CliRemark::Wrote { path: path.display().to_string() })?;
         }
         Ok(())
     }

@@ -177,8 +177,8 @@ impl Collected {
         };
         let imported = import(&name, &bytes, sources, now);
         let line = |line: usize| Message::new("report-note-line").text("place", &name).text("line", line);
-        for problem in &imported.problems {
-            self.refuse(Message::new("report-note").text("place", &name), problem.message(), io)?;
+        for error in &imported.errors {
+            self.refuse(Message::new("report-note").text("place", &name), error.message(), io)?;
         }
         for unjudged in &imported.unjudged {
             self.refuse(line(unjudged.line), unjudged.why.message(), io)?;

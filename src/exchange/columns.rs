@@ -5,7 +5,7 @@
 use csv::StringRecord;
 
 use super::delimited::{Item, Rows, SEPARATORS};
-use super::problem::{Reason, Role};
+use super::error::{ImportErrorKind, Role};
 use super::words::{self, Rank};
 use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, ToleranceClass};
@@ -85,9 +85,9 @@ impl Sample {
     ///
     /// # Errors
     /// A reason that is about the whole file.
-    pub(super) fn columns(&self) -> Result<Columns, Reason> {
+    pub(super) fn columns(&self) -> Result<Columns, ImportErrorKind> {
         if self.rows.is_empty() {
-            return Err(Reason::NoRows);
+            return Err(ImportErrorKind::NoRows);
         }
         let mut columns = if let Some((line, cells)) = self.header.and_then(|at| self.rows.get(at)) {
             self.by_header(*line, cells)?
@@ -120,9 +120,9 @@ impl Sample {
         all < are * 2
     }
 
-    fn by_header(&self, line: usize, header: &StringRecord) -> Result<Columns, Reason> {
+    fn by_header(&self, line: usize, header: &StringRecord) -> Result<Columns, ImportErrorKind> {
         let roles: Vec<_> = header.iter().map(words::role).collect();
-        let best = |role: Role, ranks: &[Rank]| -> Result<Option<usize>, Reason> {
+        let best = |role: Role, ranks: &[Rank]| -> Result<Option<usize>, ImportErrorKind> {
             for rank in ranks {
                 let found: Vec<usize> =
                     (0..).zip(&roles).filter(|(_, r)| **r == Some((role, *rank))).map(|(at, _)| at).collect();
@@ -140,7 +140,7 @@ impl Sample {
         // "diameter" is the measured value where no other column is, else it may be the nominal size.
         let measured_at = match measured {
             Some(at) => at,
-            None => best(Role::Measured, &[Rank::Weak])?.ok_or(Reason::NoMeasuredColumn)?,
+            None => best(Role::Measured, &[Rank::Weak])?.ok_or(ImportErrorKind::NoMeasuredColumn)?,
         };
         let tolerance = best(Role::Tolerance, &[Rank::Exact, Rank::Contained, Rank::Weak])?;
         let has_class = tolerance.is_some_and(|at| self.mostly(at, is_class));
@@ -151,8 +151,9 @@ impl Sample {
         let time: Vec<usize> =
             (0..).zip(&roles).filter(|(_, r)| matches!(r, Some((Role::Time, _)))).map(|(at, _)| at).take(2).collect();
         let id = best(Role::Id, &sure)?;
-        let column = |at: usize| -> Result<LengthColumn, Reason> {
-            let unit = words::unit(header.get(at).unwrap_or_default()).map_err(|unit| Reason::Unit { unit })?;
+        let column = |at: usize| -> Result<LengthColumn, ImportErrorKind> {
+            let unit =
+                words::unit(header.get(at).unwrap_or_default()).map_err(|unit| ImportErrorKind::Unit { unit })?;
             Ok(LengthColumn { at, unit: unit.unwrap_or(Unit::Millimetre) })
         };
         let used: Vec<usize> =
@@ -175,7 +176,7 @@ impl Sample {
 
     /// Without a header: the column of callouts, or of classes with the nominal sizes before them, and the only
     /// column of numbers behind it, or the only one at all.
-    fn by_content(&self) -> Result<Columns, Reason> {
+    fn by_content(&self) -> Result<Columns, ImportErrorKind> {
         let width = self.rows.iter().map(|(_, cells)| cells.len()).max().unwrap_or_default();
         // What most rows have; a longer row is told as one.
         let count = (1..=width)
@@ -201,7 +202,7 @@ impl Sample {
             free.iter().copied().filter(|at| tolerance.is_some_and(|before| before < *at)).collect();
         let measured = match (behind.as_slice(), free.as_slice()) {
             ([at], _) | ([], [at]) => *at,
-            ([], []) => return Err(Reason::NoMeasuredColumn),
+            ([], []) => return Err(ImportErrorKind::NoMeasuredColumn),
             ([], several_are) | (several_are, _) => return Err(several(Role::Measured, &no_header, several_are)),
         };
         let first = [tolerance, nominal, Some(measured)].into_iter().flatten().min().unwrap_or_default();
@@ -329,13 +330,13 @@ pub(super) fn is_class(cell: &str) -> bool {
     cell.parse::<ToleranceClass>().is_ok()
 }
 
-fn several(role: Role, header: &StringRecord, columns: &[usize]) -> Reason {
+fn several(role: Role, header: &StringRecord, columns: &[usize]) -> ImportErrorKind {
     let names: Vec<String> = columns.iter().map(|&at| name_of(at, header.get(at).unwrap_or_default())).collect();
-    Reason::SeveralColumns { role, columns: names.join(", ") }
+    ImportErrorKind::SeveralColumns { role, columns: names.join(", ") }
 }
 
 /// The number of a column, and its name where it has one.
 fn name_of(at: usize, name: &str) -> String {
     let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
-    if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, super::problem::shorten(&name)) }
+    if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, super::error::shorten(&name)) }
 }

@@ -2,13 +2,14 @@
 
 use jiff::civil::DateTime;
 
-use super::problem::{Problem, Reason, Warning, WarningReason};
+use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Located, Place, Say};
 use crate::probing::Contact;
 use crate::probing::cycle::FoundName;
-use crate::verdict::{PositionVerdict, Removal, Status};
+use crate::tolerance::Limits;
+use crate::verdict::{PositionVerdict, Removal, SizeVerdict, Status, judge_size};
 
 /// The most rows that one file is read for: a record takes some hundred bytes, so this bounds the memory.
 pub const MOST_ROWS: usize = 500_000;
@@ -23,12 +24,12 @@ pub struct Imported {
     /// Measurements that make no record, because nothing tells what they should be.
     pub unjudged: Vec<Unjudged>,
     /// Rows that could not be used, or the reason why the whole file could not be.
-    pub problems: Vec<Located<Problem>>,
+    pub errors: Vec<Located<ImportError>>,
     /// What was odd but readable.
-    pub warnings: Vec<Located<Warning>>,
+    pub warnings: Vec<Located<ImportWarning>>,
     /// The contacts of a file of contacts.
     pub contacts: Option<Vec<Contact>>,
-    /// How many rows or logs were read: records, unjudged measurements and problems together.
+    /// How many rows or logs were read: records, unjudged measurements and errors together.
     pub rows: usize,
 }
 
@@ -108,11 +109,19 @@ pub struct Coordinate {
     pub removal: Option<Removal>,
 }
 
+impl Coordinate {
+    /// A value against its limits.
+    pub(super) fn judged(cycle: &'static str, nominal: Option<Length>, limits: &Limits, measured: Length) -> Self {
+        let SizeVerdict { status, removal, .. } = judge_size(limits, measured);
+        Self { cycle, nominal, maximum: limits.maximum(), minimum: limits.minimum(), status, removal }
+    }
+}
+
 impl Imported {
     /// A file that could not be used at all.
-    pub(super) fn failed(reason: Reason) -> Self {
+    pub(super) fn failed(kind: ImportErrorKind) -> Self {
         let mut imported = Self::default();
-        imported.refuse(Place::line(1), reason, String::new());
+        imported.refuse(Place::line(1), kind, String::new());
         imported
     }
 
@@ -127,13 +136,13 @@ impl Imported {
         self.unjudged.push(unjudged);
     }
 
-    pub(super) fn refuse(&mut self, place: Place, reason: Reason, given: String) {
+    pub(super) fn refuse(&mut self, place: Place, kind: ImportErrorKind, given: String) {
         self.rows += 1;
-        self.problems.push(Located { what: Problem { reason, given }, place });
+        self.errors.push(Located { what: ImportError { kind, given }, place });
     }
 
     /// `row` is the line of the record or unjudged measurement that it belongs to.
-    pub(super) fn warn(&mut self, line: usize, row: Option<usize>, reason: WarningReason) {
-        self.warnings.push(Located::in_line(line, Warning { row, reason }));
+    pub(super) fn warn(&mut self, line: usize, row: Option<usize>, kind: ImportWarningKind) {
+        self.warnings.push(Located::in_line(line, ImportWarning { row, kind }));
     }
 }

@@ -4,8 +4,8 @@
 
 use std::sync::Arc;
 
+use super::error::ImportErrorKind;
 use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
-use super::problem::Reason;
 use super::{Format, Source};
 use crate::control::log444::{self, Band, PointLog};
 use crate::length::Length;
@@ -13,7 +13,6 @@ use crate::message::Place;
 use crate::probing::cycle::Log;
 use crate::probing::cycles::CYCLES;
 use crate::tolerance::{Deviations, Feature, Limits, LimitsError, Source as LimitSource};
-use crate::verdict::judge_size;
 
 pub(super) const FORMAT: Format = Format {
     name: "log-444",
@@ -30,7 +29,7 @@ fn read(source: &Source<'_>) -> Imported {
             Ok((line, log)) => add(&mut imported, line, &log, source),
             Err(error) => {
                 let given = error.what.given();
-                imported.refuse(error.place, Reason::Point(error.what), given);
+                imported.refuse(error.place, ImportErrorKind::Point(error.what), given);
             }
         }
     }
@@ -42,7 +41,7 @@ fn add(imported: &mut Imported, line: usize, log: &PointLog, source: &Source<'_>
         None => WhyUnjudged::PointWithoutTolerance,
         Some(Some(coordinate)) => WhyUnjudged::Point(coordinate),
         Some(None) => {
-            let reason = Reason::Limits(LimitsError::TooLarge { nominal: Length::ZERO });
+            let reason = ImportErrorKind::Limits(LimitsError::TooLarge { nominal: Length::ZERO });
             return imported.refuse(Place::line(line), reason, log.tolerance.clone());
         }
     };
@@ -61,15 +60,7 @@ fn judged(log: &PointLog, band: Band, source: &Source<'_>) -> Option<Coordinate>
     let deviations = Deviations::new(band.upper, band.lower).ok()?;
     let from = LimitSource::File(Arc::clone(&source.file));
     let limits = Limits::new(Feature::Shaft, Length::ZERO, deviations, from)?;
-    let verdict = judge_size(&limits, log.deviation);
-    Some(Coordinate {
-        cycle: cycle_of_points(),
-        nominal: Some(Length::ZERO),
-        maximum: limits.maximum(),
-        minimum: limits.minimum(),
-        status: verdict.status,
-        removal: verdict.removal,
-    })
+    Some(Coordinate::judged(cycle_of_points(), Some(Length::ZERO), &limits, log.deviation))
 }
 
 /// What programs call the cycle that writes such logs.

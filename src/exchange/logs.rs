@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
+use super::error::{ImportErrorKind, ImportWarning, ImportWarningKind};
 use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
-use super::problem::{Reason, Warning, WarningReason};
 use super::{Format, Source};
 use crate::control::log::{self, Figure, LimitPair, Log, layout};
 use crate::journal::Record;
@@ -19,7 +19,7 @@ use crate::probing::cycle::{Cycle, FigureKind, FoundName, Meaning, TextLog};
 use crate::probing::cycles::cycle;
 use crate::probing::{Measurement, Origin};
 use crate::tolerance::{Deviations, Feature, Limits, Source as LimitSource};
-use crate::verdict::{AxisPosition, PositionVerdict, judge_size};
+use crate::verdict::{AxisPosition, PositionVerdict};
 
 pub(super) const FORMAT: Format =
     Format { name: "log", endings: &["txt"], description: "exchange-format-logs", recognises, read };
@@ -38,7 +38,7 @@ fn read(source: &Source<'_>) -> Imported {
             Ok(log) => add(&mut imported, log, source),
             Err(error) => {
                 let given = error.what.given();
-                imported.refuse(error.place, Reason::Log(error.what), given);
+                imported.refuse(error.place, ImportErrorKind::Log(error.what), given);
             }
         }
     }
@@ -82,7 +82,7 @@ struct Read {
 enum Made {
     Record(Box<Record>),
     Unjudged { measured: Length, why: WhyUnjudged },
-    Refused { reason: Reason, given: String },
+    Refused { reason: ImportErrorKind, given: String },
 }
 
 impl Made {
@@ -107,7 +107,7 @@ impl Read {
         };
         let feature = self.cycle.shape().feature();
         let Some(limits) = limits(feature, nominal, pair, &source.file) else {
-            let reason = Reason::Limits(crate::tolerance::LimitsError::TooLarge { nominal: pair.maximum });
+            let reason = ImportErrorKind::Limits(crate::tolerance::LimitsError::TooLarge { nominal: pair.maximum });
             return Made::Refused { reason, given: pair.maximum.to_string() };
         };
         let origin = Origin::Imported { file: Arc::clone(&source.file) };
@@ -130,17 +130,12 @@ impl Read {
         let feature = self.cycle.shape().feature();
         let Some(limits) = limits(feature, pair.minimum, pair, &source.file) else {
             let given = pair.maximum.to_string();
-            return Made::Refused { reason: Reason::Measured(LengthError::TooLarge { text: given.clone() }), given };
+            return Made::Refused {
+                reason: ImportErrorKind::Measured(LengthError::TooLarge { text: given.clone() }),
+                given,
+            };
         };
-        let verdict = judge_size(&limits, measured);
-        let judged = Coordinate {
-            cycle: self.cycle.code,
-            nominal: figure.nominal,
-            maximum: limits.maximum(),
-            minimum: limits.minimum(),
-            status: verdict.status,
-            removal: verdict.removal,
-        };
+        let judged = Coordinate::judged(self.cycle.code, figure.nominal, &limits, measured);
         let why = if is_coordinate { WhyUnjudged::Coordinate(judged) } else { WhyUnjudged::Size { what, judged } };
         Made::Unjudged { measured, why }
     }
@@ -148,8 +143,8 @@ impl Read {
 
 fn finish(imported: &mut Imported, warnings: Vec<Located<log::LogWarning>>, row: usize) {
     for warning in warnings {
-        let reason = WarningReason::Log(warning.what);
-        imported.warnings.push(Located { what: Warning { row: Some(row), reason }, place: warning.place });
+        let kind = ImportWarningKind::Log(warning.what);
+        imported.warnings.push(Located { what: ImportWarning { row: Some(row), kind }, place: warning.place });
     }
 }
 
@@ -168,16 +163,20 @@ fn limits(feature: Feature, nominal: Length, pair: LimitPair, file: &Arc<str>) -
 
 /// The measured centre.
 fn centre(layout: &TextLog, figures: &[Figure]) -> Option<[Length; 2]> {
-    let centre = layout.figures.iter().zip(figures).filter(|(of, _)| matches!(of.kind, FigureKind::Centre(_)));
-    centre.map(|(_, figure)| figure.actual).collect::<Vec<_>>().try_into().ok()
+    centre_figures(layout, figures).map(|figure| figure.actual).collect::<Vec<_>>().try_into().ok()
 }
 
 /// The centre by the log's own limits: a tolerance of 0 means that the axis is not monitored.
 fn position(layout: &TextLog, figures: &[Figure]) -> Option<PositionVerdict> {
-    let centre = layout.figures.iter().zip(figures).filter(|(of, _)| matches!(of.kind, FigureKind::Centre(_)));
-    let axes: Vec<_> =
-        centre.filter_map(|(_, figure)| Some(axis(figure.limits?, figure.nominal?, figure.actual))).collect();
+    let of = |figure: &Figure| Some(axis(figure.limits?, figure.nominal?, figure.actual));
+    let axes: Vec<_> = centre_figures(layout, figures).filter_map(of).collect();
     Some(PositionVerdict { axes: axes.try_into().ok()? })
+}
+
+/// What a log says of the centre's axes.
+fn centre_figures<'a>(layout: &TextLog, figures: &'a [Figure]) -> impl Iterator<Item = &'a Figure> {
+    let centre = layout.figures.iter().zip(figures).filter(|(of, _)| matches!(of.kind, FigureKind::Centre(_)));
+    centre.map(|(_, figure)| figure)
 }
 
 /// Rounding may leave the limits uneven by the last figure: the limit on the side where the centre is decides.

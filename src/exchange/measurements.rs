@@ -10,8 +10,8 @@ use jiff::civil::{DateTime, Time};
 
 use super::columns::{self, Columns, LengthColumn, Sample};
 use super::delimited::{Item, Rows};
+use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::imported::{Imported, MOST_ROWS, Unjudged, WhyUnjudged};
-use super::problem::{Reason, WarningReason, shorten};
 use super::{Format, Source};
 use crate::journal::Record;
 use crate::length::Length;
@@ -46,16 +46,16 @@ fn read(source: &Source<'_>) -> Imported {
     for item in Rows::new(text, first_line, sample.separator) {
         if reader.imported.rows == MOST_ROWS {
             let (Item::Row { line, .. } | Item::OpenQuote { line, .. }) = item;
-            reader.refuse(line, Cell { at: None, text: "" }, Reason::TooManyRows { most: MOST_ROWS });
+            reader.refuse(line, Cell { at: None, text: "" }, ImportErrorKind::TooManyRows { most: MOST_ROWS });
             break;
         }
         match item {
             Item::Row { line, cells } => reader.row(line, &cells),
-            Item::OpenQuote { line, text } => reader.refuse(line, Cell { at: None, text }, Reason::OpenQuote),
+            Item::OpenQuote { line, text } => reader.refuse(line, Cell { at: None, text }, ImportErrorKind::OpenQuote),
         }
     }
     if reader.imported.rows == 0 {
-        reader.refuse(first_line, Cell { at: None, text: "" }, Reason::NoRows);
+        reader.refuse(first_line, Cell { at: None, text: "" }, ImportErrorKind::NoRows);
     }
     reader.imported
 }
@@ -86,23 +86,23 @@ struct Cell<'a> {
 }
 
 /// A cell that cannot be used.
-type Refused<'a> = (Cell<'a>, Reason);
+type Refused<'a> = (Cell<'a>, ImportErrorKind);
 
 impl Reader<'_> {
     fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
         if !self.columns.ignored.is_empty() {
             let columns = self.columns.ignored.join(", ");
-            self.warn(line, WarningReason::IgnoredColumns { columns });
+            self.warn(line, ImportWarningKind::IgnoredColumns { columns });
         }
     }
 
-    fn warn(&mut self, line: usize, reason: WarningReason) {
+    fn warn(&mut self, line: usize, reason: ImportWarningKind) {
         self.imported.warn(line, None, reason);
     }
 
-    fn refuse(&mut self, line: usize, cell: Cell<'_>, reason: Reason) {
-        let given = shorten(cell.text.trim()).into_owned();
+    fn refuse(&mut self, line: usize, cell: Cell<'_>, reason: ImportErrorKind) {
+        let given = shorten(cell.text.trim());
         self.imported.refuse(Place { column: cell.at.map(|at| at + 1), ..Place::line(line) }, reason, given);
     }
 
@@ -112,7 +112,7 @@ impl Reader<'_> {
         }
         if columns::is_comment(cells) {
             if columns::is_data(cells) {
-                self.warn(line, WarningReason::Comment);
+                self.warn(line, ImportWarningKind::Comment);
             }
             return;
         }
@@ -120,7 +120,7 @@ impl Reader<'_> {
             Some(header) if line == header && self.columns.names_known => return,
             Some(header) if line <= header => {
                 let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
-                return self.warn(line, WarningReason::NotUsed { text: shorten(&text).into_owned() });
+                return self.warn(line, ImportWarningKind::NotUsed { text: shorten(&text) });
             }
             _ => {}
         }
@@ -141,7 +141,8 @@ impl Reader<'_> {
             self.imported.set_aside(Unjudged { line, id, time, measured: Some(measured), position: None, why });
             return Ok(());
         };
-        let limits = self.source.sources.limits(&callout, None).map_err(|error| (cell, Reason::Limits(error)))?;
+        let limits =
+            self.source.sources.limits(&callout, None).map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
         let measurement = Measurement::of_diameter(measured, Origin::Imported { file: Arc::clone(&self.source.file) });
         let record = Record::judged(self.time(line, cells), id, Some(callout), limits, measurement, None);
         self.imported.keep(line, record);
@@ -153,25 +154,25 @@ impl Reader<'_> {
         let expected = self.columns.count;
         let found = cells.len();
         if let Some((at, text)) = cells.iter().enumerate().skip(expected).find(|(_, cell)| !cell.trim().is_empty()) {
-            return Err((Cell { at: Some(at), text }, Reason::RowLong { found, expected }));
+            return Err((Cell { at: Some(at), text }, ImportErrorKind::RowLong { found, expected }));
         }
         let needed = self.columns.tolerance.into_iter().chain([self.columns.measured.at]).max().unwrap_or_default();
         if found <= needed {
             return Err((
                 Cell { at: None, text: cells.iter().next_back().unwrap_or_default() },
-                Reason::RowShort { found, expected },
+                ImportErrorKind::RowShort { found, expected },
             ));
         }
         Ok(())
     }
 
     fn measured<'c>(&self, cells: &'c StringRecord) -> Result<Length, Refused<'c>> {
-        let (cell, measured) = length(cells, self.columns.measured, Reason::Measured)?;
-        let given = || shorten(cell.text).into_owned();
+        let (cell, measured) = length(cells, self.columns.measured, ImportErrorKind::Measured)?;
+        let given = || shorten(cell.text);
         if let Some(sign) = self.columns.decimal_sign
             && cell.text.contains(if sign == '.' { ',' } else { '.' })
         {
-            return Err((cell, Reason::DecimalSign { given: given(), sign }));
+            return Err((cell, ImportErrorKind::DecimalSign { given: given(), sign }));
         }
         // 25,012 between separating commas: 25 in this column and 012 in the next one.
         let behind = cells.get(self.columns.measured.at + 1).filter(|behind| columns::is_whole(behind));
@@ -181,10 +182,10 @@ impl Reader<'_> {
             && !self.columns.whole_numbers_behind
         {
             let joined = format!("{},{}", given(), shorten(behind.trim()));
-            return Err((cell, Reason::DecimalComma { joined }));
+            return Err((cell, ImportErrorKind::DecimalComma { joined }));
         }
         if measured <= Length::ZERO {
-            return Err((cell, Reason::NotPositive { given: given() }));
+            return Err((cell, ImportErrorKind::NotPositive { given: given() }));
         }
         Ok(measured)
     }
@@ -205,7 +206,7 @@ impl Reader<'_> {
         let given = shorten(text);
         let nominal = match self.columns.nominal {
             Some(column) if begins_with_letter || !is_blank(cells, column.at) => {
-                Some(length(cells, column, Reason::Nominal)?)
+                Some(length(cells, column, ImportErrorKind::Nominal)?)
             }
             _ => None,
         };
@@ -215,9 +216,9 @@ impl Reader<'_> {
             }
             _ => given.parse::<Callout>(),
         };
-        let callout = read.map_err(|error| (cell, Reason::Callout(error)))?;
+        let callout = read.map_err(|error| (cell, ImportErrorKind::Callout(error)))?;
         if let Some((_, nominal)) = nominal.filter(|(_, nominal)| *nominal != callout.nominal()) {
-            return Err((cell, Reason::NominalDiffers { callout, nominal }));
+            return Err((cell, ImportErrorKind::NominalDiffers { callout, nominal }));
         }
         self.one_callout(cells, cell, callout, measured)?;
         Ok(Some((callout, cell)))
@@ -239,7 +240,7 @@ impl Reader<'_> {
         let Ok(other) = joined.parse::<Callout>() else { return Ok(()) };
         let off = |nominal: Length| measured.saturating_sub(nominal).abs();
         if off(other.nominal()) < off(callout.nominal()) {
-            return Err((cell, Reason::DecimalComma { joined: shorten(&joined).into_owned() }));
+            return Err((cell, ImportErrorKind::DecimalComma { joined: shorten(&joined) }));
         }
         Ok(())
     }
@@ -252,7 +253,7 @@ impl Reader<'_> {
             return self.source.now;
         }
         date_time(&given).unwrap_or_else(|| {
-            let reason = WarningReason::Time { given: shorten(&given).into_owned() };
+            let reason = ImportWarningKind::Time { given: shorten(&given) };
             self.imported.warn(line, Some(line), reason);
             self.source.now
         })
@@ -266,7 +267,7 @@ fn is_blank(cells: &StringRecord, at: usize) -> bool {
 fn length(
     cells: &StringRecord,
     column: LengthColumn,
-    reason: fn(crate::length::LengthError) -> Reason,
+    reason: fn(crate::length::LengthError) -> ImportErrorKind,
 ) -> Result<(Cell<'_>, Length), Refused<'_>> {
     let text = cells.get(column.at).unwrap_or_default().trim();
     let cell = Cell { at: Some(column.at), text };

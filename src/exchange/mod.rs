@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `imported` | what came out of a file: records, and everything that made none |
-//! | `problem` | what is wrong or odd, and where |
+//! | `error` | what is wrong or odd, and where |
 //! | `logs` | HEIDENHAIN measuring logs as records |
 //! | `log444` | logs of points as deviations along the normal |
 //! | `contacts` | CSV of x, y and perhaps z |
@@ -18,11 +18,11 @@
 mod columns;
 pub mod contacts;
 mod delimited;
+pub mod error;
 pub mod imported;
 mod log444;
 mod logs;
 mod measurements;
-pub mod problem;
 pub mod tables;
 mod words;
 
@@ -31,8 +31,8 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
+pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
 pub use imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
-pub use problem::{Problem, Reason, Warning, WarningReason};
 
 use crate::control::text;
 use crate::message::{Message, Say, display};
@@ -120,7 +120,7 @@ fn decode(bytes: &[u8]) -> Cow<'_, str> {
 
 /// Reads measurements from a file of any known format and judges them.
 ///
-/// Good rows become records; what cannot be used becomes a problem with its line, and what cannot be judged is kept
+/// Good rows become records; what cannot be used becomes an error with its line, and what cannot be judged is kept
 /// aside: `rows` is the sum of the three, so nothing is dropped. `now` is the time of records whose file tells none.
 ///
 /// ```
@@ -129,17 +129,17 @@ fn decode(bytes: &[u8]) -> Cow<'_, str> {
 /// let csv = b"id;callout;measured\nbore 1;25 H7;25,0l2\n";
 /// let now = jiff::civil::date(2024, 3, 14).at(8, 5, 9, 0);
 /// let imported = fitcheck::exchange::import("bores.csv", csv, &Sources::default(), now);
-/// let problem = imported.problems.first().map(ToString::to_string);
-/// assert_eq!(problem.as_deref(), Some("line 2, column 3: measured: 25,0l2 is not a number"));
+/// let error = imported.errors.first().map(ToString::to_string);
+/// assert_eq!(error.as_deref(), Some("line 2, column 3: measured: 25,0l2 is not a number"));
 /// ```
 pub fn import(file_name: &str, bytes: &[u8], sources: &Sources, now: DateTime) -> Imported {
     let source = Source { file: file_name.into(), bytes, sources, now };
     if source.head().trim().is_empty() && bytes.len() <= HEAD {
-        return Imported::failed(Reason::Empty);
+        return Imported::failed(ImportErrorKind::Empty);
     }
     match FORMATS.iter().find(|format| (format.recognises)(&source)) {
         Some(format) => (format.read)(&source),
-        None => Imported::failed(Reason::NotRecognised),
+        None => Imported::failed(ImportErrorKind::NotRecognised),
     }
 }
 
@@ -157,7 +157,7 @@ fn read_contacts(source: &Source<'_>) -> Imported {
             };
             Imported { unjudged: vec![unjudged], contacts: Some(read.contacts), rows: 1, ..Imported::default() }
         }
-        Err(error) => Imported::failed(Reason::Contacts(Box::new(error))),
+        Err(error) => Imported::failed(ImportErrorKind::Contacts(Box::new(error))),
     }
 }
 
@@ -168,6 +168,3 @@ pub fn endings() -> Vec<&'static str> {
     endings.dedup();
     endings
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,6 +1,6 @@
 //! The words by which people name columns, in English, Dutch, German and Italian, and the units behind them.
 
-use super::problem::Role;
+use super::error::Role;
 use crate::length::Unit;
 
 /// How sure a name is.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::{FileError, make_readable, system};
+use super::{FileError, folder_of, system};
 
 /// Writes files into a folder, whole, and gives their paths. A folder that is not there is made; its parent must be.
 ///
@@ -33,8 +33,7 @@ pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     if path.exists() {
         return Err(FileError::Exists { path: path.to_owned() });
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
-    let beside = beside(folder, bytes).map_err(|error| system(path, &error))?;
+    let beside = beside(folder_of(path), bytes).map_err(|error| system(path, &error))?;
     persist(beside, path, false)
 }
 
@@ -55,7 +54,7 @@ fn parent_of_new(folder: &Path) -> Result<&Path, FileError> {
     if folder.symlink_metadata().is_ok() {
         return Err(FileError::Exists { path: folder.to_owned() });
     }
-    let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
+    let parent = folder_of(folder);
     if parent.is_dir() { Ok(parent) } else { Err(FileError::Missing { path: parent.to_owned() }) }
 }
 
@@ -67,7 +66,7 @@ fn into_new(folder: &Path, files: &[(&str, &[u8])]) -> Result<(), FileError> {
             let beside = beside(made.path(), bytes)?;
             beside.persist_noclobber(made.path().join(name)).map_err(|error| error.error)?;
         }
-        make_open(made.path())?;
+        make_readable(made.path(), 0o755)?;
         std::fs::rename(made.path(), folder)?;
         // Its name is another one now: there is nothing left to take away.
         let _renamed = made.keep();
@@ -104,15 +103,16 @@ fn into_old(folder: &Path, paths: &[PathBuf], files: &[(&str, &[u8])], overwrite
 }
 
 /// A file in a folder under a name of its own, synced.
-fn beside(folder: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
+pub(super) fn beside(folder: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
     let mut beside = tempfile::Builder::new().prefix(".fitcheck-").tempfile_in(folder)?;
     beside.write_all(bytes)?;
     beside.as_file().sync_all()?;
-    make_readable(beside.as_file())?;
+    make_readable(beside.path(), 0o644)?;
     Ok(beside)
 }
 
-fn persist(beside: NamedTempFile, path: &Path, overwrite: bool) -> Result<(), FileError> {
+/// Puts a finished file in its place.
+pub(super) fn persist(beside: NamedTempFile, path: &Path, overwrite: bool) -> Result<(), FileError> {
     let done = if overwrite { beside.persist(path) } else { beside.persist_noclobber(path) };
     match done {
         Ok(_file) => Ok(()),
@@ -123,76 +123,16 @@ fn persist(beside: NamedTempFile, path: &Path, overwrite: bool) -> Result<(), Fi
     }
 }
 
-/// Temporary folders are private; what a user saves is read by others, too.
-#[cfg(unix)]
-fn make_open(folder: &Path) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt as _;
-    std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755))
-}
-
-#[cfg(not(unix))]
-fn make_open(_folder: &Path) -> std::io::Result<()> {
-    Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const FILES: [(&str, &[u8]); 2] = [("a.h", b"one"), ("b.tab", b"two")];
-
-    fn names(folder: &Path) -> Vec<String> {
-        let name =
-            |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name().to_string_lossy().into_owned();
-        let mut names: Vec<String> = std::fs::read_dir(folder).unwrap().map(name).collect();
-        names.sort();
-        names
+/// Temporary files and folders are private; what a user saves is read by others, too.
+fn make_readable(path: &Path, mode: u32) -> std::io::Result<()> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt as _;
+        std::fs::set_permissions(path, std::fs::Permissions::from_mode(mode))
     }
-
-    #[test]
-    fn a_new_folder_comes_with_all_its_files() {
-        let parent = tempfile::tempdir().unwrap();
-        let folder = parent.path().join("set");
-        let paths = write_folder(&folder, &FILES, false).unwrap();
-        assert_eq!(paths, [folder.join("a.h"), folder.join("b.tab")]);
-        assert_eq!(names(&folder), ["a.h", "b.tab"]);
-        assert_eq!(names(parent.path()), ["set"]);
-    }
-
-    #[test]
-    fn nothing_is_written_where_one_file_is_there_already() {
-        let folder = tempfile::tempdir().unwrap();
-        let there = folder.path().join("b.tab");
-        super::super::write(&there, b"mine").unwrap();
-        let refused = write_folder(folder.path(), &FILES, false);
-        assert_eq!(refused, Err(FileError::Exists { path: there.clone() }));
-        assert_eq!(names(folder.path()), ["b.tab"]);
-        assert_eq!(std::fs::read(&there).unwrap(), b"mine");
-        write_folder(folder.path(), &FILES, true).unwrap();
-        assert_eq!(names(folder.path()), ["a.h", "b.tab"]);
-        assert_eq!(std::fs::read(&there).unwrap(), b"two");
-    }
-
-    #[test]
-    fn a_failure_takes_back_what_was_written() {
-        let parent = tempfile::tempdir().unwrap();
-        let twice = [FILES[0], FILES[0]];
-        assert!(write_folder(&parent.path().join("set"), &twice, false).is_err());
-        assert!(write_folder(parent.path(), &twice, false).is_err());
-        assert!(names(parent.path()).is_empty());
-        let missing = parent.path().join("none");
-        let refused = Err(FileError::Missing { path: missing.clone() });
-        assert_eq!(write_folder(&missing.join("set"), &FILES, false).map(drop), refused);
-        assert_eq!(make_folder(&missing.join("set")), refused);
-    }
-
-    #[test]
-    fn a_new_file_never_takes_the_place_of_another() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("set.zip");
-        write_new(&path, b"one").unwrap();
-        assert_eq!(write_new(&path, b"two"), Err(FileError::Exists { path: path.clone() }));
-        assert_eq!(std::fs::read(&path).unwrap(), b"one");
-        assert_eq!(write_folder(&path, &FILES, true), Err(FileError::Exists { path }));
+    #[cfg(not(unix))]
+    {
+        let (_, _) = (path, mode);
+        Ok(())
     }
 }

@@ -99,6 +99,17 @@ impl<T: Say + ?Sized> Say for Box<T> {
     }
 }
 
+/// A given text as errors repeat it: at most so many characters, control characters made visible, so that what was
+/// changed can no longer be read as a number or callout.
+pub(crate) fn shortened(text: &str, most: usize) -> String {
+    let mut chars = text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c });
+    let mut short: String = chars.by_ref().take(most).collect();
+    if chars.next().is_some() {
+        short.push('…');
+    }
+    short
+}
+
 /// `Display` for a type whose sentence is put together by hand: the English text.
 macro_rules! display {
     ($($type:ty),+ $(,)?) => {$(

@@ -5,6 +5,18 @@ use crate::verdict::Status;
 /// A column: its name, and its cell in a row; `None` is an empty one.
 pub type Column<R> = (&'static str, fn(&R) -> Option<String>);
 
+/// The columns of fields that are their own cells, under the fields' names: `class`, and `hole.class` as `hole_class`
+/// where `hole` is an `Option`.
+macro_rules! columns {
+    ($($first:ident $(. $second:ident $(. $third:ident)?)?),+ $(,)?) => {
+        [$((
+            concat!(stringify!($first) $(, "_", stringify!($second) $(, "_", stringify!($third))?)?),
+            |row| row.$first $(.as_ref()?.$second $(.$third)?)?.cell(),
+        )),+]
+    };
+}
+pub(crate) use columns;
+
 /// The names, for the first line.
 pub fn names<C: Copy, const N: usize>(columns: &[(&'static str, C); N]) -> [&'static str; N] {
     columns.map(|(name, _)| name)

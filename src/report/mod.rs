@@ -20,8 +20,6 @@ pub mod html;
 pub mod json;
 mod picture;
 mod row;
-#[cfg(test)]
-mod sample;
 pub mod text;
 
 use std::path::Path;
@@ -139,21 +137,4 @@ pub fn rendering_for(path: &Path) -> Result<&'static Rendering, EndingError> {
     };
     let known = |rendering: &&Rendering| rendering.endings.iter().any(|known| known.eq_ignore_ascii_case(&ending));
     RENDERINGS.iter().find(known).ok_or_else(|| EndingError::Unknown { ending: ending.into_owned() })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_ending_chooses_the_rendering() {
-        let name = |path: &str| rendering_for(Path::new(path)).map(|rendering| rendering.name);
-        assert_eq!(name("a/b.html"), Ok("html"));
-        assert_eq!(name("B.HTM"), Ok("html"));
-        assert_eq!(name("b.v2.csv"), Ok("csv"));
-        assert_eq!(name("b.json"), Ok("json"));
-        let said = |path| name(path).unwrap_err().to_string();
-        assert_eq!(said("b.pdf"), ".pdf is not a format of the report: use one of .html .htm .csv .json");
-        assert_eq!(said("b"), "b has no ending that gives the report's format: use one of .html .htm .csv .json");
-    }
 }

@@ -222,43 +222,13 @@ pub(super) fn radial_um(distance: f64, radius: f64, words: &Words) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample;
     use super::*;
     use crate::words::Language;
-
-    fn drawn(record: &Record) -> String {
-        band(record, 3, &Words::new(Language::En)).unwrap()
-    }
-
-    #[test]
-    fn the_band_names_zone_sides_and_value() {
-        let svg = drawn(&sample::good());
-        for text in
-            ["too small", ">rework<", ">good<", "too large", ">scrap<", "25.012 mm (+12 µm)", "25.021 mm", ">+21 µm<"]
-        {
-            assert!(svg.contains(text), "{text} is missing in {svg}");
-        }
-        assert!(svg.contains("12 µm above minimum, 9 µm below maximum"));
-        let order = |svg: &str| svg.find("class=\"hatch rework\"") < svg.find("class=\"hatch scrap\"");
-        assert!(order(&svg), "a hole's rework side is on the left");
-        assert!(!order(&drawn(&sample::out_of_position())), "a shaft's is on the right");
-    }
-
-    #[test]
-    fn a_value_far_outside_is_an_arrow_with_its_number() {
-        let svg = drawn(&sample::typed("635"));
-        assert!(svg.contains("M718 71") && svg.contains("635.000 mm (+610000 µm)"), "{svg}");
-        assert!(drawn(&sample::typed("12.5")).contains("M2 71"));
-    }
 
     #[test]
     fn coordinates_are_plain_numbers() {
         assert_eq!(units(-0.04), "0.0");
         assert_eq!(units(359.96), "360.0");
-        for record in [sample::good(), sample::scrap(), sample::typed("0.001"), sample::out_of_position()] {
-            let svg = drawn(&record);
-            assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
-        }
     }
 
     #[test]

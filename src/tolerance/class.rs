@@ -165,36 +165,3 @@ impl fmt::Debug for ToleranceClass {
         f.write_str(self.as_str())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_case_of_the_letters_decides_hole_or_shaft() {
-        for (text, feature) in
-            [("H7", Feature::Hole), ("h7", Feature::Shaft), ("JS13", Feature::Hole), ("js5", Feature::Shaft)]
-        {
-            let class: ToleranceClass = text.parse().unwrap();
-            assert_eq!((class.as_str(), class.feature()), (text, feature));
-            assert_eq!(class.other_case().feature(), feature.other());
-        }
-        assert_eq!("JS7".parse::<ToleranceClass>().unwrap().letters(), "JS");
-    }
-
-    #[test]
-    fn refuses_what_is_no_class_and_says_why() {
-        for (text, message) in [
-            ("", "a tolerance class is missing, such as H7 for a hole or h7 for a shaft"),
-            ("Js7", "Js7 mixes upper and lower case: write JS7 for a hole or js7 for a shaft"),
-            ("H", "H is not a tolerance class: write letters and a grade, such as H7 or js13"),
-            ("7", "7 is not a tolerance class: write letters and a grade, such as H7 or js13"),
-            ("H777", "H777 is not a tolerance class: write letters and a grade, such as H7 or js13"),
-            ("H7x", "H7x is not a tolerance class: write letters and a grade, such as H7 or js13"),
-            ("Ω7", "Ω7 is not a tolerance class: write letters and a grade, such as H7 or js13"),
-            ("ABCDEFGH7", "ABCDEFGH7 is not a tolerance class: write letters and a grade, such as H7 or js13"),
-        ] {
-            assert_eq!(text.parse::<ToleranceClass>().unwrap_err().to_string(), message);
-        }
-    }
-}

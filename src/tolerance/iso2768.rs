@@ -98,23 +98,12 @@ impl GeneralClass {
 
     /// The class of a small letter.
     pub fn from_letter(letter: &str) -> Option<Self> {
-        match letter {
-            "f" => Some(Self::Fine),
-            "m" => Some(Self::Medium),
-            "c" => Some(Self::Coarse),
-            "v" => Some(Self::VeryCoarse),
-            _ => None,
-        }
+        Self::ALL.into_iter().find(|class| class.to_string() == letter)
     }
 
-    fn half_width(self, [fine, medium, coarse, very_coarse]: [Option<i32>; 4]) -> Option<Length> {
-        let micrometres = match self {
-            Self::Fine => fine,
-            Self::Medium => medium,
-            Self::Coarse => coarse,
-            Self::VeryCoarse => very_coarse,
-        };
-        micrometres.map(Length::from_micrometres)
+    fn half_width(self, micrometres: [Option<i32>; 4]) -> Option<Length> {
+        let (_, own) = Self::ALL.into_iter().zip(micrometres).find(|(class, _)| *class == self)?;
+        own.map(Length::from_micrometres)
     }
 }
 
@@ -170,41 +159,4 @@ fn last() -> Length {
 fn range(over: Length, to: Length) -> Message {
     let id = if over == FIRST { "general-range-from" } else { "limits-range" };
     Message::new(id).with("over", &over).with("to", &to)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[track_caller]
-    fn check(size: &str, letter: &str, expected: &str) {
-        let said = match deviations(GeneralClass::from_letter(letter).unwrap(), size.parse().unwrap()) {
-            Ok(cell) => format!("±{} over {} up to {}", cell.deviations.upper(), cell.over, cell.to),
-            Err(error) => error.to_string(),
-        };
-        assert_eq!(said, expected, "for {size}{letter}");
-    }
-
-    #[test]
-    fn a_size_has_the_tolerance_of_its_range() {
-        check("10", "f", "±0.1 over 6 up to 30");
-        check("0.5", "m", "±0.1 over 0.5 up to 3");
-        check("4000", "v", "±8 over 2000 up to 4000");
-    }
-
-    #[test]
-    fn refusals_say_where_the_class_is_defined() {
-        check(
-            "0.499999",
-            "m",
-            "nominal size 0.499999 mm is below 0.5 mm, where ISO 2768-1 begins: write the deviations next to the size",
-        );
-        check("3", "v", "ISO 2768-1 does not define class v from 0.5 up to 3 mm; it is defined over 3 up to 4000 mm");
-        check(
-            "2500",
-            "f",
-            "ISO 2768-1 does not define class f over 2000 up to 4000 mm; it is defined from 0.5 up to 2000 mm",
-        );
-        check("4000.000001", "m", "nominal size 4000.000001 mm is beyond ISO 2768-1, which ends with 4000 mm");
-    }
 }

@@ -165,25 +165,3 @@ impl Limits {
         self.minimum.midpoint(self.maximum)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lengths_in_a_sentence_have_the_sign_of_its_language() {
-        use crate::words::{Language, Words};
-        let um = Length::from_micrometres;
-        let error = DeviationsError { upper: um(-12), lower: um(7) };
-        let dutch = "bovenafwijking \u{2212}0,012 mm ligt onder onderafwijking 0,007 mm";
-        assert_eq!(Words::new(Language::Nl).told(&error), dutch);
-    }
-
-    #[test]
-    fn deviations_in_the_wrong_order_are_refused() {
-        let um = Length::from_micrometres;
-        assert!(Deviations::new(um(0), um(0)).is_ok());
-        let error = Deviations::new(um(-1), um(0)).unwrap_err();
-        assert_eq!(error.to_string(), "upper deviation -0.001 mm is below lower deviation 0 mm");
-    }
-}

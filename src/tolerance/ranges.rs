@@ -11,6 +11,21 @@ pub(super) fn message(ranges: &[(Length, Length)]) -> Message {
     }
 }
 
+/// The ranges that are defined, above and up to, neighbours joined: from the end of each range and whether it is.
+pub(super) fn where_defined(ends: impl Iterator<Item = (Length, bool)>) -> Vec<(Length, Length)> {
+    let mut ranges: Vec<(Length, Length)> = Vec::new();
+    let mut over = Length::ZERO;
+    for (to, is_defined) in ends {
+        match ranges.last_mut() {
+            Some(last) if is_defined && last.1 == over => last.1 = to,
+            _ if is_defined => ranges.push((over, to)),
+            _ => {}
+        }
+        over = to;
+    }
+    ranges
+}
+
 /// The ranges one after the other; halved each time, so that many ranges do not nest deeply.
 fn joined(ranges: &[(Length, Length)]) -> Message {
     if let Some((first @ [_, ..], rest)) = ranges.split_at_checked(ranges.len() / 2) {

@@ -11,7 +11,7 @@ use super::iso286::{self, Undefined};
 use super::iso2768::{self, GeneralError};
 use super::limits::{Deviations, Limits, Source};
 use super::ranges;
-use super::table::{Column, DeviationTable};
+use super::table::DeviationTable;
 use crate::length::Length;
 use crate::message::Say;
 
@@ -250,7 +250,9 @@ impl Sources {
                 continue;
             };
             let Some(deviations) = column.cells.get(number).copied().flatten() else {
-                let (table, defined) = (Arc::clone(&table.name), defined_ranges(table, column));
+                let cells = table.ends.iter().zip(&column.cells);
+                let defined = ranges::where_defined(cells.map(|(&to, cell)| (to, cell.is_some())));
+                let table = Arc::clone(&table.name);
                 return Err(LimitsError::NotDefined { class, table, over, to, defined });
             };
             let (name, shipped) = (Arc::clone(&table.name), table.shipped());
@@ -304,28 +306,11 @@ impl Sources {
 }
 
 fn beyond_last_range(table: &DeviationTable, nominal: Length) -> LimitsError {
-    let (table, over, to) = (Arc::clone(&table.name), table.last_over(), table.last_end());
+    let (over, to) = table.ranges().last().unwrap_or_default();
+    let table = Arc::clone(&table.name);
     LimitsError::BeyondLastRange { nominal, table, over, to }
 }
 
 fn same_name(one: &DeviationTable, other: &DeviationTable) -> bool {
     one.name.eq_ignore_ascii_case(&other.name)
 }
-
-/// The ranges where a column has values, neighbours joined.
-fn defined_ranges(table: &DeviationTable, column: &Column) -> Vec<(Length, Length)> {
-    let mut ranges: Vec<(Length, Length)> = Vec::new();
-    let mut over = Length::ZERO;
-    for (&to, cell) in table.ends.iter().zip(&column.cells) {
-        match ranges.last_mut() {
-            Some(last) if cell.is_some() && last.1 == over => last.1 = to,
-            _ if cell.is_some() => ranges.push((over, to)),
-            _ => {}
-        }
-        over = to;
-    }
-    ranges
-}
-
-#[cfg(test)]
-mod tests;

@@ -107,6 +107,11 @@ impl DeviationTable {
         &self.ends
     }
 
+    /// The size ranges, ascending: above, and up to and including.
+    pub fn ranges(&self) -> impl Iterator<Item = (Length, Length)> {
+        ranges(&self.ends)
+    }
+
     /// The columns in the table's order.
     pub fn columns(&self) -> &[Column] {
         &self.columns
@@ -124,14 +129,14 @@ impl DeviationTable {
     /// The first range whose end is not below the size: its number, above, up to and including.
     pub(super) fn range(&self, nominal: Length) -> Option<(usize, Length, Length)> {
         let number = self.ends.partition_point(|&end| end < nominal);
-        let to = *self.ends.get(number)?;
-        let over = number.checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or_default();
+        let (over, to) = self.ranges().nth(number)?;
         Some((number, over, to))
     }
+}
 
-    pub(super) fn last_over(&self) -> Length {
-        self.ends.iter().rev().nth(1).copied().unwrap_or_default()
-    }
+/// The size ranges with these ends: above, and up to and including.
+pub(super) fn ranges(ends: &[Length]) -> impl Iterator<Item = (Length, Length)> {
+    std::iter::once(Length::ZERO).chain(ends.iter().copied()).zip(ends.iter().copied())
 }
 
 impl fmt::Display for DeviationTable {

@@ -58,18 +58,12 @@ impl Words {
     /// A machine's number (`-25.012`) as people of this language read it: decimal sign, true minus sign.
     pub fn number(&self, plain: &str) -> String {
         let sign = self.language.decimal_sign();
-        plain
-            .chars()
-            .map(|c| {
-                if c == '.' {
-                    sign
-                } else if c == '-' {
-                    '\u{2212}'
-                } else {
-                    c
-                }
-            })
-            .collect()
+        let read = |c| match c {
+            '.' => sign,
+            '-' => '\u{2212}',
+            c => c,
+        };
+        plain.chars().map(read).collect()
     }
 
     /// Millimetres with at least so many decimals, exactly.

@@ -223,3 +223,39 @@ proptest! {
         drop((text.parse::<Callout>(), text.parse::<CycleText>(), qs400(&text)));
     }
 }
+
+#[track_caller]
+fn check_general(size: &str, letter: &str, expected: &str) {
+    let said = match iso2768::deviations(GeneralClass::from_letter(letter).unwrap(), size.parse().unwrap()) {
+        Ok(cell) => format!("±{} over {} up to {}", cell.deviations.upper(), cell.over, cell.to),
+        Err(error) => error.to_string(),
+    };
+    assert_eq!(said, expected, "for {size}{letter}");
+}
+
+#[test]
+fn a_size_has_the_tolerance_of_its_range() {
+    check_general("10", "f", "±0.1 over 6 up to 30");
+    check_general("0.5", "m", "±0.1 over 0.5 up to 3");
+    check_general("4000", "v", "±8 over 2000 up to 4000");
+}
+
+#[test]
+fn refusals_say_where_the_class_is_defined() {
+    check_general(
+        "0.499999",
+        "m",
+        "nominal size 0.499999 mm is below 0.5 mm, where ISO 2768-1 begins: write the deviations next to the size",
+    );
+    check_general(
+        "3",
+        "v",
+        "ISO 2768-1 does not define class v from 0.5 up to 3 mm; it is defined over 3 up to 4000 mm",
+    );
+    check_general(
+        "2500",
+        "f",
+        "ISO 2768-1 does not define class f over 2000 up to 4000 mm; it is defined from 0.5 up to 2000 mm",
+    );
+    check_general("4000.000001", "m", "nominal size 4000.000001 mm is beyond ISO 2768-1, which ends with 4000 mm");
+}

@@ -44,7 +44,7 @@ fn imported(file: &str, bytes: &[u8]) -> Imported {
 /// The verdict that the import comes to, a centre out of position among it; `None` where nothing is judged.
 fn import_says(file: &str, bytes: &[u8]) -> Option<Status> {
     let found = imported(file, bytes);
-    assert_eq!(found.problems, []);
+    assert_eq!(found.errors, []);
     if let [record] = found.records.as_slice() {
         return Some(record.verdict.status());
     }

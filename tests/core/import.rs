@@ -301,6 +301,6 @@ proptest::proptest! {
         let imported = fitcheck::exchange::import("m.csv", text.as_bytes(), &Sources::default(), jiff::civil::date(2025, 1, 1).at(0, 0, 0, 0));
         let filled = rows.iter().filter(|row| *row != ";;").count().max(1);
         proptest::prop_assert_eq!(imported.rows, filled);
-        proptest::prop_assert_eq!(imported.records.len() + imported.unjudged.len() + imported.problems.len(), filled);
+        proptest::prop_assert_eq!(imported.records.len() + imported.unjudged.len() + imported.errors.len(), filled);
     }
 }

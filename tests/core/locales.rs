@@ -248,3 +248,28 @@ fn the_search_finds_calls_and_arguments() {
     texts("x.ftl", text, &mut found);
     assert_eq!(found, Texts::from([("a".to_owned(), set(&["x", "y-z"])), ("b".to_owned(), set(&["n"]))]));
 }
+
+#[test]
+fn every_folder_says_its_name_and_its_decimal_sign() {
+    let codes: Vec<&str> = fitcheck::shipped::LOCALES.iter().filter_map(|(file, _)| file.split('/').next()).collect();
+    for code in codes {
+        let language =
+            Language::from_code(code).unwrap_or_else(|| panic!("assets/locales/{code}/language.ftl is missing"));
+        let bundle = fitcheck::message::Bundle::of(language.code());
+        for id in ["language-name", "language-decimal-sign"] {
+            assert!(bundle.find(id).is_some(), "assets/locales/{code}/language.ftl has no {id}");
+        }
+    }
+    assert_eq!(Language::all().map(Language::name).collect::<Vec<_>>(), ["English", "Nederlands"]);
+    assert_eq!((Language::En.decimal_sign(), Language::Nl.decimal_sign()), ('.', ','));
+}
+
+#[test]
+fn a_code_is_kept_and_an_unknown_one_is_english() {
+    let text = toml::Value::try_from(Language::Nl).unwrap();
+    assert_eq!(text.as_str(), Some("nl"));
+    assert_eq!(text.try_into::<Language>().unwrap(), Language::Nl);
+    assert_eq!(toml::Value::from("tlh").try_into::<Language>().unwrap(), Language::En);
+    assert_eq!(Language::from_code("nl_BE.UTF-8"), Some(Language::Nl));
+    assert_eq!(Language::from_code("de"), None);
+}

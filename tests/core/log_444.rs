@@ -295,7 +295,7 @@ fn a_page_is_imported_as_deviations_with_their_status() {
     let now = jiff::civil::date(2000, 1, 1).at(0, 0, 0, 0);
     let bytes = write(&logs, Dialogue::De).unwrap();
     let imported = import("points.html", &bytes, &Sources::default(), now);
-    assert_eq!((imported.rows, imported.records.len(), imported.problems.len()), (4, 0, 0));
+    assert_eq!((imported.rows, imported.records.len(), imported.errors.len()), (4, 0, 0));
     let said = imported.unjudged.iter().map(|point| match &point.why {
         WhyUnjudged::Point(c) => {
             let remove = c.removal.map_or(String::new(), |r| format!(" remove {} or {}", r.to_limit, r.to_middle));
@@ -315,15 +315,15 @@ fn a_page_is_imported_as_deviations_with_their_status() {
     assert_eq!(imported.unjudged[0].time, logs[0].date_time.unwrap());
     let damaged = String::from_utf8(bytes).unwrap().replacen("REWORK\"", "GOOD\"", 1);
     let imported = import("points.html", damaged.as_bytes(), &Sources::default(), now);
-    assert_eq!((imported.rows, imported.problems.len()), (4, 1));
+    assert_eq!((imported.rows, imported.errors.len()), (4, 1));
     assert_eq!(
-        imported.problems[0].to_string(),
+        imported.errors[0].to_string(),
         format!(
             "line {}: status GOOD does not follow from deviation and tolerance, REWORK",
-            imported.problems[0].place.line.unwrap()
+            imported.errors[0].place.line.unwrap()
         )
     );
-    assert_eq!(imported.problems[0].what.given, "GOOD");
+    assert_eq!(imported.errors[0].what.given, "GOOD");
 }
 
 fn length(most: i64) -> impl Strategy<Value = Length> {

@@ -94,7 +94,7 @@ fn figures_are_those_of_the_log() {
 fn verdicts_are_the_expected_ones() {
     each(|expected, log, imported, number| {
         let file = &expected["file"];
-        assert_eq!(imported.problems, [], "{file}");
+        assert_eq!(imported.errors, [], "{file}");
         // The column is in micrometres; no inch log has one.
         let remove = value(expected, "remove_um_or_inch", Unit::Micrometre);
         let Some([centre_1, centre_2, _]) = circle(log) else {
@@ -153,7 +153,7 @@ fn sample(changes: &[(&str, &str)]) -> Vec<u8> {
 #[track_caller]
 fn check(changes: &[(&str, &str)], expected: (Status, Option<bool>)) {
     let imported = imported(&sample(changes));
-    assert_eq!(imported.problems, []);
+    assert_eq!(imported.errors, []);
     let verdict = imported.records[0].verdict;
     let position = verdict.position.filter(fitcheck::verdict::PositionVerdict::is_monitored);
     assert_eq!((verdict.size.status, position.map(|position| position.is_out())), expected);
@@ -193,6 +193,6 @@ fn limits_of_zero_give_no_verdict() {
         ("hole:                        25.0210", "hole: 0"),
         ("hole:                        25.0000", "hole: 0"),
     ]));
-    assert_eq!((imported.records.len(), imported.unjudged.len(), imported.problems.len()), (0, 1, 0));
+    assert_eq!((imported.records.len(), imported.unjudged.len(), imported.errors.len()), (0, 1, 0));
     assert_eq!(imported.unjudged[0].why, WhyUnjudged::NoLimits { nominal: "25".parse().unwrap() });
 }

@@ -5,13 +5,15 @@ use std::sync::Arc;
 
 use fitcheck::control::deviations::read_table;
 use fitcheck::control::shipped_tables;
-use fitcheck::exchange::tables::{TABLE_FORMATS, table_format};
+use fitcheck::exchange::tables::TABLE_FORMATS;
 use fitcheck::length::{Length, Unit};
 use fitcheck::tolerance::compare::{Comparison, Difference, compare};
 use fitcheck::tolerance::iso286::{self, Edition, JsHalves, Options};
 use fitcheck::tolerance::table::Column;
 use fitcheck::tolerance::table_edit::{TableEdit, standard_table};
 use fitcheck::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass};
+
+use crate::table_formats::table_format;
 
 const NANOMETRE: i64 = 1;
 
@@ -236,4 +238,85 @@ fn an_itnc_530_takes_26_classes_and_other_controls_more() {
     assert_eq!(written("itnc530", 27), Err(too_long.to_owned()));
     assert_eq!(written("itnc530", 29), Err(too_many.to_owned()));
     assert_eq!((written("tnc640", 36), written("tnc7", 36)), (Ok(()), Ok(())));
+}
+
+fn pair(upper: i32, lower: i32) -> Option<Deviations> {
+    Deviations::new(Length::from_micrometres(upper), Length::from_micrometres(lower)).ok()
+}
+
+fn table(ends: &[&str], columns: &[(&str, &[Option<Deviations>])]) -> DeviationTable {
+    let columns = columns.iter().map(|(class, cells)| Column { class: class.parse().unwrap(), cells: cells.to_vec() });
+    let ends = ends.iter().map(|end| end.parse().unwrap()).collect();
+    DeviationTable::new("own.tab", false, ends, columns.collect()).unwrap()
+}
+
+#[track_caller]
+fn check(table: &DeviationTable, expected: &[&str]) {
+    let said = |pair: Option<&Deviations>| pair.map_or("-".into(), |p| format!("{}/{}", p.upper(), p.lower()));
+    let found: Vec<String> = compare(table, iso286::Options::default())
+        .differences
+        .iter()
+        .map(|d| {
+            let (is, should) = (said(d.table.as_ref()), said(d.standard.as_ref().ok()));
+            format!("{} range {} over {} to {}: {is} not {should}", d.class, d.range, d.over, d.to)
+        })
+        .collect();
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn cells_that_agree_are_counted_and_own_columns_are_named() {
+    let table = table(&["3", "6"], &[("H7", &[pair(10, 0), pair(12, 0)]), ("OWN1", &[pair(1, 0), None])]);
+    let found = compare(&table, iso286::Options::default());
+    assert_eq!((found.compared, found.differences.len()), (2, 0));
+    assert_eq!(found.unknown, ["OWN1".parse().unwrap()]);
+}
+
+#[test]
+fn every_kind_of_difference_is_found() {
+    check(
+        &table(&["3", "6"], &[("H7", &[pair(11, 0), pair(12, -1)]), ("N9", &[pair(-4, -29), None])]),
+        &[
+            "H7 range 0 over 0 to 3: 0.011/0 not 0.01/0",
+            "H7 range 1 over 3 to 6: 0.012/-0.001 not 0.012/0",
+            // Up to 1 mm the standard refuses N9; above it the cell is right.
+            "N9 range 0 over 0 to 1: -0.004/-0.029 not -",
+            "N9 range 1 over 3 to 6: - not 0/-0.03",
+        ],
+    );
+}
+
+#[test]
+fn a_range_over_several_steps_is_wrong_in_some_of_them() {
+    check(
+        &table(&["50", "80"], &[("r6", &[None, pair(60, 41)])]),
+        &[
+            "r6 range 0 over 0 to 3: - not 0.016/0.01",
+            "r6 range 0 over 3 to 6: - not 0.023/0.015",
+            "r6 range 0 over 6 to 10: - not 0.028/0.019",
+            "r6 range 0 over 10 to 18: - not 0.034/0.023",
+            "r6 range 0 over 18 to 30: - not 0.041/0.028",
+            "r6 range 0 over 30 to 50: - not 0.05/0.034",
+            "r6 range 1 over 65 to 80: 0.06/0.041 not 0.062/0.043",
+        ],
+    );
+}
+
+#[test]
+fn a_table_that_goes_on_beyond_the_standard_differs_there() {
+    let own = table(&["3150", "4000"], &[("H7", &[None, pair(210, 0)])]);
+    let found = compare(&own, iso286::Options::default()).differences;
+    let last = found.last().unwrap();
+    assert_eq!((last.over.to_string(), last.to.to_string()), ("3150".into(), "4000".into()));
+    let why = "nominal size 4000 mm is beyond ISO 286, which ends at 3150 mm";
+    assert_eq!(last.standard.as_ref().unwrap_err().to_string(), why);
+    assert_eq!((last.upper_by(), last.lower_by()), (None, None));
+}
+
+#[test]
+fn by_how_much_is_told_with_its_sign() {
+    let own = table(&["3"], &[("h7", &[pair(1, -12)])]);
+    let found = compare(&own, iso286::Options::default()).differences;
+    let by = (found[0].upper_by(), found[0].lower_by());
+    assert_eq!(by, (Some(Length::from_micrometres(1)), Some(Length::from_micrometres(-2))));
 }

@@ -272,7 +272,7 @@ fn a_log_has_the_sections_of_its_cycle_and_reads_back_in_every_language() {
             assert_eq!(log::read(&bytes), [Ok(text.printed(dialogue))], "{code} {dialogue}");
             assert_eq!(made.status(dialogue), result.status, "{code} {dialogue}");
             let found = import("x.txt", &bytes, &Sources::default(), jiff::civil::date(2000, 1, 1).at(0, 0, 0, 0));
-            assert_eq!((found.problems.len(), found.records.len()), (0, 0), "{code}");
+            assert_eq!((found.errors.len(), found.records.len()), (0, 0), "{code}");
             let says = found.unjudged.iter().map(|unjudged| match &unjudged.why {
                 WhyUnjudged::Size { judged, .. } => judged.status,
                 other => panic!("{other:?}"),

@@ -4,7 +4,7 @@ cli-stream = { $value }
 cli-output = { $value }
 cli-about = { $what }: { $error }
 cli-warning = warning: { $what }
-cli-note = note: { $what }
+cli-remark = note: { $what }
 
 # What an error is about
 cli-what-callout = callout
@@ -58,7 +58,6 @@ cli-no-folder = no such folder: { $path }
 cli-no-program = { $error }; built-in programs are { $names }
 cli-option-beside-plan = --{ $option } is for a single callout: a plan has a column for it
 cli-option-missing = --{ $option } is missing: a single callout needs --x, --y and --z
-cli-no-control = { $name }: no such control
 cli-use-force = { $error }; --force overwrites
 
 # A --check of a report
@@ -66,21 +65,23 @@ cli-check-no-measured = { $text } has no measured value: write a callout, = and 
 cli-check-measured = measured value: { $value }
 cli-check-not-positive = measured value { $measured } mm is not above 0
 
-# Notes
-cli-note-wrote = wrote { $path }
-cli-note-wrote-files = wrote { $path } ({ $count } files)
-cli-note-column-not-used = column { $column } is skipped
-cli-note-remove = remove { $limit } mm to the nearest limit, { $middle } mm to the middle of the zone
-cli-note-own-table = table { $name } differs from ISO 286, which has { $upper } and { $lower } mm
-cli-note-refused = { $refused } of { $asked } callouts refused
-cli-note-no-pair = no pair fits; nearest is { $nearest }
-cli-note-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
-cli-note-contacts-left = the cycle used { $used } of { $count } contacts
-cli-note-log-unknown = no log is written: the log of cycle { $code } is unknown
-cli-note-log-off = no log is written: Q281 = 0
-cli-note-log-none = no log is written: the cycle has none
-cli-note-log-on-screen = no log is written: Q281 = 2 shows it on screen
-cli-note-clearance-height = the clearance height is { $height } mm: --clearance-height changes it
+# Remarks
+cli-remark-wrote = wrote { $path }
+cli-remark-wrote-files = wrote { $path } ({ $count } files)
+cli-remark-remove = remove { $limit } mm to the nearest limit, { $middle } mm to the middle of the zone
+cli-remark-refused = { $refused } of { $asked } callouts refused
+cli-remark-no-pair = no pair fits; nearest is { $nearest }
+cli-remark-clearance-height = the clearance height is { $height } mm: --clearance-height changes it
+
+# Warnings
+cli-warning-column-not-used = column { $column } is skipped
+cli-warning-own-table = table { $name } differs from ISO 286, which has { $upper } and { $lower } mm
+cli-warning-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
+cli-warning-contacts-left = the cycle used { $used } of { $count } contacts
+cli-warning-log-unknown = no log is written: the log of cycle { $code } is unknown
+cli-warning-log-off = no log is written: Q281 = 0
+cli-warning-log-none = no log is written: the cycle has none
+cli-warning-log-on-screen = no log is written: Q281 = 2 shows it on screen
 
 # Tables against ISO 286
 cli-verify-off = { $place }: { $class } over { $over } up to { $to } mm: { $table }, ISO 286 has { $standard }: { $by }

@@ -53,7 +53,7 @@ contacts-mixed-signs = { $given } has a different decimal sign than the rows bef
 ## Tables of deviations
 table-format-name = { $name } does not begin with a letter: table names on a TNC7 do
 table-format-operator = { $name } contains { $sign }: table names on a TNC7 have no arithmetic operators
-table-caution-lower-sign = the PC-DMIS manual shows no lower deviation other than 0: check { $class } in PC-DMIS before you rely on it, above all its signs
+table-format-warning-lower-sign = the PC-DMIS manual shows no lower deviation other than 0: check { $class } in PC-DMIS before you rely on it, above all its signs
 table-format-csv = the CSV cannot be written: { $reason }
 table-format-itnc530 = control table for iTNC 530
 table-format-tnc640 = control table for TNC 620 and TNC 640

@@ -4,7 +4,7 @@ cli-stream = { $value }
 cli-output = { $value }
 cli-about = { $what }: { $error }
 cli-warning = waarschuwing: { $what }
-cli-note = opmerking: { $what }
+cli-remark = opmerking: { $what }
 
 # Waar een fout over gaat
 cli-what-callout = passing
@@ -58,7 +58,6 @@ cli-no-folder = map bestaat niet: { $path }
 cli-no-program = { $error }; ingebouwde programma's zijn { $names }
 cli-option-beside-plan = --{ $option } is voor één losse passing: een plan heeft er een kolom voor
 cli-option-missing = --{ $option } ontbreekt: een losse passing vraagt om --x, --y en --z
-cli-no-control = { $name }: zo'n besturing is er niet
 cli-use-force = { $error }; --force overschrijft
 
 # Een --check van een rapport
@@ -67,20 +66,22 @@ cli-check-measured = gemeten waarde: { $value }
 cli-check-not-positive = gemeten waarde { $measured } mm is niet groter dan 0
 
 # Opmerkingen
-cli-note-wrote = { $path } geschreven
-cli-note-wrote-files = { $path } geschreven ({ $count } bestanden)
-cli-note-column-not-used = kolom { $column } wordt niet gebruikt
-cli-note-remove = verwijder { $limit } mm tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van de tolerantie
-cli-note-own-table = tabel { $name } wijkt af van ISO 286, die { $upper } en { $lower } mm heeft
-cli-note-refused = { $refused } van { $asked } passingen geweigerd
-cli-note-no-pair = geen enkel paar past; het dichtst erbij is { $nearest }
-cli-note-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft niet één waarde voor het hele bereik
-cli-note-contacts-left = de cyclus nam { $used } van { $count } tastpunten
-cli-note-log-unknown = er wordt geen protocol gemaakt: dat van cyclus { $code } is niet bekend
-cli-note-log-off = er wordt geen protocol geschreven: Q281 = 0
-cli-note-log-none = er wordt geen protocol geschreven: de cyclus heeft er geen
-cli-note-log-on-screen = er wordt geen protocol geschreven: Q281 = 2 toont het op het scherm
-cli-note-clearance-height = de veilige hoogte is { $height } mm: --clearance-height geeft een andere
+cli-remark-wrote = { $path } geschreven
+cli-remark-wrote-files = { $path } geschreven ({ $count } bestanden)
+cli-remark-remove = verwijder { $limit } mm tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van de tolerantie
+cli-remark-refused = { $refused } van { $asked } passingen geweigerd
+cli-remark-no-pair = geen enkel paar past; het dichtst erbij is { $nearest }
+cli-remark-clearance-height = de veilige hoogte is { $height } mm: --clearance-height geeft een andere
+
+# Waarschuwingen
+cli-warning-column-not-used = kolom { $column } wordt niet gebruikt
+cli-warning-own-table = tabel { $name } wijkt af van ISO 286, die { $upper } en { $lower } mm heeft
+cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft niet één waarde voor het hele bereik
+cli-warning-contacts-left = de cyclus nam { $used } van { $count } tastpunten
+cli-warning-log-unknown = er wordt geen protocol gemaakt: dat van cyclus { $code } is niet bekend
+cli-warning-log-off = er wordt geen protocol geschreven: Q281 = 0
+cli-warning-log-none = er wordt geen protocol geschreven: de cyclus heeft er geen
+cli-warning-log-on-screen = er wordt geen protocol geschreven: Q281 = 2 toont het op het scherm
 
 # Tabellen tegen ISO 286
 cli-verify-off = { $place }: { $class } boven { $over } tot en met { $to } mm: { $table }, ISO 286 heeft { $standard }: { $by }

@@ -53,7 +53,7 @@ contacts-mixed-signs = { $given } heeft een ander decimaalteken dan de regels er
 ## Tables of deviations
 table-format-name = { $name } begint niet met een letter: namen van tabellen op een TNC7 wel
 table-format-operator = er staat { $sign } in { $name }: namen van tabellen op een TNC7 hebben geen rekenteken
-table-caution-lower-sign = de handleiding van PC-DMIS toont geen andere onderafwijking dan 0: controleer { $class } daar vóór gebruik, vooral de tekens
+table-format-warning-lower-sign = de handleiding van PC-DMIS toont geen andere onderafwijking dan 0: controleer { $class } daar vóór gebruik, vooral de tekens
 table-format-csv = de CSV kan niet worden geschreven: { $reason }
 table-format-itnc530 = besturingstabel voor iTNC 530
 table-format-tnc640 = besturingstabel voor TNC 620 en TNC 640

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::super::{Note, Refused as _, What};
+use super::super::{CliWarning, Refused as _, What};
 use super::{CliError, Io};
 use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use crate::control::text::decode;
@@ -51,17 +51,13 @@ impl LogArgs {
             LogTarget::File(_) | LogTarget::Screen => CycleLog::of(cycle, result, &heading, language),
         };
         let Some(log) = log else {
-            match result.log {
-                LogTarget::File(_) | LogTarget::Screen => {
-                    io.warn(&Note::LogUnknown { code: cycle.code })?;
-                }
-                LogTarget::None if self.log_folder.is_some() => {
-                    io.warn(&Note::LogOff)?;
-                }
-                LogTarget::Shown if self.log_folder.is_some() => {
-                    io.warn(&Note::LogNone)?;
-                }
-                LogTarget::None | LogTarget::Shown => {}
+            let (warning, is_due) = match result.log {
+                LogTarget::File(_) | LogTarget::Screen => (CliWarning::LogUnknown { code: cycle.code }, true),
+                LogTarget::None => (CliWarning::LogOff, self.log_folder.is_some()),
+                LogTarget::Shown => (CliWarning::LogNone, self.log_folder.is_some()),
+            };
+            if is_due {
+                io.warn(&warning)?;
             }
             return Ok(Kept::default());
         };
@@ -76,7 +72,7 @@ impl LogArgs {
             _ => kept.other = None,
         }
         if let (LogTarget::Screen, Some(_)) = (result.log, &self.log_folder) {
-            io.warn(&Note::LogOnScreen)?;
+            io.warn(&CliWarning::LogOnScreen)?;
         }
         Ok(kept)
     }

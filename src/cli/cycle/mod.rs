@@ -18,7 +18,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::args::dialogue;
-use super::{CliError, Format, Io, Note, Outcome, Refused as _, What, read_contacts, read_input};
+use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts, read_input};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
@@ -288,7 +288,7 @@ fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) -> Result<(),
     let Source::Contacts { file, contacts } = source else { return Ok(()) };
     let (count, unused) = (contacts.len(), probing::Source::Recorded(contacts).unused(path));
     if 0 < unused {
-        io.warn_about(file, &Note::ContactsLeft { used: count - unused, count })?;
+        io.warn_about(file, &CliWarning::ContactsLeft { used: count - unused, count })?;
     }
     Ok(())
 }

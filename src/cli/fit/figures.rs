@@ -8,8 +8,8 @@ use super::answer::{Answer, Measured};
 use super::heat::{Heat, Heated, Part};
 use crate::cli::answers::Cells;
 use crate::cli::{Figure, limits};
-use crate::length::{Length, Unit};
-use crate::report::columns::{self, Cell as _, Column};
+use crate::length::Length;
+use crate::report::columns::{self, Cell as _, Column, columns};
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
 use crate::tolerance::fit::{Basis, basis};
 use crate::tolerance::{Limits, ToleranceClass};
@@ -101,15 +101,7 @@ struct MaterialFigures {
 
 /// Millimetres with three decimals or more, as `limits` prints them.
 fn mm(length: Length) -> Figure {
-    Figure(length.exact(Unit::Millimetre, 3))
-}
-
-pub(super) fn um(length: Length) -> Figure {
-    Figure(length.exact(Unit::Micrometre, 0))
-}
-
-pub(super) fn nominal(length: Length) -> Figure {
-    Figure(length.exact(Unit::Millimetre, 0))
+    Figure::mm(length, 3)
 }
 
 /// Basis, list of preferred fits and function of a pair, as words for machines.
@@ -119,7 +111,7 @@ pub(super) fn words(hole: ToleranceClass, shaft: ToleranceClass) -> [Option<&'st
 }
 
 fn removal(verdict: &Verdict) -> Option<Figure> {
-    verdict.size.removal.map(|removal| um(removal.to_limit))
+    verdict.size.removal.map(|removal| Figure::um(removal.to_limit))
 }
 
 impl PartFigures {
@@ -128,8 +120,8 @@ impl PartFigures {
             class: class.to_string(),
             min_mm: mm(limits.minimum()),
             max_mm: mm(limits.maximum()),
-            lower_um: um(limits.deviations.lower()),
-            upper_um: um(limits.deviations.upper()),
+            lower_um: Figure::um(limits.deviations.lower()),
+            upper_um: Figure::um(limits.deviations.upper()),
             source: limits::source(&limits.source),
         }
     }
@@ -141,8 +133,8 @@ impl EquivalentFigures {
         Self {
             callout: equivalent.callout.to_string(),
             exact: fit.map(|(_, difference)| difference.is_none()),
-            minimum_clearance_um: fit.map(|(fit, _)| um(fit.minimum_clearance())),
-            maximum_clearance_um: fit.map(|(fit, _)| um(fit.maximum_clearance())),
+            minimum_clearance_um: fit.map(|(fit, _)| Figure::um(fit.minimum_clearance())),
+            maximum_clearance_um: fit.map(|(fit, _)| Figure::um(fit.maximum_clearance())),
             error: equivalent.fit.as_ref().err().map(ToString::to_string),
         }
     }
@@ -153,7 +145,7 @@ impl ActualFigures {
         Self {
             hole_mm: mm(actual.hole),
             shaft_mm: mm(actual.shaft),
-            clearance_um: um(actual.clearance),
+            clearance_um: Figure::um(actual.clearance),
             conforms: actual.conforms,
             hole_status: actual.hole_verdict.status(),
             shaft_status: actual.shaft_verdict.status(),
@@ -170,8 +162,8 @@ impl PossibleFigures {
             measured_mm: mm(part.measured),
             status: part.verdict.status(),
             remove_um: removal(&part.verdict),
-            minimum_clearance_um: um(part.minimum),
-            maximum_clearance_um: um(part.maximum),
+            minimum_clearance_um: Figure::um(part.minimum),
+            maximum_clearance_um: Figure::um(part.maximum),
         }
     }
 }
@@ -187,11 +179,11 @@ impl TemperatureFigures {
         Self {
             hole_c: Figure(heat.hole.warm.temperature.to_string()),
             shaft_c: Figure(heat.shaft.warm.temperature.to_string()),
-            change_um: um(heated.change),
-            minimum_clearance_um: um(heated.minimum),
-            maximum_clearance_um: um(heated.maximum),
+            change_um: Figure::um(heated.change),
+            minimum_clearance_um: Figure::um(heated.minimum),
+            maximum_clearance_um: Figure::um(heated.maximum),
             kind: heated.kind().word(),
-            actual_clearance_um: heated.actual.map(um),
+            actual_clearance_um: heated.actual.map(Figure::um),
             hole_material: material(&heat.hole),
             shaft_material: material(&heat.shaft),
         }
@@ -200,68 +192,25 @@ impl TemperatureFigures {
 
 impl<'a> Figures<'a> {
     /// The columns of CSV: the names of JSON, joined where one lies within another.
-    pub(super) const COLUMNS: [Column<Self>; 56] = [
-        ("callout", |fit| fit.callout.cell()),
-        ("nominal_mm", |fit| fit.nominal_mm.cell()),
-        ("kind", |fit| fit.kind.cell()),
-        ("minimum_clearance_um", |fit| fit.minimum_clearance_um.cell()),
-        ("maximum_clearance_um", |fit| fit.maximum_clearance_um.cell()),
-        ("mean_clearance_um", |fit| fit.mean_clearance_um.cell()),
-        ("basis", |fit| fit.basis.cell()),
-        ("preferred", |fit| fit.preferred.cell()),
-        ("function", |fit| fit.function.cell()),
-        ("hole_class", |fit| fit.hole.as_ref()?.class.cell()),
-        ("hole_min_mm", |fit| fit.hole.as_ref()?.min_mm.cell()),
-        ("hole_max_mm", |fit| fit.hole.as_ref()?.max_mm.cell()),
-        ("hole_lower_um", |fit| fit.hole.as_ref()?.lower_um.cell()),
-        ("hole_upper_um", |fit| fit.hole.as_ref()?.upper_um.cell()),
-        ("hole_source", |fit| fit.hole.as_ref()?.source.cell()),
-        ("shaft_class", |fit| fit.shaft.as_ref()?.class.cell()),
-        ("shaft_min_mm", |fit| fit.shaft.as_ref()?.min_mm.cell()),
-        ("shaft_max_mm", |fit| fit.shaft.as_ref()?.max_mm.cell()),
-        ("shaft_lower_um", |fit| fit.shaft.as_ref()?.lower_um.cell()),
-        ("shaft_upper_um", |fit| fit.shaft.as_ref()?.upper_um.cell()),
-        ("shaft_source", |fit| fit.shaft.as_ref()?.source.cell()),
-        ("equivalent_callout", |fit| fit.equivalent.as_ref()?.callout.cell()),
-        ("equivalent_exact", |fit| fit.equivalent.as_ref()?.exact.cell()),
-        ("equivalent_minimum_clearance_um", |fit| fit.equivalent.as_ref()?.minimum_clearance_um.cell()),
-        ("equivalent_maximum_clearance_um", |fit| fit.equivalent.as_ref()?.maximum_clearance_um.cell()),
-        ("equivalent_error", |fit| fit.equivalent.as_ref()?.error.cell()),
-        ("actual_hole_mm", |fit| fit.actual.as_ref()?.hole_mm.cell()),
-        ("actual_shaft_mm", |fit| fit.actual.as_ref()?.shaft_mm.cell()),
-        ("actual_clearance_um", |fit| fit.actual.as_ref()?.clearance_um.cell()),
-        ("actual_conforms", |fit| fit.actual.as_ref()?.conforms.cell()),
-        ("actual_hole_status", |fit| fit.actual.as_ref()?.hole_status.cell()),
-        ("actual_shaft_status", |fit| fit.actual.as_ref()?.shaft_status.cell()),
-        ("actual_hole_remove_um", |fit| fit.actual.as_ref()?.hole_remove_um.cell()),
-        ("actual_shaft_remove_um", |fit| fit.actual.as_ref()?.shaft_remove_um.cell()),
-        ("possible_feature", |fit| fit.possible.as_ref()?.feature.cell()),
-        ("possible_measured_mm", |fit| fit.possible.as_ref()?.measured_mm.cell()),
-        ("possible_status", |fit| fit.possible.as_ref()?.status.cell()),
-        ("possible_remove_um", |fit| fit.possible.as_ref()?.remove_um.cell()),
-        ("possible_minimum_clearance_um", |fit| fit.possible.as_ref()?.minimum_clearance_um.cell()),
-        ("possible_maximum_clearance_um", |fit| fit.possible.as_ref()?.maximum_clearance_um.cell()),
-        ("temperature_hole_c", |fit| fit.temperature.as_ref()?.hole_c.cell()),
-        ("temperature_shaft_c", |fit| fit.temperature.as_ref()?.shaft_c.cell()),
-        ("temperature_change_um", |fit| fit.temperature.as_ref()?.change_um.cell()),
-        ("temperature_minimum_clearance_um", |fit| fit.temperature.as_ref()?.minimum_clearance_um.cell()),
-        ("temperature_maximum_clearance_um", |fit| fit.temperature.as_ref()?.maximum_clearance_um.cell()),
-        ("temperature_kind", |fit| fit.temperature.as_ref()?.kind.cell()),
-        ("temperature_actual_clearance_um", |fit| fit.temperature.as_ref()?.actual_clearance_um.cell()),
-        ("temperature_hole_material_name", |fit| fit.temperature.as_ref()?.hole_material.name.cell()),
-        ("temperature_hole_material_expansion_um_per_m_k", |fit| {
-            fit.temperature.as_ref()?.hole_material.expansion_um_per_m_k.cell()
-        }),
-        ("temperature_hole_material_certainty", |fit| fit.temperature.as_ref()?.hole_material.certainty.cell()),
-        ("temperature_hole_material_source", |fit| fit.temperature.as_ref()?.hole_material.source.cell()),
-        ("temperature_shaft_material_name", |fit| fit.temperature.as_ref()?.shaft_material.name.cell()),
-        ("temperature_shaft_material_expansion_um_per_m_k", |fit| {
-            fit.temperature.as_ref()?.shaft_material.expansion_um_per_m_k.cell()
-        }),
-        ("temperature_shaft_material_certainty", |fit| fit.temperature.as_ref()?.shaft_material.certainty.cell()),
-        ("temperature_shaft_material_source", |fit| fit.temperature.as_ref()?.shaft_material.source.cell()),
-        ("error", |fit| fit.error.cell()),
-    ];
+    pub(super) const COLUMNS: [Column<Self>; 56] = columns! {
+        callout, nominal_mm, kind, minimum_clearance_um, maximum_clearance_um, mean_clearance_um, basis, preferred,
+        function,
+        hole.class, hole.min_mm, hole.max_mm, hole.lower_um, hole.upper_um, hole.source,
+        shaft.class, shaft.min_mm, shaft.max_mm, shaft.lower_um, shaft.upper_um, shaft.source,
+        equivalent.callout, equivalent.exact, equivalent.minimum_clearance_um, equivalent.maximum_clearance_um,
+        equivalent.error,
+        actual.hole_mm, actual.shaft_mm, actual.clearance_um, actual.conforms, actual.hole_status,
+        actual.shaft_status, actual.hole_remove_um, actual.shaft_remove_um,
+        possible.feature, possible.measured_mm, possible.status, possible.remove_um, possible.minimum_clearance_um,
+        possible.maximum_clearance_um,
+        temperature.hole_c, temperature.shaft_c, temperature.change_um, temperature.minimum_clearance_um,
+        temperature.maximum_clearance_um, temperature.kind, temperature.actual_clearance_um,
+        temperature.hole_material.name, temperature.hole_material.expansion_um_per_m_k,
+        temperature.hole_material.certainty, temperature.hole_material.source,
+        temperature.shaft_material.name, temperature.shaft_material.expansion_um_per_m_k,
+        temperature.shaft_material.certainty, temperature.shaft_material.source,
+        error,
+    };
 
     pub(super) fn of(callout: &'a str, answer: &Answer<'_>) -> Self {
         let fit = &answer.fit;
@@ -273,11 +222,11 @@ impl<'a> Figures<'a> {
         };
         Self {
             callout,
-            nominal_mm: Some(nominal(fit.nominal())),
+            nominal_mm: Some(Figure::mm(fit.nominal(), 0)),
             kind: Some(fit.kind().word()),
-            minimum_clearance_um: Some(um(fit.minimum_clearance())),
-            maximum_clearance_um: Some(um(fit.maximum_clearance())),
-            mean_clearance_um: Some(um(fit.mean_clearance())),
+            minimum_clearance_um: Some(Figure::um(fit.minimum_clearance())),
+            maximum_clearance_um: Some(Figure::um(fit.maximum_clearance())),
+            mean_clearance_um: Some(Figure::um(fit.mean_clearance())),
             basis,
             preferred,
             function,

@@ -5,17 +5,16 @@ mod figures;
 use clap::ValueEnum;
 use figures::{CandidateFigures, Figures, MissFigures};
 
-use super::figures::{nominal, um};
 use super::text;
 use crate::cli::answers::{csv_line, printable};
 use crate::cli::args::one_of;
-use crate::cli::note::about;
-use crate::cli::{CliError, Format, Io, Note, Outcome, Refused as _, What};
+use crate::cli::said::about;
+use crate::cli::{CliError, CliRemark, Figure, Format, Io, Outcome, Refused as _, What};
 use crate::length::Length;
 use crate::report::columns::{cells, names};
-use crate::tolerance::fit::preferred::{self, Function};
+use crate::tolerance::fit::Fit;
+use crate::tolerance::fit::preferred::Function;
 use crate::tolerance::fit::search::{self, Candidate, Found, Miss, Scope, Wanted};
-use crate::tolerance::fit::{self, Fit};
 use crate::tolerance::{Callout, Sources};
 
 /// A wanted clearance or a function.
@@ -131,15 +130,10 @@ fn of_function(
     for named in function.fits() {
         let callout = Callout::fit(size, named.hole, named.shaft).said()?;
         match Fit::of_callout(&callout, sources) {
-            Ok(fit) => candidates.push(Candidate {
-                hole: named.hole,
-                shaft: named.shaft,
-                minimum: fit.minimum_clearance(),
-                maximum: fit.maximum_clearance(),
-                preference: preferred::preference(named.hole, named.shaft),
-                function: Some(function),
-                basis: fit::basis(named.hole, named.shaft),
-            }),
+            Ok(fit) => {
+                let (minimum, maximum) = (fit.minimum_clearance(), fit.maximum_clearance());
+                candidates.push(Candidate::new(named.hole, named.shaft, minimum, maximum));
+            }
             Err(error) => refused.push(about(&callout.to_string(), &error)),
         }
     }
@@ -170,7 +164,7 @@ fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(),
                 csv_line(cells(&CandidateFigures::COLUMNS, &figures), io)?;
             }
             if let Some(miss) = &searched.found.nearest {
-                io.tell(Note::NoPair { nearest: nearest(miss) })?;
+                io.tell(CliRemark::NoPair { nearest: nearest(miss) })?;
             }
             Ok(())
         }
@@ -178,17 +172,17 @@ fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(),
             let size = searched.size;
             let found = searched.found;
             let figures = Figures {
-                nominal_mm: nominal(size),
-                minimum_clearance_um: searched.wanted.map(|(wanted, _)| um(wanted.minimum)),
-                maximum_clearance_um: searched.wanted.map(|(wanted, _)| um(wanted.maximum)),
+                nominal_mm: Figure::mm(size, 0),
+                minimum_clearance_um: searched.wanted.map(|(wanted, _)| Figure::um(wanted.minimum)),
+                maximum_clearance_um: searched.wanted.map(|(wanted, _)| Figure::um(wanted.maximum)),
                 scope: searched.wanted.map(|(_, scope)| scope.word()),
                 function: searched.function.map(Function::word),
                 total: found.total,
                 candidates: found.candidates.iter().map(|one| CandidateFigures::of(size, one)).collect(),
                 nearest: found.nearest.map(|miss| MissFigures {
                     candidate: CandidateFigures::of(size, &miss.candidate),
-                    below_um: um(miss.below),
-                    above_um: um(miss.above),
+                    below_um: Figure::um(miss.below),
+                    above_um: Figure::um(miss.above),
                 }),
             };
             io.json(&figures)
@@ -230,7 +224,7 @@ fn nearest(miss: &Miss) -> String {
     let beyond: Vec<String> = beyond
         .iter()
         .filter(|(length, _)| Length::ZERO < *length)
-        .map(|(length, side)| format!("{} {side}", um(*length).0 + " µm"))
+        .map(|(length, side)| format!("{} {side}", Figure::um(*length).0 + " µm"))
         .collect();
     format!("{hole}/{shaft} with {}, {}", text::range(minimum, maximum), beyond.join(" and "))
 }

@@ -46,7 +46,7 @@ impl Printer {
         }
     }
 
-    /// Keeps the verdicts for the table; problems go to standard error with their places.
+    /// Keeps the verdicts for the table; errors go to standard error with their places.
     fn text(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
         for row in rows {
             self.summary.count(&row);

@@ -1,9 +1,9 @@
-//! A row of what `fitcheck import` prints: a record, a measurement that makes none, or a problem.
+//! A row of what `fitcheck import` prints: a record, a measurement that makes none, or an error.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use crate::exchange::{Imported, Problem, Unjudged, WhyUnjudged};
+use crate::exchange::{ImportError, Imported, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::message::Located;
@@ -50,7 +50,7 @@ pub(super) struct Row {
     pub(super) file: String,
     /// Where it stands; `None` where the file could not be read.
     pub(super) line: Option<usize>,
-    /// Where a problem is in its line.
+    /// Where an error is in its line.
     pub(super) column: Option<usize>,
     pub(super) id: String,
     pub(super) callout: Option<String>,
@@ -84,7 +84,7 @@ pub(super) enum Value<'a> {
 enum Came<'a> {
     Record(&'a Record),
     Unjudged(&'a Unjudged),
-    Problem(&'a Located<Problem>),
+    Error(&'a Located<ImportError>),
 }
 
 /// Everything that came out of a file, in the order of its lines. Rows are made one by one: a file may have many.
@@ -92,20 +92,20 @@ pub(super) fn rows<'a>(path: &'a Path, imported: &'a Imported) -> impl Iterator<
     let mut warnings: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     for warning in &imported.warnings {
         if let Some(row) = warning.what.row {
-            warnings.entry(row).or_default().push(warning.what.reason.to_string());
+            warnings.entry(row).or_default().push(warning.what.kind.to_string());
         }
     }
     let records = imported.lines.iter().zip(&imported.records).map(|(&line, record)| (line, Came::Record(record)));
     let unjudged = imported.unjudged.iter().map(|unjudged| (unjudged.line, Came::Unjudged(unjudged)));
-    let problems = imported.problems.iter().map(|problem| (problem.place.line.unwrap_or(1), Came::Problem(problem)));
-    let mut all: Vec<(usize, Came<'a>)> = records.chain(unjudged).chain(problems).collect();
+    let errors = imported.errors.iter().map(|error| (error.place.line.unwrap_or(1), Came::Error(error)));
+    let mut all: Vec<(usize, Came<'a>)> = records.chain(unjudged).chain(errors).collect();
     all.sort_by_key(|(line, _)| *line);
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     all.into_iter().map(move |(line, came)| {
         let mut row = match came {
             Came::Record(record) => Row::of(record),
             Came::Unjudged(unjudged) => Row::of_unjudged(unjudged),
-            Came::Problem(problem) => Row::of_problem(problem),
+            Came::Error(error) => Row::of_error(error),
         };
         row.file = path.display().to_string();
         row.line = Some(line);
@@ -177,8 +177,8 @@ impl Row {
         }
     }
 
-    fn of_problem(problem: &Located<Problem>) -> Self {
-        Self { column: problem.place.column, error: Some(problem.what.reason.to_string()), ..Self::default() }
+    fn of_error(error: &Located<ImportError>) -> Self {
+        Self { column: error.place.column, error: Some(error.what.kind.to_string()), ..Self::default() }
     }
 
     /// A file that could not be read at all.

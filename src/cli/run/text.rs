@@ -1,6 +1,6 @@
 //! What came of a run, for people: windows and trace on standard output, notes on standard error.
 
-use super::super::Note;
+use super::super::CliRemark;
 use super::{CliError, Ended, Io, Listener, place, tame};
 use crate::message::Message;
 use crate::nc::machine::{BlockPlace, Fault, Machine, Pause, shown};
@@ -83,7 +83,7 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &m
     // A file that is printed to a thousand times is one file.
     written.dedup();
     for path in written {
-        io.tell(Note::Wrote { path: path.to_string() })?;
+        io.tell(CliRemark::Wrote { path: path.to_string() })?;
     }
     Ok(())
 }

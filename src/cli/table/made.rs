@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::cli::args::one_of;
-use crate::cli::{CliError, Io, Note, Outcome, Refused as _, StandardArgs, What, heard_or_not, read_table, save};
+use crate::cli::{CliError, CliWarning, Io, Outcome, Refused as _, StandardArgs, What, heard_or_not, read_table, save};
 use crate::control::shipped_tables;
 use crate::exchange::tables::{TABLE_FORMATS, TableFormat};
 use crate::length::Length;
@@ -129,9 +129,8 @@ impl Choice {
         };
         let table = made.said()?;
         for (class, range) in compare(&table, options).cells() {
-            let over = range.checked_sub(1).and_then(|before| table.ends().get(before)).copied().unwrap_or_default();
-            let to = table.ends().get(range).copied().unwrap_or_default();
-            io.warn_about(name, &Note::EmptyCell { class, over, to })?;
+            let (over, to) = table.ranges().nth(range).unwrap_or_default();
+            io.warn_about(name, &CliWarning::EmptyCell { class, over, to })?;
         }
         Ok(table)
     }
@@ -165,8 +164,8 @@ impl ExportArgs {
             Some(path) => save(path, &bytes, io)?,
             None => heard_or_not(io.out.write_all(&bytes))?,
         }
-        if let Some(caution) = tables.iter().find_map(|table| (format.caution)(table)) {
-            io.warn(&caution)?;
+        if let Some(warning) = tables.iter().find_map(|table| (format.warning)(table)) {
+            io.warn(&warning)?;
         }
         Ok(Outcome::Done)
     }

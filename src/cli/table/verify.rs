@@ -28,6 +28,10 @@ empty cell. JSON is an array with one object per file: file, classes, size_range
 own_columns (not ISO 286 classes, so not compared), differences.
 Exit code 1 when a cell differs or a file cannot be read.";
 
+/// The names of the columns, those of [`Row`].
+const COLUMNS: &str = "file,class,over_mm,to_mm,table_upper_um,table_lower_um,\
+    standard_upper_um,standard_lower_um,upper_by_um,lower_by_um,line,column,reason";
+
 /// Compare control tables with ISO 286, cell by cell
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
@@ -132,7 +136,7 @@ impl Verified {
     }
 
     fn row<'a>(&'a self, difference: &Difference) -> Row<'a> {
-        let um = |length: Length| Figure(length.exact(Unit::Micrometre, 0));
+        let um = Figure::um;
         let place = self.place(difference);
         let standard = difference.standard.as_ref();
         Row {
@@ -221,22 +225,7 @@ fn pair(deviations: &Deviations) -> String {
 
 fn write_csv(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    let names = [
-        "file",
-        "class",
-        "over_mm",
-        "to_mm",
-        "table_upper_um",
-        "table_lower_um",
-        "standard_upper_um",
-        "standard_lower_um",
-        "upper_by_um",
-        "lower_by_um",
-        "line",
-        "column",
-        "reason",
-    ];
-    writer.write_record(names)?;
+    writer.write_record(COLUMNS.split(','))?;
     for one in verified {
         for difference in &one.found.differences {
             writer.serialize(one.row(difference))?;

@@ -13,7 +13,7 @@ pub const ITNC530: TableFormat = TableFormat {
     name: "itnc530",
     endings: &["tab"],
     description: "table-format-itnc530",
-    caution: |_| None,
+    warning: |_| None,
     write: |table| Ok(to_control_table(table, Generation::Structure).write()?),
 };
 
@@ -22,7 +22,7 @@ pub const TNC640: TableFormat = TableFormat {
     name: "tnc640",
     endings: &["tab"],
     description: "table-format-tnc640",
-    caution: |_| None,
+    warning: |_| None,
     write: described,
 };
 
@@ -31,7 +31,7 @@ pub const TNC7: TableFormat = TableFormat {
     name: "tnc7",
     endings: &["tab"],
     description: "table-format-tnc7",
-    caution: |_| None,
+    warning: |_| None,
     write: for_tnc7,
 };
 

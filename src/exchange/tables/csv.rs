@@ -6,7 +6,7 @@ use crate::tolerance::DeviationTable;
 
 /// This format.
 pub const FORMAT: TableFormat =
-    TableFormat { name: "csv", endings: &["csv"], description: "table-format-plain-csv", caution: |_| None, write };
+    TableFormat { name: "csv", endings: &["csv"], description: "table-format-plain-csv", warning: |_| None, write };
 
 fn write(table: &DeviationTable) -> Result<Vec<u8>, TableFormatError> {
     let failed = |error: &dyn std::fmt::Display| TableFormatError::Csv { reason: error.to_string() };
@@ -15,14 +15,12 @@ fn write(table: &DeviationTable) -> Result<Vec<u8>, TableFormatError> {
     writer.write_record(names).map_err(|error| failed(&error))?;
     let um = |length: Length| length.exact(Unit::Micrometre, 0);
     for column in table.columns() {
-        let mut over = Length::ZERO;
-        for (&to, cell) in table.ends().iter().zip(&column.cells) {
+        for ((over, to), cell) in table.ranges().zip(&column.cells) {
             if let Some(pair) = cell {
                 let class = column.class.to_string();
                 let row = [class, over.to_string(), to.to_string(), um(pair.upper()), um(pair.lower())];
                 writer.write_record(row).map_err(|error| failed(&error))?;
             }
-            over = to;
         }
     }
     writer.into_inner().map_err(|error| failed(&error))

@@ -18,11 +18,11 @@ pub const FORMAT: TableFormat = TableFormat {
     name: "pcdmis",
     endings: &["csv"],
     description: "table-format-pcdmis",
-    caution,
+    warning,
     write: |table| Ok(write(table)),
 };
 
-fn caution(table: &DeviationTable) -> Option<FormatWarning> {
+fn warning(table: &DeviationTable) -> Option<FormatWarning> {
     let class = |column: &Column| {
         let is_signed = column.cells.iter().flatten().any(|pair| pair.lower() != Length::ZERO);
         is_signed.then_some(column.class)
@@ -51,8 +51,7 @@ struct Part {
 
 fn parts(table: &DeviationTable, column: &Column) -> Vec<Part> {
     let mut parts: Vec<Part> = Vec::new();
-    let mut over = Length::ZERO;
-    for (&to, cell) in table.ends().iter().zip(&column.cells) {
+    for ((over, to), cell) in table.ranges().zip(&column.cells) {
         if let Some(pair) = cell {
             match parts.last_mut() {
                 Some(part) if part.bounds.last() == Some(&over) => {
@@ -62,7 +61,6 @@ fn parts(table: &DeviationTable, column: &Column) -> Vec<Part> {
                 _ => parts.push(Part { bounds: vec![over, to], pairs: vec![*pair] }),
             }
         }
-        over = to;
     }
     parts
 }

@@ -106,8 +106,8 @@ fn workpiece(asked: &Asked, limits: &Limits, position: &ProbePosition) -> Result
 pub(super) fn import_notice(name: &str, imported: &Imported) -> Notice {
     let good = imported.records.len() + usize::from(imported.contacts.is_some());
     let message =
-        Message::new("import-notice").text("name", name).count("good", good).count("bad", imported.problems.len());
-    let problems = imported.problems.iter().map(crate::message::Say::message);
+        Message::new("import-notice").text("name", name).count("good", good).count("bad", imported.errors.len());
+    let problems = imported.errors.iter().map(crate::message::Say::message);
     let unjudged =
         imported.unjudged.iter().filter(|_| imported.contacts.is_none()).map(|unjudged| unjudged.why.message());
     let warnings = imported.warnings.iter().map(crate::message::Say::message);

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::kind::CalloutErrorKind;
 use super::scanner::Place;
 use crate::length::LengthError;
-use crate::message::{Message, Say, display};
+use crate::message::{Message, Say, display, shortened};
 use crate::tolerance::ClassError;
 
 /// The most characters of a given text that an error repeats.
@@ -98,11 +98,5 @@ pub(super) fn shorten_length(error: LengthError) -> LengthError {
 
 /// At most 80 characters of a text, without control characters.
 pub(super) fn shorten(text: &str) -> String {
-    let visible = |c: char| if c.is_control() { '\u{fffd}' } else { c };
-    let mut chars = text.chars().map(visible);
-    let mut short: String = chars.by_ref().take(LONGEST_GIVEN).collect();
-    if chars.next().is_some() {
-        short.push('…');
-    }
-    short
+    shortened(text, LONGEST_GIVEN)
 }

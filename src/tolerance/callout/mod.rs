@@ -32,9 +32,6 @@ mod qs400;
 mod reading;
 mod scanner;
 
-#[cfg(test)]
-mod tests;
-
 use std::fmt;
 use std::str::FromStr;
 

@@ -155,6 +155,3 @@ impl Fit {
         self.minimum_clearance() <= clearance && clearance <= self.maximum_clearance()
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -191,11 +191,6 @@ pub fn function(hole: ToleranceClass, shaft: ToleranceClass) -> Option<Function>
     Function::of_parts(hole, shaft)
 }
 
-/// Every pair that ANSI B4.2 names, from loose to tight, hole basis before shaft basis.
-pub fn named_fits() -> impl Iterator<Item = NamedFit> {
-    Function::ALL.into_iter().flat_map(Function::fits)
-}
-
 fn stands_in(lines: &[(u8, &[Part])], base: Grade, other: (Letter, Grade)) -> bool {
     let is = |number: u8, grade: Grade| Grade::numbered(number) == Some(grade);
     let line = lines.iter().find(|(number, _)| is(*number, base));

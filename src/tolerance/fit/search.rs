@@ -8,8 +8,8 @@ mod ranking;
 use ranking::{Zone, fitting, nearest};
 
 use super::Kind;
-use super::basis::Basis;
-use super::preferred::{Function, Preference};
+use super::basis::{Basis, basis};
+use super::preferred::{self, Function, Preference};
 use crate::length::Length;
 use crate::message::Say;
 use crate::tolerance::class::{Feature, ToleranceClass};
@@ -57,6 +57,12 @@ pub struct Candidate {
 }
 
 impl Candidate {
+    /// A pair of classes with the clearances that it gives, and what is known of the pair.
+    pub fn new(hole: ToleranceClass, shaft: ToleranceClass, minimum: Length, maximum: Length) -> Self {
+        let (preference, function) = (preferred::preference(hole, shaft), preferred::function(hole, shaft));
+        Self { hole, shaft, minimum, maximum, preference, function, basis: basis(hole, shaft) }
+    }
+
     /// Clearance, transition or interference.
     pub fn kind(&self) -> Kind {
         Kind::of(self.minimum, self.maximum)

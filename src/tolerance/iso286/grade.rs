@@ -86,7 +86,7 @@ impl fmt::Display for Grade {
 }
 
 macro_rules! letters {
-    ($($name:ident $text:literal)*) => {
+    ($($name:ident $text:literal $(=> $row:ident)?),* $(,)?) => {
         /// The letters of ISO 286 without their case: where a zone lies.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Letter { $(#[doc = concat!("`", $text, "`")] $name),* }
@@ -99,86 +99,27 @@ macro_rules! letters {
             pub const fn text(self) -> &'static str {
                 match self { $(Self::$name => $text),* }
             }
+
+            /// The printed row of fundamental deviations; h, j, js and the zeros of k have none.
+            pub(super) fn row(self) -> Option<&'static Row> {
+                let row: &[&'static Row] = match self { $(Self::$name => &[$(&figures::$row)?]),* };
+                row.first().copied()
+            }
         }
     };
 }
 
 letters! {
-    A "a" B "b" C "c" Cd "cd" D "d" E "e" Ef "ef" F "f" Fg "fg" G "g" H "h" J "j" Js "js" K "k" M "m" N "n" P "p" R "r"
-    S "s" T "t" U "u" V "v" X "x" Y "y" Z "z" Za "za" Zb "zb" Zc "zc"
+    A "a" => A, B "b" => B, C "c" => C, Cd "cd" => CD, D "d" => D, E "e" => E, Ef "ef" => EF, F "f" => F,
+    Fg "fg" => FG, G "g" => G, H "h", J "j", Js "js", K "k" => K, M "m" => M, N "n" => N, P "p" => P, R "r" => R,
+    S "s" => S, T "t" => T, U "u" => U, V "v" => V, X "x" => X, Y "y" => Y, Z "z" => Z, Za "za" => ZA,
+    Zb "zb" => ZB, Zc "zc" => ZC,
 }
 
 impl Letter {
     /// From letters of either case; i, l, o, q, w do not exist.
     pub(super) fn from_letters(letters: &[u8]) -> Option<Self> {
-        let (first, second) = match *letters {
-            [one] => (one, 0),
-            [one, two] => (one, two),
-            _ => return None,
-        };
-        Some(match (first.to_ascii_lowercase(), second.to_ascii_lowercase()) {
-            (b'a', 0) => Self::A,
-            (b'b', 0) => Self::B,
-            (b'c', 0) => Self::C,
-            (b'c', b'd') => Self::Cd,
-            (b'd', 0) => Self::D,
-            (b'e', 0) => Self::E,
-            (b'e', b'f') => Self::Ef,
-            (b'f', 0) => Self::F,
-            (b'f', b'g') => Self::Fg,
-            (b'g', 0) => Self::G,
-            (b'h', 0) => Self::H,
-            (b'j', 0) => Self::J,
-            (b'j', b's') => Self::Js,
-            (b'k', 0) => Self::K,
-            (b'm', 0) => Self::M,
-            (b'n', 0) => Self::N,
-            (b'p', 0) => Self::P,
-            (b'r', 0) => Self::R,
-            (b's', 0) => Self::S,
-            (b't', 0) => Self::T,
-            (b'u', 0) => Self::U,
-            (b'v', 0) => Self::V,
-            (b'x', 0) => Self::X,
-            (b'y', 0) => Self::Y,
-            (b'z', 0) => Self::Z,
-            (b'z', b'a') => Self::Za,
-            (b'z', b'b') => Self::Zb,
-            (b'z', b'c') => Self::Zc,
-            _ => return None,
-        })
-    }
-
-    /// The printed row of fundamental deviations; h, j, js and the zeros of k have none.
-    pub(super) const fn row(self) -> Option<&'static Row> {
-        Some(match self {
-            Self::A => &figures::A,
-            Self::B => &figures::B,
-            Self::C => &figures::C,
-            Self::Cd => &figures::CD,
-            Self::D => &figures::D,
-            Self::E => &figures::E,
-            Self::Ef => &figures::EF,
-            Self::F => &figures::F,
-            Self::Fg => &figures::FG,
-            Self::G => &figures::G,
-            Self::K => &figures::K,
-            Self::M => &figures::M,
-            Self::N => &figures::N,
-            Self::P => &figures::P,
-            Self::R => &figures::R,
-            Self::S => &figures::S,
-            Self::T => &figures::T,
-            Self::U => &figures::U,
-            Self::V => &figures::V,
-            Self::X => &figures::X,
-            Self::Y => &figures::Y,
-            Self::Z => &figures::Z,
-            Self::Za => &figures::ZA,
-            Self::Zb => &figures::ZB,
-            Self::Zc => &figures::ZC,
-            Self::H | Self::J | Self::Js => return None,
-        })
+        Self::ALL.into_iter().find(|letter| letter.text().as_bytes().eq_ignore_ascii_case(letters))
     }
 }
 

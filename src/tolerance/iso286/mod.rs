@@ -130,7 +130,7 @@ pub fn classes_at(
 pub fn classes(feature: Feature, options: Options) -> impl Iterator<Item = ToleranceClass> {
     Letter::ALL.into_iter().flat_map(Grade::of_letter).filter_map(move |(letter, grade)| {
         let defined = |nominal| zone::zone(feature, letter, grade, Place::of(nominal)?, options);
-        let somewhere = sizes().any(|nominal| defined(nominal).is_some());
+        let somewhere = step_ends().any(|nominal| defined(nominal).is_some());
         somewhere.then(|| class(feature, letter, grade))
     })
 }
@@ -156,15 +156,16 @@ pub fn preferred_classes(feature: Feature) -> impl Iterator<Item = ToleranceClas
 
 /// The upper, inclusive ends of all steps, ascending, 1 mm among them: within a step no class changes.
 pub fn step_ends() -> impl Iterator<Item = Length> {
-    sizes()
-}
-
-fn sizes() -> impl Iterator<Item = Length> {
     std::iter::once(1).chain(figures::SUB_ENDS).map(millimetres)
 }
 
 const fn millimetres(mm: i32) -> Length {
     Length::from_micrometres(mm.saturating_mul(1000))
+}
+
+/// The ends of the steps within a size range, its own end last: within a step no class changes.
+pub(super) fn steps_within(over: Length, to: Length) -> impl Iterator<Item = Length> {
+    step_ends().filter(move |end| over < *end && *end < to).chain([to])
 }
 
 /// The width of a standard tolerance at a size; `None` where the grade is not defined.
@@ -186,6 +187,3 @@ fn cell(zone: Zone, place: Place) -> Option<Cell> {
     let deviations = Deviations::new(length(zone.upper)?, length(zone.lower)?).ok()?;
     Some(Cell { deviations, over: millimetres(over), to: millimetres(to), remark: None })
 }
-
-#[cfg(test)]
-mod tests;

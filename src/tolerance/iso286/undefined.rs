@@ -3,7 +3,7 @@
 use super::super::class::ToleranceClass;
 use super::super::ranges;
 use super::zone::{self, Place};
-use super::{Grade, Letter, Options, parts, sizes};
+use super::{Grade, Letter, Options, parts, step_ends};
 use crate::length::Length;
 use crate::message::{Message, Say, display};
 
@@ -39,21 +39,10 @@ impl Undefined {
 
     /// Where the class is defined: above and up to, in mm, joined and ascending; empty when nowhere.
     pub fn defined(&self) -> Vec<(Length, Length)> {
-        let mut ranges: Vec<(Length, Length)> = Vec::new();
-        let Some((letter, grade)) = parts(self.class) else { return ranges };
-        let mut over = Length::ZERO;
-        for to in sizes() {
-            let place = Place::of(to);
-            let zone = place.and_then(|place| zone::zone(self.class.feature(), letter, grade, place, self.options));
-            if zone.is_some() {
-                match ranges.last_mut() {
-                    Some(last) if last.1 == over => last.1 = to,
-                    _ => ranges.push((over, to)),
-                }
-            }
-            over = to;
-        }
-        ranges
+        let Some((letter, grade)) = parts(self.class) else { return Vec::new() };
+        let feature = self.class.feature();
+        let zone = |size| zone::zone(feature, letter, grade, Place::of(size)?, self.options);
+        ranges::where_defined(step_ends().map(|to| (to, zone(to).is_some())))
     }
 
     fn knows_letter(&self) -> bool {

@@ -3,7 +3,7 @@
 use crate::length::Length;
 use crate::message::Say;
 use crate::tolerance::iso286::{self, Undefined};
-use crate::tolerance::table::{Column, DeviationTable, TableShapeError};
+use crate::tolerance::table::{Column, DeviationTable, TableShapeError, ranges};
 use crate::tolerance::{Deviations, Feature, ToleranceClass};
 
 /// Why no table can be made of the standard.
@@ -36,7 +36,7 @@ pub enum MakeError {
 /// whole range, or has more than one value in it.
 pub fn standard_column(class: ToleranceClass, ends: &[Length], options: iso286::Options) -> Column {
     let cell = |(over, to)| {
-        let mut values = steps(over, to).map(|end| value(class, end, options));
+        let mut values = iso286::steps_within(over, to).map(|end| value(class, end, options));
         let first = values.next().flatten();
         first.filter(|_| values.all(|value| value == first))
     };
@@ -55,7 +55,7 @@ pub fn standard_table(
     options: iso286::Options,
 ) -> Result<DeviationTable, MakeError> {
     check_last(to)?;
-    let all: Vec<Length> = steps(Length::ZERO, to).collect();
+    let all: Vec<Length> = iso286::steps_within(Length::ZERO, to).collect();
     let columns: Vec<Column> = classes.iter().map(|class| standard_column(*class, &all, options)).collect();
     // A range goes on as long as no class changes.
     let changes = |number: usize| columns.iter().any(|column| column.cells.get(number) != column.cells.get(number + 1));
@@ -96,87 +96,6 @@ fn check_last(to: Length) -> Result<(), MakeError> {
     if to <= Length::ZERO || largest < to { Err(MakeError::LastSize { to }) } else { Ok(()) }
 }
 
-/// Above and up to, for ends of size ranges.
-fn ranges(ends: &[Length]) -> impl Iterator<Item = (Length, Length)> {
-    std::iter::once(Length::ZERO).chain(ends.iter().copied()).zip(ends.iter().copied())
-}
-
-/// The ends of the standard's steps within a size range, its own end last: within a step no class changes.
-fn steps(over: Length, to: Length) -> impl Iterator<Item = Length> {
-    iso286::step_ends().filter(move |end| over < *end && *end < to).chain([to])
-}
-
 fn value(class: ToleranceClass, size: Length, options: iso286::Options) -> Option<Deviations> {
     iso286::deviations(class, size, options).ok().map(|cell| cell.deviations)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::tolerance::compare::compare;
-
-    fn classes(text: &str) -> Vec<ToleranceClass> {
-        text.split_whitespace().map(|class| class.parse().unwrap()).collect()
-    }
-
-    fn made(text: &str, to: &str) -> Result<DeviationTable, MakeError> {
-        standard_table("own.tab", &classes(text), to.parse().unwrap(), iso286::Options::default())
-    }
-
-    #[track_caller]
-    fn check(text: &str, to: &str, ends: &str) {
-        let table = made(text, to).unwrap();
-        let found: Vec<String> = table.ends().iter().map(ToString::to_string).collect();
-        assert_eq!(found.join(" "), ends, "for {text} to {to}");
-        assert_eq!(compare(&table, iso286::Options::default()).differences, []);
-    }
-
-    #[test]
-    fn a_table_has_the_ranges_that_its_classes_need() {
-        check("H7 H8", "50", "3 6 10 18 30 50");
-        check("H7 R7", "80", "3 6 10 18 30 50 65 80");
-        check("N9", "10", "1 3 6 10");
-        check("h6", "12.5", "3 6 10 12.5");
-        check("H7", "3150", "3 6 10 18 30 50 80 120 180 250 315 400 500 630 800 1000 1250 1600 2000 2500 3150");
-    }
-
-    #[test]
-    fn what_cannot_be_made_is_refused() {
-        for (text, to, expected) in [
-            ("", "50", "no tolerance class is given: name one or more, such as H7 H8 JS9"),
-            (
-                "H7 g6",
-                "50",
-                "H7 and g6 cannot be in one table: only the case of their letters differs, so make one table for holes and \
-                 one for shafts",
-            ),
-            ("H7", "0", "the last size is 0 mm: it must be above 0 and at most 3150 mm"),
-            ("H7", "3150.000001", "the last size is 3150.000001 mm: it must be above 0 and at most 3150 mm"),
-            ("T7", "24", "T7 is not defined at 24 mm in ISO 286; it is defined over 24 up to 3150 mm"),
-            ("H7 H7", "24", "column H7 occurs twice"),
-        ] {
-            assert_eq!(made(text, to).unwrap_err().to_string(), expected);
-        }
-    }
-
-    #[test]
-    fn given_ranges_end_with_the_standard_and_leave_a_cell_empty_that_has_no_one_value() {
-        let made = |text: &str, ends: &str| {
-            let ends = ends.split(' ').map(|end| end.parse().unwrap()).collect();
-            table_of_standard("own.tab", &classes(text), ends, iso286::Options::default())
-        };
-        let refused = |text: &str, ends: &str| made(text, ends).unwrap_err().to_string();
-        let why = "the last size is 3150.000001 mm: it must be above 0 and at most 3150 mm";
-        assert_eq!(refused("H7", "3 3150.000001"), why);
-        assert_eq!(refused("H7", "0 3"), "size range up to 0 mm does not end above the one before it, 0 mm");
-        let why = "T6 is not defined at 20 mm in ISO 286; it is defined over 24 up to 3150 mm";
-        assert_eq!(refused("R6 T6", "20"), why, "R6 is defined and merely has no one value");
-        let cells = |text: &str, ends: &str| -> Vec<_> {
-            made(text, ends).unwrap().columns()[0].cells.iter().map(Option::is_some).collect()
-        };
-        assert_eq!(cells("H7", "0.5 1 2.5 3"), [true; 4]);
-        assert_eq!(cells("A11", "1 3"), [false, true]);
-        assert_eq!(cells("A11", "3 6"), [false, true], "not for the whole of the first range");
-        assert_eq!(cells("R6", "3 50 80"), [true, false, false], "more than one value");
-    }
 }

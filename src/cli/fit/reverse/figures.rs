@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use crate::cli::Figure;
-use crate::cli::fit::figures::{um, words};
+use crate::cli::fit::figures::words;
 use crate::length::Length;
-use crate::report::columns::{Cell as _, Column};
+use crate::report::columns::{Cell as _, Column, columns};
 use crate::tolerance::fit::search::Candidate;
 
 /// The answer for programs.
@@ -43,17 +43,9 @@ pub(super) struct MissFigures {
 
 impl CandidateFigures {
     /// The columns of CSV.
-    pub(super) const COLUMNS: [Column<Self>; 9] = [
-        ("callout", |fit| fit.callout.cell()),
-        ("hole", |fit| fit.hole.cell()),
-        ("shaft", |fit| fit.shaft.cell()),
-        ("kind", |fit| fit.kind.cell()),
-        ("minimum_clearance_um", |fit| fit.minimum_clearance_um.cell()),
-        ("maximum_clearance_um", |fit| fit.maximum_clearance_um.cell()),
-        ("basis", |fit| fit.basis.cell()),
-        ("preferred", |fit| fit.preferred.cell()),
-        ("function", |fit| fit.function.cell()),
-    ];
+    pub(super) const COLUMNS: [Column<Self>; 9] = columns! {
+        callout, hole, shaft, kind, minimum_clearance_um, maximum_clearance_um, basis, preferred, function,
+    };
 
     pub(super) fn of(size: Length, candidate: &Candidate) -> Self {
         let [basis, preferred, function] = words(candidate.hole, candidate.shaft);
@@ -62,8 +54,8 @@ impl CandidateFigures {
             hole: candidate.hole.to_string(),
             shaft: candidate.shaft.to_string(),
             kind: candidate.kind().word(),
-            minimum_clearance_um: um(candidate.minimum),
-            maximum_clearance_um: um(candidate.maximum),
+            minimum_clearance_um: Figure::um(candidate.minimum),
+            maximum_clearance_um: Figure::um(candidate.maximum),
             basis,
             preferred,
             function,

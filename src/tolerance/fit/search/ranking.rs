@@ -6,8 +6,7 @@ use super::{Candidate, Miss, Scope, Wanted};
 use crate::length::Length;
 use crate::tolerance::callout::Callout;
 use crate::tolerance::class::{Feature, ToleranceClass};
-use crate::tolerance::fit::basis;
-use crate::tolerance::fit::preferred::{self, Function, Preference};
+use crate::tolerance::fit::preferred::{Function, Preference};
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::limits::Deviations;
 use crate::tolerance::sources::{Base, Sources};
@@ -118,15 +117,9 @@ impl Ranked {
 
     pub(super) fn candidate(self, holes: &[Zone], shafts: &[Zone]) -> Option<Candidate> {
         let (hole, shaft) = (holes.get(self.hole)?, shafts.get(self.shaft)?);
-        Some(Candidate {
-            hole: hole.class,
-            shaft: shaft.class,
-            minimum: Length::from_nanometres(hole.lower - shaft.upper).ok()?,
-            maximum: Length::from_nanometres(hole.upper - shaft.lower).ok()?,
-            preference: preferred::preference(hole.class, shaft.class),
-            function: preferred::function(hole.class, shaft.class),
-            basis: basis(hole.class, shaft.class),
-        })
+        let minimum = Length::from_nanometres(hole.lower - shaft.upper).ok()?;
+        let maximum = Length::from_nanometres(hole.upper - shaft.lower).ok()?;
+        Some(Candidate::new(hole.class, shaft.class, minimum, maximum))
     }
 }
 

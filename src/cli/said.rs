@@ -1,27 +1,35 @@
-//! What a subcommand says on standard error besides errors.
+//! What a subcommand says on standard error besides errors: remarks and warnings.
 
 use crate::length::Length;
 use crate::message::{IntoArg, Message, Say};
 use crate::tolerance::ToleranceClass;
 
-/// What there is to say about an answer, or beside it.
+/// What is worth knowing about an answer.
 #[derive(Debug, Say)]
-#[say(prefix = "cli-note")]
-pub(super) enum Note<'a> {
+#[say(prefix = "cli-remark")]
+pub(super) enum CliRemark {
     /// A file is written.
     Wrote { path: String },
     /// A file of several files is written.
     WroteFiles { path: String, count: usize },
-    /// A column of a file of contacts.
-    ColumnNotUsed { column: &'a str },
     /// A part can still be machined.
     Remove { limit: Length, middle: Length },
-    /// The user's own table does not say what ISO 286 says.
-    OwnTable { name: &'a str, upper: Length, lower: Length },
     /// Callouts without an answer.
     Refused { refused: usize, asked: usize },
     /// A search that found nothing.
     NoPair { nearest: String },
+    /// The default that nobody chose.
+    ClearanceHeight { height: Length },
+}
+
+/// What to check about an answer.
+#[derive(Debug, Say)]
+#[say(prefix = "cli-warning")]
+pub(super) enum CliWarning<'a> {
+    /// A column of a file of contacts.
+    ColumnNotUsed { column: &'a str },
+    /// The user's own table does not say what ISO 286 says.
+    OwnTable { name: &'a str, upper: Length, lower: Length },
     /// A cell for which ISO 286 has no value, or several.
     EmptyCell {
         #[say(with = ToString::to_string)]
@@ -39,8 +47,6 @@ pub(super) enum Note<'a> {
     LogNone,
     /// A folder for logs and an input that shows it.
     LogOnScreen,
-    /// The default that nobody chose.
-    ClearanceHeight { height: Length },
 }
 
 /// `warning: …`
@@ -49,8 +55,8 @@ pub(super) fn warning(what: &impl Say) -> Message {
 }
 
 /// `note: …`
-pub(super) fn note(what: &impl Say) -> Message {
-    Message::new("cli-note").with("what", what)
+pub(super) fn remark(what: &impl Say) -> Message {
+    Message::new("cli-remark").with("what", what)
 }
 
 /// A sentence after what it is about.

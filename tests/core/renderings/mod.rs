@@ -1,20 +1,35 @@
-//! Records for the unit tests, with limits made by hand: no table is read.
+//! The renderings of a report: figures, names and words, on records with limits made by hand.
+//!
+//! | file | what |
+//! |---|---|
+//! | `band` | the axis on which zone and value are drawn |
+//! | `csv`, `json` | the same columns for machines |
+//! | `picture` | the drawing in the page |
+//! | `texts` | sentences about a check |
 
+mod band;
+mod csv;
+mod json;
+mod picture;
+mod texts;
+
+use std::path::Path;
+
+use fitcheck::journal::Record;
+use fitcheck::length::Length;
+use fitcheck::probing::{Circle, Contact, Measurement, Origin};
+use fitcheck::report::{Report, rendering_for};
+use fitcheck::tolerance::{Callout, Deviations, Feature, Limits, Source};
+use fitcheck::verdict::{AxisPosition, PositionVerdict};
+use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
 
-use super::Report;
-use crate::journal::Record;
-use crate::length::Length;
-use crate::probing::{Circle, Contact, Measurement, Origin};
-use crate::tolerance::{Callout, Deviations, Limits, Source};
-use crate::verdict::{AxisPosition, PositionVerdict};
-
-pub fn um(um: i32) -> Length {
+fn um(um: i32) -> Length {
     Length::from_micrometres(um)
 }
 
 /// Limits as ISO 286 gives them between 18 and 30 mm.
-pub fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
+fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
     let callout: Callout = callout.parse().unwrap();
     let source = Source::Iso286 { over: um(18_000), to: um(30_000), remark: None };
     let deviations = Deviations::new(um(upper), um(lower)).unwrap();
@@ -22,30 +37,30 @@ pub fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
 }
 
 /// A check of some limits.
-pub fn record(callout: &str, limits: Limits, measurement: Measurement, position: Option<PositionVerdict>) -> Record {
+fn record(callout: &str, limits: Limits, measurement: Measurement, position: Option<PositionVerdict>) -> Record {
     let time = date(2026, 11, 21).at(10, 42, 7, 0);
     Record::judged(time, String::new(), callout.parse().ok(), limits, measurement, position)
 }
 
-pub fn typed(measured: &str) -> Record {
+fn typed(measured: &str) -> Record {
     let measurement = Measurement::of_diameter(measured.parse().unwrap(), Origin::Typed);
     record("25 H7", limits("25 H7", 21, 0), measurement, None)
 }
 
-pub fn good() -> Record {
+fn good() -> Record {
     Record { id: "Bore A".to_owned(), ..typed("25.012") }
 }
 
-pub fn rework() -> Record {
+fn rework() -> Record {
     Record { time: date(2026, 11, 21).at(10, 43, 0, 0), ..typed("24.998") }
 }
 
-pub fn scrap() -> Record {
+fn scrap() -> Record {
     Record { time: date(2026, 11, 21).at(10, 43, 30, 0), id: "Bore C".to_owned(), ..typed("25.030") }
 }
 
 /// A shaft whose diameter is good and whose centre is out in the minor axis.
-pub fn out_of_position() -> Record {
+fn out_of_position() -> Record {
     let contact = |x, y| Contact { x, y, z: -5.0 };
     let (x, y, r) = (0.003, -0.012, 12.4925);
     let measurement = Measurement {
@@ -68,10 +83,22 @@ pub fn out_of_position() -> Record {
     }
 }
 
-pub fn created() -> DateTime {
+fn created() -> DateTime {
     date(2026, 11, 21).at(11, 0, 0, 0)
 }
 
-pub fn report(checks: Vec<Record>) -> Report {
+fn report(checks: Vec<Record>) -> Report {
     Report { program: "Fitcheck 0.0.0".to_owned(), ..Report::new(created(), checks) }
+}
+
+#[test]
+fn the_ending_chooses_the_rendering() {
+    let name = |path: &str| rendering_for(Path::new(path)).map(|rendering| rendering.name);
+    assert_eq!(name("a/b.html"), Ok("html"));
+    assert_eq!(name("B.HTM"), Ok("html"));
+    assert_eq!(name("b.v2.csv"), Ok("csv"));
+    assert_eq!(name("b.json"), Ok("json"));
+    let said = |path| name(path).unwrap_err().to_string();
+    assert_eq!(said("b.pdf"), ".pdf is not a format of the report: use one of .html .htm .csv .json");
+    assert_eq!(said("b"), "b has no ending that gives the report's format: use one of .html .htm .csv .json");
 }

@@ -1,13 +1,13 @@
-//! Tests of the grammar, its errors, and the places they point at.
+//! The grammar of callouts and classes, its errors, and the places that they point at.
 
 use std::fmt;
 use std::str::FromStr;
 
-use super::*;
-use crate::words::{Language, Words};
+use fitcheck::tolerance::{Callout, CalloutError, Feature, ToleranceClass};
+use fitcheck::words::{Language, Words};
 
 /// What a text reads as, or `!` and what is said.
-pub(super) fn said<T: FromStr<Err = CalloutError> + fmt::Display>(text: &str) -> String {
+pub fn said<T: FromStr<Err = CalloutError> + fmt::Display>(text: &str) -> String {
     match T::from_str(text) {
         Ok(read) => read.to_string(),
         Err(error) => format!("! {error}"),
@@ -234,4 +234,32 @@ fn classes_are_told_by_feature() {
 fn lengths_in_an_error_have_the_sign_of_its_language() {
     let negative = Callout::from_str("-5.5 H7").unwrap_err();
     assert_eq!(Words::new(Language::Nl).told(&negative), "nominale maat \u{2212}5,5 mm is niet groter dan 0");
+}
+
+#[test]
+fn the_case_of_the_letters_decides_hole_or_shaft() {
+    for (text, feature) in
+        [("H7", Feature::Hole), ("h7", Feature::Shaft), ("JS13", Feature::Hole), ("js5", Feature::Shaft)]
+    {
+        let class: ToleranceClass = text.parse().unwrap();
+        assert_eq!((class.as_str(), class.feature()), (text, feature));
+        assert_eq!(class.other_case().feature(), feature.other());
+    }
+    assert_eq!("JS7".parse::<ToleranceClass>().unwrap().letters(), "JS");
+}
+
+#[test]
+fn refuses_what_is_no_class_and_says_why() {
+    for (text, message) in [
+        ("", "a tolerance class is missing, such as H7 for a hole or h7 for a shaft"),
+        ("Js7", "Js7 mixes upper and lower case: write JS7 for a hole or js7 for a shaft"),
+        ("H", "H is not a tolerance class: write letters and a grade, such as H7 or js13"),
+        ("7", "7 is not a tolerance class: write letters and a grade, such as H7 or js13"),
+        ("H777", "H777 is not a tolerance class: write letters and a grade, such as H7 or js13"),
+        ("H7x", "H7x is not a tolerance class: write letters and a grade, such as H7 or js13"),
+        ("Ω7", "Ω7 is not a tolerance class: write letters and a grade, such as H7 or js13"),
+        ("ABCDEFGH7", "ABCDEFGH7 is not a tolerance class: write letters and a grade, such as H7 or js13"),
+    ] {
+        assert_eq!(text.parse::<ToleranceClass>().unwrap_err().to_string(), message);
+    }
 }

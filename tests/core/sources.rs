@@ -1,4 +1,12 @@
-use super::*;
+//! Where limits come from: own tables, the control's, ISO 286 and ISO 2768-1, and what each of them refuses.
+
+use std::sync::Arc;
+
+use fitcheck::length::Length;
+use fitcheck::tolerance::iso286;
+use fitcheck::tolerance::table::Column;
+use fitcheck::tolerance::{DeviationTable, Deviations, DeviationsError, Feature, LimitsError, Source, Sources};
+use fitcheck::words::{Language, Words};
 
 fn mm(text: &str) -> Length {
     text.parse().unwrap()
@@ -128,7 +136,6 @@ fn rounded_js_is_told_with_the_source() {
 
 #[test]
 fn joined_ranges_are_said_in_every_language() {
-    use crate::words::{Language, Words};
     let (class, table): (_, Arc<str>) = ("H7".parse().unwrap(), "own.tab".into());
     let defined = [("0", "1"), ("3", "6.5"), ("10", "18")].map(|(over, to)| (mm(over), mm(to))).to_vec();
     let error = LimitsError::NotDefined { class, table, over: mm("1"), to: mm("3"), defined };
@@ -149,4 +156,20 @@ fn shapes_that_cannot_be_right_are_refused() {
     assert_eq!(said(&["3", "3"], vec![]), "size range up to 3 mm does not end above the one before it, 3 mm");
     assert_eq!(said(&["3"], vec![column("H7", 2)]), "column H7 has 2 cells for 1 size ranges");
     assert_eq!(said(&["3"], vec![column("H7", 1), column("H7", 1)]), "column H7 occurs twice");
+}
+
+#[test]
+fn lengths_in_a_sentence_have_the_sign_of_its_language() {
+    let um = Length::from_micrometres;
+    let error = DeviationsError { upper: um(-12), lower: um(7) };
+    let dutch = "bovenafwijking \u{2212}0,012 mm ligt onder onderafwijking 0,007 mm";
+    assert_eq!(Words::new(Language::Nl).told(&error), dutch);
+}
+
+#[test]
+fn deviations_in_the_wrong_order_are_refused() {
+    let um = Length::from_micrometres;
+    assert!(Deviations::new(um(0), um(0)).is_ok());
+    let error = Deviations::new(um(-1), um(0)).unwrap_err();
+    assert_eq!(error.to_string(), "upper deviation -0.001 mm is below lower deviation 0 mm");
 }

@@ -1,8 +1,11 @@
-use super::*;
-use crate::length::Length;
-use crate::tolerance::table::Column;
-use crate::tolerance::{DeviationTable, Deviations};
-use crate::verdict::Status;
+//! Files of measurements, as rows in and records, errors and warnings out.
+
+use fitcheck::exchange::{FORMATS, Imported, import};
+use fitcheck::length::Length;
+use fitcheck::tolerance::table::Column;
+use fitcheck::tolerance::{DeviationTable, Deviations, Sources};
+use fitcheck::verdict::Status;
+use jiff::civil::DateTime;
 
 /// Up to 18 and up to 30 mm, after ISO 286-2.
 fn tables() -> Sources {
@@ -26,12 +29,12 @@ fn now() -> DateTime {
 
 fn read(bytes: &[u8]) -> Imported {
     let imported = import("m.csv", bytes, &tables(), now());
-    assert_eq!(imported.rows, imported.records.len() + imported.unjudged.len() + imported.problems.len());
+    assert_eq!(imported.rows, imported.records.len() + imported.unjudged.len() + imported.errors.len());
     assert_eq!(imported.lines.len(), imported.records.len());
     imported
 }
 
-/// One text a record, unjudged measurement, problem and warning.
+/// One text a record, unjudged measurement, error and warning.
 fn said(bytes: &[u8]) -> Vec<String> {
     let imported = read(bytes);
     let mut said = Vec::new();
@@ -45,7 +48,7 @@ fn said(bytes: &[u8]) -> Vec<String> {
         let measured = unjudged.measured.map_or(String::new(), |measured| measured.to_string());
         said.push(format!("{} {}: {measured} {}", unjudged.line, unjudged.id, unjudged.why));
     }
-    said.extend(imported.problems.iter().map(|problem| format!("! {problem} <{}>", problem.what.given)));
+    said.extend(imported.errors.iter().map(|error| format!("! {error} <{}>", error.what.given)));
     said.extend(imported.warnings.iter().map(|warning| format!("? {warning}")));
     said
 }
@@ -258,10 +261,10 @@ fn what_is_no_measurement_says_so() {
 fn long_cells_are_cut_in_what_is_said() {
     let long = "9".repeat(100_000);
     let imported = read(format!("id;callout;measured\nb;25 H7;{long}\nb;{long};25\n").as_bytes());
-    for problem in &imported.problems {
-        assert!(problem.what.given.chars().count() <= 61 && problem.to_string().len() < 300, "{problem}");
+    for error in &imported.errors {
+        assert!(error.what.given.chars().count() <= 61 && error.to_string().len() < 300, "{error}");
     }
-    assert_eq!(imported.problems.len(), 2);
+    assert_eq!(imported.errors.len(), 2);
 }
 
 #[test]
@@ -278,7 +281,7 @@ fn formats_are_told_apart() {
 }
 
 proptest::proptest! {
-    /// Whatever a row holds, it is a record, is kept aside or is a problem, on its own line.
+    /// Whatever a row holds, it is a record, is kept aside or is an error, on its own line.
     #[test]
     fn nothing_is_dropped(rows in proptest::collection::vec("[a-c]?;(25 H7|25 Z9|20 g6|7|);(25\\.0[0-9]{2}|2[,.;x]5|\"25|)", 1..20)) {
         let text = format!("id;callout;measured\n{}\n", rows.join("\n"));
@@ -288,7 +291,7 @@ proptest::proptest! {
         proptest::prop_assert_eq!(imported.rows, rows.len() - blank, "{}", text);
         let mut lines: Vec<usize> = imported.lines.clone();
         lines.extend(imported.unjudged.iter().map(|unjudged| unjudged.line));
-        lines.extend(imported.problems.iter().map(|problem| problem.place.line.unwrap()));
+        lines.extend(imported.errors.iter().map(|error| error.place.line.unwrap()));
         lines.sort_unstable();
         let expected: Vec<usize> = (2..).zip(&rows).filter(|(_, row)| !row.trim_matches(';').is_empty()).map(|(line, _)| line).collect();
         proptest::prop_assert_eq!(lines, expected, "{}", text);

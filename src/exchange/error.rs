@@ -1,32 +1,32 @@
-//! What is wrong or odd with a file or a row, where, and what was given.
+//! Errors and warnings of a file or a row: what is wrong, and what was given.
 
 use super::contacts::ContactsError;
 use crate::control::log::{LogReason, LogWarning};
 use crate::control::log444::PointFault;
 use crate::length::{Length, LengthError};
-use crate::message::{Located, Message, Say};
+use crate::message::{Located, Message, Say, shortened};
 use crate::tolerance::{Callout, CalloutError, LimitsError};
 
 /// A row that could not be used. Its place is its line, 1 where the whole file is meant, and as the column the number of
 /// the cell in its row, or in a log the character in its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Problem {
+pub struct ImportError {
     /// What is wrong.
-    pub reason: Reason,
+    pub kind: ImportErrorKind,
     /// What was given there; long texts are cut.
     pub given: String,
 }
 
-impl Say for Problem {
+impl Say for ImportError {
     fn message(&self) -> Message {
-        self.reason.message()
+        self.kind.message()
     }
 }
 
 /// What is wrong with a row or a file.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "exchange", error)]
-pub enum Reason {
+pub enum ImportErrorKind {
     /// There is nothing in the file.
     Empty,
     /// No format knows the file.
@@ -128,25 +128,25 @@ pub enum Role {
     Time,
 }
 
-/// Something odd that did not keep a file or row from being used.
+/// A warning about a file or row that was used all the same.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Warning {
+pub struct ImportWarning {
     /// The line of the record or unjudged measurement that it belongs to; `None` where it is about the file.
     pub row: Option<usize>,
-    /// What is odd.
-    pub reason: WarningReason,
+    /// What it says.
+    pub kind: ImportWarningKind,
 }
 
-impl Say for Warning {
+impl Say for ImportWarning {
     fn message(&self) -> Message {
-        self.reason.message()
+        self.kind.message()
     }
 }
 
-/// What is odd.
+/// What a warning says, without its place.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "exchange-warning")]
-pub enum WarningReason {
+pub enum ImportWarningKind {
     /// In a log.
     #[say(transparent)]
     Log(LogWarning),
@@ -172,15 +172,7 @@ pub enum WarningReason {
 /// The longest text that errors repeat, in characters.
 const LONGEST_GIVEN: usize = 60;
 
-/// A cell as errors repeat it: a long one is cut, control characters are made visible, and what was changed can no
-/// longer be read as a number or callout.
-pub(super) fn shorten(cell: &str) -> std::borrow::Cow<'_, str> {
-    if cell.contains(char::is_control) {
-        let visible = cell.replace(char::is_control, "\u{fffd}");
-        return shorten(&visible).into_owned().into();
-    }
-    match cell.char_indices().nth(LONGEST_GIVEN).and_then(|(end, _)| cell.get(..end)) {
-        Some(short) => format!("{short}…").into(),
-        None => cell.into(),
-    }
+/// A cell as errors repeat it.
+pub(super) fn shorten(cell: &str) -> String {
+    shortened(cell, LONGEST_GIVEN)
 }

@@ -1,49 +1,12 @@
-use super::thermal::{Expansion, Temperature, Warm, clearance_change_apart, growth};
-use super::*;
-use crate::tolerance::fit::materials::{Certainty, Materials, MaterialsError};
-use crate::tolerance::{Deviations, Source};
-use crate::words::Language;
+//! Temperatures, how much parts grow, and the files of materials.
+
+use fitcheck::length::Length;
+use fitcheck::tolerance::fit::materials::{Certainty, Materials, MaterialsError};
+use fitcheck::tolerance::fit::thermal::{Expansion, Temperature, Warm, clearance_change_apart, growth};
+use fitcheck::words::Language;
 
 fn mm(text: &str) -> Length {
     text.parse().unwrap()
-}
-
-fn limits(feature: Feature, nominal: &str, upper: &str, lower: &str) -> Limits {
-    let deviations = Deviations::new(mm(upper), mm(lower)).unwrap();
-    Limits::new(feature, mm(nominal), deviations, Source::File("drawing".into())).unwrap()
-}
-
-fn fit(hole: (&str, &str), shaft: (&str, &str)) -> Fit {
-    let hole = limits(Feature::Hole, "25", hole.0, hole.1);
-    Fit::new(hole, limits(Feature::Shaft, "25", shaft.0, shaft.1)).unwrap()
-}
-
-#[test]
-fn zero_counts_as_clearance_at_the_least_and_as_interference_at_the_most() {
-    #[track_caller]
-    fn check(hole: (&str, &str), shaft: (&str, &str), kind: Kind) {
-        assert_eq!(fit(hole, shaft).kind(), kind);
-    }
-    check(("0.021", "0"), ("0", "-0.013"), Kind::Clearance);
-    check(("0.021", "0"), ("0.000001", "-0.013"), Kind::Transition);
-    check(("0.021", "0"), ("0.034", "0.021"), Kind::Interference);
-    check(("0.021", "0"), ("0.034", "0.020999"), Kind::Transition);
-    check(("0", "0"), ("0", "0"), Kind::Clearance);
-    check(("0", "-0.000001"), ("0", "0"), Kind::Interference);
-}
-
-#[test]
-fn what_is_no_fit_is_refused() {
-    let hole = |nominal| limits(Feature::Hole, nominal, "0.021", "0");
-    let shaft = |nominal| limits(Feature::Shaft, nominal, "0", "-0.013");
-    let error = |hole, shaft| Fit::new(hole, shaft).unwrap_err().to_string();
-    assert_eq!(error(shaft("25"), shaft("25")), "24.987 to 25 mm are the limits of a shaft: expected those of a hole");
-    assert_eq!(error(hole("25"), hole("25")), "25 to 25.021 mm are the limits of a hole: expected those of a shaft");
-    let nominal = error(hole("25"), shaft("25.000001"));
-    assert_eq!(nominal, "a fit has one nominal size: the hole has 25 mm, the shaft 25.000001 mm");
-    let far = limits(Feature::Hole, "25", "999999000", "0");
-    let low = limits(Feature::Shaft, "25", "0", "-999999000");
-    assert_eq!(error(far, low), "the clearance is too large");
 }
 
 #[test]

@@ -1,12 +1,14 @@
-//! Rules and words. The standard cell by cell against independent transcriptions: `tests/core/iso286.rs`.
+//! Rules and words of ISO 286. The standard cell by cell against independent transcriptions: `iso286.rs`.
 
-use super::*;
+use fitcheck::length::{Length, Unit};
+use fitcheck::tolerance::iso286::{Cell, Edition, JsHalves, Options, Remark, classes, classes_at, deviations};
+use fitcheck::tolerance::{Feature, ToleranceClass};
 
 #[track_caller]
 fn check_with(options: Options, class: &str, nominal: &str, expected: &str) {
     let said = match deviations(class.parse().unwrap(), nominal.parse().unwrap(), options) {
         Ok(Cell { deviations, over, to, .. }) => {
-            let um = |length: Length| length.exact(crate::length::Unit::Micrometre, 0);
+            let um = |length: Length| length.exact(Unit::Micrometre, 0);
             format!("{} / {} over {over} to {to}", um(deviations.upper()), um(deviations.lower()))
         }
         Err(error) => format!("! {error}"),

@@ -1,0 +1,100 @@
+//! Files are written whole or not at all, and several of them together or none.
+
+use std::path::Path;
+
+use fitcheck::files::{FileError, LARGEST, make_folder, read, set_aside, write, write_folder, write_new};
+
+#[test]
+fn a_written_file_is_whole_and_leaves_nothing_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("report.html");
+    write(&path, b"one").unwrap();
+    write(&path, b"two").unwrap();
+    assert_eq!(read(&path).unwrap(), b"two");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn folders_and_missing_files_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(read(folder.path()), Err(FileError::IsFolder { path: folder.path().to_owned() }));
+    assert_eq!(write(folder.path(), b""), Err(FileError::IsFolder { path: folder.path().to_owned() }));
+    let missing = folder.path().join("none.csv");
+    assert_eq!(read(&missing), Err(FileError::Missing { path: missing }));
+    let beneath = folder.path().join("none").join("x.csv");
+    assert_eq!(write(&beneath, b""), Err(FileError::Missing { path: beneath }));
+}
+
+#[test]
+fn a_file_beyond_the_bound_is_refused_unread() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("huge.csv");
+    std::fs::File::create(&path).unwrap().set_len(LARGEST + 1).unwrap();
+    assert_eq!(read(&path), Err(FileError::TooLarge { path }));
+}
+
+#[test]
+fn a_broken_file_is_set_aside_not_lost() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("state.json");
+    write(&path, b"{").unwrap();
+    let aside = set_aside(&path).unwrap();
+    assert_eq!(std::fs::read(aside).unwrap(), b"{");
+    assert!(!path.exists());
+}
+
+const FILES: [(&str, &[u8]); 2] = [("a.h", b"one"), ("b.tab", b"two")];
+
+fn names(folder: &Path) -> Vec<String> {
+    let name = |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name().to_string_lossy().into_owned();
+    let mut names: Vec<String> = std::fs::read_dir(folder).unwrap().map(name).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_new_folder_comes_with_all_its_files() {
+    let parent = tempfile::tempdir().unwrap();
+    let folder = parent.path().join("set");
+    let paths = write_folder(&folder, &FILES, false).unwrap();
+    assert_eq!(paths, [folder.join("a.h"), folder.join("b.tab")]);
+    assert_eq!(names(&folder), ["a.h", "b.tab"]);
+    assert_eq!(names(parent.path()), ["set"]);
+}
+
+#[test]
+fn nothing_is_written_where_one_file_is_there_already() {
+    let folder = tempfile::tempdir().unwrap();
+    let there = folder.path().join("b.tab");
+    write(&there, b"mine").unwrap();
+    let refused = write_folder(folder.path(), &FILES, false);
+    assert_eq!(refused, Err(FileError::Exists { path: there.clone() }));
+    assert_eq!(names(folder.path()), ["b.tab"]);
+    assert_eq!(std::fs::read(&there).unwrap(), b"mine");
+    write_folder(folder.path(), &FILES, true).unwrap();
+    assert_eq!(names(folder.path()), ["a.h", "b.tab"]);
+    assert_eq!(std::fs::read(&there).unwrap(), b"two");
+}
+
+#[test]
+fn a_failure_takes_back_what_was_written() {
+    let parent = tempfile::tempdir().unwrap();
+    let twice = [FILES[0], FILES[0]];
+    assert!(write_folder(&parent.path().join("set"), &twice, false).is_err());
+    assert!(write_folder(parent.path(), &twice, false).is_err());
+    assert!(names(parent.path()).is_empty());
+    let missing = parent.path().join("none");
+    let refused = Err(FileError::Missing { path: missing.clone() });
+    assert_eq!(write_folder(&missing.join("set"), &FILES, false).map(drop), refused);
+    assert_eq!(make_folder(&missing.join("set")), refused);
+}
+
+#[test]
+fn a_new_file_never_takes_the_place_of_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("set.zip");
+    write_new(&path, b"one").unwrap();
+    assert_eq!(write_new(&path, b"two"), Err(FileError::Exists { path: path.clone() }));
+    assert_eq!(std::fs::read(&path).unwrap(), b"one");
+    assert_eq!(write_folder(&path, &FILES, true), Err(FileError::Exists { path }));
+}
