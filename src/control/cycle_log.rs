@@ -211,15 +211,3 @@ fn judged(kind: FigureKind, feature: Feature, figure: &Figure) -> Option<Status>
         (true, false) => Some(Status::Scrap),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn another_verdict_names_the_unit_of_the_log() {
-        let other = OtherVerdict { cycle: Status::Scrap, log: Status::Good, unit: Unit::Inch };
-        let said = "the log's values, rounded to 0.0001 inch, give GOOD where the cycle gave SCRAP";
-        assert_eq!(other.to_string(), said);
-    }
-}

@@ -1,6 +1,6 @@
 //! From a cycle to its log and back: the same figures, the same verdict, in every language.
 
-use fitcheck::control::cycle_log::{CycleLog, Heading};
+use fitcheck::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use fitcheck::control::log;
 use fitcheck::control::log444;
 use fitcheck::exchange::{Imported, WhyUnjudged, import};
@@ -379,4 +379,11 @@ proptest! {
         let CycleLog::Page(page) = log else { panic!() };
         prop_assert_eq!(Some(&Value::Length(page.deviation)), result.value(164));
     }
+}
+
+#[test]
+fn another_verdict_names_the_unit_of_the_log() {
+    let other = OtherVerdict { cycle: Status::Scrap, log: Status::Good, unit: Unit::Inch };
+    let said = "the log's values, rounded to 0.0001 inch, give GOOD where the cycle gave SCRAP";
+    assert_eq!(other.to_string(), said);
 }

@@ -148,6 +148,3 @@ fn read_one(chunk: &Chunk<'_>) -> Result<Log, LogError> {
         warnings,
     })
 }
-
-#[cfg(test)]
-mod tests;
