@@ -93,6 +93,24 @@ pub(super) fn norm([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
 }
 
+/// The same direction with length 1; a vector without a length has no direction and stays zero.
+pub(super) fn unit([x, y]: [f64; 2]) -> [f64; 2] {
+    let length = norm([x, y]);
+    if length <= 0.0 { [0.0; 2] } else { [x / length, y / length] }
+}
+
+/// The place half-way between two others.
+pub(super) const fn midpoint([a_x, a_y]: [f64; 2], [b_x, b_y]: [f64; 2]) -> [f64; 2] {
+    [f64::midpoint(a_x, b_x), f64::midpoint(a_y, b_y)]
+}
+
+/// The mean of vectors.
+pub(super) fn mean(vectors: &[[f64; 2]]) -> [f64; 2] {
+    let count = count_f64(vectors.len());
+    let (sum_x, sum_y) = vectors.iter().fold((0.0, 0.0), |(sum_x, sum_y), [x, y]| (sum_x + x, sum_y + y));
+    [sum_x / count, sum_y / count]
+}
+
 /// Centre of the circle through three points; `None` when they are collinear to the last bit.
 pub(super) fn circumcentre(first: [f64; 2], second: [f64; 2], third: [f64; 2]) -> Option<[f64; 2]> {
     let (a, b) = (minus(second, first), minus(third, first));

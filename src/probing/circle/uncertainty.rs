@@ -1,6 +1,6 @@
 //! How much of a contact's scatter goes into diameter and centre.
 
-use super::frame::{count_f64, minus, norm};
+use super::frame::{count_f64, mean, minus, unit};
 
 /// Standard uncertainties of the least-squares circle in units of that of one contact along the radius.
 ///
@@ -23,16 +23,8 @@ impl Uncertainty {
     /// For contacts seen from the fitted centre.
     pub(super) fn of(points: &[[f64; 2]], centre: [f64; 2]) -> Self {
         let count = count_f64(points.len());
-        let directions: Vec<[f64; 2]> = points
-            .iter()
-            .map(|&point| {
-                let [x, y] = minus(point, centre);
-                let distance = norm([x, y]);
-                if distance <= 0.0 { [0.0; 2] } else { [x / distance, y / distance] }
-            })
-            .collect();
-        let (sum_x, sum_y) = directions.iter().fold((0.0, 0.0), |(sum_x, sum_y), [x, y]| (sum_x + x, sum_y + y));
-        let [mean_x, mean_y] = [sum_x / count, sum_y / count];
+        let directions: Vec<[f64; 2]> = points.iter().map(|&point| unit(minus(point, centre))).collect();
+        let [mean_x, mean_y] = mean(&directions);
         let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
         for &direction in &directions {
             let [off_x, off_y] = minus(direction, [mean_x, mean_y]);

@@ -104,21 +104,13 @@ struct File {
     temperature: f64,
     #[serde(default = "steel")]
     expansion: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
     bore: Option<Round>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     stud: Option<Round>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     face: Option<Face>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     point: Option<FreePoint>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     slot: Option<Pair>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     ridge: Option<Pair>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pocket: Option<Rectangle>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     boss: Option<Rectangle>,
     #[serde(default)]
     probe: Probe,

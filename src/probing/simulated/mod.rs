@@ -32,8 +32,9 @@ pub use walls::Walls;
 pub use workpiece::{Lobes, Workpiece};
 
 use super::contact::{Contact, NoContact, Prober, Touch};
-use super::cycle::{Plane, along};
+use super::cycle::Plane;
 use super::touch_probe::TouchProbe;
+use super::vector::along;
 use crate::length::Length;
 use crate::message::Say;
 
