@@ -89,8 +89,8 @@ fn checked(cycle: &Cycle, result: &CycleResult) -> String {
     }
 }
 
-/// A parameter of the control; names of a lathe control are none.
-fn variable(key: Key, value: &cycle::Value) -> Option<(Parameter, Value)> {
+/// A parameter of the control with its value; names of a lathe control are none.
+pub(crate) fn variable(key: Key, value: &cycle::Value) -> Option<(Parameter, Value)> {
     let parameter = match (key, value) {
         // A tool by its name is a text under the same number.
         (Key::Q(number), cycle::Value::Text(_)) | (Key::Qs(number), _) => Parameter::qs(number),

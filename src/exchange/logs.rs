@@ -146,7 +146,7 @@ impl Read {
     }
 }
 
-fn finish(imported: &mut Imported, warnings: Vec<Located<log::LogWarning>>, row: usize) {
+fn finish(imported: &mut Imported, warnings: Vec<log::LogWarning>, row: usize) {
     for warning in warnings {
         let reason = WarningReason::Log(warning.what);
         imported.warnings.push(Located { what: Warning { row: Some(row), reason }, place: warning.place });

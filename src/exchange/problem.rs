@@ -1,7 +1,7 @@
 //! What is wrong or odd with a file or a row, where, and what was given.
 
 use super::contacts::ContactsError;
-use crate::control::log::{LogReason, LogWarning};
+use crate::control::log::{LogFault, LogWarningKind};
 use crate::control::log444::PointFault;
 use crate::length::{Length, LengthError};
 use crate::message::{Located, Message, Say};
@@ -35,7 +35,7 @@ pub enum Reason {
     NoRows,
     /// A log that cannot be used.
     #[say(transparent)]
-    Log(LogReason),
+    Log(LogFault),
     /// A measurement of cycle 444 that cannot be used.
     #[say(transparent)]
     Point(PointFault),
@@ -149,7 +149,7 @@ impl Say for Warning {
 pub enum WarningReason {
     /// In a log.
     #[say(transparent)]
-    Log(LogWarning),
+    Log(LogWarningKind),
     /// Columns that are not used.
     IgnoredColumns {
         /// Their names or numbers.

@@ -108,7 +108,6 @@ log-444-deviation = deviation { $given } in { $axis } is not measured minus nomi
 log-444-along = deviation { $given } along the normal does not follow from those of the axes, { $along }
 log-444-band = upper deviation { $upper } is below lower deviation { $lower }
 log-444-status = status { $given } does not follow from deviation and tolerance, { $status }
-log-444-page = the page cannot be made: { $what }
 ## The touch-probe table
 probe-table-no-column = the table has no column { $column }
 probe-table-no-probe = the table has no probe
@@ -123,7 +122,6 @@ probe-table-twice = probe { $number } occurs twice
 cycle-log-other-verdict = the log's values, rounded to 0.0001 { $unit }, give { $log } where the cycle gave { $cycle }
 
 ## The block of a probing cycle
-block-at-line = line { $line }: { $fault }
 block-none = not a probing cycle: a block begins with TCH PROBE and a number, or with G785
 block-second = second probing cycle: give one at a time; the first begins on line { $first }
 block-unknown-cycle = TCH PROBE { $given }: the cycles are { $known }

@@ -108,7 +108,6 @@ log-444-deviation = afwijking { $given } in { $axis } is niet gemeten min nomina
 log-444-along = afwijking { $given } langs de normaal volgt niet uit die van de assen, { $along }
 log-444-band = bovenafwijking { $upper } ligt onder onderafwijking { $lower }
 log-444-status = status { $given } volgt niet uit afwijking en tolerantie, { $status }
-log-444-page = de pagina is niet te maken: { $what }
 ## The touch-probe table
 probe-table-no-column = de tabel heeft geen kolom { $column }
 probe-table-no-probe = de tabel heeft geen taster
@@ -123,7 +122,6 @@ probe-table-twice = taster { $number } komt twee keer voor
 cycle-log-other-verdict = de getallen in het protocol, afgerond op 0,0001 { $unit }, geven { $log } waar de cyclus { $cycle } gaf
 
 ## The block of a probing cycle
-block-at-line = regel { $line }: { $fault }
 block-none = hier staat geen tastcyclus: een regel begint met TCH PROBE en een nummer, of met G785
 block-second = een tweede tastcyclus: één tegelijk, de eerste begint op regel { $first }
 block-unknown-cycle = TCH PROBE { $given }: de cycli zijn { $known }

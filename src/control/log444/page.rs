@@ -5,7 +5,7 @@
 
 use askama::Template;
 
-use super::error::{PointFault, PointLogError};
+use super::error::PointLogError;
 use super::point::PointLog;
 use super::read::read;
 use super::stored;
@@ -90,11 +90,13 @@ struct Axis {
 /// [`PointLogError`] with the number of the first measurement that contradicts itself.
 pub fn write(logs: &[PointLog], language: Dialogue) -> Result<Vec<u8>, PointLogError> {
     let words = &Labels::of(language).surface;
-    let rows = logs.iter().zip(1..).map(|(log, number)| {
-        log.check().and_then(|()| row(log, number, words, language)).map_err(|fault| fault.at(number))
-    });
+    let rows = logs
+        .iter()
+        .zip(1..)
+        .map(|(log, number)| log.check().map(|()| row(log, number, words, language)).map_err(|fault| fault.at(number)));
     let page = Page { language, words, count_name: stored::COUNT, rows: rows.collect::<Result<_, _>>()? };
-    let page = page.render().map_err(|error| PointFault::Page { what: error.to_string() }.at(1))?;
+    #[expect(clippy::expect_used, reason = "the template writes texts into a text, which cannot fail")]
+    let page = page.render().expect("a page is a text");
     Ok(page.into_bytes())
 }
 
@@ -115,7 +117,7 @@ pub fn append(page: &[u8], log: &PointLog, language: Dialogue) -> Result<Vec<u8>
     write(&logs, language)
 }
 
-fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Result<Row, PointFault> {
+fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Row {
     let unit = log.unit;
     let plain = |length: Length| people(&length.exact(unit, DECIMALS), language);
     let signed = |length: Length| {
@@ -132,9 +134,9 @@ fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Re
             deviation: signed(of(&log.deviations)),
         }
     });
-    Ok(Row {
+    Row {
         number,
-        stored: stored::block(log)?,
+        stored: stored::block(log),
         class: class(log.status),
         time: log.date_time.map(|time| time.strftime(DATE).to_string()).unwrap_or_default(),
         program: visible(log.program.as_deref().unwrap_or_default()),
@@ -149,7 +151,7 @@ fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Re
         status: log
             .status
             .map_or_else(|| words.not_judged.clone(), |status| status_word(status, language).to_uppercase()),
-    })
+    }
 }
 
 const fn class(status: Option<Status>) -> &'static str {

@@ -188,11 +188,7 @@ impl<'a> Reader<'a> {
             unit,
             version,
             mark,
-            generation: Generation::Plain,
-            columns: Vec::new(),
-            properties: Vec::new(),
-            rows: Vec::new(),
-            comments: Vec::new(),
+            ..ControlTable::default()
         })
     }
 

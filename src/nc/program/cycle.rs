@@ -17,7 +17,7 @@ pub(super) fn line(cycle: &mut CycleBlock, piece: &Piece<'_>, column: impl Fn(us
     let mut cursor = Cursor::new(piece.code);
     while !cursor.is_at_end() {
         let place = column(cursor.at());
-        let Some(parameter) = cursor.parameter()? else { return Err(cursor.stop(Wanted::Parameter)) };
+        let parameter = cursor.any_parameter()?;
         cursor.expect('=', "=")?;
         let value = value(&mut cursor)?;
         let comment = piece.comment.unwrap_or_default().to_owned();
@@ -49,7 +49,10 @@ fn value(cursor: &mut Cursor<'_>) -> Result<CycleValue, Stop> {
         }
         // A number beyond its range says so; anything else is no value.
         Err(stop)
-            if matches!(stop.reason, super::reason::Reason::Missing(_) | super::reason::Reason::Unexpected { .. }) =>
+            if matches!(
+                stop.reason,
+                super::reason::BlockFault::Missing(_) | super::reason::BlockFault::Unexpected { .. }
+            ) =>
         {
             Err(from.clone().stop(Wanted::CycleValue))
         }

@@ -43,7 +43,7 @@ pub use block::{
 };
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
 pub use expression::{Expression, NumberFunction, Operation, TextExpression};
-pub use reason::{Reason, Wanted};
+pub use reason::{BlockFault, Wanted};
 
 use crate::control::text;
 

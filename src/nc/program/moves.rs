@@ -1,8 +1,8 @@
 //! Straight lines, tool calls and M functions.
 
 use super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand, TextOperand, Tool};
-use super::cursor::{Cursor, Read};
-use super::reason::{Reason, Wanted};
+use super::cursor::{Cursor, Read, Stop};
+use super::reason::BlockFault;
 use super::words::{AXES, COMPENSATIONS, meaning};
 use crate::control::variables::Family;
 
@@ -17,7 +17,7 @@ pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
         let at = cursor.at();
         if let Some(word) = axis_word(cursor)? {
             if movement.axes.iter().any(|known| known.axis == word.axis) {
-                return Err(super::cursor::Stop { at, reason: Reason::AxisTwice });
+                return Err(Stop { at, reason: BlockFault::AxisTwice });
             }
             movement.axes.push(word);
         } else if let Some(word) = COMPENSATIONS.into_iter().find(|word| cursor.take_word(word)) {
@@ -72,7 +72,7 @@ pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunc
             cursor.end()?;
         }
         cursor.take_prefix("M");
-        let Some(number) = cursor.whole(MOST_M)? else { return Err(cursor.stop(Wanted::Number)) };
+        let number = cursor.expect_whole(MOST_M)?;
         let at = cursor.at();
         cursor.blanks();
         while !cursor.is_at_end() && !is_machine_function(cursor) {
@@ -93,10 +93,7 @@ pub(super) fn is_machine_function(cursor: &Cursor<'_>) -> bool {
 pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<Body> {
     let tool = tool(cursor)?;
     let mut ahead = cursor.clone();
-    let axis = axis_letter(&mut ahead).filter(|_| {
-        let mut behind = ahead.rest().chars();
-        behind.next().is_none_or(char::is_whitespace)
-    });
+    let axis = axis_letter(&mut ahead).filter(|_| ahead.rest().chars().next().is_none_or(char::is_whitespace));
     if axis.is_some() {
         *cursor = ahead;
     }

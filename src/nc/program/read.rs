@@ -5,7 +5,7 @@ use super::cursor::Cursor;
 use super::error::{ProgramError, ProgramWarning, ProgramWarningKind};
 use super::labels::Labels;
 use super::lines::{Front, Lines, Piece, first, front, next, trimmed};
-use super::reason::Reason;
+use super::reason::BlockFault;
 use super::understand::{Odd, understand};
 use super::{Encoding, Program};
 
@@ -223,7 +223,7 @@ impl<'a> Reader<'a> {
         if weight == 0 || self.formulas <= MOST_FORMULAS {
             return Ok(());
         }
-        let reason = Reason::TooMuch { most: MOST_FORMULAS >> 20 };
+        let reason = BlockFault::TooMuch { most: MOST_FORMULAS >> 20 };
         Err(Odd { line: first.line, at: first.start, what: ProgramWarningKind::NotUnderstood(reason) })
     }
 

@@ -46,18 +46,18 @@ pub(super) fn table(
     let all: Vec<ToleranceClass> = usual.iter().chain(&own).copied().collect();
     let mut remarks: Vec<SetRemark> = own.iter().map(|&class| SetRemark::OwnColumn { class, table: name }).collect();
     let generation = names.target.control.generation();
-    let mut table = made(name, &all, &ends, sources)?;
-    let bytes = match to_control_table(&table, generation).write() {
+    let written = |classes: &[ToleranceClass]| {
+        made(name, classes, &ends, sources).map(|table| to_control_table(&table, generation).write())
+    };
+    let bytes = match written(&all)? {
         Err(WriteError::TooManyColumns { .. } | WriteError::TooLong { .. }) if !own.is_empty() => {
-            table = made(name, &wanted, &ends, sources)?;
             let classes = wanted.iter().map(ToleranceClass::as_str).collect::<Vec<_>>().join(" ");
             remarks.push(SetRemark::FewerColumns { table: name, classes });
-            to_control_table(&table, generation).write()
+            written(&wanted)?
         }
         written => written,
     };
     let bytes = bytes.map_err(|error| SetError::Table { table: name, error })?;
-    check(name, table, &asked)?;
     Ok(Made { bytes, remarks })
 }
 
@@ -106,17 +106,4 @@ fn cell(class: ToleranceClass, (over, to): (Length, Length), sources: &Sources) 
     let (deviations, source) = sources.deviations(&callout, None).ok()?;
     let (from, _) = range(&source)?;
     (from <= over).then_some(deviations)
-}
-
-/// The table alone must give the limits that the plan was made with.
-fn check(name: &'static str, table: DeviationTable, asked: &[&Planned<'_>]) -> Result<(), SetError> {
-    let alone = Sources::of_tables([table]);
-    for planned in asked {
-        let callout = planned.feature.callout;
-        let limits = alone.limits(&callout, None).map(|limits| (limits.minimum(), limits.maximum()));
-        if limits != Ok((planned.limits.minimum(), planned.limits.maximum())) {
-            return Err(SetError::OtherLimits { table: name, callout });
-        }
-    }
-    Ok(())
 }
