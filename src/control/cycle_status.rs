@@ -36,7 +36,7 @@ pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Dialogue) 
         variables.set(Parameter::qs(3), Value::Text(status_word(status, language).to_owned()));
     }
     variables.set(Parameter::qs(2), Value::Text(checked(cycle, result)));
-    if let Some(check) = diameter(result) {
+    if let Some(check) = result.checks.iter().find(|check| check.what == FoundName::DIAMETER) {
         set_diameter(cycle, result, check, &mut variables);
     }
     variables
@@ -74,11 +74,6 @@ pub fn cycle_window(
     let mask = mask.filter(|_| has_limits)?;
     let context = Context { language, time, call_path: r"TNC:\82551.h" };
     Some(mask.render(&cycle_variables(cycle, result, language), &context).map(|output| output.text))
-}
-
-/// The diameter against its limits.
-fn diameter(result: &CycleResult) -> Option<&Check> {
-    result.checks.iter().find(|check| check.what == FoundName::DIAMETER)
 }
 
 /// What was checked, as QS2 says it: the nominal size or the axis, and the cycle.

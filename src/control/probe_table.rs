@@ -169,16 +169,15 @@ impl Columns {
             })
         };
         let [offset_1, offset_2] = self.offset;
-        let set_up = length(file, row, self.set_up, "SET_UP")?;
-        if set_up < Length::ZERO {
-            let what = ProbeFault::TooSmall { column: "SET_UP", given: set_up, least: Least::ZeroOrMore };
-            return Err(file.at_cell(row, self.set_up, what).into());
-        }
-        let longest_path = length(file, row, self.longest_path, "DIST")?;
-        if longest_path <= Length::ZERO {
-            let what = ProbeFault::TooSmall { column: "DIST", given: longest_path, least: Least::AboveZero };
-            return Err(file.at_cell(row, self.longest_path, what).into());
-        }
+        let at_least = |least: Least, column: usize, name| {
+            let given = length(file, row, column, name)?;
+            if Length::ZERO < given || (least == Least::ZeroOrMore && given == Length::ZERO) {
+                return Ok(given);
+            }
+            Err(ProbeTableError::from(file.at_cell(row, column, ProbeFault::TooSmall { column: name, given, least })))
+        };
+        let set_up = at_least(Least::ZeroOrMore, self.set_up, "SET_UP")?;
+        let longest_path = at_least(Least::AboveZero, self.longest_path, "DIST")?;
         Ok(TouchProbe {
             number: whole(file, row, self.number, "NO", None)?,
             offset: [offset(offset_1, "CAL_OF1")?, offset(offset_2, "CAL_OF2")?],

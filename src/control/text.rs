@@ -21,9 +21,12 @@ pub fn windows_1252(bytes: &[u8]) -> String {
 
 /// The beginning of a text, short enough for a message: at most 40 characters.
 pub(crate) fn beginning(text: &str) -> String {
-    const SHOWN: usize = 40;
-    let text = text.trim();
-    match text.char_indices().nth(SHOWN) {
+    cut(text.trim(), 40)
+}
+
+/// So many characters of a text at most, and a sign that there are more.
+pub(crate) fn cut(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
         Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),
         None => text.to_owned(),
     }

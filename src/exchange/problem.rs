@@ -2,7 +2,7 @@
 
 use super::contacts::ContactsError;
 use crate::control::log::{LogFault, LogWarningKind};
-use crate::control::log444::PointFault;
+use crate::control::point_log::PointFault;
 use crate::length::{Length, LengthError};
 use crate::message::{Located, Message, Say};
 use crate::tolerance::{Callout, CalloutError, LimitsError};

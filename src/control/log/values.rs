@@ -106,7 +106,10 @@ impl<'a> Body<'a> {
         let is_diameter = |figure: &&LogFigure| figure.what == FoundName::DIAMETER;
         for numbers in [nominal.iter().zip(log.limited()), compared.iter().zip(log.limited())] {
             for (number, _) in numbers.filter(|(_, figure)| is_diameter(figure)) {
-                positive(number)?;
+                if number.value <= Length::ZERO {
+                    let given = number.pair.given.to_owned();
+                    return Err(number.pair.wrong(LogFault::NotPositive { given }));
+                }
             }
         }
         let mut found = Vec::new();
@@ -260,13 +263,6 @@ fn limit_pair(maximum: &Number<'_>, minimum: &Number<'_>) -> Result<LimitPair, L
         return Err(maximum.pair.wrong(LogFault::Swapped { maximum: max, minimum: min }));
     }
     Ok(LimitPair { maximum: maximum.value, minimum: minimum.value })
-}
-
-fn positive(figure: &Number<'_>) -> Result<(), LogError> {
-    if Length::ZERO < figure.value {
-        return Ok(());
-    }
-    Err(figure.pair.wrong(LogFault::NotPositive { given: figure.pair.given.to_owned() }))
 }
 
 /// Whether every pair has the name of the figure at its place, whatever the language.

@@ -201,15 +201,13 @@ impl Reader {
         let (kind, length) = match letters.as_str() {
             "RS" => (Kind::Raw, 2),
             "LF" => (Kind::Decimal, 2),
-            other => match other.chars().next() {
-                Some('S') => (Kind::Text, 1),
-                Some('F') => (Kind::Decimal, 1),
-                Some('D' | 'I') => (Kind::Whole, 1),
-                letter => {
-                    let found = letter.map_or_else(|| "%".to_owned(), |letter| format!("%{letter}"));
-                    return Err(self.fault(column, MaskFault::UnknownFormat { found }));
-                }
-            },
+            letters if letters.starts_with('S') => (Kind::Text, 1),
+            letters if letters.starts_with('F') => (Kind::Decimal, 1),
+            letters if letters.starts_with(['D', 'I']) => (Kind::Whole, 1),
+            letters => {
+                let found = format!("%{}", letters.chars().next().map(String::from).unwrap_or_default());
+                return Err(self.fault(column, MaskFault::UnknownFormat { found }));
+            }
         };
         for _ in 0..length {
             cursor.next();

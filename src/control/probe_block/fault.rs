@@ -63,7 +63,7 @@ pub enum ProbeBlockFault {
     },
     /// The cycle does not take the parameter or its value.
     #[say(transparent)]
-    Cycle(CycleError),
+    Cycle(Box<CycleError>),
     /// A text that a block cannot hold.
     NotWritable {
         /// The parameter.

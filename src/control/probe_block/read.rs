@@ -221,7 +221,7 @@ impl Reader {
         // More names than a cycle has parameters would be refused later; here they would only fill the memory.
         if block.cycle.parameter_named(key).is_none() {
             let error = block.cycle.set(Inputs::new(), key, text).map(drop);
-            return error.map_err(|error| ProbeBlockFault::Cycle(error).at(line));
+            return error.map_err(|error| ProbeBlockFault::Cycle(Box::new(error)).at(line));
         }
         block.settings.push(Setting { line, key: key.to_owned(), text: quoted.unwrap_or(text).to_owned() });
         Ok(())

@@ -2,9 +2,9 @@
 
 use super::block::{Body, Target, Unit};
 use super::cursor::{Cursor, Read};
+use super::fault::{BlockFault, Wanted};
 use super::functions::{assignment, declaration, function};
-use super::moves::{is_machine_function, line, machine_functions, stop, tool_call};
-use super::reason::{BlockFault, Wanted};
+use super::moves::{is_machine_function, line, machine_functions, tool_call};
 
 /// The largest number of a label.
 const MOST_LABEL: u32 = 65_535;
@@ -42,7 +42,7 @@ fn known(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
             Some(_) => assignment(cursor).map(Some),
             None => Ok(None),
         },
-        'S' if cursor.take_word("STOP") => stop(cursor).map(Some),
+        'S' if cursor.take_word("STOP") => Ok(Some(Body::Stop(machine_functions(cursor)?))),
         'T' if cursor.take_words(&["TOOL", "CALL"]) => tool_call(cursor).map(Some),
         _ => Ok(None),
     }

@@ -4,7 +4,7 @@
 //! (`SIN-Q5`, `IX-QR4`). So every reader asks the cursor for what it expects, and the cursor passes over blanks.
 
 use super::block::{Operand, TextOperand};
-use super::reason::{BlockFault, Wanted};
+use super::fault::{BlockFault, Wanted};
 use crate::control::variables::{Family, Parameter};
 
 /// What is read, or why not.

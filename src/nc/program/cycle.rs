@@ -2,8 +2,8 @@
 
 use super::block::{CycleBlock, CycleLine, CycleValue, Place, TextOperand};
 use super::cursor::{Cursor, Read, Stop};
+use super::fault::{BlockFault, Wanted};
 use super::lines::Piece;
-use super::reason::Wanted;
 use crate::control::variables::Family;
 
 /// The number and the name, behind `TCH PROBE` or `CYCL DEF`.
@@ -48,12 +48,7 @@ fn value(cursor: &mut Cursor<'_>) -> Result<CycleValue, Stop> {
             Ok(CycleValue::Number { value, text })
         }
         // A number beyond its range says so; anything else is no value.
-        Err(stop)
-            if matches!(
-                stop.reason,
-                super::reason::BlockFault::Missing(_) | super::reason::BlockFault::Unexpected { .. }
-            ) =>
-        {
+        Err(stop) if matches!(stop.reason, BlockFault::Missing(_) | BlockFault::Unexpected { .. }) => {
             Err(from.clone().stop(Wanted::CycleValue))
         }
         Err(stop) => Err(stop),

@@ -1,7 +1,7 @@
 //! What can be wrong with a program, or odd about it.
 
 use super::block::{Target, Unit};
-use super::reason::BlockFault;
+use super::fault::BlockFault;
 use crate::message::{Located, Say};
 
 /// Why a file is no program at all.

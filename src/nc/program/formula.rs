@@ -5,7 +5,7 @@
 use super::block::Operand;
 use super::cursor::{Cursor, Read};
 use super::expression::{Expression, NumberFunction, Operation};
-use super::reason::{BlockFault, Wanted};
+use super::fault::{BlockFault, Wanted};
 use super::words::{FUNCTIONS, meaning};
 use crate::control::variables::{Family, Parameter};
 

@@ -2,7 +2,7 @@
 
 use super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand, TextOperand, Tool};
 use super::cursor::{Cursor, Read, Stop};
-use super::reason::BlockFault;
+use super::fault::BlockFault;
 use super::words::{AXES, COMPENSATIONS, meaning};
 use crate::control::variables::Family;
 
@@ -57,11 +57,6 @@ fn feed(cursor: &mut Cursor<'_>) -> Read<Feed> {
         return Ok(Feed::Auto);
     }
     Ok(Feed::Value(cursor.operand()?))
-}
-
-/// `STOP …`, the word is taken.
-pub(super) fn stop(cursor: &mut Cursor<'_>) -> Read<Body> {
-    Ok(Body::Stop(machine_functions(cursor)?))
 }
 
 /// M functions up to the end; what stands behind a number belongs to it, up to the next M function.

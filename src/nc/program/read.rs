@@ -3,9 +3,9 @@
 use super::block::{Block, Body, Place, Unit};
 use super::cursor::Cursor;
 use super::error::{ProgramError, ProgramWarning, ProgramWarningKind};
+use super::fault::BlockFault;
 use super::labels::Labels;
 use super::lines::{Front, Lines, Piece, first, front, next, trimmed};
-use super::reason::BlockFault;
 use super::understand::{Odd, understand};
 use super::{Encoding, Program};
 

@@ -3,8 +3,8 @@
 use super::block::TextOperand;
 use super::cursor::{Cursor, Read};
 use super::expression::TextExpression;
+use super::fault::{BlockFault, Wanted};
 use super::formula::{MOST_OPERANDS, text_word, value_word};
-use super::reason::{BlockFault, Wanted};
 use crate::control::variables::Family;
 
 /// Reads a formula of texts as far as it goes.

@@ -5,8 +5,8 @@ use super::body::body;
 use super::cursor::{Cursor, Stop};
 use super::cycle;
 use super::error::ProgramWarningKind;
+use super::fault::BlockFault;
 use super::lines::Piece;
-use super::reason::BlockFault;
 use super::words::DEEPEST;
 
 /// The longest block that is looked into, in bytes; a control takes a few hundred characters a line.

@@ -92,12 +92,6 @@ pub struct ControlFolder(String);
 /// The most characters of a folder; the longest path in a program is 30 characters longer.
 const LONGEST_FOLDER: usize = 80;
 
-impl ControlFolder {
-    fn file(&self, name: &str) -> String {
-        format!("{}{name}", self.0)
-    }
-}
-
 impl fmt::Display for ControlFolder {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&self.0)
@@ -178,7 +172,7 @@ impl<'a> Names<'a> {
 
     /// A file's path on the control.
     pub(super) fn path(&self, file: &str) -> String {
-        self.target.folder.file(file)
+        format!("{}{file}", self.target.folder)
     }
 
     /// The same as a block names it.

@@ -95,7 +95,9 @@ fn feature(columns: &[&'static str], row: &csv::StringRecord) -> Result<NcFeatur
         at.and_then(|at| row.get(at)).filter(|cell| !cell.is_empty())
     };
     let text = cell("callout").ok_or(PlanFault::NoCell { column: "callout" })?;
-    let callout = text.parse().map_err(|error| PlanFault::Callout { text: shortened(text), error: Box::new(error) })?;
+    let callout = text
+        .parse()
+        .map_err(|error| PlanFault::Callout { text: text.chars().take(80).collect(), error: Box::new(error) })?;
     let needed = |column| match cell(column) {
         Some(text) => number(column, text),
         None => Err(PlanFault::NoCell { column }),
@@ -113,8 +115,4 @@ fn feature(columns: &[&'static str], row: &csv::StringRecord) -> Result<NcFeatur
 
 fn number<T: FromStr<Err = LengthError>>(column: &'static str, text: &str) -> Result<T, PlanFault> {
     text.parse().map_err(|error| PlanFault::Number { column, error })
-}
-
-fn shortened(text: &str) -> String {
-    text.chars().take(80).collect()
 }

@@ -12,14 +12,7 @@ use crate::length::Length;
 use crate::tolerance::table::Column;
 use crate::tolerance::{Callout, DeviationTable, Deviations, Feature, Source, Sources, ToleranceClass};
 
-/// A table and what is worth knowing about it.
-#[derive(Debug)]
-pub(super) struct Made {
-    pub(super) bytes: Vec<u8>,
-    pub(super) remarks: Vec<SetRemark>,
-}
-
-/// The table of holes or of shafts. Size ranges are those of the shipped table, cut where the user's own tables or the
+/// The table of holes or of shafts, and what is worth knowing about it. Size ranges are those of the shipped table, cut where the user's own tables or the
 /// classes of the plan need it, so that no cell ever stands for two values.
 ///
 /// An iTNC 530 takes 30 columns at most: where the classes beyond the 47 do not fit, only the plan's are written.
@@ -28,7 +21,7 @@ pub(super) fn table(
     planned: &[Planned<'_>],
     sources: &Sources,
     names: &Names<'_>,
-) -> Result<Made, SetError> {
+) -> Result<(Vec<u8>, Vec<SetRemark>), SetError> {
     let name = names.table(feature);
     let asked: Vec<&Planned<'_>> = planned.iter().filter(|planned| planned.limits.feature == feature).collect();
     let usual = usual_classes(feature);
@@ -58,7 +51,7 @@ pub(super) fn table(
         written => written,
     };
     let bytes = bytes.map_err(|error| SetError::Table { table: name, error })?;
-    Ok(Made { bytes, remarks })
+    Ok((bytes, remarks))
 }
 
 /// The classes of the shipped table.

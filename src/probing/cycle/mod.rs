@@ -269,10 +269,9 @@ pub(in crate::probing) fn limits(
     minimum: u16,
     maximum: u16,
 ) -> Result<Option<(Length, Length)>, CycleError> {
-    let keys = [Key::Q(minimum), Key::Q(maximum)];
-    let (minimum, maximum) = (inputs.length(minimum), inputs.length(maximum));
+    let (minimum_key, maximum_key) = (Key::Q(minimum), Key::Q(maximum));
+    let (minimum, maximum) = (inputs.length(minimum_key), inputs.length(maximum_key));
     if maximum < minimum {
-        let [minimum_key, maximum_key] = keys;
         return Err(CycleError::LimitsSwapped { minimum_key, minimum, maximum_key, maximum });
     }
     Ok((minimum != Length::ZERO || maximum != Length::ZERO).then_some((minimum, maximum)))

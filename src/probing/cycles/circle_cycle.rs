@@ -110,9 +110,9 @@ pub(super) fn run(side: &Side, inputs: &Inputs, course: &mut Course<'_>) -> Resu
         course.retract(touch.from);
     }
     course.leave(height);
-    let round = round::fit(contacts, side.feature, Plane::Xy, ball_radius)?;
     let centre = [inputs.length(273), inputs.length(274)];
-    let found = round.found(centre, [inputs.length(279), inputs.length(280)])?;
+    let tolerances = [inputs.length(279), inputs.length(280)];
+    let (contacts, found) = round::found(contacts, side.feature, Plane::Xy, ball_radius, centre, tolerances)?;
     let checks = judged::size(FoundName::DIAMETER, found.diameter, limits, side.feature)
         .into_iter()
         .chain(judged::centre(found.centre, centre, &found.position))
@@ -120,7 +120,7 @@ pub(super) fn run(side: &Side, inputs: &Inputs, course: &mut Course<'_>) -> Resu
     let results = results(&found, found.diameter.saturating_sub(nominal));
     let is_outside = judged::is_outside(nominal, limits);
     let remarks = is_outside.then_some(Remark::NominalOutsideLimits { nominal }).into_iter().collect();
-    let measured = judged::measured(inputs, round.contacts, checks, results);
+    let measured = judged::measured(inputs, contacts, checks, results);
     Ok(Measured { circle: Some(found), remarks, ..measured })
 }
 

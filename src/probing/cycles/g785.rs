@@ -152,14 +152,14 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         }
         contacts.push(contact(&touch, contacts.len() + 1, inputs, course)?);
     }
-    let round = round::fit(contacts, feature(inputs), plane, course.ball_radius())?;
     let nominal = [inputs.length(CENTRE_1), inputs.length(CENTRE_2)];
-    let found = round.found(nominal, [Length::ZERO; 2])?;
+    let (contacts, found) =
+        round::found(contacts, feature(inputs), plane, course.ball_radius(), nominal, [Length::ZERO; 2])?;
     let [centre_1, centre_2] = found.centre;
     // The screen shows the centre; by which name is not documented.
     let [axis_1, axis_2] = plane.axes().map(Key::Word);
     Ok(Measured {
-        contacts: round.contacts,
+        contacts,
         checks: Vec::new(),
         status: None,
         results: vec![

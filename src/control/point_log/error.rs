@@ -10,7 +10,7 @@ pub type PointLogError = Located<PointFault>;
 
 /// What is wrong with a measurement of cycle 444 or with its page.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
-#[say(prefix = "log-444", error)]
+#[say(prefix = "point-log", error)]
 pub enum PointFault {
     /// There is no measurement in the page.
     NoLog,

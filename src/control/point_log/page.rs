@@ -1,6 +1,6 @@
 //! Measurements of cycle 444 as a page: one table, three lines a measurement, coloured by status.
 //!
-//! The template is `assets/logs/444.html`, its look `444.css`, its words `assets/logs/*.toml`; the template escapes
+//! The template is `assets/logs/points.html`, its look `points.css`, its words `assets/logs/*.toml`; the template escapes
 //! every value. Nothing here decides anything.
 
 use askama::Template;
@@ -22,7 +22,7 @@ const DATE: &str = "%Y-%m-%d %H:%M:%S";
 const DECIMALS: usize = 4;
 
 #[derive(Template)]
-#[template(path = "444.html", config = "assets/logs/askama.toml")]
+#[template(path = "points.html", config = "assets/logs/askama.toml")]
 struct Page {
     language: Dialogue,
     words: &'static Surface,
@@ -60,7 +60,7 @@ struct Axis {
 /// at least four decimals, inches rounded to seven.
 ///
 /// ```
-/// use fitcheck::control::log444::{self, Band, PointLog};
+/// use fitcheck::control::point_log::{self, Band, PointLog};
 /// use fitcheck::length::{Length, Unit};
 /// use fitcheck::words::Dialogue;
 ///
@@ -79,15 +79,18 @@ struct Axis {
 ///     band: Some(band),
 ///     status: Some(band.status(deviation)),
 /// };
-/// let page = log444::write(std::slice::from_ref(&log), Dialogue::En)?;
-/// let both = log444::append(&page, &log, Dialogue::En)?;
-/// let read: Vec<_> = log444::read(&both).into_iter().flatten().map(|(_, log)| log).collect();
+/// let page = point_log::write(std::slice::from_ref(&log), Dialogue::En)?;
+/// let both = point_log::append(&page, &log, Dialogue::En)?;
+/// let read: Vec<_> = point_log::read(&both).into_iter().flatten().map(|(_, log)| log).collect();
 /// assert_eq!(read, [log.clone(), log]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// [`PointLogError`] with the number of the first measurement that contradicts itself.
+///
+/// # Panics
+/// Never: the template writes texts into a text.
 pub fn write(logs: &[PointLog], language: Dialogue) -> Result<Vec<u8>, PointLogError> {
     let words = &Labels::of(language).surface;
     let rows = logs
