@@ -1,7 +1,7 @@
 //! The measuring log of a cycle's result: what the control would write beside its program, or show on its screen.
 //!
 //! The cycle's declaration says which it is: a text ([`super::log`]) of certain figures, a page of points
-//! ([`super::log444`]), or none. Nothing here opens a file or asks for the time.
+//! ([`super::point_log`]), or none. Nothing here opens a file or asks for the time.
 //!
 //! Whether a control overwrites a log of the same name or adds to it is not documented. Here a log is added to what is
 //! there ([`CycleLog::append`]): no measurement is lost, and every reader of ours takes several logs in one file.
@@ -9,7 +9,7 @@
 use jiff::civil::DateTime;
 
 use super::log::{self, Figure, Further, LimitPair, Log, LogWriteError};
-use super::log444::{self, Band, PointLog, PointLogError};
+use super::point_log::{self, Band, PointLog, PointLogError};
 use crate::length::{Length, Unit};
 use crate::message::Say;
 use crate::probing::cycle::{self, Axis, Cycle, CycleResult, FigureKind, FoundName, Meaning, Value};
@@ -109,7 +109,7 @@ impl CycleLog {
     pub fn append(&self, file: &[u8], language: Dialogue) -> Result<Vec<u8>, CycleLogError> {
         match self {
             Self::Text(log) => Ok(log::append(file, log, language)?),
-            Self::Page(log) => Ok(log444::append(file, log, language)?),
+            Self::Page(log) => Ok(point_log::append(file, log, language)?),
         }
     }
 
@@ -209,17 +209,5 @@ fn judged(kind: FigureKind, feature: Feature, figure: &Figure) -> Option<Status>
         (true, _) if minimum == maximum => None,
         (true, true) => Some(Status::Good),
         (true, false) => Some(Status::Scrap),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn another_verdict_names_the_unit_of_the_log() {
-        let other = OtherVerdict { cycle: Status::Scrap, log: Status::Good, unit: Unit::Inch };
-        let said = "the log's values, rounded to 0.0001 inch, give GOOD where the cycle gave SCRAP";
-        assert_eq!(other.to_string(), said);
     }
 }

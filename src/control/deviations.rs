@@ -221,6 +221,3 @@ impl Reading<'_> {
 fn is_ambiguous(cell: &str) -> bool {
     cell.contains('.') && cell.contains(',') && cell.bytes().all(|byte| b"+-.,0123456789".contains(&byte))
 }
-
-#[cfg(test)]
-mod tests;

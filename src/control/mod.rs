@@ -10,7 +10,7 @@
 //! | `deviations` | such a table as a table of deviations; the two shipped ones |
 //! | `mask` | FN 16 masks, read and rendered |
 //! | `log` | measuring logs as texts, read and written |
-//! | `log444` | the log of points as HTML, read and written |
+//! | `point_log` | the log of points as HTML, read and written |
 //! | `probe_block` | the block of a probing cycle in an NC program, read and written |
 //! | `cycle_log` | from a cycle's result to its log |
 
@@ -18,8 +18,8 @@ pub mod cycle_log;
 pub mod cycle_status;
 pub mod deviations;
 pub mod log;
-pub mod log444;
 pub mod mask;
+pub mod point_log;
 pub mod probe_block;
 pub mod probe_table;
 pub mod status;

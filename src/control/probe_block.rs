@@ -18,6 +18,7 @@ pub use fault::{ProbeBlockError, ProbeBlockFault};
 pub use read::{read, read_or_lines};
 pub use write::write;
 
+use super::text::cut;
 use crate::message::{Message, Say, display};
 use crate::probing::cycle::{Cycle, Inputs};
 
@@ -79,7 +80,7 @@ impl ProbeBlock {
                     key: key.clone(),
                     given: text.trim_start_matches(['+', '-']).to_owned(),
                 },
-                Err(error) => ProbeBlockFault::Cycle(error),
+                Err(error) => ProbeBlockFault::Cycle(Box::new(error)),
             };
             Err(fault.at(*line))
         })
@@ -97,7 +98,5 @@ fn is_reference(text: &str) -> bool {
 
 /// A piece of the text as errors show it: not longer than a line of a program.
 fn shown(text: &str) -> String {
-    const MOST: usize = 80;
-    let short: String = text.chars().take(MOST).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
-    if text.chars().nth(MOST).is_some() { format!("{short}…") } else { short }
+    cut(text, 80).replace(char::is_control, "\u{fffd}")
 }

@@ -1,8 +1,8 @@
 //! Errors and warnings of a file or a row: what is wrong, and what was given.
 
 use super::contacts::ContactsError;
-use crate::control::log::{LogReason, LogWarning};
-use crate::control::log444::PointFault;
+use crate::control::log::{LogFault, LogWarningKind};
+use crate::control::point_log::PointFault;
 use crate::length::{Length, LengthError};
 use crate::message::{Located, Message, Say, shortened};
 use crate::tolerance::{Callout, CalloutError, LimitsError};
@@ -35,7 +35,7 @@ pub enum ImportErrorKind {
     NoRows,
     /// A log that cannot be used.
     #[say(transparent)]
-    Log(LogReason),
+    Log(LogFault),
     /// A measurement of cycle 444 that cannot be used.
     #[say(transparent)]
     Point(PointFault),
@@ -149,7 +149,7 @@ impl Say for ImportWarning {
 pub enum ImportWarningKind {
     /// In a log.
     #[say(transparent)]
-    Log(LogWarning),
+    Log(LogWarningKind),
     /// Columns that are not used.
     IgnoredColumns {
         /// Their names or numbers.

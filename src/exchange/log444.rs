@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::error::ImportErrorKind;
 use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
 use super::{Format, Source};
-use crate::control::log444::{self, Band, PointLog};
+use crate::control::point_log::{self, Band, PointLog};
 use crate::length::Length;
 use crate::message::Place;
 use crate::probing::cycle::Log;
@@ -18,13 +18,13 @@ pub(super) const FORMAT: Format = Format {
     name: "log-444",
     endings: &["html", "htm"],
     description: "exchange-format-log-444",
-    recognises: |source| log444::is_log(&source.head()),
+    recognises: |source| point_log::is_log(&source.head()),
     read,
 };
 
 fn read(source: &Source<'_>) -> Imported {
     let mut imported = Imported::default();
-    for answer in log444::read(source.bytes) {
+    for answer in point_log::read(source.bytes) {
         match answer {
             Ok((line, log)) => add(&mut imported, line, &log, source),
             Err(error) => {

@@ -141,7 +141,7 @@ impl Read {
     }
 }
 
-fn finish(imported: &mut Imported, warnings: Vec<Located<log::LogWarning>>, row: usize) {
+fn finish(imported: &mut Imported, warnings: Vec<log::LogWarning>, row: usize) {
     for warning in warnings {
         let kind = ImportWarningKind::Log(warning.what);
         imported.warnings.push(Located { what: ImportWarning { row: Some(row), kind }, place: warning.place });

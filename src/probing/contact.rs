@@ -113,39 +113,3 @@ impl Prober for Recorded {
         contact.ok_or(NoContact::UsedUp { number: self.next, available: self.contacts.len() })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::words::{Language, Words};
-
-    #[track_caller]
-    fn check(error: &NoContact, expected: &str) {
-        assert_eq!(error.to_string(), expected);
-        assert_eq!(Words::new(Language::En).told(error), expected);
-        assert_ne!(Words::new(Language::Nl).told(error), error.message().id);
-    }
-
-    #[test]
-    fn every_missing_contact_has_its_words() {
-        check(&NoContact::Missed { number: 2 }, "contact 2: the probe met nothing on the probing path");
-        let longest = Length::from_micrometres(2_000);
-        check(
-            &NoContact::OutOfReach { number: 3, longest },
-            "contact 3: the probe met nothing within the probing path of 2 mm",
-        );
-        check(&NoContact::InMaterial { number: 1 }, "contact 1: the probing path begins inside the material");
-        check(&NoContact::UsedUp { number: 4, available: 3 }, "contact 4: the file has only 3 contacts");
-    }
-
-    #[test]
-    fn a_record_is_handed_out_in_order_and_ends() {
-        let contact = |x| Contact { x, y: 0.0, z: 0.0 };
-        let mut recorded = Recorded::new(vec![contact(1.0), contact(2.0)]);
-        let touch = Touch { from: [0.0; 3], direction: [1.0, 0.0, 0.0], longest: 10.0 };
-        assert_eq!(recorded.touch(&touch), Ok(contact(1.0)));
-        assert_eq!(recorded.touch(&touch), Ok(contact(2.0)));
-        assert_eq!(recorded.touch(&touch), Err(NoContact::UsedUp { number: 3, available: 2 }));
-        assert_eq!(recorded.touch(&touch), Err(NoContact::UsedUp { number: 4, available: 2 }));
-    }
-}

@@ -56,12 +56,8 @@ pub fn measure(
         (Meaning::CentreTolerance(Axis::First), Value::Length(position.centre_tolerance)),
         (Meaning::CentreTolerance(Axis::Second), Value::Length(position.centre_tolerance)),
     ];
-    let inputs = given.into_iter().fold(Inputs::new().with_probe(probe), |inputs, (meaning, value)| {
-        match cycle.meant(meaning) {
-            Some(parameter) => inputs.with(parameter.key, value),
-            None => inputs,
-        }
-    });
+    let given = given.into_iter().filter_map(|(meaning, value)| Some((cycle.meant(meaning)?.key, value)));
+    let inputs = given.fold(Inputs::new().with_probe(probe), |inputs, (key, value)| inputs.with(key, value));
     let result = cycle.measure(&inputs, prober)?;
     // Both cycles measure a circle.
     let found = result.circle.ok_or(CircleError::TooFew { contacts: 0 })?;

@@ -10,6 +10,7 @@
 //! | `measure` | from a fit and a position to a measurement |
 //! | `source` | where a cycle's contacts come from |
 //! | `touch_probe` | what the touch-probe table says about a probe |
+//! | `vector` | vectors of the machine's space |
 //! | `simulated` | a workpiece and a probe that exist only here |
 //!
 //! A cycle gets limits, never tolerance classes, and asks a [`Prober`] for its contacts.
@@ -23,6 +24,7 @@ pub mod measurement;
 pub mod simulated;
 pub mod source;
 pub mod touch_probe;
+pub(crate) mod vector;
 
 pub use circle::Circle;
 pub use contact::{Contact, NoContact, Prober, Recorded, Touch};

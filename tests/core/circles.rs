@@ -387,3 +387,47 @@ fn a_hundred_thousand_contacts_are_answered_without_the_pairwise_criteria() {
     let said: Vec<_> = found.warnings.iter().map(ToString::to_string).collect();
     assert_eq!(said, ["maximum inscribed circle and minimum zone are not computed for 100000 contacts: at most 3000"]);
 }
+
+/// Checks one line of the table of factors.
+#[track_caller]
+fn check_factors(count: u32, step_deg: f64, [diameter, against, along, across]: [&str; 4]) {
+    let points: Vec<_> = (0..count)
+        .map(|k| (17.0 + f64::from(k) * step_deg).to_radians())
+        .map(|angle| contact([3.0 + angle.cos(), 4.0 + angle.sin()]))
+        .collect();
+    let found = evaluate(&points).unwrap().uncertainty;
+    for (value, printed) in [
+        (found.diameter, diameter),
+        (found.against_three_by_120(), against),
+        (found.centre_along, along),
+        (found.centre_across, across),
+    ] {
+        let decimals = printed.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        assert_eq!(format!("{value:.decimals$}"), printed, "{count} x {step_deg}: {found:?}");
+    }
+}
+
+#[test]
+fn agrees_with_the_table_of_touches_and_steps() {
+    check_factors(3, 120.0, ["1.155", "1.00", "0.816", "0.816"]);
+    check_factors(3, 90.0, ["1.414", "1.22", "1.225", "0.707"]);
+    check_factors(3, 75.0, ["2.032", "1.76", "1.652", "0.732"]);
+    check_factors(3, 60.0, ["3.464", "3.00", "2.449", "0.816"]);
+    // The table prints 4.181; the exact value, 4.18154, rounds to 4.182.
+    check_factors(3, 45.0, ["6.828", "5.91", "4.182", "1.000"]);
+    check_factors(3, 30.0, ["16.69", "14.5", "9.142", "1.414"]);
+    check_factors(3, 20.0, ["39.0", "33.8", "20.31", "2.067"]);
+    // The table prints 60.9; the exact value, 60.84996, rounds to 60.8.
+    check_factors(3, 15.0, ["70.3", "60.8", "35.94", "2.732"]);
+    check_factors(3, 10.0, ["159.6", "138", "80.62", "4.072"]);
+    check_factors(4, 90.0, ["1.000", "0.87", "0.707", "0.707"]);
+    check_factors(4, 60.0, ["1.414", "1.22", "1.155", "0.632"]);
+    check_factors(4, 45.0, ["2.613", "2.26", "1.848", "0.707"]);
+    check_factors(4, 30.0, ["6.541", "5.66", "3.864", "0.939"]);
+    check_factors(4, 20.0, ["15.61", "13.5", "8.419", "1.336"]);
+    check_factors(5, 72.0, ["0.894", "0.77", "0.632", "0.632"]);
+    check_factors(6, 60.0, ["0.816", "0.71", "0.577", "0.577"]);
+    check_factors(8, 45.0, ["0.707", "0.61", "0.500", "0.500"]);
+    check_factors(8, 22.5, ["1.672", "1.45", "1.182", "0.500"]);
+    check_factors(12, 30.0, ["0.577", "0.50", "0.408", "0.408"]);
+}

@@ -323,7 +323,7 @@ fn the_log_of_cycle_444_is_a_page() {
     for count in 1..=2 {
         assert_eq!(fitcheck(&args, "").code, Some(0));
         let page = fitcheck::files::read(&folder.path().join("TCHPR444.html")).unwrap();
-        let logs = fitcheck::control::log444::read(&page);
+        let logs = fitcheck::control::point_log::read(&page);
         assert!(logs.len() == count && logs.iter().all(Result::is_ok), "{logs:?}");
         assert!(String::from_utf8(page).unwrap().contains("GOED"));
     }

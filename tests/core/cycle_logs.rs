@@ -1,8 +1,8 @@
 //! From a cycle to its log and back: the same figures, the same verdict, in every language.
 
-use fitcheck::control::cycle_log::{CycleLog, Heading};
+use fitcheck::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use fitcheck::control::log;
-use fitcheck::control::log444;
+use fitcheck::control::point_log;
 use fitcheck::exchange::{Imported, WhyUnjudged, import};
 use fitcheck::length::{Length, Unit};
 use fitcheck::probing::cycle::{Cycle, CycleResult, Inputs, Key, Value};
@@ -72,7 +72,7 @@ fn there_and_back(cycle: &Cycle, result: &CycleResult, unit: Unit, language: Dia
             ("x.txt", CycleLog::Text(printed))
         }
         CycleLog::Page(page) => {
-            let read: Vec<_> = log444::read(&bytes).into_iter().map(|answer| answer.unwrap().1).collect();
+            let read: Vec<_> = point_log::read(&bytes).into_iter().map(|answer| answer.unwrap().1).collect();
             assert_eq!(read, std::slice::from_ref(page));
             ("x.html", log.clone())
         }
@@ -282,7 +282,7 @@ fn a_second_log_stands_behind_the_first() {
     let (cycle, result) = point([0.0, 0.0, 1.0], 0.1, Some([400_000, -100_000]));
     let page = CycleLog::of(cycle, &result, &heading(Unit::Inch), Dialogue::Nl).unwrap();
     let two = page.append(&page.write(Dialogue::Nl).unwrap(), Dialogue::En).unwrap();
-    assert_eq!(log444::read(&two).len(), 2);
+    assert_eq!(point_log::read(&two).len(), 2);
     assert!(page.append(b"<html></html>", Dialogue::En).unwrap_err().to_string().starts_with("line 1: not a log"));
 }
 
@@ -379,4 +379,11 @@ proptest! {
         let CycleLog::Page(page) = log else { panic!() };
         prop_assert_eq!(Some(&Value::Length(page.deviation)), result.value(164));
     }
+}
+
+#[test]
+fn another_verdict_names_the_unit_of_the_log() {
+    let other = OtherVerdict { cycle: Status::Scrap, log: Status::Good, unit: Unit::Inch };
+    let said = "the log's values, rounded to 0.0001 inch, give GOOD where the cycle gave SCRAP";
+    assert_eq!(other.to_string(), said);
 }

@@ -1,6 +1,6 @@
 //! The log of cycle 444: the page, what programs read from it, and both together.
 
-use fitcheck::control::log444::{Band, PointFault, PointLog, append, is_log, read, write};
+use fitcheck::control::point_log::{Band, PointFault, PointLog, append, is_log, read, write};
 use fitcheck::exchange::{WhyUnjudged, import};
 use fitcheck::length::{Length, Unit};
 use fitcheck::tolerance::Sources;
@@ -182,7 +182,7 @@ fn check(from: &str, to: &str, expected: &[&str]) {
     let said = |answer: Result<(usize, PointLog), _>| match answer {
         Ok((_, log)) => log.deviation.to_string(),
         Err(error) => {
-            let error: fitcheck::control::log444::PointLogError = error;
+            let error: fitcheck::control::point_log::PointLogError = error;
             error.what.to_string()
         }
     };

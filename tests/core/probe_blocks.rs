@@ -209,7 +209,7 @@ fn a_text_that_no_block_can_hold_is_not_written() {
     for name in ["A\"B", "A\nB"] {
         let inputs = Inputs::new().with(330, Value::Text(name.to_owned()));
         let error = write(cycle, &inputs, Dialogue::En).unwrap_err();
-        assert!(matches!(&error.fault, ProbeBlockFault::NotWritable { key: Key::Q(330), .. }));
+        assert!(matches!(&error.what, ProbeBlockFault::NotWritable { key: Key::Q(330), .. }));
         assert!(told(&error).ends_with("a text in a block cannot contain quotation marks or line ends"), "{error}");
     }
 }

@@ -98,17 +98,16 @@ log-write-unfinished = the file ends within a line: it may be cut off, so nothin
 log-write-reads-otherwise = the log cannot be written so that it reads back the same: check date, time and further results
 
 ## Log of cycle 444
-log-444-no-log = not a log of cycle 444: the page holds no machine-readable measurement
-log-444-count = the page says that it holds { $expected } measurements, but it holds { $found }: it is cut off or was changed
-log-444-cut-off = the measurement has no end: the page is cut off
-log-444-json = the measurement cannot be read: { $what }
-log-444-version = log version { $version } is not supported: expected { $known } or earlier
-log-444-normal = normal { $given } has no direction: it needs three numbers that are not all 0
-log-444-deviation = deviation { $given } in { $axis } is not measured minus nominal coordinate, { $difference }
-log-444-along = deviation { $given } along the normal does not follow from those of the axes, { $along }
-log-444-band = upper deviation { $upper } is below lower deviation { $lower }
-log-444-status = status { $given } does not follow from deviation and tolerance, { $status }
-log-444-page = the page cannot be made: { $what }
+point-log-no-log = not a log of cycle 444: the page holds no machine-readable measurement
+point-log-count = the page says that it holds { $expected } measurements, but it holds { $found }: it is cut off or was changed
+point-log-cut-off = the measurement has no end: the page is cut off
+point-log-json = the measurement cannot be read: { $what }
+point-log-version = log version { $version } is not supported: expected { $known } or earlier
+point-log-normal = normal { $given } has no direction: it needs three numbers that are not all 0
+point-log-deviation = deviation { $given } in { $axis } is not measured minus nominal coordinate, { $difference }
+point-log-along = deviation { $given } along the normal does not follow from those of the axes, { $along }
+point-log-band = upper deviation { $upper } is below lower deviation { $lower }
+point-log-status = status { $given } does not follow from deviation and tolerance, { $status }
 ## The touch-probe table
 probe-table-no-column = the table has no column { $column }
 probe-table-no-probe = the table has no probe
@@ -123,7 +122,6 @@ probe-table-twice = probe { $number } occurs twice
 cycle-log-other-verdict = the log's values, rounded to 0.0001 { $unit }, give { $log } where the cycle gave { $cycle }
 
 ## The block of a probing cycle
-block-at-line = line { $line }: { $fault }
 block-none = not a probing cycle: a block begins with TCH PROBE and a number, or with G785
 block-second = second probing cycle: give one at a time; the first begins on line { $first }
 block-unknown-cycle = TCH PROBE { $given }: the cycles are { $known }

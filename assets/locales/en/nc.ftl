@@ -2,7 +2,6 @@
 ## Plans
 nc-no-features = the plan has no feature
 nc-too-many = the plan has more than { $most } features
-nc-csv = the CSV cannot be read: { $reason }
 nc-no-column = column { $column } is missing
 nc-unknown-column = unknown column { $column }: the columns are { $known }
 nc-column-twice = column { $column } occurs twice
@@ -16,7 +15,6 @@ nc-name = name { $name }: letters A to Z, digits and _ are allowed, at most { $m
 nc-same-name = name { $name } occurs twice: file names on a control ignore case
 ## Sets
 nc-folder = { $folder } is not a folder for programs: write TNC:\ and then names of letters, digits, _ and -, separated by \
-nc-other-limits = { $table } would not give the limits of { $callout }
 nc-reads-otherwise = { $file } cannot be written so that it reads back the same
 nc-proof = the set failed its test run and was not written: { $reason }
 nc-proof-no-end = the program does not end

@@ -98,17 +98,16 @@ log-write-unfinished = het bestand eindigt midden in een regel: misschien is het
 log-write-reads-otherwise = het protocol is niet zo te schrijven dat het gelijk teruggelezen wordt: controleer datum, tijd en overige resultaten
 
 ## Protocol van cyclus 444
-log-444-no-log = hier staat geen protocol van cyclus 444: de pagina bevat geen meting voor programma's
-log-444-count = volgens de pagina zelf staan er { $expected } metingen in, maar het zijn er { $found }: hij is afgebroken of veranderd
-log-444-cut-off = de meting heeft geen einde: de pagina is afgebroken
-log-444-json = de meting is niet te lezen: { $what }
-log-444-version = versie { $version } van het protocol is onbekend, bekend is alles tot en met { $known }
-log-444-normal = normaal { $given } heeft geen richting: er zijn drie getallen nodig die niet alle 0 zijn
-log-444-deviation = afwijking { $given } in { $axis } is niet gemeten min nominale coördinaat, { $difference }
-log-444-along = afwijking { $given } langs de normaal volgt niet uit die van de assen, { $along }
-log-444-band = bovenafwijking { $upper } ligt onder onderafwijking { $lower }
-log-444-status = status { $given } volgt niet uit afwijking en tolerantie, { $status }
-log-444-page = de pagina is niet te maken: { $what }
+point-log-no-log = hier staat geen protocol van cyclus 444: de pagina bevat geen meting voor programma's
+point-log-count = volgens de pagina zelf staan er { $expected } metingen in, maar het zijn er { $found }: hij is afgebroken of veranderd
+point-log-cut-off = de meting heeft geen einde: de pagina is afgebroken
+point-log-json = de meting is niet te lezen: { $what }
+point-log-version = versie { $version } van het protocol is onbekend, bekend is alles tot en met { $known }
+point-log-normal = normaal { $given } heeft geen richting: er zijn drie getallen nodig die niet alle 0 zijn
+point-log-deviation = afwijking { $given } in { $axis } is niet gemeten min nominale coördinaat, { $difference }
+point-log-along = afwijking { $given } langs de normaal volgt niet uit die van de assen, { $along }
+point-log-band = bovenafwijking { $upper } ligt onder onderafwijking { $lower }
+point-log-status = status { $given } volgt niet uit afwijking en tolerantie, { $status }
 ## The touch-probe table
 probe-table-no-column = de tabel heeft geen kolom { $column }
 probe-table-no-probe = de tabel heeft geen taster
@@ -123,7 +122,6 @@ probe-table-twice = taster { $number } komt twee keer voor
 cycle-log-other-verdict = de getallen in het protocol, afgerond op 0,0001 { $unit }, geven { $log } waar de cyclus { $cycle } gaf
 
 ## The block of a probing cycle
-block-at-line = regel { $line }: { $fault }
 block-none = hier staat geen tastcyclus: een regel begint met TCH PROBE en een nummer, of met G785
 block-second = een tweede tastcyclus: één tegelijk, de eerste begint op regel { $first }
 block-unknown-cycle = TCH PROBE { $given }: de cycli zijn { $known }

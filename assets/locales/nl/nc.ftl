@@ -2,7 +2,6 @@
 ## Plannen
 nc-no-features = het plan heeft geen element
 nc-too-many = het plan heeft meer dan { $most } elementen
-nc-csv = de CSV is niet te lezen: { $reason }
 nc-no-column = kolom { $column } ontbreekt
 nc-unknown-column = kolom { $column } is onbekend; bekend zijn { $known }
 nc-column-twice = kolom { $column } komt twee keer voor
@@ -16,7 +15,6 @@ nc-name = naam { $name }: letters A tot Z, cijfers en _ mogen, hooguit { $most }
 nc-same-name = naam { $name } komt twee keer voor; in bestandsnamen is a voor een besturing hetzelfde als A
 ## Sets
 nc-folder = { $folder } is geen map voor programma's: schrijf TNC:\, dan namen met letters, cijfers, _ en -, gescheiden door \
-nc-other-limits = { $table } zou niet de grensmaten van { $callout } geven
 nc-reads-otherwise = { $file } is niet zo te schrijven dat het weer hetzelfde gelezen wordt
 nc-proof = de set is uitgeprobeerd en wordt niet afgegeven: { $reason }
 nc-proof-no-end = het programma houdt niet op

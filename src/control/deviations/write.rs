@@ -30,18 +30,8 @@ pub fn to_control_table(table: &DeviationTable, generation: Generation) -> Contr
         let longest = rows.iter().filter_map(|row| row.get(number)).map(String::len).max().unwrap_or_default();
         column.width = column.width.max(longest + 1);
     }
-    let plain = ControlTable {
-        name: name.to_owned(),
-        suffix: Some(suffix.to_owned()),
-        unit: None,
-        version: None,
-        mark: None,
-        generation: Generation::Plain,
-        columns,
-        properties: Vec::new(),
-        rows,
-        comments: Vec::new(),
-    };
+    let (name, suffix) = (name.to_owned(), Some(suffix.to_owned()));
+    let plain = ControlTable { name, suffix, columns, rows, ..ControlTable::default() };
     with_dialogues(plain.to_generation(generation))
 }
 

@@ -8,12 +8,12 @@ use crate::probing::cycle::Log;
 use crate::probing::cycles::CYCLES;
 
 /// Why a log cannot be used, and where: the column is there where the error is a single figure's.
-pub type LogError = Located<LogReason>;
+pub type LogError = Located<LogFault>;
 
 /// What is wrong with a log. Figures are given as they were written, in the log's own unit.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "log", error)]
-pub enum LogReason {
+pub enum LogFault {
     /// There is no text.
     Empty,
     /// There is no title line.
@@ -105,7 +105,7 @@ pub enum Section {
     Deviations,
 }
 
-impl LogReason {
+impl LogFault {
     /// A cycle whose logs are not read, with those whose are.
     pub(super) fn other_cycle(cycle: u16) -> Self {
         let known = CYCLES.iter().filter(|known| matches!(known.log, Log::Text(_))).map(|known| known.code);
@@ -116,7 +116,7 @@ impl LogReason {
         Located::in_line(line, self)
     }
 
-    /// The text that the reason is about, as it was written; empty where it is about what is missing.
+    /// The text that the fault is about, as it was written; empty where it is about what is missing.
     pub fn given(&self) -> String {
         match self {
             Self::Unit { given }
@@ -142,10 +142,13 @@ impl LogReason {
     }
 }
 
+/// What is odd about a log that can be used nevertheless, and where.
+pub type LogWarning = Located<LogWarningKind>;
+
 /// What is odd about a log that can be used nevertheless.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "log")]
-pub enum LogWarning {
+pub enum LogWarningKind {
     /// No line tells the unit, as in older logs: at the title.
     NoUnit,
     /// Day or time of the measurement is missing or not readable: at the title.

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use jiff::civil::{Date, Time};
 
-use super::error::{LogError, LogReason, LogWarning};
+use super::error::{LogError, LogFault, LogWarning, LogWarningKind};
 use crate::control::text;
 use crate::length::Unit;
 use crate::message::{Located, Place};
@@ -42,6 +42,18 @@ pub(super) struct Pair<'a> {
     pub(super) column: usize,
     pub(super) label: &'a str,
     pub(super) given: &'a str,
+}
+
+impl Pair<'_> {
+    /// What is wrong with the value.
+    pub(super) fn wrong(&self, what: LogFault) -> LogError {
+        Located { what, place: Place::in_line(self.line, self.column) }
+    }
+
+    fn ignored(&self) -> LogWarning {
+        let text = format!("{}: {}", self.label, self.given);
+        Located::in_line(self.line, LogWarningKind::Ignored { text })
+    }
 }
 
 /// Pairs under a heading; the first one is headed by the title.
@@ -88,10 +100,10 @@ pub(super) fn chunks(text: &str) -> Vec<Chunk<'_>> {
             Line::Value | Line::Title(_) | Line::Text => "",
         };
         waits = matches!(kind, Line::Label { value: "", .. });
-        let title = match kind {
-            Line::Title(cycle) => Some(Title { line: number, cycle, text: line.trim_start() }),
-            _ => None,
-        };
+        let mut title = None;
+        if let Line::Title(cycle) = kind {
+            title = Some(Title { line: number, cycle, text: line.trim_start() });
+        }
         // A date behind the nominal values: the title between two logs is damaged.
         let lost = date(value).is_some() && chunks.last().is_some_and(|chunk| 3 <= chunk.figures);
         let is_title = title.is_some();
@@ -134,7 +146,7 @@ impl<'a> Chunk<'a> {
     }
 
     /// Labels with their values, on the same or a following line. A label without one is a heading.
-    pub(super) fn sections(&self, warnings: &mut Vec<Located<LogWarning>>) -> Result<Vec<Section<'a>>, LogError> {
+    pub(super) fn sections(&self, warnings: &mut Vec<LogWarning>) -> Result<Vec<Section<'a>>, LogError> {
         let title = self.title.as_ref().map_or(1, |title| title.line);
         let mut sections = vec![Section { line: title, pairs: Vec::new() }];
         let mut open: Option<(usize, &str)> = None;
@@ -154,13 +166,13 @@ impl<'a> Chunk<'a> {
                 }
                 Line::Value => {
                     let Some((_, label)) = open.take() else {
-                        return Err(LogReason::NoLabel { given: bare.to_owned() }.at(line));
+                        return Err(LogFault::NoLabel { given: bare.to_owned() }.at(line));
                     };
                     Pair { line, column: column(bare), label, given: bare }
                 }
                 Line::Title(_) | Line::Text => {
                     if bare.contains(|c: char| c.is_ascii_digit()) {
-                        warnings.push(Located::in_line(line, LogWarning::Ignored { text: bare.to_owned() }));
+                        warnings.push(Located::in_line(line, LogWarningKind::Ignored { text: bare.to_owned() }));
                     }
                     open = None;
                     sections.push(Section { line, pairs: Vec::new() });
@@ -177,10 +189,7 @@ impl<'a> Chunk<'a> {
 
 /// Takes date, time, program and unit out of the sections; nothing else of the first section is needed where
 /// another one has pairs.
-pub(super) fn take_header(
-    sections: &mut [Section<'_>],
-    warnings: &mut Vec<Located<LogWarning>>,
-) -> Result<Header, LogError> {
+pub(super) fn take_header(sections: &mut [Section<'_>], warnings: &mut Vec<LogWarning>) -> Result<Header, LogError> {
     let mut header = Header::default();
     let mut wrong = None;
     for section in sections.iter_mut() {
@@ -198,34 +207,25 @@ pub(super) fn take_header(
     if let Some((first, others)) = sections.split_first_mut()
         && others.iter().any(|section| !section.pairs.is_empty())
     {
-        for pair in first.pairs.drain(..) {
-            let text = format!("{}: {}", pair.label, pair.given);
-            warnings.push(Located::in_line(pair.line, LogWarning::Ignored { text }));
-        }
+        warnings.extend(first.pairs.drain(..).map(|pair| pair.ignored()));
     }
     Ok(header)
 }
 
 impl Header {
     /// Whether the pair belongs to the header. What comes twice or cannot be a day or time is a warning.
-    fn take(&mut self, pair: &Pair<'_>, warnings: &mut Vec<Located<LogWarning>>) -> Result<bool, LogError> {
-        let mut odd = || {
-            let text = format!("{}: {}", pair.label, pair.given);
-            warnings.push(Located::in_line(pair.line, LogWarning::Ignored { text }));
-        };
+    fn take(&mut self, pair: &Pair<'_>, warnings: &mut Vec<LogWarning>) -> Result<bool, LogError> {
+        let mut odd = || warnings.push(pair.ignored());
         if is_unit_label(pair.label) {
             let unit = match pair.given {
-                "0" => Unit::Millimetre,
-                "1" => Unit::Inch,
-                given => {
-                    let reason = LogReason::Unit { given: given.to_owned() };
-                    return Err(Located { what: reason, place: Place::in_line(pair.line, pair.column) });
-                }
+                "0" => Some(Unit::Millimetre),
+                "1" => Some(Unit::Inch),
+                _ => None,
             };
-            if self.unit.replace(unit).is_some_and(|before| before != unit) {
-                let reason = LogReason::Unit { given: pair.given.to_owned() };
-                return Err(Located { what: reason, place: Place::in_line(pair.line, pair.column) });
+            if unit.is_none() || self.unit.is_some() && self.unit != unit {
+                return Err(pair.wrong(LogFault::Unit { given: pair.given.to_owned() }));
             }
+            self.unit = unit;
         } else if let Some(date) = date(pair.given) {
             match date {
                 Ok(date) if self.date.is_none() => self.date = Some(date),

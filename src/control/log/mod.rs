@@ -21,7 +21,7 @@ mod write;
 
 use jiff::civil::{Date, DateTime, Time};
 
-pub use error::{LogError, LogReason, LogWarning, Section};
+pub use error::{LogError, LogFault, LogWarning, LogWarningKind, Section};
 pub use values::{Figure, LimitPair};
 pub use write::{LogWriteError, append, write};
 
@@ -54,7 +54,7 @@ pub struct Log {
     /// Further results, such as the measuring height, as they were written.
     pub further: Vec<Further>,
     /// What was odd but readable.
-    pub warnings: Vec<Located<LogWarning>>,
+    pub warnings: Vec<LogWarning>,
 }
 
 /// A further result.
@@ -99,7 +99,7 @@ pub fn read(bytes: &[u8]) -> Vec<Result<Log, LogError>> {
     for chunk in lines::chunks(&text) {
         if chunk.title.is_none() && !chunk.has_figures() {
             // Whatever was written above the first title.
-            before.extend(chunk.first_line().map(|line| Located::in_line(line, LogWarning::TextBefore)));
+            before.extend(chunk.first_line().map(|line| Located::in_line(line, LogWarningKind::TextBefore)));
             continue;
         }
         logs.push(read_one(&chunk).map(|mut log| {
@@ -108,7 +108,7 @@ pub fn read(bytes: &[u8]) -> Vec<Result<Log, LogError>> {
         }));
     }
     if logs.is_empty() {
-        let reason = if text.trim().is_empty() { LogReason::Empty } else { LogReason::NoLog };
+        let reason = if text.trim().is_empty() { LogFault::Empty } else { LogFault::NoLog };
         logs.push(Err(reason.at(1)));
     }
     logs
@@ -121,17 +121,17 @@ pub fn is_log(text: &str) -> bool {
 
 fn read_one(chunk: &Chunk<'_>) -> Result<Log, LogError> {
     let Some(title) = &chunk.title else {
-        return Err(LogReason::NoTitle.at(chunk.first_line().unwrap_or(1)));
+        return Err(LogFault::NoTitle.at(chunk.first_line().unwrap_or(1)));
     };
     let mut warnings = Vec::new();
     let mut sections = chunk.sections(&mut warnings)?;
     let header = lines::take_header(&mut sections, &mut warnings)?;
     let unit = header.unit.unwrap_or_else(|| {
-        warnings.push(Located::in_line(title.line, LogWarning::NoUnit));
+        warnings.push(Located::in_line(title.line, LogWarningKind::NoUnit));
         Unit::Millimetre
     });
     if header.date.is_none() || header.time.is_none() {
-        warnings.push(Located::in_line(title.line, LogWarning::NoTime));
+        warnings.push(Located::in_line(title.line, LogWarningKind::NoTime));
     }
     let body = values::Body::new(chunk, sections, unit);
     let (figures, further) = body.read(title, &mut warnings)?;
@@ -148,6 +148,3 @@ fn read_one(chunk: &Chunk<'_>) -> Result<Log, LogError> {
         warnings,
     })
 }
-
-#[cfg(test)]
-mod tests;

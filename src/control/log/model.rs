@@ -44,16 +44,12 @@ impl Log {
             deviation: figure.deviation.map(round),
         };
         Self {
-            line: 1,
-            cycle: self.cycle,
             title: labels.title(self.cycle).to_owned(),
             date: self.date,
             time: self.time.map(whole_seconds),
             program: self.program.clone(),
-            unit: self.unit,
-            figures: self.figures.iter().map(figure).collect(),
             further: self.further.iter().map(|further| further.printed(labels)).collect(),
-            warnings: Vec::new(),
+            ..Self::new(self.cycle, self.figures.iter().map(figure).collect(), self.unit)
         }
     }
 }

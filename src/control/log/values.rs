@@ -2,11 +2,11 @@
 //!
 //! Which figures there are, and what stands beside each, says the cycle's declaration.
 
-use super::error::{LogError, LogReason, LogWarning, Section as Name};
+use super::error::{LogError, LogFault, LogWarning, LogWarningKind, Section as Name};
 use super::lines::{Chunk, Pair, Section, Title};
 use super::{Further, layout};
 use crate::length::{Length, Unit};
-use crate::message::{Located, Place};
+use crate::message::Located;
 use crate::probing::cycle::{FigureKind, FoundName, LogFigure, TextLog};
 
 /// A measured value of a log, and what stands beside it.
@@ -36,14 +36,8 @@ pub struct LimitPair {
 pub(super) struct Body<'a> {
     chunk: &'a Chunk<'a>,
     /// Sections with pairs; a log without headings is cut by its order.
-    groups: Vec<Group<'a>>,
+    groups: Vec<Section<'a>>,
     unit: Unit,
-}
-
-#[derive(Debug)]
-struct Group<'a> {
-    line: usize,
-    pairs: Vec<Pair<'a>>,
 }
 
 /// A number that was read.
@@ -54,18 +48,17 @@ struct Number<'a> {
 }
 
 impl<'a> Body<'a> {
-    pub(super) fn new(chunk: &'a Chunk<'a>, sections: Vec<Section<'a>>, unit: Unit) -> Self {
-        let with_pairs = sections.into_iter().filter(|section| !section.pairs.is_empty());
-        let groups = with_pairs.map(|Section { line, pairs }| Group { line, pairs }).collect();
+    pub(super) fn new(chunk: &'a Chunk<'a>, mut groups: Vec<Section<'a>>, unit: Unit) -> Self {
+        groups.retain(|section| !section.pairs.is_empty());
         Self { chunk, groups, unit }
     }
 
     pub(super) fn read(
         mut self,
         title: &Title<'_>,
-        warnings: &mut Vec<Located<LogWarning>>,
+        warnings: &mut Vec<LogWarning>,
     ) -> Result<(Vec<Figure>, Vec<Further>), LogError> {
-        let Some(log) = layout(title.cycle) else { return Err(LogReason::other_cycle(title.cycle).at(title.line)) };
+        let Some(log) = layout(title.cycle) else { return Err(LogFault::other_cycle(title.cycle).at(title.line)) };
         if let [LogFigure { kind: FigureKind::Coordinate, .. }] = log.figures {
             let coordinate = self.coordinate()?;
             return Ok((vec![coordinate], self.further()));
@@ -85,7 +78,7 @@ impl<'a> Body<'a> {
         for size in sizes {
             let pairs: Vec<_> = pairs.drain(..size.min(pairs.len())).collect();
             if let Some(first) = pairs.first() {
-                self.groups.push(Group { line: first.line, pairs });
+                self.groups.push(Section { line: first.line, pairs });
             }
         }
     }
@@ -95,7 +88,7 @@ impl<'a> Body<'a> {
         &mut self,
         log: &TextLog,
         limited: usize,
-        warnings: &mut Vec<Located<LogWarning>>,
+        warnings: &mut Vec<LogWarning>,
     ) -> Result<Vec<Figure>, LogError> {
         let nominal = self.take(Name::Nominal, limited)?;
         let limits = self.take(Name::Limits, 2 * limited)?;
@@ -104,37 +97,36 @@ impl<'a> Body<'a> {
         if let Some(last) = actual.last() {
             self.whole(last, decimals)?;
         }
-        let compared: Vec<_> = actual.iter().zip(log.figures).filter(|(_, figure)| is_limited(figure)).collect();
-        let compared: Vec<_> = compared.into_iter().map(|(actual, _)| *actual).collect();
+        let compared = actual.iter().zip(log.figures).filter(|(_, figure)| figure.is_limited());
+        let compared: Vec<_> = compared.map(|(actual, _)| *actual).collect();
         let deviations = self.deviations(&nominal, &compared, decimals)?;
         if deviations.is_none() {
-            warnings.push(Located::in_line(self.chunk.last_line(), LogWarning::NoDeviations));
+            warnings.push(Located::in_line(self.chunk.last_line(), LogWarningKind::NoDeviations));
         }
         let is_diameter = |figure: &&LogFigure| figure.what == FoundName::DIAMETER;
         for numbers in [nominal.iter().zip(log.limited()), compared.iter().zip(log.limited())] {
             for (number, _) in numbers.filter(|(_, figure)| is_diameter(figure)) {
-                positive(number)?;
+                if number.value <= Length::ZERO {
+                    let given = number.pair.given.to_owned();
+                    return Err(number.pair.wrong(LogFault::NotPositive { given }));
+                }
             }
         }
         let mut found = Vec::new();
         let mut beside = nominal.iter().zip(limits.chunks_exact(2)).zip(0..);
         for (actual, figure) in actual.iter().zip(log.figures) {
-            let with = if is_limited(figure) { beside.next() } else { None };
+            let with = if figure.is_limited() { beside.next() } else { None };
             let Some(((nominal, [maximum, minimum]), number)) = with else {
-                found.push(Figure { nominal: None, limits: None, actual: actual.value, deviation: None });
+                found.push(Figure::bare(None, actual.value));
                 continue;
             };
             let limits = match figure.kind {
                 FigureKind::Centre(_) => Some(self.even(maximum, minimum, nominal)?),
                 _ => monitored(limit_pair(maximum, minimum)?),
             };
-            let deviation: Option<&Number<'_>> = deviations.as_ref().and_then(|deviations| deviations.get(number));
-            found.push(Figure {
-                nominal: Some(nominal.value),
-                limits,
-                actual: actual.value,
-                deviation: deviation.map(|deviation| deviation.value),
-            });
+            let deviation =
+                deviations.as_ref().and_then(|deviations| deviations.get(number)).map(|number| number.value);
+            found.push(Figure { nominal: Some(nominal.value), limits, actual: actual.value, deviation });
         }
         Ok(found)
     }
@@ -147,7 +139,7 @@ impl<'a> Body<'a> {
         let actual = self.take(Name::Actual, 1)?;
         let ([maximum, minimum], [actual]) = (limits.as_slice(), actual.as_slice()) else {
             // Each section was taken with so many.
-            return Err(LogReason::NoLog.at(self.chunk.last_line()));
+            return Err(LogFault::NoLog.at(self.chunk.last_line()));
         };
         self.whole(actual, decimals(Some(maximum)))?;
         let named_alike = self.groups.first().is_some_and(|group| labels_match(&group.pairs, &[*actual]));
@@ -165,18 +157,18 @@ impl<'a> Body<'a> {
     /// The next section, which must have so many numbers.
     fn take(&mut self, name: Name, expected: usize) -> Result<Vec<Number<'a>>, LogError> {
         if self.groups.is_empty() {
-            return Err(LogReason::Missing { section: name }.at(self.chunk.last_line()));
+            return Err(LogFault::Missing { section: name }.at(self.chunk.last_line()));
         }
         let group = self.groups.remove(0);
         let numbers: Vec<_> = group.pairs.iter().map(|pair| self.figure(pair)).collect::<Result<_, _>>()?;
         if numbers.len() == expected {
             return Ok(numbers);
         }
-        Err(LogReason::Count { section: name, found: numbers.len(), expected }.at(group.line))
+        Err(LogFault::Count { section: name, found: numbers.len(), expected }.at(group.line))
     }
 
     fn figure(&self, pair: &Pair<'a>) -> Result<Number<'a>, LogError> {
-        let value = Length::parse_in(pair.given, self.unit).map_err(|error| at(pair, LogReason::Number(error)))?;
+        let value = Length::parse_in(pair.given, self.unit).map_err(|error| pair.wrong(LogFault::Number(error)))?;
         Ok(Number { pair: *pair, value })
     }
 
@@ -205,7 +197,7 @@ impl<'a> Body<'a> {
         }
         let found = group.pairs.len();
         if expected < found || !is_last && found < expected {
-            return Err(LogReason::Count { section: Name::Deviations, found, expected }.at(group.line));
+            return Err(LogFault::Count { section: Name::Deviations, found, expected }.at(group.line));
         }
         self.groups.remove(0);
         Ok((numbers.len() == expected).then_some(numbers))
@@ -215,19 +207,14 @@ impl<'a> Body<'a> {
     /// the log's first figure.
     fn whole(&self, figure: &Number<'_>, decimals: usize) -> Result<(), LogError> {
         if self.chunk.ends_within(figure.pair.line) && decimals_of(figure.pair.given) < decimals {
-            return Err(at(&figure.pair, LogReason::CutFigure { given: figure.pair.given.to_owned() }));
+            return Err(figure.pair.wrong(LogFault::CutFigure { given: figure.pair.given.to_owned() }));
         }
         Ok(())
     }
 
     /// The last figure of a log, 0.0001 of its unit: what rounding may make of a difference.
     fn last_figure(&self) -> Length {
-        match self.unit {
-            Unit::Millimetre => Length::parse_in("0.0001", Unit::Millimetre),
-            Unit::Micrometre => Length::parse_in("0.0001", Unit::Micrometre),
-            Unit::Inch => Length::parse_in("0.0001", Unit::Inch),
-        }
-        .unwrap_or_default()
+        Length::parse_in("0.0001", self.unit).unwrap_or_default()
     }
 
     fn agrees(&self, deviation: &Number<'_>, actual: &Number<'_>, nominal: &Number<'_>) -> Result<(), LogError> {
@@ -235,12 +222,12 @@ impl<'a> Body<'a> {
         if deviation.value.saturating_sub(difference).abs() <= self.last_figure() {
             return Ok(());
         }
-        let reason = LogReason::Deviation {
+        let reason = LogFault::Deviation {
             given: deviation.pair.given.to_owned(),
             actual: actual.pair.given.to_owned(),
             nominal: nominal.pair.given.into(),
         };
-        Err(at(&deviation.pair, reason))
+        Err(deviation.pair.wrong(reason))
     }
 
     /// Limits of the centre: even about the nominal value to the last figure.
@@ -251,27 +238,18 @@ impl<'a> Body<'a> {
         if above.saturating_sub(below).abs() <= self.last_figure() && Length::ZERO <= above && Length::ZERO <= below {
             return Ok(limits);
         }
-        let reason = LogReason::Uneven {
+        let reason = LogFault::Uneven {
             minimum: minimum.pair.given.to_owned(),
             maximum: maximum.pair.given.to_owned(),
             nominal: nominal.pair.given.into(),
         };
-        Err(at(&maximum.pair, reason))
+        Err(maximum.pair.wrong(reason))
     }
 
     fn further(&self) -> Vec<Further> {
         let pairs = self.groups.iter().flat_map(|group| &group.pairs);
         pairs.map(|pair| Further { label: pair.label.to_owned(), value: pair.given.to_owned() }).collect()
     }
-}
-
-fn at(pair: &Pair<'_>, reason: LogReason) -> LogError {
-    Located { what: reason, place: Place::in_line(pair.line, pair.column) }
-}
-
-/// Whether a figure has a nominal value, limits and a deviation.
-fn is_limited(figure: &LogFigure) -> bool {
-    figure.kind != FigureKind::Information
 }
 
 /// Limits of 0 and 0 monitor nothing.
@@ -282,16 +260,9 @@ fn monitored(limits: LimitPair) -> Option<LimitPair> {
 fn limit_pair(maximum: &Number<'_>, minimum: &Number<'_>) -> Result<LimitPair, LogError> {
     if maximum.value < minimum.value {
         let (max, min) = (maximum.pair.given.to_owned(), minimum.pair.given.to_owned());
-        return Err(at(&maximum.pair, LogReason::Swapped { maximum: max, minimum: min }));
+        return Err(maximum.pair.wrong(LogFault::Swapped { maximum: max, minimum: min }));
     }
     Ok(LimitPair { maximum: maximum.value, minimum: minimum.value })
-}
-
-fn positive(figure: &Number<'_>) -> Result<(), LogError> {
-    if Length::ZERO < figure.value {
-        return Ok(());
-    }
-    Err(at(&figure.pair, LogReason::NotPositive { given: figure.pair.given.to_owned() }))
 }
 
 /// Whether every pair has the name of the figure at its place, whatever the language.

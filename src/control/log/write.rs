@@ -11,7 +11,7 @@
 
 use super::labels::Labels;
 use super::model::DECIMALS;
-use super::{Figure, LimitPair, Log, LogError, LogReason, layout, read};
+use super::{Figure, LimitPair, Log, LogError, LogFault, layout, read};
 use crate::length::{Length, Unit};
 use crate::message::Say;
 use crate::probing::cycle::{FigureKind, LogFigure, TextLog};
@@ -49,7 +49,7 @@ pub enum LogWriteError {
     },
     /// The log contradicts itself.
     #[say(transparent)]
-    Contradiction(LogReason),
+    Contradiction(LogFault),
     /// The file that a log is to be added to does not end at the end of a line.
     Unfinished,
     /// Something in the log would be read as something else, such as a further result that looks like a date.
@@ -113,7 +113,7 @@ pub fn append(file: &[u8], log: &Log, language: Dialogue) -> Result<Vec<u8>, Log
         bytes.extend(encode(&text));
     }
     let mut before = read(file);
-    before.retain(|log| !matches!(log, Err(LogError { what: LogReason::Empty | LogReason::NoLog, .. })));
+    before.retain(|log| !matches!(log, Err(LogError { what: LogFault::Empty | LogFault::NoLog, .. })));
     let logs = read(&bytes);
     let (old, new) = logs.split_at_checked(before.len()).unwrap_or_default();
     if old != before {
@@ -227,9 +227,8 @@ impl Page {
     fn figures(&mut self, layout: &TextLog, figures: &[Figure], labels: &Labels) {
         let not_monitored = LimitPair { maximum: Length::ZERO, minimum: Length::ZERO };
         let named: Vec<_> = layout.figures.iter().map(|figure| labels.figure(figure)).zip(figures).collect();
-        let limited: Vec<_> =
-            layout.figures.iter().zip(&named).filter(|(figure, _)| figure.kind != FigureKind::Information).collect();
-        let limited: Vec<_> = limited.into_iter().map(|(_, named)| *named).collect();
+        let limited = layout.figures.iter().zip(&named).filter(|(figure, _)| figure.is_limited());
+        let limited: Vec<_> = limited.map(|(_, named)| *named).collect();
         let nominal: Vec<_> = limited.iter().filter_map(|(words, of)| Some((&words.value, of.nominal?))).collect();
         if !nominal.is_empty() {
             self.section(&labels.nominal, nominal);

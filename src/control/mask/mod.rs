@@ -94,13 +94,23 @@ enum Name {
     CallPath,
 }
 
+/// What is printed besides parameters, by its word.
+const NAMES: [(&str, Name); 8] = [
+    ("DAY", Name::Day),
+    ("MONTH", Name::Month),
+    ("YEAR2", Name::Year2),
+    ("YEAR4", Name::Year4),
+    ("HOUR", Name::Hour),
+    ("MIN", Name::Minute),
+    ("SEC", Name::Second),
+    ("CALL_PATH", Name::CallPath),
+];
+
 /// What is said about the output file or about empty texts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Keyword {
     Close,
-    Append,
-    AppendMax(u32),
-    Truncate,
+    File(FileUse),
     EmptyHide,
     EmptyShow,
 }

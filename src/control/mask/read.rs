@@ -1,7 +1,8 @@
 //! Text to mask.
 
 use super::{
-    Format, Keyword, Kind, Line, Mask, MaskError, MaskFault, MaskWarning, MaskWarningKind, Name, Part, Record,
+    FileUse, Format, Keyword, Kind, Line, Mask, MaskError, MaskFault, MaskWarning, MaskWarningKind, NAMES, Name, Part,
+    Record,
 };
 use crate::control::text::{beginning, decode, lines};
 use crate::message::{Located, Place};
@@ -89,16 +90,11 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// A format and where it stands.
-struct Slot {
-    format: Format,
-    column: usize,
-}
-
 /// A record before its parameters are known.
 enum Piece {
     Text(String),
-    Slot(Slot),
+    /// A format, and the column where it stands.
+    Slot(Format, usize),
 }
 
 impl Reader {
@@ -129,7 +125,7 @@ impl Reader {
         let pieces = self.quoted(cursor)?;
         let names = self.parameters(cursor)?;
         self.end(cursor)?;
-        let formats = pieces.iter().filter(|piece| matches!(piece, Piece::Slot(_))).count();
+        let formats = pieces.iter().filter(|piece| matches!(piece, Piece::Slot(..))).count();
         if formats != names.len() {
             return Err(Located::in_line(self.line, MaskFault::Count { formats, parameters: names.len() }));
         }
@@ -137,9 +133,7 @@ impl Reader {
         let parts = pieces.into_iter().filter_map(|piece| match piece {
             Piece::Text(text) => Some(Part::Text(text)),
             // As many names as slots, just counted.
-            Piece::Slot(slot) => {
-                names.next().map(|name| Part::Field { format: slot.format, name, column: slot.column })
-            }
+            Piece::Slot(format, column) => names.next().map(|name| Part::Field { format, name, column }),
         });
         Ok(Line::Record(Record { line: self.line, parts: parts.collect() }))
     }
@@ -170,7 +164,7 @@ impl Reader {
                     if !text.is_empty() {
                         pieces.push(Piece::Text(std::mem::take(&mut text)));
                     }
-                    pieces.push(Piece::Slot(Slot { format: self.format(cursor, column)?, column }));
+                    pieces.push(Piece::Slot(self.format(cursor, column)?, column));
                 }
                 '\\' if cursor.take_if(|c| c == '\\').is_some() => text.push('\\'),
                 '\\' if cursor.take_if(|c| c == '"').is_some() => text.push('"'),
@@ -207,15 +201,13 @@ impl Reader {
         let (kind, length) = match letters.as_str() {
             "RS" => (Kind::Raw, 2),
             "LF" => (Kind::Decimal, 2),
-            other => match other.chars().next() {
-                Some('S') => (Kind::Text, 1),
-                Some('F') => (Kind::Decimal, 1),
-                Some('D' | 'I') => (Kind::Whole, 1),
-                letter => {
-                    let found = letter.map_or_else(|| "%".to_owned(), |letter| format!("%{letter}"));
-                    return Err(self.fault(column, MaskFault::UnknownFormat { found }));
-                }
-            },
+            letters if letters.starts_with('S') => (Kind::Text, 1),
+            letters if letters.starts_with('F') => (Kind::Decimal, 1),
+            letters if letters.starts_with(['D', 'I']) => (Kind::Whole, 1),
+            letters => {
+                let found = format!("%{}", letters.chars().next().map(String::from).unwrap_or_default());
+                return Err(self.fault(column, MaskFault::UnknownFormat { found }));
+            }
         };
         for _ in 0..length {
             cursor.next();
@@ -254,8 +246,8 @@ impl Reader {
         let word = cursor.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
         let line = match word.to_ascii_uppercase().as_str() {
             "M_CLOSE" => Line::Keyword(Keyword::Close),
-            "M_APPEND" => Line::Keyword(Keyword::Append),
-            "M_TRUNCATE" => Line::Keyword(Keyword::Truncate),
+            "M_APPEND" => Line::Keyword(Keyword::File(FileUse::Append)),
+            "M_TRUNCATE" => Line::Keyword(Keyword::File(FileUse::Replace)),
             "M_EMPTY_HIDE" => Line::Keyword(Keyword::EmptyHide),
             "M_EMPTY_SHOW" => Line::Keyword(Keyword::EmptyShow),
             "L_ALL" => Line::Language(None),
@@ -263,7 +255,7 @@ impl Reader {
                 let kilobytes = other.strip_prefix("M_APPEND_MAX").and_then(|number| number.parse().ok());
                 let language = other.strip_prefix("L_").filter(|language| LANGUAGES.contains(language));
                 match (kilobytes, language) {
-                    (Some(kilobytes), _) => Line::Keyword(Keyword::AppendMax(kilobytes)),
+                    (Some(kilobytes), _) => Line::Keyword(Keyword::File(FileUse::AppendMax(kilobytes))),
                     (None, Some(language)) => Line::Language(Some(language.to_owned())),
                     (None, None) if other.starts_with("M_") || other.starts_with("L_") => {
                         self.warn(MaskWarningKind::UnknownWord { word: beginning(&word) });
@@ -322,16 +314,6 @@ const LANGUAGES: [&str; 22] = [
 ];
 
 fn name(word: &str) -> Option<Name> {
-    let word = word.to_ascii_uppercase();
-    Some(match word.as_str() {
-        "DAY" => Name::Day,
-        "MONTH" => Name::Month,
-        "YEAR2" => Name::Year2,
-        "YEAR4" => Name::Year4,
-        "HOUR" => Name::Hour,
-        "MIN" => Name::Minute,
-        "SEC" => Name::Second,
-        "CALL_PATH" => Name::CallPath,
-        word => Name::Parameter(word.parse().ok()?),
-    })
+    let known = NAMES.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(word));
+    known.map(|(_, name)| name).or_else(|| word.parse().ok().map(Name::Parameter))
 }

@@ -2,8 +2,7 @@
 
 use jiff::civil::DateTime;
 
-use super::{Format, Keyword, Kind, Line, Mask, Name, Record, RenderError, RenderFault};
-use crate::control::mask::Part;
+use super::{Format, Keyword, Kind, Line, Mask, NAMES, Name, Part, Record, RenderError, RenderFault};
 use crate::control::variables::{Family, Value, Variables};
 use crate::message::{Located, Place};
 use crate::words::Dialogue;
@@ -57,9 +56,7 @@ impl Mask {
                     speaks = language.as_deref().is_none_or(|word| word == context.language.words().mask_language);
                 }
                 Line::Keyword(Keyword::Close) => output.close = true,
-                Line::Keyword(Keyword::Append) => output.file = FileUse::Append,
-                Line::Keyword(Keyword::AppendMax(kilobytes)) => output.file = FileUse::AppendMax(*kilobytes),
-                Line::Keyword(Keyword::Truncate) => output.file = FileUse::Replace,
+                Line::Keyword(Keyword::File(file)) => output.file = *file,
                 Line::Keyword(Keyword::EmptyHide) => hides = true,
                 Line::Keyword(Keyword::EmptyShow) => hides = false,
                 Line::Record(_) if !speaks => {}
@@ -217,7 +214,7 @@ fn rounded(number: &str, digits: usize) -> String {
         whole.bytes().chain(decimals.bytes().chain(std::iter::repeat(b'0')).take(digits)).collect();
     if decimals.as_bytes().get(digits).is_some_and(|next| b'5' <= *next) {
         let mut carry = true;
-        for figure in figures.iter_mut().rev().take_while(|_| true) {
+        for figure in figures.iter_mut().rev() {
             if !carry {
                 break;
             }
@@ -242,17 +239,10 @@ fn rounded(number: &str, digits: usize) -> String {
 
 impl std::fmt::Display for Name {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Parameter(parameter) => parameter.fmt(f),
-            Self::Day => f.write_str("DAY"),
-            Self::Month => f.write_str("MONTH"),
-            Self::Year2 => f.write_str("YEAR2"),
-            Self::Year4 => f.write_str("YEAR4"),
-            Self::Hour => f.write_str("HOUR"),
-            Self::Minute => f.write_str("MIN"),
-            Self::Second => f.write_str("SEC"),
-            Self::CallPath => f.write_str("CALL_PATH"),
+        if let Self::Parameter(parameter) = self {
+            return parameter.fmt(f);
         }
+        f.write_str(NAMES.iter().find(|(_, known)| known == self).map_or("", |(word, _)| *word))
     }
 }
 

@@ -1,17 +1,10 @@
 //! What is wrong with the block of a probing cycle, and where.
 
-use crate::message::Say;
+use crate::message::{Located, Say};
 use crate::probing::cycle::{CycleError, Key};
 
-/// Why a block cannot be read or written.
-#[derive(Debug, Clone, PartialEq, Say)]
-#[say(id = "block-at-line", error)]
-pub struct ProbeBlockError {
-    /// The line, from 1.
-    pub line: usize,
-    /// What is wrong.
-    pub fault: ProbeBlockFault,
-}
+/// Why a block cannot be read or written, and in which line.
+pub type ProbeBlockError = Located<ProbeBlockFault>;
 
 /// What is wrong with a block.
 #[derive(Debug, Clone, PartialEq, Say)]
@@ -70,7 +63,7 @@ pub enum ProbeBlockFault {
     },
     /// The cycle does not take the parameter or its value.
     #[say(transparent)]
-    Cycle(CycleError),
+    Cycle(Box<CycleError>),
     /// A text that a block cannot hold.
     NotWritable {
         /// The parameter.
@@ -82,6 +75,6 @@ pub enum ProbeBlockFault {
 
 impl ProbeBlockFault {
     pub(super) const fn at(self, line: usize) -> ProbeBlockError {
-        ProbeBlockError { line, fault: self }
+        Located::in_line(line, self)
     }
 }

@@ -49,7 +49,7 @@ pub fn read(text: &str) -> Result<ProbeBlock, ProbeBlockError> {
 /// As for [`read()`].
 pub fn read_or_lines(text: &str, cycle: &'static Cycle) -> Result<ProbeBlock, ProbeBlockError> {
     match read(text) {
-        Err(ProbeBlockError { fault: ProbeBlockFault::NoBlock, .. }) if !text.trim().is_empty() => {
+        Err(ProbeBlockError { what: ProbeBlockFault::NoBlock, .. }) if !text.trim().is_empty() => {
             let head = match cycle.control {
                 Control::Lathe => cycle.code.to_owned(),
                 Control::Milling => format!("TCH PROBE {} ~", cycle.code),
@@ -120,11 +120,8 @@ struct Reader {
 impl Reader {
     fn take(&mut self, segment: &Segment<'_>, line: usize) -> Result<(), ProbeBlockError> {
         if segment.code.is_empty() {
-            if self.state == State::Open || self.state == State::Promised {
-                self.state = match (segment.goes_on, &self.state) {
-                    (true, _) | (false, State::Promised) => State::Promised,
-                    _ => State::Behind,
-                };
+            if self.state == State::Open {
+                self.state = if segment.goes_on { State::Promised } else { State::Behind };
             }
             return Ok(());
         }
@@ -224,7 +221,7 @@ impl Reader {
         // More names than a cycle has parameters would be refused later; here they would only fill the memory.
         if block.cycle.parameter_named(key).is_none() {
             let error = block.cycle.set(Inputs::new(), key, text).map(drop);
-            return error.map_err(|error| ProbeBlockFault::Cycle(error).at(line));
+            return error.map_err(|error| ProbeBlockFault::Cycle(Box::new(error)).at(line));
         }
         block.settings.push(Setting { line, key: key.to_owned(), text: quoted.unwrap_or(text).to_owned() });
         Ok(())

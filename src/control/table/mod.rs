@@ -28,7 +28,7 @@ pub use write::WriteError;
 /// assert_eq!(file.table.rows, [["0", "3", "+8"]]);
 /// # Ok::<(), fitcheck::control::table::TableError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct ControlTable {
     /// The name in the BEGIN line, without its suffix: `82553_hole`.
     pub name: String,
@@ -71,9 +71,10 @@ impl TableUnit {
 }
 
 /// The three kinds of header, by age.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Generation {
     /// BEGIN line and names only.
+    #[default]
     Plain,
     /// A block `#STRUCTBEGIN` … `#STRUCTEND`: iTNC 530 and older.
     Structure,

@@ -127,10 +127,8 @@ impl<'a> Reader<'a> {
 
     /// Counts kept parts; one too many is an error.
     pub(super) fn keep(&mut self, parts: usize) -> Result<(), TableError> {
-        match self.budget.checked_sub(parts) {
-            Some(left) => self.budget = left,
-            None => return Err(self.fault(TableFault::TooLarge { limit: MOST_CELLS }, 0)),
-        }
+        let too_large = || self.fault(TableFault::TooLarge { limit: MOST_CELLS }, 0);
+        self.budget = self.budget.checked_sub(parts).ok_or_else(too_large)?;
         Ok(())
     }
 
@@ -188,11 +186,7 @@ impl<'a> Reader<'a> {
             unit,
             version,
             mark,
-            generation: Generation::Plain,
-            columns: Vec::new(),
-            properties: Vec::new(),
-            rows: Vec::new(),
-            comments: Vec::new(),
+            ..ControlTable::default()
         })
     }
 
@@ -292,10 +286,8 @@ impl<'a> Reader<'a> {
     }
 
     fn no_tab(&self, line: &str) -> Result<(), TableError> {
-        match line.chars().position(|c| c == '\t') {
-            Some(at) => Err(self.fault(TableFault::Tab, at)),
-            None => Ok(()),
-        }
+        let tab = line.chars().position(|c| c == '\t');
+        tab.map_or(Ok(()), |at| Err(self.fault(TableFault::Tab, at)))
     }
 
     /// The rows up to the end.

@@ -75,8 +75,8 @@ impl ControlTable {
     }
 
     fn text(&self) -> Result<String, WriteError> {
-        let mut lines = Lines::default();
-        lines.line(&self.begin_line());
+        let mut lines = Vec::new();
+        lines.push(self.begin_line());
         self.comments_at(&mut lines, ";", CommentPlace::Header);
         match self.generation {
             Generation::Plain => {}
@@ -87,33 +87,25 @@ impl ControlTable {
         for column in &self.columns {
             pad(&mut names, &column.name, column.width);
         }
-        lines.line(&names);
+        lines.push(names);
         let mut comments = self.comments.iter().peekable();
         for (number, row) in self.rows.iter().enumerate() {
             row_comments(&mut lines, &mut comments, number);
-            lines.line(&self.row(number, row)?);
+            lines.push(self.row(number, row)?);
         }
         row_comments(&mut lines, &mut comments, self.rows.len());
-        lines.line("[END]");
-        Ok(lines.text)
+        lines.push("[END]".to_owned());
+        // Every line has its end.
+        lines.push(String::new());
+        Ok(lines.join("\r\n"))
     }
 
     fn begin_line(&self) -> String {
-        let mut line = format!("BEGIN {}", self.file_name());
-        if let Some(unit) = self.unit {
-            line.push(' ');
-            line.push_str(unit.word());
-        }
-        if let Some(version) = &self.version {
-            line.push_str(" Version: '");
-            line.push_str(version);
-            line.push('\'');
-        }
-        if let Some(mark) = &self.mark {
-            line.push(' ');
-            line.push_str(mark);
-        }
-        line
+        let mut words = vec![format!("BEGIN {}", self.file_name())];
+        words.extend(self.unit.map(|unit| unit.word().to_owned()));
+        words.extend(self.version.as_ref().map(|version| format!("Version: '{version}'")));
+        words.extend(self.mark.clone());
+        words.join(" ")
     }
 
     fn row(&self, number: usize, row: &[String]) -> Result<String, WriteError> {
@@ -132,58 +124,58 @@ impl ControlTable {
         Ok(line)
     }
 
-    fn structure(&self, lines: &mut Lines) {
-        lines.line("#STRUCTBEGIN");
+    fn structure(&self, lines: &mut Vec<String>) {
+        lines.push("#STRUCTBEGIN".to_owned());
         for column in self.columns.iter().filter(|column| column.is_described()) {
-            lines.line(&format!("   NAME = {}", column.name));
+            lines.push(format!("   NAME = {}", column.name));
             if let Some(kind) = &column.kind {
-                lines.line(&format!("     TYPE = {kind}"));
+                lines.push(format!("     TYPE = {kind}"));
             }
             // The span is one blank more than the width.
-            lines.line(&format!("     WIDTH = {}", column.width.saturating_sub(1)));
+            lines.push(format!("     WIDTH = {}", column.width.saturating_sub(1)));
             if let Some(decimals) = column.decimals {
-                lines.line(&format!("     DEC = {decimals}"));
+                lines.push(format!("     DEC = {decimals}"));
             }
             for (key, value) in &column.settings {
-                lines.line(&format!("     {key} = {value}"));
+                lines.push(format!("     {key} = {value}"));
             }
         }
         self.comments_at(lines, "*", CommentPlace::Block);
-        lines.line("#STRUCTEND");
+        lines.push("#STRUCTEND".to_owned());
     }
 
-    fn description(&self, lines: &mut Lines) {
-        lines.line("TableDescription (");
-        lines.line("  columns:= [");
+    fn description(&self, lines: &mut Vec<String>) {
+        lines.push("TableDescription (".to_owned());
+        lines.push("  columns:= [".to_owned());
         let described: Vec<&Column> = self.columns.iter().filter(|column| column.is_described()).collect();
         for (number, column) in described.iter().enumerate() {
-            lines.line("    CfgColumnDescription (");
+            lines.push("    CfgColumnDescription (".to_owned());
             let mut entries = vec![format!("key:=\"{}\"", column.name), format!("width:={}", column.width)];
             entries.extend(column.kind.iter().map(|kind| format!("unit:={kind}")));
             entries.extend(column.settings.iter().map(|(key, value)| format!("{key}:={value}")));
-            lines.line(&format!("      {}", entries.join(",\r\n      ")));
-            lines.line(if number + 1 < described.len() { "    )," } else { "    )" });
+            lines.push(format!("      {}", entries.join(",\r\n      ")));
+            lines.push(if number + 1 < described.len() { "    )," } else { "    )" }.to_owned());
         }
         let comma = if self.properties.is_empty() { "" } else { "," };
-        lines.line(&format!("  ]{comma}"));
+        lines.push(format!("  ]{comma}"));
         for (number, (key, value)) in self.properties.iter().enumerate() {
             let comma = if number + 1 < self.properties.len() { "," } else { "" };
-            lines.line(&format!("  {key}:={value}{comma}"));
+            lines.push(format!("  {key}:={value}{comma}"));
         }
         self.comments_at(lines, ";", CommentPlace::Block);
-        lines.line(")");
+        lines.push(")".to_owned());
     }
 
-    fn comments_at(&self, lines: &mut Lines, sign: &str, place: CommentPlace) {
+    fn comments_at(&self, lines: &mut Vec<String>, sign: &str, place: CommentPlace) {
         for comment in self.comments.iter().filter(|comment| comment.place == place) {
-            lines.line(&format!("{sign}{}", comment.text));
+            lines.push(format!("{sign}{}", comment.text));
         }
     }
 }
 
 /// Writes the comments before the row of this number.
 fn row_comments<'a>(
-    lines: &mut Lines,
+    lines: &mut Vec<String>,
     comments: &mut std::iter::Peekable<impl Iterator<Item = &'a Comment>>,
     number: usize,
 ) {
@@ -192,21 +184,8 @@ fn row_comments<'a>(
         CommentPlace::Row(row) => row <= number,
     }) {
         if matches!(comment.place, CommentPlace::Row(_)) {
-            lines.line(&format!(";{}", comment.text));
+            lines.push(format!(";{}", comment.text));
         }
-    }
-}
-
-/// Lines with their ends.
-#[derive(Default)]
-struct Lines {
-    text: String,
-}
-
-impl Lines {
-    fn line(&mut self, line: &str) {
-        self.text.push_str(line);
-        self.text.push_str("\r\n");
     }
 }
 

@@ -5,12 +5,13 @@ use super::contacts::{Contacts, Probed};
 use super::fault::{BlockPlace, FaultKind};
 use super::remark::Remark;
 use super::values::{Values, length_of, whole};
+use crate::control::cycle_status::variable;
 use crate::control::probe_table::ProbeTable;
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
 use crate::nc::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool};
 use crate::probing::TouchProbe;
-use crate::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
+use crate::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Move, Phase, Range};
 use crate::probing::cycles::cycles_of;
 
 /// A cycle that was run.
@@ -165,19 +166,8 @@ fn input(
 
 /// Results into their parameters, the number of the cycle into Q198, where the ball touched last into Q115 to Q117.
 pub(super) fn hand_over(cycle: &Cycle, result: &CycleResult, values: &mut Values) -> Result<(), FaultKind> {
-    for found in &result.results {
-        let value = match &found.value {
-            cycle::Value::Length(length) => Value::Length(*length),
-            cycle::Value::Angle(angle) => Value::Number(angle.to_degrees_f64()),
-            cycle::Value::Whole(whole) => Value::Number(i32::try_from(*whole).map_or(0.0, f64::from)),
-            cycle::Value::Number(number) => Value::Number(*number),
-            other => Value::Text(other.to_string()),
-        };
-        match found.key {
-            Key::Q(number) => values.put(Parameter::q(number), value)?,
-            Key::Qs(number) => values.put(Parameter::qs(number), value)?,
-            Key::Word(_) => {}
-        }
+    for (parameter, value) in result.results.iter().filter_map(|found| variable(found.key, &found.value)) {
+        values.put(parameter, value)?;
     }
     values.put(Parameter::q(198), Value::Number(f64::from(cycle.number)))?;
     let last = result.path.iter().rev().find(|step: &&Move| step.phase == Phase::Contact);
@@ -188,6 +178,7 @@ pub(super) fn hand_over(cycle: &Cycle, result: &CycleResult, values: &mut Values
     }
     Ok(())
 }
+
 /// The cycle of a number: those of lathe controls are no `TCH PROBE`.
 pub(super) fn cycle_of(number: &str) -> Result<&'static Cycle, FaultKind> {
     cycles_of(Control::Milling).find(|cycle| cycle.code == number).ok_or_else(|| {

@@ -5,6 +5,7 @@ use super::path::{NcPath, PathError};
 use super::store::StoreError;
 use crate::control::mask::{MaskError, RenderError};
 use crate::control::table::{TableError, WriteError};
+use crate::control::text::cut;
 use crate::control::variables::Parameter;
 use crate::message::{Message, Say, display};
 use crate::nc::program::{LabelFault, Program, ProgramError};
@@ -38,17 +39,13 @@ pub struct Fault {
 impl Fault {
     /// A fault of a block; behind the last block the last one is named.
     pub(super) fn new(program: &Program, mut place: BlockPlace, kind: FaultKind) -> Self {
-        const LONGEST: usize = 80;
         place.block = place.block.min(program.blocks().len().saturating_sub(1));
         let block = program.blocks().get(place.block);
         let text = program.text_of(place.block).next().unwrap_or_default();
         let number = block.and_then(|block| block.number);
         let bare = text.trim().trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
         let bare = if number.is_some() { bare } else { text.trim() };
-        let mut text: String = bare.chars().take(LONGEST).map(|c| if c.is_control() { ' ' } else { c }).collect();
-        if LONGEST < bare.chars().count() {
-            text.push('…');
-        }
+        let text = cut(bare, 80).replace(char::is_control, " ");
         let line = block.map_or_else(|| program.line_count(), |block| block.lines.start + 1);
         Self { place, number, line, text, kind: Box::new(kind) }
     }

@@ -51,18 +51,12 @@ impl Call {
 pub(super) struct Flow {
     frame: Frame,
     calls: Vec<Call>,
-    most_label_calls: usize,
-    most_program_calls: usize,
+    budget: Budget,
 }
 
 impl Flow {
     pub(super) fn new(path: NcPath, program: Arc<Program>, budget: &Budget) -> Self {
-        Self {
-            frame: Frame::new(path, program),
-            calls: Vec::new(),
-            most_label_calls: budget.label_calls,
-            most_program_calls: budget.program_calls,
-        }
+        Self { frame: Frame::new(path, program), calls: Vec::new(), budget: *budget }
     }
 
     pub(super) const fn path(&self) -> &NcPath {
@@ -158,7 +152,7 @@ impl Flow {
             return Ok(());
         }
         let labels = self.calls.iter().filter(|call| !call.is_program()).count();
-        Budget::one_more(labels, self.most_label_calls, UsedUp::LabelCalls)?;
+        Budget::one_more(labels, self.budget.label_calls, UsedUp::LabelCalls)?;
         self.calls.push(Call { from: self.place_of(at), caller: None });
         self.frame.next = to;
         Ok(())
@@ -167,7 +161,7 @@ impl Flow {
     /// Whether one more program may be called.
     pub(super) fn check_depth(&self) -> Result<(), UsedUp> {
         let depth = self.calls.iter().filter(|call| call.is_program()).count();
-        Budget::one_more(depth, self.most_program_calls, UsedUp::ProgramCalls)
+        Budget::one_more(depth, self.budget.program_calls, UsedUp::ProgramCalls)
     }
 
     /// Goes into another program.

@@ -16,11 +16,14 @@ pub trait Store: Send {
     /// [`StoreError`] says why there are none.
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError>;
 
-    /// Writes what FN 16 prints, or a table that FN 27 has changed, and says how many bytes the file has then.
+    /// Writes what FN 16 prints, or a table that FN 27 has changed, and says how many bytes the file has then. A store
+    /// that does not say otherwise writes nothing.
     ///
     /// # Errors
     /// [`StoreError::ReadOnly`] where nothing is written, others where it went wrong.
-    fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError>;
+    fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
+        Err(StoreError::ReadOnly)
+    }
 }
 
 /// Why a file cannot be read or written.
@@ -88,20 +91,12 @@ impl Store for Shipped {
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
         Self::file(path.file_name()).map(<[u8]>::to_vec).ok_or_else(|| StoreError::missing(path))
     }
-
-    fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
-        Err(StoreError::ReadOnly)
-    }
 }
 
 /// The files of a control and no others. Nothing is written.
 impl Store for BTreeMap<NcPath, Vec<u8>> {
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
         self.get(path).cloned().ok_or_else(|| StoreError::missing(path))
-    }
-
-    fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
-        Err(StoreError::ReadOnly)
     }
 }
 

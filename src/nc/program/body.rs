@@ -2,10 +2,9 @@
 
 use super::block::{Body, Target, Unit};
 use super::cursor::{Cursor, Read};
+use super::fault::{BlockFault, Wanted};
 use super::functions::{assignment, declaration, function};
-use super::moves::{is_machine_function, line, machine_functions, stop, tool_call};
-use super::reason::{Reason, Wanted};
-use crate::control::variables::Family;
+use super::moves::{is_machine_function, line, machine_functions, tool_call};
 
 /// The largest number of a label.
 const MOST_LABEL: u32 = 65_535;
@@ -16,14 +15,9 @@ const MOST_REPEATS: u32 = 65_534;
 pub(super) fn body(code: &str) -> Read<Body> {
     let mut cursor = Cursor::new(code);
     let cursor = &mut cursor;
-    let body = known(cursor)?;
-    match body {
-        Some(body) => {
-            cursor.end()?;
-            Ok(body)
-        }
-        None => Ok(Body::Other),
-    }
+    let Some(body) = known(cursor)? else { return Ok(Body::Other) };
+    cursor.end()?;
+    Ok(body)
 }
 
 fn known(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
@@ -48,7 +42,7 @@ fn known(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
             Some(_) => assignment(cursor).map(Some),
             None => Ok(None),
         },
-        'S' if cursor.take_word("STOP") => stop(cursor).map(Some),
+        'S' if cursor.take_word("STOP") => Ok(Some(Body::Stop(machine_functions(cursor)?))),
         'T' if cursor.take_words(&["TOOL", "CALL"]) => tool_call(cursor).map(Some),
         _ => Ok(None),
     }
@@ -66,8 +60,8 @@ fn name_and_unit(cursor: &mut Cursor<'_>) -> Read<(String, Unit)> {
     let (name, last) = text.rsplit_once(char::is_whitespace).unwrap_or(("", text));
     match unit(last) {
         Some(unit) => Ok((name.trim_end().to_owned(), unit)),
-        None if text.is_empty() => Err(from.fail(Reason::Missing(Wanted::Unit))),
-        None => Err(cursor.fail(Reason::Missing(Wanted::Unit))),
+        None if text.is_empty() => Err(from.fail(BlockFault::Missing(Wanted::Unit))),
+        None => Err(cursor.fail(BlockFault::Missing(Wanted::Unit))),
     }
 }
 
@@ -76,7 +70,7 @@ fn label(cursor: &mut Cursor<'_>) -> Read<Body> {
     cursor.blanks();
     let at = cursor.clone();
     match target(cursor)? {
-        Target::Parameter(parameter) => Err(at.fail(Reason::LabelOfParameter { parameter })),
+        Target::Parameter(parameter) => Err(at.fail(BlockFault::LabelOfParameter { parameter })),
         label => Ok(Body::Label(label)),
     }
 }
@@ -90,10 +84,8 @@ pub(super) fn target(cursor: &mut Cursor<'_>) -> Read<Target> {
         return Ok(Target::Number(number));
     }
     match cursor.parameter()? {
-        Some(parameter) if matches!(parameter.family, Family::Q | Family::Ql | Family::Qr | Family::Qs) => {
-            Ok(Target::Parameter(parameter))
-        }
-        _ => Err(cursor.stop(Wanted::Label)),
+        Some(parameter) => Ok(Target::Parameter(parameter)),
+        None => Err(cursor.stop(Wanted::Label)),
     }
 }
 
@@ -102,12 +94,9 @@ fn call_label(cursor: &mut Cursor<'_>) -> Read<Body> {
     let label = target(cursor)?;
     let mut repeat = None;
     if cursor.take_word("REP") {
-        repeat = cursor.whole(MOST_REPEATS)?;
-        if repeat.is_none() {
-            return Err(cursor.stop(Wanted::Number));
-        }
-        if cursor.take('/') && cursor.whole(MOST_REPEATS)?.is_none() {
-            return Err(cursor.stop(Wanted::Number));
+        repeat = Some(cursor.expect_whole(MOST_REPEATS)?);
+        if cursor.take('/') {
+            cursor.expect_whole(MOST_REPEATS)?;
         }
     }
     Ok(Body::CallLabel { label, repeat })

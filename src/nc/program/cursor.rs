@@ -4,7 +4,7 @@
 //! (`SIN-Q5`, `IX-QR4`). So every reader asks the cursor for what it expects, and the cursor passes over blanks.
 
 use super::block::{Operand, TextOperand};
-use super::reason::{Reason, Wanted};
+use super::fault::{BlockFault, Wanted};
 use crate::control::variables::{Family, Parameter};
 
 /// What is read, or why not.
@@ -14,7 +14,7 @@ pub(super) type Read<T> = Result<T, Stop>;
 #[derive(Debug)]
 pub(super) struct Stop {
     pub at: usize,
-    pub reason: Reason,
+    pub reason: BlockFault,
 }
 
 /// The place.
@@ -138,18 +138,21 @@ impl<'a> Cursor<'a> {
 
     /// Stops unless nothing is left.
     pub(super) fn end(&mut self) -> Read<()> {
-        if self.is_at_end() { Ok(()) } else { Err(self.fail(Reason::LeftOver { found: self.shown() })) }
+        if self.is_at_end() { Ok(()) } else { Err(self.fail(BlockFault::LeftOver { found: self.shown() })) }
     }
 
     /// Something else is due here.
     pub(super) fn stop(&mut self, wanted: Wanted) -> Stop {
-        let reason =
-            if self.is_at_end() { Reason::Missing(wanted) } else { Reason::Unexpected { wanted, found: self.shown() } };
+        let reason = if self.is_at_end() {
+            BlockFault::Missing(wanted)
+        } else {
+            BlockFault::Unexpected { wanted, found: self.shown() }
+        };
         self.fail(reason)
     }
 
     /// Stops here.
-    pub(super) const fn fail(&self, reason: Reason) -> Stop {
+    pub(super) const fn fail(&self, reason: BlockFault) -> Stop {
         Stop { at: self.at, reason }
     }
 
@@ -183,7 +186,15 @@ impl<'a> Cursor<'a> {
         let number = if text.contains(',') { text.replace(',', ".").parse() } else { text.parse::<f64>() };
         match number {
             Ok(number) if number.is_finite() => Ok(Some(number)),
-            _ => Err(from.fail(Reason::NumberSize { found: from.shown() })),
+            _ => Err(from.fail(BlockFault::NumberSize { found: from.shown() })),
+        }
+    }
+
+    /// Takes a whole number without sign or stops.
+    pub(super) fn expect_whole(&mut self, most: u32) -> Read<u32> {
+        match self.whole(most)? {
+            Some(number) => Ok(number),
+            None => Err(self.stop(Wanted::Number)),
         }
     }
 
@@ -197,7 +208,7 @@ impl<'a> Cursor<'a> {
         }
         match digits.parse() {
             Ok(number) if number <= most => Ok(Some(number)),
-            _ => Err(from.fail(Reason::Range { found: from.shown(), most })),
+            _ => Err(from.fail(BlockFault::Range { found: from.shown(), most })),
         }
     }
 
@@ -225,25 +236,30 @@ impl<'a> Cursor<'a> {
                 *self = ahead;
                 Ok(Some(Parameter { family, number }))
             }
-            _ => Err(self.fail(Reason::ParameterRange { found: self.shown(), family: name, most })),
+            _ => Err(self.fail(BlockFault::ParameterRange { found: self.shown(), family: name, most })),
         }
     }
 
-    /// Takes a parameter of numbers.
+    /// Takes a parameter of any family or stops.
+    pub(super) fn any_parameter(&mut self) -> Read<Parameter> {
+        self.parameter_of(Wanted::Parameter, |_family| true)
+    }
+
+    /// Takes a parameter of numbers or stops.
     pub(super) fn number_parameter(&mut self) -> Read<Parameter> {
-        let from = self.clone();
-        match self.parameter()? {
-            Some(parameter) if parameter.family != Family::Qs => Ok(parameter),
-            _ => Err(from.clone().stop(Wanted::NumberParameter)),
-        }
+        self.parameter_of(Wanted::NumberParameter, |family| family != Family::Qs)
     }
 
-    /// Takes a QS parameter.
-    pub(super) fn text_parameter(&mut self) -> Read<Parameter> {
-        let from = self.clone();
+    /// Takes a QS parameter or stops.
+    pub(super) fn text_parameter(&mut self, wanted: Wanted) -> Read<Parameter> {
+        self.parameter_of(wanted, |family| family == Family::Qs)
+    }
+
+    fn parameter_of(&mut self, wanted: Wanted, test: impl Fn(Family) -> bool) -> Read<Parameter> {
+        let mut from = self.clone();
         match self.parameter()? {
-            Some(parameter) if parameter.family == Family::Qs => Ok(parameter),
-            _ => Err(from.clone().stop(Wanted::TextParameter)),
+            Some(parameter) if test(parameter.family) => Ok(parameter),
+            _ => Err(from.stop(wanted)),
         }
     }
 

@@ -2,8 +2,8 @@
 
 use super::block::{CycleBlock, CycleLine, CycleValue, Place, TextOperand};
 use super::cursor::{Cursor, Read, Stop};
+use super::fault::{BlockFault, Wanted};
 use super::lines::Piece;
-use super::reason::Wanted;
 use crate::control::variables::Family;
 
 /// The number and the name, behind `TCH PROBE` or `CYCL DEF`.
@@ -17,7 +17,7 @@ pub(super) fn line(cycle: &mut CycleBlock, piece: &Piece<'_>, column: impl Fn(us
     let mut cursor = Cursor::new(piece.code);
     while !cursor.is_at_end() {
         let place = column(cursor.at());
-        let Some(parameter) = cursor.parameter()? else { return Err(cursor.stop(Wanted::Parameter)) };
+        let parameter = cursor.any_parameter()?;
         cursor.expect('=', "=")?;
         let value = value(&mut cursor)?;
         let comment = piece.comment.unwrap_or_default().to_owned();
@@ -48,9 +48,7 @@ fn value(cursor: &mut Cursor<'_>) -> Result<CycleValue, Stop> {
             Ok(CycleValue::Number { value, text })
         }
         // A number beyond its range says so; anything else is no value.
-        Err(stop)
-            if matches!(stop.reason, super::reason::Reason::Missing(_) | super::reason::Reason::Unexpected { .. }) =>
-        {
+        Err(stop) if matches!(stop.reason, BlockFault::Missing(_) | BlockFault::Unexpected { .. }) => {
             Err(from.clone().stop(Wanted::CycleValue))
         }
         Err(stop) => Err(stop),

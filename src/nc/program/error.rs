@@ -1,7 +1,7 @@
 //! What can be wrong with a program, or odd about it.
 
 use super::block::{Target, Unit};
-use super::reason::Reason;
+use super::fault::BlockFault;
 use crate::message::{Located, Say};
 
 /// Why a file is no program at all.
@@ -72,7 +72,7 @@ pub enum ProgramWarningKind {
     /// The file ends behind a `~`.
     OpenEnd,
     /// A block of a known kind that cannot be understood; it is kept as text.
-    NotUnderstood(#[say(name = "reason")] Reason),
+    NotUnderstood(#[say(name = "reason")] BlockFault),
     /// Too many to list.
     More {
         /// How many.

@@ -5,9 +5,9 @@
 use super::block::Operand;
 use super::cursor::{Cursor, Read};
 use super::expression::{Expression, NumberFunction, Operation};
-use super::reason::{Reason, Wanted};
+use super::fault::{BlockFault, Wanted};
 use super::words::{FUNCTIONS, meaning};
-use crate::control::variables::Family;
+use crate::control::variables::{Family, Parameter};
 
 /// How deep brackets and functions may be within one another.
 pub(super) const MOST_DEPTH: usize = 64;
@@ -72,7 +72,7 @@ impl Formula<'_, '_> {
     /// An operand with what stands before it.
     fn operand(&mut self) -> Read<Expression> {
         if self.depth == MOST_DEPTH {
-            return Err(self.cursor.fail(Reason::TooDeep { most: MOST_DEPTH }));
+            return Err(self.cursor.fail(BlockFault::TooDeep { most: MOST_DEPTH }));
         }
         self.depth += 1;
         let operand = self.signed();
@@ -99,7 +99,7 @@ impl Formula<'_, '_> {
     fn plain(&mut self) -> Read<Expression> {
         self.operands += 1;
         if MOST_OPERANDS < self.operands {
-            return Err(self.cursor.fail(Reason::TooManyOperands { most: MOST_OPERANDS }));
+            return Err(self.cursor.fail(BlockFault::TooManyOperands { most: MOST_OPERANDS }));
         }
         if let Some(number) = self.cursor.number()? {
             return Ok(Expression::Value(Operand::Number(number)));
@@ -124,7 +124,7 @@ impl Formula<'_, '_> {
         }
         match text_function(self.cursor, word)? {
             Some(expression) => Ok(expression),
-            None => Err(from.fail(Reason::UnknownFunction { found: word.chars().take(24).collect() })),
+            None => Err(from.fail(BlockFault::UnknownFunction { found: word.chars().take(24).collect() })),
         }
     }
 }
@@ -166,11 +166,11 @@ fn text_function(cursor: &mut Cursor<'_>, word: &str) -> Read<Option<Expression>
 }
 
 /// `SRC_QS10`.
-pub(super) fn text_word(cursor: &mut Cursor<'_>, word: &'static str) -> Read<crate::control::variables::Parameter> {
+pub(super) fn text_word(cursor: &mut Cursor<'_>, word: &'static str) -> Read<Parameter> {
     if !cursor.take_prefix(word) {
         return Err(cursor.stop(Wanted::Word(word)));
     }
-    cursor.text_parameter()
+    cursor.text_parameter(Wanted::TextParameter)
 }
 
 /// `BEG2`, `BEG+Q5`.

@@ -4,27 +4,27 @@ use super::block::{Body, Columns, Condition, Operand};
 use super::body::target;
 use super::cursor::{Cursor, Read};
 use super::expression::{Expression, NumberFunction, Operation};
+use super::fault::{BlockFault, Wanted};
 use super::formula::{binary, expression};
-use super::reason::{Reason, Wanted};
 use super::text_formula::text_expression;
-use super::words::RELATIONS;
-use crate::control::variables::{Family, Parameter};
+use super::words::{OPERATIONS, RELATIONS, word};
+use crate::control::variables::Family;
 
 /// `FN n: …`, the word `FN` is taken. Functions that Fitcheck does not run are [`Body::Other`].
 pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
-    let Some(number) = cursor.whole(99)? else { return Err(cursor.stop(Wanted::Number)) };
+    let number = cursor.expect_whole(99)?;
     cursor.expect(':', ":")?;
     match number {
         0 => assign_value(cursor),
-        1 => assign(cursor, |cursor| sign_between(cursor, '+', "+", Operation::Add)),
-        2 => assign(cursor, |cursor| sign_between(cursor, '-', "-", Operation::Subtract)),
-        3 => assign(cursor, |cursor| sign_between(cursor, '*', "*", Operation::Multiply)),
+        1 => assign(cursor, |cursor| between(cursor, Operation::Add)),
+        2 => assign(cursor, |cursor| between(cursor, Operation::Subtract)),
+        3 => assign(cursor, |cursor| between(cursor, Operation::Multiply)),
         4 => assign(cursor, divide),
         5 => assign(cursor, |cursor| before(cursor, "SQRT", NumberFunction::SquareRoot)),
         6 => assign(cursor, |cursor| before(cursor, "SIN", NumberFunction::Sine)),
         7 => assign(cursor, |cursor| before(cursor, "COS", NumberFunction::Cosine)),
-        8 => assign(cursor, |cursor| word_between(cursor, "LEN", Operation::Hypotenuse)),
-        13 => assign(cursor, |cursor| word_between(cursor, "ANG", Operation::Angle)),
+        8 => assign(cursor, |cursor| between(cursor, Operation::Hypotenuse)),
+        13 => assign(cursor, |cursor| between(cursor, Operation::Angle)),
         9..=12 => jump(cursor, number),
         14 => error(cursor),
         16 => print(cursor),
@@ -43,7 +43,7 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
 
 /// `Q5 = …`, `QS5 = …`, `Q5 SET UNDEFINED`.
 pub(super) fn assignment(cursor: &mut Cursor<'_>) -> Read<Body> {
-    let Some(to) = cursor.parameter()? else { return Err(cursor.stop(Wanted::Parameter)) };
+    let to = cursor.any_parameter()?;
     if cursor.take_words(&["SET", "UNDEFINED"]) {
         return Ok(Body::Undefine(to));
     }
@@ -56,14 +56,14 @@ pub(super) fn assignment(cursor: &mut Cursor<'_>) -> Read<Body> {
 
 /// `DECLARE STRING QS1 = …`, the words are taken.
 pub(super) fn declaration(cursor: &mut Cursor<'_>) -> Read<Body> {
-    let to = cursor.text_parameter()?;
+    let to = cursor.text_parameter(Wanted::TextParameter)?;
     cursor.expect('=', "=")?;
     Ok(Body::AssignText { to, value: text_expression(cursor)? })
 }
 
 fn assign_value(cursor: &mut Cursor<'_>) -> Read<Body> {
     let from = cursor.clone();
-    let Some(to) = cursor.parameter()? else { return Err(cursor.stop(Wanted::Parameter)) };
+    let to = cursor.any_parameter()?;
     if cursor.take_words(&["SET", "UNDEFINED"]) {
         return Ok(Body::Undefine(to));
     }
@@ -89,15 +89,14 @@ fn before(cursor: &mut Cursor<'_>, word: &'static str, function: NumberFunction)
     Ok(Expression::Function(function, Box::new(value(cursor)?)))
 }
 
-fn sign_between(cursor: &mut Cursor<'_>, sign: char, name: &'static str, operation: Operation) -> Read<Expression> {
+/// Two operands with the sign or word of an operation between them.
+fn between(cursor: &mut Cursor<'_>, operation: Operation) -> Read<Expression> {
     let left = value(cursor)?;
-    cursor.expect(sign, name)?;
-    Ok(binary(operation, left, value(cursor)?))
-}
-
-fn word_between(cursor: &mut Cursor<'_>, word: &'static str, operation: Operation) -> Read<Expression> {
-    let left = value(cursor)?;
-    cursor.expect_word(word)?;
+    let word = word(&OPERATIONS, operation);
+    match word.chars().next().filter(|sign| !sign.is_alphabetic()) {
+        Some(sign) => cursor.expect(sign, word)?,
+        None => cursor.expect_word(word)?,
+    }
     Ok(binary(operation, left, value(cursor)?))
 }
 
@@ -149,7 +148,7 @@ fn compare(cursor: &mut Cursor<'_>, number: u32) -> Read<Condition> {
     };
     if own != number {
         let allowed = RELATIONS.iter().find(|(of, ..)| *of == number).map_or("", |&(_, word, _)| word);
-        return Err(from.fail(Reason::Relation { number, allowed, found }));
+        return Err(from.fail(BlockFault::Relation { number, allowed, found }));
     }
     Ok(Condition::Compare(left, relation, cursor.operand()?))
 }
@@ -171,7 +170,7 @@ fn print(cursor: &mut Cursor<'_>) -> Read<Body> {
 
 fn table_read(cursor: &mut Cursor<'_>) -> Read<Body> {
     cursor.expect_word("TABREAD")?;
-    let Some(to) = cursor.parameter()? else { return Err(cursor.stop(Wanted::Parameter)) };
+    let to = cursor.any_parameter()?;
     cursor.expect('=', "=")?;
     let (row, columns) = cell(cursor)?;
     Ok(Body::TableRead { to, row, columns })
@@ -181,9 +180,7 @@ fn table_write(cursor: &mut Cursor<'_>) -> Read<Body> {
     cursor.expect_word("TABWRITE")?;
     let (row, columns) = cell(cursor)?;
     cursor.expect('=', "=")?;
-    let from: Option<Parameter> = cursor.parameter()?;
-    let Some(from) = from else { return Err(cursor.stop(Wanted::Parameter)) };
-    Ok(Body::TableWrite { row, columns, from })
+    Ok(Body::TableWrite { row, columns, from: cursor.any_parameter()? })
 }
 
 /// `40/"NAME"`, `+Q22/QS1`.
@@ -194,9 +191,5 @@ fn cell(cursor: &mut Cursor<'_>) -> Read<(Operand, Columns)> {
         let names: Vec<String> = names.split(',').map(|name| name.trim().to_owned()).collect();
         return Ok((row, Columns::Names(names)));
     }
-    let from = cursor.clone();
-    match cursor.parameter()? {
-        Some(parameter) if parameter.family == Family::Qs => Ok((row, Columns::Parameter(parameter))),
-        _ => Err(from.clone().stop(Wanted::Text)),
-    }
+    Ok((row, Columns::Parameter(cursor.text_parameter(Wanted::Text)?)))
 }

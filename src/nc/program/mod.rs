@@ -11,7 +11,7 @@
 //! | `formula`, `text_formula` | formulas, read |
 //! | `labels` | where the labels stand |
 //! | `words` | words of the language, for reading and writing |
-//! | `error`, `reason` | what can be wrong, in words |
+//! | `error`, `fault` | what can be wrong, in words |
 //! | `write`, `write_formula` | bodies to blocks, for new programs |
 //!
 //! A program keeps its text and is written byte for byte as it was read; a block is a range of its lines and what they
@@ -24,13 +24,13 @@ mod cursor;
 mod cycle;
 mod error;
 mod expression;
+mod fault;
 mod formula;
 mod functions;
 mod labels;
 mod lines;
 mod moves;
 mod read;
-mod reason;
 mod text_formula;
 mod understand;
 mod words;
@@ -43,7 +43,7 @@ pub use block::{
 };
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
 pub use expression::{Expression, NumberFunction, Operation, TextExpression};
-pub use reason::{Reason, Wanted};
+pub use fault::{BlockFault, Wanted};
 
 use crate::control::text;
 

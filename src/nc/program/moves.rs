@@ -1,8 +1,8 @@
 //! Straight lines, tool calls and M functions.
 
 use super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand, TextOperand, Tool};
-use super::cursor::{Cursor, Read};
-use super::reason::{Reason, Wanted};
+use super::cursor::{Cursor, Read, Stop};
+use super::fault::BlockFault;
 use super::words::{AXES, COMPENSATIONS, meaning};
 use crate::control::variables::Family;
 
@@ -17,7 +17,7 @@ pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
         let at = cursor.at();
         if let Some(word) = axis_word(cursor)? {
             if movement.axes.iter().any(|known| known.axis == word.axis) {
-                return Err(super::cursor::Stop { at, reason: Reason::AxisTwice });
+                return Err(Stop { at, reason: BlockFault::AxisTwice });
             }
             movement.axes.push(word);
         } else if let Some(word) = COMPENSATIONS.into_iter().find(|word| cursor.take_word(word)) {
@@ -59,11 +59,6 @@ fn feed(cursor: &mut Cursor<'_>) -> Read<Feed> {
     Ok(Feed::Value(cursor.operand()?))
 }
 
-/// `STOP …`, the word is taken.
-pub(super) fn stop(cursor: &mut Cursor<'_>) -> Read<Body> {
-    Ok(Body::Stop(machine_functions(cursor)?))
-}
-
 /// M functions up to the end; what stands behind a number belongs to it, up to the next M function.
 pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunction>> {
     let mut found = Vec::new();
@@ -72,7 +67,7 @@ pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunc
             cursor.end()?;
         }
         cursor.take_prefix("M");
-        let Some(number) = cursor.whole(MOST_M)? else { return Err(cursor.stop(Wanted::Number)) };
+        let number = cursor.expect_whole(MOST_M)?;
         let at = cursor.at();
         cursor.blanks();
         while !cursor.is_at_end() && !is_machine_function(cursor) {
@@ -93,10 +88,7 @@ pub(super) fn is_machine_function(cursor: &Cursor<'_>) -> bool {
 pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<Body> {
     let tool = tool(cursor)?;
     let mut ahead = cursor.clone();
-    let axis = axis_letter(&mut ahead).filter(|_| {
-        let mut behind = ahead.rest().chars();
-        behind.next().is_none_or(char::is_whitespace)
-    });
+    let axis = axis_letter(&mut ahead).filter(|_| ahead.rest().chars().next().is_none_or(char::is_whitespace));
     if axis.is_some() {
         *cursor = ahead;
     }

@@ -3,8 +3,8 @@
 use super::block::TextOperand;
 use super::cursor::{Cursor, Read};
 use super::expression::TextExpression;
+use super::fault::{BlockFault, Wanted};
 use super::formula::{MOST_OPERANDS, text_word, value_word};
-use super::reason::{Reason, Wanted};
 use crate::control::variables::Family;
 
 /// Reads a formula of texts as far as it goes.
@@ -13,7 +13,7 @@ pub(super) fn text_expression(cursor: &mut Cursor<'_>) -> Read<TextExpression> {
     let mut items = Vec::new();
     while cursor.take_prefix("||") {
         if MOST_OPERANDS <= items.len() + 1 {
-            return Err(cursor.fail(Reason::TooManyOperands { most: MOST_OPERANDS }));
+            return Err(cursor.fail(BlockFault::TooManyOperands { most: MOST_OPERANDS }));
         }
         items.push(item(cursor)?);
     }
@@ -41,7 +41,7 @@ fn item(cursor: &mut Cursor<'_>) -> Read<TextExpression> {
     }
     let is = |name: &str| word.eq_ignore_ascii_case(name);
     if !["TOCHAR", "SUBSTR", "SYSSTR"].into_iter().any(is) {
-        return Err(cursor.fail(Reason::UnknownFunction { found: word.chars().take(24).collect() }));
+        return Err(cursor.fail(BlockFault::UnknownFunction { found: word.chars().take(24).collect() }));
     }
     cursor.take_prefix(word);
     cursor.expect('(', "(")?;

@@ -5,8 +5,8 @@ use super::body::body;
 use super::cursor::{Cursor, Stop};
 use super::cycle;
 use super::error::ProgramWarningKind;
+use super::fault::BlockFault;
 use super::lines::Piece;
-use super::reason::Reason;
 use super::words::DEEPEST;
 
 /// The longest block that is looked into, in bytes; a control takes a few hundred characters a line.
@@ -42,7 +42,7 @@ pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> P
     plain(pieces)
 }
 
-fn not_understood(piece: &Piece<'_>, at: usize, reason: Reason) -> Odd {
+fn not_understood(piece: &Piece<'_>, at: usize, reason: BlockFault) -> Odd {
     Odd { line: piece.line, at: piece.start + at, what: ProgramWarningKind::NotUnderstood(reason) }
 }
 
@@ -51,7 +51,7 @@ fn plain(pieces: &[Piece<'_>]) -> Result<Body, Odd> {
     let Some(first) = pieces.first() else { return Ok(Body::Nothing) };
     let length: usize = pieces.iter().map(|piece| piece.code.len() + 1).sum();
     if LONGEST < length {
-        return Err(not_understood(first, 0, Reason::TooLong { most: LONGEST }));
+        return Err(not_understood(first, 0, BlockFault::TooLong { most: LONGEST }));
     }
     if pieces.len() == 1 {
         return body(first.code).map_err(|Stop { at, reason }| not_understood(first, at, reason));

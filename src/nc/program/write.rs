@@ -165,10 +165,8 @@ fn machine_functions(functions: &[MachineFunction]) -> String {
 fn jump(condition: &Condition) -> String {
     match condition {
         Condition::Compare(left, relation, right) => {
-            let (number, word) = RELATIONS
-                .iter()
-                .find(|(.., known)| known == relation)
-                .map_or((9, "EQU"), |&(number, word, _)| (number, word));
+            let of = RELATIONS.iter().find(|(.., known)| known == relation);
+            let (number, word) = of.map_or((9, "EQU"), |&(number, word, _)| (number, word));
             format!("FN {number}: IF {} {word} {}", signed(*left), signed(*right))
         }
         Condition::IsDefined(parameter) => format!("FN 9: IF {} IS DEFINED", with_plus(*parameter)),
@@ -216,6 +214,5 @@ fn path_operand(path: &TextOperand) -> String {
 
 /// A text of one line.
 fn cleaned(text: &str) -> String {
-    let text: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    text.trim().to_owned()
+    text.replace(char::is_control, " ").trim().to_owned()
 }

@@ -23,11 +23,6 @@ pub enum PlanFault {
         /// What is allowed.
         most: usize,
     },
-    /// The file is no CSV.
-    Csv {
-        /// What its reader says.
-        reason: String,
-    },
     /// A column is missing.
     NoColumn {
         /// Which.
@@ -147,13 +142,6 @@ pub enum SetError {
         table: &'static str,
         /// Why.
         error: WriteError,
-    },
-    /// A table would give other limits than Fitcheck does.
-    OtherLimits {
-        /// The table.
-        table: &'static str,
-        /// The callout.
-        callout: Callout,
     },
     /// A program or a mask that does not read back.
     ReadsOtherwise {

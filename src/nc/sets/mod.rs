@@ -104,9 +104,9 @@ impl NcSet {
         let mut remarks = Vec::new();
         let mut tables = Vec::new();
         for feature in [Feature::Hole, Feature::Shaft] {
-            let made = tables::table(feature, &planned, sources, &names)?;
-            remarks.extend(made.remarks);
-            tables.push(SetFile { name: names.table(feature).to_owned(), bytes: made.bytes });
+            let (bytes, worth_knowing) = tables::table(feature, &planned, sources, &names)?;
+            remarks.extend(worth_knowing);
+            tables.push(SetFile { name: names.table(feature).to_owned(), bytes });
         }
         remarks.extend(planned.iter().filter_map(|planned| programs::moved_nominal(*planned, target.control)));
         let mut files = vec![

@@ -92,12 +92,6 @@ pub struct ControlFolder(String);
 /// The most characters of a folder; the longest path in a program is 30 characters longer.
 const LONGEST_FOLDER: usize = 80;
 
-impl ControlFolder {
-    fn file(&self, name: &str) -> String {
-        format!("{}{name}", self.0)
-    }
-}
-
 impl fmt::Display for ControlFolder {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&self.0)
@@ -178,50 +172,11 @@ impl<'a> Names<'a> {
 
     /// A file's path on the control.
     pub(super) fn path(&self, file: &str) -> String {
-        self.target.folder.file(file)
+        format!("{}{file}", self.target.folder)
     }
 
     /// The same as a block names it.
     pub(super) fn operand(&self, file: &str) -> TextOperand {
         TextOperand::Text(self.path(file))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[track_caller]
-    fn check(folder: &str, expected: Option<&str>) {
-        let read = folder.parse::<ControlFolder>().ok().map(|folder| folder.to_string());
-        assert_eq!(read.as_deref(), expected, "{folder}");
-    }
-
-    #[test]
-    fn a_folder_is_below_the_drive_of_programs() {
-        check(r"TNC:\fit", Some(r"TNC:\fit\"));
-        check(r"tnc:\nc_prog\a-1\", Some(r"TNC:\nc_prog\a-1\"));
-        check(r"TNC:\", Some(r"TNC:\"));
-        check(r"TNC:fit", None);
-        check(r"C:\fit", None);
-        check(r"TNC:\fit\..\x", None);
-        check(r"TNC:\my fit", None);
-        check(r"TNC:\a\\b", None);
-        check("TNC:\\fit\n", Some(r"TNC:\fit\"));
-        check("TNC:\\fit\\;x", None);
-        check("é", None);
-        check("", None);
-        check(&format!(r"TNC:\{}", "x".repeat(80)), None);
-    }
-
-    #[test]
-    fn usual_folders_and_codes_read_back() {
-        for control in Control::ALL {
-            let folder = control.usual_folder();
-            assert_eq!(folder.to_string().parse::<ControlFolder>().unwrap(), folder);
-            assert_eq!(Control::from_code(control.code()), Some(control));
-        }
-        assert_eq!(Control::from_code("TNC620"), Some(Control::Tnc640));
-        assert_eq!(Control::from_code("tnc426"), None);
     }
 }

@@ -19,12 +19,7 @@ pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRem
             "{features}" => planned.iter().for_each(|planned| add(&mut page, &feature(*planned, names))),
             "{nominal}" => {
                 let moved: Vec<String> = remarks.iter().filter_map(nominal).collect();
-                if moved.is_empty() {
-                    add(&mut page, "  -");
-                }
-                for line in moved {
-                    add(&mut page, &line);
-                }
+                add(&mut page, &if moved.is_empty() { "  -".to_owned() } else { moved.join("\r\n") });
             }
             _ => add(&mut page, &filled(line, names)),
         }
@@ -59,11 +54,7 @@ fn filled(line: &str, names: &Names<'_>) -> String {
         ("{folder}", names.target.folder.to_string()),
         ("{version}", env!("CARGO_PKG_VERSION").to_owned()),
     ];
-    let mut line = line.to_owned();
-    for (mark, text) in marks {
-        line = line.replace(mark, &text);
-    }
-    line
+    marks.into_iter().fold(line.to_owned(), |line, (mark, text)| line.replace(mark, &text))
 }
 
 /// Name, callout, limits and place of a feature: figures alone, the same in every language.

@@ -12,14 +12,7 @@ use crate::length::Length;
 use crate::tolerance::table::Column;
 use crate::tolerance::{Callout, DeviationTable, Deviations, Feature, Source, Sources, ToleranceClass};
 
-/// A table and what is worth knowing about it.
-#[derive(Debug)]
-pub(super) struct Made {
-    pub(super) bytes: Vec<u8>,
-    pub(super) remarks: Vec<SetRemark>,
-}
-
-/// The table of holes or of shafts. Size ranges are those of the shipped table, cut where the user's own tables or the
+/// The table of holes or of shafts, and what is worth knowing about it. Size ranges are those of the shipped table, cut where the user's own tables or the
 /// classes of the plan need it, so that no cell ever stands for two values.
 ///
 /// An iTNC 530 takes 30 columns at most: where the classes beyond the 47 do not fit, only the plan's are written.
@@ -28,7 +21,7 @@ pub(super) fn table(
     planned: &[Planned<'_>],
     sources: &Sources,
     names: &Names<'_>,
-) -> Result<Made, SetError> {
+) -> Result<(Vec<u8>, Vec<SetRemark>), SetError> {
     let name = names.table(feature);
     let asked: Vec<&Planned<'_>> = planned.iter().filter(|planned| planned.limits.feature == feature).collect();
     let usual = usual_classes(feature);
@@ -46,19 +39,19 @@ pub(super) fn table(
     let all: Vec<ToleranceClass> = usual.iter().chain(&own).copied().collect();
     let mut remarks: Vec<SetRemark> = own.iter().map(|&class| SetRemark::OwnColumn { class, table: name }).collect();
     let generation = names.target.control.generation();
-    let mut table = made(name, &all, &ends, sources)?;
-    let bytes = match to_control_table(&table, generation).write() {
+    let written = |classes: &[ToleranceClass]| {
+        made(name, classes, &ends, sources).map(|table| to_control_table(&table, generation).write())
+    };
+    let bytes = match written(&all)? {
         Err(WriteError::TooManyColumns { .. } | WriteError::TooLong { .. }) if !own.is_empty() => {
-            table = made(name, &wanted, &ends, sources)?;
             let classes = wanted.iter().map(ToleranceClass::as_str).collect::<Vec<_>>().join(" ");
             remarks.push(SetRemark::FewerColumns { table: name, classes });
-            to_control_table(&table, generation).write()
+            written(&wanted)?
         }
         written => written,
     };
     let bytes = bytes.map_err(|error| SetError::Table { table: name, error })?;
-    check(name, table, &asked)?;
-    Ok(Made { bytes, remarks })
+    Ok((bytes, remarks))
 }
 
 /// The classes of the shipped table.
@@ -106,17 +99,4 @@ fn cell(class: ToleranceClass, (over, to): (Length, Length), sources: &Sources) 
     let (deviations, source) = sources.deviations(&callout, None).ok()?;
     let (from, _) = range(&source)?;
     (from <= over).then_some(deviations)
-}
-
-/// The table alone must give the limits that the plan was made with.
-fn check(name: &'static str, table: DeviationTable, asked: &[&Planned<'_>]) -> Result<(), SetError> {
-    let alone = Sources::of_tables([table]);
-    for planned in asked {
-        let callout = planned.feature.callout;
-        let limits = alone.limits(&callout, None).map(|limits| (limits.minimum(), limits.maximum()));
-        if limits != Ok((planned.limits.minimum(), planned.limits.maximum())) {
-            return Err(SetError::OtherLimits { table: name, callout });
-        }
-    }
-    Ok(())
 }

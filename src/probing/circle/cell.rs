@@ -3,7 +3,7 @@
 //! Every side remembers which point's bisector it lies on, and corners are computed from the two lines that meet
 //! there, never by walking along a clipped side: a start polygon of any size costs no accuracy.
 
-use super::frame::{cross, dot, minus, norm};
+use super::frame::{cross, dot, midpoint, minus, norm, unit};
 
 /// What a side of a cell lies on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,11 +22,10 @@ pub(super) struct HalfPlane {
 }
 
 impl HalfPlane {
-    /// Nearer to `own` than to `other`.
+    /// Nearer to `own` than to `other`; points that coincide keep everything.
     pub(super) fn nearer(own: [f64; 2], other: [f64; 2]) -> Self {
-        let ([own_x, own_y], [other_x, other_y]) = (own, other);
         let normal = unit(minus(other, own));
-        Self { normal, offset: dot(normal, [f64::midpoint(own_x, other_x), f64::midpoint(own_y, other_y)]) }
+        Self { normal, offset: dot(normal, midpoint(own, other)) }
     }
 
     /// To the left of the way from one corner to the next.
@@ -39,12 +38,6 @@ impl HalfPlane {
     fn height(&self, point: [f64; 2]) -> f64 {
         dot(self.normal, point) - self.offset
     }
-}
-
-/// The same direction with length 1; points that coincide have no direction and keep everything.
-fn unit([x, y]: [f64; 2]) -> [f64; 2] {
-    let length = norm([x, y]);
-    if length <= 0.0 { [0.0; 2] } else { [x / length, y / length] }
 }
 
 /// Where the borders of two half-planes cross; `None` when they are parallel.

@@ -4,7 +4,7 @@
 //! smallest circle about these (at most four) replaces the circle, and the radius grows with every round, so that it
 //! ends. Each round looks at every point once; even 100 000 points take a dozen rounds.
 
-use super::frame::{circumcentre, minus, norm};
+use super::frame::{circumcentre, midpoint, minus, norm};
 
 /// How far outside a point may lie by rounding, as part of the radius.
 const ROUNDING: f64 = 1e-14;
@@ -69,8 +69,7 @@ fn smallest_about_few(points: &[[f64; 2]]) -> ([f64; 2], f64) {
     };
     for (index, &first) in points.iter().enumerate() {
         for (second_index, &second) in points.iter().enumerate().skip(index + 1) {
-            let ([first_x, first_y], [second_x, second_y]) = (first, second);
-            consider([f64::midpoint(first_x, second_x), f64::midpoint(first_y, second_y)], first);
+            consider(midpoint(first, second), first);
             for &third in points.iter().skip(second_index + 1) {
                 if let Some(centre) = circumcentre(first, second, third) {
                     consider(centre, first);

@@ -93,6 +93,24 @@ pub(super) fn norm([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
 }
 
+/// The same direction with length 1; a vector without a length has no direction and stays zero.
+pub(super) fn unit([x, y]: [f64; 2]) -> [f64; 2] {
+    let length = norm([x, y]);
+    if length <= 0.0 { [0.0; 2] } else { [x / length, y / length] }
+}
+
+/// The place half-way between two others.
+pub(super) const fn midpoint([a_x, a_y]: [f64; 2], [b_x, b_y]: [f64; 2]) -> [f64; 2] {
+    [f64::midpoint(a_x, b_x), f64::midpoint(a_y, b_y)]
+}
+
+/// The mean of vectors.
+pub(super) fn mean(vectors: &[[f64; 2]]) -> [f64; 2] {
+    let count = count_f64(vectors.len());
+    let (sum_x, sum_y) = vectors.iter().fold((0.0, 0.0), |(sum_x, sum_y), [x, y]| (sum_x + x, sum_y + y));
+    [sum_x / count, sum_y / count]
+}
+
 /// Centre of the circle through three points; `None` when they are collinear to the last bit.
 pub(super) fn circumcentre(first: [f64; 2], second: [f64; 2], third: [f64; 2]) -> Option<[f64; 2]> {
     let (a, b) = (minus(second, first), minus(third, first));
@@ -239,50 +257,4 @@ fn is_straight(sorted: &[[f64; 2]], rounding: f64) -> bool {
     let (start, along) = if norm(across) < norm(up) { (lowest, up) } else { (left, across) };
     let allowed = rounding.max(ROUNDING) * norm(along);
     sorted.iter().all(|&point| cross(along, minus(point, start)).abs() <= allowed)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[track_caller]
-    fn check(points: &[[f64; 2]], expected: &str) {
-        let contacts: Vec<_> = points.iter().map(|&[x, y]| Contact { x, y, z: 0.0 }).collect();
-        let said = match super::super::evaluate(&contacts) {
-            Ok(evaluation) => format!("{:?}", evaluation.least_squares),
-            Err(error) => error.to_string(),
-        };
-        assert_eq!(said, expected);
-    }
-
-    #[test]
-    fn says_why_contacts_are_no_circle() {
-        check(&[], "a circle needs at least 3 contacts, found 0");
-        check(&[[1.0, 2.0], [3.0, 4.0]], "a circle needs at least 3 contacts, found 2");
-        let coincide = "contacts 1 and 3 coincide at x = 1, y = 2: a circle needs 3 different points";
-        check(&[[1.0, 2.0], [3.0, 4.0], [1.0, 2.0]], coincide);
-        check(&[[1.0, 2.0], [3.0, 4.0], [1.0, 2.0], [3.0, 4.0]], coincide);
-        let all = "contacts 1 and 2 coincide at x = 5, y = 5: a circle needs 3 different points";
-        check(&[[5.0, 5.0]; 4], all);
-        check(&[[0.0, 0.0]; 3], "contacts 1 and 2 coincide at x = 0, y = 0: a circle needs 3 different points");
-        let line = "all 3 contacts lie on one straight line: no circle goes through them";
-        check(&[[0.1, 0.1], [0.2, 0.2], [0.3, 0.3]], line);
-        check(&[[1000.1, 7.0], [1000.2, 7.0], [1000.7, 7.0]], line);
-        check(&[[1e6 + 0.1, 0.7], [1e6 + 0.2, 1.4], [1e6 + 0.4, 2.8]], line);
-        check(&[[0.0, 0.0], [1.0, f64::NAN], [2.0, 2.0]], "contact 2: y = NaN is not a finite number");
-        check(&[[0.0, 0.0], [1.0, 1.0], [f64::NEG_INFINITY, 2.0]], "contact 3: x = -inf is not a finite number");
-        check(
-            &[[0.0, 0.0], [1.0, 1.0], [0.0, 2e9]],
-            "contact 3: y = 2000000000 mm is too large: at most 1000000000 mm either way",
-        );
-        check(
-            &[[0.0, 0.0], [1.0, 1e-3], [2.0, -1e-3], [3.0, 0.0]],
-            "the 4 contacts fit a straight line better than any circle",
-        );
-    }
-
-    #[test]
-    fn two_at_one_place_among_three_others_only_warn() {
-        check(&[[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]], "Circle { x: 0.0, y: 0.0, diameter: 2.0 }");
-    }
 }

@@ -1,6 +1,6 @@
 //! The convex hull of points.
 
-use super::frame::{count_f64, cross, dot, minus, norm};
+use super::frame::{cross, dot, mean, minus, norm};
 
 /// Corners of the convex hull, counter-clockwise, without points on its edges (Andrew's monotone chain).
 pub(super) fn convex(sorted: &[[f64; 2]]) -> Vec<[f64; 2]> {
@@ -40,10 +40,9 @@ pub(super) fn narrowest_strip(corners: &[[f64; 2]]) -> f64 {
 
 /// The points in the order of their directions from the middle of the hull.
 pub(super) fn around(points: &[[f64; 2]], corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let count = count_f64(corners.len());
-    let (sum_x, sum_y) = corners.iter().fold((0.0, 0.0), |(sum_x, sum_y), [x, y]| (sum_x + x, sum_y + y));
+    let middle = mean(corners);
     let angle = |point: &[f64; 2]| {
-        let [x, y] = minus(*point, [sum_x / count, sum_y / count]);
+        let [x, y] = minus(*point, middle);
         y.atan2(x)
     };
     let mut ordered = points.to_vec();

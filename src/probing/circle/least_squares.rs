@@ -5,7 +5,7 @@
 //! halved Gauss-Newton steps where they do not, and Newton steps to the last bit at the end. A search that stops when
 //! the sum of squares stops falling would leave about 1e-8 mm on rough short arcs.
 
-use super::frame::{circumcentre, count_f64, cross, dot, minus, norm};
+use super::frame::{circumcentre, count_f64, cross, dot, mean, minus, norm, unit};
 
 /// More steps than any set needs: one point far inside takes plain Gauss-Newton about 50.
 const MOST_STEPS: usize = 500;
@@ -93,16 +93,12 @@ struct Sums {
 impl Sums {
     fn at(points: &[[f64; 2]], centre: [f64; 2]) -> Self {
         let mean_excess = mean_excess(points, centre);
-        let count = count_f64(points.len());
-        let (sum_x, sum_y) = points.iter().fold((0.0, 0.0), |(sum_x, sum_y), &point| {
-            let ([x, y], _) = direction(point, centre);
-            (sum_x + x, sum_y + y)
-        });
-        let mean = [sum_x / count, sum_y / count];
+        let directions: Vec<[f64; 2]> = points.iter().map(|&point| unit(minus(point, centre))).collect();
+        let mean = mean(&directions);
         let zero = Symmetric { xx: 0.0, xy: 0.0, yy: 0.0 };
         let mut sums = Self { squares: 0.0, downhill: [0.0; 2], gauss: zero, newton: zero };
-        for &point in points {
-            let ([x, y], distance) = direction(point, centre);
+        for (&point, &[x, y]) in points.iter().zip(&directions) {
+            let distance = norm(minus(point, centre));
             let [off_x, off_y] = minus([x, y], mean);
             let residual = excess(point, centre) - mean_excess;
             sums.squares += residual * residual;
@@ -131,13 +127,6 @@ impl Sums {
     fn gauss_step(&self) -> Option<[f64; 2]> {
         self.gauss.solve(self.downhill)
     }
-}
-
-/// Unit vector from the centre to a point, and their distance; zero where they coincide.
-fn direction(point: [f64; 2], centre: [f64; 2]) -> ([f64; 2], f64) {
-    let [x, y] = minus(point, centre);
-    let distance = x.hypot(y);
-    if distance <= 0.0 { ([0.0; 2], 0.0) } else { ([x / distance, y / distance], distance) }
 }
 
 fn moved([x, y]: [f64; 2], [step_x, step_y]: [f64; 2], part: f64) -> [f64; 2] {
@@ -213,8 +202,7 @@ struct Moments {
 impl Moments {
     fn of(points: &[[f64; 2]]) -> Self {
         let count = count_f64(points.len());
-        let (sum_x, sum_y) = points.iter().fold((0.0, 0.0), |(sum_x, sum_y), [x, y]| (sum_x + x, sum_y + y));
-        let centroid = [sum_x / count, sum_y / count];
+        let centroid = mean(points);
         let mut moments = Self { centroid, xx: 0.0, xy: 0.0, yy: 0.0, xz: 0.0, yz: 0.0, zz: 0.0 };
         for &point in points {
             let [x, y] = minus(point, centroid);

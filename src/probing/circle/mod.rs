@@ -125,7 +125,7 @@ pub fn evaluate(contacts: &[Contact]) -> Result<Evaluation, CircleError> {
     let frame = Frame::new(contacts)?;
     let points = frame.points();
     let fit = least_squares::fit(points).ok_or(CircleError::Straight { contacts: contacts.len() })?;
-    let angles = Angles::new(points, fit.centre);
+    let largest_gap_deg = largest_gap_deg(points, fit.centre);
     let few = points.len() <= MOST_FOR_ZONE;
     let (circumscribed_centre, circumscribed_radius) = circumscribed::smallest(points);
     let hull = hull::convex(points);
@@ -138,8 +138,8 @@ pub fn evaluate(contacts: &[Contact]) -> Result<Evaluation, CircleError> {
         maximum_inscribed: inscribed.map(|(centre, radius)| frame.circle(centre, radius)),
         minimum_zone: zone.map(|ring| Zone::new(&frame, ring)),
         two_point: two_point::opposed(contacts, &frame, fit.centre),
-        arc_deg: 360.0 - angles.largest_gap_deg,
-        largest_gap_deg: angles.largest_gap_deg,
+        arc_deg: 360.0 - largest_gap_deg,
+        largest_gap_deg,
         uncertainty: Uncertainty::of(points, fit.centre),
         warnings: Vec::new(),
     };
@@ -152,28 +152,15 @@ pub fn evaluate(contacts: &[Contact]) -> Result<Evaluation, CircleError> {
 /// No contact, or one only, covers no arc.
 pub fn arc_deg(contacts: &[Contact], circle: &Circle) -> f64 {
     let points: Vec<_> = contacts.iter().map(|contact| [contact.x - circle.x, contact.y - circle.y]).collect();
-    360.0 - Angles::new(&points, [0.0, 0.0]).largest_gap_deg
+    360.0 - largest_gap_deg(&points, [0.0, 0.0])
 }
 
-/// Directions of points about a centre.
-struct Angles {
-    largest_gap_deg: f64,
-}
-
-impl Angles {
-    fn new(points: &[[f64; 2]], centre: [f64; 2]) -> Self {
-        let [centre_x, centre_y] = centre;
-        let mut angles: Vec<f64> =
-            points.iter().map(|&[x, y]| (y - centre_y).atan2(x - centre_x).to_degrees()).collect();
-        angles.sort_by(f64::total_cmp);
-        let within = angles.windows(2).fold(0.0, |gap: f64, pair| match pair {
-            &[before, after] => gap.max(after - before),
-            _ => gap,
-        });
-        let across = match (angles.first(), angles.last()) {
-            (Some(first), Some(last)) => 360.0 - (last - first),
-            _ => 360.0,
-        };
-        Self { largest_gap_deg: within.max(across) }
-    }
+/// The largest angle in degrees between the directions of neighbouring points, seen from a centre.
+fn largest_gap_deg(points: &[[f64; 2]], [centre_x, centre_y]: [f64; 2]) -> f64 {
+    let mut angles: Vec<f64> = points.iter().map(|&[x, y]| (y - centre_y).atan2(x - centre_x).to_degrees()).collect();
+    angles.sort_by(f64::total_cmp);
+    let within =
+        angles.iter().zip(angles.iter().skip(1)).fold(0.0, |gap: f64, (before, after)| gap.max(after - before));
+    let across = angles.first().zip(angles.last()).map_or(360.0, |(first, last)| 360.0 - (last - first));
+    within.max(across)
 }

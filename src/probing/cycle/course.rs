@@ -4,7 +4,8 @@
 
 use super::error::CycleError;
 use crate::length::Length;
-use crate::probing::contact::{Contact, Prober, Touch};
+use crate::probing::contact::{Contact, NoContact, Prober, Touch};
+use crate::probing::vector::along;
 
 /// What a move is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -100,18 +101,13 @@ impl<'a> Course<'a> {
                 let met = contact.place();
                 self.at = Some(touch.from);
                 self.go(Phase::Approach, met, None);
-                self.moves.push(Move {
-                    phase: Phase::Contact,
-                    touch: Some(self.touches),
-                    from: met,
-                    to: met,
-                    about: None,
-                });
+                let number = Some(self.touches);
+                self.moves.push(Move { phase: Phase::Contact, touch: number, from: met, to: met, about: None });
                 Ok(contact)
             }
             Err(error) => {
                 // The way that was probed in vain is shown as well, where it has an end.
-                if touch.longest.is_finite() && !matches!(error, crate::probing::NoContact::InMaterial { .. }) {
+                if touch.longest.is_finite() && !matches!(error, NoContact::InMaterial { .. }) {
                     self.at = Some(touch.from);
                     self.go(Phase::Approach, along(touch.from, touch.direction, touch.longest), None);
                 }
@@ -127,15 +123,10 @@ impl<'a> Course<'a> {
 
     /// Ends the cycle at the clearance height above where the ball is.
     pub(in crate::probing) fn leave(&mut self, height: f64) {
-        if let Some([x, y, z]) = self.at.filter(|[_, _, z]| *z < height) {
-            self.moves.push(Move {
-                phase: Phase::Leave,
-                touch: None,
-                from: [x, y, z],
-                to: [x, y, height],
-                about: None,
-            });
-            self.at = Some([x, y, height]);
+        if let Some(from @ [x, y, _]) = self.at.filter(|[_, _, z]| *z < height) {
+            let to = [x, y, height];
+            self.moves.push(Move { phase: Phase::Leave, touch: None, from, to, about: None });
+            self.at = Some(to);
         }
     }
 
@@ -147,13 +138,6 @@ impl<'a> Course<'a> {
             self.moves.push(Move { phase, touch: Some(touch), from, to, about });
         }
     }
-}
-
-/// The place so far along a direction.
-pub(in crate::probing) fn along(from: [f64; 3], direction: [f64; 3], distance: f64) -> [f64; 3] {
-    let [x, y, z] = from;
-    let [along_x, along_y, along_z] = direction;
-    [x + distance * along_x, y + distance * along_y, z + distance * along_z]
 }
 
 /// A measured coordinate at the nearest nanometre.

@@ -3,7 +3,7 @@
 use super::key::Key;
 use super::parameter::Range;
 use crate::length::{Length, LengthError};
-use crate::message::{Message, Say, display};
+use crate::message::{Message, Say};
 use crate::probing::circle::CircleError;
 use crate::probing::contact::NoContact;
 
@@ -29,8 +29,8 @@ pub enum CycleError {
         key: Key,
         /// Its name.
         name: &'static str,
-        /// What is wrong with the text.
-        error: Reason,
+        /// What is wrong with the text, said by the room that reads such texts.
+        error: Message,
     },
     /// A parameter without a default was not given.
     Missing {
@@ -111,21 +111,3 @@ pub enum CycleError {
     /// A measured coordinate is beyond what a length can hold.
     TooFar(#[say(name = "error")] LengthError),
 }
-
-/// What is wrong with a text, said by the room that reads such texts.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Reason(Message);
-
-impl Reason {
-    pub(super) fn of(error: &impl Say) -> Self {
-        Self(error.message())
-    }
-}
-
-impl Say for Reason {
-    fn message(&self) -> Message {
-        self.0.clone()
-    }
-}
-
-display!(Reason);

@@ -28,12 +28,13 @@ pub(in crate::probing) mod shared;
 mod shown;
 mod value;
 
+pub(in crate::probing) use course::nearest;
 pub use course::{Course, Move, Phase};
-pub(in crate::probing) use course::{along, nearest};
-pub use error::{CycleError, Reason};
+pub use error::CycleError;
 pub use inputs::Inputs;
 pub use key::Key;
 pub use meaning::{Axis, Meaning};
+use parameter::in_language;
 pub(crate) use parameter::number;
 pub use parameter::{Parameter, Range, Texts, Unset, UnsetWhere};
 pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Remark, Stop};
@@ -96,9 +97,11 @@ pub struct Measured {
 impl Cycle {
     /// The name in a language; English where the language has none, else the first there is.
     pub fn name(&self, language: Dialogue) -> &'static str {
-        let of = |wanted| self.names.iter().find(|(language, _)| *language == wanted).map(|(_, name)| *name);
         let first = || self.names.first().map(|(_, name)| *name);
-        of(language).or_else(|| of(Dialogue::En)).or_else(first).unwrap_or_default()
+        in_language(self.names, language)
+            .or_else(|| in_language(self.names, Dialogue::En))
+            .or_else(first)
+            .unwrap_or_default()
     }
 
     /// A parameter by its key; a bare number is that of a Q parameter.
@@ -266,10 +269,9 @@ pub(in crate::probing) fn limits(
     minimum: u16,
     maximum: u16,
 ) -> Result<Option<(Length, Length)>, CycleError> {
-    let keys = [Key::Q(minimum), Key::Q(maximum)];
-    let (minimum, maximum) = (inputs.length(minimum), inputs.length(maximum));
+    let (minimum_key, maximum_key) = (Key::Q(minimum), Key::Q(maximum));
+    let (minimum, maximum) = (inputs.length(minimum_key), inputs.length(maximum_key));
     if maximum < minimum {
-        let [minimum_key, maximum_key] = keys;
         return Err(CycleError::LimitsSwapped { minimum_key, minimum, maximum_key, maximum });
     }
     Ok((minimum != Length::ZERO || maximum != Length::ZERO).then_some((minimum, maximum)))

@@ -1,6 +1,6 @@
 //! The declaration of a parameter: key, name, question, range and what counts when it is not given.
 
-use super::error::{CycleError, Reason};
+use super::error::CycleError;
 use super::inputs::Inputs;
 use super::key::Key;
 use super::meaning::Meaning;
@@ -311,23 +311,23 @@ impl Parameter {
             return Ok(Value::Predef);
         }
         let read = match self.range {
-            Range::Length { .. } => text.parse().map(Value::Length).map_err(|error: LengthError| Reason::of(&error)),
-            Range::Angle { .. } => text.parse().map(Value::Angle).map_err(|error: LengthError| Reason::of(&error)),
+            Range::Length { .. } => text.parse().map(Value::Length).map_err(|error: LengthError| error.message()),
+            Range::Angle { .. } => text.parse().map(Value::Angle).map_err(|error: LengthError| error.message()),
             Range::OneOf(_) => match (whole(text), number(text)) {
                 (Some(whole), _) => Ok(Value::Whole(whole)),
                 (None, Some(_)) => {
                     let (given, range) = (text.trim().to_owned(), self.range);
                     return Err(CycleError::OutOfRange { key: self.key, name: self.name, given, range });
                 }
-                (None, None) => Err(Reason::of(&no_number(text))),
+                (None, None) => Err(no_number(text).message()),
             },
-            Range::Number { .. } => number(text).map(Value::Number).ok_or_else(|| Reason::of(&no_number(text))),
-            Range::Tool if text.trim().is_empty() => Err(Reason::of(&LengthError::Empty)),
+            Range::Number { .. } => number(text).map(Value::Number).ok_or_else(|| no_number(text).message()),
+            Range::Tool if text.trim().is_empty() => Err(LengthError::Empty.message()),
             Range::Tool => {
                 let name = || Value::Text(text.trim().to_owned());
                 Ok(number(text).map_or_else(name, Value::Number))
             }
-            Range::Band => qs400(text).map(Value::Band).map_err(|error| Reason::of(&error)),
+            Range::Band => qs400(text).map(Value::Band).map_err(|error| error.message()),
         };
         read.map_err(|error| CycleError::NotAValue { key: self.key, name: self.name, error })
     }
@@ -347,7 +347,7 @@ impl Parameter {
     }
 }
 
-fn in_language(texts: Texts, language: Dialogue) -> Option<&'static str> {
+pub(super) fn in_language(texts: Texts, language: Dialogue) -> Option<&'static str> {
     texts.iter().find(|(known, _)| *known == language).map(|(_, text)| *text)
 }
 

@@ -151,9 +151,7 @@ impl Found {
 
 /// What a result parameter is: a name in English, and its text in the locale files. A cycle may bring its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct FoundName {
-    id: &'static str,
-}
+pub struct FoundName(&'static str);
 
 impl FoundName {
     /// Measured centre, first axis.
@@ -214,7 +212,7 @@ impl FoundName {
 
     /// A name by the id of its text.
     pub const fn new(id: &'static str) -> Self {
-        Self { id }
+        Self(id)
     }
 }
 
@@ -222,7 +220,7 @@ display!(FoundName, Check, Stop);
 
 impl Say for FoundName {
     fn message(&self) -> Message {
-        Message::new(self.id)
+        Message::new(self.0)
     }
 }
 
@@ -273,12 +271,12 @@ impl Say for Check {
             () if self.maximum < self.measured => "check-above",
             () => "check-below",
         };
-        let message = Message::new(id)
+        Message::new(id)
             .message("what", self.what.message())
             .text("measured", self.measured)
             .text("minimum", self.minimum)
-            .text("maximum", self.maximum);
-        message.with("status", &self.status)
+            .text("maximum", self.maximum)
+            .with("status", &self.status)
     }
 }
 

@@ -62,10 +62,17 @@ pub enum FigureKind {
     Information,
 }
 
+impl LogFigure {
+    /// Whether it has a nominal value, limits and a deviation.
+    pub fn is_limited(&self) -> bool {
+        self.kind != FigureKind::Information
+    }
+}
+
 impl TextLog {
     /// The figures that have nominal values, limits and deviations.
     pub fn limited(&self) -> impl Iterator<Item = &'static LogFigure> + use<> {
-        self.figures.iter().filter(|figure| figure.kind != FigureKind::Information)
+        self.figures.iter().filter(|figure| figure.is_limited())
     }
 }
 

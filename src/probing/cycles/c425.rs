@@ -5,16 +5,16 @@
 //! Our readings: Q310 shifts across the measured axis; Q320 and Q301 come last, where a program has them at all; the
 //! second probing begins at rapid traverse as far from the wall as the nominal width lets expect it.
 
-use super::width_cycle::{
-    AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, axis, measured, subject, surface, width_limits,
-};
-use crate::probing::contact::{Contact, Touch};
+use super::probed::{clearance, met, probing};
+use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, axis, measured, subject, surface};
+use crate::probing::contact::Contact;
 use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, MOVE_TO_CLEARANCE, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, along,
+    Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, limits,
 };
+use crate::probing::vector::{along, dot};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::En;
 
@@ -57,35 +57,28 @@ fn start(inputs: &Inputs) -> [f64; 3] {
 
 /// Runs the cycle on checked inputs.
 fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
-    let limits = width_limits(inputs)?;
+    let limits = limits(inputs, 289, 288)?;
     let (ball_radius, height) = (course.ball_radius(), inputs.mm(260));
-    let longest = inputs.probe().longest_path.to_mm_f64();
     let (plus, start) = (along_axis(inputs), start(inputs));
     let minus = plus.map(|part| -part);
 
-    let first = Touch { from: start, direction: plus, longest };
     course.pre_position_from_above(start, height);
-    let ball = course.touch(&first)?.place();
+    let ball = course.touch(&probing(inputs, start, plus))?.place();
     course.retract(start);
 
     let shift = if axis(inputs) == Axis::Second { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
     let shifted = along(start, shift, inputs.mm(310));
     // Where the ball would touch the other wall, seen from the start, less the clearance.
-    let gone = ball.iter().zip(start).zip(plus).map(|((ball, start), part)| (ball - start) * part).sum::<f64>();
+    let gone = dot(along(ball, start, -1.0), plus);
     let expected = inputs.mm(311) - 2.0 * ball_radius - gone;
-    let clearance = inputs.mm(320) + inputs.probe().set_up.to_mm_f64();
-    let from = along(shifted, minus, (expected - clearance).max(0.0));
+    let from = along(shifted, minus, (expected - clearance(inputs)).max(0.0));
     if inputs.whole(301) == 1 && 0.0 < inputs.mm(310).abs() {
         course.pre_position_from_above(from, height);
     } else {
         course.pre_position(shifted);
         course.pre_position(from);
     }
-    let second = Touch { from, direction: minus, longest };
-    let other = course.touch(&second)?.place();
-    course.retract(from);
+    let other = met(&probing(inputs, from, minus), course)?;
     course.leave(height);
-
-    let walls = [along(ball, plus, ball_radius), along(other, minus, ball_radius)];
-    measured(Feature::Hole, inputs, limits, walls.map(Contact::at))
+    measured(Feature::Hole, inputs, limits, [Contact::at(along(ball, plus, ball_radius)), other])
 }

@@ -5,15 +5,13 @@
 //! clearance height and in plus direction onto the second. Our reading: each probing begins `SET_UP`, Q320 and the ball's
 //! radius beside its point, so the first point is that with the larger coordinate.
 
-use super::width_cycle::{
-    AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, measured, subject, surface, width_limits,
-};
-use crate::probing::contact::{Contact, Touch};
+use super::probed::met_at;
+use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, measured, subject, surface};
 use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, along,
+    Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, limits,
 };
 use crate::tolerance::Feature;
 use crate::words::Dialogue::En;
@@ -58,20 +56,10 @@ fn point(inputs: &Inputs, first: u16, second: u16) -> [f64; 3] {
 
 /// Runs the cycle on checked inputs.
 fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
-    let limits = width_limits(inputs)?;
-    let (ball_radius, height) = (course.ball_radius(), inputs.mm(260));
-    let clearance = inputs.mm(320) + inputs.probe().set_up.to_mm_f64() + ball_radius;
+    let limits = limits(inputs, 289, 288)?;
     let plus = along_axis(inputs);
-    let mut touch = |point: [f64; 3], direction: [f64; 3]| {
-        let longest = inputs.probe().longest_path.to_mm_f64();
-        let touch = Touch { from: along(point, direction, -clearance), direction, longest };
-        course.pre_position_from_above(touch.from, height);
-        let ball = course.touch(&touch)?;
-        course.retract(touch.from);
-        Ok(Contact::at(along(ball.place(), direction, ball_radius)))
-    };
-    let first: Result<_, CycleError> = touch(point(inputs, 263, 264), plus.map(|part| -part));
-    let contacts = [first?, touch(point(inputs, 265, 266), plus)?];
-    course.leave(height);
-    measured(Feature::Shaft, inputs, limits, contacts)
+    let first = met_at(point(inputs, 263, 264), plus.map(|part| -part), inputs, course)?;
+    let second = met_at(point(inputs, 265, 266), plus, inputs, course)?;
+    course.leave(inputs.mm(260));
+    measured(Feature::Shaft, inputs, limits, [first, second])
 }

@@ -6,14 +6,14 @@
 //! nothing is our reading: 0 may be a real coordinate.
 
 use super::judged;
-use crate::probing::contact::{Contact, Touch};
+use super::probed::met_at;
 use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, INCIDENCE_ANGLE, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2, REVERSED, SET_UP_CLEARANCE,
     STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
     Control, Course, Cycle, CycleError, FigureKind, Found, FoundName, Inputs, Key, Log, LogFigure, Meaning, Measured,
-    Parameter, Remark, TextLog, Window, along, limits, nearest,
+    Parameter, Remark, TextLog, Window, limits, nearest,
 };
 use crate::probing::simulated::{Face, Surface};
 use crate::tolerance::Feature;
@@ -88,34 +88,16 @@ fn direction(inputs: &Inputs) -> [f64; 3] {
 /// probe's length that is the same, the surface lies a radius ahead of the ball's centre.
 fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
     let limits = limits(inputs, 289, 288)?;
-    let ball_radius = course.ball_radius();
-    let clearance = inputs.mm(320) + inputs.probe().set_up.to_mm_f64() + ball_radius;
-    let direction = direction(inputs);
-    let longest = inputs.probe().longest_path.to_mm_f64();
-    let touch = Touch { from: along(point(inputs), direction, -clearance), direction, longest };
-    let height = inputs.mm(260);
-    course.pre_position_from_above(touch.from, height);
-    let ball = course.touch(&touch)?;
-    course.retract(touch.from);
-    course.leave(height);
-    let contact = Contact::at(along(ball.place(), direction, ball_radius));
+    let contact = met_at(point(inputs), direction(inputs), inputs, course)?;
+    course.leave(inputs.mm(260));
     let measured = nearest(match inputs.whole(272) {
         1 => contact.x,
         2 => contact.y,
         _ => contact.z,
     })?;
     let checks: Vec<_> = judged::size(FoundName::COORDINATE, measured, limits, Feature::Shaft).into_iter().collect();
+    let remarks = if checks.is_empty() { Vec::new() } else { vec![Remark::OutsideDimension] };
+    let results = vec![Found::length(160, FoundName::COORDINATE, measured)];
     // Without limits the markers are set all the same.
-    let status = judged::worst(&checks);
-    let mut results = vec![Found::length(160, FoundName::COORDINATE, measured)];
-    results.extend(Found::markers(status));
-    Ok(Measured {
-        contacts: vec![contact],
-        circle: None,
-        status: Some(status),
-        results,
-        stop: judged::stop(inputs, &checks),
-        remarks: if checks.is_empty() { Vec::new() } else { vec![Remark::OutsideDimension] },
-        checks,
-    })
+    Ok(Measured { remarks, ..judged::measured(inputs, vec![contact], checks, results) })
 }

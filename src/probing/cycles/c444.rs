@@ -4,16 +4,19 @@
 //! TNC 320. The ranges of the normal's components and the numbers of the results are from memory and may differ on a
 //! control.
 
+use super::judged;
+use super::probed::probing;
 use crate::length::Length;
-use crate::probing::contact::{Contact, Touch};
+use crate::probing::contact::Contact;
 use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, POINT_1, POINT_2, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
-    Axis, Check, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Parameter,
-    Range, Remark, Stop, Value, Window, along, nearest,
+    Axis, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Parameter, Range,
+    Remark, Stop, Value, Window, nearest,
 };
 use crate::probing::simulated::{FreePoint, Surface};
-use crate::tolerance::{Deviations, Feature};
-use crate::verdict::{Status, classify};
+use crate::probing::vector::{along, direction, dot};
+use crate::tolerance::Feature;
+use crate::verdict::Status;
 use crate::words::Dialogue::{En, Nl};
 
 /// The permitted deviation along the normal, as a text.
@@ -64,25 +67,10 @@ fn point(inputs: &Inputs) -> [f64; 3] {
     [inputs.mm(263), inputs.mm(264), inputs.mm(294)]
 }
 
-fn given_normal(inputs: &Inputs) -> [f64; 3] {
-    [581, 582, 583].map(|q: u16| inputs.number(q))
-}
-
 /// The unit vector out of the material.
 fn normal(inputs: &Inputs) -> Result<[f64; 3], CycleError> {
-    let given = given_normal(inputs);
-    // Divided by the largest part first: the square of a tiny one would be zero.
-    let largest = given.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
-    if largest <= 0.0 {
-        return Err(CycleError::NoNormal { first: Key::Q(581), second: Key::Q(582), third: Key::Q(583) });
-    }
-    let scaled = given.map(|part| part / largest);
-    let length = dot(scaled, scaled).sqrt();
-    Ok(scaled.map(|part| part / length))
-}
-
-fn dot([x, y, z]: [f64; 3], [with_x, with_y, with_z]: [f64; 3]) -> f64 {
-    x * with_x + y * with_y + z * with_z
+    let keys @ [first, second, third] = [581, 582, 583].map(Key::Q);
+    direction(keys.map(|key| inputs.number(key))).ok_or(CycleError::NoNormal { first, second, third })
 }
 
 /// Runs the cycle on checked inputs.
@@ -94,8 +82,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     let inwards = normal.map(|part| -part);
     let ball_radius = course.ball_radius();
     let distance = ball_radius + inputs.probe().set_up.to_mm_f64() + inputs.mm(320);
-    let longest = inputs.probe().longest_path.to_mm_f64();
-    let touch = Touch { from: along(point(inputs), normal, distance), direction: inwards, longest };
+    let touch = probing(inputs, along(point(inputs), normal, distance), inwards);
     course.pre_position_from_above(touch.from, inputs.mm(260));
     let ball = course.touch(&touch)?;
     let back =
@@ -103,7 +90,9 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     course.retract(back);
     let contact = Contact::at(along(ball.place(), normal, -ball_radius));
     let (results, deviation) = measured(&contact, point(inputs), normal)?;
-    let check = inputs.band(TOLERANCE).map(|band| check(band, deviation));
+    let limits = inputs.band(TOLERANCE).map(|band| (band.lower(), band.upper()));
+    // Above the band there is material to take off, below it too much is gone.
+    let check = judged::size(FoundName::DEVIATION_ALONG, deviation, limits, Feature::Shaft);
     let checks: Vec<_> = check.into_iter().collect();
     // A slip such as 0.1+0.2 for 0.1-0.2 shall not switch the monitoring off unseen.
     let is_none = checks.is_empty() && inputs.is_given(TOLERANCE);
@@ -127,9 +116,8 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
 }
 
 /// Q151 to Q153 measured, Q161 to Q163 deviations, Q164 the deviation along the normal.
-fn measured(contact: &Contact, [x, y, z]: [f64; 3], normal: [f64; 3]) -> Result<([Found; 7], Length), CycleError> {
-    let deviation = [contact.x - x, contact.y - y, contact.z - z];
-    let [off_x, off_y, off_z] = deviation;
+fn measured(contact: &Contact, point: [f64; 3], normal: [f64; 3]) -> Result<([Found; 7], Length), CycleError> {
+    let deviation @ [off_x, off_y, off_z] = along(contact.place(), point, -1.0);
     let off = nearest(dot(deviation, normal))?;
     let found = [
         Found::length(151, FoundName::POSITION_1, nearest(contact.x)?),
@@ -141,13 +129,6 @@ fn measured(contact: &Contact, [x, y, z]: [f64; 3], normal: [f64; 3]) -> Result<
         Found::length(164, FoundName::DEVIATION_ALONG, off),
     ];
     Ok((found, off))
-}
-
-/// Above the band there is material to take off, below it too much is gone.
-fn check(band: Deviations, deviation: Length) -> Check {
-    let (minimum, maximum) = (band.lower(), band.upper());
-    let status = classify(Feature::Shaft, minimum, maximum, deviation);
-    Check { what: FoundName::DEVIATION_ALONG, measured: deviation, minimum, maximum, status }
 }
 
 /// Q183: −1 without a tolerance, 0 good, 1 rework, 2 scrap.

@@ -2,6 +2,7 @@
 //!
 //! Parameters, ranges and results as in the control's cycle manuals (TNC 320 and TNC7, cycles 421 and 422).
 
+use super::probed::{clearance, probing};
 use super::{judged, round};
 use crate::length::Length;
 use crate::probing::contact::Touch;
@@ -10,12 +11,11 @@ use crate::probing::cycle::shared::{
     MEASURING_LOG, MOVE_TO_CLEARANCE, REVERSED, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Angle, Axis, Check, CircleFound, Course, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning,
+    Angle, Axis, CircleFound, Course, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning,
     Measured, Parameter, Plane, QUARTER_TURN, Remark, Texts, limits,
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
-use crate::verdict::Status;
 use crate::words::Dialogue::En;
 
 /// The name of Q262.
@@ -110,24 +110,18 @@ pub(super) fn run(side: &Side, inputs: &Inputs, course: &mut Course<'_>) -> Resu
         course.retract(touch.from);
     }
     course.leave(height);
-    let round = round::fit(contacts, side.feature, Plane::Xy, ball_radius)?;
     let centre = [inputs.length(273), inputs.length(274)];
-    let found = round.found(centre, [inputs.length(279), inputs.length(280)])?;
-    let checks: Vec<Check> = judged::size(FoundName::DIAMETER, found.diameter, limits, side.feature)
+    let tolerances = [inputs.length(279), inputs.length(280)];
+    let (contacts, found) = round::found(contacts, side.feature, Plane::Xy, ball_radius, centre, tolerances)?;
+    let checks = judged::size(FoundName::DIAMETER, found.diameter, limits, side.feature)
         .into_iter()
         .chain(judged::centre(found.centre, centre, &found.position))
         .collect();
-    let status = judged::worst(&checks);
-    let outside = limits.is_some_and(|(minimum, maximum)| nominal < minimum || maximum < nominal);
-    Ok(Measured {
-        contacts: round.contacts,
-        results: results(&found, found.diameter.saturating_sub(nominal), status),
-        circle: Some(found),
-        status: Some(status),
-        stop: judged::stop(inputs, &checks),
-        checks,
-        remarks: if outside { vec![Remark::NominalOutsideLimits { nominal }] } else { Vec::new() },
-    })
+    let results = results(&found, found.diameter.saturating_sub(nominal));
+    let is_outside = judged::is_outside(nominal, limits);
+    let remarks = is_outside.then_some(Remark::NominalOutsideLimits { nominal }).into_iter().collect();
+    let measured = judged::measured(inputs, contacts, checks, results);
+    Ok(Measured { circle: Some(found), remarks, ..measured })
 }
 
 /// The hole or stud at nominal.
@@ -144,7 +138,7 @@ pub(super) fn subject(inputs: &Inputs) -> String {
 fn touches(side: &Side, inputs: &Inputs, ball_radius: f64) -> Vec<Touch> {
     let (x, y, height) = (inputs.mm(273), inputs.mm(274), inputs.mm(261));
     let radius = inputs.mm(262) / 2.0;
-    let clearance = inputs.mm(320) + inputs.probe().set_up.to_mm_f64();
+    let clearance = clearance(inputs);
     let (start, outward) = match side.feature {
         // In a small hole the probe starts at the centre.
         Feature::Hole => ((radius - clearance - ball_radius).max(0.0), 1.0),
@@ -157,11 +151,7 @@ fn touches(side: &Side, inputs: &Inputs, ball_radius: f64) -> Vec<Touch> {
         .take(usize::try_from(count).unwrap_or(4))
         .map(|number| {
             let [cos, sin] = inputs.angle(325).stepped(step, number).direction();
-            Touch {
-                from: [x + start * cos, y + start * sin, height],
-                direction: [outward * cos, outward * sin, 0.0],
-                longest: inputs.probe().longest_path.to_mm_f64(),
-            }
+            probing(inputs, [x + start * cos, y + start * sin, height], [outward * cos, outward * sin, 0.0])
         })
         .collect()
 }
@@ -177,18 +167,16 @@ fn pre_position(inputs: &Inputs, touch: &Touch, is_first: bool, course: &mut Cou
     }
 }
 
-/// Q151 to Q153 measured, Q161 to Q163 deviations, Q180 to Q182 markers of which exactly one is 1.
-fn results(found: &CircleFound, deviation: Length, status: Status) -> Vec<Found> {
+/// Q151 to Q153 measured, Q161 to Q163 deviations.
+fn results(found: &CircleFound, deviation: Length) -> Vec<Found> {
     let [centre_1, centre_2] = found.centre;
     let [axis_1, axis_2] = found.position.axes;
-    let mut results = vec![
+    vec![
         Found::length(151, FoundName::CENTRE_1, centre_1),
         Found::length(152, FoundName::CENTRE_2, centre_2),
         Found::length(153, FoundName::DIAMETER, found.diameter),
         Found::length(161, FoundName::CENTRE_DEVIATION_1, axis_1.deviation),
         Found::length(162, FoundName::CENTRE_DEVIATION_2, axis_2.deviation),
         Found::length(163, FoundName::DIAMETER_DEVIATION, deviation),
-    ];
-    results.extend(Found::markers(status));
-    results
+    ]
 }

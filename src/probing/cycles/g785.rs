@@ -11,9 +11,10 @@ use crate::length::Length;
 use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::{
     Angle, Axis, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Parameter,
-    Plane, Remark, Window, along, nearest,
+    Plane, Remark, Window, nearest,
 };
 use crate::probing::simulated::{Surface, Workpiece};
+use crate::probing::vector::{along, norm};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{De, En};
 
@@ -151,14 +152,14 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         }
         contacts.push(contact(&touch, contacts.len() + 1, inputs, course)?);
     }
-    let round = round::fit(contacts, feature(inputs), plane, course.ball_radius())?;
     let nominal = [inputs.length(CENTRE_1), inputs.length(CENTRE_2)];
-    let found = round.found(nominal, [Length::ZERO; 2])?;
+    let (contacts, found) =
+        round::found(contacts, feature(inputs), plane, course.ball_radius(), nominal, [Length::ZERO; 2])?;
     let [centre_1, centre_2] = found.centre;
     // The screen shows the centre; by which name is not documented.
     let [axis_1, axis_2] = plane.axes().map(Key::Word);
     Ok(Measured {
-        contacts: round.contacts,
+        contacts,
         checks: Vec::new(),
         status: None,
         results: vec![
@@ -183,12 +184,10 @@ fn contact(touch: &Touch, number: usize, inputs: &Inputs, course: &mut Course<'_
     course.retract(touch.from);
     let (one, other) = (one.place(), other.place());
     // Both lie on the line of the probing.
-    let apart = along(one, other, -1.0).iter().map(|part| part * part).sum::<f64>().sqrt();
-    let (difference, most) = (nearest(apart)?, inputs.length(PERMITTED));
+    let (difference, most) = (nearest(norm(along(one, other, -1.0)))?, inputs.length(PERMITTED));
     if most < difference {
         return Err(CycleError::Apart { contact: number, difference, key: PERMITTED, most });
     }
     // The mean, without rounding anything away where both are the same.
-    let [x, y, z] = along(other, one, -1.0);
-    Ok(Contact::at(along(one, [x, y, z], 0.5)))
+    Ok(Contact::at(along(one, along(other, one, -1.0), 0.5)))
 }

@@ -1,7 +1,8 @@
 //! What cycles that monitor limits share: sizes and centres against them, the stop, the markers.
 
 use crate::length::Length;
-use crate::probing::cycle::{Check, CycleError, FoundName, Inputs, Stop, nearest};
+use crate::probing::contact::Contact;
+use crate::probing::cycle::{Check, CycleError, Found, FoundName, Inputs, Measured, Stop, nearest};
 use crate::tolerance::Feature;
 use crate::verdict::{AxisPosition, PositionVerdict, Status, classify};
 
@@ -45,13 +46,27 @@ pub(super) fn centre(centre: [Length; 2], nominal: [Length; 2], position: &Posit
 }
 
 /// The worst of several values, because exactly one marker is set; `Good` also where nothing was monitored.
-pub(super) fn worst(checks: &[Check]) -> Status {
+fn worst(checks: &[Check]) -> Status {
     checks.iter().map(|check| check.status).max().unwrap_or(Status::Good)
 }
 
-/// The stop where Q309 asks for one and something is out.
-pub(super) fn stop(inputs: &Inputs, checks: &[Check]) -> Option<Stop> {
-    if inputs.whole(309) == 1 { Stop::of(1, checks) } else { None }
+/// What a cycle that monitors limits comes to, with its markers, and the stop where Q309 asks for one and something is
+/// out.
+pub(super) fn measured(
+    inputs: &Inputs,
+    contacts: Vec<Contact>,
+    checks: Vec<Check>,
+    mut results: Vec<Found>,
+) -> Measured {
+    let status = worst(&checks);
+    results.extend(Found::markers(status));
+    let stop = if inputs.whole(309) == 1 { Stop::of(1, &checks) } else { None };
+    Measured { contacts, circle: None, checks, status: Some(status), results, stop, remarks: Vec::new() }
+}
+
+/// Whether a nominal size does not lie between its limits.
+pub(super) fn is_outside(nominal: Length, limits: Option<(Length, Length)>) -> bool {
+    limits.is_some_and(|(minimum, maximum)| nominal < minimum || maximum < nominal)
 }
 
 /// How far two opposite walls are apart, and where the middle between them is, at the nearest nanometre.

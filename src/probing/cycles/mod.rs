@@ -7,6 +7,7 @@
 //! | `width_cycle` | what 425 and 426 share |
 //! | `round` | from contacts to a circle |
 //! | `judged` | sizes and centres against their limits |
+//! | `probed` | the clearance before a surface, and the point of it that was met |
 //! | `c421` | 421, measure hole |
 //! | `c422` | 422, measure circle outside |
 //! | `c423` | 423, measure rectangle inside |
@@ -28,6 +29,7 @@ mod c444;
 mod circle_cycle;
 mod g785;
 mod judged;
+mod probed;
 mod rectangle_cycle;
 mod round;
 mod width_cycle;

@@ -8,6 +8,7 @@
 //! centre out of position counts as scrap.
 
 use super::judged;
+use super::probed::{clearance, met, probing};
 use crate::length::Length;
 use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::shared::{
@@ -16,9 +17,10 @@ use crate::probing::cycle::shared::{
 };
 use crate::probing::cycle::{
     Axis, Course, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning, Measured, Parameter,
-    along, limits,
+    limits,
 };
 use crate::probing::simulated::{Surface, Walls};
+use crate::probing::vector::along;
 use crate::tolerance::Feature;
 
 /// The declaration, in the order of NC programs.
@@ -69,24 +71,20 @@ fn centre(inputs: &Inputs) -> [f64; 3] {
 /// Runs either cycle on checked inputs.
 pub(super) fn run(feature: Feature, inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
     let limits = [limits(inputs, 285, 284)?, limits(inputs, 287, 286)?];
-    let (ball_radius, height) = (course.ball_radius(), inputs.mm(260));
     let mut contacts = Vec::new();
     let mut before: Option<[f64; 3]> = None;
-    for touch in touches(feature, inputs, ball_radius) {
+    for touch in touches(feature, inputs, course.ball_radius()) {
         pre_position(inputs, before, touch.from, course);
-        let ball = course.touch(&touch)?;
-        course.retract(touch.from);
-        contacts.push(Contact::at(along(ball.place(), touch.direction, ball_radius)));
+        contacts.push(met(&touch, course)?);
         before = Some(touch.from);
     }
-    course.leave(height);
+    course.leave(inputs.mm(260));
     measured(feature, inputs, limits, contacts)
 }
 
 /// The contacts in order, from inside a pocket or from outside a boss.
 fn touches(feature: Feature, inputs: &Inputs, ball_radius: f64) -> [Touch; 4] {
-    let clearance = inputs.mm(320) + inputs.probe().set_up.to_mm_f64() + ball_radius;
-    let longest = inputs.probe().longest_path.to_mm_f64();
+    let clearance = clearance(inputs) + ball_radius;
     let touch = |outwards: [f64; 3], side: u16| {
         let half = inputs.mm(side) / 2.0;
         let (start, sign) = match feature {
@@ -94,8 +92,7 @@ fn touches(feature: Feature, inputs: &Inputs, ball_radius: f64) -> [Touch; 4] {
             Feature::Hole => ((half - clearance).max(0.0), 1.0),
             Feature::Shaft => (half + clearance, -1.0),
         };
-        let direction = outwards.map(|part| sign * part);
-        Touch { from: along(centre(inputs), outwards, start), direction, longest }
+        probing(inputs, along(centre(inputs), outwards, start), outwards.map(|part| sign * part))
     };
     [
         touch([1.0, 0.0, 0.0], 282),
@@ -135,10 +132,9 @@ fn measured(
         judged::size(FoundName::SIDE_2, side_2, limits_2, feature),
     ];
     let centre = judged::centre(found, nominal, &position);
-    let checks: Vec<_> = sides.into_iter().flatten().chain(centre).collect();
-    let status = judged::worst(&checks);
+    let checks = sides.into_iter().flatten().chain(centre).collect();
     let [axis_1, axis_2] = position.axes;
-    let mut results = vec![
+    let results = vec![
         Found::length(151, FoundName::CENTRE_1, centre_1),
         Found::length(152, FoundName::CENTRE_2, centre_2),
         Found::length(154, FoundName::SIDE_1, side_1),
@@ -148,14 +144,5 @@ fn measured(
         Found::length(164, FoundName::SIDE_DEVIATION_1, side_1.saturating_sub(inputs.length(282))),
         Found::length(165, FoundName::SIDE_DEVIATION_2, side_2.saturating_sub(inputs.length(283))),
     ];
-    results.extend(Found::markers(status));
-    Ok(Measured {
-        contacts,
-        circle: None,
-        status: Some(status),
-        results,
-        stop: judged::stop(inputs, &checks),
-        checks,
-        remarks: Vec::new(),
-    })
+    Ok(judged::measured(inputs, contacts, checks, results))
 }

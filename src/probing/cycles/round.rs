@@ -11,24 +11,35 @@ use crate::probing::contact::Contact;
 use crate::probing::cycle::{CircleFound, CycleError, Plane};
 use crate::tolerance::Feature;
 
-/// A circle and the points of the surface that it goes through, in X, Y, Z.
-pub(super) struct Round {
-    pub(super) circle: Circle,
-    pub(super) contacts: Vec<Contact>,
-    plane: Plane,
-}
-
-/// The circle through contacts in X, Y, Z.
-pub(super) fn fit(
+/// The points of the surface and the circle through them, in whole nanometres, against a nominal centre; a tolerance of
+/// zero is not monitored. Contacts and points are in X, Y, Z.
+pub(super) fn found(
     contacts: Vec<Contact>,
     feature: Feature,
     plane: Plane,
     ball_radius: f64,
-) -> Result<Round, CycleError> {
+    nominal: [Length; 2],
+    tolerances: [Length; 2],
+) -> Result<(Vec<Contact>, CircleFound), CycleError> {
+    let (contacts, circle) = fit(contacts, feature, plane, ball_radius)?;
+    let nearest = |mm: f64| Length::from_mm_f64(mm).map_err(CycleError::TooLarge);
+    let centre = [nearest(circle.x)?, nearest(circle.y)?];
+    let diameter = nearest(circle.diameter)?;
+    let position = judged::position(centre, nominal, tolerances);
+    Ok((contacts, CircleFound { plane, circle, centre, diameter, position }))
+}
+
+/// The points of the surface and the circle through them, unrounded.
+fn fit(
+    contacts: Vec<Contact>,
+    feature: Feature,
+    plane: Plane,
+    ball_radius: f64,
+) -> Result<(Vec<Contact>, Circle), CycleError> {
     let in_plane: Vec<_> = contacts.iter().map(|contact| Contact::at(plane.within(contact.place()))).collect();
     let circle = least_squares(&in_plane)?;
     if ball_radius <= 0.0 {
-        return Ok(Round { circle, contacts, plane });
+        return Ok((contacts, circle));
     }
     let outward = match feature {
         Feature::Hole => ball_radius,
@@ -42,21 +53,5 @@ pub(super) fn fit(
         Contact::at(plane.place([contact.x + off_x * share, contact.y + off_y * share, contact.z]))
     };
     let contacts = in_plane.iter().map(on_surface).collect();
-    let circle = Circle { diameter: circle.diameter + 2.0 * outward, ..circle };
-    Ok(Round { circle, contacts, plane })
-}
-
-impl Round {
-    /// The circle in whole nanometres, against a nominal centre; a tolerance of zero is not monitored.
-    pub(super) fn found(&self, nominal: [Length; 2], tolerances: [Length; 2]) -> Result<CircleFound, CycleError> {
-        let nearest = |mm: f64| Length::from_mm_f64(mm).map_err(CycleError::TooLarge);
-        let centre = [nearest(self.circle.x)?, nearest(self.circle.y)?];
-        Ok(CircleFound {
-            plane: self.plane,
-            circle: self.circle,
-            centre,
-            diameter: nearest(self.circle.diameter)?,
-            position: judged::position(centre, nominal, tolerances),
-        })
-    }
+    Ok((contacts, Circle { diameter: circle.diameter + 2.0 * outward, ..circle }))
 }

@@ -10,7 +10,6 @@ use crate::length::Length;
 use crate::probing::contact::Contact;
 use crate::probing::cycle::{
     Axis, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning, Measured, Parameter, Remark,
-    limits,
 };
 use crate::probing::simulated::{Surface, Walls};
 use crate::tolerance::Feature;
@@ -63,11 +62,6 @@ pub(super) fn subject(inputs: &Inputs) -> String {
     inputs.length(311).to_string()
 }
 
-/// The limits: swapped is refused before anything is probed.
-pub(super) fn width_limits(inputs: &Inputs) -> Result<Option<(Length, Length)>, CycleError> {
-    limits(inputs, 289, 288)
-}
-
 /// What two contacts on the walls come to.
 pub(super) fn measured(
     feature: Feature,
@@ -79,22 +73,13 @@ pub(super) fn measured(
     let [one, other] = contacts.each_ref().map(place);
     let (width, centre_line) = judged::between(one, other)?;
     let nominal = inputs.length(311);
-    let checks: Vec<_> = judged::size(FoundName::WIDTH, width, limits, feature).into_iter().collect();
-    let status = judged::worst(&checks);
-    let mut results = vec![
+    let checks = judged::size(FoundName::WIDTH, width, limits, feature).into_iter().collect();
+    let results = vec![
         Found::length(156, FoundName::WIDTH, width),
         Found::length(157, FoundName::CENTRE_LINE, centre_line),
         Found::length(166, FoundName::WIDTH_DEVIATION, width.saturating_sub(nominal)),
     ];
-    results.extend(Found::markers(status));
-    let is_outside = limits.is_some_and(|(minimum, maximum)| nominal < minimum || maximum < nominal);
-    Ok(Measured {
-        contacts: contacts.to_vec(),
-        circle: None,
-        status: Some(status),
-        results,
-        stop: judged::stop(inputs, &checks),
-        remarks: if is_outside { vec![Remark::NominalWidthOutsideLimits { nominal }] } else { Vec::new() },
-        checks,
-    })
+    let is_outside = judged::is_outside(nominal, limits);
+    let remarks = is_outside.then_some(Remark::NominalWidthOutsideLimits { nominal }).into_iter().collect();
+    Ok(Measured { remarks, ..judged::measured(inputs, contacts.to_vec(), checks, results) })
 }

@@ -104,21 +104,13 @@ struct File {
     temperature: f64,
     #[serde(default = "steel")]
     expansion: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
     bore: Option<Round>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     stud: Option<Round>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     face: Option<Face>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     point: Option<FreePoint>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     slot: Option<Pair>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     ridge: Option<Pair>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pocket: Option<Rectangle>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     boss: Option<Rectangle>,
     #[serde(default)]
     probe: Probe,
@@ -136,7 +128,7 @@ const fn steel() -> f64 {
     STEEL
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Round {
     centre: [f64; 2],
@@ -164,7 +156,7 @@ impl Round {
 }
 
 /// Two walls.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Pair {
     centre: [f64; 2],
@@ -176,7 +168,7 @@ struct Pair {
 }
 
 /// Four walls.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Rectangle {
     centre: [f64; 2],
@@ -253,25 +245,17 @@ impl Simulation {
         let (seed, temperature, expansion, probe) = (self.seed, self.temperature, self.expansion, self.probe);
         let mut file = File { seed, temperature, expansion, probe, ..File::default() };
         match self.surface {
-            Surface::Round(workpiece, plane) => match workpiece.feature {
-                Feature::Hole => file.bore = Some(Round::of(&workpiece, plane)),
-                Feature::Shaft => file.stud = Some(Round::of(&workpiece, plane)),
-            },
+            Surface::Round(workpiece, plane) => {
+                (file.bore, file.stud) = hole_or_shaft(workpiece.feature, Round::of(&workpiece, plane));
+            }
             Surface::Face(face) => file.face = Some(face),
             Surface::Point(point) => file.point = Some(point),
             Surface::Walls(Walls { feature, centre, lengths: (width, None), angle, surface_scatter }) => {
-                let pair = Some(Pair { centre, width, angle, surface_scatter });
-                match feature {
-                    Feature::Hole => file.slot = pair,
-                    Feature::Shaft => file.ridge = pair,
-                }
+                (file.slot, file.ridge) = hole_or_shaft(feature, Pair { centre, width, angle, surface_scatter });
             }
             Surface::Walls(Walls { feature, centre, lengths: (first, Some(second)), angle, surface_scatter }) => {
-                let rectangle = Some(Rectangle { centre, lengths: [first, second], angle, surface_scatter });
-                match feature {
-                    Feature::Hole => file.pocket = rectangle,
-                    Feature::Shaft => file.boss = rectangle,
-                }
+                let rectangle = Rectangle { centre, lengths: [first, second], angle, surface_scatter };
+                (file.pocket, file.boss) = hole_or_shaft(feature, rectangle);
             }
         }
         toml::to_string(&file)
@@ -292,6 +276,14 @@ impl Simulation {
         self.check()?;
         let factor = 1.0 + self.expansion * 1e-6 * (self.temperature - REFERENCE);
         Machine::with(self.surface.grown(factor), self.probe, self.seed)
+    }
+}
+
+/// A table of a file, as that of a hole or as that of a shaft.
+const fn hole_or_shaft<T: Copy>(feature: Feature, table: T) -> (Option<T>, Option<T>) {
+    match feature {
+        Feature::Hole => (Some(table), None),
+        Feature::Shaft => (None, Some(table)),
     }
 }
 

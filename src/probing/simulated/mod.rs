@@ -32,8 +32,9 @@ pub use walls::Walls;
 pub use workpiece::{Lobes, Workpiece};
 
 use super::contact::{Contact, NoContact, Prober, Touch};
-use super::cycle::{Plane, along};
+use super::cycle::Plane;
 use super::touch_probe::TouchProbe;
+use super::vector::along;
 use crate::length::Length;
 use crate::message::Say;
 
@@ -130,71 +131,5 @@ impl Prober for Machine {
 
     fn ball_radius(&self) -> f64 {
         (self.probe.ball_radius + self.probe.calibration_error).max(0.0)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::tolerance::Feature;
-    use crate::words::{Language, Words};
-
-    #[track_caller]
-    fn check(text: &str, expected: &str) {
-        let said = match toml::from_str::<Workpiece>(text) {
-            Ok(workpiece) => match Machine::new(workpiece, Probe::USUAL, 0) {
-                Ok(_) => "fine".to_owned(),
-                Err(error) => {
-                    assert_eq!(Words::new(Language::En).told(&error), error.to_string());
-                    assert_ne!(Words::new(Language::Nl).told(&error), error.message().id);
-                    error.to_string()
-                }
-            },
-            Err(error) => error.message().to_owned(),
-        };
-        assert_eq!(said, expected);
-    }
-
-    #[test]
-    fn a_workpiece_file_is_read_and_checked() {
-        let bore = |form: &str| format!("feature = 'hole'\ncentre = [0.0, 0.0]\ndiameter = 25.0\n{form}");
-        check(&bore(""), "fine");
-        check(&bore("[ovality]\ncount = 2\namplitude = 0.01\nangle = 45"), "fine");
-        check(&bore("").replace("25.0", "-1.0"), "diameter = -1: at least 0.001, at most 100000");
-        check(&bore("").replace("25.0", "nan"), "diameter = NaN: at least 0.001, at most 100000");
-        check(&bore("").replace("[0.0", "[-inf"), "centre x = -inf: at least -100000, at most 100000");
-        check(&bore("surface_scatter = 2.0"), "surface scatter = 2: at least 0, at most 1.25");
-        check(&bore("[ovality]\ncount = 2\namplitude = 5.0"), "ovality = 5: at least 0, at most 1.25");
-        check(&bore("[ovality]\ncount = 3\namplitude = 0.1"), "ovality count = 3: at least 2, at most 2");
-        check(&bore("[lobes]\ncount = 0\namplitude = 0.1"), "lobes = 0: at least 2, at most 100");
-        check(&bore("[lobes]\ncount = 101\namplitude = 0.1"), "lobes = 101: at least 2, at most 100");
-        check(
-            &bore("[lobes]\ncount = 3\namplitude = 0.1\nangle = 361.0"),
-            "lobe angle = 361: at least -360, at most 360",
-        );
-        check("feature = 'hole'\ncentre = [0.0, 0.0]", "missing field `diameter`");
-        check(
-            &bore("colour = 'red'"),
-            "unknown field `colour`, expected one of `feature`, `centre`, `diameter`, `ovality`, `lobes`, `surface_scatter`",
-        );
-    }
-
-    #[test]
-    fn a_touch_that_begins_in_the_material_or_passes_by_meets_nothing() {
-        let touch =
-            |x: f64, y: f64, along: f64| Touch { from: [x, y, 0.0], direction: [along, 0.0, 0.0], longest: 50.0 };
-        let still = Probe::STILL;
-        let of = |feature| Machine::new(Workpiece::round(feature, [0.0, 0.0], 20.0), still, 0).unwrap();
-        let (missed, in_material) = (Err(NoContact::Missed { number: 1 }), Err(NoContact::InMaterial { number: 1 }));
-        assert_eq!(of(Feature::Hole).touch(&touch(11.0, 0.0, 1.0)), in_material);
-        assert_eq!(of(Feature::Shaft).touch(&touch(9.0, 0.0, -1.0)), in_material);
-        assert_eq!(of(Feature::Shaft).touch(&touch(15.0, 10.5, -1.0)), missed);
-        assert_eq!(of(Feature::Shaft).touch(&touch(15.0, 0.0, 1.0)), missed);
-        let mut oval = Workpiece::round(Feature::Shaft, [0.0, 0.0], 20.0);
-        oval.ovality = Lobes { count: 2, amplitude: 0.1, angle: 0.0 };
-        let mut machine = Machine::new(oval, still, 0).unwrap();
-        assert_eq!(machine.touch(&touch(15.0, 10.5, -1.0)), missed);
-        assert_eq!(machine.touch(&touch(15.0, 0.0, 1.0)), Err(NoContact::Missed { number: 2 }));
-        assert!((machine.touch(&touch(15.0, 0.0, -1.0)).unwrap().x - 10.1).abs() < 1e-12);
     }
 }

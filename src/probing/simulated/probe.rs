@@ -30,13 +30,8 @@ pub struct Probe {
 
 impl Probe {
     /// A perfect point.
-    pub const STILL: Self = Self {
-        trigger_scatter: 0.0,
-        ball_radius: 0.0,
-        calibration_error: 0.0,
-        offset: None,
-        lobing: Lobes { count: 0, amplitude: 0.0, angle: 0.0 },
-    };
+    pub const STILL: Self =
+        Self { trigger_scatter: 0.0, ball_radius: 0.0, calibration_error: 0.0, offset: None, lobing: Lobes::NONE };
 
     /// Half a micrometre of scatter, as touch probes in machines have.
     pub const USUAL: Self = Self { trigger_scatter: 0.0005, ..Self::STILL };

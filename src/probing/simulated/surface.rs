@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::nearest::{least, trace};
 use super::{FARTHEST, Shape, Walls, Workpiece, WorkpieceError, in_range};
 use crate::probing::cycle::Plane;
+use crate::probing::vector::{along, dot, norm, unit};
 use crate::tolerance::Feature;
 
 /// A surface of the workpiece.
@@ -227,11 +228,11 @@ impl Face {
     fn across(&self, wave: &Wave) -> [f64; 3] {
         let normal = unit(self.normal);
         let share = dot(wave.direction, normal);
-        sum(wave.direction, normal, -share)
+        along(wave.direction, normal, -share)
     }
 
     fn gap(&self, from: [f64; 3], ball_radius: f64) -> f64 {
-        let off = sum(from, self.point, -1.0);
+        let off = along(from, self.point, -1.0);
         let height = dot(off, unit(self.normal));
         let Some(wave) = self.wave.filter(|wave| 0.0 < wave.amplitude) else { return height - ball_radius };
         // Far above the crests the exact gap does not matter, only that it is not too large.
@@ -241,12 +242,12 @@ impl Face {
         }
         let place = dot(off, unit(self.across(&wave)));
         let number = std::f64::consts::TAU / wave.length;
-        let crest = |along: f64| wave.amplitude * (number * along).cos();
+        let crest = |gone: f64| wave.amplitude * (number * gone).cos();
         if height < crest(place) {
             // Below the surface: the depth is enough.
             return height - crest(place) - ball_radius;
         }
-        let distance = |along: f64| (along - place).hypot(height - crest(along));
+        let distance = |gone: f64| (gone - place).hypot(height - crest(gone));
         // No point farther along than the one straight below can be nearer.
         let reach = height - crest(place);
         let samples = whole((64.0 * reach / wave.length).clamp(16.0, 20_000.0));
@@ -258,7 +259,7 @@ impl Face {
         if self.wave.is_none_or(|wave| wave.amplitude <= 0.0) {
             return (0.0 < towards).then(|| self.gap(from, ball_radius) / towards);
         }
-        trace(|gone| self.gap(sum(from, direction, gone), ball_radius), FARTHEST)
+        trace(|gone| self.gap(along(from, direction, gone), ball_radius), FARTHEST)
     }
 }
 
@@ -271,15 +272,15 @@ impl FreePoint {
 
     /// The point of the surface that the deviation leads to.
     fn real(&self) -> [f64; 3] {
-        sum(self.point, unit(self.normal), self.deviation)
+        along(self.point, unit(self.normal), self.deviation)
     }
 
     fn gap(&self, from: [f64; 3], ball_radius: f64) -> f64 {
         let Some(radius) = self.radius else {
-            return dot(sum(from, self.real(), -1.0), unit(self.normal)) - ball_radius;
+            return dot(along(from, self.real(), -1.0), unit(self.normal)) - ball_radius;
         };
-        let centre = sum(self.real(), unit(self.normal), -radius);
-        let distance = norm(sum(from, centre, -1.0));
+        let centre = along(self.real(), unit(self.normal), -radius);
+        let distance = norm(along(from, centre, -1.0));
         if 0.0 < radius { distance - radius - ball_radius } else { -radius - ball_radius - distance }
     }
 
@@ -288,17 +289,17 @@ impl FreePoint {
             let towards = -dot(direction, unit(self.normal));
             return (0.0 < towards).then(|| self.gap(from, ball_radius) / towards);
         };
-        let centre = sum(self.real(), unit(self.normal), -radius);
-        let to = sum(centre, from, -1.0);
-        let along = dot(to, direction);
-        let across = norm(sum(to, direction, -along));
+        let centre = along(self.real(), unit(self.normal), -radius);
+        let to = along(centre, from, -1.0);
+        let ahead = dot(to, direction);
+        let across = norm(along(to, direction, -ahead));
         // The ball's centre meets a sphere that is a ball's radius larger, or smaller inside a hollow.
         let reach = if 0.0 < radius { radius + ball_radius } else { -radius - ball_radius };
         let square = (reach - across) * (reach + across);
         if square < 0.0 {
             return None;
         }
-        let distance = if 0.0 < radius { along - square.sqrt() } else { along + square.sqrt() };
+        let distance = if 0.0 < radius { ahead - square.sqrt() } else { ahead + square.sqrt() };
         (0.0 <= distance).then_some(distance)
     }
 }
@@ -312,24 +313,6 @@ fn check_place(point: [f64; 3], normal: [f64; 3], surface_scatter: f64) -> Resul
     }
     in_range("length of the normal", norm(normal), 1e-6, 2.0 * FARTHEST)?;
     in_range("surface scatter", surface_scatter, 0.0, 1.0)
-}
-
-fn dot([x, y, z]: [f64; 3], [with_x, with_y, with_z]: [f64; 3]) -> f64 {
-    x * with_x + y * with_y + z * with_z
-}
-
-fn norm(vector: [f64; 3]) -> f64 {
-    dot(vector, vector).sqrt()
-}
-
-fn unit(vector: [f64; 3]) -> [f64; 3] {
-    let length = norm(vector);
-    vector.map(|part| part / length)
-}
-
-/// One vector and another times a factor.
-fn sum([x, y, z]: [f64; 3], [with_x, with_y, with_z]: [f64; 3], factor: f64) -> [f64; 3] {
-    [x + factor * with_x, y + factor * with_y, z + factor * with_z]
 }
 
 #[expect(

@@ -49,8 +49,7 @@ pub struct Lobes {
 impl Workpiece {
     /// A perfectly round one.
     pub const fn round(feature: Feature, centre: [f64; 2], diameter: f64) -> Self {
-        let none = Lobes { count: 0, amplitude: 0.0, angle: 0.0 };
-        Self { feature, centre, diameter, ovality: none, lobes: none, surface_scatter: 0.0 }
+        Self { feature, centre, diameter, ovality: Lobes::NONE, lobes: Lobes::NONE, surface_scatter: 0.0 }
     }
 
     /// One as a shop makes it: a micrometre oval, three tenths of a micrometre rough.
@@ -169,6 +168,9 @@ impl Workpiece {
 }
 
 impl Lobes {
+    /// No wave.
+    pub const NONE: Self = Self { count: 0, amplitude: 0.0, angle: 0.0 };
+
     pub(super) fn height(&self, angle: f64) -> f64 {
         self.amplitude * (f64::from(self.count) * (angle - self.angle.to_radians())).cos()
     }

@@ -217,3 +217,14 @@ fn the_shipped_tables_agree_with_the_spot_checks_as_far_as_they_go() {
     // 400.5 H7 and 26 S7 are published, but not in the tables; eight callouts are refused by the standard, too.
     assert_eq!((agreed, refused), (26, 10));
 }
+
+#[test]
+fn the_shipped_tables_can_be_read_without_a_warning() {
+    let files = ["82553_hole.tab", "82553_shaft.tab"];
+    for name in files {
+        let (table, warnings) =
+            read_table(fitcheck::shipped::file(fitcheck::shipped::TABLES, name).unwrap(), name, name, true).unwrap();
+        assert!(table.is_some() && warnings.is_empty(), "{name}: {warnings:?}");
+    }
+    assert_eq!(shipped_tables().len(), files.len());
+}

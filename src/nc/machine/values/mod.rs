@@ -153,18 +153,14 @@ impl Values {
         if most < parameter.number {
             return Err(FaultKind::NoParameter(parameter));
         }
-        match &value {
-            Value::Number(number) => {
-                in_range(*number)?;
-            }
-            Value::Text(text) => self.check_length(text)?,
-            Value::Length(_) => {}
-        }
         match (&value, parameter.family) {
-            (Value::Text(_), Family::Qs)
-            | (Value::Number(_) | Value::Length(_), Family::Q | Family::Ql | Family::Qr) => {}
+            (Value::Text(text), Family::Qs) => self.check_length(text)?,
             (Value::Text(_), _) => return Err(FaultKind::NotNumber(parameter)),
             (_, Family::Qs) => return Err(FaultKind::NotText(parameter)),
+            (Value::Number(number), _) => {
+                in_range(*number)?;
+            }
+            (Value::Length(_), _) => {}
         }
         self.variables.set(parameter, value);
         self.changed.push(parameter);

@@ -53,10 +53,7 @@ impl Values {
 
     /// TOCHAR: with so many decimals, rounded half away from zero; without, just those that the value has.
     fn text_of_number(&self, number: Operand, decimals: Option<Operand>) -> Result<String, FaultKind> {
-        let decimals = match decimals {
-            Some(decimals) => Some(self.whole("DECIMALS", decimals)?),
-            None => None,
-        };
+        let decimals = decimals.map(|decimals| self.whole("DECIMALS", decimals)).transpose()?;
         if let Some(value) = decimals.filter(|decimals| MOST_DECIMALS < *decimals) {
             let value = f64::from(u32::try_from(value).unwrap_or(u32::MAX));
             return Err(FaultKind::NoResult { function: "DECIMALS", value });
@@ -68,10 +65,7 @@ impl Values {
     fn part(&self, source: Parameter, from: Operand, length: Option<Operand>) -> Result<String, FaultKind> {
         let text = self.text(source)?;
         let from = self.whole("BEG", from)?;
-        let length = match length {
-            Some(length) => self.whole("LEN", length)?,
-            None => usize::MAX,
-        };
+        let length = length.map_or(Ok(usize::MAX), |length| self.whole("LEN", length))?;
         let characters = text.chars().count();
         if characters < from {
             return Err(FaultKind::BehindText { length: characters, from });

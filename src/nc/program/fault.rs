@@ -6,7 +6,7 @@ use crate::message::Say;
 /// Why a block cannot be understood.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "program", error)]
-pub enum Reason {
+pub enum BlockFault {
     /// The block ends too early.
     Missing(#[say(name = "wanted")] Wanted),
     /// Something else stands there.

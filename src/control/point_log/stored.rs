@@ -54,7 +54,7 @@ enum StoredUnit {
 }
 
 /// A measurement as its block. The caller has checked it.
-pub(super) fn block(log: &PointLog) -> Result<String, PointFault> {
+pub(super) fn block(log: &PointLog) -> String {
     let mm = |length: Length| length.to_string();
     let stored = Stored {
         version: VERSION,
@@ -71,8 +71,9 @@ pub(super) fn block(log: &PointLog) -> Result<String, PointFault> {
         lower_mm: log.band.map(|band| mm(band.lower)),
         status: log.status,
     };
-    let json = serde_json::to_string(&stored).map_err(|error| PointFault::Page { what: error.to_string() })?;
-    Ok(format!("{OPEN}{}{CLOSE}", ascii(&json)))
+    #[expect(clippy::expect_used, reason = "texts under names are always JSON")]
+    let json = serde_json::to_string(&stored).expect("texts can be written as JSON");
+    format!("{OPEN}{}{CLOSE}", ascii(&json))
 }
 
 /// JSON whose other characters than plain ASCII, and those that mean something in HTML, are escaped as JSON does it.

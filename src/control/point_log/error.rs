@@ -10,7 +10,7 @@ pub type PointLogError = Located<PointFault>;
 
 /// What is wrong with a measurement of cycle 444 or with its page.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
-#[say(prefix = "log-444", error)]
+#[say(prefix = "point-log", error)]
 pub enum PointFault {
     /// There is no measurement in the page.
     NoLog,
@@ -79,11 +79,6 @@ pub enum PointFault {
         #[say(skip)]
         status: Option<Status>,
     },
-    /// The page could not be made.
-    Page {
-        /// What is wrong, in English.
-        what: String,
-    },
 }
 
 /// The word of a status for machines; a dash where there is none.
@@ -111,12 +106,9 @@ impl PointFault {
             Self::Status { given, .. } => word(*given).to_owned(),
             Self::Version { version, .. } => version.to_string(),
             Self::Count { found, .. } => found.to_string(),
-            Self::Number(LengthError::Empty)
-            | Self::NoLog
-            | Self::CutOff
-            | Self::Json { .. }
-            | Self::Unit
-            | Self::Page { .. } => String::new(),
+            Self::Number(LengthError::Empty) | Self::NoLog | Self::CutOff | Self::Json { .. } | Self::Unit => {
+                String::new()
+            }
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Measurements of cycle 444 as a page: one table, three lines a measurement, coloured by status.
 //!
-//! The template is `assets/logs/444.html`, its look `444.css`, its words `assets/logs/*.toml`; the template escapes
+//! The template is `assets/logs/points.html`, its look `points.css`, its words `assets/logs/*.toml`; the template escapes
 //! every value. Nothing here decides anything.
 
 use askama::Template;
 
-use super::error::{PointFault, PointLogError};
+use super::error::PointLogError;
 use super::point::PointLog;
 use super::read::read;
 use super::stored;
@@ -22,7 +22,7 @@ const DATE: &str = "%Y-%m-%d %H:%M:%S";
 const DECIMALS: usize = 4;
 
 #[derive(Template)]
-#[template(path = "444.html", config = "assets/logs/askama.toml")]
+#[template(path = "points.html", config = "assets/logs/askama.toml")]
 struct Page {
     language: Dialogue,
     words: &'static Surface,
@@ -60,7 +60,7 @@ struct Axis {
 /// at least four decimals, inches rounded to seven.
 ///
 /// ```
-/// use fitcheck::control::log444::{self, Band, PointLog};
+/// use fitcheck::control::point_log::{self, Band, PointLog};
 /// use fitcheck::length::{Length, Unit};
 /// use fitcheck::words::Dialogue;
 ///
@@ -79,22 +79,27 @@ struct Axis {
 ///     band: Some(band),
 ///     status: Some(band.status(deviation)),
 /// };
-/// let page = log444::write(std::slice::from_ref(&log), Dialogue::En)?;
-/// let both = log444::append(&page, &log, Dialogue::En)?;
-/// let read: Vec<_> = log444::read(&both).into_iter().flatten().map(|(_, log)| log).collect();
+/// let page = point_log::write(std::slice::from_ref(&log), Dialogue::En)?;
+/// let both = point_log::append(&page, &log, Dialogue::En)?;
+/// let read: Vec<_> = point_log::read(&both).into_iter().flatten().map(|(_, log)| log).collect();
 /// assert_eq!(read, [log.clone(), log]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// [`PointLogError`] with the number of the first measurement that contradicts itself.
+///
+/// # Panics
+/// Never: the template writes texts into a text.
 pub fn write(logs: &[PointLog], language: Dialogue) -> Result<Vec<u8>, PointLogError> {
     let words = &Labels::of(language).surface;
-    let rows = logs.iter().zip(1..).map(|(log, number)| {
-        log.check().and_then(|()| row(log, number, words, language)).map_err(|fault| fault.at(number))
-    });
+    let rows = logs
+        .iter()
+        .zip(1..)
+        .map(|(log, number)| log.check().map(|()| row(log, number, words, language)).map_err(|fault| fault.at(number)));
     let page = Page { language, words, count_name: stored::COUNT, rows: rows.collect::<Result<_, _>>()? };
-    let page = page.render().map_err(|error| PointFault::Page { what: error.to_string() }.at(1))?;
+    #[expect(clippy::expect_used, reason = "the template writes texts into a text, which cannot fail")]
+    let page = page.render().expect("a page is a text");
     Ok(page.into_bytes())
 }
 
@@ -115,7 +120,7 @@ pub fn append(page: &[u8], log: &PointLog, language: Dialogue) -> Result<Vec<u8>
     write(&logs, language)
 }
 
-fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Result<Row, PointFault> {
+fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Row {
     let unit = log.unit;
     let plain = |length: Length| people(&length.exact(unit, DECIMALS), language);
     let signed = |length: Length| {
@@ -132,9 +137,9 @@ fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Re
             deviation: signed(of(&log.deviations)),
         }
     });
-    Ok(Row {
+    Row {
         number,
-        stored: stored::block(log)?,
+        stored: stored::block(log),
         class: class(log.status),
         time: log.date_time.map(|time| time.strftime(DATE).to_string()).unwrap_or_default(),
         program: visible(log.program.as_deref().unwrap_or_default()),
@@ -149,7 +154,7 @@ fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Re
         status: log
             .status
             .map_or_else(|| words.not_judged.clone(), |status| status_word(status, language).to_uppercase()),
-    })
+    }
 }
 
 const fn class(status: Option<Status>) -> &'static str {

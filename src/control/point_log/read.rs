@@ -9,7 +9,7 @@ use crate::control::text;
 /// the others with it. A page with fewer or more measurements than it says has one more answer, an error.
 ///
 /// ```
-/// use fitcheck::control::log444::{PointFault, read};
+/// use fitcheck::control::point_log::{PointFault, read};
 ///
 /// let answers = read(b"<html></html>");
 /// let error = answers.first().and_then(|answer| answer.as_ref().err());

@@ -4,6 +4,7 @@ use jiff::civil::DateTime;
 
 use super::error::PointFault;
 use crate::length::{Length, Unit};
+use crate::probing::vector;
 use crate::tolerance::Feature;
 use crate::verdict::{self, Status};
 
@@ -59,14 +60,8 @@ impl PointLog {
     /// # Errors
     /// [`PointFault::Normal`] where it has no direction or is not finite.
     pub fn unit_normal(&self) -> Result<[f64; 3], PointFault> {
-        let longest = self.normal.iter().map(|part| part.abs()).fold(0.0, f64::max);
-        if !self.normal.iter().all(|part| part.is_finite()) || longest <= 0.0 {
-            return Err(PointFault::Normal { given: self.normal.map(|part| part.to_string()).join(", ") });
-        }
-        // The longest part first brought to 1: the squares of very small and very large parts would be lost.
-        let scaled = self.normal.map(|part| part / longest);
-        let length = scaled.iter().map(|part| part * part).sum::<f64>().sqrt();
-        Ok(scaled.map(|part| part / length))
+        let given = || self.normal.map(|part| part.to_string()).join(", ");
+        vector::direction(self.normal).ok_or_else(|| PointFault::Normal { given: given() })
     }
 
     /// Whether the figures agree: each deviation with its points, the deviation along the normal with those of the
@@ -86,7 +81,7 @@ impl PointLog {
                 return Err(PointFault::Deviation { axis, given: *deviation, difference });
             }
         }
-        let along: f64 = self.unit_normal()?.iter().zip(self.deviations).map(|(part, d)| part * d.to_mm_f64()).sum();
+        let along = vector::dot(self.unit_normal()?, self.deviations.map(Length::to_mm_f64));
         let along = Length::from_mm_f64(along).unwrap_or(Length::MAX);
         if LAST_FIGURE < self.deviation.saturating_sub(along).abs() {
             return Err(PointFault::Along { given: self.deviation, along });

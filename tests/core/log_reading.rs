@@ -1,5 +1,7 @@
-use super::*;
-use crate::length::Length;
+//! Reading a measuring log: whatever is cut off, contradicts itself or is no log.
+
+use fitcheck::control::log::{Figure, Further, LimitPair, Log, LogError, is_log, read};
+use fitcheck::length::{Length, Unit};
 
 const LOG: &str = "Measuring log for touch probe cycle 421 Hole measuring
 

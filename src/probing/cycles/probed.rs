@@ -1,0 +1,35 @@
+//! How milling cycles probe: the clearance before a surface, and the point of it that the ball met.
+
+use crate::probing::contact::{Contact, Touch};
+use crate::probing::cycle::{Course, CycleError, Inputs};
+use crate::probing::vector::along;
+
+/// The set-up clearance, mm: Q320 and that of the probe.
+pub(super) fn clearance(inputs: &Inputs) -> f64 {
+    inputs.mm(320) + inputs.probe().set_up.to_mm_f64()
+}
+
+/// A probing from a place, as far as the probe's longest path.
+pub(super) fn probing(inputs: &Inputs, from: [f64; 3], direction: [f64; 3]) -> Touch {
+    Touch { from, direction, longest: inputs.probe().longest_path.to_mm_f64() }
+}
+
+/// Probes and moves back: the point of the surface that the ball met.
+pub(super) fn met(touch: &Touch, course: &mut Course<'_>) -> Result<Contact, CycleError> {
+    let ball = course.touch(touch)?;
+    course.retract(touch.from);
+    Ok(Contact::at(along(ball.place(), touch.direction, course.ball_radius())))
+}
+
+/// Probes towards a point from the clearance before it, coming from above: the point of the surface that the ball met.
+pub(super) fn met_at(
+    point: [f64; 3],
+    direction: [f64; 3],
+    inputs: &Inputs,
+    course: &mut Course<'_>,
+) -> Result<Contact, CycleError> {
+    let before = clearance(inputs) + course.ball_radius();
+    let touch = probing(inputs, along(point, direction, -before), direction);
+    course.pre_position_from_above(touch.from, inputs.mm(260));
+    met(&touch, course)
+}
