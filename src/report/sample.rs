@@ -5,6 +5,7 @@ use jiff::civil::{DateTime, date};
 use super::Report;
 use crate::journal::Record;
 use crate::length::Length;
+use crate::message::Message;
 use crate::probing::{Circle, Contact, Measurement, Origin};
 use crate::tolerance::{Callout, Deviations, Limits, Source};
 use crate::verdict::{AxisPosition, PositionVerdict};
@@ -16,7 +17,9 @@ pub fn um(um: i32) -> Length {
 /// Limits as ISO 286 gives them between 18 and 30 mm.
 pub fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
     let callout: Callout = callout.parse().unwrap();
-    let source = Source::Iso286 { over: um(18_000), to: um(30_000), remark: None };
+    let (over, to) = (um(18_000), um(30_000));
+    let said = Message::new("source-iso286").with("over", &over).with("to", &to);
+    let source = Source::Standard { over, to, said };
     let deviations = Deviations::new(um(upper), um(lower)).unwrap();
     Limits::new(callout.feature().unwrap(), callout.nominal(), deviations, source).unwrap()
 }

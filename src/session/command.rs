@@ -14,7 +14,7 @@ use super::workpiece::WorkpieceCommand;
 use crate::control::mask::Mask;
 use crate::files::FileError;
 use crate::message::Message;
-use crate::tolerance::{DeviationTable, iso286};
+use crate::tolerance::{Base, DeviationTable, iso286};
 use crate::words::{Dialogue, Language};
 
 /// A change of the state.
@@ -76,8 +76,8 @@ pub enum Command {
     },
     /// Uses no tables of the user's own any more.
     NoOwnTables,
-    /// Looks limits up in ISO 286 or in the control's tables, after the user's own.
-    UseSource(SourceChoice),
+    /// Looks limits up in another source, after the user's own tables.
+    UseSource(Base),
     /// Chooses where editions of ISO 286 differ.
     SetStandard(iso286::Options),
     /// A file was written, or not.
@@ -183,17 +183,6 @@ pub enum Page {
 impl Page {
     /// Every page in the order of the top bar.
     pub const ALL: [Self; 5] = [Self::Check, Self::Fit, Self::Cycles, Self::Tables, Self::Program];
-}
-
-/// What limits are looked up in after the user's own tables.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SourceChoice {
-    /// ISO 286.
-    #[default]
-    Iso286,
-    /// The control's two tables.
-    ControlTables,
 }
 
 /// Light or dark.

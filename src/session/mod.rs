@@ -41,7 +41,7 @@ use jiff::civil::DateTime;
 
 pub use action::Action;
 pub use check::{Asked, CheckCommand, CheckField, CheckPage, MeasureBy, Shown};
-pub use command::{Command, CycleFile, Effect, Page, Purpose, SourceChoice, Theme};
+pub use command::{Command, CycleFile, Effect, Page, Purpose, Theme};
 pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Step, WorkpieceField, WorkpieceForm,
 };
@@ -57,6 +57,7 @@ pub use tables::{TablesCommand, TablesField, TablesPage};
 pub use workpiece::{RecordedContacts, WorkpieceCommand};
 
 use self::shared::{PageState as _, Shared};
+use crate::control::shipped_tables;
 use crate::message::Message;
 use crate::tolerance::Sources;
 use crate::words::Language;
@@ -82,7 +83,7 @@ impl Session {
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let mut shared = Shared::new(saved.language, saved.theme);
         shared.keypad = saved.keypad;
-        let sources = Sources::default().with_base(shared::base(saved.source)).with_options(saved.standard);
+        let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
         shared.sources = Arc::new(sources);
         let session = Self {
             check: CheckPage::new(&saved.inputs, &shared.sources),
@@ -103,7 +104,7 @@ impl Session {
             theme: self.shared.theme,
             keypad: self.shared.keypad,
             tables_folder: self.shared.tables_folder.clone(),
-            source: self.shared.source_choice(),
+            source: self.shared.sources.base(),
             standard: self.shared.sources.options(),
             inputs: SavedInputs { texts: texts.collect(), by: self.check.by(), feature: self.check.feature() },
             cycles: self.cycles.saved(),
@@ -170,8 +171,8 @@ impl Session {
             Command::MaskRead { name, result } => self.mask_read(name, result),
             Command::TablesRead { folder, result } => self.tables_read(folder, result),
             Command::NoOwnTables => self.use_tables(Vec::new(), None),
-            Command::UseSource(choice) => {
-                let sources = shared.sources.as_ref().clone().with_base(shared::base(choice));
+            Command::UseSource(base) => {
+                let sources = shared.sources.as_ref().clone().with_base(base, shipped_tables);
                 shared.use_sources(sources);
             }
             Command::SetStandard(options) => {

@@ -8,9 +8,9 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use super::check::MeasureBy;
-use super::command::{SourceChoice, Theme};
+use super::command::Theme;
 use crate::message::Say;
-use crate::tolerance::{Feature, iso286};
+use crate::tolerance::{Base, Feature, iso286};
 use crate::words::Language;
 
 /// The version that is written.
@@ -30,7 +30,7 @@ pub struct Saved {
     /// The folder of the user's own tables.
     pub tables_folder: Option<PathBuf>,
     /// What limits are looked up in after the user's own tables.
-    pub source: SourceChoice,
+    pub source: Base,
     /// Where editions of ISO 286 differ.
     pub standard: iso286::Options,
     /// The text fields.
@@ -69,7 +69,7 @@ impl Default for Saved {
             theme: Theme::default(),
             keypad: false,
             tables_folder: None,
-            source: SourceChoice::default(),
+            source: Base::default(),
             standard: iso286::Options::default(),
             inputs: SavedInputs::default(),
             cycles: SavedCycles::default(),

@@ -9,14 +9,13 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::command::{Effect, Page, Purpose, SourceChoice, Theme};
+use super::command::{Effect, Page, Purpose, Theme};
 use super::history::History;
 use super::workpiece::SimulatedWorkpiece;
 use crate::control::mask::Mask;
-use crate::control::shipped_tables;
 use crate::message::Message;
+use crate::tolerance::Sources;
 use crate::tolerance::fit::materials::Materials;
-use crate::tolerance::{Base, Sources};
 use crate::words::{Dialogue, Language};
 
 /// The mask that the status window is drawn with.
@@ -176,13 +175,6 @@ impl Shared {
         self.spread(News::Sources);
     }
 
-    pub fn source_choice(&self) -> SourceChoice {
-        match self.sources.base() {
-            Base::Iso286 => SourceChoice::Iso286,
-            Base::Tables(_) => SourceChoice::ControlTables,
-        }
-    }
-
     /// Tells the user what failed.
     pub fn tell(&mut self, message: Message) {
         self.notices.push(Notice { message, details: Vec::new(), is_problem: true });
@@ -234,13 +226,5 @@ impl Shared {
                 None
             }
         }
-    }
-}
-
-/// The source that a choice stands for.
-pub(super) fn base(choice: SourceChoice) -> Base {
-    match choice {
-        SourceChoice::Iso286 => Base::Iso286,
-        SourceChoice::ControlTables => Base::Tables(shipped_tables()),
     }
 }

@@ -5,13 +5,13 @@
 use fitcheck::length::Length;
 use fitcheck::session::{
     Action, CheckCommand, CheckField, Command, Direction, Field, FitCommand, FitField, Mark, Page, Parts, Session,
-    SourceChoice, extremes,
+    extremes,
 };
 use fitcheck::tolerance::fit::Kind;
 use fitcheck::tolerance::fit::search::Scope;
 use fitcheck::tolerance::iso286::Letter;
 use fitcheck::tolerance::table::Column;
-use fitcheck::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass};
+use fitcheck::tolerance::{Base, DeviationTable, Deviations, Feature, ToleranceClass};
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 use jiff::civil::date;
@@ -194,7 +194,7 @@ fn the_map_and_the_limits_follow_the_sources() {
         map.grades().flat_map(|grade| Letter::ALL.map(|letter| map.cell(letter, grade))).flatten().count()
     };
     assert!(300 < count(&session));
-    apply(&mut session, Command::UseSource(SourceChoice::ControlTables));
+    apply(&mut session, Command::UseSource(Base::ControlTables));
     assert!(0 < count(&session) && count(&session) <= 47);
     assert!(session.fit().fit().is_some());
     apply(&mut session, Field::from(FitField::Callout).typed("25 H7/zc9".into()));
@@ -263,7 +263,7 @@ fn a_search_follows_the_sources() {
     let mut session = with(&[&[(FitField::Callout, "25 H7/g6")][..], &wanted].concat());
     let total = |session: &Session| session.fit().found().unwrap().unwrap().total;
     let all = total(&session);
-    apply(&mut session, Command::UseSource(SourceChoice::ControlTables));
+    apply(&mut session, Command::UseSource(Base::ControlTables));
     assert!(total(&session) < all, "the control has 47 classes");
     let pairs = session.fit().found().unwrap().unwrap().candidates.clone();
     assert!(pairs.iter().all(|pair| session.fit().is_defined(pair.hole, pair.shaft)));

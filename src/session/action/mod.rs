@@ -19,11 +19,11 @@ use super::cycles::CyclesCommand;
 use super::program::{BlockStep, ProgramField, Switch};
 use super::tables::{self, TablesField};
 use super::workpiece::WorkpieceCommand;
-use super::{Command, Direction, Field, MeasureBy, Page, Session, SourceChoice, Step, Theme};
+use super::{Command, Direction, Field, MeasureBy, Page, Session, Step, Theme};
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::message::Message;
 use crate::report::RENDERINGS;
-use crate::tolerance::Feature;
+use crate::tolerance::{Base, Feature};
 use crate::words::Words;
 
 /// Where an action applies.
@@ -119,8 +119,8 @@ actions! {
     ExportStatus;
     /// Light, dark, or as the system.
     UseTheme(Theme): [Theme::System, Theme::Light, Theme::Dark];
-    /// Looks limits up in ISO 286 or in the control's tables.
-    UseSource(SourceChoice): [SourceChoice::Iso286, SourceChoice::ControlTables];
+    /// Looks limits up in a source of the list.
+    UseSource(Base): Base::ALL;
     /// Rounds the halves of js, or not.
     RoundJs;
     /// Uses the edition of 1988, or the one of 2010.

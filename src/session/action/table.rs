@@ -7,7 +7,7 @@ use crate::session::fit::FitCommand;
 use crate::session::program::{BlockStep, ProgramCommand, Run, Switch};
 use crate::session::tables::{self, TablesCommand, TablesField};
 use crate::session::workpiece::WorkpieceCommand;
-use crate::session::{Command, CycleFile, Direction, MeasureBy, Page, Purpose, Session, SourceChoice, Step, Theme};
+use crate::session::{Command, CycleFile, Direction, MeasureBy, Page, Purpose, Session, Step, Theme};
 use crate::tolerance::iso286::{Edition, JsHalves, Options};
 use crate::tolerance::{Deviations, Feature, ToleranceClass};
 
@@ -113,13 +113,7 @@ pub(super) fn row(action: Action) -> Row {
             };
             everywhere(text, Command::SetTheme(theme))
         }
-        Action::UseSource(source) => {
-            let text = match source {
-                SourceChoice::Iso286 => "source-choice-iso286",
-                SourceChoice::ControlTables => "source-choice-control",
-            };
-            everywhere(text, Command::UseSource(source))
-        }
+        Action::UseSource(base) => everywhere(base.text(), Command::UseSource(base)),
         Action::RoundJs => switch("standard-js-rounded", |session| {
             let options = session.sources().options();
             let js = if rounds_js(options) { JsHalves::Exact } else { JsHalves::Rounded };
@@ -300,7 +294,7 @@ pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
     Some(match action {
         Action::Open(page) => session.page() == page,
         Action::UseTheme(theme) => session.theme() == theme,
-        Action::UseSource(source) => session.source_choice() == source,
+        Action::UseSource(base) => session.sources().base() == base,
         Action::RoundJs => rounds_js(session.sources().options()),
         Action::Edition1988 => is_of_1988(session.sources().options()),
         Action::Keypad => session.has_keypad(),

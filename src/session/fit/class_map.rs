@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::length::Length;
 use crate::tolerance::iso286::{self, Grade, Letter};
-use crate::tolerance::{Base, Callout, Deviations, Feature, Sources, ToleranceClass};
+use crate::tolerance::{Callout, Deviations, Feature, Sources, ToleranceClass};
 
 /// A class at the map's size.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,14 +41,12 @@ pub struct ClassMap {
 }
 
 impl ClassMap {
-    /// Every class that the sources define at a size: those of ISO 286, where it is asked, and those of the tables.
+    /// Every class that the sources define at a size: those of the standard, where one is asked, and those of the
+    /// tables.
     pub(super) fn new(feature: Feature, nominal: Length, sources: &Sources) -> Self {
-        let standard = matches!(sources.base(), Base::Iso286);
-        let standard = standard.then(|| iso286::classes_at(feature, nominal, sources.options()));
-        let standard = standard.into_iter().flatten().map(|(class, _)| class);
-        let columns = sources.tables().flat_map(|table| table.columns().iter().map(|column| column.class));
+        let standard = sources.standard_classes_at(feature, nominal).map(|(class, _)| class);
         let mut map = Self::default();
-        for class in standard.chain(columns).filter(|class| class.feature() == feature) {
+        for class in standard.chain(sources.table_classes(feature)) {
             // An own table may say something else than the standard, or that the class is not defined here.
             let callout = Callout::new(nominal, class).ok();
             if let Some(limits) = callout.and_then(|callout| sources.limits(&callout, None).ok()) {
