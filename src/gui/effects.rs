@@ -179,23 +179,18 @@ fn pick(purpose: Purpose) -> Option<PathBuf> {
     let both = |endings: &[&str]| -> Vec<String> {
         endings.iter().flat_map(|ending| [ending.to_lowercase(), ending.to_uppercase()]).collect()
     };
+    let open = |name: &str, endings: &[&str]| {
+        rfd::FileDialog::new().add_filter(name, &both(endings)).add_filter("*", &["*"]).pick_file()
+    };
     match purpose {
-        Purpose::Import => {
-            dialog.add_filter("Measurements", &both(&exchange::endings())).add_filter("*", &["*"]).pick_file()
-        }
-        Purpose::LoadMask => dialog.add_filter("Mask", &both(&["a"])).add_filter("*", &["*"]).pick_file(),
+        Purpose::Import => open("Measurements", &exchange::endings()),
+        Purpose::LoadMask => open("Mask", &["a"]),
         Purpose::LoadTables => dialog.pick_folder(),
-        Purpose::OpenTable => dialog.add_filter("TAB", &both(&["tab"])).add_filter("*", &["*"]).pick_file(),
-        Purpose::OpenProgram => dialog.add_filter("NC", &both(&["h"])).add_filter("*", &["*"]).pick_file(),
-        Purpose::OpenCycleFile(CycleFile::Contacts) => {
-            dialog.add_filter("Contacts", &both(&["csv", "txt"])).add_filter("*", &["*"]).pick_file()
-        }
-        Purpose::OpenCycleFile(CycleFile::Workpiece) => {
-            dialog.add_filter("TOML", &both(&["toml"])).add_filter("*", &["*"]).pick_file()
-        }
-        Purpose::OpenCycleFile(CycleFile::Probes) => {
-            dialog.add_filter("TP", &both(&["tp"])).add_filter("*", &["*"]).pick_file()
-        }
+        Purpose::OpenTable => open("TAB", &["tab"]),
+        Purpose::OpenProgram => open("NC", &["h"]),
+        Purpose::OpenCycleFile(CycleFile::Contacts) => open("Contacts", &["csv", "txt"]),
+        Purpose::OpenCycleFile(CycleFile::Workpiece) => open("TOML", &["toml"]),
+        Purpose::OpenCycleFile(CycleFile::Probes) => open("TP", &["tp"]),
         Purpose::SaveWorkpiece => {
             dialog.add_filter("TOML", &both(&["toml"])).set_file_name("workpiece.toml").save_file()
         }

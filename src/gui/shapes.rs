@@ -7,6 +7,12 @@ use crate::tolerance::Feature;
 use crate::tolerance::fit::Kind;
 use crate::verdict::Status;
 
+/// Screen coordinates have fewer digits than geometry.
+#[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "a place on the screen")]
+pub(super) const fn screen(value: f64) -> f32 {
+    value as f32
+}
+
 /// The shape of a verdict: check, turning arrow, cross, loop; a dash for no result.
 pub(super) fn status(painter: &Painter, rect: Rect, status: Option<Status>, colour: Color32) {
     let size = rect.size().min_elem();

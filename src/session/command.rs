@@ -89,41 +89,8 @@ pub enum Command {
     },
 }
 
-impl From<CheckCommand> for Command {
-    fn from(command: CheckCommand) -> Self {
-        Self::Check(command)
-    }
-}
-
-impl From<FitCommand> for Command {
-    fn from(command: FitCommand) -> Self {
-        Self::Fit(command)
-    }
-}
-
-impl From<CyclesCommand> for Command {
-    fn from(command: CyclesCommand) -> Self {
-        Self::Cycles(command)
-    }
-}
-
-impl From<TablesCommand> for Command {
-    fn from(command: TablesCommand) -> Self {
-        Self::Tables(command)
-    }
-}
-
-impl From<ProgramCommand> for Command {
-    fn from(command: ProgramCommand) -> Self {
-        Self::Program(command)
-    }
-}
-
-impl From<WorkpieceCommand> for Command {
-    fn from(command: WorkpieceCommand) -> Self {
-        Self::Workpiece(command)
-    }
-}
+from_variants!(Command: Check(CheckCommand), Fit(FitCommand), Cycles(CyclesCommand), Tables(TablesCommand));
+from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand));
 
 /// What a file dialog is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

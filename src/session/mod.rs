@@ -14,10 +14,21 @@
 //! | `tables` | tables of deviations against ISO 286 |
 //! | `program` | an NC program is run and stepped |
 //! | `shared`, `history`, `workpiece` | what belongs to every page; `readers` reads it |
-//! | `command`, `field` | every command and every text field |
+//! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
 //! | `saved` | what survives a restart |
+
+/// `From` what a variant holds, for variants that hold something else each.
+macro_rules! from_variants {
+    ($whole:ident: $($variant:ident($part:ty)),+) => {
+        $(impl From<$part> for $whole {
+            fn from(part: $part) -> Self {
+                Self::$variant(part)
+            }
+        })+
+    };
+}
 
 pub mod action;
 mod check;
@@ -31,6 +42,7 @@ pub mod program;
 mod readers;
 mod saved;
 mod shared;
+mod step;
 pub mod tables;
 mod workpiece;
 
@@ -43,16 +55,16 @@ pub use action::Action;
 pub use check::{Asked, CheckCommand, CheckField, CheckPage, MeasureBy, Shown};
 pub use command::{Command, CycleFile, Effect, Page, Purpose, Theme};
 pub use cycles::{
-    Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Step, WorkpieceField, WorkpieceForm,
+    Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, WorkpieceField, WorkpieceForm,
 };
 pub use field::Field;
 pub use fit::{
-    ClassMap, Direction, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone,
-    WarmFit, extremes,
+    ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
 };
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
 pub use saved::{Saved, SavedCycles, SavedError, SavedInputs};
 pub use shared::{Dialog, MaskChoice, Notice};
+pub use step::Step;
 pub use tables::{TablesCommand, TablesField, TablesPage};
 pub use workpiece::{RecordedContacts, WorkpieceCommand};
 

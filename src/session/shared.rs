@@ -93,7 +93,7 @@ pub(super) trait PageState {
 }
 
 /// What belongs to every page.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Shared {
     /// The open page.
     pub page: Page,
@@ -117,22 +117,7 @@ pub(super) struct Shared {
 
 impl Shared {
     pub fn new(language: Language, theme: Theme) -> Self {
-        Self {
-            page: Page::default(),
-            language,
-            theme,
-            keypad: false,
-            mask: MaskChoice::default(),
-            sources: Arc::new(Sources::default()),
-            tables_folder: None,
-            materials: Materials::shipped().clone(),
-            history: History::default(),
-            workpiece: SimulatedWorkpiece::default(),
-            dialog: None,
-            notices: Vec::new(),
-            leaving: false,
-            news: VecDeque::new(),
-        }
+        Self { language, theme, materials: Materials::shipped().clone(), ..Self::default() }
     }
 
     /// Tells the other pages.

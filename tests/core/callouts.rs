@@ -6,7 +6,7 @@ use std::path::Path;
 
 use fitcheck::control::shipped_tables;
 use fitcheck::length::Length;
-use fitcheck::tolerance::callout::qs400;
+use fitcheck::tolerance::callout::{halves, qs400};
 use fitcheck::tolerance::iso2768::{self, GeneralClass};
 use fitcheck::tolerance::{Callout, CycleText, Deviations, Sources, ToleranceClass};
 use proptest::prelude::*;
@@ -221,5 +221,19 @@ proptest! {
     #[test]
     fn no_text_makes_reading_fail_otherwise(text in ".{0,60}") {
         drop((text.parse::<Callout>(), text.parse::<CycleText>(), qs400(&text)));
+    }
+}
+
+#[test]
+fn a_callout_is_taken_apart_while_it_is_typed() {
+    for (text, nominal, class) in [
+        ("25 H7", "25", "H7"),
+        ("Ø25,5js6", "25,5", "js6"),
+        ("25", "25", ""),
+        ("H7", "", "H7"),
+        ("12 +0.1 -0.2", "12", "+0.1 -0.2"),
+        ("", "", ""),
+    ] {
+        assert_eq!(halves(text), (nominal, class), "for {text:?}");
     }
 }

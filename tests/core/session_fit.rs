@@ -4,8 +4,7 @@
 
 use fitcheck::length::Length;
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, Direction, Field, FitCommand, FitField, Mark, Page, Parts, Session,
-    extremes,
+    Action, CheckCommand, CheckField, Command, Field, FitCommand, FitField, Mark, Page, Parts, Session, Step, extremes,
 };
 use fitcheck::tolerance::fit::Kind;
 use fitcheck::tolerance::fit::search::Scope;
@@ -177,10 +176,10 @@ fn the_map_holds_what_the_sources_define() {
     let cell = map.cell(Letter::H, seven).unwrap();
     assert_eq!((cell.lower_um, cell.upper_um), (0.0, 21.0));
     assert!(map.has(class("T7")) && !map.has(class("J9")));
-    assert_eq!(map.next(class("H7"), Direction::Right), Some(class("J7")));
-    assert_eq!(map.next(class("J8"), Direction::Down), None);
-    assert_eq!(map.next(class("A7"), Direction::Left), None);
-    assert_eq!(map.next(class("H01"), Direction::Up), None);
+    assert_eq!(map.next(class("H7"), Step::Right), Some(class("J7")));
+    assert_eq!(map.next(class("J8"), Step::Down), None);
+    assert_eq!(map.next(class("A7"), Step::Left), None);
+    assert_eq!(map.next(class("H01"), Step::Up), None);
     assert_eq!(map.first(), Some(class("H7")));
     assert!(!fit("24 H7/g6").fit().map(Feature::Hole).unwrap().has(class("T7")));
     assert!(fit("3151 H7/g6").fit().map(Feature::Hole).unwrap().is_empty());

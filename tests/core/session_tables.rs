@@ -5,8 +5,8 @@
 use std::path::{Path, PathBuf};
 
 use fitcheck::control::deviations::read_table;
-use fitcheck::session::tables::{Document, Origin, Step, TableChoice};
-use fitcheck::session::{CheckField, Command, Effect, Field, Page, Purpose, Session, TablesCommand, TablesField};
+use fitcheck::session::tables::{Document, Origin, TableChoice};
+use fitcheck::session::{CheckField, Command, Effect, Field, Page, Purpose, Session, Step, TablesCommand, TablesField};
 use fitcheck::tolerance::DeviationTable;
 use fitcheck::tolerance::iso286::{JsHalves, Options};
 use fitcheck::words::{Language, Words};

@@ -1,14 +1,12 @@
 //! Right: the windows that the program opens, files that it would write, what was measured.
 
-use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{
-    Button, CollapsingHeader, Frame, Label, Margin, RichText, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2,
-};
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Button, CollapsingHeader, Frame, Label, Margin, RichText, ScrollArea, Sense, Stroke, Ui, vec2};
 
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, heading, live, quiet};
 use crate::message::Message;
 use crate::nc::machine::{CycleRun, Window};
 use crate::probing::cycle::Value;
@@ -58,8 +56,7 @@ fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&Run>) {
     });
     let said = std::iter::once(word).chain(measured).collect::<Vec<_>>().join(". ");
     let response = ui.interact(card.response.rect, ui.scope_id().with("verdict"), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Assertive));
+    live(ui, &response, &said, Live::Assertive);
 }
 
 /// The diameter that a cycle measured, or its first result.

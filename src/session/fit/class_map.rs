@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::length::Length;
+use crate::session::Step;
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::{Callout, Deviations, Feature, Sources, ToleranceClass};
 
@@ -17,19 +18,6 @@ pub struct MapCell {
     pub upper_um: f64,
     /// The lower one in micrometres, for drawing.
     pub lower_um: f64,
-}
-
-/// Where to go from a class.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Direction {
-    /// The letter before.
-    Left,
-    /// The letter after.
-    Right,
-    /// The next finer grade.
-    Up,
-    /// The next coarser grade.
-    Down,
 }
 
 /// The classes by grade and letter.
@@ -104,15 +92,16 @@ impl ClassMap {
     }
 
     /// The next defined class from another one; `None` at the edge, and from a class that is not in the map.
-    pub fn next(&self, class: ToleranceClass, direction: Direction) -> Option<ToleranceClass> {
+    pub fn next(&self, class: ToleranceClass, step: Step) -> Option<ToleranceClass> {
         let (letter, grade) = iso286::parts(class)?;
         let in_row = |letter: &Letter| Some(self.cell(*letter, grade)?.class);
         let in_column = |grade: &Grade| Some(self.cell(letter, *grade)?.class);
-        match direction {
-            Direction::Left => Letter::ALL.iter().rev().filter(|other| **other < letter).find_map(in_row),
-            Direction::Right => Letter::ALL.iter().filter(|other| letter < **other).find_map(in_row),
-            Direction::Up => self.grades.iter().rev().filter(|other| **other < grade).find_map(in_column),
-            Direction::Down => self.grades.iter().filter(|other| grade < **other).find_map(in_column),
+        match step {
+            Step::Left => Letter::ALL.iter().rev().filter(|other| **other < letter).find_map(in_row),
+            Step::Right => Letter::ALL.iter().filter(|other| letter < **other).find_map(in_row),
+            Step::Up => self.grades.iter().rev().filter(|other| **other < grade).find_map(in_column),
+            Step::Down => self.grades.iter().filter(|other| grade < **other).find_map(in_column),
+            _ => None,
         }
     }
 
