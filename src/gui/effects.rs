@@ -83,28 +83,32 @@ impl Runner {
 fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) -> Command {
     match effect {
         Effect::Browse(purpose) => Command::Picked((errands == Errands::OnThread).then(|| pick(purpose)).flatten()),
-        Effect::Import(path) => {
-            CheckCommand::Imported { name: name(&path), result: import(&path, sources, now) }.into()
-        }
-        Effect::ReadMask(path) => Command::MaskRead { name: name(&path), result: read_mask(&path) },
-        Effect::ReadTables(folder) => {
-            let result = read_tables(&folder);
-            Command::TablesRead { folder, result }
-        }
-        Effect::ReadTable(path) => {
-            let result = read_table(&path);
-            Command::Tables(TablesCommand::Read { name: name(&path), result })
-        }
-        Effect::ReadCycleFile(file, path) => read_cycle_file(file, &path),
-        Effect::ReadProgram(path) => {
-            let result = read_program(&path);
-            Command::Program(ProgramCommand::Read { path, result })
-        }
+        Effect::Read(purpose, path) => read(purpose, path, sources, now),
         Effect::Save(path, bytes) => {
             let result = files::write(&path, &bytes);
             Command::Saved { path, result }
         }
         Effect::Copy(_) | Effect::Focus(_) | Effect::Leave => Command::Picked(None),
+    }
+}
+
+fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> Command {
+    let name = name(&path);
+    match purpose {
+        Purpose::Import => CheckCommand::Imported { result: import(&path, sources, now), name }.into(),
+        Purpose::LoadMask => Command::MaskRead { name, result: read_mask(&path) },
+        Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },
+        Purpose::OpenTable => TablesCommand::Read { name, result: read_table(&path) }.into(),
+        Purpose::OpenProgram => ProgramCommand::Read { result: read_program(&path), path }.into(),
+        Purpose::OpenCycleFile(CycleFile::Contacts) => {
+            WorkpieceCommand::ContactsRead { name, result: read_contacts(&path) }.into()
+        }
+        Purpose::OpenCycleFile(CycleFile::Workpiece) => WorkpieceCommand::Read(read_workpiece(&path)).into(),
+        Purpose::OpenCycleFile(CycleFile::Probes) => {
+            CyclesCommand::ProbesRead { name, result: read_probes(&path) }.into()
+        }
+        // Files of these purposes are written.
+        _ => Command::Picked(None),
     }
 }
 
@@ -145,14 +149,6 @@ fn read_program(path: &Path) -> Result<(Box<Document>, Vec<ProgramWarning>), Mes
     let bytes = files::read(path).map_err(|error| error.message())?;
     let (document, warnings) = Document::read(&name(path), &bytes).map_err(|error| error.message())?;
     Ok((Box::new(document), warnings))
-}
-
-fn read_cycle_file(file: CycleFile, path: &Path) -> Command {
-    match file {
-        CycleFile::Contacts => WorkpieceCommand::ContactsRead { name: name(path), result: read_contacts(path) }.into(),
-        CycleFile::Workpiece => WorkpieceCommand::Read(read_workpiece(path)).into(),
-        CycleFile::Probes => CyclesCommand::ProbesRead { name: name(path), result: read_probes(path) }.into(),
-    }
 }
 
 fn read_contacts(path: &Path) -> Result<(Vec<Contact>, Vec<Message>), Message> {

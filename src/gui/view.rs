@@ -4,7 +4,7 @@ use std::fmt::Debug;
 use std::hash::Hash;
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{self, Button, ComboBox, Response, RichText, Ui, WidgetInfo, WidgetText, vec2};
+use eframe::egui::{self, Button, ComboBox, Response, RichText, Ui, Vec2, WidgetInfo, WidgetText, vec2};
 use egui_plot::Plot;
 
 use super::keys::told;
@@ -69,6 +69,14 @@ impl View<'_> {
     pub fn field_button(&mut self, ui: &mut Ui, action: Action) -> Response {
         let button = self.named(action).min_size(vec2(0.0, theme::sizes().field));
         self.button_as(ui, action, button)
+    }
+
+    /// The page's main action, so large.
+    pub fn main_button(&mut self, ui: &mut Ui, action: Action, size: Vec2) {
+        let palette = theme::palette(ui.ctx());
+        let text = RichText::new(action.text(self.session, self.words)).color(palette.on_accent.0);
+        let text = text.font(theme::bold(theme::sizes().body));
+        self.button_as(ui, action, Button::new(text).fill(palette.accent.0).min_size(size));
     }
 
     /// Draws an action as an entry of a menu, with its keys behind it.

@@ -119,6 +119,18 @@ pub enum Purpose {
     OpenProgram,
 }
 
+impl Purpose {
+    /// Whether something is read; else a file is written.
+    pub const fn is_reading(self) -> bool {
+        match self {
+            Self::Import | Self::LoadMask | Self::LoadTables => true,
+            Self::OpenTable | Self::OpenCycleFile(_) | Self::OpenProgram => true,
+            Self::Export(_) | Self::ExportStatus | Self::SaveTable(_) => false,
+            Self::SaveWorkpiece | Self::SaveCycleLog => false,
+        }
+    }
+}
+
 /// A file that the cycles page reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CycleFile {
@@ -170,18 +182,9 @@ pub enum Theme {
 pub enum Effect {
     /// Show the system's file dialog and send [`Command::Picked`].
     Browse(Purpose),
-    /// Read measurements and send [`CheckCommand::Imported`].
-    Import(PathBuf),
-    /// Read a mask and send [`Command::MaskRead`].
-    ReadMask(PathBuf),
-    /// Read a folder of tables and send [`Command::TablesRead`].
-    ReadTables(PathBuf),
-    /// Read one table and send [`TablesCommand::Read`].
-    ReadTable(PathBuf),
-    /// Read a file for the cycles page and send [`Command::Cycles`] or [`Command::Workpiece`].
-    ReadCycleFile(CycleFile, PathBuf),
-    /// Read an NC program and send [`ProgramCommand::Read`].
-    ReadProgram(PathBuf),
+    /// Read what a dialog of this purpose asks for, and send the command that takes it: [`CheckCommand::Imported`],
+    /// [`Command::MaskRead`], [`Command::TablesRead`], or the one of a page that reads such files.
+    Read(Purpose, PathBuf),
     /// Write a file and send [`Command::Saved`].
     Save(PathBuf, Vec<u8>),
     /// Close the window.

@@ -105,7 +105,7 @@ impl Session {
             program: ProgramPage::default(),
             shared,
         };
-        (session, saved.tables_folder.map(Effect::ReadTables).into_iter().collect())
+        (session, saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder)).into_iter().collect())
     }
 
     /// What survives a restart.

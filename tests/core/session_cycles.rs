@@ -256,7 +256,7 @@ fn the_workpiece_is_saved_and_opened_as_a_file() {
     apply(&mut other, Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Workpiece)));
     apply(&mut other, Command::TypePath("workpiece.toml".into()));
     let effects = apply(&mut other, Command::Confirm);
-    assert_eq!(effects, [Effect::ReadCycleFile(CycleFile::Workpiece, "workpiece.toml".into())]);
+    assert_eq!(effects, [Effect::Read(Purpose::OpenCycleFile(CycleFile::Workpiece), "workpiece.toml".into())]);
     send(&mut other, WorkpieceCommand::Read(Ok(Box::new(bench))));
     assert!(other.dialog().is_none());
     assert_eq!(other.cycles().from(), ContactsFrom::Simulated);

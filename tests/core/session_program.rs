@@ -351,7 +351,7 @@ fn a_program_is_opened_by_the_dialog() {
     let mut session = session();
     session.apply(Command::OpenDialog(Purpose::OpenProgram), now());
     let effects = session.apply(Command::Picked(Some(PathBuf::from("/parts/a.h"))), now());
-    assert_eq!(effects, [Effect::ReadProgram(PathBuf::from("/parts/a.h"))]);
+    assert_eq!(effects, [Effect::Read(Purpose::OpenProgram, PathBuf::from("/parts/a.h"))]);
     let problem = Message::new("program-empty");
     send(&mut session, ProgramCommand::Read { path: PathBuf::from("/parts/a.h"), result: Err(problem.clone()) });
     assert_eq!(session.dialog().unwrap().problem, Some(problem));

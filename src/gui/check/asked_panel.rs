@@ -1,11 +1,11 @@
 //! Left: what is asked. Callout, limits, measured value, probe position, simulated workpiece.
 
-use eframe::egui::{Button, CollapsingHeader, Grid, RichText, Ui, vec2};
+use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
 
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
 use crate::gui::field::{self, Look, Pairs, error_ui, field_ui};
 use crate::gui::limits::{self, feature_id};
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::session::{Action, CheckCommand, CheckField, MeasureBy};
@@ -94,10 +94,7 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.button_as(ui, Action::Keypad, keypad);
     });
     ui.horizontal(|ui| {
-        let palette = palette(ui.ctx());
-        let text = RichText::new(view.text("measure")).color(palette.on_accent.0).font(theme::bold(sizes().body));
-        let button = Button::new(text).fill(palette.accent.0).min_size(vec2(width * 0.6, sizes().touch));
-        view.button_as(ui, Action::Measure, button);
+        view.main_button(ui, Action::Measure, vec2(width * 0.6, sizes().touch));
         let clear = view.named(Action::ClearResult).min_size(vec2(0.0, sizes().touch));
         view.button_as(ui, Action::ClearResult, clear);
     });

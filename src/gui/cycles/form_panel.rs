@@ -1,6 +1,6 @@
 //! Left: the cycle, where its contacts come from, and its parameters, made from the declaration.
 
-use eframe::egui::{Button, CollapsingHeader, Id, RichText, Ui, vec2};
+use eframe::egui::{CollapsingHeader, Id, Ui, vec2};
 
 use super::parameter_row::{figure_ui, parameter_ui};
 use super::{column_ui, keep_focus, opener_ui};
@@ -144,9 +144,7 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
         };
         let widths = [small(ui, "clear"), small(ui, "keypad")];
         let width = ui.available_width() - widths.iter().sum::<f32>() - space(5.0);
-        let text = RichText::new(view.text("cycles-run")).color(palette.on_accent.0).font(theme::bold(sizes().body));
-        let button = Button::new(text).fill(palette.accent.0).min_size(vec2(width, sizes().touch));
-        view.button_as(ui, Action::RunCycle, button);
+        view.main_button(ui, Action::RunCycle, vec2(width, sizes().touch));
         let clear = view.named(Action::ClearCycle).min_size(vec2(0.0, sizes().touch));
         view.button_as(ui, Action::ClearCycle, clear);
         let keypad = view.named(Action::Keypad).selected(view.session.has_keypad());

@@ -46,7 +46,10 @@ fn inputs_ui(ui: &mut Ui, view: &mut View<'_>) {
         (ProgramField::Input(*input).into(), name, input.unit())
     };
     let fields: Vec<_> = inputs.iter().map(named).collect();
-    fields_ui(ui, view, &fields);
+    // Each row takes what room there is: a long name may have made more of it.
+    for row in fields.chunks(2) {
+        fields_ui(ui, view, row);
+    }
 }
 
 fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[(Field, String, &str)]) {

@@ -59,10 +59,7 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
     if view.session.program().is_running() {
         view.field_button(ui, Action::PauseProgram);
     } else {
-        let palette = palette(ui.ctx());
-        let text = RichText::new(view.text("program-page-run")).color(palette.on_accent.0);
-        let button = Button::new(text.font(theme::bold(sizes().body))).fill(palette.accent.0);
-        view.button_as(ui, Action::RunProgram, button.min_size(vec2(space(20.0), sizes().field)));
+        view.main_button(ui, Action::RunProgram, vec2(space(20.0), sizes().field));
     }
     for action in
         [Action::StepProgram, Action::StepOver, Action::RunToSelected, Action::ToggleBreakpoint, Action::ResetProgram]

@@ -111,72 +111,38 @@ figures! {
 
 impl WorkpieceField {
     /// The figures of a surface, in reading order.
-    pub const fn of(shape: Shape) -> &'static [Self] {
+    pub fn of(shape: Shape) -> Vec<Self> {
+        let (place, centre) = (Self::between(Self::PointX, Self::NormalZ), [Self::CentreX, Self::CentreY]);
         match shape {
-            Shape::Hole | Shape::Stud => &[
-                Self::CentreX,
-                Self::CentreY,
-                Self::Diameter,
-                Self::SurfaceScatter,
-                Self::Ovality,
-                Self::OvalityAngle,
-                Self::LobeCount,
-                Self::LobeHeight,
-                Self::LobeAngle,
-            ],
-            Shape::Face => &[
-                Self::PointX,
-                Self::PointY,
-                Self::PointZ,
-                Self::NormalX,
-                Self::NormalY,
-                Self::NormalZ,
-                Self::SurfaceScatter,
-                Self::WaveHeight,
-                Self::WaveLength,
-                Self::WaveX,
-                Self::WaveY,
-                Self::WaveZ,
-            ],
-            Shape::Point => &[
-                Self::PointX,
-                Self::PointY,
-                Self::PointZ,
-                Self::NormalX,
-                Self::NormalY,
-                Self::NormalZ,
-                Self::Deviation,
-                Self::Radius,
-                Self::SurfaceScatter,
-            ],
-            Shape::Slot | Shape::Ridge => {
-                &[Self::CentreX, Self::CentreY, Self::Width, Self::Angle, Self::SurfaceScatter]
+            Shape::Hole | Shape::Stud => {
+                let form = Self::between(Self::Ovality, Self::LobeAngle);
+                [&centre[..], &[Self::Diameter, Self::SurfaceScatter], form].concat()
             }
-            Shape::Pocket | Shape::Boss => &[
-                Self::CentreX,
-                Self::CentreY,
-                Self::FirstLength,
-                Self::SecondLength,
-                Self::Angle,
-                Self::SurfaceScatter,
-            ],
+            Shape::Face => [place, &[Self::SurfaceScatter], Self::between(Self::WaveHeight, Self::WaveZ)].concat(),
+            Shape::Point => [place, &[Self::Deviation, Self::Radius, Self::SurfaceScatter]].concat(),
+            Shape::Slot | Shape::Ridge => [&centre[..], &[Self::Width, Self::Angle, Self::SurfaceScatter]].concat(),
+            Shape::Pocket | Shape::Boss => {
+                let lengths = [Self::FirstLength, Self::SecondLength];
+                [&centre[..], &lengths, &[Self::Angle, Self::SurfaceScatter]].concat()
+            }
         }
     }
 
     /// The figures of the probe, in reading order.
-    pub const PROBE: &'static [Self] = &[
-        Self::BallRadius,
-        Self::TriggerScatter,
-        Self::CalibrationError,
-        Self::OffsetX,
-        Self::OffsetY,
-        Self::LobingCount,
-        Self::LobingHeight,
-        Self::LobingAngle,
-    ];
+    pub fn of_probe() -> &'static [Self] {
+        Self::between(Self::BallRadius, Self::LobingAngle)
+    }
 
     /// The figures of the whole simulation, in reading order.
-    pub const MACHINE: &'static [Self] = &[Self::Seed, Self::Temperature, Self::Expansion];
+    pub fn of_machine() -> &'static [Self] {
+        Self::between(Self::Seed, Self::Expansion)
+    }
+
+    /// The figures from one to another, in the order of the list.
+    fn between(first: Self, last: Self) -> &'static [Self] {
+        let place = |field: Self| Self::ALL.partition_point(|other| *other < field);
+        Self::ALL.get(place(first)..=place(last)).unwrap_or_default()
+    }
 
     /// Whether nothing is an answer.
     pub const fn is_optional(self) -> bool {
