@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::ValueEnum;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use super::{CliError, Io, Refused as _};
 use crate::control::shipped_tables;
@@ -45,19 +45,20 @@ pub(super) struct TableArgs {
     #[arg(long, value_name = "FOLDER", global = false)]
     tables: Option<PathBuf>,
     /// Where limits come from that your own tables do not have
-    #[arg(long, value_enum, default_value_t = SourceChoice::Iso286)]
-    source: SourceChoice,
+    #[arg(long, value_enum, default_value_t)]
+    source: Base,
     #[command(flatten)]
     standard: StandardArgs,
 }
 
-/// The two sources of limits.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum SourceChoice {
-    /// ISO 286, every class to 3150 mm.
-    Iso286,
-    /// The control's two tables, 47 classes to 400 mm.
-    Control,
+impl ValueEnum for Base {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()).help(self.help()))
+    }
 }
 
 const EDITIONS: [(&str, iso286::Edition); 2] = [("1988", iso286::Edition::Of1988), ("2010", iso286::Edition::Of2010)];
@@ -86,11 +87,7 @@ impl StandardArgs {
 impl TableArgs {
     /// Where limits are looked up; warnings about the user's own tables go to standard error.
     pub(super) fn load(&self, io: &mut Io<'_>) -> Result<Sources, CliError> {
-        let base = match self.source {
-            SourceChoice::Iso286 => Base::Iso286,
-            SourceChoice::Control => Base::Tables(shipped_tables()),
-        };
-        let sources = Sources::default().with_base(base).with_options(self.standard.options());
+        let sources = Sources::default().with_base(self.source, shipped_tables).with_options(self.standard.options());
         let Some(folder) = &self.tables else { return Ok(sources) };
         let own = files::read_tables(folder).said()?;
         for warning in &own.warnings {

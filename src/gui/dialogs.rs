@@ -54,12 +54,7 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
         Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, &dialog));
     } else if let Some(notice) = view.session.notices().first().cloned() {
         let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
-        Window::new(title)
-            .id(Id::unique("notice"))
-            .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -space(46.0)))
-            .collapsible(false)
-            .resizable(false)
-            .show(ui, |ui| notice_ui(ui, view, &notice));
+        fixed_window("notice", title, Align2::CENTER_BOTTOM, -space(46.0)).show(ui, |ui| notice_ui(ui, view, &notice));
     }
 }
 
@@ -102,22 +97,6 @@ const fn title_id(purpose: Purpose) -> &'static str {
     }
 }
 
-const fn confirm_id(purpose: Purpose) -> &'static str {
-    match purpose {
-        Purpose::Import
-        | Purpose::LoadMask
-        | Purpose::LoadTables
-        | Purpose::OpenTable
-        | Purpose::OpenProgram
-        | Purpose::OpenCycleFile(_) => "dialog-open",
-        Purpose::Export(_)
-        | Purpose::ExportStatus
-        | Purpose::SaveTable(_)
-        | Purpose::SaveWorkpiece
-        | Purpose::SaveCycleLog => "dialog-save",
-    }
-}
-
 fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     ui.set_width(space(140.0));
     heading(ui, view.text(title_id(dialog.purpose)));
@@ -143,9 +122,9 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
         quiet(ui, view.text("dialog-busy"));
     }
     ui.horizontal(|ui| {
+        let confirm = if dialog.purpose.is_reading() { "dialog-open" } else { "dialog-save" };
         let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(24.0), sizes().touch));
-        let (confirm, browse, cancel) =
-            (button(confirm_id(dialog.purpose)), button("dialog-browse"), button("dialog-cancel"));
+        let (confirm, browse, cancel) = (button(confirm), button("dialog-browse"), button("dialog-cancel"));
         if ui.add_enabled(!dialog.busy, confirm).clicked() || entered {
             view.send(Command::Confirm);
         }
@@ -156,6 +135,12 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
             view.send(Command::Close);
         }
     });
+}
+
+/// A window that stays where it is, so far below its anchor.
+pub(super) fn fixed_window(id: &str, title: String, anchor: Align2, below: f32) -> Window<'static> {
+    let window = Window::new(title).id(Id::unique(id)).anchor(anchor, vec2(0.0, below));
+    window.collapsible(false).resizable(false)
 }
 
 /// Whether something is drawn that was not drawn in the frame before.

@@ -83,28 +83,32 @@ impl Runner {
 fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) -> Command {
     match effect {
         Effect::Browse(purpose) => Command::Picked((errands == Errands::OnThread).then(|| pick(purpose)).flatten()),
-        Effect::Import(path) => {
-            CheckCommand::Imported { name: name(&path), result: import(&path, sources, now) }.into()
-        }
-        Effect::ReadMask(path) => Command::MaskRead { name: name(&path), result: read_mask(&path) },
-        Effect::ReadTables(folder) => {
-            let result = read_tables(&folder);
-            Command::TablesRead { folder, result }
-        }
-        Effect::ReadTable(path) => {
-            let result = read_table(&path);
-            Command::Tables(TablesCommand::Read { name: name(&path), result })
-        }
-        Effect::ReadCycleFile(file, path) => read_cycle_file(file, &path),
-        Effect::ReadProgram(path) => {
-            let result = read_program(&path);
-            Command::Program(ProgramCommand::Read { path, result })
-        }
+        Effect::Read(purpose, path) => read(purpose, path, sources, now),
         Effect::Save(path, bytes) => {
             let result = files::write(&path, &bytes);
             Command::Saved { path, result }
         }
         Effect::Copy(_) | Effect::Focus(_) | Effect::Leave => Command::Picked(None),
+    }
+}
+
+fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> Command {
+    let name = name(&path);
+    match purpose {
+        Purpose::Import => CheckCommand::Imported { result: import(&path, sources, now), name }.into(),
+        Purpose::LoadMask => Command::MaskRead { name, result: read_mask(&path) },
+        Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },
+        Purpose::OpenTable => TablesCommand::Read { name, result: read_table(&path) }.into(),
+        Purpose::OpenProgram => ProgramCommand::Read { result: read_program(&path), path }.into(),
+        Purpose::OpenCycleFile(CycleFile::Contacts) => {
+            WorkpieceCommand::ContactsRead { name, result: read_contacts(&path) }.into()
+        }
+        Purpose::OpenCycleFile(CycleFile::Workpiece) => WorkpieceCommand::Read(read_workpiece(&path)).into(),
+        Purpose::OpenCycleFile(CycleFile::Probes) => {
+            CyclesCommand::ProbesRead { name, result: read_probes(&path) }.into()
+        }
+        // Files of these purposes are written.
+        _ => Command::Picked(None),
     }
 }
 
@@ -147,14 +151,6 @@ fn read_program(path: &Path) -> Result<(Box<Document>, Vec<ProgramWarning>), Mes
     Ok((Box::new(document), warnings))
 }
 
-fn read_cycle_file(file: CycleFile, path: &Path) -> Command {
-    match file {
-        CycleFile::Contacts => WorkpieceCommand::ContactsRead { name: name(path), result: read_contacts(path) }.into(),
-        CycleFile::Workpiece => WorkpieceCommand::Read(read_workpiece(path)).into(),
-        CycleFile::Probes => CyclesCommand::ProbesRead { name: name(path), result: read_probes(path) }.into(),
-    }
-}
-
 fn read_contacts(path: &Path) -> Result<(Vec<Contact>, Vec<Message>), Message> {
     let bytes = files::read(path).map_err(|error| error.message())?;
     let read = contacts::read(&bytes).map_err(|error| error.message())?;
@@ -179,23 +175,18 @@ fn pick(purpose: Purpose) -> Option<PathBuf> {
     let both = |endings: &[&str]| -> Vec<String> {
         endings.iter().flat_map(|ending| [ending.to_lowercase(), ending.to_uppercase()]).collect()
     };
+    let open = |name: &str, endings: &[&str]| {
+        rfd::FileDialog::new().add_filter(name, &both(endings)).add_filter("*", &["*"]).pick_file()
+    };
     match purpose {
-        Purpose::Import => {
-            dialog.add_filter("Measurements", &both(&exchange::endings())).add_filter("*", &["*"]).pick_file()
-        }
-        Purpose::LoadMask => dialog.add_filter("Mask", &both(&["a"])).add_filter("*", &["*"]).pick_file(),
+        Purpose::Import => open("Measurements", &exchange::endings()),
+        Purpose::LoadMask => open("Mask", &["a"]),
         Purpose::LoadTables => dialog.pick_folder(),
-        Purpose::OpenTable => dialog.add_filter("TAB", &both(&["tab"])).add_filter("*", &["*"]).pick_file(),
-        Purpose::OpenProgram => dialog.add_filter("NC", &both(&["h"])).add_filter("*", &["*"]).pick_file(),
-        Purpose::OpenCycleFile(CycleFile::Contacts) => {
-            dialog.add_filter("Contacts", &both(&["csv", "txt"])).add_filter("*", &["*"]).pick_file()
-        }
-        Purpose::OpenCycleFile(CycleFile::Workpiece) => {
-            dialog.add_filter("TOML", &both(&["toml"])).add_filter("*", &["*"]).pick_file()
-        }
-        Purpose::OpenCycleFile(CycleFile::Probes) => {
-            dialog.add_filter("TP", &both(&["tp"])).add_filter("*", &["*"]).pick_file()
-        }
+        Purpose::OpenTable => open("TAB", &["tab"]),
+        Purpose::OpenProgram => open("NC", &["h"]),
+        Purpose::OpenCycleFile(CycleFile::Contacts) => open("Contacts", &["csv", "txt"]),
+        Purpose::OpenCycleFile(CycleFile::Workpiece) => open("TOML", &["toml"]),
+        Purpose::OpenCycleFile(CycleFile::Probes) => open("TP", &["tp"]),
         Purpose::SaveWorkpiece => {
             dialog.add_filter("TOML", &both(&["toml"])).set_file_name("workpiece.toml").save_file()
         }

@@ -6,11 +6,11 @@ use std::ops::Range;
 
 use eframe::egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{Align, Context, FontId, Id, Key, Response, Stroke, TextBuffer, TextEdit, Ui};
+use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, Stroke, TextBuffer, TextEdit, Ui, vec2};
 
 use super::keypad;
-use super::theme;
-use super::view::{View, problem};
+use super::theme::{self, space};
+use super::view::{View, problem, quiet};
 use crate::session::{Action, Field};
 
 /// How a field looks.
@@ -63,7 +63,7 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>
         .desired_width(look.width)
         .align(eframe::egui::Align2([look.align, Align::Center]))
         .hint_text(look.hint)
-        .min_size(eframe::egui::vec2(look.width, theme::sizes().field));
+        .min_size(vec2(look.width, theme::sizes().field));
     if culprit.is_some() {
         edit = edit.layouter(&mut layouter);
     }
@@ -92,6 +92,45 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>
         });
     }
     response
+}
+
+/// How the columns of [`pairs_ui`] are set.
+pub(super) struct Pairs<F> {
+    /// The width of a column.
+    pub column: f32,
+    /// The width of a field, by its unit.
+    pub field: F,
+    /// Between a field and its unit.
+    pub gap: f32,
+}
+
+/// Two fields a row, each with its name above it and its unit behind it; errors below the row.
+pub(super) fn pairs_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    pairs: &Pairs<impl Fn(&str) -> f32>,
+    fields: &[(Field, String, &str)],
+) {
+    for row in fields.chunks(2) {
+        let grid = Grid::new(("fields", row.first().map(|(field, ..)| *field))).num_columns(2).min_row_height(0.0);
+        grid.min_col_width(pairs.column).spacing(vec2(space(2.0), space(0.5))).show(ui, |ui| {
+            let names: Vec<_> = row.iter().map(|(_, name, _)| quiet(ui, name).id).collect();
+            ui.end_row();
+            for ((field, _, unit), name) in row.iter().zip(names) {
+                ui.horizontal(|ui| {
+                    ui.spacing_mut().item_spacing.x = pairs.gap;
+                    field_ui(ui, view, *field, name, Look::number((pairs.field)(unit)));
+                    if !unit.is_empty() {
+                        quiet(ui, *unit);
+                    }
+                });
+            }
+            ui.end_row();
+        });
+        for (field, ..) in row {
+            error_ui(ui, view, *field);
+        }
+    }
 }
 
 /// A text whose wrong characters are underlined; `culprit` counts characters from 0.

@@ -2,8 +2,9 @@
 //!
 //! Keys act when released, are 15 mm or more on a 10 inch panel, and need no gesture.
 
-use eframe::egui::{Align2, Button, Grid, Id, RichText, Ui, Window, vec2};
+use eframe::egui::{Align2, Button, Grid, Id, RichText, Ui, vec2};
 
+use super::dialogs::fixed_window;
 use super::theme::{self, sizes, space};
 use super::view::View;
 use crate::session::{Action, CheckField, Field, Page};
@@ -40,21 +41,16 @@ pub(super) fn keypad_ui(ui: &Ui, view: &mut View<'_>) {
         return;
     }
     let field = ui.data(|data| data.get_temp(target_id())).unwrap_or(Field::Check(CheckField::Measured));
-    Window::new(view.text("keypad"))
-        .id(Id::unique("keypad"))
-        .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -space(4.0)))
-        .collapsible(false)
-        .resizable(false)
-        .show(ui, |ui| {
-            Grid::new("keys").spacing(vec2(space(1.0), space(1.0))).show(ui, |ui| {
-                for row in KEYS {
-                    for key in row {
-                        key_ui(ui, view, field, key);
-                    }
-                    ui.end_row();
+    fixed_window("keypad", view.text("keypad"), Align2::CENTER_BOTTOM, -space(4.0)).show(ui, |ui| {
+        Grid::new("keys").spacing(vec2(space(1.0), space(1.0))).show(ui, |ui| {
+            for row in KEYS {
+                for key in row {
+                    key_ui(ui, view, field, key);
                 }
-            });
+                ui.end_row();
+            }
         });
+    });
 }
 
 fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, key: Key) {

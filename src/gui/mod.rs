@@ -9,7 +9,7 @@
 //! | `check`, `fit`, `cycles`, `tables`, `program` | the pages |
 //! | `top_bar`, `dialogs` | what belongs to every page |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
-//! | `class_chooser`, `field`, `keypad`, `popup`, `shapes`, `verdict_card` | widgets of our own |
+//! | `class_chooser`, `field`, `keypad`, `limits`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! No decision and no arithmetic on lengths happens here; egui is named nowhere else.
 
@@ -23,6 +23,7 @@ mod field;
 mod fit;
 mod keypad;
 mod keys;
+mod limits;
 mod popup;
 mod program;
 mod shapes;

@@ -1,11 +1,30 @@
 //! Shapes that are painted, so that no font is needed: verdicts, hole and shaft, hatching.
 
 use eframe::egui::epaint::PathShape;
-use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, Vec2, pos2, vec2};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
 
+use super::theme::palette;
 use crate::tolerance::Feature;
 use crate::tolerance::fit::Kind;
 use crate::verdict::Status;
+
+/// Screen coordinates have fewer digits than geometry.
+#[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "a place on the screen")]
+pub(super) const fn screen(value: f64) -> f32 {
+    value as f32
+}
+
+/// So many times a size, for any number of lines.
+pub(super) fn times(size: f32, count: usize) -> f32 {
+    let part = |number: usize| u16::try_from(number).map_or(f32::from(u16::MAX), f32::from);
+    size * (part(count >> 16) * 65_536.0 + part(count & 0xffff))
+}
+
+/// The ring round a part of a page that has the focus as a whole.
+pub(super) fn focus_ring(ui: &Ui, rect: Rect) {
+    let stroke = Stroke::new(2.0, palette(ui.ctx()).accent.0);
+    ui.painter().rect_stroke(rect.shrink(1.0), 0.0, stroke, StrokeKind::Inside);
+}
 
 /// The shape of a verdict: check, turning arrow, cross, loop; a dash for no result.
 pub(super) fn status(painter: &Painter, rect: Rect, status: Option<Status>, colour: Color32) {

@@ -5,7 +5,8 @@ use eframe::egui::{Button, Id, Panel, RichText, Ui};
 use super::theme::{self, sizes, space};
 use super::view::View;
 use crate::report::RENDERINGS;
-use crate::session::{Action, Command, Page, SourceChoice, Theme};
+use crate::session::{Action, Command, Page, Theme};
+use crate::tolerance::Base;
 use crate::words::Language;
 
 /// The bar.
@@ -59,7 +60,7 @@ fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
         choices_ui(ui, view, [Theme::System, Theme::Light, Theme::Dark].map(Action::UseTheme));
     });
     ui.menu_button(view.text("limits-from"), |ui| {
-        choices_ui(ui, view, [SourceChoice::Iso286, SourceChoice::ControlTables].map(Action::UseSource));
+        choices_ui(ui, view, Base::ALL.map(Action::UseSource));
         ui.separator();
         view.checkbox(ui, Action::RoundJs);
         view.checkbox(ui, Action::Edition1988);

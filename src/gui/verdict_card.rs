@@ -1,10 +1,11 @@
 //! The verdict's card: one word that is read from two metres, its shape, and the lines below it.
 
-use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Align, Frame, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Align, Frame, Layout, Margin, RichText, Sense, Ui, vec2};
 
 use super::shapes;
 use super::theme::{self, palette, sizes, space};
+use super::view::live;
 use crate::length::{Length, Unit};
 use crate::message::Say as _;
 use crate::verdict::Status;
@@ -38,8 +39,7 @@ pub(super) fn card_ui(ui: &mut Ui, status: Option<Status>, word: &str, lines: &[
     });
     let said = std::iter::once(word).chain(lines.iter().map(String::as_str)).collect::<Vec<_>>().join(". ");
     let response = ui.interact(card.response.rect, ui.scope_id().with("verdict"), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Assertive));
+    live(ui, &response, &said, Live::Assertive);
 }
 
 /// Half of a length in µm, exact.

@@ -1,6 +1,10 @@
 //! What every panel gets: the state, the words, and a place to put its commands.
 
-use eframe::egui::{self, Button, Response, RichText, Ui};
+use std::fmt::Debug;
+use std::hash::Hash;
+
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{self, Button, ComboBox, Response, RichText, Ui, Vec2, WidgetInfo, WidgetText, vec2};
 use egui_plot::Plot;
 
 use super::keys::told;
@@ -59,6 +63,20 @@ impl View<'_> {
             self.act(action);
         }
         response
+    }
+
+    /// The same as high as a text field.
+    pub fn field_button(&mut self, ui: &mut Ui, action: Action) -> Response {
+        let button = self.named(action).min_size(vec2(0.0, theme::sizes().field));
+        self.button_as(ui, action, button)
+    }
+
+    /// The page's main action, so large.
+    pub fn main_button(&mut self, ui: &mut Ui, action: Action, size: Vec2) {
+        let palette = theme::palette(ui.ctx());
+        let text = RichText::new(action.text(self.session, self.words)).color(palette.on_accent.0);
+        let text = text.font(theme::bold(theme::sizes().body));
+        self.button_as(ui, action, Button::new(text).fill(palette.accent.0).min_size(size));
     }
 
     /// Draws an action as an entry of a menu, with its keys behind it.
@@ -169,6 +187,24 @@ pub(super) fn problem(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
 /// How high a list that drops down may be: the rest scrolls, so that its end can always be reached.
 pub(super) fn list_height(ui: &Ui) -> f32 {
     ui.ctx().content_rect().height() * 0.55
+}
+
+/// A list that drops down, with what is shown of it while it is closed; its caller names it.
+pub(super) fn list_ui(
+    ui: &mut Ui,
+    salt: impl Hash + Debug,
+    shown: impl Into<WidgetText>,
+    width: f32,
+    content: impl FnOnce(&mut Ui),
+) -> Response {
+    let list = ComboBox::from_id_salt(salt).selected_text(shown).width(width).truncate().height(list_height(ui));
+    list.show_ui(ui, content).response
+}
+
+/// Makes a thing a live region: a screen reader says it whenever it changes.
+pub(super) fn live(ui: &Ui, response: &Response, said: &str, politeness: Live) {
+    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, said));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(politeness));
 }
 
 /// A plot that is only looked at: nothing moves it, and it does not eat the wheel.

@@ -14,7 +14,7 @@ use super::workpiece::WorkpieceCommand;
 use crate::control::mask::Mask;
 use crate::files::FileError;
 use crate::message::Message;
-use crate::tolerance::{DeviationTable, iso286};
+use crate::tolerance::{Base, DeviationTable, iso286};
 use crate::words::{Dialogue, Language};
 
 /// A change of the state.
@@ -76,8 +76,8 @@ pub enum Command {
     },
     /// Uses no tables of the user's own any more.
     NoOwnTables,
-    /// Looks limits up in ISO 286 or in the control's tables, after the user's own.
-    UseSource(SourceChoice),
+    /// Looks limits up in another source, after the user's own tables.
+    UseSource(Base),
     /// Chooses where editions of ISO 286 differ.
     SetStandard(iso286::Options),
     /// A file was written, or not.
@@ -89,41 +89,8 @@ pub enum Command {
     },
 }
 
-impl From<CheckCommand> for Command {
-    fn from(command: CheckCommand) -> Self {
-        Self::Check(command)
-    }
-}
-
-impl From<FitCommand> for Command {
-    fn from(command: FitCommand) -> Self {
-        Self::Fit(command)
-    }
-}
-
-impl From<CyclesCommand> for Command {
-    fn from(command: CyclesCommand) -> Self {
-        Self::Cycles(command)
-    }
-}
-
-impl From<TablesCommand> for Command {
-    fn from(command: TablesCommand) -> Self {
-        Self::Tables(command)
-    }
-}
-
-impl From<ProgramCommand> for Command {
-    fn from(command: ProgramCommand) -> Self {
-        Self::Program(command)
-    }
-}
-
-impl From<WorkpieceCommand> for Command {
-    fn from(command: WorkpieceCommand) -> Self {
-        Self::Workpiece(command)
-    }
-}
+from_variants!(Command: Check(CheckCommand), Fit(FitCommand), Cycles(CyclesCommand), Tables(TablesCommand));
+from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand));
 
 /// What a file dialog is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -150,6 +117,18 @@ pub enum Purpose {
     SaveCycleLog,
     /// Reading an NC program.
     OpenProgram,
+}
+
+impl Purpose {
+    /// Whether something is read; else a file is written.
+    pub const fn is_reading(self) -> bool {
+        match self {
+            Self::Import | Self::LoadMask | Self::LoadTables => true,
+            Self::OpenTable | Self::OpenCycleFile(_) | Self::OpenProgram => true,
+            Self::Export(_) | Self::ExportStatus | Self::SaveTable(_) => false,
+            Self::SaveWorkpiece | Self::SaveCycleLog => false,
+        }
+    }
 }
 
 /// A file that the cycles page reads.
@@ -185,17 +164,6 @@ impl Page {
     pub const ALL: [Self; 5] = [Self::Check, Self::Fit, Self::Cycles, Self::Tables, Self::Program];
 }
 
-/// What limits are looked up in after the user's own tables.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SourceChoice {
-    /// ISO 286.
-    #[default]
-    Iso286,
-    /// The control's two tables.
-    ControlTables,
-}
-
 /// Light or dark.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -214,18 +182,9 @@ pub enum Theme {
 pub enum Effect {
     /// Show the system's file dialog and send [`Command::Picked`].
     Browse(Purpose),
-    /// Read measurements and send [`CheckCommand::Imported`].
-    Import(PathBuf),
-    /// Read a mask and send [`Command::MaskRead`].
-    ReadMask(PathBuf),
-    /// Read a folder of tables and send [`Command::TablesRead`].
-    ReadTables(PathBuf),
-    /// Read one table and send [`TablesCommand::Read`].
-    ReadTable(PathBuf),
-    /// Read a file for the cycles page and send [`Command::Cycles`] or [`Command::Workpiece`].
-    ReadCycleFile(CycleFile, PathBuf),
-    /// Read an NC program and send [`ProgramCommand::Read`].
-    ReadProgram(PathBuf),
+    /// Read what a dialog of this purpose asks for, and send the command that takes it: [`CheckCommand::Imported`],
+    /// [`Command::MaskRead`], [`Command::TablesRead`], or the one of a page that reads such files.
+    Read(Purpose, PathBuf),
     /// Write a file and send [`Command::Saved`].
     Save(PathBuf, Vec<u8>),
     /// Close the window.

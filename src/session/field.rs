@@ -43,41 +43,8 @@ impl Field {
     }
 }
 
-impl From<CheckField> for Field {
-    fn from(field: CheckField) -> Self {
-        Self::Check(field)
-    }
-}
-
-impl From<FitField> for Field {
-    fn from(field: FitField) -> Self {
-        Self::Fit(field)
-    }
-}
-
-impl From<CycleField> for Field {
-    fn from(field: CycleField) -> Self {
-        Self::Cycles(field)
-    }
-}
-
-impl From<TablesField> for Field {
-    fn from(field: TablesField) -> Self {
-        Self::Tables(field)
-    }
-}
-
-impl From<ProgramField> for Field {
-    fn from(field: ProgramField) -> Self {
-        Self::Program(field)
-    }
-}
-
-impl From<WorkpieceField> for Field {
-    fn from(field: WorkpieceField) -> Self {
-        Self::Workpiece(field)
-    }
-}
+from_variants!(Field: Check(CheckField), Fit(FitField), Cycles(CycleField), Tables(TablesField));
+from_variants!(Field: Program(ProgramField), Workpiece(WorkpieceField));
 
 /// The fields of a page whose texts survive a restart.
 pub(super) trait KeptField: Copy + Ord + 'static {
@@ -87,6 +54,30 @@ pub(super) trait KeptField: Copy + Ord + 'static {
     /// Its key in the state file, and what stands in it at the first start.
     fn declared(self) -> (&'static str, &'static str);
 }
+
+/// The fields of a page whose texts survive a restart, a row each: what it is, its key in the state file, and what stands
+/// in it at the first start.
+macro_rules! kept_fields {
+    ($(#[$doc:meta])* $name:ident $($(#[$field_doc:meta])* $field:ident: $key:literal, $first:literal;)+) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum $name {
+            $($(#[$field_doc])* $field,)+
+        }
+
+        impl $crate::session::field::KeptField for $name {
+            const ALL: &'static [Self] = &[$(Self::$field),+];
+
+            fn declared(self) -> (&'static str, &'static str) {
+                match self {
+                    $(Self::$field => ($key, $first),)+
+                }
+            }
+        }
+    };
+}
+
+pub(super) use kept_fields;
 
 /// The texts of a page's fields; a missing one counts as the text of the first start.
 #[derive(Debug, Clone)]

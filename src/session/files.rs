@@ -27,12 +27,7 @@ impl Session {
             Purpose::SaveTable(format) => self.tables.file_name(format),
             Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
-            Purpose::Import
-            | Purpose::LoadMask
-            | Purpose::LoadTables
-            | Purpose::OpenTable
-            | Purpose::OpenCycleFile(_)
-            | Purpose::OpenProgram => String::new(),
+            _ => String::new(),
         };
         self.shared.open_dialog(purpose, path);
     }
@@ -66,15 +61,9 @@ impl Session {
             return Err(Message::new("dialog-no-path"));
         }
         let bytes = match purpose {
-            Purpose::Import => return Ok(Effect::Import(path)),
-            Purpose::LoadMask => return Ok(Effect::ReadMask(path)),
-            Purpose::LoadTables => return Ok(Effect::ReadTables(path)),
             Purpose::OpenTable if !self.tables.settle_cell(&mut self.shared) => {
                 return Err(Message::new("tables-cell-unreadable"));
             }
-            Purpose::OpenTable => return Ok(Effect::ReadTable(path)),
-            Purpose::OpenCycleFile(file) => return Ok(Effect::ReadCycleFile(file, path)),
-            Purpose::OpenProgram => return Ok(Effect::ReadProgram(path)),
             Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?,
             Purpose::Export(format) => self.export(format, now)?,
             Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?,
@@ -86,6 +75,7 @@ impl Session {
                 let text = self.check.status_text().ok_or_else(|| Message::new("dialog-no-status"))?;
                 text.as_bytes().to_vec()
             }
+            _ => return Ok(Effect::Read(purpose, path)),
         };
         Ok(Effect::Save(path, bytes))
     }

@@ -14,10 +14,21 @@
 //! | `tables` | tables of deviations against ISO 286 |
 //! | `program` | an NC program is run and stepped |
 //! | `shared`, `history`, `workpiece` | what belongs to every page; `readers` reads it |
-//! | `command`, `field` | every command and every text field |
+//! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
 //! | `saved` | what survives a restart |
+
+/// `From` what a variant holds, for variants that hold something else each.
+macro_rules! from_variants {
+    ($whole:ident: $($variant:ident($part:ty)),+) => {
+        $(impl From<$part> for $whole {
+            fn from(part: $part) -> Self {
+                Self::$variant(part)
+            }
+        })+
+    };
+}
 
 pub mod action;
 mod check;
@@ -31,6 +42,7 @@ pub mod program;
 mod readers;
 mod saved;
 mod shared;
+mod step;
 pub mod tables;
 mod workpiece;
 
@@ -41,22 +53,23 @@ use jiff::civil::DateTime;
 
 pub use action::Action;
 pub use check::{Asked, CheckCommand, CheckField, CheckPage, MeasureBy, Shown};
-pub use command::{Command, CycleFile, Effect, Page, Purpose, SourceChoice, Theme};
+pub use command::{Command, CycleFile, Effect, Page, Purpose, Theme};
 pub use cycles::{
-    Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Step, WorkpieceField, WorkpieceForm,
+    Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, WorkpieceField, WorkpieceForm,
 };
 pub use field::Field;
 pub use fit::{
-    ClassMap, Direction, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone,
-    WarmFit, extremes,
+    ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
 };
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
 pub use saved::{Saved, SavedCycles, SavedError, SavedInputs};
 pub use shared::{Dialog, MaskChoice, Notice};
+pub use step::Step;
 pub use tables::{TablesCommand, TablesField, TablesPage};
 pub use workpiece::{RecordedContacts, WorkpieceCommand};
 
 use self::shared::{PageState as _, Shared};
+use crate::control::shipped_tables;
 use crate::message::Message;
 use crate::tolerance::Sources;
 use crate::words::Language;
@@ -82,7 +95,7 @@ impl Session {
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let mut shared = Shared::new(saved.language, saved.theme);
         shared.keypad = saved.keypad;
-        let sources = Sources::default().with_base(shared::base(saved.source)).with_options(saved.standard);
+        let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
         shared.sources = Arc::new(sources);
         let session = Self {
             check: CheckPage::new(&saved.inputs, &shared.sources),
@@ -92,7 +105,7 @@ impl Session {
             program: ProgramPage::default(),
             shared,
         };
-        (session, saved.tables_folder.map(Effect::ReadTables).into_iter().collect())
+        (session, saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder)).into_iter().collect())
     }
 
     /// What survives a restart.
@@ -103,7 +116,7 @@ impl Session {
             theme: self.shared.theme,
             keypad: self.shared.keypad,
             tables_folder: self.shared.tables_folder.clone(),
-            source: self.shared.source_choice(),
+            source: self.shared.sources.base(),
             standard: self.shared.sources.options(),
             inputs: SavedInputs { texts: texts.collect(), by: self.check.by(), feature: self.check.feature() },
             cycles: self.cycles.saved(),
@@ -170,8 +183,8 @@ impl Session {
             Command::MaskRead { name, result } => self.mask_read(name, result),
             Command::TablesRead { folder, result } => self.tables_read(folder, result),
             Command::NoOwnTables => self.use_tables(Vec::new(), None),
-            Command::UseSource(choice) => {
-                let sources = shared.sources.as_ref().clone().with_base(shared::base(choice));
+            Command::UseSource(base) => {
+                let sources = shared.sources.as_ref().clone().with_base(base, shipped_tables);
                 shared.use_sources(sources);
             }
             Command::SetStandard(options) => {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::command::{Page, SourceChoice, Theme};
+use super::command::{Page, Theme};
 use super::cycles::WorkpieceForm;
 use super::shared::{Dialog, MaskChoice, Notice};
 use super::workpiece::RecordedContacts;
@@ -24,11 +24,6 @@ impl Session {
     /// Where limits are looked up.
     pub const fn sources(&self) -> &Arc<Sources> {
         &self.shared.sources
-    }
-
-    /// What limits are looked up in after the user's own tables.
-    pub fn source_choice(&self) -> SourceChoice {
-        self.shared.source_choice()
     }
 
     /// The folder of the user's own tables, where one was chosen.

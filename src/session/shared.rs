@@ -9,14 +9,13 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::command::{Effect, Page, Purpose, SourceChoice, Theme};
+use super::command::{Effect, Page, Purpose, Theme};
 use super::history::History;
 use super::workpiece::SimulatedWorkpiece;
 use crate::control::mask::Mask;
-use crate::control::shipped_tables;
 use crate::message::Message;
+use crate::tolerance::Sources;
 use crate::tolerance::fit::materials::Materials;
-use crate::tolerance::{Base, Sources};
 use crate::words::{Dialogue, Language};
 
 /// The mask that the status window is drawn with.
@@ -94,7 +93,7 @@ pub(super) trait PageState {
 }
 
 /// What belongs to every page.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Shared {
     /// The open page.
     pub page: Page,
@@ -118,22 +117,7 @@ pub(super) struct Shared {
 
 impl Shared {
     pub fn new(language: Language, theme: Theme) -> Self {
-        Self {
-            page: Page::default(),
-            language,
-            theme,
-            keypad: false,
-            mask: MaskChoice::default(),
-            sources: Arc::new(Sources::default()),
-            tables_folder: None,
-            materials: Materials::shipped().clone(),
-            history: History::default(),
-            workpiece: SimulatedWorkpiece::default(),
-            dialog: None,
-            notices: Vec::new(),
-            leaving: false,
-            news: VecDeque::new(),
-        }
+        Self { language, theme, materials: Materials::shipped().clone(), ..Self::default() }
     }
 
     /// Tells the other pages.
@@ -174,13 +158,6 @@ impl Shared {
     pub fn use_sources(&mut self, sources: Sources) {
         self.sources = Arc::new(sources);
         self.spread(News::Sources);
-    }
-
-    pub fn source_choice(&self) -> SourceChoice {
-        match self.sources.base() {
-            Base::Iso286 => SourceChoice::Iso286,
-            Base::Tables(_) => SourceChoice::ControlTables,
-        }
     }
 
     /// Tells the user what failed.
@@ -234,13 +211,5 @@ impl Shared {
                 None
             }
         }
-    }
-}
-
-/// The source that a choice stands for.
-pub(super) fn base(choice: SourceChoice) -> Base {
-    match choice {
-        SourceChoice::Iso286 => Base::Iso286,
-        SourceChoice::ControlTables => Base::Tables(shipped_tables()),
     }
 }

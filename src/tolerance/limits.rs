@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::class::Feature;
-use super::iso286::Remark;
 use super::iso2768::GeneralClass;
 use crate::length::Length;
 use crate::message::{Message, Say, display};
@@ -66,14 +65,14 @@ impl Deviations {
 /// Where deviations come from. Every number that is shown says this.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Source {
-    /// ISO 286.
-    Iso286 {
+    /// A standard.
+    Standard {
         /// The size step: above this,
         over: Length,
         /// up to and including this.
         to: Length,
-        /// What a reader should know about the figure.
-        remark: Option<Remark>,
+        /// Its name and step, and what a reader should know about the figure.
+        said: Message,
     },
     /// ISO 2768-1, general tolerances of linear sizes.
     Iso2768 {
@@ -108,10 +107,7 @@ display!(Source);
 impl Say for Source {
     fn message(&self) -> Message {
         match self {
-            Self::Iso286 { over, to, remark: None } => Message::new("source-iso286").with("over", over).with("to", to),
-            Self::Iso286 { over, to, remark: Some(remark) } => {
-                Message::new("source-iso286-remark").with("over", over).with("to", to).with("remark", remark)
-            }
+            Self::Standard { said, .. } => said.clone(),
             Self::Iso2768 { class, over, to } => {
                 Message::new("source-iso2768").with("class", class).with("over", over).with("to", to)
             }

@@ -1,7 +1,12 @@
-//! Two sources behind one question, "what are the limits of this callout": ISO 286 and a control's tables.
+//! The sources behind one question, "what are the limits of this callout": ISO 286, a control's tables and whatever
+//! else is in the list of `bases`.
 //!
 //! ISO 286 is the default. A user's own tables come first for the classes and sizes that they hold; they are looked up as
 //! program 82551 does it (LBL 1 to LBL 99). Every answer says where it comes from.
+
+mod bases;
+
+pub use bases::Base;
 
 use std::sync::Arc;
 
@@ -15,7 +20,7 @@ use super::table::DeviationTable;
 use crate::length::Length;
 use crate::message::Say;
 
-/// Where limits are looked up: the user's own tables first, then ISO 286 or the control's tables.
+/// Where limits are looked up: the user's own tables first, then one source of the list.
 ///
 /// A table that holds the class and reaches to the size answers, also with "not defined here"; a class or a size that
 /// it does not have is asked of the next source. Cloning is cheap.
@@ -24,17 +29,9 @@ pub struct Sources {
     /// The user's own, in the order of asking.
     own: Vec<Arc<DeviationTable>>,
     base: Base,
+    /// The control's, in the order of asking; empty where a standard is the base.
+    control: Vec<Arc<DeviationTable>>,
     options: iso286::Options,
-}
-
-/// What answers after the user's own tables.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub enum Base {
-    /// The standard: every class from above 0 up to 3150 mm.
-    #[default]
-    Iso286,
-    /// Tables as on a control, in the order of asking. One of the user's own with the same name takes the place.
-    Tables(Vec<Arc<DeviationTable>>),
 }
 
 /// Why a callout has no limits.
@@ -113,14 +110,13 @@ pub enum LimitsError {
 impl Sources {
     /// Tables as on a control, and nothing else.
     pub fn of_tables(tables: impl IntoIterator<Item = impl Into<Arc<DeviationTable>>>) -> Self {
-        let tables = tables.into_iter().map(Into::into).collect();
-        Self { base: Base::Tables(tables), ..Self::default() }
+        Self::default().with_base(Base::ControlTables, || tables.into_iter().map(Into::into).collect())
     }
 
-    /// The same with another base.
+    /// The same with another base. The control's tables are handed in, and asked for only where they are the base.
     #[must_use]
-    pub fn with_base(self, base: Base) -> Self {
-        Self { base, ..self }
+    pub fn with_base(self, base: Base, tables: impl FnOnce() -> Vec<Arc<DeviationTable>>) -> Self {
+        Self { base, control: if base.is_standard() { Vec::new() } else { tables() }, ..self }
     }
 
     /// The same with a user's own tables, which are asked first.
@@ -142,8 +138,8 @@ impl Sources {
     }
 
     /// What answers after them.
-    pub const fn base(&self) -> &Base {
-        &self.base
+    pub const fn base(&self) -> Base {
+        self.base
     }
 
     /// The options of ISO 286.
@@ -153,25 +149,37 @@ impl Sources {
 
     /// All tables in the order of asking.
     pub fn tables(&self) -> impl Iterator<Item = &Arc<DeviationTable>> {
-        let base: &[_] = match &self.base {
-            Base::Iso286 => &[],
-            Base::Tables(tables) => tables,
-        };
-        self.own.iter().chain(base.iter().filter(|base| !self.own.iter().any(|own| same_name(own, base))))
+        let has_namesake = |table: &DeviationTable| self.own.iter().any(|own| same_name(own, table));
+        self.own.iter().chain(self.control.iter().filter(move |table| !has_namesake(table)))
     }
 
     /// The classes to choose from for holes or for shafts, each once: those of the tables, then the usual ones of
-    /// ISO 286. Any other class of the standard is answered as well.
+    /// the standard. Any other class of the standard is answered as well.
     pub fn classes(&self, feature: Feature) -> Vec<ToleranceClass> {
-        let columns = self.tables().flat_map(|table| table.columns().iter().map(|column| column.class));
-        let usual = matches!(self.base, Base::Iso286).then(|| iso286::usual_classes(feature));
+        let usual = self.base.standard().map(|standard| (standard.usual_classes)(feature));
         let mut classes = Vec::new();
-        for class in columns.chain(usual.into_iter().flatten()) {
-            if class.feature() == feature && !classes.contains(&class) {
+        for class in self.table_classes(feature).chain(usual.into_iter().flatten()) {
+            if !classes.contains(&class) {
                 classes.push(class);
             }
         }
         classes
+    }
+
+    /// The classes of the tables for holes or for shafts, in the order of asking; one of two tables comes twice.
+    pub fn table_classes(&self, feature: Feature) -> impl Iterator<Item = ToleranceClass> {
+        let columns = self.tables().flat_map(|table| table.columns().iter().map(|column| column.class));
+        columns.filter(move |class| class.feature() == feature)
+    }
+
+    /// Every class that the standard has at a size, by letter and then by grade; none where the control's tables answer.
+    pub fn standard_classes_at(
+        &self,
+        feature: Feature,
+        nominal: Length,
+    ) -> impl Iterator<Item = (ToleranceClass, Deviations)> {
+        let standard = self.base.standard();
+        standard.into_iter().flat_map(move |standard| (standard.classes_at)(feature, nominal, self.options))
     }
 
     /// The limits of a callout. The letter's case says hole or shaft; where a callout has no letters or is a fit,
@@ -259,23 +267,16 @@ impl Sources {
             let instead_of = self.instead_of(table, class, nominal, deviations);
             return Ok((deviations, Source::Table { name, shipped, over, to, instead_of }));
         }
-        match (&self.base, beyond) {
-            (Base::Iso286, beyond) => self.standard(class, nominal).map_err(|undefined| match beyond {
-                // A class of the user's own that the standard does not know: the table says how far it goes.
-                Some(table) if iso286::parts(class).is_none() => beyond_last_range(table, nominal),
-                _ => undefined.into(),
-            }),
-            (Base::Tables(_), Some(table)) => Err(beyond_last_range(table, nominal)),
-            (Base::Tables(_), None) => Err(self.unknown(class)),
+        match (self.base.standard(), beyond) {
+            // A class of the user's own that the standard does not know: the table says how far it goes.
+            (Some(standard), Some(table)) if !(standard.knows)(class) => Err(beyond_last_range(table, nominal)),
+            (Some(standard), _) => (standard.deviations)(class, nominal, self.options),
+            (None, Some(table)) => Err(beyond_last_range(table, nominal)),
+            (None, None) => Err(self.unknown(class)),
         }
     }
 
-    fn standard(&self, class: ToleranceClass, nominal: Length) -> Result<(Deviations, Source), Undefined> {
-        let iso286::Cell { deviations, over, to, remark } = iso286::deviations(class, nominal, self.options)?;
-        Ok((deviations, Source::Iso286 { over, to, remark }))
-    }
-
-    /// What the standard says where a user's own table says something else.
+    /// What ISO 286 says where a user's own table says something else.
     fn instead_of(
         &self,
         table: &DeviationTable,

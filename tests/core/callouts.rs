@@ -6,7 +6,7 @@ use std::path::Path;
 
 use fitcheck::control::shipped_tables;
 use fitcheck::length::Length;
-use fitcheck::tolerance::callout::qs400;
+use fitcheck::tolerance::callout::{halves, qs400};
 use fitcheck::tolerance::iso2768::{self, GeneralClass};
 use fitcheck::tolerance::{Callout, CycleText, Deviations, Sources, ToleranceClass};
 use proptest::prelude::*;
@@ -258,4 +258,18 @@ fn refusals_say_where_the_class_is_defined() {
         "ISO 2768-1 does not define class f over 2000 up to 4000 mm; it is defined from 0.5 up to 2000 mm",
     );
     check_general("4000.000001", "m", "nominal size 4000.000001 mm is beyond ISO 2768-1, which ends with 4000 mm");
+}
+
+#[test]
+fn a_callout_is_taken_apart_while_it_is_typed() {
+    for (text, nominal, class) in [
+        ("25 H7", "25", "H7"),
+        ("Ø25,5js6", "25,5", "js6"),
+        ("25", "25", ""),
+        ("H7", "", "H7"),
+        ("12 +0.1 -0.2", "12", "+0.1 -0.2"),
+        ("", "", ""),
+    ] {
+        assert_eq!(halves(text), (nominal, class), "for {text:?}");
+    }
 }

@@ -9,7 +9,7 @@ use fitcheck::probing::cycle::{Cycle, CycleResult, Inputs, Key, Value};
 use fitcheck::probing::cycles::{CYCLES, cycle_named};
 use fitcheck::probing::simulated::{Face, FreePoint, Machine, Probe, Surface, Workpiece};
 use fitcheck::probing::{Recorded, cycle::Plane};
-use fitcheck::tolerance::{Base, Deviations, Feature, Sources};
+use fitcheck::tolerance::{Deviations, Feature, Sources};
 use fitcheck::verdict::{PositionVerdict, Status};
 use fitcheck::words::Dialogue;
 use jiff::civil::{DateTime, date};
@@ -38,7 +38,7 @@ fn still(surface: Surface) -> Machine {
 
 /// What the program's own import makes of a log.
 fn imported(file: &str, bytes: &[u8]) -> Imported {
-    import(file, bytes, &Sources::default().with_base(Base::Iso286), date(2000, 1, 1).at(0, 0, 0, 0))
+    import(file, bytes, &Sources::default(), date(2000, 1, 1).at(0, 0, 0, 0))
 }
 
 /// The verdict that the import comes to, a centre out of position among it; `None` where nothing is judged.

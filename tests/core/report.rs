@@ -23,7 +23,8 @@ fn limits(callout: &str, upper: i32, lower: i32, source: Source) -> Limits {
 }
 
 fn iso() -> Source {
-    Source::Iso286 { over: um(18_000), to: um(30_000), remark: None }
+    let (over, to) = (um(18_000), um(30_000));
+    Source::Standard { over, to, said: Message::new("source-iso286").with("over", &over).with("to", &to) }
 }
 
 fn record(

@@ -252,7 +252,7 @@ fn rows_of_a_file_fill_the_history_and_bad_ones_are_told() {
     let text = b"id,callout,measured\nA1,25 H7,25.012\nA2,25 Q9,25.0\nA3,25 H7,x\nA4,25 H7,24.998\n";
     let answer = imported(&session, "parts.csv", text);
     run(&mut session, [Command::OpenDialog(Purpose::Import), Command::TypePath("parts.csv".to_owned())]);
-    assert_eq!(run(&mut session, [Command::Confirm]), [Effect::Import(PathBuf::from("parts.csv"))]);
+    assert_eq!(run(&mut session, [Command::Confirm]), [Effect::Read(Purpose::Import, PathBuf::from("parts.csv"))]);
     run(&mut session, [answer]);
     let statuses: Vec<_> = session.history().iter().map(|record| record.verdict.status()).collect();
     assert_eq!((statuses, session.dialog()), (vec![Status::Good, Status::Rework], None));
@@ -312,7 +312,7 @@ fn a_dialog_says_what_is_wrong_and_stays() {
     run(&mut session, [Command::TypePath("none.csv".to_owned())]);
     assert_eq!(problem(&session), None);
     let confirmed = run(&mut session, [Command::Confirm]);
-    assert_eq!(confirmed, [Effect::Import(PathBuf::from("none.csv"))]);
+    assert_eq!(confirmed, [Effect::Read(Purpose::Import, PathBuf::from("none.csv"))]);
     assert!(session.dialog().unwrap().busy);
     // A second Enter does not read the file twice.
     assert_eq!(run(&mut session, [Command::Confirm]), []);

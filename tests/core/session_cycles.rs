@@ -161,18 +161,19 @@ fn every_cycle_is_run_and_stepped() {
         assert_eq!(problem(&session), "", "{number}");
         let run = session.cycles().run().unwrap();
         assert_eq!((run.path.len(), session.cycles().step()), (moves, moves - 1), "{number}");
-        for (step, at) in [
-            (Step::Next, moves - 1),
-            (Step::First, 0),
-            (Step::Back, 0),
-            (Step::Next, 1),
-            (Step::To(2), 2),
-            (Step::To(usize::MAX), moves - 1),
-            (Step::Back, moves - 2),
-            (Step::Last, moves - 1),
+        for (command, at) in [
+            (CyclesCommand::Step(Step::Right), moves - 1),
+            (CyclesCommand::Step(Step::First), 0),
+            (CyclesCommand::Step(Step::Left), 0),
+            (CyclesCommand::Step(Step::Right), 1),
+            (CyclesCommand::StepTo(2), 2),
+            (CyclesCommand::StepTo(usize::MAX), moves - 1),
+            (CyclesCommand::Step(Step::Left), moves - 2),
+            (CyclesCommand::Step(Step::Last), moves - 1),
         ] {
-            send(&mut session, CyclesCommand::Step(step));
-            assert_eq!(session.cycles().step(), at, "{number} {step:?}");
+            let said = format!("{number} {command:?}");
+            send(&mut session, command);
+            assert_eq!(session.cycles().step(), at, "{said}");
         }
     }
 }
@@ -255,7 +256,7 @@ fn the_workpiece_is_saved_and_opened_as_a_file() {
     apply(&mut other, Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Workpiece)));
     apply(&mut other, Command::TypePath("workpiece.toml".into()));
     let effects = apply(&mut other, Command::Confirm);
-    assert_eq!(effects, [Effect::ReadCycleFile(CycleFile::Workpiece, "workpiece.toml".into())]);
+    assert_eq!(effects, [Effect::Read(Purpose::OpenCycleFile(CycleFile::Workpiece), "workpiece.toml".into())]);
     send(&mut other, WorkpieceCommand::Read(Ok(Box::new(bench))));
     assert!(other.dialog().is_none());
     assert_eq!(other.cycles().from(), ContactsFrom::Simulated);
@@ -369,7 +370,7 @@ fn a_shown_result_is_always_that_of_what_is_on_screen() {
         CyclesCommand::ChooseProbe(1).into(),
         CyclesCommand::ShippedProbes.into(),
         CyclesCommand::Clear.into(),
-        CyclesCommand::Step(Step::Back).into(),
+        CyclesCommand::Step(Step::Left).into(),
         CyclesCommand::ShowBlock(true).into(),
         CyclesCommand::TypeBlock("TCH PROBE 421 ~\nQ273=0~\nQ274=0~\nQ262=25.01~\nQ275=25.02~\nQ276=25".into()).into(),
         CyclesCommand::TakeBlock.into(),

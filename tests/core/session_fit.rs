@@ -4,14 +4,13 @@
 
 use fitcheck::length::Length;
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, Direction, Field, FitCommand, FitField, Mark, Page, Parts, Session,
-    SourceChoice, extremes,
+    Action, CheckCommand, CheckField, Command, Field, FitCommand, FitField, Mark, Page, Parts, Session, Step, extremes,
 };
 use fitcheck::tolerance::fit::Kind;
 use fitcheck::tolerance::fit::search::Scope;
 use fitcheck::tolerance::iso286::Letter;
 use fitcheck::tolerance::table::Column;
-use fitcheck::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass};
+use fitcheck::tolerance::{Base, DeviationTable, Deviations, Feature, ToleranceClass};
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 use jiff::civil::date;
@@ -177,10 +176,10 @@ fn the_map_holds_what_the_sources_define() {
     let cell = map.cell(Letter::H, seven).unwrap();
     assert_eq!((cell.lower_um, cell.upper_um), (0.0, 21.0));
     assert!(map.has(class("T7")) && !map.has(class("J9")));
-    assert_eq!(map.next(class("H7"), Direction::Right), Some(class("J7")));
-    assert_eq!(map.next(class("J8"), Direction::Down), None);
-    assert_eq!(map.next(class("A7"), Direction::Left), None);
-    assert_eq!(map.next(class("H01"), Direction::Up), None);
+    assert_eq!(map.next(class("H7"), Step::Right), Some(class("J7")));
+    assert_eq!(map.next(class("J8"), Step::Down), None);
+    assert_eq!(map.next(class("A7"), Step::Left), None);
+    assert_eq!(map.next(class("H01"), Step::Up), None);
     assert_eq!(map.first(), Some(class("H7")));
     assert!(!fit("24 H7/g6").fit().map(Feature::Hole).unwrap().has(class("T7")));
     assert!(fit("3151 H7/g6").fit().map(Feature::Hole).unwrap().is_empty());
@@ -194,7 +193,7 @@ fn the_map_and_the_limits_follow_the_sources() {
         map.grades().flat_map(|grade| Letter::ALL.map(|letter| map.cell(letter, grade))).flatten().count()
     };
     assert!(300 < count(&session));
-    apply(&mut session, Command::UseSource(SourceChoice::ControlTables));
+    apply(&mut session, Command::UseSource(Base::ControlTables));
     assert!(0 < count(&session) && count(&session) <= 47);
     assert!(session.fit().fit().is_some());
     apply(&mut session, Field::from(FitField::Callout).typed("25 H7/zc9".into()));
@@ -263,7 +262,7 @@ fn a_search_follows_the_sources() {
     let mut session = with(&[&[(FitField::Callout, "25 H7/g6")][..], &wanted].concat());
     let total = |session: &Session| session.fit().found().unwrap().unwrap().total;
     let all = total(&session);
-    apply(&mut session, Command::UseSource(SourceChoice::ControlTables));
+    apply(&mut session, Command::UseSource(Base::ControlTables));
     assert!(total(&session) < all, "the control has 47 classes");
     let pairs = session.fit().found().unwrap().unwrap().candidates.clone();
     assert!(pairs.iter().all(|pair| session.fit().is_defined(pair.hole, pair.shaft)));

@@ -4,13 +4,11 @@
 
 use std::path::PathBuf;
 
-use fitcheck::control::variables::{Parameter, Value};
+use fitcheck::control::variables::{Family, Parameter, Value};
 use fitcheck::message::Message;
 use fitcheck::nc::machine::BlockPlace;
-use fitcheck::session::program::{
-    Agreement, BlockStep, Document, Input, ProblemKind, Run, Speed, State, Switch, WorkpieceFrom,
-};
-use fitcheck::session::{Command, Effect, Page, ProgramCommand, ProgramField, Purpose, Session};
+use fitcheck::session::program::{Agreement, Document, Input, NoteKind, Run, Speed, State, Switch, WorkpieceFrom};
+use fitcheck::session::{Command, Effect, Page, ProgramCommand, ProgramField, Purpose, Session, Step};
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
@@ -230,7 +228,7 @@ fn an_endless_loop_ends_by_its_budget() {
         send(&mut session, ProgramCommand::Tick);
     }
     assert_eq!(run(&session).state(), State::Faulted);
-    let problem = session.program().problem(0).unwrap();
+    let problem = session.program().note(0).unwrap();
     assert!(said(&problem.message).contains("limit of 10000000 blocks reached"), "{}", said(&problem.message));
 }
 
@@ -308,16 +306,16 @@ fn problems_name_their_block() {
     let mut session = opened("5 Q1 = 1\nCP IPA+360 DR+\n3 Q2 = 0\nQ3 = Q1 / Q2");
     send(&mut session, ProgramCommand::Toggle(Switch::SkipUnknown));
     send(&mut session, ProgramCommand::Run);
-    let problems: Vec<_> = (0..session.program().problem_count())
-        .filter_map(|number| session.program().problem(number))
+    let problems: Vec<_> = (0..session.program().note_count())
+        .filter_map(|number| session.program().note(number))
         .map(|problem| (problem.kind, problem.place.block))
         .collect();
-    assert_eq!(problems.first(), Some(&(ProblemKind::Fault, 4)), "{problems:?}");
-    assert_eq!(problems.get(1), Some(&(ProblemKind::Remark, 2)), "{problems:?}");
+    assert_eq!(problems.first(), Some(&(NoteKind::Error, 4)), "{problems:?}");
+    assert_eq!(problems.get(1), Some(&(NoteKind::Remark, 2)), "{problems:?}");
     // Block number 3 behind block number 5.
-    assert_eq!(problems.get(2), Some(&(ProblemKind::Warning, 3)), "{problems:?}");
-    assert!(session.program().problem(problems.len()).is_none());
-    let place = session.program().problem(1).unwrap().place;
+    assert_eq!(problems.get(2), Some(&(NoteKind::Warning, 3)), "{problems:?}");
+    assert!(session.program().note(problems.len()).is_none());
+    let place = session.program().note(1).unwrap().place;
     send(&mut session, ProgramCommand::GoTo(place));
     assert_eq!(session.program().shown().unwrap().selected(), 2);
 }
@@ -325,14 +323,9 @@ fn problems_name_their_block() {
 #[test]
 fn the_selection_stays_within_the_program() {
     let mut session = opened("Q1 = 1");
-    for (step, expected) in [
-        (BlockStep::Up, 0),
-        (BlockStep::PageDown, 2),
-        (BlockStep::Down, 2),
-        (BlockStep::First, 0),
-        (BlockStep::Last, 2),
-        (BlockStep::PageUp, 0),
-    ] {
+    for (step, expected) in
+        [(Step::Up, 0), (Step::PageDown, 2), (Step::Down, 2), (Step::First, 0), (Step::Last, 2), (Step::PageUp, 0)]
+    {
         send(&mut session, ProgramCommand::Move(step));
         assert_eq!(session.program().shown().unwrap().selected(), expected, "{step:?}");
     }
@@ -358,7 +351,7 @@ fn a_program_is_opened_by_the_dialog() {
     let mut session = session();
     session.apply(Command::OpenDialog(Purpose::OpenProgram), now());
     let effects = session.apply(Command::Picked(Some(PathBuf::from("/parts/a.h"))), now());
-    assert_eq!(effects, [Effect::ReadProgram(PathBuf::from("/parts/a.h"))]);
+    assert_eq!(effects, [Effect::Read(Purpose::OpenProgram, PathBuf::from("/parts/a.h"))]);
     let problem = Message::new("program-empty");
     send(&mut session, ProgramCommand::Read { path: PathBuf::from("/parts/a.h"), result: Err(problem.clone()) });
     assert_eq!(session.dialog().unwrap().problem, Some(problem));
@@ -372,4 +365,33 @@ fn recorded_contacts_are_asked_for() {
     send(&mut session, ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Recorded));
     assert!(session.dialog().is_some());
     assert_eq!(session.program().workpiece(), WorkpieceFrom::Perfect);
+}
+
+#[test]
+fn only_plain_values_before_the_first_call_are_inputs() {
+    let body = "1 * - Head\n2 Q1 = 25\n3 DECLARE STRING QS1 = \"H7\"\n4 Q11 = Q1 + 1\n\
+        5 Q31 = - 5.5\n6 Q1 = 30\n7 CALL PGM y.h\n8 Q41 = 0";
+    let session = opened(body);
+    let program = session.program();
+    let found: Vec<_> = program.inputs().map(|input| (input, program.text(ProgramField::Input(input)))).collect();
+    assert_eq!(found, [(Input::Size, "25"), (Input::Class, "H7"), (Input::Height, "-5.5")]);
+}
+
+#[test]
+fn parameters_are_named_as_on_the_control() {
+    #[track_caller]
+    fn check(name: &str, expected: Option<Parameter>) {
+        let mut session = opened("1 Q1 = 25");
+        type_text(&mut session, ProgramField::Name, name);
+        type_text(&mut session, ProgramField::Value, "7");
+        send(&mut session, ProgramCommand::SetValue);
+        assert_eq!(session.program().given().map(|(parameter, _)| parameter).next(), expected, "{name}");
+        assert_eq!(session.program().error(ProgramField::Name).is_none(), expected.is_some(), "{name}");
+    }
+    check("q5", Some(Parameter::q(5)));
+    check(" QS 12", Some(Parameter::qs(12)));
+    check("QL499", Some(Parameter { family: Family::Ql, number: 499 }));
+    for text in ["", "Q", "5", "QL500", "Q2000", "QX1", "Q1a", "Q99999"] {
+        check(text, None);
+    }
 }

@@ -5,8 +5,8 @@
 use std::path::{Path, PathBuf};
 
 use fitcheck::control::deviations::read_table;
-use fitcheck::session::tables::{Document, Origin, Step, TableChoice};
-use fitcheck::session::{CheckField, Command, Effect, Field, Page, Purpose, Session, TablesCommand, TablesField};
+use fitcheck::session::tables::{Document, Origin, TableChoice};
+use fitcheck::session::{CheckField, Command, Effect, Field, Page, Purpose, Session, Step, TablesCommand, TablesField};
 use fitcheck::tolerance::DeviationTable;
 use fitcheck::tolerance::iso286::{JsHalves, Options};
 use fitcheck::words::{Language, Words};
@@ -424,7 +424,7 @@ fn a_file_is_not_opened_while_the_cell_cannot_be_read_and_one_that_was_read_is_s
     assert_eq!(session.apply(Command::Confirm, now()), []);
     assert!(session.dialog().unwrap().problem.is_some());
     send(&mut session, TablesCommand::RevertCell);
-    assert_eq!(session.apply(Command::Confirm, now()), [Effect::ReadTable("/shop/own.tab".into())]);
+    assert_eq!(session.apply(Command::Confirm, now()), [Effect::Read(Purpose::OpenTable, "/shop/own.tab".into())]);
 }
 
 #[test]

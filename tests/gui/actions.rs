@@ -179,7 +179,7 @@ fn keys_of_the_cycles_page() {
     pair.send(CyclesCommand::TypeBlock(block.to_owned()));
     pair.send(CyclesCommand::TakeBlock);
     pair.press_all();
-    pair.press(Action::StepPath(Step::Back).shortcuts().next().unwrap());
+    pair.press(Action::StepPath(Step::Left).shortcuts().next().unwrap());
     let done = pair.done.iter().filter(|name| name.starts_with("StepPath") || name.starts_with("RunCycle")).count();
     assert_eq!(done, 5);
 }

@@ -1,13 +1,13 @@
 //! Left: what is asked. Callout, limits, measured value, probe position, simulated workpiece.
 
-use eframe::egui::{Button, CollapsingHeader, Grid, RichText, Ui, vec2};
+use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
 
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
-use crate::gui::field::{Look, error_ui, field_ui};
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::field::{self, Look, Pairs, error_ui, field_ui};
+use crate::gui::limits::{self, feature_id};
+use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, heading, quiet};
-use crate::length::Length;
-use crate::message::{Message, Say as _};
+use crate::message::Message;
 use crate::session::{Action, CheckCommand, CheckField, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 
@@ -43,9 +43,9 @@ fn callout_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// Hole or shaft, where the callout does not say it.
 fn feature_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
-        for (feature, id) in [(Feature::Hole, "feature-hole"), (Feature::Shaft, "feature-shaft")] {
+        for feature in [Feature::Hole, Feature::Shaft] {
             feature_picture(ui, feature, space(6.0));
-            if ui.radio(view.session.check().feature() == Some(feature), view.text(id)).clicked() {
+            if ui.radio(view.session.check().feature() == Some(feature), view.text(feature_id(feature))).clicked() {
                 view.send(CheckCommand::ChooseFeature(feature));
             }
         }
@@ -56,25 +56,10 @@ fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
         feature_picture(ui, limits.feature, space(6.0));
-        let word = match limits.feature {
-            Feature::Hole => "feature-hole",
-            Feature::Shaft => "feature-shaft",
-        };
-        ui.label(view.text(word));
+        ui.label(view.text(feature_id(limits.feature)));
         quiet(ui, view.words.say(&Message::new("nominal-is").mm("nominal", limits.nominal)));
     });
-    Grid::new("limits").num_columns(3).min_row_height(0.0).spacing(vec2(space(4.0), 0.0)).show(ui, |ui| {
-        let mut row = |id: &str, size: Length, deviation: Length| {
-            ui.label(view.text(id));
-            let font = theme::bold(sizes().limits);
-            ui.label(RichText::new(view.words.mm(size, 3)).font(font));
-            quiet(ui, format!("{} µm", view.words.signed_um(deviation)));
-            ui.end_row();
-        };
-        row("maximum", limits.maximum(), limits.deviations.upper());
-        row("minimum", limits.minimum(), limits.deviations.lower());
-    });
-    quiet(ui, view.words.say(&Message::new("from-source").message("source", limits.source.message())));
+    limits::limits_ui(ui, view, limits);
     if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
         let by = limits.deviations.minus(standard);
         let instead = Message::new("source-overrides")
@@ -109,10 +94,7 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.button_as(ui, Action::Keypad, keypad);
     });
     ui.horizontal(|ui| {
-        let palette = palette(ui.ctx());
-        let text = RichText::new(view.text("measure")).color(palette.on_accent.0).font(theme::bold(sizes().body));
-        let button = Button::new(text).fill(palette.accent.0).min_size(vec2(width * 0.6, sizes().touch));
-        view.button_as(ui, Action::Measure, button);
+        view.main_button(ui, Action::Measure, vec2(width * 0.6, sizes().touch));
         let clear = view.named(Action::ClearResult).min_size(vec2(0.0, sizes().touch));
         view.button_as(ui, Action::ClearResult, clear);
     });
@@ -125,7 +107,10 @@ fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
             let name = ui.label(view.text("nominal-size"));
             let class = ui.label(view.text("tolerance-class"));
             ui.end_row();
-            number_ui(ui, view, CheckField::Nominal, name.id, "mm");
+            ui.horizontal(|ui| {
+                field_ui(ui, view, CheckField::Nominal, name.id, Look::number(space(22.0)));
+                quiet(ui, "mm");
+            });
             class_chooser_ui(ui, view, class.id);
             ui.end_row();
         },
@@ -141,7 +126,6 @@ fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
     pairs_ui(
         ui,
         view,
-        "position",
         &[
             (CheckField::CentreX, "centre-x", "mm"),
             (CheckField::CentreY, "centre-y", "mm"),
@@ -159,7 +143,6 @@ fn simulation_ui(ui: &mut Ui, view: &mut View<'_>) {
         pairs_ui(
             ui,
             view,
-            "simulation",
             &[
                 (CheckField::TrueDiameter, "true-diameter", "mm"),
                 (CheckField::Seed, "seed", ""),
@@ -175,31 +158,8 @@ fn simulation_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
-/// Two fields a row, each with its name above it and its error below the row.
-fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, id: &str, fields: &[(CheckField, &str, &str)]) {
-    for pair in fields.chunks(2) {
-        Grid::new((id, pair.first().map(|(field, ..)| *field)))
-            .num_columns(2)
-            .min_row_height(0.0)
-            .min_col_width(space(31.0))
-            .spacing(vec2(space(2.0), space(0.5)))
-            .show(ui, |ui| {
-                let names: Vec<_> = pair.iter().map(|(_, name, _)| quiet(ui, view.text(name)).id).collect();
-                ui.end_row();
-                for ((field, _, unit), name) in pair.iter().zip(names) {
-                    number_ui(ui, view, *field, name, unit);
-                }
-                ui.end_row();
-            });
-        for (field, ..) in pair {
-            error_ui(ui, view, *field);
-        }
-    }
-}
-
-fn number_ui(ui: &mut Ui, view: &mut View<'_>, field: CheckField, name: eframe::egui::Id, unit: &str) {
-    ui.horizontal(|ui| {
-        field_ui(ui, view, field, name, Look::number(space(22.0)));
-        quiet(ui, unit);
-    });
+fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[(CheckField, &str, &str)]) {
+    let fields: Vec<_> = fields.iter().map(|(field, name, unit)| ((*field).into(), view.text(name), *unit)).collect();
+    let pairs = Pairs { column: space(31.0), field: |_: &str| space(22.0), gap: space(2.0) };
+    field::pairs_ui(ui, view, &pairs, &fields);
 }

@@ -4,6 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, Ui, WidgetInfo, pos2, vec2};
 use egui_plot::{AxisHints, GridMark, PlotBounds, PlotTransform, VLine, VPlacement};
 
+use crate::gui::limits::feature_id;
 use crate::gui::shapes::{self, Hatch};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{Digits, View, heading, quiet, still_plot};
@@ -33,10 +34,7 @@ pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
 }
 
 fn title(view: &View<'_>, limits: &Limits) -> String {
-    let feature = view.text(match limits.feature {
-        Feature::Hole => "feature-hole",
-        Feature::Shaft => "feature-shaft",
-    });
+    let feature = view.text(feature_id(limits.feature));
     match view.session.check().asked().callout() {
         Some(callout) => format!("{callout}, {feature}"),
         None => feature,

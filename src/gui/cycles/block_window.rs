@@ -1,8 +1,8 @@
 //! An NC block, typed or pasted, that fills the form.
 
-use eframe::egui::{Align2, Button, Id, TextEdit, Ui, Window, vec2};
+use eframe::egui::{Align2, Button, Id, TextEdit, Ui, vec2};
 
-use crate::gui::dialogs::just_opened;
+use crate::gui::dialogs::{fixed_window, just_opened};
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, problem, quiet};
 use crate::session::{Action, CyclesCommand};
@@ -10,37 +10,32 @@ use crate::session::{Action, CyclesCommand};
 /// The window, where it is open.
 pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
     let Some(mut text) = view.session.cycles().block().map(str::to_owned) else { return };
-    Window::new(view.text("cycles-block"))
-        .id(Id::unique("cycle-block"))
-        .anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0))
-        .collapsible(false)
-        .resizable(false)
-        .show(ui, |ui| {
-            ui.set_width(space(140.0));
-            let name = quiet(ui, view.text("cycles-block-hint"));
-            let id = Id::unique("cycle-block-text");
-            let edit = TextEdit::multiline(&mut text)
-                .id(id)
-                .font(theme::mono(sizes().mono))
-                .desired_rows(12)
-                .desired_width(f32::INFINITY);
-            let response = ui.add(edit).labelled_by(name.id);
-            if just_opened(ui, id) {
-                response.request_focus();
+    fixed_window("cycle-block", view.text("cycles-block"), Align2::CENTER_CENTER, 0.0).show(ui, |ui| {
+        ui.set_width(space(140.0));
+        let name = quiet(ui, view.text("cycles-block-hint"));
+        let id = Id::unique("cycle-block-text");
+        let edit = TextEdit::multiline(&mut text)
+            .id(id)
+            .font(theme::mono(sizes().mono))
+            .desired_rows(12)
+            .desired_width(f32::INFINITY);
+        let response = ui.add(edit).labelled_by(name.id);
+        if just_opened(ui, id) {
+            response.request_focus();
+        }
+        if response.changed() {
+            view.send(CyclesCommand::TypeBlock(text.clone()));
+        }
+        if let Some(error) = view.session.cycles().block_problem() {
+            problem(ui, view.words.say(error));
+        }
+        ui.horizontal(|ui| {
+            let size = vec2(space(24.0), sizes().touch);
+            let fill = view.named(Action::TakeBlock).min_size(size);
+            view.button_as(ui, Action::TakeBlock, fill);
+            if ui.add(Button::new(view.text("dialog-cancel")).min_size(size)).clicked() {
+                view.send(CyclesCommand::ShowBlock(false));
             }
-            if response.changed() {
-                view.send(CyclesCommand::TypeBlock(text.clone()));
-            }
-            if let Some(error) = view.session.cycles().block_problem() {
-                problem(ui, view.words.say(error));
-            }
-            ui.horizontal(|ui| {
-                let size = vec2(space(24.0), sizes().touch);
-                let fill = view.named(Action::TakeBlock).min_size(size);
-                view.button_as(ui, Action::TakeBlock, fill);
-                if ui.add(Button::new(view.text("dialog-cancel")).min_size(size)).clicked() {
-                    view.send(CyclesCommand::ShowBlock(false));
-                }
-            });
         });
+    });
 }

@@ -1,11 +1,11 @@
 //! Left: the cycle, where its contacts come from, and its parameters, made from the declaration.
 
-use eframe::egui::{Button, CollapsingHeader, ComboBox, Id, RichText, Ui, vec2};
+use eframe::egui::{CollapsingHeader, Id, Ui, vec2};
 
 use super::parameter_row::{figure_ui, parameter_ui};
 use super::{column_ui, keep_focus, opener_ui};
 use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
+use crate::gui::view::{View, heading, list_ui, problem, quiet, quiet_cut};
 use crate::message::Message;
 use crate::probing::cycle::{Cycle, Key};
 use crate::probing::cycles::CYCLES;
@@ -35,22 +35,17 @@ fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("cycles-cycle"));
     let chosen = view.session.cycles().cycle();
     let mut is_picked = false;
-    let list = ComboBox::from_id_salt("cycle")
-        .selected_text(title(view, chosen))
-        .width(ui.available_width() - space(2.5))
-        .truncate()
-        .height(list_height(ui))
-        .show_ui(ui, |ui| {
-            for cycle in CYCLES {
-                if ui.selectable_label(cycle.number == chosen.number, title(view, cycle)).clicked() {
-                    view.send(CyclesCommand::Choose(cycle.number));
-                    is_picked = true;
-                    ui.close();
-                }
+    let width = ui.available_width() - space(2.5);
+    let list = list_ui(ui, "cycle", title(view, chosen), width, |ui| {
+        for cycle in CYCLES {
+            if ui.selectable_label(cycle.number == chosen.number, title(view, cycle)).clicked() {
+                view.send(CyclesCommand::Choose(cycle.number));
+                is_picked = true;
+                ui.close();
             }
-        })
-        .response
-        .labelled_by(name.id);
+        }
+    });
+    let list = list.labelled_by(name.id);
     if is_picked {
         keep_focus(ui, &list);
     }
@@ -113,28 +108,23 @@ fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
         let name = quiet(ui, view.text("cycles-probe"));
         let probe = page.probe();
         let mut is_picked = false;
-        let list = ComboBox::from_id_salt("cycle-probe")
-            .selected_text(probe.number.to_string())
-            .width(space(14.0))
-            .height(list_height(ui))
-            .show_ui(ui, |ui| {
-                for row in page.probes() {
-                    if ui.selectable_label(row.number == probe.number, row.number.to_string()).clicked() {
-                        view.send(CyclesCommand::ChooseProbe(row.number));
-                        is_picked = true;
-                        ui.close();
-                    }
-                }
-                if view.button(ui, Action::OpenProbes).clicked() {
-                    ui.close();
-                }
-                if page.probes_name().is_some() && view.button(ui, Action::ShippedProbes).clicked() {
+        let list = list_ui(ui, "cycle-probe", probe.number.to_string(), space(14.0), |ui| {
+            for row in page.probes() {
+                if ui.selectable_label(row.number == probe.number, row.number.to_string()).clicked() {
+                    view.send(CyclesCommand::ChooseProbe(row.number));
                     is_picked = true;
                     ui.close();
                 }
-            })
-            .response
-            .labelled_by(name.id);
+            }
+            if view.button(ui, Action::OpenProbes).clicked() {
+                ui.close();
+            }
+            if page.probes_name().is_some() && view.button(ui, Action::ShippedProbes).clicked() {
+                is_picked = true;
+                ui.close();
+            }
+        });
+        let list = list.labelled_by(name.id);
         if is_picked {
             keep_focus(ui, &list);
         }
@@ -154,9 +144,7 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
         };
         let widths = [small(ui, "clear"), small(ui, "keypad")];
         let width = ui.available_width() - widths.iter().sum::<f32>() - space(5.0);
-        let text = RichText::new(view.text("cycles-run")).color(palette.on_accent.0).font(theme::bold(sizes().body));
-        let button = Button::new(text).fill(palette.accent.0).min_size(vec2(width, sizes().touch));
-        view.button_as(ui, Action::RunCycle, button);
+        view.main_button(ui, Action::RunCycle, vec2(width, sizes().touch));
         let clear = view.named(Action::ClearCycle).min_size(vec2(0.0, sizes().touch));
         view.button_as(ui, Action::ClearCycle, clear);
         let keypad = view.named(Action::Keypad).selected(view.session.has_keypad());

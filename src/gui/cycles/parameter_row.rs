@@ -1,11 +1,11 @@
 //! One parameter of a cycle: the control's question, a field or a choice, the unit, and an error below.
 
-use eframe::egui::{Align, ComboBox, Event, Id, Layout, Response, RichText, Ui, vec2};
+use eframe::egui::{Align, Event, Id, Layout, Response, RichText, Ui, vec2};
 
 use super::{keep_focus, wrong_field};
 use crate::gui::field::{Look, error_ui, field_ui, select_all};
 use crate::gui::theme::{palette, sizes, space};
-use crate::gui::view::{View, list_height, quiet, quiet_cut};
+use crate::gui::view::{View, list_ui, quiet, quiet_cut};
 use crate::probing::cycle::{Meaning, Parameter, Range, Unset, Value};
 use crate::session::{CycleField, CyclesCommand, Field};
 
@@ -115,27 +115,21 @@ fn choice_ui(
         None => RichText::new(typed.clone()),
     };
     let mut choice = None;
-    let response = ComboBox::from_id_salt(("cycle-choice", key))
-        .selected_text(shown)
-        .width(space(FIELD + UNIT - 1.0))
-        .truncate()
-        .height(list_height(ui))
-        .show_ui(ui, |ui| {
-            ui.set_min_width(space(60.0));
-            for number in allowed.iter().copied() {
-                if ui.selectable_label(chosen == Some(number), said(number)).clicked() {
-                    choice = Some(number.to_string());
-                    ui.close();
-                }
-            }
-            let predef = Value::Predef.to_string();
-            if parameter.may_be_predef && ui.selectable_label(typed == predef, predef.as_str()).clicked() {
-                choice = Some(predef);
+    let list = list_ui(ui, ("cycle-choice", key), shown, space(FIELD + UNIT - 1.0), |ui| {
+        ui.set_min_width(space(60.0));
+        for number in allowed.iter().copied() {
+            if ui.selectable_label(chosen == Some(number), said(number)).clicked() {
+                choice = Some(number.to_string());
                 ui.close();
             }
-        })
-        .response
-        .labelled_by(name);
+        }
+        let predef = Value::Predef.to_string();
+        if parameter.may_be_predef && ui.selectable_label(typed == predef, predef.as_str()).clicked() {
+            choice = Some(predef);
+            ui.close();
+        }
+    });
+    let response = list.labelled_by(name);
     if choice.is_some() {
         keep_focus(ui, &response);
     } else if response.has_focus() {

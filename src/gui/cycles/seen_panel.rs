@@ -113,7 +113,7 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
 fn steps_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space(1.0);
-        for step in [Step::First, Step::Back, Step::Next, Step::Last].map(Action::StepPath) {
+        for step in Step::PATH.map(Action::StepPath) {
             let button = view.named(step).min_size(vec2(space(14.0), sizes().touch));
             view.button_as(ui, step, button);
         }
@@ -122,7 +122,7 @@ fn steps_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
         let slider = Slider::new(&mut number, 1..=count).show_value(false);
         let slider = ui.add_enabled(1 < count, slider).accessible_name(view.text("cycles-move"));
         if slider.changed() {
-            view.send(CyclesCommand::Step(Step::To(number.saturating_sub(1))));
+            view.send(CyclesCommand::StepTo(number.saturating_sub(1)));
         }
     });
 }

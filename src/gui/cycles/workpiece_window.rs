@@ -1,10 +1,10 @@
 //! The dialog of the simulated workpiece: surface, probe, scatter, temperature, all from one seed and one file.
 
-use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, Window, vec2};
+use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, vec2};
 
 use super::follow_focus;
 use super::parameter_row::figure_ui;
-use crate::gui::dialogs::just_opened;
+use crate::gui::dialogs::{fixed_window, just_opened};
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
@@ -17,12 +17,8 @@ pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
         return;
     }
     let size = ui.ctx().content_rect().size();
-    let window = Window::new(view.text("simulated-workpiece"))
-        .id(Id::unique("workpiece"))
-        .anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0))
-        .collapsible(false)
-        .resizable(false)
-        .show(ui, |ui| {
+    let window =
+        fixed_window("workpiece", view.text("simulated-workpiece"), Align2::CENTER_CENTER, 0.0).show(ui, |ui| {
             ui.set_width((size.x * 0.9).min(space(200.0)));
             ScrollArea::vertical().max_height(size.y - space(50.0)).show(ui, |ui| {
                 content_ui(ui, view);
@@ -67,11 +63,11 @@ fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
             left.spacing_mut().item_spacing.y = space(1.0);
             right.spacing_mut().item_spacing.y = space(1.0);
             heading(left, view.text(&shape_id(shape)));
-            fields_ui(left, view, WorkpieceField::of(shape));
+            fields_ui(left, view, &WorkpieceField::of(shape));
             heading(right, view.text("workpiece-probe"));
-            fields_ui(right, view, WorkpieceField::PROBE);
+            fields_ui(right, view, WorkpieceField::of_probe());
             heading(right, view.text("workpiece-machine"));
-            fields_ui(right, view, WorkpieceField::MACHINE);
+            fields_ui(right, view, WorkpieceField::of_machine());
         }
     });
 }

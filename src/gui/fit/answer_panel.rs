@@ -4,16 +4,17 @@ use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{Align, Button, Frame, Grid, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use crate::gui::class_chooser::feature_picture;
+use crate::gui::limits::{self, feature_id};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
-use crate::gui::view::{View, heading, problem, quiet};
+use crate::gui::view::{View, heading, live, problem, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::session::{Action, Equivalent, FitCommand, Parts, WarmFit, extremes};
+use crate::tolerance::Feature;
 use crate::tolerance::fit::preferred::{function, preference};
 use crate::tolerance::fit::{Fit, Kind, basis};
-use crate::tolerance::{Feature, Limits};
 use crate::verdict::Status;
 use crate::verdict::fit::{Actual, Possible};
 
@@ -82,8 +83,7 @@ fn card_ui(ui: &mut Ui, view: &View<'_>, fit: Option<&Fit>) {
     });
     let said = said.join(". ");
     let response = ui.interact(card.response.rect, ui.scope_id().with("kind"), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Polite));
+    live(ui, &response, &said, Live::Polite);
 }
 
 /// The ends of the range and its middle, by name; answers with what a screen reader says.
@@ -122,40 +122,20 @@ fn said_of_ui(ui: &mut Ui, view: &View<'_>) {
 
 /// Both parts' limits, where they come from, and the way to the check page.
 fn limits_ui(ui: &mut Ui, view: &mut View<'_>, fit: &Fit) {
-    for (limits, part) in [(fit.hole(), "feature-hole"), (fit.shaft(), "feature-shaft")] {
+    for limits in [fit.hole(), fit.shaft()] {
         let class = view.session.fit().class(limits.feature);
         let class = class.map(|class| class.to_string()).unwrap_or_default();
         ui.horizontal(|ui| {
             ui.spacing_mut().interact_size.y = 0.0;
             feature_picture(ui, limits.feature, space(6.0));
-            heading(ui, format!("{} {class}", view.text(part)));
+            heading(ui, format!("{} {class}", view.text(feature_id(limits.feature))));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let check = Action::CheckPart(limits.feature);
-                let button = view.named(check).min_size(vec2(0.0, sizes().field));
-                view.button_as(ui, check, button);
+                view.field_button(ui, Action::CheckPart(limits.feature));
             });
         });
-        sizes_ui(ui, view, limits);
-        quiet(ui, view.words.say(&Message::new("from-source").message("source", limits.source.message())));
+        limits::limits_ui(ui, view, limits);
         ui.add_space(space(1.0));
     }
-}
-
-fn sizes_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
-    Grid::new(("fit-limits", limits.feature)).num_columns(3).min_row_height(0.0).spacing(vec2(space(4.0), 0.0)).show(
-        ui,
-        |ui| {
-            for (id, size, deviation) in [
-                ("maximum", limits.maximum(), limits.deviations.upper()),
-                ("minimum", limits.minimum(), limits.deviations.lower()),
-            ] {
-                ui.label(view.text(id));
-                ui.label(RichText::new(view.words.mm(size, 3)).font(theme::bold(sizes().limits)));
-                quiet(ui, format!("{} µm", view.words.signed_um(deviation)));
-                ui.end_row();
-            }
-        },
-    );
 }
 
 /// The same fit in the other basis, to be taken over.
@@ -215,10 +195,7 @@ fn one_ui(ui: &mut Ui, view: &View<'_>, possible: &Possible) {
 /// A measured part and its own verdict: word, shape and colour.
 fn part_ui(ui: &mut Ui, view: &View<'_>, part: Feature, measured: Length, status: Status) {
     let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
-    let part = view.text(match part {
-        Feature::Hole => "feature-hole",
-        Feature::Shaft => "feature-shaft",
-    });
+    let part = view.text(feature_id(part));
     let word = view.text(status_id(Some(status)));
     let said = format!("{part} {word}");
     ui.horizontal(|ui| {

@@ -1,10 +1,10 @@
 //! Left, above: the callout of the fit, and fits to pick from. Picking keeps the nominal size.
 
-use eframe::egui::{Button, ComboBox, Grid, Id, Ui, vec2};
+use eframe::egui::{Button, Grid, Id, Ui, vec2};
 
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{sizes, space};
-use crate::gui::view::{View, heading, list_height, quiet};
+use crate::gui::view::{View, heading, list_ui, quiet};
 use crate::session::{FitCommand, FitField};
 use crate::tolerance::ToleranceClass;
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
@@ -38,22 +38,11 @@ fn pair(view: &View<'_>) -> Option<(ToleranceClass, ToleranceClass)> {
     view.session.fit().class(Hole).zip(view.session.fit().class(Shaft))
 }
 
-fn list_ui(ui: &mut Ui, (salt, name): (&str, Id), shown: String, width: f32, content: impl FnOnce(&mut Ui)) {
-    ComboBox::from_id_salt(salt)
-        .selected_text(shown)
-        .width(width)
-        .truncate()
-        .height(list_height(ui))
-        .show_ui(ui, content)
-        .response
-        .labelled_by(name);
-}
-
 /// The preferred fits of ISO 286-1, hole basis and shaft basis.
 fn preferred_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
     let chosen = pair(view).filter(|(hole, shaft)| preference(*hole, *shaft).is_some());
     let shown = chosen.map_or_else(|| view.text("class-none"), |(hole, shaft)| format!("{hole}/{shaft}"));
-    list_ui(ui, ("fit-preferred", name), shown, width, |ui| {
+    let list = list_ui(ui, "fit-preferred", shown, width, |ui| {
         ui.set_min_width(space(210.0));
         for (list, title) in
             [(Preference::HoleBasis, "fit-list-hole-basis"), (Preference::ShaftBasis, "fit-list-shaft-basis")]
@@ -73,6 +62,7 @@ fn preferred_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
             });
         }
     });
+    list.labelled_by(name);
 }
 
 /// The functions that ANSI B4.2 names, each in both bases.
@@ -80,7 +70,7 @@ fn function_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
     let chosen = pair(view);
     let is = chosen.and_then(|(hole, shaft)| function(hole, shaft));
     let shown = is.map_or_else(|| view.text("class-none"), |function| view.words.told(&function));
-    list_ui(ui, ("fit-function", name), shown, width, |ui| {
+    let list = list_ui(ui, "fit-function", shown, width, |ui| {
         Grid::new("fit-functions").num_columns(3).spacing(vec2(space(2.0), space(1.0))).show(ui, |ui| {
             for function in Function::ALL {
                 ui.label(view.words.told(&function));
@@ -97,4 +87,5 @@ fn function_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
             }
         });
     });
+    list.labelled_by(name);
 }

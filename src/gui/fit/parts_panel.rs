@@ -1,10 +1,10 @@
 //! Left: the measured parts; the temperature, and what the parts are made of.
 
-use eframe::egui::{ComboBox, Grid, Id, Ui, vec2};
+use eframe::egui::{Grid, Id, Ui, vec2};
 
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{Look, Pairs, error_ui, field_ui, pairs_ui};
 use crate::gui::theme::space;
-use crate::gui::view::{View, heading, list_height, quiet};
+use crate::gui::view::{View, heading, list_ui, quiet};
 use crate::session::{FitCommand, FitField};
 use crate::tolerance::Feature;
 
@@ -20,39 +20,18 @@ pub(super) fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// Two fields beside each other, each with its name above it and its error below.
 pub(super) fn pair_ui(ui: &mut Ui, view: &mut View<'_>, fields: [(FitField, &str, &str); 2]) {
-    let [first, ..] = fields;
-    let width = (ui.available_width() - space(2.0)) / 2.0;
-    Grid::new(("fit-pair", first.0))
-        .num_columns(2)
-        .min_row_height(0.0)
-        .min_col_width(width)
-        .spacing(vec2(space(2.0), space(0.5)))
-        .show(ui, |ui| {
-            let names = fields.map(|(_, name, _)| quiet(ui, view.text(name)).id);
-            ui.end_row();
-            for ((field, _, unit), name) in fields.into_iter().zip(names) {
-                number_ui(ui, view, field, name, width - space(8.0), unit);
-            }
-            ui.end_row();
-        });
-    for (field, ..) in fields {
-        error_ui(ui, view, field);
-    }
-}
-
-fn number_ui(ui: &mut Ui, view: &mut View<'_>, field: FitField, name: Id, width: f32, unit: &str) {
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = space(1.0);
-        field_ui(ui, view, field, name, Look::number(width));
-        quiet(ui, unit);
-    });
+    let column = (ui.available_width() - space(2.0)) / 2.0;
+    let pairs = Pairs { column, field: |_: &str| column - space(8.0), gap: space(1.0) };
+    pairs_ui(ui, view, &pairs, &fields.map(|(field, name, unit)| (field.into(), view.text(name), unit)));
 }
 
 /// The temperature of both parts and their materials.
 pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let name = heading(ui, view.text("fit-temperature"));
-        number_ui(ui, view, FitField::Temperature, name.id, space(16.0), "°C");
+        ui.spacing_mut().item_spacing.x = space(1.0);
+        field_ui(ui, view, FitField::Temperature, name.id, Look::number(space(16.0)));
+        quiet(ui, "°C");
     });
     error_ui(ui, view, FitField::Temperature);
     let width = (ui.available_width() - space(2.0)) / 2.0;
@@ -83,25 +62,19 @@ fn material_ui(ui: &mut Ui, view: &mut View<'_>, part: Feature, name: Id, width:
     let now = view.session.fit().expansion(part);
     let chosen = view.session.materials().iter().find(|material| Some(material.expansion) == now);
     let shown = chosen.map_or_else(|| view.text("fit-own-value"), |material| material.name_in(language).to_owned());
-    let response = ComboBox::from_id_salt(("fit-material", part))
-        .selected_text(shown)
-        .width(width)
-        .truncate()
-        .height(list_height(ui))
-        .show_ui(ui, |ui| {
-            for material in view.session.materials().iter() {
-                let value = view.words.number(&material.expansion.to_string());
-                let text = format!("{}  {value}", material.name_in(language));
-                let is = Some(material.expansion) == now;
-                let certainty = view.words.told(&material.certainty);
-                let source = material.source.as_deref().unwrap_or_default();
-                let hint = if source.is_empty() { certainty } else { format!("{certainty}: {source}") };
-                if ui.selectable_label(is, text).on_hover_text(hint).clicked() {
-                    view.send(FitCommand::ChooseExpansion(part, material.expansion));
-                    ui.close();
-                }
+    let list = list_ui(ui, ("fit-material", part), shown, width, |ui| {
+        for material in view.session.materials().iter() {
+            let value = view.words.number(&material.expansion.to_string());
+            let text = format!("{}  {value}", material.name_in(language));
+            let is = Some(material.expansion) == now;
+            let certainty = view.words.told(&material.certainty);
+            let source = material.source.as_deref().unwrap_or_default();
+            let hint = if source.is_empty() { certainty } else { format!("{certainty}: {source}") };
+            if ui.selectable_label(is, text).on_hover_text(hint).clicked() {
+                view.send(FitCommand::ChooseExpansion(part, material.expansion));
+                ui.close();
             }
-        })
-        .response;
-    response.labelled_by(name);
+        }
+    });
+    list.labelled_by(name);
 }

@@ -4,7 +4,8 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
-use crate::gui::shapes::{self, Hatch};
+use crate::gui::limits::feature_id;
+use crate::gui::shapes::{self, Hatch, screen};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet, quiet_cut};
 use crate::length::Length;
@@ -55,7 +56,7 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
         if let Some(measured) = view.session.fit().length(FitField::measured(limits.feature)) {
             let deviation = words.signed_um(measured.saturating_sub(limits.nominal));
             let message = Message::new("fit-describe-measured")
-                .text("part", words.get(part_id(limits.feature)))
+                .text("part", words.get(feature_id(limits.feature)))
                 .text("deviation", deviation);
             said.push(words.say(&message));
         }
@@ -66,24 +67,11 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
 fn describe_zone(view: &View<'_>, limits: &Limits) -> String {
     let class = view.session.fit().class(limits.feature).map(|class| class.to_string()).unwrap_or_default();
     let message = Message::new("fit-describe-zone")
-        .text("part", view.text(part_id(limits.feature)))
+        .text("part", view.text(feature_id(limits.feature)))
         .text("class", class)
         .text("lower", view.words.signed_um(limits.deviations.lower()))
         .text("upper", view.words.signed_um(limits.deviations.upper()));
     view.words.say(&message)
-}
-
-const fn part_id(part: Feature) -> &'static str {
-    match part {
-        Feature::Hole => "feature-hole",
-        Feature::Shaft => "feature-shaft",
-    }
-}
-
-/// Screen coordinates have fewer digits than the geometry.
-#[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "a place on the screen")]
-pub(super) const fn screen(value: f64) -> f32 {
-    value as f32
 }
 
 /// Least height between two labels of a zone.
@@ -234,7 +222,11 @@ impl<'a> Drawing<'a> {
 
     fn name(&self, x: Rangef, limits: &Limits) {
         let class = self.view.session.fit().class(limits.feature).map(|class| class.to_string()).unwrap_or_default();
-        self.below(x.center(), &format!("{} {class}", self.words.get(part_id(limits.feature))), x.span() + space(4.0));
+        self.below(
+            x.center(),
+            &format!("{} {class}", self.words.get(feature_id(limits.feature))),
+            x.span() + space(4.0),
+        );
     }
 
     /// A name below the picture, on two lines where it is long.

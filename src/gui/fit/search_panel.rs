@@ -1,11 +1,11 @@
 //! Left, below: from a wanted clearance to the pairs of classes that give it. Only the rows in sight are drawn.
 
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{Atom, AtomExt as _, Button, ComboBox, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{Atom, AtomExt as _, Button, RichText, ScrollArea, Ui, vec2};
 
 use super::parts_panel::pair_ui;
 use crate::gui::theme::{self, Hex, palette, sizes, space};
-use crate::gui::view::{View, heading, problem, quiet};
+use crate::gui::view::{View, heading, list_ui, problem, quiet};
 use crate::length::Length;
 use crate::message::Message;
 use crate::session::{FitCommand, FitField};
@@ -35,20 +35,15 @@ pub(super) fn search_ui(ui: &mut Ui, view: &mut View<'_>) {
         let name = quiet(ui, view.text("fit-scope"));
         let width = ui.available_width() - space(2.0);
         let now = view.session.fit().scope();
-        ComboBox::from_id_salt("fit-scope")
-            .selected_text(view.text(scope_id(now)))
-            .width(width)
-            .truncate()
-            .show_ui(ui, |ui| {
-                for scope in [Scope::All, Scope::Basis, Scope::Preferred] {
-                    if ui.selectable_label(scope == now, view.text(scope_id(scope))).clicked() {
-                        view.send(FitCommand::SearchAmong(scope));
-                        ui.close();
-                    }
+        let list = list_ui(ui, "fit-scope", view.text(scope_id(now)), width, |ui| {
+            for scope in [Scope::All, Scope::Basis, Scope::Preferred] {
+                if ui.selectable_label(scope == now, view.text(scope_id(scope))).clicked() {
+                    view.send(FitCommand::SearchAmong(scope));
+                    ui.close();
                 }
-            })
-            .response
-            .labelled_by(name.id);
+            }
+        });
+        list.labelled_by(name.id);
     });
     let session = view.session;
     match session.fit().found() {

@@ -1,14 +1,13 @@
 //! Right: the windows that the program opens, files that it would write, what was measured.
 
-use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{
-    Button, CollapsingHeader, Frame, Label, Margin, RichText, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2,
-};
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Button, CollapsingHeader, Frame, Label, Margin, RichText, Sense, Ui, vec2};
 
+use crate::gui::popup;
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, heading, live, quiet};
 use crate::message::Message;
 use crate::nc::machine::{CycleRun, Window};
 use crate::probing::cycle::Value;
@@ -58,8 +57,7 @@ fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&Run>) {
     });
     let said = std::iter::once(word).chain(measured).collect::<Vec<_>>().join(". ");
     let response = ui.interact(card.response.rect, ui.scope_id().with("verdict"), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Assertive));
+    live(ui, &response, &said, Live::Assertive);
 }
 
 /// The diameter that a cycle measured, or its first result.
@@ -76,24 +74,9 @@ fn main_value(words: &Words, run: &CycleRun) -> Option<String> {
 
 /// A window of FN 16, as the control shows it.
 fn window_ui(ui: &mut Ui, view: &View<'_>, window: &Window) {
-    let palette = palette(ui.ctx());
-    let frame = Frame::new().fill(palette.popup.0).stroke(Stroke::new(2.0, palette.popup_title.0)).corner_radius(2.0);
-    frame.show(ui, |ui| {
-        ui.set_min_width(ui.available_width());
-        Frame::new().fill(palette.popup_title.0).inner_margin(Margin::symmetric(8, 3)).show(ui, |ui| {
-            ui.set_min_width(ui.available_width());
-            let title = Message::new("program-page-window").text("mask", window.mask.file_name());
-            let title = RichText::new(view.words.say(&title)).size(sizes().small).color(palette.on_popup_title.0);
-            ui.label(title);
-        });
-        Frame::new().inner_margin(Margin::same(8)).show(ui, |ui| {
-            let area = ScrollArea::both().id_salt((&window.place.program, window.place.block));
-            area.max_height(space(60.0)).auto_shrink([false, true]).show(ui, |ui| {
-                let text = RichText::new(window.text.trim_end()).font(theme::mono(sizes().mono));
-                ui.add(Label::new(text.color(palette.text.0)).extend().selectable(true));
-            });
-        });
-    });
+    let title = Message::new("program-page-window").text("mask", window.mask.file_name());
+    let salt = (&window.place.program, window.place.block);
+    popup::frame_ui(ui, view.words.say(&title), |ui| popup::text_ui(ui, &window.text, salt));
 }
 
 /// What was measured, one a line: shape, word, cycle, value; a click shows the block.

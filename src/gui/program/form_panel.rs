@@ -1,16 +1,17 @@
 //! Left: the inputs of 8255, what is measured, and program and native answer side by side.
 
-use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Button, ComboBox, Grid, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
 
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{Pairs, pairs_ui};
+use crate::gui::limits::source_ui;
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
-use crate::gui::view::{View, heading, problem, quiet};
-use crate::message::{Message, Say as _};
+use crate::gui::view::{View, heading, list_ui, live, problem, quiet};
+use crate::message::Message;
 use crate::session::program::{Agreement, Input, Run, WorkpieceFrom};
-use crate::session::{Action, ProgramCommand, ProgramField};
+use crate::session::{Action, Field, ProgramCommand, ProgramField};
 use crate::verdict::Status;
 
 /// The panel's content.
@@ -36,39 +37,25 @@ const fn input_id(input: Input) -> &'static str {
     }
 }
 
-/// Two fields a row, each with its parameter and name above it; errors below.
+/// The inputs, each with its parameter and name.
 fn inputs_ui(ui: &mut Ui, view: &mut View<'_>) {
     heading(ui, view.text("program-page-inputs"));
     let inputs: Vec<_> = view.session.program().inputs().collect();
-    for pair in inputs.chunks(2) {
-        let fields = pair.iter().map(|input| {
-            let name = format!("{} {}", input.parameter(), view.text(input_id(*input)));
-            (ProgramField::Input(*input), name, input.unit())
-        });
-        pair_ui(ui, view, &fields.collect::<Vec<_>>());
+    let named = |input: &Input| {
+        let name = format!("{} {}", input.parameter(), view.text(input_id(*input)));
+        (ProgramField::Input(*input).into(), name, input.unit())
+    };
+    let fields: Vec<_> = inputs.iter().map(named).collect();
+    // Each row takes what room there is: a long name may have made more of it.
+    for row in fields.chunks(2) {
+        fields_ui(ui, view, row);
     }
 }
 
-fn pair_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[(ProgramField, String, &str)]) {
-    let width = (ui.available_width() - space(2.0)) / 2.0;
-    let grid = Grid::new(("program-fields", fields.first().map(|(field, ..)| *field)));
-    grid.num_columns(2).min_row_height(0.0).min_col_width(width).spacing(vec2(space(2.0), space(0.5))).show(ui, |ui| {
-        let names: Vec<_> = fields.iter().map(|(_, name, _)| quiet(ui, name).id).collect();
-        ui.end_row();
-        for ((field, _, unit), name) in fields.iter().zip(names) {
-            ui.horizontal(|ui| {
-                let room = if unit.is_empty() { 0.0 } else { space(9.0) };
-                field_ui(ui, view, *field, name, Look::number(width - room - space(2.0)));
-                if !unit.is_empty() {
-                    quiet(ui, *unit);
-                }
-            });
-        }
-        ui.end_row();
-    });
-    for (field, ..) in fields {
-        error_ui(ui, view, *field);
-    }
+fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[(Field, String, &str)]) {
+    let column = (ui.available_width() - space(2.0)) / 2.0;
+    let width = |unit: &str| column - space(if unit.is_empty() { 2.0 } else { 11.0 });
+    pairs_ui(ui, view, &Pairs { column, field: width, gap: space(2.0) }, fields);
 }
 
 /// Fitcheck's own limits and verdict, the program's beside them, and whether they agree.
@@ -112,7 +99,7 @@ fn native_ui(ui: &mut Ui, view: &View<'_>) {
         }
     });
     if let Some(limits) = &limits {
-        quiet(ui, view.words.say(&Message::new("from-source").message("source", limits.source.message())));
+        source_ui(ui, view, limits);
     }
     agreement_ui(ui, view);
 }
@@ -134,8 +121,7 @@ fn agreement_ui(ui: &mut Ui, view: &View<'_>) {
         let colour = if shape == Some(Status::Scrap) { palette.error.0 } else { palette.text.0 };
         shapes::status(ui.painter(), mark, shape, colour);
         let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));
-        label.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
-        ui.ctx().accesskit_node_builder(label.id, |node| node.set_live(Live::Polite));
+        live(ui, &label, &said, Live::Polite);
     });
 }
 
@@ -153,26 +139,24 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("program-page-workpiece"));
     let chosen = view.session.program().workpiece();
     let has_limits = view.session.program().has_inputs();
-    let combo = ComboBox::from_id_salt("program-workpiece").selected_text(view.text(from_id(chosen, has_limits)));
-    let response = combo.width(ui.available_width() - space(2.0)).truncate().show_ui(ui, |ui| {
+    let (shown, width) = (view.text(from_id(chosen, has_limits)), ui.available_width() - space(2.0));
+    let list = list_ui(ui, "program-workpiece", shown, width, |ui| {
         for from in WorkpieceFrom::ALL {
             if ui.selectable_label(chosen == from, view.text(from_id(from, has_limits))).clicked() {
                 view.send(ProgramCommand::ChooseWorkpiece(from));
             }
         }
     });
-    response.response.labelled_by(name.id);
+    list.labelled_by(name.id);
     match chosen {
         WorkpieceFrom::Perfect => {}
         WorkpieceFrom::Given => {
-            let named = |id: &str| view.text(id);
-            let diameter = [(ProgramField::Diameter, named("true-diameter"), "mm")];
-            let centre = [
-                (ProgramField::WorkpieceX, named("program-page-workpiece-x"), "mm"),
-                (ProgramField::WorkpieceY, named("program-page-workpiece-y"), "mm"),
-            ];
-            pair_ui(ui, view, &diameter);
-            pair_ui(ui, view, &centre);
+            let mm = |field: ProgramField, id: &str| (field.into(), view.text(id), "mm");
+            let diameter = [mm(ProgramField::Diameter, "true-diameter")];
+            let x = mm(ProgramField::WorkpieceX, "program-page-workpiece-x");
+            let centre = [x, mm(ProgramField::WorkpieceY, "program-page-workpiece-y")];
+            fields_ui(ui, view, &diameter);
+            fields_ui(ui, view, &centre);
         }
         WorkpieceFrom::Simulated => {
             let button = Button::new(view.text("program-page-edit-workpiece")).min_size(vec2(0.0, sizes().field));

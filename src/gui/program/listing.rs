@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::style::ScrollAnimation;
-use eframe::egui::{Id, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Id, Rect, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::paint;
+use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::Message;
@@ -53,8 +54,7 @@ pub(super) fn listing_ui(ui: &mut Ui, view: &mut View<'_>) {
         });
     });
     if listing.has_focus() {
-        let stroke = Stroke::new(2.0, palette(ui.ctx()).accent.0);
-        ui.painter().rect_stroke(rect.shrink(1.0), 0.0, stroke, StrokeKind::Inside);
+        focus_ring(ui, rect);
     }
 }
 
@@ -169,10 +169,4 @@ fn follow(ui: &Ui, view: &View<'_>, top: f32, left: f32) {
     let around = vec2(0.0, row_height() * AROUND);
     let rect = Rect::from_min_size(pos2(left, y), vec2(1.0, row_height())).expand2(around);
     ui.scroll_to_rect_animation(rect, None, ScrollAnimation::none());
-}
-
-/// So many times a size, for any number of lines.
-fn times(size: f32, count: usize) -> f32 {
-    let part = |number: usize| u16::try_from(number).map_or(f32::from(u16::MAX), f32::from);
-    size * (part(count >> 16) * 65_536.0 + part(count & 0xffff))
 }

@@ -9,14 +9,14 @@
 //! | `answer_panel` | right: windows, files, what was measured |
 //! | `watch_panel` | right, below: parameters |
 //! | `path_panel` | below the listing: the way of the probe |
-//! | `problems_panel` | below the listing: what is wrong, to be jumped to |
+//! | `notes_panel` | below the listing: what is wrong, to be jumped to |
 
 mod answer_panel;
 mod form_panel;
 mod listing;
+mod notes_panel;
 mod paint;
 mod path_panel;
-mod problems_panel;
 mod tool_bar;
 mod watch_panel;
 
@@ -62,7 +62,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     let frame = Frame::new().fill(palette(ui.ctx()).panel.0);
     CentralPanel::default().frame(frame).show(ui, |ui| {
-        problems_panel::problems_ui(ui, view);
+        notes_panel::notes_ui(ui, view);
         if !low && path_panel::has_path(view) {
             let height = ui.available_height() * 0.36;
             Panel::bottom("program-path").exact_size(height).show(ui, |ui| path_panel::path_ui(ui, view));

@@ -1,11 +1,11 @@
 //! Above: which program; run, pause, single block, breakpoints, speed; what the run does, in words.
 
-use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Button, ComboBox, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Button, RichText, Sense, Ui, vec2};
 
 use super::paint;
 use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::view::{View, list_height};
+use crate::gui::view::{View, list_height, list_ui, live};
 use crate::nc::machine::Shipped;
 use crate::session::program::{Document, EntryKind, Origin, Run, Speed, State, Switch};
 use crate::session::{Action, Command, ProgramCommand, Purpose};
@@ -31,20 +31,10 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
 }
 
-fn button(ui: &mut Ui, view: &mut View<'_>, action: Action) {
-    let button = view.named(action).min_size(vec2(0.0, sizes().field));
-    view.button_as(ui, action, button);
-}
-
 fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = view.text("program-page-choice");
     let shown = view.session.program().main().map(|document| document.title().to_owned()).unwrap_or_default();
-    let combo = ComboBox::from_id_salt("program-choice")
-        .selected_text(shown)
-        .width(space(36.0))
-        .truncate()
-        .height(list_height(ui));
-    let response = combo.show_ui(ui, |ui| {
+    let list = list_ui(ui, "program-choice", shown, space(36.0), |ui| {
         for (language, file) in Shipped::main_programs() {
             let chosen = view.session.program().origin() == Some(&Origin::Shipped(file));
             let text = format!("{file}, {}", language.name());
@@ -61,23 +51,20 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
         }
     });
-    response.response.accessible_name(name);
-    button(ui, view, Action::OpenProgram);
+    list.accessible_name(name);
+    view.field_button(ui, Action::OpenProgram);
 }
 
 fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
     if view.session.program().is_running() {
-        button(ui, view, Action::PauseProgram);
+        view.field_button(ui, Action::PauseProgram);
     } else {
-        let palette = palette(ui.ctx());
-        let text = RichText::new(view.text("program-page-run")).color(palette.on_accent.0);
-        let button = Button::new(text.font(theme::bold(sizes().body))).fill(palette.accent.0);
-        view.button_as(ui, Action::RunProgram, button.min_size(vec2(space(20.0), sizes().field)));
+        view.main_button(ui, Action::RunProgram, vec2(space(20.0), sizes().field));
     }
     for action in
         [Action::StepProgram, Action::StepOver, Action::RunToSelected, Action::ToggleBreakpoint, Action::ResetProgram]
     {
-        button(ui, view, action);
+        view.field_button(ui, action);
     }
 }
 
@@ -92,15 +79,14 @@ const fn speed_id(speed: Speed) -> &'static str {
 fn speed_ui(ui: &mut Ui, view: &mut View<'_>) {
     let speed = view.session.program().speed();
     let name = view.text("program-page-speed");
-    let combo = ComboBox::from_id_salt("program-speed").selected_text(view.text(speed_id(speed))).width(space(26.0));
-    let response = combo.show_ui(ui, |ui| {
+    let list = list_ui(ui, "program-speed", view.text(speed_id(speed)), space(26.0), |ui| {
         for choice in Speed::ALL {
             if ui.selectable_label(choice == speed, view.text(speed_id(choice))).clicked() {
                 view.send(ProgramCommand::SetSpeed(choice));
             }
         }
     });
-    response.response.accessible_name(name);
+    list.accessible_name(name);
 }
 
 fn options_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -118,8 +104,7 @@ fn state_ui(ui: &mut Ui, view: &View<'_>) {
     paint::state(ui.painter(), mark, program.run().map(Run::state), palette(ui.ctx()));
     let said = view.words.say(&program.state_message());
     let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));
-    label.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
-    ui.ctx().accesskit_node_builder(label.id, |node| node.set_live(Live::Polite));
+    live(ui, &label, &said, Live::Polite);
 }
 
 /// The programs that called one another; each can be shown.
@@ -154,8 +139,7 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
     let text = under.and_then(|number| outline.get(number)).map(|entry| entry.text.clone());
     let text = text.unwrap_or_else(|| view.text("program-page-outline-none"));
     let height = list_height(ui);
-    let combo = ComboBox::from_id_salt("program-outline").selected_text(text).width(space(46.0)).truncate();
-    let response = combo.height(height).show_ui(ui, |ui| {
+    let list = list_ui(ui, "program-outline", text, space(46.0), |ui| {
         ui.set_min_width(space(70.0));
         // Only the entries in sight: there may be thousands.
         let area = eframe::egui::ScrollArea::vertical().max_height(height).id_salt("outline");
@@ -173,5 +157,5 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
         });
     });
-    response.response.labelled_by(name.id);
+    list.labelled_by(name.id);
 }

@@ -1,12 +1,12 @@
 //! Right: the selected cell against ISO 286, and the fields that change it.
 
-use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Align, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Align, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText, Sense, Ui, vec2};
 
 use super::grid;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::view::{View, quiet};
+use crate::gui::view::{View, live, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::session::tables::{Document, Origin};
@@ -123,8 +123,7 @@ fn said_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>, top: Pos2) {
     let said = format!("{}, {range}. {}", selected.class, verdict.join(". "));
     let rect = Rect::from_min_max(top, ui.min_rect().right_bottom());
     let response = ui.interact(rect, ui.scope_id().with("cell-said"), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Polite));
+    live(ui, &response, &said, Live::Polite);
 }
 
 /// `over 18 up to 30 mm`.

@@ -3,12 +3,11 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::scroll_area::ScrollAreaOutput;
 use eframe::egui::style::ScrollAnimation;
-use eframe::egui::{
-    Align2, Id, Pos2, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
-};
+use eframe::egui::{Align2, Id, Pos2, Rect, ScrollArea, Sense, Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2};
 
 use super::paint;
 use crate::gui::dialogs::just_opened;
+use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
 use crate::message::Message;
@@ -55,8 +54,7 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     heads_ui(ui, view, document, &measures, rect, &output.inner);
     if grid.has_focus() {
-        let stroke = Stroke::new(2.0, palette(ui.ctx()).accent.0);
-        ui.painter().rect_stroke(rect.shrink(1.0), 0.0, stroke, StrokeKind::Inside);
+        focus_ring(ui, rect);
     }
 }
 
@@ -110,11 +108,6 @@ fn body_ui(ui: &mut Ui, view: &mut View<'_>, measures: &Measures, viewport: Rect
     }
     follow(ui, view, document, measures, content);
     origin
-}
-
-/// So many times a size. Counts of cells are far below what a float holds.
-fn times(size: f32, count: usize) -> f32 {
-    size * u16::try_from(count).map_or(f32::from(u16::MAX), f32::from)
 }
 
 /// A cell can be clicked; for a screen reader it has a name.

@@ -1,14 +1,14 @@
 //! Above the cells: which table, filter, save as, and whether the table agrees with ISO 286.
 
-use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{ComboBox, Label, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Label, RichText, Sense, Ui, vec2};
 
 use super::paint;
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::gui::field::{Look, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::view::{View, list_height, quiet};
+use crate::gui::view::{View, list_ui, live, quiet};
 use crate::message::Message;
 use crate::session::tables::{Origin, TableChoice};
 use crate::session::{Action, TablesCommand, TablesField};
@@ -19,17 +19,17 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
         choice_ui(ui, view);
-        button(ui, view, Action::OpenTable);
+        view.field_button(ui, Action::OpenTable);
         ui.menu_button(view.text("tables-save"), |ui| {
             for number in 0..TABLE_FORMATS.len() {
                 view.menu_item(ui, Action::SaveTable(number));
             }
         });
         ui.separator();
-        button(ui, view, Action::UndoEdit);
-        button(ui, view, Action::RedoEdit);
+        view.field_button(ui, Action::UndoEdit);
+        view.field_button(ui, Action::RedoEdit);
         ui.separator();
-        button(ui, view, Action::UseTable);
+        view.field_button(ui, Action::UseTable);
     });
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(sizes().field);
@@ -38,11 +38,6 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         summary_ui(ui, view);
     });
     ui.add_space(space(1.0));
-}
-
-fn button(ui: &mut Ui, view: &mut View<'_>, action: Action) {
-    let button = view.named(action).min_size(vec2(0.0, sizes().field));
-    view.button_as(ui, action, button);
 }
 
 /// The name of a table with what it is.
@@ -60,12 +55,7 @@ fn told(view: &View<'_>, title: &str, origin: Origin) -> String {
 fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("tables-choice"));
     let shown = view.session.tables().shown().map(|document| told(view, document.title(), document.origin()));
-    let combo = ComboBox::from_id_salt("table-choice")
-        .selected_text(shown.unwrap_or_default())
-        .width(space(64.0))
-        .truncate()
-        .height(list_height(ui));
-    let response = combo.show_ui(ui, |ui| {
+    let list = list_ui(ui, "table-choice", shown.unwrap_or_default(), space(64.0), |ui| {
         let open = view.session.tables().documents().iter().enumerate();
         let open = open.map(|(number, document)| {
             let mut text = told(view, document.title(), document.origin());
@@ -84,7 +74,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
         }
     });
-    response.response.labelled_by(name.id);
+    list.labelled_by(name.id);
 }
 
 fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -131,11 +121,10 @@ fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
         said = format!("{said}; {}", view.words.say(&own));
     }
     let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));
-    label.widget_info(|| WidgetInfo::labeled(Role::Status, true, &said));
-    ui.ctx().accesskit_node_builder(label.id, |node| node.set_live(Live::Polite));
+    live(ui, &label, &said, Live::Polite);
     if 0 < found {
-        button(ui, view, Action::PreviousDifference);
-        button(ui, view, Action::NextDifference);
+        view.field_button(ui, Action::PreviousDifference);
+        view.field_button(ui, Action::NextDifference);
     }
 }
 

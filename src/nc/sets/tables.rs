@@ -76,7 +76,7 @@ fn ends(feature: Feature, asked: &[&Planned<'_>], sources: &Sources) -> Vec<Leng
 /// The size range that limits were found in.
 const fn range(source: &Source) -> Option<(Length, Length)> {
     match *source {
-        Source::Iso286 { over, to, .. } | Source::Table { over, to, .. } => Some((over, to)),
+        Source::Standard { over, to, .. } | Source::Table { over, to, .. } => Some((over, to)),
         Source::Iso2768 { .. } | Source::Callout | Source::File(_) => None,
     }
 }

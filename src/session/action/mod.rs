@@ -16,14 +16,14 @@ pub use shortcut::{Held, Key, Shortcut};
 
 use self::table::Row;
 use super::cycles::CyclesCommand;
-use super::program::{BlockStep, ProgramField, Switch};
+use super::program::{ProgramField, Switch};
 use super::tables::{self, TablesField};
 use super::workpiece::WorkpieceCommand;
-use super::{Command, Direction, Field, MeasureBy, Page, Session, SourceChoice, Step, Theme};
+use super::{Command, Field, MeasureBy, Page, Session, Step, Theme};
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::message::Message;
 use crate::report::RENDERINGS;
-use crate::tolerance::Feature;
+use crate::tolerance::{Base, Feature};
 use crate::words::Words;
 
 /// Where an action applies.
@@ -119,8 +119,8 @@ actions! {
     ExportStatus;
     /// Light, dark, or as the system.
     UseTheme(Theme): [Theme::System, Theme::Light, Theme::Dark];
-    /// Looks limits up in ISO 286 or in the control's tables.
-    UseSource(SourceChoice): [SourceChoice::Iso286, SourceChoice::ControlTables];
+    /// Looks limits up in a source of the list.
+    UseSource(Base): Base::ALL;
     /// Rounds the halves of js, or not.
     RoundJs;
     /// Uses the edition of 1988, or the one of 2010.
@@ -150,7 +150,7 @@ actions! {
     CopyStatus;
 
     /// Goes to another class of the map.
-    MoveClass(Direction): [Direction::Left, Direction::Right, Direction::Up, Direction::Down];
+    MoveClass(Step): Step::CLASSES;
     /// Shows the map of hole classes or of shaft classes.
     ShowClasses(Feature): [Feature::Hole, Feature::Shaft];
     /// Takes one side of the fit to the check page.
@@ -161,7 +161,7 @@ actions! {
     /// Clears the result.
     ClearCycle;
     /// Steps along the path.
-    StepPath(Step): [Step::First, Step::Back, Step::Next, Step::Last];
+    StepPath(Step): Step::PATH;
     /// Opens the dialog of the simulated workpiece.
     EditWorkpiece;
     /// Makes a simulated workpiece that suits the page's inputs.
@@ -206,7 +206,7 @@ actions! {
     /// Selects the next one.
     NextDifference;
     /// Goes to another cell.
-    MoveCell(tables::Step): tables::Step::ALL;
+    MoveCell(Step): Step::CELLS;
     /// Goes to the fields of the cell.
     EditCell;
     /// Puts the fields into the cell.
@@ -241,7 +241,7 @@ actions! {
     /// Switches something about the run.
     Switch(Switch): Switch::ALL;
     /// Goes to another block.
-    MoveBlock(BlockStep): BlockStep::ALL;
+    MoveBlock(Step): Step::BLOCKS;
     /// Gives a parameter a value at the next start.
     GiveValue;
 }

@@ -70,10 +70,6 @@ impl Shortcut {
         Self { held: Held::Ctrl, key: Key::Character(key) }
     }
 
-    pub(super) const fn alt(key: Key) -> Self {
-        Self { held: Held::Alt, key }
-    }
-
     /// Whether a text field that has the focus takes the keys for itself: it takes its own text back.
     pub(super) const fn is_of_text(self) -> bool {
         matches!(self, Self { held: Held::Ctrl | Held::CtrlShift, key: Key::Character('Z' | 'Y') })

@@ -4,10 +4,10 @@ use super::{Action, Held, Key, Part, Place, Shortcut};
 use crate::session::check::CheckCommand;
 use crate::session::cycles::CyclesCommand;
 use crate::session::fit::FitCommand;
-use crate::session::program::{BlockStep, ProgramCommand, Run, Switch};
+use crate::session::program::{ProgramCommand, Run, Switch};
 use crate::session::tables::{self, TablesCommand, TablesField};
 use crate::session::workpiece::WorkpieceCommand;
-use crate::session::{Command, CycleFile, Direction, MeasureBy, Page, Purpose, Session, SourceChoice, Step, Theme};
+use crate::session::{Command, CycleFile, MeasureBy, Page, Purpose, Session, Step, Theme};
 use crate::tolerance::iso286::{Edition, JsHalves, Options};
 use crate::tolerance::{Deviations, Feature, ToleranceClass};
 
@@ -113,13 +113,7 @@ pub(super) fn row(action: Action) -> Row {
             };
             everywhere(text, Command::SetTheme(theme))
         }
-        Action::UseSource(source) => {
-            let text = match source {
-                SourceChoice::Iso286 => "source-choice-iso286",
-                SourceChoice::ControlTables => "source-choice-control",
-            };
-            everywhere(text, Command::UseSource(source))
-        }
+        Action::UseSource(base) => everywhere(base.text(), Command::UseSource(base)),
         Action::RoundJs => switch("standard-js-rounded", |session| {
             let options = session.sources().options();
             let js = if rounds_js(options) { JsHalves::Exact } else { JsHalves::Rounded };
@@ -154,15 +148,7 @@ pub(super) fn row(action: Action) -> Row {
         }
         Action::CopyStatus => on(Page::Check, "copy", CheckCommand::CopyStatus).when(has_status),
 
-        Action::MoveClass(direction) => {
-            let key = match direction {
-                Direction::Left => Key::Left,
-                Direction::Right => Key::Right,
-                Direction::Up => Key::Up,
-                Direction::Down => Key::Down,
-            };
-            within(Part::Classes, "fit-move", FitCommand::Move(direction)).key(Shortcut::plain(key))
-        }
+        Action::MoveClass(step) => within(Part::Classes, "fit-move", FitCommand::Move(step)).key(keys(step)),
         Action::ShowClasses(feature) => {
             let text = match feature {
                 Feature::Hole => "classes-hole",
@@ -181,15 +167,14 @@ pub(super) fn row(action: Action) -> Row {
         Action::RunCycle => on(Page::Cycles, "cycles-run", CyclesCommand::Run).key(Shortcut::plain(Key::Function(5))),
         Action::ClearCycle => on(Page::Cycles, "clear", CyclesCommand::Clear),
         Action::StepPath(step) => {
-            let (text, key, possible): (_, _, fn(&Session) -> bool) = match step {
-                Step::First => ("cycles-first", Key::Home, |session| 0 < session.cycles().step()),
-                Step::Back => ("cycles-back", Key::Left, |session| 0 < session.cycles().step()),
-                Step::Next => ("cycles-next", Key::Right, |session| session.cycles().step() < session.cycles().last()),
-                Step::Last | Step::To(_) => {
-                    ("cycles-last", Key::End, |session| session.cycles().step() < session.cycles().last())
-                }
+            let (text, possible): (_, fn(&Session) -> bool) = match step {
+                Step::First => ("cycles-first", is_after_first),
+                Step::Left => ("cycles-back", is_after_first),
+                Step::Right => ("cycles-next", is_before_last),
+                _ => ("cycles-last", is_before_last),
             };
-            on(Page::Cycles, text, CyclesCommand::Step(step)).key(Shortcut::alt(key)).when(possible)
+            let row = on(Page::Cycles, text, CyclesCommand::Step(step)).when(possible);
+            row.key(Shortcut { held: Held::Alt, ..keys(step) })
         }
         Action::EditWorkpiece => of_workpiece("cycles-workpiece", WorkpieceCommand::Show(true)),
         Action::SuitWorkpiece => of_workpiece("cycles-suit", WorkpieceCommand::Suit),
@@ -237,7 +222,7 @@ pub(super) fn row(action: Action) -> Row {
         Action::NextDifference => on(Page::Tables, "tables-next", TablesCommand::NextDifference)
             .key(Shortcut::plain(Key::Function(8)))
             .when(differs),
-        Action::MoveCell(step) => within(Part::Cells, "tables-move", TablesCommand::Move(step)).key(cell_key(step)),
+        Action::MoveCell(step) => within(Part::Cells, "tables-move", TablesCommand::Move(step)).key(keys(step)),
         Action::EditCell => within(Part::Cells, "tables-edit-cell", Command::GoTo(TablesField::CellUpper.into()))
             .keys(Shortcut::plain(Key::Enter), Shortcut::plain(Key::Function(2)))
             .when(has_cell),
@@ -287,7 +272,7 @@ pub(super) fn row(action: Action) -> Row {
             on(Page::Program, text, ProgramCommand::Toggle(switch))
         }
         Action::MoveBlock(step) => {
-            within(Part::Listing, "program-page-move", ProgramCommand::Move(step)).key(Shortcut::plain(block_key(step)))
+            within(Part::Listing, "program-page-move", ProgramCommand::Move(step)).key(keys(step))
         }
         Action::GiveValue => {
             on(Page::Program, "program-page-give", ProgramCommand::SetValue).hint("program-page-give-hint")
@@ -300,7 +285,7 @@ pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
     Some(match action {
         Action::Open(page) => session.page() == page,
         Action::UseTheme(theme) => session.theme() == theme,
-        Action::UseSource(source) => session.source_choice() == source,
+        Action::UseSource(base) => session.sources().base() == base,
         Action::RoundJs => rounds_js(session.sources().options()),
         Action::Edition1988 => is_of_1988(session.sources().options()),
         Action::Keypad => session.has_keypad(),
@@ -311,31 +296,29 @@ pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
     })
 }
 
-const fn cell_key(step: tables::Step) -> Shortcut {
+/// The keys of a step.
+const fn keys(step: Step) -> Shortcut {
     let key = match step {
-        tables::Step::Left => Key::Left,
-        tables::Step::Right => Key::Right,
-        tables::Step::Up => Key::Up,
-        tables::Step::Down => Key::Down,
-        tables::Step::PageUp => Key::PageUp,
-        tables::Step::PageDown => Key::PageDown,
-        tables::Step::First => Key::Home,
-        tables::Step::Last => Key::End,
-        tables::Step::Top => return Shortcut { held: Held::Ctrl, key: Key::Home },
-        tables::Step::Bottom => return Shortcut { held: Held::Ctrl, key: Key::End },
+        Step::Left => Key::Left,
+        Step::Right => Key::Right,
+        Step::Up => Key::Up,
+        Step::Down => Key::Down,
+        Step::PageUp => Key::PageUp,
+        Step::PageDown => Key::PageDown,
+        Step::First => Key::Home,
+        Step::Last => Key::End,
+        Step::Top => return Shortcut { held: Held::Ctrl, key: Key::Home },
+        Step::Bottom => return Shortcut { held: Held::Ctrl, key: Key::End },
     };
     Shortcut::plain(key)
 }
 
-const fn block_key(step: BlockStep) -> Key {
-    match step {
-        BlockStep::Up => Key::Up,
-        BlockStep::Down => Key::Down,
-        BlockStep::PageUp => Key::PageUp,
-        BlockStep::PageDown => Key::PageDown,
-        BlockStep::First => Key::Home,
-        BlockStep::Last => Key::End,
-    }
+fn is_after_first(session: &Session) -> bool {
+    0 < session.cycles().step()
+}
+
+fn is_before_last(session: &Session) -> bool {
+    session.cycles().step() < session.cycles().last()
 }
 
 fn rounds_js(options: Options) -> bool {

@@ -13,7 +13,7 @@ use crate::tolerance::callout::halves;
 use crate::tolerance::{Callout, Feature, Limits, Sources};
 
 /// The meaning of the fields. Made anew at every change.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Asked {
     callout: Option<Callout>,
     /// Where in the callout's text an error shows, in characters.
@@ -64,16 +64,7 @@ pub(in crate::session) fn class_text(callout: &str) -> &str {
 impl Asked {
     /// Reads the fields. Empty optional fields are no error; a number that cannot be used is.
     pub(super) fn read(texts: &Texts<CheckField>, feature: Option<Feature>, sources: &Sources) -> Self {
-        let mut asked = Self {
-            callout: None,
-            culprit: None,
-            limits: None,
-            lengths: BTreeMap::new(),
-            first_angle: None,
-            seed: None,
-            lobes: None,
-            errors: BTreeMap::new(),
-        };
+        let mut asked = Self::default();
         asked.read_callout(texts.text(CheckField::Callout), feature, sources);
         for (field, meaning) in PARAMETERS {
             asked.read_parameter(field, meaning, texts.text(field));
@@ -175,24 +166,5 @@ impl Asked {
             self.callout = callout;
         }
         self.limits = Some(limits);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_callout_is_taken_apart_while_it_is_typed() {
-        for (text, nominal, class) in [
-            ("25 H7", "25", "H7"),
-            ("Ø25,5js6", "25,5", "js6"),
-            ("25", "25", ""),
-            ("H7", "", "H7"),
-            ("12 +0.1 -0.2", "12", "+0.1 -0.2"),
-            ("", "", ""),
-        ] {
-            assert_eq!((nominal_text(text), class_text(text)), (nominal, class), "for {text:?}");
-        }
     }
 }

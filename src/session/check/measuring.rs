@@ -45,23 +45,22 @@ fn record(
 }
 
 fn typed(asked: &Asked) -> Result<Measurement, Refusal> {
-    if let Some(diameter) = asked.length(CheckField::Measured) {
-        return Ok(Measurement::of_diameter(diameter, Origin::Typed));
-    }
-    let problem = asked.error(CheckField::Measured).cloned();
-    Err((CheckField::Measured, problem.unwrap_or_else(|| LengthError::Empty.message())))
+    Ok(Measurement::of_diameter(length(asked, CheckField::Measured)?, Origin::Typed))
 }
 
-/// A field that must hold a length.
-fn length(asked: &Asked, field: CheckField) -> Result<Length, Refusal> {
+/// The value of a field that must hold one.
+fn needed<T>(asked: &Asked, field: CheckField, value: Option<T>) -> Result<T, Refusal> {
     let problem = || asked.error(field).cloned().unwrap_or_else(|| LengthError::Empty.message());
-    asked.length(field).ok_or_else(|| (field, problem()))
+    value.ok_or_else(|| (field, problem()))
+}
+
+fn length(asked: &Asked, field: CheckField) -> Result<Length, Refusal> {
+    needed(asked, field, asked.length(field))
 }
 
 fn simulated(asked: &Asked, limits: &Limits) -> Result<(Measurement, Option<PositionVerdict>), Refusal> {
     let position = probe_position(asked)?;
-    let whole = |field| (field, asked.error(field).cloned().unwrap_or_else(|| LengthError::Empty.message()));
-    let seed = asked.seed.ok_or_else(|| whole(CheckField::Seed))?;
+    let seed = needed(asked, CheckField::Seed, asked.seed)?;
     let (workpiece, probe) = workpiece(asked, limits, &position)?;
     let refused = |message| (CheckField::TrueDiameter, message);
     let mut machine = Machine::new(workpiece, probe, seed).map_err(|error| refused(error.message()))?;
@@ -72,12 +71,10 @@ fn simulated(asked: &Asked, limits: &Limits) -> Result<(Measurement, Option<Posi
 }
 
 fn probe_position(asked: &Asked) -> Result<ProbePosition, Refusal> {
-    let missing = || asked.error(CheckField::FirstAngle).cloned().unwrap_or_else(|| LengthError::Empty.message());
-    let first_angle = asked.first_angle.ok_or_else(|| (CheckField::FirstAngle, missing()))?;
     Ok(ProbePosition {
         centre: [length(asked, CheckField::CentreX)?, length(asked, CheckField::CentreY)?],
         height: length(asked, CheckField::Height)?,
-        first_angle,
+        first_angle: needed(asked, CheckField::FirstAngle, asked.first_angle)?,
         clearance: length(asked, CheckField::Clearance)?,
         centre_tolerance: length(asked, CheckField::CentreTolerance)?,
     })

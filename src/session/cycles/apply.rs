@@ -34,6 +34,7 @@ impl PageState for CyclesPage {
             CyclesCommand::Run => self.measure(shared, now),
             CyclesCommand::Clear => self.clear(),
             CyclesCommand::Step(step) => self.go(step),
+            CyclesCommand::StepTo(number) => self.step = number.min(self.last()),
             CyclesCommand::ShowBlock(is_open) => {
                 self.block = is_open.then(|| self.block.take().unwrap_or_default());
                 self.block_problem = None;

@@ -1,8 +1,9 @@
 //! What can be done on the cycles page.
 
-use super::{ContactsFrom, CycleField, Step};
+use super::{ContactsFrom, CycleField};
 use crate::control::probe_table::ProbeTable;
 use crate::message::Message;
+use crate::session::Step;
 
 /// What can be done on the cycles page.
 #[derive(Debug, Clone)]
@@ -23,6 +24,8 @@ pub enum CyclesCommand {
     Clear,
     /// Steps along the path.
     Step(Step),
+    /// Shows a move of the path by its number, from 0.
+    StepTo(usize),
     /// Opens or closes the field for an NC block.
     ShowBlock(bool),
     /// Replaces the NC block.

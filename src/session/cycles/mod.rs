@@ -25,7 +25,7 @@ use std::collections::BTreeMap;
 
 pub use command::CyclesCommand;
 pub use field::{Axis, CycleField};
-pub use running::{CycleRun, RunLog, Step};
+pub use running::{CycleRun, RunLog};
 pub use workpiece::WorkpieceForm;
 pub use workpiece_field::WorkpieceField;
 

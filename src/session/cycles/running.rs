@@ -15,6 +15,7 @@ use crate::probing::circle::Evaluation;
 use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move};
 use crate::probing::simulated::Surface;
 use crate::probing::{Source, SourceError};
+use crate::session::Step;
 use crate::session::shared::Shared;
 use crate::words::Dialogue;
 
@@ -107,21 +108,6 @@ impl CycleRun {
     }
 }
 
-/// A step along the path.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Step {
-    /// To the first move.
-    First,
-    /// To the move before.
-    Back,
-    /// To the next move.
-    Next,
-    /// To the last move.
-    Last,
-    /// To a move by its number from 0.
-    To(usize),
-}
-
 impl CyclesPage {
     /// The number of the last move, from 0.
     pub fn last(&self) -> usize {
@@ -132,10 +118,10 @@ impl CyclesPage {
         let last = self.last();
         self.step = match step {
             Step::First => 0,
-            Step::Back => self.step.saturating_sub(1),
-            Step::Next => self.step.saturating_add(1).min(last),
+            Step::Left => self.step.saturating_sub(1),
+            Step::Right => self.step.saturating_add(1).min(last),
             Step::Last => last,
-            Step::To(number) => number.min(last),
+            _ => self.step,
         };
     }
 
@@ -152,7 +138,7 @@ impl CyclesPage {
             count => Err(Message::new("cycles-fields-wrong").count("count", count)),
         };
         self.run = Some(run.unwrap_or_else(|problem| CycleRun::refused(self.cycle, problem, now)));
-        self.go(Step::Last);
+        self.step = self.last();
     }
 
     fn run_source(&self, shared: &Shared, time: DateTime) -> Result<CycleRun, Message> {

@@ -36,83 +36,71 @@ impl WorkpieceForm {
         let mut form = Self { shape, plane, texts, errors, simulation: Some(*simulation) };
         form.fill_surface(&simulation.surface);
         form.fill_probe(&simulation.probe);
-        form.fill(&[
-            (WorkpieceField::Seed, simulation.seed.to_string()),
-            (WorkpieceField::Temperature, simulation.temperature.to_string()),
-            (WorkpieceField::Expansion, simulation.expansion.to_string()),
-        ]);
+        form.fill(WorkpieceField::Seed, simulation.seed.to_string());
+        let climate = [simulation.temperature, simulation.expansion];
+        form.put([WorkpieceField::Temperature, WorkpieceField::Expansion], climate);
         form.read();
         form
     }
 
-    fn fill(&mut self, texts: &[(WorkpieceField, String)]) {
-        self.texts.extend(texts.iter().cloned());
+    fn fill(&mut self, field: WorkpieceField, text: String) {
+        self.texts.insert(field, text);
     }
 
-    fn fill_3(&mut self, fields: [WorkpieceField; 3], parts: [f64; 3]) {
-        self.texts.extend(fields.into_iter().zip(parts.map(|part| part.to_string())));
+    fn put<const N: usize>(&mut self, fields: [WorkpieceField; N], figures: [f64; N]) {
+        self.texts.extend(fields.into_iter().zip(figures.map(|figure| figure.to_string())));
     }
 
     fn fill_lobes(&mut self, [count, height, angle]: [WorkpieceField; 3], lobes: &Lobes) {
-        self.fill(&[
-            (count, lobes.count.to_string()),
-            (height, lobes.amplitude.to_string()),
-            (angle, lobes.angle.to_string()),
-        ]);
+        self.fill(count, lobes.count.to_string());
+        self.put([height, angle], [lobes.amplitude, lobes.angle]);
     }
 
     fn fill_surface(&mut self, surface: &Surface) {
         use WorkpieceField as F;
         // What other kinds ask for keeps a sensible start.
-        self.fill_3([F::PointX, F::PointY, F::PointZ], [0.0; 3]);
-        self.fill_3([F::NormalX, F::NormalY, F::NormalZ], [0.0, 0.0, 1.0]);
-        self.fill_3([F::WaveX, F::WaveY, F::WaveZ], [1.0, 0.0, 0.0]);
-        self.fill_3([F::CentreX, F::CentreY, F::Diameter], [0.0, 0.0, 25.0]);
-        self.fill_3([F::Ovality, F::OvalityAngle, F::Deviation], [0.0; 3]);
-        self.fill_3([F::Width, F::FirstLength, F::SecondLength], [25.0, 60.0, 40.0]);
-        self.fill(&[(F::Angle, "0".to_owned())]);
-        self.fill(&[(F::WaveHeight, String::new()), (F::Radius, String::new()), (F::WaveLength, "10".to_owned())]);
+        self.put([F::PointX, F::PointY, F::PointZ], [0.0; 3]);
+        self.put([F::NormalX, F::NormalY, F::NormalZ], [0.0, 0.0, 1.0]);
+        self.put([F::WaveX, F::WaveY, F::WaveZ], [1.0, 0.0, 0.0]);
+        self.put([F::CentreX, F::CentreY, F::Diameter], [0.0, 0.0, 25.0]);
+        self.put([F::Ovality, F::OvalityAngle, F::Deviation], [0.0; 3]);
+        self.put([F::Width, F::FirstLength, F::SecondLength], [25.0, 60.0, 40.0]);
+        self.put([F::Angle, F::WaveLength], [0.0, 10.0]);
         self.fill_lobes([F::LobeCount, F::LobeHeight, F::LobeAngle], &Lobes { count: 3, ..Lobes::default() });
         match surface {
             Surface::Round(round, _) => {
                 let [x, y] = round.centre;
-                self.fill_3([F::CentreX, F::CentreY, F::Diameter], [x, y, round.diameter]);
-                self.fill(&[
-                    (F::Ovality, round.ovality.amplitude.to_string()),
-                    (F::OvalityAngle, round.ovality.angle.to_string()),
-                    (F::SurfaceScatter, round.surface_scatter.to_string()),
-                ]);
+                self.put([F::CentreX, F::CentreY, F::Diameter], [x, y, round.diameter]);
+                let Lobes { amplitude, angle, .. } = round.ovality;
+                self.put([F::Ovality, F::OvalityAngle, F::SurfaceScatter], [amplitude, angle, round.surface_scatter]);
                 if 0 < round.lobes.count {
                     self.fill_lobes([F::LobeCount, F::LobeHeight, F::LobeAngle], &round.lobes);
                 }
             }
             Surface::Face(face) => {
-                self.fill_3([F::PointX, F::PointY, F::PointZ], face.point);
-                self.fill_3([F::NormalX, F::NormalY, F::NormalZ], face.normal);
-                self.fill(&[(F::SurfaceScatter, face.surface_scatter.to_string())]);
+                self.put([F::PointX, F::PointY, F::PointZ], face.point);
+                self.put([F::NormalX, F::NormalY, F::NormalZ], face.normal);
+                self.put([F::SurfaceScatter], [face.surface_scatter]);
                 if let Some(wave) = &face.wave {
-                    self.fill(&[(F::WaveHeight, wave.amplitude.to_string()), (F::WaveLength, wave.length.to_string())]);
-                    self.fill_3([F::WaveX, F::WaveY, F::WaveZ], wave.direction);
+                    self.put([F::WaveHeight, F::WaveLength], [wave.amplitude, wave.length]);
+                    self.put([F::WaveX, F::WaveY, F::WaveZ], wave.direction);
                 }
             }
             Surface::Point(point) => {
-                self.fill_3([F::PointX, F::PointY, F::PointZ], point.point);
-                self.fill_3([F::NormalX, F::NormalY, F::NormalZ], point.normal);
-                self.fill(&[
-                    (F::Deviation, point.deviation.to_string()),
-                    (F::Radius, point.radius.map(|radius| radius.to_string()).unwrap_or_default()),
-                    (F::SurfaceScatter, point.surface_scatter.to_string()),
-                ]);
+                self.put([F::PointX, F::PointY, F::PointZ], point.point);
+                self.put([F::NormalX, F::NormalY, F::NormalZ], point.normal);
+                self.put([F::Deviation, F::SurfaceScatter], [point.deviation, point.surface_scatter]);
+                if let Some(radius) = point.radius {
+                    self.put([F::Radius], [radius]);
+                }
             }
             Surface::Walls(walls) => {
                 let ([x, y], (first, second)) = (walls.centre, walls.lengths);
-                self.fill_3([F::CentreX, F::CentreY, F::Angle], [x, y, walls.angle]);
-                self.fill(&[(F::SurfaceScatter, walls.surface_scatter.to_string())]);
+                self.put([F::CentreX, F::CentreY, F::Angle], [x, y, walls.angle]);
+                self.put([F::SurfaceScatter], [walls.surface_scatter]);
                 match second {
-                    None => self.fill(&[(F::Width, first.to_string())]),
-                    Some(second) => {
-                        self.fill(&[(F::FirstLength, first.to_string()), (F::SecondLength, second.to_string())]);
-                    }
+                    None => self.put([F::Width], [first]),
+                    Some(second) => self.put([F::FirstLength, F::SecondLength], [first, second]),
                 }
             }
         }
@@ -121,12 +109,10 @@ impl WorkpieceForm {
     fn fill_probe(&mut self, probe: &Probe) {
         use WorkpieceField as F;
         let parts = [probe.ball_radius, probe.trigger_scatter, probe.calibration_error];
-        self.fill_3([F::BallRadius, F::TriggerScatter, F::CalibrationError], parts);
-        let offset = |axis: usize| {
-            let offset = probe.offset.and_then(|offset| offset.get(axis).copied());
-            offset.map(|part| part.to_string()).unwrap_or_default()
-        };
-        self.fill(&[(F::OffsetX, offset(0)), (F::OffsetY, offset(1))]);
+        self.put([F::BallRadius, F::TriggerScatter, F::CalibrationError], parts);
+        if let Some(offset) = probe.offset {
+            self.put([F::OffsetX, F::OffsetY], offset);
+        }
         self.fill_lobes([F::LobingCount, F::LobingHeight, F::LobingAngle], &probe.lobing);
     }
 
@@ -340,72 +326,5 @@ impl WorkpieceForm {
 
     fn whole<T: std::str::FromStr>(&mut self, field: WorkpieceField) -> Option<T> {
         whole(self.text(field)).map_err(|error| self.errors.insert(field, error)).ok()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[track_caller]
-    fn check(toml: &str) {
-        let simulation = Simulation::read(toml).unwrap();
-        let form = WorkpieceForm::of(&simulation);
-        assert_eq!(form.problem(), None);
-        let read = form.simulation().unwrap();
-        let again = Simulation::read(&read.write().unwrap()).unwrap();
-        assert_eq!(*read, again, "what is written is read as the same");
-        assert_eq!(WorkpieceForm::of(&again).simulation(), Some(read));
-    }
-
-    #[test]
-    fn every_kind_of_machine_goes_through_the_fields_and_a_file_unchanged() {
-        check(
-            "[bore]\ncentre = [50, 20]\ndiameter = 25.0123456789\nplane = 'ZX'\novality = { count = 2, amplitude = 0.001, angle = 30 }\n",
-        );
-        check(
-            "seed = 7\ntemperature = 23.7\n[stud]\ncentre = [0, -1]\ndiameter = 8\nlobes = { count = 5, amplitude = 0.0005, angle = -3 }\nsurface_scatter = 0.0003\n",
-        );
-        check(
-            "[face]\npoint = [1, 2, 3]\nnormal = [0, 0, 2]\nwave = { amplitude = 0.01, length = 4, direction = [1, 1, 0] }\n[probe]\nball_radius = 3\noffset = [0.01, 0]\n",
-        );
-        check("[slot]\ncentre = [50, -20]\nwidth = 20.01\nangle = 90\n[probe]\nball_radius = 2\n");
-        check("[ridge]\ncentre = [1, 2]\nwidth = 8\nsurface_scatter = 0.001\n");
-        check("[pocket]\ncentre = [1, 2]\nlengths = [60, 40.5]\nangle = 0.25\n");
-        check("seed = 2\n[boss]\ncentre = [1, 2]\nlengths = [60, 40.5]\n");
-        check(
-            "[point]\npoint = [1, 2, 3]\nnormal = [0, 1, 1]\ndeviation = -0.02\nradius = -30\n[probe]\nlobing = { count = 3, amplitude = 0.0004 }\n",
-        );
-    }
-
-    #[test]
-    fn a_figure_that_cannot_be_is_told_beside_its_field() {
-        let mut form = WorkpieceForm::default();
-        for (field, text, id) in [
-            (WorkpieceField::Diameter, "-1", "workpiece-cannot-be"),
-            (WorkpieceField::Diameter, "7.5.2", "length-not-a-number"),
-            (WorkpieceField::Diameter, "", "length-empty"),
-            (WorkpieceField::Ovality, "5", "workpiece-cannot-be"),
-            (WorkpieceField::LobeCount, "x", "field-not-whole"),
-            (WorkpieceField::Temperature, "500", "workpiece-cannot-be"),
-            (WorkpieceField::Temperature, "20 mm", "length-not-a-number"),
-            (WorkpieceField::CalibrationError, "-4", "workpiece-cannot-be"),
-        ] {
-            let before = form.text(field).to_owned();
-            form.set(field, text.to_owned());
-            assert_eq!(form.error(field).map(|error| error.id), Some(id), "{field:?} {text}");
-            assert!(form.simulation().is_none());
-            form.set(field, before);
-            assert!(form.simulation().is_some(), "{field:?}");
-        }
-        // Half an offset would be guessed.
-        form.set(WorkpieceField::OffsetX, "0,01".to_owned());
-        assert!(form.error(WorkpieceField::OffsetY).is_some() && form.simulation().is_none());
-        let said = form.problem().map(|problem| crate::words::Words::new(crate::words::Language::En).say(&problem));
-        assert_eq!(said.as_deref(), Some("Offset of the ball Y: a length is missing"));
-        form.set(WorkpieceField::OffsetX, String::new());
-        form.set(WorkpieceField::Ovality, "2 µm".to_owned());
-        let Surface::Round(round, _) = form.simulation().unwrap().surface else { panic!("no bore") };
-        assert!((round.ovality.amplitude - 0.002).abs() < 1e-12);
     }
 }

@@ -2,153 +2,147 @@
 
 use crate::probing::simulated::{Shape, WorkpieceError};
 
-/// A figure of the simulated workpiece or probe.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum WorkpieceField {
+/// What is declared of a figure.
+struct Declared {
+    name_id: &'static str,
+    unit: &'static str,
+    /// What the simulated machine calls it where it refuses it.
+    refused_as: &'static [&'static str],
+}
+
+/// The figures, a row each: what it is, the id of its name, its unit, and what the simulated machine calls it where it
+/// refuses it.
+macro_rules! figures {
+    ($($(#[$doc:meta])* $field:ident: $name:literal, $unit:literal, $refused:expr;)+) => {
+        /// A figure of the simulated workpiece or probe.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum WorkpieceField {
+            $($(#[$doc])* $field,)+
+        }
+
+        impl WorkpieceField {
+            const ALL: &'static [Self] = &[$(Self::$field),+];
+
+            const fn declared(self) -> Declared {
+                match self {
+                    $(Self::$field => Declared { name_id: $name, unit: $unit, refused_as: &$refused },)+
+                }
+            }
+        }
+    };
+}
+
+figures! {
     /// Centre, first axis of the plane, mm.
-    CentreX,
+    CentreX: "workpiece-centre-1", "mm", ["centre x"];
     /// Centre, second axis of the plane, mm.
-    CentreY,
+    CentreY: "workpiece-centre-2", "mm", ["centre y"];
     /// Mean diameter, mm.
-    Diameter,
+    Diameter: "true-diameter", "mm", ["diameter"];
     /// Ovality: amplitude in the radius, mm.
-    Ovality,
+    Ovality: "ovality", "mm", ["ovality", "ovality count"];
     /// Direction of its crest, degrees.
-    OvalityAngle,
+    OvalityAngle: "workpiece-ovality-angle", "°", ["ovality angle"];
     /// Number of lobes.
-    LobeCount,
+    LobeCount: "lobes", "", ["lobes"];
     /// Amplitude of the lobes in the radius, mm.
-    LobeHeight,
+    LobeHeight: "lobe-height", "mm", ["lobe height"];
     /// Direction of the first crest, degrees.
-    LobeAngle,
+    LobeAngle: "workpiece-lobe-angle", "°", ["lobe angle"];
     /// A point of the surface, X, mm.
-    PointX,
+    PointX: "workpiece-point-x", "mm", [];
     /// The same in Y.
-    PointY,
+    PointY: "workpiece-point-y", "mm", [];
     /// The same in Z.
-    PointZ,
+    PointZ: "workpiece-point-z", "mm", [];
     /// The normal out of the material, X.
-    NormalX,
+    NormalX: "workpiece-normal-x", "", ["normal", "length of the normal"];
     /// The same in Y.
-    NormalY,
+    NormalY: "workpiece-normal-y", "", [];
     /// The same in Z.
-    NormalZ,
+    NormalZ: "workpiece-normal-z", "", [];
     /// Amplitude of a wave, mm; empty is a plane face.
-    WaveHeight,
+    WaveHeight: "workpiece-wave-height", "mm", ["wave amplitude"];
     /// From crest to crest, mm.
-    WaveLength,
+    WaveLength: "workpiece-wave-length", "mm", ["wave length"];
     /// The direction of a wave, X.
-    WaveX,
+    WaveX: "workpiece-wave-x", "", ["wave direction"];
     /// The same in Y.
-    WaveY,
+    WaveY: "workpiece-wave-y", "", [];
     /// The same in Z.
-    WaveZ,
+    WaveZ: "workpiece-wave-z", "", [];
     /// How far the surface lies out along the normal, mm.
-    Deviation,
+    Deviation: "workpiece-deviation", "mm", ["deviation"];
     /// Radius of the surface, mm; empty is flat.
-    Radius,
+    Radius: "workpiece-radius", "mm", ["radius"];
     /// From wall to wall of a slot or ridge, mm.
-    Width,
+    Width: "workpiece-width", "mm", ["width"];
     /// From wall to wall of a rectangle, across the first pair, mm.
-    FirstLength,
+    FirstLength: "workpiece-length-1", "mm", ["1st length"];
     /// The same across the second pair.
-    SecondLength,
+    SecondLength: "workpiece-length-2", "mm", ["2nd length"];
     /// The direction across the first pair of walls, degrees from the first axis.
-    Angle,
+    Angle: "workpiece-angle", "°", ["angle"];
     /// Scatter of the surface, one sigma, mm.
-    SurfaceScatter,
+    SurfaceScatter: "surface-scatter", "mm", ["surface scatter"];
     /// Radius of the ball, mm.
-    BallRadius,
+    BallRadius: "workpiece-ball", "mm", ["ball radius"];
     /// Scatter of the trigger point, one sigma, mm.
-    TriggerScatter,
+    TriggerScatter: "workpiece-trigger", "mm", ["probe scatter"];
     /// How much too large the ball's radius was calibrated, mm.
-    CalibrationError,
+    CalibrationError: "workpiece-calibration", "mm", ["calibration error"];
     /// How far the ball lies off the spindle's axis, X, mm; empty is what calibration found.
-    OffsetX,
+    OffsetX: "workpiece-offset-x", "mm", ["offset"];
     /// The same in Y.
-    OffsetY,
+    OffsetY: "workpiece-offset-y", "mm", [];
     /// Number of lobes of the probe's pre-travel.
-    LobingCount,
+    LobingCount: "workpiece-lobing-count", "", ["lobing count"];
     /// Their amplitude, mm.
-    LobingHeight,
+    LobingHeight: "workpiece-lobing", "mm", ["lobing"];
     /// Direction of the first, degrees.
-    LobingAngle,
+    LobingAngle: "workpiece-lobing-angle", "°", ["lobing angle"];
     /// Seed of all scatter.
-    Seed,
+    Seed: "seed", "", [];
     /// Temperature of the workpiece, °C.
-    Temperature,
+    Temperature: "workpiece-temperature", "°C", ["temperature"];
     /// How much it grows, millionths per kelvin.
-    Expansion,
+    Expansion: "workpiece-expansion", "µm/(m K)", ["expansion"];
 }
 
 impl WorkpieceField {
     /// The figures of a surface, in reading order.
-    pub const fn of(shape: Shape) -> &'static [Self] {
+    pub fn of(shape: Shape) -> Vec<Self> {
+        let (place, centre) = (Self::between(Self::PointX, Self::NormalZ), [Self::CentreX, Self::CentreY]);
         match shape {
-            Shape::Hole | Shape::Stud => &[
-                Self::CentreX,
-                Self::CentreY,
-                Self::Diameter,
-                Self::SurfaceScatter,
-                Self::Ovality,
-                Self::OvalityAngle,
-                Self::LobeCount,
-                Self::LobeHeight,
-                Self::LobeAngle,
-            ],
-            Shape::Face => &[
-                Self::PointX,
-                Self::PointY,
-                Self::PointZ,
-                Self::NormalX,
-                Self::NormalY,
-                Self::NormalZ,
-                Self::SurfaceScatter,
-                Self::WaveHeight,
-                Self::WaveLength,
-                Self::WaveX,
-                Self::WaveY,
-                Self::WaveZ,
-            ],
-            Shape::Point => &[
-                Self::PointX,
-                Self::PointY,
-                Self::PointZ,
-                Self::NormalX,
-                Self::NormalY,
-                Self::NormalZ,
-                Self::Deviation,
-                Self::Radius,
-                Self::SurfaceScatter,
-            ],
-            Shape::Slot | Shape::Ridge => {
-                &[Self::CentreX, Self::CentreY, Self::Width, Self::Angle, Self::SurfaceScatter]
+            Shape::Hole | Shape::Stud => {
+                let form = Self::between(Self::Ovality, Self::LobeAngle);
+                [&centre[..], &[Self::Diameter, Self::SurfaceScatter], form].concat()
             }
-            Shape::Pocket | Shape::Boss => &[
-                Self::CentreX,
-                Self::CentreY,
-                Self::FirstLength,
-                Self::SecondLength,
-                Self::Angle,
-                Self::SurfaceScatter,
-            ],
+            Shape::Face => [place, &[Self::SurfaceScatter], Self::between(Self::WaveHeight, Self::WaveZ)].concat(),
+            Shape::Point => [place, &[Self::Deviation, Self::Radius, Self::SurfaceScatter]].concat(),
+            Shape::Slot | Shape::Ridge => [&centre[..], &[Self::Width, Self::Angle, Self::SurfaceScatter]].concat(),
+            Shape::Pocket | Shape::Boss => {
+                let lengths = [Self::FirstLength, Self::SecondLength];
+                [&centre[..], &lengths, &[Self::Angle, Self::SurfaceScatter]].concat()
+            }
         }
     }
 
     /// The figures of the probe, in reading order.
-    pub const PROBE: &'static [Self] = &[
-        Self::BallRadius,
-        Self::TriggerScatter,
-        Self::CalibrationError,
-        Self::OffsetX,
-        Self::OffsetY,
-        Self::LobingCount,
-        Self::LobingHeight,
-        Self::LobingAngle,
-    ];
+    pub fn of_probe() -> &'static [Self] {
+        Self::between(Self::BallRadius, Self::LobingAngle)
+    }
 
     /// The figures of the whole simulation, in reading order.
-    pub const MACHINE: &'static [Self] = &[Self::Seed, Self::Temperature, Self::Expansion];
+    pub fn of_machine() -> &'static [Self] {
+        Self::between(Self::Seed, Self::Expansion)
+    }
+
+    /// The figures from one to another, in the order of the list.
+    fn between(first: Self, last: Self) -> &'static [Self] {
+        let place = |field: Self| Self::ALL.partition_point(|other| *other < field);
+        Self::ALL.get(place(first)..=place(last)).unwrap_or_default()
+    }
 
     /// Whether nothing is an answer.
     pub const fn is_optional(self) -> bool {
@@ -157,99 +151,18 @@ impl WorkpieceField {
 
     /// Its unit, where it has one.
     pub const fn unit(self) -> &'static str {
-        match self {
-            Self::OvalityAngle | Self::LobeAngle | Self::LobingAngle | Self::Angle => "°",
-            Self::LobeCount
-            | Self::LobingCount
-            | Self::Seed
-            | Self::NormalX
-            | Self::NormalY
-            | Self::NormalZ
-            | Self::WaveX
-            | Self::WaveY
-            | Self::WaveZ => "",
-            Self::Temperature => "°C",
-            Self::Expansion => "µm/(m K)",
-            _ => "mm",
-        }
+        self.declared().unit
     }
 
     /// The id of its name in the locale files.
     pub const fn name_id(self) -> &'static str {
-        match self {
-            Self::CentreX => "workpiece-centre-1",
-            Self::CentreY => "workpiece-centre-2",
-            Self::Diameter => "true-diameter",
-            Self::Ovality => "ovality",
-            Self::OvalityAngle => "workpiece-ovality-angle",
-            Self::LobeCount => "lobes",
-            Self::LobeHeight => "lobe-height",
-            Self::LobeAngle => "workpiece-lobe-angle",
-            Self::PointX => "workpiece-point-x",
-            Self::PointY => "workpiece-point-y",
-            Self::PointZ => "workpiece-point-z",
-            Self::NormalX => "workpiece-normal-x",
-            Self::NormalY => "workpiece-normal-y",
-            Self::NormalZ => "workpiece-normal-z",
-            Self::WaveHeight => "workpiece-wave-height",
-            Self::WaveLength => "workpiece-wave-length",
-            Self::WaveX => "workpiece-wave-x",
-            Self::WaveY => "workpiece-wave-y",
-            Self::WaveZ => "workpiece-wave-z",
-            Self::Deviation => "workpiece-deviation",
-            Self::Radius => "workpiece-radius",
-            Self::Width => "workpiece-width",
-            Self::FirstLength => "workpiece-length-1",
-            Self::SecondLength => "workpiece-length-2",
-            Self::Angle => "workpiece-angle",
-            Self::SurfaceScatter => "surface-scatter",
-            Self::BallRadius => "workpiece-ball",
-            Self::TriggerScatter => "workpiece-trigger",
-            Self::CalibrationError => "workpiece-calibration",
-            Self::OffsetX => "workpiece-offset-x",
-            Self::OffsetY => "workpiece-offset-y",
-            Self::LobingCount => "workpiece-lobing-count",
-            Self::LobingHeight => "workpiece-lobing",
-            Self::LobingAngle => "workpiece-lobing-angle",
-            Self::Seed => "seed",
-            Self::Temperature => "workpiece-temperature",
-            Self::Expansion => "workpiece-expansion",
-        }
+        self.declared().name_id
     }
 
     /// The field of a figure that the simulated machine refuses by this name.
     pub(super) fn named(error: &WorkpieceError, shape: Shape) -> Self {
-        match error.what {
-            "temperature" => Self::Temperature,
-            "expansion" => Self::Expansion,
-            "probe scatter" => Self::TriggerScatter,
-            "ball radius" => Self::BallRadius,
-            "calibration error" => Self::CalibrationError,
-            "offset" => Self::OffsetX,
-            "lobing" => Self::LobingHeight,
-            "lobing angle" => Self::LobingAngle,
-            "lobing count" => Self::LobingCount,
-            "centre x" => Self::CentreX,
-            "centre y" => Self::CentreY,
-            "diameter" => Self::Diameter,
-            "surface scatter" => Self::SurfaceScatter,
-            "ovality" | "ovality count" => Self::Ovality,
-            "ovality angle" => Self::OvalityAngle,
-            "lobes" => Self::LobeCount,
-            "lobe height" => Self::LobeHeight,
-            "lobe angle" => Self::LobeAngle,
-            "wave length" => Self::WaveLength,
-            "wave amplitude" => Self::WaveHeight,
-            "wave direction" => Self::WaveX,
-            "normal" | "length of the normal" => Self::NormalX,
-            "deviation" => Self::Deviation,
-            "radius" => Self::Radius,
-            "width" => Self::Width,
-            "1st length" => Self::FirstLength,
-            "2nd length" => Self::SecondLength,
-            "angle" => Self::Angle,
-            _ if matches!(shape, Shape::Face | Shape::Point) => Self::PointX,
-            _ => Self::CentreX,
-        }
+        let place = if matches!(shape, Shape::Face | Shape::Point) { Self::PointX } else { Self::CentreX };
+        let is_it = |field: &&Self| field.declared().refused_as.contains(&error.what);
+        Self::ALL.iter().find(is_it).copied().unwrap_or(place)
     }
 }

@@ -2,7 +2,8 @@
 
 use jiff::civil::DateTime;
 
-use super::{Direction, FitCommand, FitField, FitPage};
+use super::{FitCommand, FitField, FitPage};
+use crate::session::Step;
 use crate::session::check::nominal_text;
 use crate::session::command::{Effect, Page};
 use crate::session::shared::{News, PageState, Shared};
@@ -21,7 +22,7 @@ impl PageState for FitPage {
                     self.choose_class(class);
                 }
             }
-            FitCommand::ShowClasses(side) => self.side = side,
+            FitCommand::ShowClasses(side) => self.side = Some(side),
             FitCommand::ChooseExpansion(part, expansion) => {
                 let sign = shared.language.decimal_sign().to_string();
                 self.texts.set(FitField::expansion(part), expansion.to_string().replace('.', &sign));
@@ -59,10 +60,10 @@ impl FitPage {
     }
 
     /// The class beside the chosen one in the map that is shown; where none is chosen, the one to begin with.
-    fn neighbour(&self, direction: Direction) -> Option<ToleranceClass> {
-        let map = self.map(self.side)?;
-        match self.class(self.side).filter(|class| map.has(*class)) {
-            Some(class) => map.next(class, direction),
+    fn neighbour(&self, step: Step) -> Option<ToleranceClass> {
+        let map = self.map(self.side())?;
+        match self.class(self.side()).filter(|class| map.has(*class)) {
+            Some(class) => map.next(class, step),
             None => map.first(),
         }
     }

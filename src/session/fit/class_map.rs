@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::length::Length;
+use crate::session::Step;
 use crate::tolerance::iso286::{self, Grade, Letter};
-use crate::tolerance::{Base, Callout, Deviations, Feature, Sources, ToleranceClass};
+use crate::tolerance::{Callout, Deviations, Feature, Sources, ToleranceClass};
 
 /// A class at the map's size.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,19 +20,6 @@ pub struct MapCell {
     pub lower_um: f64,
 }
 
-/// Where to go from a class.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Direction {
-    /// The letter before.
-    Left,
-    /// The letter after.
-    Right,
-    /// The next finer grade.
-    Up,
-    /// The next coarser grade.
-    Down,
-}
-
 /// The classes by grade and letter.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ClassMap {
@@ -41,14 +29,12 @@ pub struct ClassMap {
 }
 
 impl ClassMap {
-    /// Every class that the sources define at a size: those of ISO 286, where it is asked, and those of the tables.
+    /// Every class that the sources define at a size: those of the standard, where one is asked, and those of the
+    /// tables.
     pub(super) fn new(feature: Feature, nominal: Length, sources: &Sources) -> Self {
-        let standard = matches!(sources.base(), Base::Iso286);
-        let standard = standard.then(|| iso286::classes_at(feature, nominal, sources.options()));
-        let standard = standard.into_iter().flatten().map(|(class, _)| class);
-        let columns = sources.tables().flat_map(|table| table.columns().iter().map(|column| column.class));
+        let standard = sources.standard_classes_at(feature, nominal).map(|(class, _)| class);
         let mut map = Self::default();
-        for class in standard.chain(columns).filter(|class| class.feature() == feature) {
+        for class in standard.chain(sources.table_classes(feature)) {
             // An own table may say something else than the standard, or that the class is not defined here.
             let callout = Callout::new(nominal, class).ok();
             if let Some(limits) = callout.and_then(|callout| sources.limits(&callout, None).ok()) {
@@ -106,15 +92,16 @@ impl ClassMap {
     }
 
     /// The next defined class from another one; `None` at the edge, and from a class that is not in the map.
-    pub fn next(&self, class: ToleranceClass, direction: Direction) -> Option<ToleranceClass> {
+    pub fn next(&self, class: ToleranceClass, step: Step) -> Option<ToleranceClass> {
         let (letter, grade) = iso286::parts(class)?;
         let in_row = |letter: &Letter| Some(self.cell(*letter, grade)?.class);
         let in_column = |grade: &Grade| Some(self.cell(letter, *grade)?.class);
-        match direction {
-            Direction::Left => Letter::ALL.iter().rev().filter(|other| **other < letter).find_map(in_row),
-            Direction::Right => Letter::ALL.iter().filter(|other| letter < **other).find_map(in_row),
-            Direction::Up => self.grades.iter().rev().filter(|other| **other < grade).find_map(in_column),
-            Direction::Down => self.grades.iter().filter(|other| grade < **other).find_map(in_column),
+        match step {
+            Step::Left => Letter::ALL.iter().rev().filter(|other| **other < letter).find_map(in_row),
+            Step::Right => Letter::ALL.iter().filter(|other| letter < **other).find_map(in_row),
+            Step::Up => self.grades.iter().rev().filter(|other| **other < grade).find_map(in_column),
+            Step::Down => self.grades.iter().filter(|other| grade < **other).find_map(in_column),
+            _ => None,
         }
     }
 

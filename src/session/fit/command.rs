@@ -1,6 +1,7 @@
 //! What can be done on the fit page.
 
-use super::{Direction, FitField};
+use super::FitField;
+use crate::session::Step;
 use crate::tolerance::fit::search::Scope;
 use crate::tolerance::fit::thermal::Expansion;
 use crate::tolerance::{Feature, ToleranceClass};
@@ -15,7 +16,7 @@ pub enum FitCommand {
     /// Takes a class for its side; the nominal size and the other side stay.
     ChooseClass(ToleranceClass),
     /// Takes the next class of the map that is shown, as an arrow points.
-    Move(Direction),
+    Move(Step),
     /// Shows the map of hole classes or of shaft classes.
     ShowClasses(Feature),
     /// Puts a material's expansion into the field of a part.

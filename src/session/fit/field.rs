@@ -1,27 +1,28 @@
 //! The text fields of the fit page.
 
-use crate::session::field::KeptField;
+use crate::session::field::kept_fields;
 use crate::tolerance::Feature;
 
-/// A text field of the fit page.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum FitField {
+kept_fields! {
+    /// A text field of the fit page.
+    FitField
+
     /// Nominal size and both classes of a fit, `25 H7/g6`.
-    Callout,
+    Callout: "fit-callout", "";
     /// The hole's measured diameter, mm; empty where it was not measured.
-    HoleMeasured,
+    HoleMeasured: "hole-measured", "";
     /// The shaft's measured diameter, mm; empty where it was not measured.
-    ShaftMeasured,
+    ShaftMeasured: "shaft-measured", "";
     /// The temperature of both parts, °C.
-    Temperature,
+    Temperature: "temperature", "20";
     /// Expansion of the hole's material, 10⁻⁶/K.
-    HoleExpansion,
+    HoleExpansion: "hole-expansion", "11.5";
     /// Expansion of the shaft's material, 10⁻⁶/K.
-    ShaftExpansion,
+    ShaftExpansion: "shaft-expansion", "11.5";
     /// The smallest clearance that is searched for, mm; negative is an interference.
-    WantedMinimum,
+    WantedMinimum: "wanted-minimum", "";
     /// The largest clearance that is searched for, mm; negative is an interference.
-    WantedMaximum,
+    WantedMaximum: "wanted-maximum", "";
 }
 
 impl FitField {
@@ -38,32 +39,6 @@ impl FitField {
         match part {
             Feature::Hole => Self::HoleExpansion,
             Feature::Shaft => Self::ShaftExpansion,
-        }
-    }
-}
-
-impl KeptField for FitField {
-    const ALL: &'static [Self] = &[
-        Self::Callout,
-        Self::HoleMeasured,
-        Self::ShaftMeasured,
-        Self::Temperature,
-        Self::HoleExpansion,
-        Self::ShaftExpansion,
-        Self::WantedMinimum,
-        Self::WantedMaximum,
-    ];
-
-    fn declared(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Callout => ("fit-callout", ""),
-            Self::HoleMeasured => ("hole-measured", ""),
-            Self::ShaftMeasured => ("shaft-measured", ""),
-            Self::Temperature => ("temperature", "20"),
-            Self::HoleExpansion => ("hole-expansion", "11.5"),
-            Self::ShaftExpansion => ("shaft-expansion", "11.5"),
-            Self::WantedMinimum => ("wanted-minimum", ""),
-            Self::WantedMaximum => ("wanted-maximum", ""),
         }
     }
 }

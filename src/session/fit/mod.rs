@@ -33,7 +33,7 @@ use crate::tolerance::fit::{Fit, Kind};
 use crate::tolerance::{Feature, Sources, ToleranceClass};
 use crate::verdict::fit::{Actual, Possible};
 
-pub use class_map::{ClassMap, Direction, MapCell};
+pub use class_map::{ClassMap, MapCell};
 pub use command::FitCommand;
 pub use field::FitField;
 pub use picture::{Mark, Picture, PictureZone};
@@ -92,10 +92,11 @@ struct Maps {
 }
 
 /// The state of the fit page, and what its fields mean.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct FitPage {
     texts: Texts<FitField>,
-    side: Feature,
+    /// Whose classes the map shows; those of holes until one is chosen.
+    side: Option<Feature>,
     scope: Scope,
     nominal: Option<Length>,
     hole: Option<ToleranceClass>,
@@ -111,30 +112,6 @@ pub struct FitPage {
     maps: Option<Maps>,
     asking: Option<Asking>,
     found: Option<Result<Found, Message>>,
-}
-
-impl Default for FitPage {
-    fn default() -> Self {
-        Self {
-            texts: Texts::default(),
-            side: Feature::Hole,
-            scope: Scope::default(),
-            nominal: None,
-            hole: None,
-            shaft: None,
-            culprit: None,
-            hint: None,
-            errors: BTreeMap::new(),
-            lengths: BTreeMap::new(),
-            fit: None,
-            equivalent: None,
-            temperature: None,
-            expansions: BTreeMap::new(),
-            maps: None,
-            asking: None,
-            found: None,
-        }
-    }
 }
 
 /// The names of the larger and of the smaller end of a range of clearance, with their amounts: a clearance below zero
@@ -255,8 +232,8 @@ impl FitPage {
     }
 
     /// Whose classes the map shows.
-    pub const fn side(&self) -> Feature {
-        self.side
+    pub fn side(&self) -> Feature {
+        self.side.unwrap_or(Feature::Hole)
     }
 
     /// Every class of one side at the size, when there is a size.

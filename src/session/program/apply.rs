@@ -3,8 +3,9 @@
 use jiff::civil::DateTime;
 
 use super::running::Mode;
-use super::{BlockStep, Document, ProgramCommand, ProgramPage, Run, Switch, WorkpieceFrom};
+use super::{Document, ProgramCommand, ProgramPage, Run, Switch, WorkpieceFrom};
 use crate::nc::machine::{BlockPlace, NcPath};
+use crate::session::Step;
 use crate::session::command::{Effect, Page};
 use crate::session::shared::{News, PageState, Shared};
 
@@ -61,13 +62,9 @@ impl PageState for ProgramPage {
 
 impl ProgramPage {
     fn toggle(&mut self, switch: Switch) {
-        let switches = &mut self.switches;
-        let switched = match switch {
-            Switch::SkipUnknown => &mut switches.skip_unknown,
-            Switch::BlockSkip => &mut switches.block_skip,
-            Switch::OptionalStop => &mut switches.optional_stop,
-        };
-        *switched = !*switched;
+        if !self.switches.remove(&switch) {
+            self.switches.insert(switch);
+        }
         self.reset();
     }
 
@@ -86,16 +83,17 @@ impl ProgramPage {
         }
     }
 
-    fn go(&mut self, step: BlockStep) {
+    fn go(&mut self, step: Step) {
         let Some(document) = self.shown() else { return };
         let (here, last) = (document.selected(), document.program().blocks().len().saturating_sub(1));
         let block = match step {
-            BlockStep::Up => here.saturating_sub(1),
-            BlockStep::Down => here + 1,
-            BlockStep::PageUp => here.saturating_sub(PAGE),
-            BlockStep::PageDown => here + PAGE,
-            BlockStep::First => 0,
-            BlockStep::Last => last,
+            Step::Up => here.saturating_sub(1),
+            Step::Down => here + 1,
+            Step::PageUp => here.saturating_sub(PAGE),
+            Step::PageDown => here + PAGE,
+            Step::First | Step::Top => 0,
+            Step::Last | Step::Bottom => last,
+            Step::Left | Step::Right => here,
         };
         let place = BlockPlace { program: document.path().clone(), block: block.min(last) };
         self.look_at(&place, true);

@@ -8,6 +8,7 @@ use crate::control::variables::Parameter;
 use crate::message::Message;
 use crate::nc::machine::{BlockPlace, NcPath};
 use crate::nc::program::ProgramWarning;
+use crate::session::Step;
 
 /// What can be done on the program page.
 #[derive(Debug, Clone)]
@@ -48,7 +49,7 @@ pub enum ProgramCommand {
     /// Selects a block of the shown program.
     Select(usize),
     /// Selects a block near the selected one.
-    Move(BlockStep),
+    Move(Step),
     /// Shows a program of the call stack by its path.
     ShowProgram(NcPath),
     /// Shows a block of any program of the run and selects it.
@@ -61,30 +62,8 @@ pub enum ProgramCommand {
     DropValue(Parameter),
 }
 
-/// A step from block to block; it ends at the program's ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum BlockStep {
-    /// To the block before.
-    Up,
-    /// To the next block.
-    Down,
-    /// So many blocks up.
-    PageUp,
-    /// So many blocks down.
-    PageDown,
-    /// To the first block.
-    First,
-    /// To the last block.
-    Last,
-}
-
-impl BlockStep {
-    /// Every step.
-    pub const ALL: [Self; 6] = [Self::Up, Self::Down, Self::PageUp, Self::PageDown, Self::First, Self::Last];
-}
-
 /// What can be switched about a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Switch {
     /// Blocks that are not known are passed over with a remark, instead of ending the run.
     SkipUnknown,

@@ -253,16 +253,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_plain_values_before_the_first_call_are_inputs() {
-        let text = "0 BEGIN PGM x MM\n1 * - Head\n2 Q1 = 25\n3 DECLARE STRING QS1 = \"H7\"\n4 Q11 = Q1 + 1\n\
-            5 Q31 = - 5.5\n6 Q1 = 30\n7 CALL PGM y.h\n8 Q41 = 0\n9 END PGM x MM\n";
-        let (program, _) = Program::read(text.as_bytes()).unwrap();
-        let found: Vec<_> = assigned(&program).into_iter().collect();
-        let expected = [(Input::Size, "25"), (Input::Class, "H7"), (Input::Height, "-5.5")];
-        assert_eq!(found, expected.map(|(input, text)| (input, text.to_owned())));
-    }
-
-    #[test]
     fn an_input_is_what_its_cycle_allows() {
         let length = |mm: &str| Ok(Value::Length(mm.parse().unwrap()));
         assert_eq!(Input::Size.read("25,5"), length("25.5"));

@@ -13,7 +13,7 @@
 //! | `watching` | parameters with their names, changes and values given beforehand |
 //! | `opening` | programs from files, and what is typed |
 //! | `workpiece` | what is measured |
-//! | `problems` | what is wrong, block by block |
+//! | `notes` | errors, warnings and remarks, block by block |
 //!
 //! A run belongs to its inputs: any change of an input clears it. Nothing is written; what a program prints to files is
 //! listed.
@@ -23,8 +23,8 @@ mod command;
 mod document;
 mod field;
 mod inputs;
+mod notes;
 mod opening;
-mod problems;
 mod run;
 mod running;
 mod tokens;
@@ -34,11 +34,11 @@ mod workpiece;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
-pub use command::{BlockStep, Origin, ProgramCommand, Switch, WorkpieceFrom};
+pub use command::{Origin, ProgramCommand, Switch, WorkpieceFrom};
 pub use document::{Document, Entry, EntryKind};
 pub use field::ProgramField;
 pub use inputs::{Agreement, Input};
-pub use problems::{Problem, ProblemKind};
+pub use notes::{Note, NoteKind};
 pub use run::{MOST_MOVES, Run, Speed, State};
 pub use tokens::{Token, tokens};
 pub use watching::{Name, Watched};
@@ -66,7 +66,8 @@ pub struct ProgramPage {
     given: BTreeMap<Parameter, Value>,
     pinned: BTreeSet<Parameter>,
     breakpoints: BTreeSet<BlockPlace>,
-    switches: Switches,
+    /// What is switched on.
+    switches: BTreeSet<Switch>,
     speed: Speed,
     run: Option<Run>,
     /// Why a run could not begin.
@@ -75,14 +76,6 @@ pub struct ProgramPage {
     looks: u64,
     /// The line that has to.
     look: usize,
-}
-
-/// What is switched on.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-struct Switches {
-    skip_unknown: bool,
-    block_skip: bool,
-    optional_stop: bool,
 }
 
 impl ProgramPage {
@@ -131,12 +124,8 @@ impl ProgramPage {
     }
 
     /// Whether something is switched on.
-    pub const fn is_on(&self, switch: Switch) -> bool {
-        match switch {
-            Switch::SkipUnknown => self.switches.skip_unknown,
-            Switch::BlockSkip => self.switches.block_skip,
-            Switch::OptionalStop => self.switches.optional_stop,
-        }
+    pub fn is_on(&self, switch: Switch) -> bool {
+        self.switches.contains(&switch)
     }
 
     /// Whether a block of the shown program has a breakpoint.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::run::{Goal, Run, State};
-use super::{Origin, ProgramField, ProgramPage, Speed};
+use super::{Origin, ProgramField, ProgramPage, Speed, Switch};
 use crate::files::Folders;
 use crate::message::{Message, Say as _};
 use crate::nc::machine::{BlockPlace, Machine, Settings};
@@ -21,6 +21,7 @@ pub(super) enum Mode {
     /// Until the selected block.
     ToSelected,
 }
+
 impl ProgramPage {
     /// What the run does and why it waits, in a sentence.
     pub fn state_message(&self) -> Message {
@@ -62,9 +63,8 @@ impl ProgramPage {
 impl ProgramPage {
     /// A machine before the first block, or why there is none.
     fn new_run(&mut self, shared: &Shared, now: DateTime) -> Result<Run, Message> {
-        let unreadable = || Message::new("program-page-refused-inputs");
         if self.errors.keys().any(|field| matches!(field, ProgramField::Input(_))) {
-            return Err(unreadable());
+            return Err(Message::new("program-page-refused-inputs"));
         }
         let document = self.main().ok_or_else(|| Message::new("program-page-refused-none"))?;
         let (path, program) = (document.path().to_string(), Arc::clone(document.program()));
@@ -74,9 +74,9 @@ impl ProgramPage {
             _ => Folders::new(),
         };
         let mut settings = Settings::new(shared.language.dialogue(), now);
-        settings.skip_unknown = self.switches.skip_unknown;
-        settings.block_skip = self.switches.block_skip;
-        settings.optional_stop = self.switches.optional_stop;
+        settings.skip_unknown = self.is_on(Switch::SkipUnknown);
+        settings.block_skip = self.is_on(Switch::BlockSkip);
+        settings.optional_stop = self.is_on(Switch::OptionalStop);
         let mut machine = Machine::new(&path, program, folders, contacts, settings);
         for (parameter, value) in self.changed_inputs() {
             machine.set(parameter, value).map_err(|fault| fault.message())?;

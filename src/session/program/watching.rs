@@ -155,18 +155,3 @@ impl ProgramPage {
         self.reset();
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn parameters_are_named_as_on_the_control() {
-        assert_eq!(parameter("q5"), Some(Parameter::q(5)));
-        assert_eq!(parameter(" QS 12"), Some(Parameter::qs(12)));
-        assert_eq!(parameter("QL499"), Some(Parameter { family: Family::Ql, number: 499 }));
-        for text in ["", "Q", "5", "QL500", "Q2000", "QX1", "Q1a", "Q99999"] {
-            assert_eq!(parameter(text), None, "{text}");
-        }
-    }
-}

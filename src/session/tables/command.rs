@@ -2,6 +2,7 @@
 
 use super::TablesField;
 use crate::message::Message;
+use crate::session::Step;
 use crate::tolerance::{DeviationTable, ToleranceClass};
 
 /// What can be done on the table page.
@@ -55,45 +56,4 @@ pub enum TableChoice {
     Document(usize),
     /// One of the user's own that was not opened yet, by its number there.
     Own(usize),
-}
-
-/// A step from cell to cell; it ends at the table's edge.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Step {
-    /// To the class on the left.
-    Left,
-    /// To the class on the right.
-    Right,
-    /// To the smaller size range.
-    Up,
-    /// To the larger size range.
-    Down,
-    /// Ten size ranges up.
-    PageUp,
-    /// Ten size ranges down.
-    PageDown,
-    /// To the first class.
-    First,
-    /// To the last class.
-    Last,
-    /// To the first size range.
-    Top,
-    /// To the last size range.
-    Bottom,
-}
-
-impl Step {
-    /// Every step.
-    pub const ALL: [Self; 10] = [
-        Self::Left,
-        Self::Right,
-        Self::Up,
-        Self::Down,
-        Self::PageUp,
-        Self::PageDown,
-        Self::First,
-        Self::Last,
-        Self::Top,
-        Self::Bottom,
-    ];
 }

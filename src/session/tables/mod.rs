@@ -26,7 +26,7 @@ mod walking;
 
 use std::collections::BTreeMap;
 
-pub use command::{Step, TableChoice, TablesCommand};
+pub use command::{TableChoice, TablesCommand};
 pub use document::{Document, Origin};
 pub use field::TablesField;
 pub use filter::Filter;

@@ -1,6 +1,7 @@
 //! Moving from cell to cell: by steps, and from difference to difference.
 
-use super::{Filter, Step, TablesField, TablesPage};
+use super::{Filter, TablesField, TablesPage};
+use crate::session::Step;
 use crate::session::shared::Shared;
 use crate::tolerance::ToleranceClass;
 

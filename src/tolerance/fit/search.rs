@@ -14,7 +14,7 @@ use crate::length::Length;
 use crate::message::Say;
 use crate::tolerance::class::{Feature, ToleranceClass};
 use crate::tolerance::iso286::Options;
-use crate::tolerance::sources::{Base, Sources};
+use crate::tolerance::sources::Sources;
 
 /// A range of clearance; negative is an interference. The borders belong to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -158,8 +158,11 @@ pub fn search_in(
     let holes = Zone::all(Feature::Hole, nominal, sources);
     let shafts = Zone::all(Feature::Shaft, nominal, sources);
     if holes.is_empty() || shafts.is_empty() {
-        let is_standard = matches!(sources.base(), Base::Iso286);
-        return Err(if is_standard { SearchError::TooLarge { nominal } } else { SearchError::NoClasses { nominal } });
+        return Err(if sources.base().is_standard() {
+            SearchError::TooLarge { nominal }
+        } else {
+            SearchError::NoClasses { nominal }
+        });
     }
     let mut ranked = fitting(&holes, &shafts, wanted, scope);
     let total = ranked.len();

@@ -17,6 +17,7 @@ use std::path::Path;
 
 use fitcheck::journal::Record;
 use fitcheck::length::Length;
+use fitcheck::message::Message;
 use fitcheck::probing::{Circle, Contact, Measurement, Origin};
 use fitcheck::report::{Report, rendering_for};
 use fitcheck::tolerance::{Callout, Deviations, Feature, Limits, Source};
@@ -31,7 +32,9 @@ fn um(um: i32) -> Length {
 /// Limits as ISO 286 gives them between 18 and 30 mm.
 fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
     let callout: Callout = callout.parse().unwrap();
-    let source = Source::Iso286 { over: um(18_000), to: um(30_000), remark: None };
+    let (over, to) = (um(18_000), um(30_000));
+    let said = Message::new("source-iso286").with("over", &over).with("to", &to);
+    let source = Source::Standard { over, to, said };
     let deviations = Deviations::new(um(upper), um(lower)).unwrap();
     Limits::new(callout.feature().unwrap(), callout.nominal(), deviations, source).unwrap()
 }

@@ -186,9 +186,3 @@ pub(super) fn arc(centre: Pos2, radius: f32, from: f32, to: f32) -> Vec<Pos2> {
     const STEPS: u8 = 72;
     (0..=STEPS).map(|step| polar(centre, radius, from + (to - from) * f32::from(step) / f32::from(STEPS))).collect()
 }
-
-/// Screen coordinates have fewer digits than the geometry.
-#[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "a place on the screen")]
-pub(super) const fn screen(value: f64) -> f32 {
-    value as f32
-}

@@ -6,8 +6,9 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Align2, Painter, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, vec2};
 
 use super::bar;
-use super::canvas::{Canvas, screen};
+use super::canvas::Canvas;
 use super::criteria::plain;
+use crate::gui::shapes::screen;
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::View;
 use crate::message::Message;

@@ -3,8 +3,9 @@
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
-use super::canvas::{Canvas, screen};
+use super::canvas::Canvas;
 use super::path::{Eye, Way, phase_id, place, trace};
+use crate::gui::shapes::screen;
 use crate::gui::theme::{sizes, space};
 use crate::message::Message;
 use crate::probing::cycle::{Move, Phase, Plane};

@@ -9,7 +9,7 @@ use crate::tolerance::class::{Feature, ToleranceClass};
 use crate::tolerance::fit::preferred::{Function, Preference};
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::limits::Deviations;
-use crate::tolerance::sources::{Base, Sources};
+use crate::tolerance::sources::Sources;
 
 /// A class at the size that is asked for, in nanometres.
 pub(super) struct Zone {
@@ -23,15 +23,11 @@ pub(super) struct Zone {
 impl Zone {
     /// Every class, by letter and then by grade; those that ISO 286 does not know follow by name.
     pub(super) fn all(feature: Feature, nominal: Length, sources: &Sources) -> Vec<Self> {
-        let is_standard = matches!(sources.base(), Base::Iso286);
-        let standard = is_standard.then(|| iso286::classes_at(feature, nominal, sources.options()));
-        let standard = standard.into_iter().flatten();
+        let standard = sources.standard_classes_at(feature, nominal);
         if sources.tables().next().is_none() {
             return standard.map(|(class, deviations)| Self::new(class, deviations)).collect();
         }
-        let columns = sources.tables().flat_map(|table| table.columns().iter().map(|column| column.class));
-        let mut classes: Vec<_> =
-            standard.map(|(class, _)| class).chain(columns.filter(|class| class.feature() == feature)).collect();
+        let mut classes: Vec<_> = standard.map(|(class, _)| class).chain(sources.table_classes(feature)).collect();
         classes.sort_unstable_by_key(|class| {
             let parts = iso286::parts(*class);
             (parts.is_none(), parts, *class)

@@ -7,16 +7,16 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::session::ProgramCommand;
-use crate::session::program::{ProblemKind, Run};
+use crate::session::program::{NoteKind, Run};
 use crate::verdict::Status;
 
 /// How many lines are seen without scrolling.
 const LINES: u8 = 4;
 
 /// The panel, where there is something to tell.
-pub(super) fn problems_ui(ui: &mut Ui, view: &mut View<'_>) {
+pub(super) fn notes_ui(ui: &mut Ui, view: &mut View<'_>) {
     let program = view.session.program();
-    let count = program.problem_count();
+    let count = program.note_count();
     if count == 0 {
         return;
     }
@@ -42,20 +42,20 @@ pub(super) fn problems_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn row_ui(ui: &mut Ui, view: &mut View<'_>, number: usize) {
-    let Some(problem) = view.session.program().problem(number) else { return };
+    let Some(note) = view.session.program().note(number) else { return };
     let palette = palette(ui.ctx());
-    let is_fault = problem.kind == ProblemKind::Fault;
+    let is_error = note.kind == NoteKind::Error;
     ui.horizontal(|ui| {
         let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
-        let (shape, colour) = if is_fault { (Some(Status::Scrap), palette.error.0) } else { (None, palette.quiet.0) };
+        let (shape, colour) = if is_error { (Some(Status::Scrap), palette.error.0) } else { (None, palette.quiet.0) };
         shapes::status(ui.painter(), mark, shape, colour);
-        let said = view.words.say(&problem.message);
-        let font = if is_fault { theme::bold(sizes().small) } else { theme::font(sizes().small) };
-        let colour = if is_fault { palette.error.0 } else { palette.text.0 };
+        let said = view.words.say(&note.message);
+        let font = if is_error { theme::bold(sizes().small) } else { theme::font(sizes().small) };
+        let colour = if is_error { palette.error.0 } else { palette.text.0 };
         let text = RichText::new(&said).font(font).color(colour);
         let button = Button::new(text).frame(false).truncate().min_size(vec2(0.0, sizes().field));
         if ui.add(button).on_hover_text(said).clicked() {
-            view.send(ProgramCommand::GoTo(problem.place));
+            view.send(ProgramCommand::GoTo(note.place));
         }
     });
 }

@@ -1,0 +1,48 @@
+//! Steps among things that stand in rows and columns: classes of the map, cells, blocks, moves of a path.
+
+/// A step; it ends at the edge, and is none where there is nothing in its direction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Step {
+    /// To the one on the left: the class before, the move before.
+    Left,
+    /// To the one on the right: the class after, the next move.
+    Right,
+    /// To the one above: the finer grade, the smaller size range, the block before.
+    Up,
+    /// To the one below: the coarser grade, the larger size range, the next block.
+    Down,
+    /// So many up.
+    PageUp,
+    /// So many down.
+    PageDown,
+    /// To the first one: of a table's row, its first class.
+    First,
+    /// To the last one.
+    Last,
+    /// To the first row of a table.
+    Top,
+    /// To the last row of a table.
+    Bottom,
+}
+
+impl Step {
+    /// The steps among the classes of the map.
+    pub const CLASSES: [Self; 4] = [Self::Left, Self::Right, Self::Up, Self::Down];
+    /// The steps along a path.
+    pub const PATH: [Self; 4] = [Self::First, Self::Left, Self::Right, Self::Last];
+    /// The steps among blocks.
+    pub const BLOCKS: [Self; 6] = [Self::Up, Self::Down, Self::PageUp, Self::PageDown, Self::First, Self::Last];
+    /// The steps among cells: every one.
+    pub const CELLS: [Self; 10] = [
+        Self::Left,
+        Self::Right,
+        Self::Up,
+        Self::Down,
+        Self::PageUp,
+        Self::PageDown,
+        Self::First,
+        Self::Last,
+        Self::Top,
+        Self::Bottom,
+    ];
+}

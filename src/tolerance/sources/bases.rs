@@ -1,0 +1,86 @@
+//! What answers after the user's own tables: the list of sources of limits.
+//!
+//! A new source is a file in `bases/` with its declaration, its lines in this file, and its texts. The command line,
+//! the window's menu, the state file and every look-up follow from that.
+
+mod control_tables;
+mod iso286;
+
+use serde::{Deserialize, Serialize};
+
+use super::LimitsError;
+use crate::length::Length;
+use crate::tolerance::class::{Feature, ToleranceClass};
+use crate::tolerance::iso286::Options;
+use crate::tolerance::limits::{Deviations, Source};
+
+/// What answers after the user's own tables. A state file keeps it by its name in kebab case.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Base {
+    /// The standard: every class from above 0 up to 3150 mm.
+    #[default]
+    Iso286,
+    /// Tables as on a control. One of the user's own with the same name takes the place of its namesake.
+    ControlTables,
+}
+
+/// What a source says of itself.
+pub(super) struct Declaration {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// What the command line's help says about it.
+    pub help: &'static str,
+    /// The id of what the window's menu says.
+    pub text: &'static str,
+    /// What it answers by itself; `None` where the control's tables answer.
+    pub standard: Option<Standard>,
+}
+
+/// What a source answers by itself.
+pub(super) struct Standard {
+    /// The limit deviations of a class at a size, and where they come from.
+    pub deviations: fn(ToleranceClass, Length, Options) -> Result<(Deviations, Source), LimitsError>,
+    /// Whether it has a class at some size.
+    pub knows: fn(ToleranceClass) -> bool,
+    /// Every class that it has at a size, by letter and then by grade.
+    pub classes_at: fn(Feature, Length, Options) -> Box<dyn Iterator<Item = (ToleranceClass, Deviations)>>,
+    /// The classes that are offered first.
+    pub usual_classes: fn(Feature) -> Vec<ToleranceClass>,
+}
+
+impl Base {
+    /// Every source, in the order of menu and help.
+    pub const ALL: [Self; 2] = [Self::Iso286, Self::ControlTables];
+
+    const fn declaration(self) -> &'static Declaration {
+        match self {
+            Self::Iso286 => &iso286::DECLARATION,
+            Self::ControlTables => &control_tables::DECLARATION,
+        }
+    }
+
+    /// Its name on the command line.
+    pub const fn name(self) -> &'static str {
+        self.declaration().name
+    }
+
+    /// What the command line's help says about it.
+    pub const fn help(self) -> &'static str {
+        self.declaration().help
+    }
+
+    /// The id of what the window's menu says.
+    pub const fn text(self) -> &'static str {
+        self.declaration().text
+    }
+
+    /// Whether it is a standard, which answers by itself, and not the control's tables.
+    pub const fn is_standard(self) -> bool {
+        self.standard().is_some()
+    }
+
+    pub(super) const fn standard(self) -> Option<&'static Standard> {
+        self.declaration().standard.as_ref()
+    }
+}

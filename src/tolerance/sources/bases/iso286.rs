@@ -1,0 +1,30 @@
+//! ISO 286 as a source of limits.
+
+use super::{Declaration, Standard};
+use crate::length::Length;
+use crate::message::Message;
+use crate::tolerance::ToleranceClass;
+use crate::tolerance::iso286::{self, Cell, Options};
+use crate::tolerance::limits::{Deviations, Source};
+use crate::tolerance::sources::LimitsError;
+
+pub(super) const DECLARATION: Declaration = Declaration {
+    name: "iso286",
+    help: "ISO 286, every class to 3150 mm",
+    text: "source-choice-iso286",
+    standard: Some(Standard {
+        deviations,
+        knows: |class| iso286::parts(class).is_some(),
+        classes_at: |feature, nominal, options| Box::new(iso286::classes_at(feature, nominal, options)),
+        usual_classes: |feature| iso286::usual_classes(feature).collect(),
+    }),
+};
+
+fn deviations(class: ToleranceClass, nominal: Length, options: Options) -> Result<(Deviations, Source), LimitsError> {
+    let Cell { deviations, over, to, remark } = iso286::deviations(class, nominal, options)?;
+    let said = match remark {
+        None => Message::new("source-iso286"),
+        Some(remark) => Message::new("source-iso286-remark").with("remark", &remark),
+    };
+    Ok((deviations, Source::Standard { over, to, said: said.with("over", &over).with("to", &to) }))
+}
