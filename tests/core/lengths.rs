@@ -35,7 +35,7 @@ fn reads_numbers_as_people_type_them() {
 }
 
 #[test]
-fn refuses_what_is_no_nm() {
+fn refuses_what_is_no_length() {
     check("", "a length is missing");
     check("   ", "a length is missing");
     check("NaN", "NaN is not a number");
