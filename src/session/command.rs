@@ -123,10 +123,15 @@ impl Purpose {
     /// Whether something is read; else a file is written.
     pub const fn is_reading(self) -> bool {
         match self {
-            Self::Import | Self::LoadMask | Self::LoadTables => true,
-            Self::OpenTable | Self::OpenCycleFile(_) | Self::OpenProgram => true,
-            Self::Export(_) | Self::ExportStatus | Self::SaveTable(_) => false,
-            Self::SaveWorkpiece | Self::SaveCycleLog => false,
+            Self::Export(_) | Self::ExportStatus | Self::SaveTable(_) | Self::SaveWorkpiece | Self::SaveCycleLog => {
+                false
+            }
+            Self::Import
+            | Self::LoadMask
+            | Self::LoadTables
+            | Self::OpenTable
+            | Self::OpenCycleFile(_)
+            | Self::OpenProgram => true,
         }
     }
 }

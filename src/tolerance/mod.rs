@@ -10,7 +10,7 @@
 //! | `table_edit` | a table that is being edited, and tables made of the standard |
 //! | `compare` | a table against the standard, cell by cell |
 //! | `iso286` | the standard: every class, 0 to 3150 mm |
-//! | `sources` | from a callout to limits: the user's own tables first, then ISO 286 or the control's tables |
+//! | `sources` | from a callout to limits: the user's own tables first, then a source of the list in `sources/bases` |
 //! | `fit` | a hole against a shaft: clearances, search, temperature |
 //!
 //! Nothing here reads a file or knows a window: tables arrive as values.

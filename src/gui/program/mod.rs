@@ -9,7 +9,7 @@
 //! | `answer_panel` | right: windows, files, what was measured |
 //! | `watch_panel` | right, below: parameters |
 //! | `path_panel` | below the listing: the way of the probe |
-//! | `notes_panel` | below the listing: what is wrong, to be jumped to |
+//! | `notes_panel` | below the listing: errors, warnings and remarks, to be jumped to |
 
 mod answer_panel;
 mod form_panel;

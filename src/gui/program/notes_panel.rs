@@ -1,4 +1,4 @@
-//! Below the listing: what is wrong, one a line; a click shows the block.
+//! Below the listing: errors, warnings and remarks, one a line; a click shows the block.
 
 use eframe::egui::{Button, Panel, RichText, ScrollArea, Sense, Ui, vec2};
 

@@ -37,14 +37,20 @@ pub(super) struct Declaration {
     pub standard: Option<Standard>,
 }
 
+/// The limit deviations of a class, and where they come from; or why it has none.
+type Answer = Result<(Deviations, Source), LimitsError>;
+
+/// Classes at a size, with their deviations.
+type Classes = Box<dyn Iterator<Item = (ToleranceClass, Deviations)>>;
+
 /// What a source answers by itself.
 pub(super) struct Standard {
     /// The limit deviations of a class at a size, and where they come from.
-    pub deviations: fn(ToleranceClass, Length, Options) -> Result<(Deviations, Source), LimitsError>,
+    pub deviations: fn(ToleranceClass, Length, Options) -> Answer,
     /// Whether it has a class at some size.
     pub knows: fn(ToleranceClass) -> bool,
     /// Every class that it has at a size, by letter and then by grade.
-    pub classes_at: fn(Feature, Length, Options) -> Box<dyn Iterator<Item = (ToleranceClass, Deviations)>>,
+    pub classes_at: fn(Feature, Length, Options) -> Classes,
     /// The classes that are offered first.
     pub usual_classes: fn(Feature) -> Vec<ToleranceClass>,
 }
