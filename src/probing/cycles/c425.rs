@@ -2,8 +2,8 @@
 //!
 //! Parameters and ranges as in the cycle manual of the TNC 320, their order and names as in a public post-processor,
 //! course and results as in the manual of the TNC7: first in plus direction, then, shifted by Q310, in minus direction.
-//! Our readings: Q310 shifts across the measured axis; Q320 and Q301 come last, where a program has them at all; the
-//! second probing begins at rapid traverse as far from the wall as the nominal width lets expect it.
+//! Our interpretation: Q310 shifts across the measured axis; Q320 and Q301 come last, if a program has them at all; the
+//! second probing begins, at rapid traverse, as far from the wall as the nominal width suggests.
 
 use super::probed::{clearance, met, probing};
 use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, axis, measured, subject, surface};
