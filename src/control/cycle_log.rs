@@ -113,8 +113,8 @@ impl CycleLog {
         }
     }
 
-    /// What the log says when it is read back: the status by its own limits and its own rounded figures. `None` if
-    /// nothing was monitored.
+    /// The status after reading the log back: by its own limits and its own rounded figures. `None` if nothing was
+    /// monitored.
     pub fn status(&self, language: Dialogue) -> Option<Status> {
         match self {
             Self::Text(log) => status(&log.printed(language)),

@@ -38,7 +38,7 @@ impl Contact {
     }
 }
 
-/// The probe met nothing on its way.
+/// The probe met nothing on its path.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "contact", error)]
 pub enum NoContact {
@@ -83,7 +83,7 @@ pub trait Prober {
     }
 }
 
-/// Contacts recorded in a file, returned in their order whatever the cycle asks for.
+/// Contacts recorded in a file, returned in their order, whichever probings the cycle asks for.
 #[derive(Debug, Clone)]
 pub struct Recorded {
     contacts: Vec<Contact>,

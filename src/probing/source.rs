@@ -32,7 +32,7 @@ impl Source<'_> {
     /// The source of a cycle's contacts.
     ///
     /// # Errors
-    /// [`SourceError`] where the inputs or the figures of the workpiece make no workpiece.
+    /// [`SourceError`] where the inputs or the figures do not describe a possible workpiece.
     pub fn prober(self, cycle: &Cycle, inputs: &Inputs) -> Result<Box<dyn Prober>, SourceError> {
         let simulation = match self {
             Self::Recorded(contacts) => return Ok(Box::new(Recorded::new(contacts.to_vec()))),

@@ -1,4 +1,4 @@
-//! The log of points on surfaces, probing in 3-D, as one HTML page: self-contained, without script, for screen and paper.
+//! The log of points on surfaces, probing in 3-D, as one HTML page: self-contained, no script, for screen and paper.
 //!
 //! | file | what |
 //! |---|---|

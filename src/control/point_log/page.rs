@@ -1,7 +1,7 @@
 //! Measurements of cycle 444 as a page: one table, three lines per measurement, coloured by status.
 //!
-//! The template is `assets/logs/points.html`, its look `points.css`, its words `assets/logs/*.toml`; the template escapes
-//! every value. Nothing here decides anything.
+//! The template is `assets/logs/points.html`, its look `points.css`, its words `assets/logs/*.toml`; the template
+//! escapes every value. Nothing here decides anything.
 
 use askama::Template;
 

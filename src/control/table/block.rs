@@ -1,7 +1,8 @@
 //! The two blocks that describe the columns of a table.
 //!
-//! `#STRUCTBEGIN` … `#STRUCTEND` of iTNC 530 and `TableDescription ( … )` of TNC 640 and TNC7
-//! (`docs/SOURCES.md`). The width of a column is the figure in the block, 0 where there is none. What a block says beyond name, width, type and decimals is kept as it is written.
+//! `#STRUCTBEGIN` … `#STRUCTEND` of iTNC 530 and `TableDescription ( … )` of TNC 640 and TNC7 (`docs/SOURCES.md`). The
+//! width of a column is the figure in the block, 0 if there is none. Everything besides name, width, type and decimals
+//! is kept as written.
 
 use super::fault::{TableError, TableFault, TableWarningKind};
 use super::read::{MOST_COLUMNS, Reader, WIDEST};

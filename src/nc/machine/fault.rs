@@ -174,7 +174,7 @@ pub enum FaultKind {
     NoColumn {
         /// The table.
         table: String,
-        /// What was asked for.
+        /// The column requested.
         column: String,
         /// The columns that it has.
         columns: String,
@@ -183,7 +183,7 @@ pub enum FaultKind {
     NoRow {
         /// The table.
         table: String,
-        /// What was asked for.
+        /// The row requested.
         row: usize,
         /// The last row.
         last: usize,

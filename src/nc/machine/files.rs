@@ -55,8 +55,8 @@ impl Files {
         Ok(bytes)
     }
 
-    /// Writes a file and returns how many bytes it has then; `None` if nothing is written. The caller counts the bytes
-    /// that it uses up.
+    /// Writes a file and returns how many bytes it has then; `None` if nothing is written. The caller must count the
+    /// bytes with [`Self::spend`].
     pub(super) fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<Option<usize>, StoreError> {
         match self.store.write(path, bytes, how) {
             Ok(size) => Ok(Some(size)),

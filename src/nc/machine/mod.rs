@@ -11,7 +11,7 @@
 //! | `moves` | straight lines and the path of the ball's centre |
 //! | `files`, `store` | what the run reads and writes, counted; where it comes from (`files::Folders`, or memory) |
 //! | `path` | paths of the control |
-//! | `budget`, `fault`, `remark`, `step` | what a run may use, why it stopped, what is worth knowing, the outcome of a step |
+//! | `budget`, `fault`, `remark`, `step` | what a run may use, why it stopped, its remarks, a step's outcome |
 //!
 //! Semantics as in the manuals (`docs/SOURCES.md`, Klartext); where they say nothing, a run stops with a fault that
 //! says why, never with a guess. A program can do no harm: blocks, nesting, text, outputs and memory have budgets, and

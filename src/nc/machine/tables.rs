@@ -200,8 +200,7 @@ impl Tables {
             remarks.add(place, Remark::NotWritten { path: path.clone() });
             self.changed.insert(path, open);
         }
-        // Counted even if nothing is written, because it was put together: a loop with a large table could run for
-        // days.
+        // Counted even if nothing is written, because it was built: a loop with a large table could run for days.
         Ok(files.spend(size.unwrap_or(bytes.len()))?)
     }
 }

@@ -31,7 +31,7 @@ pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
     }
 }
 
-/// `IX+2,5`; blanks may stand anywhere in it.
+/// `IX+2,5`; blanks may occur anywhere in it.
 fn axis_word(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
     let mut ahead = cursor.clone();
     let is_incremental = ahead.take_prefix("I");

@@ -64,7 +64,7 @@ pub struct Evaluation {
     pub minimum_zone: Option<Zone>,
     /// Two-point sizes (LP) where contacts are opposite each other.
     pub two_point: Vec<TwoPoint>,
-    /// The arc in degrees that the contacts cover: 360 less [`Self::largest_gap_deg`].
+    /// The arc in degrees that the contacts cover: 360 minus [`Self::largest_gap_deg`].
     pub arc_deg: f64,
     /// The largest angle in degrees without a contact, seen from the least-squares centre.
     pub largest_gap_deg: f64,
@@ -147,7 +147,7 @@ pub fn evaluate(contacts: &[Contact]) -> Result<Evaluation, CircleError> {
     Ok(evaluation)
 }
 
-/// The arc in degrees that contacts cover, seen from a circle's centre: 360 less the largest gap.
+/// The arc in degrees that contacts cover, seen from a circle's centre: 360 minus the largest gap.
 ///
 /// A single contact covers no arc, nor does an empty list.
 pub fn arc_deg(contacts: &[Contact], circle: &Circle) -> f64 {

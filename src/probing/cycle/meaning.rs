@@ -38,7 +38,7 @@ pub enum Meaning {
     FirstPoint(Axis),
     /// The second point of a ridge, in one axis.
     SecondPoint(Axis),
-    /// The diameter of the circle on which the probe stands before each contact.
+    /// The diameter of the circle on which the probe waits before each contact.
     StartDiameter,
     /// The angle of the first contact.
     FirstAngle,

@@ -70,7 +70,7 @@ pub enum Range {
         /// To.
         most: Length,
     },
-    /// An angle, degrees, with a most either way and a least size.
+    /// An angle, degrees, at most `most` either way and at least `smallest` in size.
     Angle {
         /// The most either way.
         most: Angle,
@@ -79,7 +79,7 @@ pub enum Range {
     },
     /// One of a few numbers.
     OneOf(&'static [i64]),
-    /// A number without a unit, with a most either way.
+    /// A number without a unit, at most `most` either way.
     Number {
         /// The most either way.
         most: u16,

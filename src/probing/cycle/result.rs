@@ -312,7 +312,7 @@ impl Say for Stop {
 pub enum LogTarget {
     /// There is none.
     None,
-    /// A file beside the program.
+    /// A file next to the program.
     File(&'static str),
     /// On the screen, and the program stops until it is started again.
     Screen,

@@ -68,7 +68,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
 
     let shift = if axis(inputs) == Axis::Second { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
     let shifted = along(start, shift, inputs.mm(310));
-    // Where the ball would touch the other wall, seen from the start, less the clearance.
+    // Where the ball would touch the other wall, seen from the start, minus the clearance.
     let gone = dot(along(ball, start, -1.0), plus);
     let expected = inputs.mm(311) - 2.0 * ball_radius - gone;
     let from = along(shifted, minus, (expected - clearance(inputs)).max(0.0));

@@ -1,8 +1,8 @@
 //! Cycle 444, probing in 3-D: one point of a free surface, its deviation along the normal.
 //!
-//! Course and principle as in the Dutch manual of TNC 640 (01/2021); parameters, QS400 and Q309 as in the cycle manual of the
-//! TNC 320. The ranges of the normal's components and the numbers of the results are from memory and may differ on a
-//! control.
+//! Course and principle as in the Dutch manual of TNC 640 (01/2021); parameters, QS400 and Q309 as in the cycle manual
+//! of the TNC 320. The ranges of the normal's components and the numbers of the results are from memory and may differ
+//! on a control.
 
 use super::judged;
 use super::probed::probing;

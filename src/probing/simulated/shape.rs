@@ -7,7 +7,7 @@ use crate::tolerance::Feature;
 pub enum Shape {
     /// A hole.
     Hole,
-    /// A shaft that stands up.
+    /// A shaft that stands upright.
     Stud,
     /// A plane face.
     Face,

@@ -150,8 +150,7 @@ impl Machine {
         done
     }
 
-    /// Runs blocks until the run pauses or ends, until the next block has a breakpoint, or until `most` blocks have
-    /// run.
+    /// Runs blocks until the run pauses or ends, the next block has a breakpoint, or `most` blocks have run.
     ///
     /// # Errors
     /// As for [`Self::step`].
