@@ -1,10 +1,10 @@
-//! The measuring log of a cycle's result: what the control would write beside its program, or show on its screen.
+//! The measuring log of a cycle's result: what the control would write next to its program, or show on its screen.
 //!
-//! The cycle's declaration says which it is: a text ([`super::log`]) of certain figures, a page of points
-//! ([`super::point_log`]), or none. Nothing here opens a file or asks for the time.
+//! The cycle's declaration says which kind it is: a text ([`super::log`]) with certain figures, a page of points
+//! ([`super::point_log`]), or none. Nothing here opens a file or reads the clock.
 //!
-//! Whether a control overwrites a log of the same name or adds to it is not documented. Here a log is added to what is
-//! there ([`CycleLog::append`]): no measurement is lost, and every reader of ours takes several logs in one file.
+//! Whether a control overwrites a log of the same name or adds to it is not documented. Here a log is added to the file
+//! ([`CycleLog::append`]): no measurement is lost, and Fitcheck reads several logs in one file.
 
 use jiff::civil::DateTime;
 
@@ -27,14 +27,14 @@ pub enum CycleLog {
     Page(PointLog),
 }
 
-/// What the head of a log tells.
+/// What the header of a log contains.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Heading {
-    /// When it was measured; left out where it is not known.
+    /// When it was measured; left out if not known.
     pub date_time: Option<DateTime>,
-    /// Path of the NC program on the control, `TNC:\PART1.H`; left out where there is none.
+    /// Path of the NC program on the control, `TNC:\PART1.H`; left out if there is none.
     pub program: Option<String>,
-    /// Millimetres or inches: the unit of the main program, which the log is printed in.
+    /// Millimetres or inches: the unit of the main program, which is also the unit of the log.
     pub unit: Unit,
 }
 
@@ -50,15 +50,15 @@ pub enum CycleLogError {
     Page(#[from] PointLogError),
 }
 
-/// The log's rounded figures say something else than the cycle.
+/// The log's rounded figures lead to another status than the cycle gave.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(id = "cycle-log-other-verdict", args(unit = name(*unit)))]
 pub struct OtherVerdict {
-    /// What the cycle said of the unrounded value.
+    /// The status from the cycle, for the unrounded value.
     pub cycle: Status,
-    /// What the log's own limits say of its rounded value.
+    /// The status from the log's own limits, for its rounded value.
     pub log: Status,
-    /// The unit of the log: it has four decimals of it.
+    /// The unit of the log, which has four decimals.
     #[say(skip)]
     pub unit: Unit,
 }
@@ -72,11 +72,11 @@ const fn name(unit: Unit) -> &'static str {
 }
 
 impl CycleLog {
-    /// The log of a result; `None` for a cycle that writes none, and for a result that is not this cycle's.
+    /// The log of a result; `None` for a cycle that writes no log, and for a result of another cycle.
     ///
-    /// The figures are the result's own, unrounded: limits and deviations are those that the cycle compared with, a
-    /// centre without a tolerance has its nominal value as both limits, and a diameter or coordinate that was not
-    /// monitored has limits of 0.
+    /// The figures are the result's own, unrounded: limits and deviations are those that the cycle used, a centre
+    /// without a tolerance has its nominal value as both limits, and a diameter or coordinate that was not monitored
+    /// has limits of 0.
     pub fn of(cycle: &Cycle, result: &CycleResult, heading: &Heading, language: Dialogue) -> Option<Self> {
         let figures = match &cycle.log {
             cycle::Log::Screen => return None,
@@ -94,10 +94,10 @@ impl CycleLog {
         }))
     }
 
-    /// The log as a file of its own, in the words of a language.
+    /// The log as a file of its own, with the words of a language.
     ///
     /// # Errors
-    /// [`CycleLogError`]: whatever would not be read back as the same log.
+    /// [`CycleLogError`] for a log that would not be read back as the same log.
     pub fn write(&self, language: Dialogue) -> Result<Vec<u8>, CycleLogError> {
         self.append(&[], language)
     }
@@ -105,7 +105,7 @@ impl CycleLog {
     /// A file of logs with this one at its end; an empty file gets its first log.
     ///
     /// # Errors
-    /// As for [`Self::write`]; also where the file is cut off or, for a page, is not one of these.
+    /// As for [`Self::write`]; also if the file is cut off or, for a page, is not such a page.
     pub fn append(&self, file: &[u8], language: Dialogue) -> Result<Vec<u8>, CycleLogError> {
         match self {
             Self::Text(log) => Ok(log::append(file, log, language)?),
@@ -113,8 +113,8 @@ impl CycleLog {
         }
     }
 
-    /// What the log says when it is read back: the status by its own limits and its own rounded figures. `None` where
-    /// nothing was monitored.
+    /// The status after reading the log back: by its own limits and its own rounded figures. `None` if nothing was
+    /// monitored.
     pub fn status(&self, language: Dialogue) -> Option<Status> {
         match self {
             Self::Text(log) => status(&log.printed(language)),
@@ -122,8 +122,8 @@ impl CycleLog {
         }
     }
 
-    /// Whether the log will say something else than the cycle did: where a value is outside a limit by less than the
-    /// log prints. A value on or within its limits stays so, because both are rounded alike.
+    /// Whether the log will give another status than the cycle did: if a value is outside a limit by less than the log
+    /// prints. A value on or within its limits stays there, because both are rounded in the same way.
     pub fn other_verdict(&self, result: &CycleResult, language: Dialogue) -> Option<OtherVerdict> {
         let (Self::Text(Log { unit, .. }) | Self::Page(PointLog { unit, .. })) = self;
         let (cycle, log) = (result.status?, self.status(language)?);
@@ -131,7 +131,7 @@ impl CycleLog {
     }
 }
 
-/// A figure of the log; `None` where the result is not this cycle's.
+/// A figure of the log; `None` if the result is of another cycle.
 fn figure(cycle: &Cycle, result: &CycleResult, what: FoundName, kind: FigureKind) -> Option<Figure> {
     let actual = result.length(what)?;
     let of = |meaning| cycle.length_of(&result.inputs, meaning);
@@ -141,7 +141,7 @@ fn figure(cycle: &Cycle, result: &CycleResult, what: FoundName, kind: FigureKind
     match kind {
         FigureKind::Centre(axis) => {
             let nominal = of(Meaning::Centre(axis))?;
-            // A tolerance of 0 is that of an axis that is not monitored.
+            // A tolerance of 0 means that the axis is not monitored.
             let tolerance = of(Meaning::CentreTolerance(axis)).unwrap_or_default();
             let maximum = nominal.saturating_sub(tolerance.negated());
             against(nominal, Some(LimitPair { maximum, minimum: nominal.saturating_sub(tolerance) }))
@@ -191,7 +191,7 @@ fn all<T>([x, y, z]: [Option<T>; 3]) -> Option<[T; 3]> {
     Some([x?, y?, z?])
 }
 
-/// The worst that a log's figures say: sizes and coordinates by their limits, a centre out of position is scrap.
+/// The worst status from a log's figures: sizes and coordinates by their limits; a centre out of position is scrap.
 fn status(log: &Log) -> Option<Status> {
     let feature = cycle_of(log.cycle)?.shape().feature();
     let figures = log::layout(log.cycle)?.figures.iter().zip(&log.figures);
@@ -199,7 +199,7 @@ fn status(log: &Log) -> Option<Status> {
     judged.max()
 }
 
-/// What the limits of a figure say of it; `None` where it was not monitored.
+/// The status of a figure by its limits; `None` if it was not monitored.
 fn judged(kind: FigureKind, feature: Feature, figure: &Figure) -> Option<Status> {
     let (LimitPair { maximum, minimum }, actual) = (figure.limits?, figure.actual);
     let is_centre = matches!(kind, FigureKind::Centre(_));

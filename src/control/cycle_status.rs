@@ -1,8 +1,8 @@
-//! The status window of a measuring cycle: what a program would hand to its mask after the cycle has run.
+//! The status window of a measuring cycle: what a program would pass to its mask after the cycle has run.
 //!
 //! A diameter is drawn with the mask of program 82551 (NC-Solution 8255): QS2 is the nominal diameter and the cycle,
-//! QS3 the status word, Q33 and Q23 the limits, Q153 the measured diameter. Other cycles declare masks of their own, drawn
-//! from the parameters that the cycle itself was given and found.
+//! QS3 the status word, Q33 and Q23 the limits, Q153 the measured diameter. Other cycles declare masks of their own,
+//! drawn from the parameters and results of the cycle.
 
 use jiff::civil::DateTime;
 
@@ -12,7 +12,7 @@ use super::variables::{Parameter, Value, Variables};
 use crate::probing::cycle::{self, Check, Cycle, CycleResult, FoundName, Key, Meaning, Window};
 use crate::words::Dialogue;
 
-/// The shipped mask of a cycle; `None` for a cycle without a status window.
+/// The built-in mask of a cycle; `None` for a cycle without a status window.
 pub fn cycle_mask(cycle: &Cycle, language: Dialogue) -> Option<&'static Mask> {
     match cycle.window {
         Window::None => None,
@@ -21,7 +21,7 @@ pub fn cycle_mask(cycle: &Cycle, language: Dialogue) -> Option<&'static Mask> {
     }
 }
 
-/// The parameters after a cycle has run: all that it was given and all that it found, and what the masks ask for besides.
+/// The parameters after a cycle has run: all that it was given, all that it found, and whatever else the masks need.
 pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Dialogue) -> Variables {
     let mut variables = Variables::new();
     let given =
@@ -42,7 +42,7 @@ pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Dialogue) 
     variables
 }
 
-/// What program 82551 has of a diameter: nominal size, hole or shaft, deviations in µm, limits. There is no class.
+/// The parameters of program 82551 for a diameter: nominal size, hole or shaft, deviations in µm, limits. No class.
 fn set_diameter(cycle: &Cycle, result: &CycleResult, check: &Check, variables: &mut Variables) {
     variables.set(Parameter::qs(1), Value::Text(String::new()));
     variables.set(Parameter::q(33), Value::Length(check.minimum));
@@ -55,11 +55,11 @@ fn set_diameter(cycle: &Cycle, result: &CycleResult, check: &Check, variables: &
     }
 }
 
-/// The text of the status window, drawn with a mask or with the cycle's own; `None` where nothing was compared with
-/// limits, or the cycle has no mask.
+/// The text of the status window, drawn with a mask or with the cycle's own; `None` if nothing was compared with
+/// limits, or if the cycle has no mask.
 ///
 /// # Errors
-/// [`RenderError`] where a user's mask asks for a parameter that the cycle does not set.
+/// [`RenderError`] if a user's mask contains a parameter that the cycle does not set.
 pub fn cycle_window(
     cycle: &Cycle,
     result: &CycleResult,
@@ -69,14 +69,14 @@ pub fn cycle_window(
 ) -> Option<Result<String, RenderError>> {
     // A centre alone has no limits of size to show.
     let has_limits = result.checks.iter().any(|check| !check.what.is_centre());
-    // The user's mask is one for diameters.
+    // The user's mask is for diameters.
     let mask = mask.filter(|_| matches!(cycle.window, Window::Diameter)).or_else(|| cycle_mask(cycle, language));
     let mask = mask.filter(|_| has_limits)?;
     let context = Context { language, time, call_path: r"TNC:\82551.h" };
     Some(mask.render(&cycle_variables(cycle, result, language), &context).map(|output| output.text))
 }
 
-/// What was checked, as QS2 says it: the nominal size or the axis, and the cycle.
+/// What was checked, as in QS2: the nominal size or the axis, and the cycle.
 fn checked(cycle: &Cycle, result: &CycleResult) -> String {
     match (cycle.subject)(&result.inputs) {
         Some(subject) => format!("{subject} ({})", cycle.code),
@@ -84,10 +84,10 @@ fn checked(cycle: &Cycle, result: &CycleResult) -> String {
     }
 }
 
-/// A parameter of the control with its value; names of a lathe control are none.
+/// A parameter of the control with its value; `None` for names of a lathe control.
 pub(crate) fn variable(key: Key, value: &cycle::Value) -> Option<(Parameter, Value)> {
     let parameter = match (key, value) {
-        // A tool by its name is a text under the same number.
+        // A tool name is a text under the same number.
         (Key::Q(number), cycle::Value::Text(_)) | (Key::Qs(number), _) => Parameter::qs(number),
         (Key::Q(number), _) => Parameter::q(number),
         (Key::Word(_), _) => return None,
@@ -95,7 +95,7 @@ pub(crate) fn variable(key: Key, value: &cycle::Value) -> Option<(Parameter, Val
     let value = match value {
         cycle::Value::Length(length) => Value::Length(*length),
         cycle::Value::Angle(angle) => Value::Number(angle.to_degrees_f64()),
-        // Markers and choices are a few.
+        // Markers and choices are small numbers.
         cycle::Value::Whole(whole) => Value::Number(f64::from(i32::try_from(*whole).ok()?)),
         cycle::Value::Number(number) => Value::Number(*number),
         cycle::Value::Text(_) | cycle::Value::Band(_) | cycle::Value::Predef => Value::Text(value.to_string()),

@@ -1,8 +1,8 @@
-//! A control's table as a table of deviations, and the two shipped ones.
+//! A control's table as a table of deviations, and the two built-in ones.
 //!
-//! Layout as program 82551 of NC-Solution 8255 reads it (description of 7/2020): column BEREICH holds the upper, inclusive
-//! end of a size range in millimetres; two rows a range, upper deviation then lower, in micrometres; one
-//! column a tolerance class. Other columns are left alone. Rules: `docs/SOURCES.md`, tables.
+//! Layout as program 82551 of NC-Solution 8255 reads it (description of 7/2020): column BEREICH holds the upper,
+//! inclusive end of a size range in millimetres; each range has two rows, upper deviation then lower, in micrometres;
+//! each tolerance class has one column. Other columns are not used. Rules: `docs/SOURCES.md`, tables.
 
 mod fault;
 mod write;
@@ -22,9 +22,9 @@ use crate::tolerance::{ClassError, DeviationTable, Deviations, ToleranceClass};
 
 /// The name of the column with the ends of the size ranges.
 const RANGE: &str = "BEREICH";
-/// The same as the description of NC-Solution 8255 once spells it.
+/// Another spelling of it, used once in the description of NC-Solution 8255.
 const RANGE_ALIAS: &str = "BEREIK";
-/// The number of the row: never a deviation.
+/// The column of the row number: never a deviation.
 const ROW_NUMBER: &str = "NR";
 
 /// The tables of NC-Solution 8255: `82553_hole.tab` and `82553_shaft.tab`, embedded in the program.
@@ -32,10 +32,10 @@ const ROW_NUMBER: &str = "NR";
 /// They are read once, at the first call.
 pub fn shipped_tables() -> Vec<Arc<DeviationTable>> {
     static TABLES: LazyLock<Vec<Arc<DeviationTable>>> = LazyLock::new(|| {
-        // The touch-probe table among them is not a table of deviations.
+        // The touch-probe table is there, too, but is not a table of deviations.
         let tables = shipped::TABLES.iter().filter_map(|(name, bytes)| match read_table(bytes, name, name, true) {
             Ok((table, _warnings)) => table.map(Arc::new),
-            // A test proves that they can be read; a program without a table refuses every callout.
+            // A test proves that they can be read; without a table, every callout is an error.
             Err(error) => {
                 log::error!("shipped table: {error}");
                 None
@@ -46,9 +46,9 @@ pub fn shipped_tables() -> Vec<Arc<DeviationTable>> {
     TABLES.clone()
 }
 
-/// Reads a table of deviations; a table without a range column is none, and a warning says so.
+/// Reads a table of deviations; a table without a range column is not one, and a warning says so.
 ///
-/// `name` is what the table is called afterwards, `file` what messages call it.
+/// `name` is the name of the result, `file` the name for messages.
 ///
 /// # Errors
 /// [`DeviationError`] with file, line and column.
@@ -69,7 +69,7 @@ pub fn read_table(
     Ok((table, odd.chain(warnings).collect()))
 }
 
-/// A table on its way to deviations.
+/// A table that is being read as deviations.
 struct Reading<'a> {
     file: &'a TableFile,
     warnings: Vec<DeviationWarning>,
@@ -114,7 +114,7 @@ impl Reading<'_> {
         }
     }
 
-    /// The ends of the ranges: in the even rows; an odd row may say the same or nothing.
+    /// The ends of the ranges: in the even rows; an odd row has the same end or none.
     fn ends(&self, range: usize) -> Result<Vec<Length>, Fault> {
         let mut ends: Vec<Length> = Vec::with_capacity(self.file.table.rows.len() / 2);
         let mut before = Length::ZERO;
@@ -139,7 +139,7 @@ impl Reading<'_> {
         Ok(ends)
     }
 
-    /// A column of deviations, or `None` for a column that holds something else.
+    /// A column of deviations, or `None` for a column with other content.
     fn class_column(&mut self, number: usize, column: &Column, ends: &[Length]) -> Result<Option<ClassColumn>, Fault> {
         let class: ToleranceClass = match column.name.parse() {
             Ok(class) => class,
@@ -152,7 +152,7 @@ impl Reading<'_> {
         };
         let has_text = (0..self.file.table.rows.len()).any(|row| !is_blank(self.file.table.cell(row, number)));
         if has_text && !self.has_numbers(number) {
-            // Texts under a name that could be a class; where the block calls them texts, all is as it should be.
+            // Texts under a name that could be a class; if the block calls them texts, nothing is wrong.
             if column.is_text() != Some(true) {
                 self.warn(number, DeviationWarningKind::NoNumbers { name: column.name.clone() });
             }
@@ -190,7 +190,7 @@ impl Reading<'_> {
         (0..self.file.table.rows.len()).any(|row| is_number(self.file.table.cell(row, column)))
     }
 
-    /// The number in a cell; blank and `-` are none.
+    /// The number in a cell; `None` for a blank cell and for `-`.
     fn value(&self, row: usize, column: usize, unit: Unit) -> Result<Option<Length>, Fault> {
         let cell = self.file.table.cell(row, column);
         let name = || self.file.table.columns.get(column).map(|column| column.name.clone()).unwrap_or_default();
@@ -200,7 +200,7 @@ impl Reading<'_> {
         if is_blank(cell) {
             return Ok(None);
         }
-        // A cell holds a number alone; a unit of its own is none of the table's business.
+        // A cell holds a bare number; a cell with its own unit is an error.
         let value = if is_number(cell) || is_ambiguous(cell) {
             Length::parse_in(cell, unit)
         } else {
@@ -211,13 +211,13 @@ impl Reading<'_> {
             .map_err(|error| self.file.at_cell(row, column, DeviationFault::Number { column: name(), error }))
     }
 
-    /// A warning about a column, at its name.
+    /// A warning about a column, located at its name.
     fn warn(&mut self, column: usize, what: DeviationWarningKind) {
         self.warnings.push(DeviationWarning::Content(self.file.at_name(column, what)));
     }
 }
 
-/// Two kinds of decimal signs: [`Length`] has its own words for that.
+/// Two kinds of decimal signs: [`Length`] has its own error for that.
 fn is_ambiguous(cell: &str) -> bool {
     cell.contains('.') && cell.contains(',') && cell.bytes().all(|byte| b"+-.,0123456789".contains(&byte))
 }

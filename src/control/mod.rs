@@ -1,4 +1,4 @@
-//! The control's own formats.
+//! The file formats of the control.
 //!
 //! | file | what |
 //! |---|---|
@@ -7,7 +7,7 @@
 //! | `variables` | Q, QL, QR and QS parameters |
 //! | `table` | freely definable tables `.TAB`, three header generations, read and written |
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
-//! | `deviations` | such a table as a table of deviations; the two shipped ones |
+//! | `deviations` | such a table as a table of deviations; the two built-in ones |
 //! | `mask` | FN 16 masks, read and rendered |
 //! | `log` | measuring logs as texts, read and written |
 //! | `point_log` | the log of points as HTML, read and written |

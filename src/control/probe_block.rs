@@ -6,9 +6,9 @@
 //! | `write` | the block of a cycle's inputs, from its declaration |
 //! | `fault` | what is wrong with a block |
 //!
-//! A reader goes by numbers and order of characters, never by names and comments, which follow the dialogue language.
-//! Grammar and layout: the examples in the manuals of G785 and cycle 427. Nothing here
-//! runs a program: a value that is a Q parameter stays text.
+//! A reader goes by the numbers and order of characters, never by names and comments, which follow the dialogue
+//! language. Grammar and layout: the examples in the manuals of G785 and cycle 427. Nothing here runs a program: a
+//! value that is a Q parameter stays a text.
 
 mod fault;
 mod read;
@@ -22,7 +22,7 @@ use super::text::cut;
 use crate::message::{Message, Say, display};
 use crate::probing::cycle::{Cycle, Inputs};
 
-/// A block as it was read: the cycle and its parameters as texts.
+/// A block as read: the cycle and its parameters as texts.
 #[derive(Debug, Clone)]
 pub struct ProbeBlock {
     /// The line that it begins on, from 1.
@@ -31,22 +31,22 @@ pub struct ProbeBlock {
     pub cycle: &'static Cycle,
     /// Its parameters in the order of the block.
     pub settings: Vec<Setting>,
-    /// The first line that is part of no block and was not used, if there is one.
+    /// The first skipped line that is not part of any block, if there is one.
     pub unused: Option<Unused>,
 }
 
 /// A parameter of a block.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Setting {
-    /// The line that it stands on, from 1.
+    /// Its line, from 1.
     pub line: usize,
-    /// Its name as it was written: `Q263`, `QS400`, `BR`.
+    /// Its name as written: `Q263`, `QS400`, `BR`.
     pub key: String,
-    /// Its value as it was written, without quotation marks: `+35`, `PREDEF`, `+Q1`.
+    /// Its value as written, without quotation marks: `+35`, `PREDEF`, `+Q1`.
     pub text: String,
 }
 
-/// Lines of a program beside the block.
+/// Lines of a program outside the block.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unused {
     /// The first of them, from 1.
@@ -68,7 +68,7 @@ impl Say for Unused {
 }
 
 impl ProbeBlock {
-    /// The block's values put into inputs; ranges are checked when the cycle runs.
+    /// Puts the block's values into inputs; ranges are checked when the cycle runs.
     ///
     /// # Errors
     /// [`ProbeBlockError`] with the line of a parameter that the cycle does not have, or of a text that is not a value.
@@ -96,7 +96,7 @@ fn is_reference(text: &str) -> bool {
     })
 }
 
-/// A piece of the text as errors show it: not longer than a line of a program.
+/// A piece of the text as errors show it: no longer than a line of a program.
 fn shown(text: &str) -> String {
     cut(text, 80).replace(char::is_control, "\u{fffd}")
 }

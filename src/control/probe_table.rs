@@ -1,7 +1,7 @@
-//! The touch-probe table `tchprobe.tp`: from rows of a control's table to probes, and the shipped one.
+//! The touch-probe table `tchprobe.tp`: from rows of a control's table to probes, and the built-in table.
 //!
-//! Used are NO, `CAL_OF1`, `CAL_OF2`, F, FMAX, DIST and `SET_UP`; other columns are left alone. `SET_UP` and DIST as in
-//! cycle 444 of TNC 640 (01/2021) and cycle 427 of TNC7; the list of columns is from memory.
+//! NO, `CAL_OF1`, `CAL_OF2`, F, FMAX, DIST and `SET_UP` are used, other columns are not. `SET_UP` and DIST as in cycle
+//! 444 of TNC 640 (01/2021) and cycle 427 of TNC7; the list of columns is from memory.
 
 use std::sync::LazyLock;
 
@@ -11,7 +11,7 @@ use crate::message::{Located, Say};
 use crate::probing::TouchProbe;
 use crate::shipped;
 
-/// The shipped table.
+/// The built-in table.
 fn shipped_bytes() -> &'static [u8] {
     shipped::file(shipped::TABLES, "tchprobe.tp").unwrap_or_default()
 }
@@ -21,15 +21,15 @@ fn shipped_bytes() -> &'static [u8] {
 pub struct ProbeTable {
     /// The probes in the table's order, at least one; no number occurs twice.
     pub probes: Vec<TouchProbe>,
-    /// What was odd but readable.
+    /// Warnings about a table that could still be read.
     pub warnings: Vec<TableWarning>,
 }
 
-/// Why a file is no touch-probe table.
+/// Why a file is not a touch-probe table.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "probe-table", error)]
 pub enum ProbeTableError {
-    /// It is no table of a control.
+    /// It is not a table of a control.
     #[say(transparent)]
     Table(#[from] TableError),
     /// A cell or a column that cannot be used.
@@ -55,7 +55,7 @@ pub enum ProbeFault {
         /// What is wrong.
         error: LengthError,
     },
-    /// A length that cannot be.
+    /// A length that is too small.
     TooSmall {
         /// The column's name.
         column: &'static str,
@@ -68,7 +68,7 @@ pub enum ProbeFault {
     NotWhole {
         /// The column's name.
         column: &'static str,
-        /// What stands there.
+        /// The text found.
         given: String,
     },
     /// A number occurs twice.
@@ -78,7 +78,7 @@ pub enum ProbeFault {
     },
 }
 
-/// The least of a length.
+/// The smallest allowed length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "probe-table")]
 pub enum Least {
@@ -102,7 +102,7 @@ impl ProbeTable {
         &TABLE
     }
 
-    /// Reads a table; `file` is what messages call it. Lengths are those of the unit in the BEGIN line, else millimetres.
+    /// Reads a table; `file` is its name in messages. Lengths are in the unit of the BEGIN line, else in millimetres.
     ///
     /// # Errors
     /// [`ProbeTableError`] with file, line and column.
@@ -132,7 +132,7 @@ impl ProbeTable {
     }
 }
 
-/// Where the columns stand.
+/// The positions of the columns.
 struct Columns {
     number: usize,
     set_up: usize,
@@ -195,7 +195,7 @@ fn length(file: &TableFile, row: usize, column: usize, name: &'static str) -> Re
     Ok(read.map_err(|error| file.at_cell(row, column, ProbeFault::NoLength { column: name, error }))?)
 }
 
-/// A whole number; a blank cell is `otherwise`, where there is such a number.
+/// A whole number; a blank cell means `otherwise`, if there is such a number.
 fn whole(
     file: &TableFile,
     row: usize,

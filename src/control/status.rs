@@ -1,4 +1,4 @@
-//! What status windows are drawn with: the status words and the shipped masks.
+//! What status windows are drawn with: the status words and the built-in masks.
 
 use std::sync::LazyLock;
 
@@ -9,7 +9,7 @@ use crate::shipped;
 use crate::verdict::Status;
 use crate::words::Dialogue;
 
-/// The status word that program 82551 puts into QS3; the Dutch ones are NC-Solution 8255's, letter by letter.
+/// The status word that program 82551 puts into QS3; the Dutch words are those of NC-Solution 8255, letter by letter.
 pub fn status_word(status: Status, dialogue: Dialogue) -> &'static str {
     let words = &dialogue.words().status;
     match status {
@@ -27,7 +27,7 @@ pub(crate) fn micrometres(length: Length) -> Value {
     Value::Number(exact.unwrap_or_else(|_never| length.to_mm_f64() * 1000.0))
 }
 
-/// The shipped mask of a name, such as a cycle's number, in a dialogue language: `427_nl.a`.
+/// The built-in mask with a name, such as a cycle's number, in a dialogue language: `427_nl.a`.
 pub fn mask_named(name: &str, dialogue: Dialogue) -> Option<&'static Mask> {
     static MASKS: LazyLock<Vec<(&str, Mask)>> = LazyLock::new(|| {
         #[expect(clippy::expect_used, reason = "the files are part of the program and read by a test")]
@@ -38,10 +38,10 @@ pub fn mask_named(name: &str, dialogue: Dialogue) -> Option<&'static Mask> {
     MASKS.iter().find(|(known, _)| *known == file).map(|(_, mask)| mask)
 }
 
-/// The shipped mask of program 82551: `82552_nl.a` is that of NC-Solution 8255, byte for byte.
+/// The built-in mask of program 82551: `82552_nl.a` is that of NC-Solution 8255, byte for byte.
 ///
 /// # Panics
-/// Never: a test holds that every dialogue language has its masks.
+/// Never: a test proves that every dialogue language has its masks.
 pub fn shipped_mask(dialogue: Dialogue) -> &'static Mask {
     #[expect(clippy::expect_used, reason = "a test holds that every dialogue language has its masks")]
     mask_named("82552", dialogue).expect("every dialogue language has a mask")

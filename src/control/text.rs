@@ -1,4 +1,4 @@
-//! Bytes of a control's text file to text.
+//! From the bytes of a control's text file to text.
 //!
 //! Controls write UTF-8 or Windows-1252, with LF, CRLF, CR or byte 0 between lines: text transfer over LSV2 separates
 //! lines with byte 0 (`docs/SOURCES.md`).
@@ -14,7 +14,7 @@ pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
     }
 }
 
-/// Text of bytes in Windows-1252: a character a byte.
+/// The text of bytes in Windows-1252: one character per byte.
 pub fn windows_1252(bytes: &[u8]) -> String {
     encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned()
 }
@@ -24,7 +24,7 @@ pub(crate) fn beginning(text: &str) -> String {
     cut(text.trim(), 40)
 }
 
-/// So many characters of a text at most, and a sign that there are more.
+/// At most this many characters of a text, and a sign if there are more.
 pub(crate) fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {
         Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),

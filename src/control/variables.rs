@@ -1,6 +1,6 @@
 //! The control's parameters: Q, QL and QR hold numbers, QS holds text.
 //!
-//! A parameter that was never set is undefined; asking for it answers `None`, never zero.
+//! A parameter that was never set is undefined; reading it gives `None`, never zero.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -14,7 +14,7 @@ pub enum Family {
     Q,
     /// Numbers local to a program.
     Ql,
-    /// Numbers that outlive power-off.
+    /// Numbers that survive power-off.
     Qr,
     /// Texts.
     Qs,
@@ -55,7 +55,7 @@ impl fmt::Display for Parameter {
 
 crate::message::as_text!(Parameter);
 
-/// A text that names no parameter.
+/// A text that does not name a parameter.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(id = "no-parameter", error)]
 pub struct NoParameter(#[say(name = "given")] pub String);
@@ -107,7 +107,7 @@ impl Variables {
         self.0.insert(parameter, value);
     }
 
-    /// The value, or `None` where it is undefined.
+    /// The value, or `None` if it is undefined.
     pub fn get(&self, parameter: Parameter) -> Option<&Value> {
         self.0.get(&parameter)
     }
@@ -117,7 +117,7 @@ impl Variables {
         self.0.remove(&parameter);
     }
 
-    /// Makes all parameters of a family undefined and says what they were.
+    /// Makes all parameters of a family undefined and returns their old values.
     pub fn take(&mut self, family: Family) -> Vec<(Parameter, Value)> {
         let of = |number| Parameter { family, number };
         self.0.extract_if(of(0)..=of(u16::MAX), |_, _| true).collect()

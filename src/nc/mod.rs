@@ -3,11 +3,11 @@
 //! | file | what |
 //! |---|---|
 //! | `program` | NC programs in Klartext, read and written: text in, blocks and warnings out |
-//! | `machine` | runs NC programs, within bounds; reads and writes by the store that it is handed |
-//! | `sets` | programs, tables and mask with which a control measures a plan, as bytes |
+//! | `machine` | runs NC programs, within limits; reads and writes through the store that it is given |
+//! | `sets` | programs, tables and mask for a control to measure a plan, as bytes |
 //!
-//! `sets` uses `machine`, which uses `program`. Masks, tables, parameters and logs are `control`'s; nothing in `control`
-//! knows of this room, and nothing in this room reads a file.
+//! `sets` uses `machine`, which uses `program`. Masks, tables, parameters and logs belong to `control`; nothing in
+//! `control` uses this room, and nothing in this room reads a file.
 
 pub mod machine;
 pub mod program;

@@ -1,10 +1,10 @@
-//! One probing and its contact, and whoever makes it.
+//! A probing and its contact, and the trait of everything that makes contacts.
 
 use crate::length::Length;
 use crate::message::Say;
 
-/// A point in millimetres, in the workpiece's coordinates: on the workpiece's surface, or the centre of the ball where a
-/// [`Prober`] has one that touches.
+/// A point in millimetres, in the workpiece's coordinates: on the workpiece's surface, or the centre of the ball where
+/// a [`Prober`] has a ball that touches.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Contact {
     /// Reference axis.
@@ -22,7 +22,7 @@ pub struct Touch {
     pub from: [f64; 3],
     /// Unit vector of the movement.
     pub direction: [f64; 3],
-    /// The longest way from there, millimetres (DIST of the touch-probe table, K of G785).
+    /// The longest probing path from there, millimetres (DIST of the touch-probe table, K of G785).
     pub longest: f64,
 }
 
@@ -38,23 +38,23 @@ impl Contact {
     }
 }
 
-/// The probe met nothing on its way.
+/// The probe met nothing on its path.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "contact", error)]
 pub enum NoContact {
-    /// Nothing within reach of the movement.
+    /// Nothing lies on the line of the movement.
     Missed {
         /// Which contact of the cycle, from 1.
         number: usize,
     },
-    /// Something is there, but farther away than the movement may go.
+    /// Something is there, but farther away than the probing path is long.
     OutOfReach {
         /// Which contact of the cycle, from 1.
         number: usize,
-        /// The longest path.
+        /// The longest probing path.
         longest: Length,
     },
-    /// The movement begins where material is: a real probe would have collided on its way there.
+    /// The movement begins inside the material: a real probe would have collided on its way there.
     InMaterial {
         /// Which contact of the cycle, from 1.
         number: usize,
@@ -76,14 +76,14 @@ pub trait Prober {
     /// [`NoContact`] when nothing is met.
     fn touch(&mut self, touch: &Touch) -> Result<Contact, NoContact>;
 
-    /// The ball's radius as calibrated, millimetres. Above zero, contacts are where the ball's centre was; zero, they are
-    /// points of the surface.
+    /// The ball's radius as calibrated, millimetres. Above zero, contacts are places of the ball's centre; at zero,
+    /// they are points of the surface.
     fn ball_radius(&self) -> f64 {
         0.0
     }
 }
 
-/// Contacts recorded in a file, handed out in their order whatever the cycle asks for.
+/// Contacts recorded in a file, returned in their order, whichever probings the cycle asks for.
 #[derive(Debug, Clone)]
 pub struct Recorded {
     contacts: Vec<Contact>,
@@ -96,7 +96,7 @@ impl Recorded {
         Self { contacts, next: 0 }
     }
 
-    /// How many contacts there are, and how many of them were handed out.
+    /// How many contacts there are, and how many of them have been returned.
     pub fn handed_out(&self) -> (usize, usize) {
         (self.contacts.len(), self.next.min(self.contacts.len()))
     }

@@ -1,4 +1,4 @@
-//! From a fit and a position to a measurement: what the window and the command line ask for.
+//! From limits and a position to a measurement, as the window and the command line need it.
 
 use super::circle::CircleError;
 use super::contact::Prober;
@@ -33,7 +33,7 @@ pub const fn cycle_number(feature: Feature) -> u16 {
 /// Measures a feature with the cycle for it, as LBL 14 and LBL 15 of program 82551 do: four contacts at 90 degrees.
 ///
 /// # Errors
-/// [`CycleError`] for a parameter out of range, a missed contact, or contacts that make no circle.
+/// [`CycleError`] for a parameter out of range, a missed contact, or contacts that do not make a circle.
 pub fn measure(
     limits: &Limits,
     position: &ProbePosition,
@@ -42,7 +42,7 @@ pub fn measure(
 ) -> Result<(Measurement, PositionVerdict), CycleError> {
     let cycle = measuring(limits.feature);
     let [x, y] = position.centre;
-    // The program sets no longest path: the probe goes on until it meets something.
+    // The program sets no longest path: the probe moves until it meets something.
     let probe = TouchProbe { longest_path: Length::MAX, ..TouchProbe::default() };
     let given = [
         (Meaning::Centre(Axis::First), Value::Length(x)),

@@ -1,4 +1,4 @@
-//! What came out of measuring: a diameter, perhaps a centre and contacts, and how it was got.
+//! The outcome of measuring: a diameter, perhaps a centre and contacts, and its origin.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use crate::message::Say;
 /// A measured diameter and all that is known about it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
-    /// The diameter, at the nearest nanometre.
+    /// The diameter, rounded to the nearest nanometre.
     pub diameter: Length,
     /// The centre in reference and minor axis, where it was measured.
     pub centre: Option<[Length; 2]>,
@@ -47,7 +47,7 @@ pub enum Origin {
     Typed,
 }
 
-/// What a measurement cannot tell. Said in the window and on every report.
+/// What a measurement cannot tell. Shown in the window and on every report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "caveat")]
 pub enum Caveat {
@@ -57,7 +57,7 @@ pub enum Caveat {
     ThreeContacts,
     /// Four contacts: two diameters and a mean; four lobes are invisible.
     FourContacts,
-    /// More contacts, but still single ones.
+    /// More contacts, but still only single points.
     FewContacts {
         /// How many.
         contacts: usize,
@@ -73,18 +73,18 @@ pub enum Caveat {
 /// Measures a circle from any number of contacts, at least three: the least-squares circle.
 ///
 /// # Errors
-/// [`CircleError`] says why the contacts are no circle.
+/// [`CircleError`] says why the contacts do not make a circle.
 pub fn measure_contacts(contacts: &[Contact], origin: Origin) -> Result<Measurement, CircleError> {
     Measurement::of_circle(least_squares(contacts)?, contacts.to_vec(), origin)
 }
 
-/// A geometric result at the nearest nanometre.
+/// A geometric result, rounded to the nearest nanometre.
 fn rounded(what: &str, mm: f64) -> Result<Length, CircleError> {
     Length::from_mm_f64(mm).map_err(|_range| CircleError::TooLarge { what: what.to_owned(), value: mm })
 }
 
 impl Measurement {
-    /// A fitted circle; diameter and centre become lengths here, once, at the nearest nanometre.
+    /// A fitted circle; diameter and centre become lengths here, once, rounded to the nearest nanometre.
     ///
     /// # Errors
     /// [`CircleError::TooLarge`] where a diameter or a centre is beyond [`Length::MAX`].

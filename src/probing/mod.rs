@@ -4,14 +4,14 @@
 //! |---|---|
 //! | `contact` | one probing and its contact |
 //! | `circle` | least-squares and other reference circles |
-//! | `measurement` | what came out: diameter, centre, contacts, and what they cannot tell |
+//! | `measurement` | the outcome: diameter, centre, contacts, and what they cannot tell |
 //! | `cycle` | what a measuring cycle declares: parameters, ranges, results |
 //! | `cycles` | the cycles, one file each |
-//! | `measure` | from a fit and a position to a measurement |
+//! | `measure` | from limits and a position to a measurement |
 //! | `source` | where a cycle's contacts come from |
 //! | `touch_probe` | what the touch-probe table says about a probe |
-//! | `vector` | vectors of the machine's space |
-//! | `simulated` | a workpiece and a probe that exist only here |
+//! | `vector` | vectors in the machine's space |
+//! | `simulated` | a workpiece and a probe that exist only in Fitcheck |
 //!
 //! A cycle gets limits, never tolerance classes, and asks a [`Prober`] for its contacts.
 

@@ -1,4 +1,4 @@
-//! Where a cycle's contacts come from: a perfect workpiece at nominal, a simulated one, or contacts that were recorded.
+//! Where a cycle's contacts come from: a perfect workpiece at nominal size, a simulated one, or recorded contacts.
 
 use super::contact::{Contact, Prober, Recorded};
 use super::cycle::{Cycle, CycleError, Inputs, Move, Phase};
@@ -8,7 +8,7 @@ use crate::message::Say;
 /// Where contacts come from.
 #[derive(Debug, Clone, Copy)]
 pub enum Source<'a> {
-    /// A workpiece without faults where the cycle expects it, and a point as probe.
+    /// A workpiece without faults where the cycle expects it, and a point as the probe.
     Perfect,
     /// A simulated workpiece.
     Simulated(&'a Simulation),
@@ -16,23 +16,23 @@ pub enum Source<'a> {
     Recorded(&'a [Contact]),
 }
 
-/// Why there is nothing to touch.
+/// Why there is nothing to probe.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "source", error)]
 pub enum SourceError {
-    /// The cycle's inputs name no workpiece.
+    /// The cycle's inputs describe no workpiece.
     #[say(transparent)]
     Cycle(#[from] CycleError),
-    /// The workpiece cannot be.
+    /// The workpiece is impossible.
     #[say(transparent)]
     Workpiece(#[from] WorkpieceError),
 }
 
 impl Source<'_> {
-    /// What gives a cycle its contacts.
+    /// The source of a cycle's contacts.
     ///
     /// # Errors
-    /// [`SourceError`] where the inputs or the figures of the workpiece make none.
+    /// [`SourceError`] where the inputs or the figures do not describe a possible workpiece.
     pub fn prober(self, cycle: &Cycle, inputs: &Inputs) -> Result<Box<dyn Prober>, SourceError> {
         let simulation = match self {
             Self::Recorded(contacts) => return Ok(Box::new(Recorded::new(contacts.to_vec()))),
@@ -43,7 +43,7 @@ impl Source<'_> {
         Ok(Box::new(machine.calibrated(inputs.probe())))
     }
 
-    /// Where the perfect workpiece cannot be, the cycle itself says better what is wrong with its inputs.
+    /// Where the perfect workpiece is impossible, the cycle itself explains better what is wrong with its inputs.
     fn refused(self, error: WorkpieceError, cycle: &Cycle, inputs: &Inputs) -> SourceError {
         match (self, cycle.measure(inputs, &mut Recorded::new(Vec::new()))) {
             (Self::Perfect, Err(refused)) if !matches!(refused, CycleError::NoContact(_)) => refused.into(),
@@ -51,7 +51,7 @@ impl Source<'_> {
         }
     }
 
-    /// How many recorded contacts a way did not ask for.
+    /// How many recorded contacts a path did not use.
     pub fn unused(self, path: &[Move]) -> usize {
         let Self::Recorded(contacts) = self else { return 0 };
         contacts.len().saturating_sub(path.iter().filter(|step| step.phase == Phase::Contact).count())

@@ -1,6 +1,6 @@
 //! What the touch-probe table says about a probe: clearances, longest path, feeds, calibration.
 //!
-//! Reading `tchprobe.tp` is the business of `control::probe_table`.
+//! `control::probe_table` reads `tchprobe.tp`.
 
 use crate::length::Length;
 
@@ -9,7 +9,7 @@ use crate::length::Length;
 pub struct TouchProbe {
     /// Its number (NO).
     pub number: u32,
-    /// Centre offset in reference and minor axis that calibration found (`CAL_OF1`, `CAL_OF2`).
+    /// Centre offset in reference and minor axis, found by calibration (`CAL_OF1`, `CAL_OF2`).
     pub offset: [Length; 2],
     /// Probing feed, mm/min (F).
     pub feed: u32,
@@ -22,7 +22,7 @@ pub struct TouchProbe {
 }
 
 impl Default for TouchProbe {
-    /// The probe of the shipped table.
+    /// The probe of the built-in table.
     fn default() -> Self {
         Self {
             number: 1,

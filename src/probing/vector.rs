@@ -1,4 +1,4 @@
-//! Vectors of the machine's space: X, Y, Z.
+//! Vectors in the machine's space: X, Y, Z.
 
 /// Scalar product.
 pub(crate) fn dot([x, y, z]: [f64; 3], [with_x, with_y, with_z]: [f64; 3]) -> f64 {
@@ -10,7 +10,7 @@ pub(crate) fn norm(vector: [f64; 3]) -> f64 {
     dot(vector, vector).sqrt()
 }
 
-/// A vector's direction with length 1; the vector is not zero.
+/// The direction of a vector, with length 1; the vector must not be zero.
 pub(crate) fn unit(vector: [f64; 3]) -> [f64; 3] {
     let length = norm(vector);
     vector.map(|part| part / length)
@@ -20,11 +20,11 @@ pub(crate) fn unit(vector: [f64; 3]) -> [f64; 3] {
 pub(crate) fn direction(vector: [f64; 3]) -> Option<[f64; 3]> {
     let longest = vector.iter().fold(0.0, |longest: f64, part| longest.max(part.abs()));
     let has_one = vector.iter().all(|part| part.is_finite()) && 0.0 < longest;
-    // The longest part is first brought to 1: the squares of very small and very large parts would be lost.
+    // The longest part is scaled to 1 first: otherwise the squares of very small and very large parts would be lost.
     has_one.then(|| unit(vector.map(|part| part / longest)))
 }
 
-/// The place so far along a direction.
+/// The place at a distance along a direction.
 pub(crate) fn along([x, y, z]: [f64; 3], [along_x, along_y, along_z]: [f64; 3], distance: f64) -> [f64; 3] {
     [x + distance * along_x, y + distance * along_y, z + distance * along_z]
 }

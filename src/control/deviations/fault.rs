@@ -1,4 +1,4 @@
-//! What can be wrong or odd in a table of deviations.
+//! Errors and warnings for a table of deviations.
 
 use crate::control::table::{TableError, TableWarning};
 use crate::length::{Length, LengthError};
@@ -10,15 +10,15 @@ use crate::tolerance::{DeviationsError, ToleranceClass};
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(error)]
 pub enum DeviationError {
-    /// A file is no table.
+    /// A file is not a table.
     #[say(transparent)]
     Table(#[from] TableError),
-    /// A table does not hold deviations as it should.
+    /// A table does not hold proper deviations.
     #[say(transparent)]
     Content(#[from] Located<DeviationFault>),
 }
 
-/// What is wrong in a table of deviations; [`Located`] says where.
+/// What is wrong in a table of deviations; [`Located`] gives the place.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "deviations", error)]
 pub enum DeviationFault {
@@ -35,14 +35,14 @@ pub enum DeviationFault {
     },
     /// The upper row of a pair has no range.
     NoRange,
-    /// The lower row of a pair names another range than the upper one.
+    /// The lower row of a pair has another range than the upper one.
     OtherRange {
         /// The range in the upper row.
         end: Length,
         /// The range in the lower row.
         found: Length,
     },
-    /// A cell holds no number.
+    /// A cell does not hold a number.
     #[say(id = "deviations-column")]
     Number {
         /// The column.
@@ -50,7 +50,7 @@ pub enum DeviationFault {
         /// What is wrong with it.
         error: LengthError,
     },
-    /// A range has one deviation of two.
+    /// A range has only one of its two deviations.
     Half {
         /// The class.
         class: ToleranceClass,
@@ -66,7 +66,7 @@ pub enum DeviationFault {
         /// The two deviations.
         error: DeviationsError,
     },
-    /// Two cells without a blank between them: a figure may belong to either.
+    /// Two cells without a blank between them: a digit may belong to either.
     Touches {
         /// The column.
         column: String,
@@ -76,35 +76,35 @@ pub enum DeviationFault {
     Shape(TableShapeError),
 }
 
-/// What was odd while reading tables of deviations.
+/// Warnings from reading tables of deviations.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "deviations")]
 pub enum DeviationWarning {
-    /// In the table's format.
+    /// About the table's format.
     #[say(transparent)]
     Table(#[from] TableWarning),
-    /// In its content.
+    /// About its content.
     #[say(transparent)]
     Content(#[from] Located<DeviationWarningKind>),
-    /// A table of something else.
+    /// The table does not hold deviations.
     NoDeviations {
         /// The file.
         file: String,
     },
 }
 
-/// What is odd in a table of deviations that was read all the same.
+/// A warning about a table of deviations that could still be read.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "deviations")]
 pub enum DeviationWarningKind {
     /// The range column has the other spelling of NC-Solution 8255.
     RangeAlias,
-    /// A name that could be a class, over texts.
+    /// A name that could be a class, with texts below it.
     NoNumbers {
         /// The column.
         name: String,
     },
-    /// A name that would be a class in one case of letters.
+    /// A name that would be a class if all its letters had the same case.
     MixedCase {
         /// The column.
         name: String,

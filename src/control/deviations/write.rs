@@ -5,12 +5,12 @@ use crate::control::table::{Column, ControlTable, Generation};
 use crate::length::{Length, Unit};
 use crate::tolerance::DeviationTable;
 
-/// A table of deviations in the control's layout: explicit signs, point, lower row without its range's end.
+/// A table of deviations in the control's layout: explicit signs, decimal point, range end only in the upper row.
 ///
 /// [`Generation::Structure`] also gets the texts that the control shows when an operator edits a cell.
 pub fn to_control_table(table: &DeviationTable, generation: Generation) -> ControlTable {
     let (name, suffix) = table.name().rsplit_once('.').unwrap_or((table.name(), "tab"));
-    // Six characters and a blank: 24 classes, NR and BEREICH make 184 of the 200 characters of an iTNC 530.
+    // Six characters and a blank: 24 classes, NR and BEREICH take 184 of the 200 characters of an iTNC 530.
     let plain = |name: &str, width: usize| Column::plain(name, width.max(name.len() + 1));
     let mut columns = vec![plain(ROW_NUMBER, 8), plain(RANGE, 8)];
     columns.extend(table.columns().iter().map(|column| plain(column.class.as_str(), 7)));
@@ -50,7 +50,7 @@ fn with_dialogues(mut table: ControlTable) -> ControlTable {
         let texts = if column.name == RANGE {
             ["Size range up to, mm?", "Nennmassbereich bis, mm?", "Maatbereik tot en met, mm?"].map(str::to_owned)
         } else {
-            // Room for half micrometres, also where no cell has one yet.
+            // Leaves room for half micrometres even if no cell has one yet.
             column.decimals = column.decimals.map(|decimals| decimals.max(1));
             let name = &column.name;
             [format!("Deviation {name}, um?"), format!("Abmass {name}, um?"), format!("Afwijking {name}, um?")]

@@ -1,4 +1,4 @@
-//! What is wrong or odd with a measuring log.
+//! Errors and warnings for a measuring log.
 
 use std::sync::Arc;
 
@@ -7,10 +7,10 @@ use crate::message::{Located, Say};
 use crate::probing::cycle::Log;
 use crate::probing::cycles::CYCLES;
 
-/// Why a log cannot be used, and where: the column is there where the error is a single figure's.
+/// Why a log cannot be used, and where: with a column if the error is about a single figure.
 pub type LogError = Located<LogFault>;
 
-/// What is wrong with a log. Figures are given as they were written, in the log's own unit.
+/// What is wrong with a log. Figures appear as they were written, in the log's own unit.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "log", error)]
 pub enum LogFault {
@@ -20,11 +20,11 @@ pub enum LogFault {
     NoLog,
     /// Figures of a log without its title: the cycle is unknown.
     NoTitle,
-    /// A measuring cycle that is not read.
+    /// A measuring cycle that Fitcheck does not read.
     OtherCycle {
         /// The cycle's number.
         cycle: u16,
-        /// The cycles whose logs are read.
+        /// The cycles whose logs Fitcheck reads.
         known: String,
     },
     /// The unit is neither 0 nor 1.
@@ -66,7 +66,7 @@ pub enum LogFault {
         /// The minimum.
         minimum: String,
     },
-    /// The permitted positions of the centre do not lie evenly about the nominal one.
+    /// The permitted positions of the centre are not symmetrical about the nominal one.
     Uneven {
         /// The minimum.
         minimum: String,
@@ -75,7 +75,7 @@ pub enum LogFault {
         /// The nominal value.
         nominal: Arc<str>,
     },
-    /// The log's deviation is not actual minus nominal value.
+    /// The log's deviation is not the actual minus the nominal value.
     Deviation {
         /// The deviation of the log.
         given: String,
@@ -106,7 +106,7 @@ pub enum Section {
 }
 
 impl LogFault {
-    /// A cycle whose logs are not read, with those whose are.
+    /// A cycle whose logs Fitcheck does not read, with those that it reads.
     pub(super) fn other_cycle(cycle: u16) -> Self {
         let known = CYCLES.iter().filter(|known| matches!(known.log, Log::Text(_))).map(|known| known.code);
         Self::OtherCycle { cycle, known: known.collect::<Vec<_>>().join(", ") }
@@ -116,7 +116,7 @@ impl LogFault {
         Located::in_line(line, self)
     }
 
-    /// The text that the fault is about, as it was written; empty where it is about what is missing.
+    /// The text that the fault is about, as it was written; empty if the fault is about something missing.
     pub fn given(&self) -> String {
         match self {
             Self::Unit { given }
@@ -142,22 +142,22 @@ impl LogFault {
     }
 }
 
-/// What is odd about a log that can be used nevertheless, and where.
+/// A warning about a log that can be used nevertheless, and its place.
 pub type LogWarning = Located<LogWarningKind>;
 
-/// What is odd about a log that can be used nevertheless.
+/// A warning about a log that can be used nevertheless.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "log")]
 pub enum LogWarningKind {
-    /// No line tells the unit, as in older logs: at the title.
+    /// No line gives the unit, as in older logs: located at the title.
     NoUnit,
-    /// Day or time of the measurement is missing or not readable: at the title.
+    /// Day or time of the measurement is missing or not readable: located at the title.
     NoTime,
-    /// The deviations are missing in whole or in part: at the last line of the log.
+    /// Some or all deviations are missing: located at the last line of the log.
     NoDeviations,
-    /// A line that was not understood and is not needed.
+    /// A line that could not be read and is not needed.
     Ignored {
-        /// What it says.
+        /// Its text.
         text: String,
     },
     /// There is text before the first title.

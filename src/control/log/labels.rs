@@ -1,7 +1,7 @@
 //! The words of a log in the control's dialogue languages, from `assets/logs`.
 //!
-//! They belong to the files that a control writes, not to the window, so they stand apart from the locales. A reader
-//! goes by order and numbers and never asks for them.
+//! They belong to the files that a control writes, not to the window, so they are not in the locales. A reader goes by
+//! order and numbers and never needs them.
 
 use std::collections::BTreeMap;
 
@@ -38,7 +38,7 @@ pub(in crate::control) struct Labels {
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Words {
-    /// In nominal values, actual values and deviations.
+    /// The word in nominal values, actual values and deviations.
     pub(super) value: String,
     /// Its upper limit; a value without limits has none.
     #[serde(default)]
@@ -79,12 +79,12 @@ impl Labels {
         LABELS.of(dialogue)
     }
 
-    /// The title of a cycle's log; a test finds one that is missing.
+    /// The title of a cycle's log; a test finds missing ones.
     pub(super) fn title(&self, cycle: u16) -> &str {
         self.titles.get(&cycle.to_string()).map_or("", String::as_str)
     }
 
-    /// The words of a figure; a test finds those that are missing.
+    /// The words of a figure; a test finds missing ones.
     pub(super) fn figure(&self, figure: &LogFigure) -> &Words {
         static NONE: Words = Words { value: String::new(), maximum: String::new(), minimum: String::new() };
         self.figures.get(figure.word).unwrap_or(&NONE)

@@ -1,6 +1,6 @@
-//! A log's lines as header, sections and pairs of label and number.
+//! The lines of a log as header, sections and pairs of label and number.
 //!
-//! Labels are never understood, only told apart from numbers: they follow the control's dialogue language.
+//! Labels are never interpreted, only distinguished from numbers: they follow the control's dialogue language.
 
 use std::path::Path;
 
@@ -26,11 +26,11 @@ pub(super) struct Title<'a> {
 #[derive(Debug)]
 pub(super) struct Chunk<'a> {
     pub(super) title: Option<Title<'a>>,
-    /// Lines that are not blank, behind the title.
+    /// The lines after the title that are not blank.
     lines: Vec<(usize, &'a str)>,
-    /// How many of them hold a figure behind a label.
+    /// How many of them hold a figure after a label.
     figures: usize,
-    /// The line that the file ends in, where it ends without a line end.
+    /// The line in which the file ends, if it ends without a line end.
     unfinished: Option<usize>,
 }
 
@@ -56,14 +56,14 @@ impl Pair<'_> {
     }
 }
 
-/// Pairs under a heading; the first one is headed by the title.
+/// Pairs under a heading; the first section has the title as its heading.
 #[derive(Debug)]
 pub(super) struct Section<'a> {
     pub(super) line: usize,
     pub(super) pairs: Vec<Pair<'a>>,
 }
 
-/// What the header tells.
+/// What the header contains.
 #[derive(Debug, Default)]
 pub(super) struct Header {
     pub(super) date: Option<Date>,
@@ -80,7 +80,7 @@ enum Line<'a> {
     Text,
 }
 
-/// The logs of a text: each begins at a title, or where a second date tells that a title is lost.
+/// The logs of a text: each begins at a title, or where a second date shows that a title is missing.
 pub(super) fn chunks(text: &str) -> Vec<Chunk<'_>> {
     let unfinished = !text.ends_with(['\n', '\r', '\0']);
     let mut chunks = vec![Chunk { title: None, lines: Vec::new(), figures: 0, unfinished: None }];
@@ -104,7 +104,7 @@ pub(super) fn chunks(text: &str) -> Vec<Chunk<'_>> {
         if let Line::Title(cycle) = kind {
             title = Some(Title { line: number, cycle, text: line.trim_start() });
         }
-        // A date behind the nominal values: the title between two logs is damaged.
+        // A date after the nominal values: the title between two logs is damaged.
         let lost = date(value).is_some() && chunks.last().is_some_and(|chunk| 3 <= chunk.figures);
         let is_title = title.is_some();
         if is_title || lost {
@@ -125,7 +125,7 @@ pub(super) fn chunks(text: &str) -> Vec<Chunk<'_>> {
 }
 
 impl<'a> Chunk<'a> {
-    /// Whether there are labels with figures: more than a line or two by chance.
+    /// Whether there are labels with figures: more than one or two lines by chance.
     pub(super) const fn has_figures(&self) -> bool {
         3 <= self.figures
     }
@@ -134,7 +134,7 @@ impl<'a> Chunk<'a> {
         self.lines.first().map(|&(line, _)| line)
     }
 
-    /// The last line that is not blank, or that of the title.
+    /// The last line that is not blank, or the line of the title.
     pub(super) fn last_line(&self) -> usize {
         let title = self.title.as_ref().map_or(1, |title| title.line);
         self.lines.last().map_or(title, |&(line, _)| line)
@@ -145,7 +145,7 @@ impl<'a> Chunk<'a> {
         self.unfinished == Some(line)
     }
 
-    /// Labels with their values, on the same or a following line. A label without one is a heading.
+    /// Labels with their values, on the same line or the next. A label without a value is a heading.
     pub(super) fn sections(&self, warnings: &mut Vec<LogWarning>) -> Result<Vec<Section<'a>>, LogError> {
         let title = self.title.as_ref().map_or(1, |title| title.line);
         let mut sections = vec![Section { line: title, pairs: Vec::new() }];
@@ -187,8 +187,8 @@ impl<'a> Chunk<'a> {
     }
 }
 
-/// Takes date, time, program and unit out of the sections; nothing else of the first section is needed where
-/// another one has pairs.
+/// Takes date, time, program and unit out of the sections; nothing else of the first section is needed if another one
+/// has pairs.
 pub(super) fn take_header(sections: &mut [Section<'_>], warnings: &mut Vec<LogWarning>) -> Result<Header, LogError> {
     let mut header = Header::default();
     let mut wrong = None;
@@ -213,7 +213,7 @@ pub(super) fn take_header(sections: &mut [Section<'_>], warnings: &mut Vec<LogWa
 }
 
 impl Header {
-    /// Whether the pair belongs to the header. What comes twice or cannot be a day or time is a warning.
+    /// Whether the pair belongs to the header. A repeated entry, or an impossible day or time, gives a warning.
     fn take(&mut self, pair: &Pair<'_>, warnings: &mut Vec<LogWarning>) -> Result<bool, LogError> {
         let mut odd = || warnings.push(pair.ignored());
         if is_unit_label(pair.label) {
@@ -262,12 +262,12 @@ fn classify(line: &str) -> Line<'_> {
 
 /// The number of a measuring cycle in a line of words without `:`.
 fn title_cycle(line: &str) -> Option<u16> {
-    // A row of a table is no title.
+    // A row of a table is not a title.
     if line.contains([':', ';', '|', '\t']) || !line.contains(char::is_alphabetic) {
         return None;
     }
-    // A point or an underscore would make it a number such as 425.0000 or a file's name; other letters than ASCII's may
-    // stand beside it, as some languages have no blanks.
+    // A point or an underscore would make it a number such as 425.0000 or a file name; letters other than ASCII's may
+    // be next to it, because some languages have no blanks.
     line.split(|c: char| !(c.is_ascii_alphanumeric() || ".,_\\".contains(c)))
         .filter(|word| word.len() == 3)
         .filter_map(|word| word.parse().ok())
@@ -279,7 +279,7 @@ fn is_unit_label(label: &str) -> bool {
     label.contains("(0 =") || label.contains("(0=")
 }
 
-/// A path that stands alone: `TNC:\PART.H`.
+/// A path on its own line: `TNC:\PART.H`.
 fn is_path(line: &str) -> bool {
     line.split_once(":\\")
         .is_some_and(|(drive, _)| !drive.is_empty() && drive.bytes().all(|b| b.is_ascii_alphanumeric()))
@@ -294,7 +294,7 @@ fn is_number(value: &str) -> bool {
     crate::length::Length::parse_in(value, Unit::Millimetre).is_ok()
 }
 
-/// Has the shape of a day or time, but there is none such.
+/// Looks like a day or time, but does not exist.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct NoSuchTime;
 

@@ -1,16 +1,16 @@
-//! Measuring logs of cycles as texts, such as `TCHPR421.TXT`: which figures there are says the cycle's declaration.
+//! Measuring logs of cycles as texts, such as `TCHPR421.TXT`: the cycle's declaration says which figures they have.
 //!
 //! | file | what |
 //! |---|---|
 //! | `lines` | a log's lines as header, sections and pairs of label and number |
 //! | `values` | the pairs as nominal values, limits, actual values and deviations, and whether they agree |
-//! | `error` | what is wrong or odd with a log |
+//! | `error` | errors and warnings for a log |
 //! | `write` | a log as a control writes it; several in one file |
-//! | `model` | values on the way to a log: differences, limits about a nominal value, figures as they are printed |
+//! | `model` | values on the way to a log: differences, limits about a nominal value, figures as printed |
 //! | `labels` | a log's words in the control's dialogue languages |
 //!
-//! The words of a log follow the control's dialogue language, so a log is read by order and numbers alone. A log holds no
-//! status and no tolerance class: the verdict is computed elsewhere from its limits and actual values.
+//! The words of a log follow the control's dialogue language, so a log is read by order and numbers alone. A log holds
+//! no status and no tolerance class: the verdict is computed elsewhere from its limits and actual values.
 
 mod error;
 pub(super) mod labels;
@@ -47,13 +47,13 @@ pub struct Log {
     pub time: Option<Time>,
     /// Path of the NC program on the control.
     pub program: Option<String>,
-    /// What the figures were written in; all lengths here are converted exactly.
+    /// The unit of the figures in the file; all lengths here are converted exactly.
     pub unit: Unit,
     /// The figures in the order of the cycle's declaration.
     pub figures: Vec<Figure>,
     /// Further results, such as the measuring height, as they were written.
     pub further: Vec<Further>,
-    /// What was odd but readable.
+    /// Warnings about a log that could still be read.
     pub warnings: Vec<LogWarning>,
 }
 
@@ -62,18 +62,18 @@ pub struct Log {
 pub struct Further {
     /// Its name in the control's dialogue language.
     pub label: String,
-    /// What was written behind it.
+    /// The text after the label.
     pub value: String,
 }
 
 impl Log {
-    /// When it was measured, where the log tells both day and time.
+    /// When it was measured, if the log gives both day and time.
     pub fn date_time(&self) -> Option<DateTime> {
         Some(self.date?.to_datetime(self.time?))
     }
 }
 
-/// How the log of a cycle is laid out; `None` for a cycle that is not known or writes no such log.
+/// The layout of a cycle's log; `None` for an unknown cycle and for one that writes no such log.
 pub fn layout(cycle: u16) -> Option<&'static TextLog> {
     match &cycle_of(cycle)?.log {
         cycle::Log::Text(log) => Some(log),
@@ -81,9 +81,9 @@ pub fn layout(cycle: u16) -> Option<&'static TextLog> {
     }
 }
 
-/// Reads every log of a file: one answer a log, so that a broken one does not take the others with it.
+/// Reads every log of a file: one result per log, so that a broken log does not affect the others.
 ///
-/// A file without any log answers one error.
+/// A file without any log gives one error.
 ///
 /// ```
 /// let bytes = std::fs::read("tests/data/samples/logs/en/TCHPR421.TXT")?;
@@ -98,7 +98,7 @@ pub fn read(bytes: &[u8]) -> Vec<Result<Log, LogError>> {
     let mut before = Vec::new();
     for chunk in lines::chunks(&text) {
         if chunk.title.is_none() && !chunk.has_figures() {
-            // Whatever was written above the first title.
+            // Everything above the first title.
             before.extend(chunk.first_line().map(|line| Located::in_line(line, LogWarningKind::TextBefore)));
             continue;
         }
@@ -114,7 +114,7 @@ pub fn read(bytes: &[u8]) -> Vec<Result<Log, LogError>> {
     logs
 }
 
-/// Whether a text looks like a measuring log: a title, and labels with figures behind them.
+/// Whether a text looks like a measuring log: a title, and labels followed by figures.
 pub fn is_log(text: &str) -> bool {
     lines::chunks(text).iter().any(|chunk| chunk.title.is_some() && chunk.has_figures())
 }

@@ -1,4 +1,4 @@
-//! Values on the way to a log: differences, limits about a nominal value, figures as they are printed.
+//! Values on the way to a log: differences, limits about a nominal value, figures as printed.
 
 use jiff::civil::Time;
 
@@ -7,11 +7,11 @@ use super::{Figure, Further, LimitPair, Log};
 use crate::length::{Length, Unit};
 use crate::words::Dialogue;
 
-/// Decimals of a log's figures, in millimetres as in inches: those of the maker's published log; for inches our rule.
+/// Decimals of a log's figures, for millimetres and inches: as in the maker's published log; for inches our rule.
 pub(super) const DECIMALS: usize = 4;
 
 impl Log {
-    /// A log to be written: no day, time, program or further results yet; these fields are public.
+    /// A log to be written: day, time, program and further results are still empty; these fields are public.
     pub const fn new(cycle: u16, figures: Vec<Figure>, unit: Unit) -> Self {
         Self {
             line: 1,
@@ -27,11 +27,11 @@ impl Log {
         }
     }
 
-    /// The log that is read back when this one is written in a language: every figure rounded half away from zero to
-    /// four decimals of its unit (0.1 µm, or 0.0001 inch = 2.54 µm), whole seconds, the language's own title.
+    /// The log that results when this one is written in a language and read back: every figure rounded half away from
+    /// zero to four decimals of its unit (0.1 µm, or 0.0001 inch = 2.54 µm), whole seconds, the language's own title.
     ///
-    /// The log's own limits decide what the log says: where a figure is finer than the log prints, its verdict may
-    /// be another than that of the measurement. Compare the two before relying on the file.
+    /// The verdict of a log follows from its own limits: if a figure is finer than the log prints, this verdict may
+    /// differ from that of the measurement. Compare the two before relying on the file.
     #[must_use]
     pub fn printed(&self, language: Dialogue) -> Self {
         let labels = Labels::of(language);
@@ -55,20 +55,20 @@ impl Log {
 }
 
 impl Figure {
-    /// A measured value against its nominal one; `None` beyond [`Length::MAX`].
+    /// A measured value with its nominal value; `None` beyond [`Length::MAX`].
     pub fn of(nominal: Length, limits: Option<LimitPair>, actual: Length) -> Option<Self> {
         Some(Self { nominal: Some(nominal), limits, actual, deviation: Some(actual.checked_sub(nominal)?) })
     }
 
-    /// A measured value without a nominal one.
+    /// A measured value without a nominal value.
     pub const fn bare(limits: Option<LimitPair>, actual: Length) -> Self {
         Self { nominal: None, limits, actual, deviation: None }
     }
 }
 
 impl LimitPair {
-    /// Limits evenly about a nominal value, as Q279 and Q280 give them for the centre: a tolerance of 0 means that the
-    /// axis is not monitored. `None` for a negative tolerance and beyond [`Length::MAX`].
+    /// Limits symmetrical about a nominal value, as Q279 and Q280 set them for the centre: a tolerance of 0 means that
+    /// the axis is not monitored. `None` for a negative tolerance and beyond [`Length::MAX`].
     pub fn about(nominal: Length, tolerance: Length) -> Option<Self> {
         if tolerance < Length::ZERO {
             return None;
@@ -78,13 +78,13 @@ impl LimitPair {
 }
 
 impl Further {
-    /// The measuring height, which every log ends with.
+    /// The measuring height, with which every log ends.
     pub fn measuring_height(height: Length, unit: Unit, language: Dialogue) -> Self {
         let label = Labels::of(language).measuring_height.clone();
         Self { label, value: height.rounded(unit, DECIMALS) }
     }
 
-    /// The result as it is printed: the measuring height is named in the log's language, a number has a point.
+    /// The result as printed: the measuring height gets its name in the log's language, a number gets a point.
     pub(super) fn printed(&self, labels: &Labels) -> Self {
         let known = Dialogue::ALL.map(|language| &Labels::of(language).measuring_height);
         let label = if known.contains(&&self.label) { &labels.measuring_height } else { &self.label };
@@ -94,7 +94,7 @@ impl Further {
     }
 }
 
-/// The length that the printed figure says. One beyond [`Length::MAX`] stays as it is, and is refused when read back.
+/// The printed length. A length beyond [`Length::MAX`] stays unchanged, and is an error when it is read back.
 fn on_grid(length: Length, unit: Unit) -> Length {
     Length::parse_in(&length.rounded(unit, DECIMALS), unit).unwrap_or(length)
 }

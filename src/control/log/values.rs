@@ -1,6 +1,6 @@
 //! A log's figures by their order, and whether they agree with each other.
 //!
-//! Which figures there are, and what stands beside each, says the cycle's declaration.
+//! The cycle's declaration says which figures there are, and which other values each of them has.
 
 use super::error::{LogError, LogFault, LogWarning, LogWarningKind, Section as Name};
 use super::lines::{Chunk, Pair, Section, Title};
@@ -9,17 +9,17 @@ use crate::length::{Length, Unit};
 use crate::message::Located;
 use crate::probing::cycle::{FigureKind, FoundName, LogFigure, TextLog};
 
-/// A measured value of a log, and what stands beside it.
+/// A measured value of a log, and the values that belong to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Figure {
-    /// Nominal value, where the log has one; that of a diameter is above zero.
+    /// Nominal value, if the log has one; for a diameter it is above zero.
     pub nominal: Option<Length>,
-    /// Permitted values; `None` where both are 0 and the control did not monitor it. Those of a centre lie evenly about
-    /// the nominal value to the last figure, and are the nominal value itself where it is not monitored.
+    /// Permitted values; `None` if both are 0, so that the control did not monitor it. For a centre they are
+    /// symmetrical about the nominal value to the last digit, and equal to the nominal value if it is not monitored.
     pub limits: Option<LimitPair>,
-    /// Measured value; that of a diameter is above zero.
+    /// Measured value; for a diameter it is above zero.
     pub actual: Length,
-    /// Deviation as the log gives it, if it does; it equals actual minus nominal to the last figure.
+    /// Deviation from the log, if it has one; equal to actual minus nominal to the last digit.
     pub deviation: Option<Length>,
 }
 
@@ -35,7 +35,7 @@ pub struct LimitPair {
 /// What is left of a log below its header.
 pub(super) struct Body<'a> {
     chunk: &'a Chunk<'a>,
-    /// Sections with pairs; a log without headings is cut by its order.
+    /// Sections with pairs; a log without headings is divided by its order.
     groups: Vec<Section<'a>>,
     unit: Unit,
 }
@@ -83,7 +83,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// The sections of nominal values, limits, actual values and deviations, and how they agree.
+    /// The sections of nominal values, limits, actual values and deviations, checked against each other.
     fn figures(
         &mut self,
         log: &TextLog,
@@ -131,14 +131,14 @@ impl<'a> Body<'a> {
         Ok(found)
     }
 
-    /// Limits and actual value; nominal value and deviation may be absent, and are told by the sizes of the sections.
+    /// Limits and actual value; nominal value and deviation may be absent, as the sizes of the sections show.
     fn coordinate(&mut self) -> Result<Figure, LogError> {
         let has_nominal = self.groups.first().is_some_and(|group| group.pairs.len() == 1);
         let nominal = if has_nominal { self.take(Name::Nominal, 1)?.first().copied() } else { None };
         let limits = self.take(Name::Limits, 2)?;
         let actual = self.take(Name::Actual, 1)?;
         let ([maximum, minimum], [actual]) = (limits.as_slice(), actual.as_slice()) else {
-            // Each section was taken with so many.
+            // Every section has already been taken with this many numbers.
             return Err(LogFault::NoLog.at(self.chunk.last_line()));
         };
         self.whole(actual, decimals(Some(maximum)))?;
@@ -154,7 +154,7 @@ impl<'a> Body<'a> {
         Ok(Figure { nominal, limits: monitored(limit_pair(maximum, minimum)?), actual: actual.value, deviation })
     }
 
-    /// The next section, which must have so many numbers.
+    /// The next section, which must have this many numbers.
     fn take(&mut self, name: Name, expected: usize) -> Result<Vec<Number<'a>>, LogError> {
         if self.groups.is_empty() {
             return Err(LogFault::Missing { section: name }.at(self.chunk.last_line()));
@@ -172,8 +172,8 @@ impl<'a> Body<'a> {
         Ok(Number { pair: *pair, value })
     }
 
-    /// The next section as deviations: where it has as many numbers, of which one alone says nothing, or the names of
-    /// the actual values. One that the file ends in is not used.
+    /// The next section as deviations: if it has as many numbers, at least two, or the names of the actual values. If
+    /// the file is cut off within one, the section is not used.
     fn deviations(
         &mut self,
         nominal: &[Number<'a>],
@@ -203,8 +203,8 @@ impl<'a> Body<'a> {
         Ok((numbers.len() == expected).then_some(numbers))
     }
 
-    /// A figure that the file ends in may be cut off: 25.01 of 25.0134. It is whole if it has as many decimals as
-    /// the log's first figure.
+    /// If the file ends in a figure, it may be cut off: 25.01 of 25.0134. It is whole if it has as many decimals as the
+    /// log's first figure.
     fn whole(&self, figure: &Number<'_>, decimals: usize) -> Result<(), LogError> {
         if self.chunk.ends_within(figure.pair.line) && decimals_of(figure.pair.given) < decimals {
             return Err(figure.pair.wrong(LogFault::CutFigure { given: figure.pair.given.to_owned() }));
@@ -212,7 +212,7 @@ impl<'a> Body<'a> {
         Ok(())
     }
 
-    /// The last figure of a log, 0.0001 of its unit: what rounding may make of a difference.
+    /// The last digit of a log, 0.0001 of its unit: the most that rounding may change in a difference.
     fn last_figure(&self) -> Length {
         Length::parse_in("0.0001", self.unit).unwrap_or_default()
     }
@@ -230,7 +230,7 @@ impl<'a> Body<'a> {
         Err(deviation.pair.wrong(reason))
     }
 
-    /// Limits of the centre: even about the nominal value to the last figure.
+    /// Checks that the limits of the centre are symmetrical about the nominal value to the last digit.
     fn even(&self, maximum: &Number<'_>, minimum: &Number<'_>, nominal: &Number<'_>) -> Result<LimitPair, LogError> {
         let limits = limit_pair(maximum, minimum)?;
         let above = limits.maximum.saturating_sub(nominal.value);
@@ -265,7 +265,7 @@ fn limit_pair(maximum: &Number<'_>, minimum: &Number<'_>) -> Result<LimitPair, L
     Ok(LimitPair { maximum: maximum.value, minimum: minimum.value })
 }
 
-/// Whether every pair has the name of the figure at its place, whatever the language.
+/// Whether every pair has the name of the figure in its place, in any language.
 fn labels_match(pairs: &[Pair<'_>], figures: &[Number<'_>]) -> bool {
     pairs.len() <= figures.len()
         && pairs.iter().zip(figures).all(|(pair, figure)| pair.label.to_lowercase() == figure.pair.label.to_lowercase())

@@ -1,10 +1,10 @@
 //! A log as a control writes it.
 //!
 //! Title, header, sections, their order and four decimals of a millimetre are the maker's for cycle 421
-//! (`docs/SOURCES.md`). Our rule are the columns (label and colon left aligned in 46 characters, the value right aligned
-//! in 12), CRLF, ASCII or, where the words need it, Latin-1, four decimals of an inch, the lines behind the deviations, all
-//! sections of the other cycles, and other languages' words. The documented layout has no line for a status, a tolerance class
-//! or a tool: a log has the same lines whether the part is good, rework or scrap.
+//! (`docs/SOURCES.md`). Our rules are: the columns (label and colon left aligned in 46 characters, the value right
+//! aligned in 12), CRLF, ASCII or, if the words need it, Latin-1, four decimals of an inch, the lines after the
+//! deviations, all sections of the other cycles, and other languages' words. The documented layout has no line for a
+//! status, a tolerance class or a tool: a log has the same lines whether the part is good, rework or scrap.
 //!
 //! What is written reads back as the same log ([`Log::printed`]), or it is an error. What a log lacks is left out and
 //! never made up. Nothing here opens a file.
@@ -33,16 +33,16 @@ pub enum LogWriteError {
         /// The log's cycle.
         cycle: u16,
     },
-    /// The control knows millimetres and inches.
+    /// The control has only millimetres and inches.
     Unit,
     /// A character that the file cannot hold.
     Character {
         /// The text that holds it.
         given: String,
-        /// Its code, four to six hexadecimal figures.
+        /// Its code, four to six hexadecimal digits.
         code: String,
     },
-    /// The program would not be read as one.
+    /// The program would not be read back as one.
     Program {
         /// What was given.
         given: String,
@@ -50,16 +50,16 @@ pub enum LogWriteError {
     /// The log contradicts itself.
     #[say(transparent)]
     Contradiction(LogFault),
-    /// The file that a log is to be added to does not end at the end of a line.
+    /// The file that gets another log does not end at the end of a line.
     Unfinished,
-    /// Something in the log would be read as something else, such as a further result that looks like a date.
+    /// Something in the log would be read back differently, such as a further result that looks like a date.
     ReadsOtherwise,
 }
 
 /// A log as a file of its own, in the words of a language.
 ///
 /// The log's own title, line and warnings are not used. Figures finer than the last decimal are rounded half away from
-/// zero ([`Log::printed`] gives the log that this leads to).
+/// zero ([`Log::printed`] gives the resulting log).
 ///
 /// ```
 /// use fitcheck::control::log::{self, Figure, Further, LimitPair, Log};
@@ -82,20 +82,20 @@ pub enum LogWriteError {
 /// ```
 ///
 /// # Errors
-/// [`LogWriteError`]: whatever would not be read back as the same log.
+/// [`LogWriteError`] for a log that would not be read back as the same log.
 pub fn write(log: &Log, language: Dialogue) -> Result<Vec<u8>, LogWriteError> {
     let bytes = encode(&text(log, language)?);
     reads_back(&read(&bytes), log, language)?;
     Ok(bytes)
 }
 
-/// A file of logs with one more at its end, behind a blank line; an empty file gets its first log.
+/// A file of logs with one more at its end, after a blank line; an empty file gets its first log.
 ///
-/// Whether a control overwrites or adds to a file of the same name is not documented: both can be had here.
+/// Whether a control overwrites or adds to a file of the same name is not documented: Fitcheck can do both.
 ///
 /// # Errors
-/// As for [`write()`]; [`LogWriteError::Unfinished`] where the file ends within a line, because a figure that was cut
-/// off would look whole with something behind it.
+/// As for [`write()`]; [`LogWriteError::Unfinished`] if the file ends within a line, because a figure that was cut off
+/// would look whole with text after it.
 pub fn append(file: &[u8], log: &Log, language: Dialogue) -> Result<Vec<u8>, LogWriteError> {
     if file.is_empty() {
         return write(log, language);
@@ -123,7 +123,7 @@ pub fn append(file: &[u8], log: &Log, language: Dialogue) -> Result<Vec<u8>, Log
     Ok(bytes)
 }
 
-/// Whether the one log that was read is the one that was written.
+/// Checks that the only log read back is the one that was written.
 fn reads_back(read: &[Result<Log, LogError>], log: &Log, language: Dialogue) -> Result<(), LogWriteError> {
     let read = match read {
         [Ok(read)] => read,
@@ -164,7 +164,7 @@ fn text(log: &Log, language: Dialogue) -> Result<String, LogWriteError> {
     Ok(page.text)
 }
 
-/// Whether figures are those of a layout: as many, and nominal values where it has them.
+/// Whether the figures fit a layout: the same number of them, with nominal values where the layout has them.
 fn fits(layout: &TextLog, figures: &[Figure]) -> bool {
     let is_fit = |(layout, figure): (&LogFigure, &Figure)| match layout.kind {
         FigureKind::Centre(_) => figure.nominal.is_some() && figure.limits.is_some(),
@@ -191,13 +191,13 @@ impl Page {
         self.line(&format!("{heading}:"));
     }
 
-    /// A value in its column; one that is wider than its column moves to the right.
+    /// A value in its column; a value wider than its column extends to the right.
     fn value(&mut self, label: &str, value: &str) {
         let label = format!("{label}:");
         self.line(&format!("{label:<LABEL_WIDTH$}{value:>VALUE_WIDTH$}"));
     }
 
-    /// A section and the blank line behind it.
+    /// A section and the blank line after it.
     fn section<'a>(&mut self, heading: &str, figures: impl IntoIterator<Item = (&'a String, Length)>) {
         self.heading(heading);
         for (label, length) in figures {
@@ -223,7 +223,7 @@ impl Page {
         Ok(())
     }
 
-    /// Every section with the figures that it has; deviations where all of them are known.
+    /// Every section with its figures; the deviations only if all of them are known.
     fn figures(&mut self, layout: &TextLog, figures: &[Figure], labels: &Labels) {
         let not_monitored = LimitPair { maximum: Length::ZERO, minimum: Length::ZERO };
         let named: Vec<_> = layout.figures.iter().map(|figure| labels.figure(figure)).zip(figures).collect();
@@ -258,7 +258,7 @@ fn sound(text: &str) -> Result<&str, LogWriteError> {
     }
 }
 
-/// Latin-1. Every text in a log is [`sound`]; a test proves that the words are, too.
+/// Latin-1. Every text in a log is [`sound`]; a test proves the same for the words.
 fn encode(text: &str) -> Vec<u8> {
     text.chars().map(|c| u8::try_from(c).unwrap_or(b'?')).collect()
 }

@@ -1,11 +1,11 @@
-//! What can be wrong with a mask, or with rendering it, and where. Columns count characters, from 1.
+//! What can be wrong with a mask or with rendering it, and where. Columns count characters, from 1.
 
 use crate::message::{Located, Say};
 
 /// Why a mask cannot be read, with line and column.
 pub type MaskError = Located<MaskFault>;
 
-/// What was odd about a mask that could still be read, with its line.
+/// A warning about a mask that could still be read, with its line.
 pub type MaskWarning = Located<MaskWarningKind>;
 
 /// Why a mask cannot be rendered, with line and column.
@@ -17,26 +17,26 @@ pub type RenderError = Located<RenderFault>;
 pub enum MaskFault {
     /// There is nothing to print.
     Empty,
-    /// More than any mask needs.
+    /// Larger than any mask needs to be.
     TooLarge {
         /// What is allowed, in KiB.
         most: usize,
     },
     /// A line is neither record, keyword nor comment.
     Unknown {
-        /// What stands there.
+        /// The text found.
         found: String,
     },
     /// A quoted format does not end.
     UnclosedQuote,
     /// A letter that is not a format.
     UnknownFormat {
-        /// What stands there.
+        /// The text found.
         found: String,
     },
-    /// A width or a number of digits beyond reason.
+    /// A width or a number of digits that is too large.
     TooWide {
-        /// What stands there.
+        /// The text found.
         found: String,
         /// What is allowed.
         most: usize,
@@ -50,30 +50,30 @@ pub enum MaskFault {
     },
     /// A word that is not a parameter.
     UnknownParameter {
-        /// What stands there.
+        /// The text found.
         found: String,
     },
 }
 
-/// What is odd about a mask that can still be read.
+/// A warning about a mask that can still be read.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "mask")]
 pub enum MaskWarningKind {
     /// The record or keyword does not end in `;`, as in the first line of the mask of NC-Solution 8255.
     NoSemicolon,
-    /// An `M_` or `L_` word that is not known; it has no effect.
+    /// An unknown `M_` or `L_` word; it has no effect.
     UnknownWord {
         /// The word.
         word: String,
     },
-    /// Text behind the `;` that is not a comment.
+    /// Text after the `;` that is not a comment.
     BehindSemicolon {
-        /// What stands there.
+        /// The text found.
         found: String,
     },
 }
 
-/// What keeps a mask from being rendered.
+/// Why a mask cannot be rendered.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "mask", error)]
 pub enum RenderFault {
@@ -82,12 +82,12 @@ pub enum RenderFault {
         /// The parameter.
         name: String,
     },
-    /// A text under a number's format.
+    /// A text in a number's format.
     TextAsNumber {
         /// The parameter.
         name: String,
     },
-    /// A number under a text's format.
+    /// A number in a text's format.
     NumberAsText {
         /// The parameter.
         name: String,

@@ -6,8 +6,8 @@
 //! | `render` | mask and parameters to text |
 //! | `error` | what can be wrong |
 //!
-//! A mask is a list of lines: records (a quoted format and its parameters), keywords and language sections. The
-//! grammar is that of the control's manuals and of the mask of NC-Solution 8255; where they are silent it is ours: a
+//! A mask is a list of lines: records (a quoted format and its parameters), keywords and language sections. The grammar
+//! is that of the control's manuals and of the mask of NC-Solution 8255. Where they say nothing, our rule applies: a
 //! missing `;` is a warning, anything else that cannot be read is an error with line and column.
 
 mod error;
@@ -26,18 +26,18 @@ pub struct Mask {
     lines: Vec<Line>,
 }
 
-/// One line that does something.
+/// One line that has an effect.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Line {
     /// `"text %S", QS1;`
     Record(Record),
-    /// `M_CLOSE;` and its kin.
+    /// `M_CLOSE;` and similar words.
     Keyword(Keyword),
     /// `L_GERMAN;`: what follows is printed in this dialogue language only. `None` is `L_ALL`.
     Language(Option<String>),
 }
 
-/// A quoted format with its parameters put into place.
+/// A quoted format with its parameters filled in.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Record {
     /// From 1.
@@ -50,11 +50,11 @@ struct Record {
 enum Part {
     /// Printed as it is.
     Text(String),
-    /// A parameter under a format.
+    /// A parameter in a format.
     Field { format: Format, name: Name, column: usize },
 }
 
-/// What stands behind a `%`.
+/// What follows a `%`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "four flags that may stand together in any combination")]
 struct Format {
@@ -72,7 +72,7 @@ struct Format {
 enum Kind {
     /// `%S`: text.
     Text,
-    /// `%RS`: text, taken over as it is.
+    /// `%RS`: text, unchanged.
     Raw,
     /// `%F`, `%LF`: number.
     Decimal,
@@ -80,7 +80,7 @@ enum Kind {
     Whole,
 }
 
-/// What is printed.
+/// What a field prints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Name {
     Parameter(Parameter),
@@ -94,7 +94,7 @@ enum Name {
     CallPath,
 }
 
-/// What is printed besides parameters, by its word.
+/// What a mask prints besides parameters, by its word.
 const NAMES: [(&str, Name); 8] = [
     ("DAY", Name::Day),
     ("MONTH", Name::Month),
@@ -106,7 +106,7 @@ const NAMES: [(&str, Name); 8] = [
     ("CALL_PATH", Name::CallPath),
 ];
 
-/// What is said about the output file or about empty texts.
+/// An instruction about the output file or about empty texts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Keyword {
     Close,

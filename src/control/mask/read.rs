@@ -11,7 +11,7 @@ use crate::message::{Located, Place};
 const WIDEST: usize = 255;
 /// The largest mask, 1 MiB: a real one has a few hundred bytes, and every line may print or warn many times its size.
 const LARGEST: usize = 1 << 20;
-/// The most digits behind the point.
+/// The most digits after the point.
 const MOST_DIGITS: usize = 30;
 
 impl Mask {
@@ -51,7 +51,7 @@ struct Reader {
     warnings: Vec<MaskWarning>,
 }
 
-/// A place in a line: what is left, and its column.
+/// A place in a line: the rest of the line, and the column.
 #[derive(Clone)]
 struct Cursor<'a> {
     rest: std::str::Chars<'a>,
@@ -93,7 +93,7 @@ impl<'a> Cursor<'a> {
 /// A record before its parameters are known.
 enum Piece {
     Text(String),
-    /// A format, and the column where it stands.
+    /// A format, and its column.
     Slot(Format, usize),
 }
 
@@ -132,7 +132,7 @@ impl Reader {
         let mut names = names.into_iter();
         let parts = pieces.into_iter().filter_map(|piece| match piece {
             Piece::Text(text) => Some(Part::Text(text)),
-            // As many names as slots, just counted.
+            // There are as many names as slots; they have just been counted.
             Piece::Slot(format, column) => names.next().map(|name| Part::Field { format, name, column }),
         });
         Ok(Line::Record(Record { line: self.line, parts: parts.collect() }))
@@ -143,7 +143,7 @@ impl Reader {
         cursor.next();
         let mut pieces = Vec::new();
         let mut text = String::new();
-        // Where a `%"` stands that was taken for a quotation mark: in `"100 %"` it was meant to close the record.
+        // The place of a `%"` that was read as a quotation mark: in `"100 %"` it was meant to close the record.
         let mut last_mark = None;
         loop {
             let column = cursor.column;
@@ -178,7 +178,7 @@ impl Reader {
         Ok(pieces)
     }
 
-    /// A record without an end: its last `%"` is the likelier slip than a forgotten quotation mark.
+    /// A record without an end: its last `%"` is a likelier mistake than a forgotten quotation mark.
     fn unclosed(&self, begin: usize, last_mark: Option<usize>) -> MaskError {
         match last_mark {
             Some(column) => self.fault(column, MaskFault::UnknownFormat { found: "%\"".to_owned() }),
@@ -270,7 +270,7 @@ impl Reader {
         Ok(Some(line))
     }
 
-    /// The `;` and what may follow it. Without it nothing but a comment may follow: it would be lost unprinted.
+    /// The `;` and what may follow it. Without a `;` only a comment may follow: anything else would be lost unprinted.
     fn end(&mut self, cursor: &mut Cursor<'_>) -> Result<(), MaskError> {
         cursor.skip_blanks();
         if cursor.take_if(|c| c == ';').is_none() {

@@ -18,7 +18,7 @@ pub struct Context<'a> {
     pub call_path: &'a str,
 }
 
-/// What is to become of the output file.
+/// What happens to the output file.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum FileUse {
     /// The control's default.
@@ -26,7 +26,7 @@ pub enum FileUse {
     Replace,
     /// `M_APPEND`.
     Append,
-    /// `M_APPEND_MAX`: up to so many kilobytes.
+    /// `M_APPEND_MAX`: up to this many kilobytes.
     AppendMax(u32),
 }
 
@@ -35,7 +35,7 @@ pub enum FileUse {
 pub struct Output {
     /// The text, every line ended by LF.
     pub text: String,
-    /// What is to become of the output file.
+    /// What happens to the output file.
     pub file: FileUse,
     /// Whether the file is closed afterwards (`M_CLOSE`).
     pub close: bool,
@@ -46,7 +46,7 @@ impl Mask {
     /// decimal value, the decimal sign is a point.
     ///
     /// # Errors
-    /// [`RenderError`] for an undefined parameter or one of the other kind.
+    /// [`RenderError`] for an undefined parameter or one of the wrong kind.
     pub fn render(&self, variables: &Variables, context: &Context<'_>) -> Result<Output, RenderError> {
         let mut output = Output { text: String::new(), file: FileUse::Replace, close: false };
         let (mut speaks, mut hides) = (true, false);
@@ -72,8 +72,8 @@ impl Mask {
 }
 
 impl Record {
-    /// Whether a text parameter is empty, for `M_EMPTY_HIDE`. An undefined one stays an error: a slip in its number must
-    /// not make the status line vanish.
+    /// Whether a text parameter is empty, for `M_EMPTY_HIDE`. An undefined one stays an error: a mistake in its number
+    /// must not hide the status line.
     fn has_empty_text(&self, variables: &Variables) -> bool {
         self.parts.iter().any(|part| match part {
             Part::Field { name: Name::Parameter(parameter), .. } if parameter.family == Family::Qs => {
@@ -97,7 +97,7 @@ impl Record {
     }
 }
 
-/// A field that is rendered, and where it stands.
+/// A field being rendered, and its place.
 struct At {
     line: usize,
     column: usize,
@@ -160,7 +160,7 @@ impl At {
                     None => Err(self.fault(RenderFault::Undefined { name: name() })),
                     Some(Value::Text(text)) => Ok(Printed::Text(text)),
                     Some(Value::Length(length)) => Ok(Printed::Number(length.to_string())),
-                    // The shortest decimal that is this number: what a user typed, not its binary neighbour.
+                    // The shortest decimal for this number: what a user typed, not the binary number next to it.
                     Some(Value::Number(value)) if value.is_finite() => Ok(Printed::Number(value.to_string())),
                     Some(Value::Number(_)) => Err(self.fault(RenderFault::NotFinite { name: name() })),
                 }
@@ -169,7 +169,7 @@ impl At {
     }
 }
 
-/// A sign where the format wants one, and the width, filled with blanks or zeros.
+/// A sign if the format wants one, and the width, filled with blanks or zeros.
 fn signed(number: &str, format: &Format) -> String {
     let (minus, figures) = number.strip_prefix('-').map_or((false, number), |figures| (true, figures));
     let sign = match (minus, format.plus, format.blank) {
@@ -189,7 +189,7 @@ fn padded(text: &str, width: usize, left: bool) -> String {
     if left { format!("{text:<width$}") } else { format!("{text:>width$}") }
 }
 
-/// A number with so many digits behind the point, rounded half away from zero; `None` for what is no finite number.
+/// A number with this many digits after the point, rounded half away from zero; `None` if it is not a finite number.
 pub(crate) fn decimal(value: &Value, digits: usize) -> Option<String> {
     match value {
         Value::Length(length) => Some(told(&length.to_string(), digits)),
@@ -198,15 +198,15 @@ pub(crate) fn decimal(value: &Value, digits: usize) -> Option<String> {
     }
 }
 
-/// A plain decimal number with so many digits. What was computed in binary is a little off the decimal it stands for:
-/// with fewer digits than a nanometre has, it is taken at the nearest nanometre first.
+/// A plain decimal number with this many digits. A result of binary arithmetic is a little off the intended decimal:
+/// with fewer digits than a nanometre needs, it is first rounded to the nearest nanometre.
 fn told(number: &str, digits: usize) -> String {
-    /// The digits of a nanometre in millimetres.
+    /// The decimals of a nanometre in millimetres.
     const NANOMETRE: usize = 6;
     if digits < NANOMETRE { rounded(&rounded(number, NANOMETRE), digits) } else { rounded(number, digits) }
 }
 
-/// A plain decimal number with so many digits behind the point, rounded half away from zero.
+/// A plain decimal number with this many digits after the point, rounded half away from zero.
 fn rounded(number: &str, digits: usize) -> String {
     let (minus, unsigned) = number.strip_prefix('-').map_or((false, number), |unsigned| (true, unsigned));
     let (whole, decimals) = unsigned.split_once('.').unwrap_or((unsigned, ""));
@@ -252,7 +252,7 @@ mod tests {
 
     #[test]
     fn takes_what_was_computed_at_the_nearest_nanometre() {
-        // The sums that a program makes of 25.00005 + 0 / 1000, 8.0001 - 7.5 / 1000 and their like.
+        // Sums that a program computes from 25.00005 + 0 / 1000, 8.0001 - 7.5 / 1000 and the like.
         for (number, expected) in
             [("25.000049999999998", "25.0001"), ("25.020999999999997", "25.0210"), ("-0.00005000000001", "-0.0001")]
         {

@@ -4,8 +4,8 @@ use crate::length::{Length, LengthError};
 use crate::message::{Located, Say};
 use crate::verdict::Status;
 
-/// Why a page or one of its measurements cannot be used or written, and where: the line of the page; where measurements
-/// are written, the number of the measurement.
+/// Why a page or one of its measurements cannot be used or written, and where: the line of the page or, when
+/// measurements are written, the number of the measurement.
 pub type PointLogError = Located<PointFault>;
 
 /// What is wrong with a measurement of cycle 444 or with its page.
@@ -14,7 +14,7 @@ pub type PointLogError = Located<PointFault>;
 pub enum PointFault {
     /// There is no measurement in the page.
     NoLog,
-    /// The page holds fewer or more measurements than it says.
+    /// The page holds fewer or more measurements than it announces.
     Count {
         /// How many it should hold.
         expected: usize,
@@ -23,12 +23,12 @@ pub enum PointFault {
     },
     /// A measurement without its end.
     CutOff,
-    /// Not the JSON that this program writes.
+    /// Not the JSON that Fitcheck writes.
     Json {
         /// What is wrong, in English.
         what: String,
     },
-    /// Written by a later program.
+    /// Written by a later version of Fitcheck.
     Version {
         /// The version of the page.
         version: u32,
@@ -38,15 +38,15 @@ pub enum PointFault {
     /// A figure cannot be read.
     #[say(transparent)]
     Number(#[from] LengthError),
-    /// The normal has no direction.
+    /// The normal does not have a direction.
     Normal {
         /// What was given.
         given: String,
     },
-    /// The control knows millimetres and inches.
+    /// The control has only millimetres and inches.
     #[say(id = "log-write-unit")]
     Unit,
-    /// The deviation of an axis is not measured minus nominal coordinate.
+    /// The deviation of an axis is not the measured minus the nominal coordinate.
     Deviation {
         /// X, Y or Z.
         axis: &'static str,
@@ -55,7 +55,7 @@ pub enum PointFault {
         /// What it should be.
         difference: Length,
     },
-    /// The deviation along the normal is not that of the axes.
+    /// The deviation along the normal does not follow from those of the axes.
     Along {
         /// The deviation of the log.
         given: Length,
@@ -91,7 +91,7 @@ impl PointFault {
         Located::in_line(line, self)
     }
 
-    /// The figure or text that the fault is about; empty where it is about what is missing.
+    /// The figure or text that the fault is about; empty if the fault is about something missing.
     pub fn given(&self) -> String {
         match self {
             Self::Number(

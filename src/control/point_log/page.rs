@@ -1,7 +1,7 @@
-//! Measurements of cycle 444 as a page: one table, three lines a measurement, coloured by status.
+//! Measurements of cycle 444 as a page: one table, three lines per measurement, coloured by status.
 //!
-//! The template is `assets/logs/points.html`, its look `points.css`, its words `assets/logs/*.toml`; the template escapes
-//! every value. Nothing here decides anything.
+//! The template is `assets/logs/points.html`, its look `points.css`, its words `assets/logs/*.toml`; the template
+//! escapes every value. Nothing here decides anything.
 
 use askama::Template;
 
@@ -18,7 +18,7 @@ use crate::words::Dialogue;
 /// How dates are written: as in the report.
 const DATE: &str = "%Y-%m-%d %H:%M:%S";
 
-/// Decimals of figures at least: those of the control's logs. Finer figures are shown whole.
+/// The least number of decimals: as in the control's logs. Finer figures are shown whole.
 const DECIMALS: usize = 4;
 
 #[derive(Template)]
@@ -54,10 +54,10 @@ struct Axis {
     deviation: String,
 }
 
-/// Measurements as one page, in the words of a language.
+/// Measurements as one page, with the words of a language.
 ///
-/// What is written reads back as the same measurements, exactly. Whole lengths are kept for programs; the table shows
-/// at least four decimals, inches rounded to seven.
+/// The page reads back as exactly the same measurements. Whole lengths are kept for programs; the table shows at least
+/// four decimals, and inches rounded to seven.
 ///
 /// ```
 /// use fitcheck::control::point_log::{self, Band, PointLog};
@@ -103,11 +103,11 @@ pub fn write(logs: &[PointLog], language: Dialogue) -> Result<Vec<u8>, PointLogE
     Ok(page.into_bytes())
 }
 
-/// A page with one more measurement at its end; an empty file becomes a page of one. The whole page is made anew in
+/// A page with one more measurement at its end; an empty file becomes a page with one. The whole page is rewritten with
 /// the words of the language.
 ///
 /// # Errors
-/// As for [`write()`]; [`PointLogError`] of the page where it is not one of these or is damaged: nothing is added to it
+/// As for [`write()`]; the [`PointLogError`] of the page if it is not such a page or is damaged: nothing is added to it
 /// then.
 pub fn append(page: &[u8], log: &PointLog, language: Dialogue) -> Result<Vec<u8>, PointLogError> {
     let mut logs = Vec::new();
@@ -167,14 +167,14 @@ const fn class(status: Option<Status>) -> &'static str {
     }
 }
 
-/// A plain number as people of the language read it.
+/// A plain number in the language's notation.
 fn people(plain: &str, language: Dialogue) -> String {
     let sign = language.words().decimal_sign.to_string();
     plain.replace('.', &sign).replace('-', "\u{2212}")
 }
 
-/// The text without what no page may show: control characters, and marks that turn the direction of writing. Each
-/// becomes a replacement character, so that it is seen.
+/// The text without characters that no page may show: control characters, and marks that reverse the direction of
+/// writing. Each becomes a replacement character, so that it is visible.
 fn visible(text: &str) -> String {
     let hidden = |c: char| {
         c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}')

@@ -8,7 +8,7 @@ use crate::probing::vector;
 use crate::tolerance::Feature;
 use crate::verdict::{self, Status};
 
-/// How far figures of one measurement may be apart: the last figure of the control's logs, 0.1 µm.
+/// How far figures of one measurement may differ: the last digit of the control's logs, 0.1 µm.
 pub(super) const LAST_FIGURE: Length = Length::constant(100);
 
 /// One measurement: a point on a surface. Coordinates are in the order X, Y, Z.
@@ -22,7 +22,7 @@ pub struct PointLog {
     pub unit: Unit,
     /// The nominal point (Q263, Q264, Q294).
     pub nominal: [Length; 3],
-    /// The surface's normal as it was programmed (Q581 to Q583): of any length but zero.
+    /// The surface's normal as it was programmed (Q581 to Q583): of any length except zero.
     pub normal: [f64; 3],
     /// The measured point (Q151 to Q153).
     pub measured: [Length; 3],
@@ -32,7 +32,7 @@ pub struct PointLog {
     pub deviation: Length,
     /// The text of the tolerance (QS400) as it was programmed.
     pub tolerance: String,
-    /// What the tolerance permits; `None` where it is one of the documented forms without a tolerance.
+    /// What the tolerance permits; `None` if it is one of the documented forms without a tolerance.
     pub band: Option<Band>,
     /// The status (Q183); `None` for -1, not judged.
     pub status: Option<Status>,
@@ -48,7 +48,7 @@ pub struct Band {
 }
 
 impl Band {
-    /// Good on or between the limits; above there is material left, rework; below it is missing, scrap.
+    /// Good on or between the limits; above them material is left, rework; below them material is missing, scrap.
     pub fn status(&self, deviation: Length) -> Status {
         verdict::classify(Feature::Shaft, self.lower, self.upper, deviation)
     }
@@ -58,14 +58,14 @@ impl PointLog {
     /// The normal with a length of one.
     ///
     /// # Errors
-    /// [`PointFault::Normal`] where it has no direction or is not finite.
+    /// [`PointFault::Normal`] if it has no direction or is not finite.
     pub fn unit_normal(&self) -> Result<[f64; 3], PointFault> {
         let given = || self.normal.map(|part| part.to_string()).join(", ");
         vector::direction(self.normal).ok_or_else(|| PointFault::Normal { given: given() })
     }
 
-    /// Whether the figures agree: each deviation with its points, the deviation along the normal with those of the
-    /// axes, both to the last figure of 0.1 µm; the status with the band, exactly.
+    /// Checks that the figures agree: each deviation with its points, the deviation along the normal with those of the
+    /// axes, both to the last digit of 0.1 µm; the status with the band, exactly.
     ///
     /// # Errors
     /// [`PointFault`]: the first contradiction.

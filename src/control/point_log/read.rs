@@ -1,12 +1,12 @@
-//! Measurements out of a page: the JSON blocks, never the table.
+//! A page back to measurements: from the JSON blocks, never from the table.
 
 use super::error::{PointFault, PointLogError};
 use super::point::PointLog;
 use super::stored::{CLOSE, COUNT, OPEN, parse};
 use crate::control::text;
 
-/// Reads every measurement of a page, each with its line: one answer a measurement, so that a broken one does not take
-/// the others with it. A page with fewer or more measurements than it says has one more answer, an error.
+/// Reads every measurement of a page, each with its line: one result per measurement, so that a broken one does not
+/// affect the others. A page with fewer or more measurements than it announces gives one more result, an error.
 ///
 /// ```
 /// use fitcheck::control::point_log::{PointFault, read};
@@ -47,7 +47,7 @@ fn newlines(text: &str) -> usize {
     text.bytes().filter(|&byte| byte == b'\n').count()
 }
 
-/// How many measurements the page says that it holds.
+/// How many measurements the page announces.
 fn expected(head: &str) -> Option<usize> {
     let (_, rest) = head.split_once(&format!(r#"<meta name="{COUNT}" content=""#))?;
     rest.split_once('"')?.0.parse().ok()

@@ -1,7 +1,7 @@
 //! The part of the page that programs read: each measurement as JSON in a block that browsers do not run.
 //!
 //! Figures are texts, so that none passes through a float on its way; lengths are in millimetres, whatever the page
-//! shows. Only ASCII is used, and nothing that HTML could take for its own.
+//! shows. Only ASCII is used, and no character with a meaning in HTML.
 
 use std::fmt::Write as _;
 
@@ -13,11 +13,11 @@ use super::point::{Band, PointLog};
 use crate::length::{Length, Unit};
 use crate::verdict::Status;
 
-/// What stands before a measurement.
+/// The text before a measurement.
 pub(super) const OPEN: &str = r#"<script type="application/json" data-fitcheck="444">"#;
-/// What stands behind it.
+/// The text after it.
 pub(super) const CLOSE: &str = "</script>";
-/// The name under which the page says how many measurements it holds.
+/// The name under which the page announces how many measurements it holds.
 pub(super) const COUNT: &str = "fitcheck-444";
 /// Version of the JSON.
 const VERSION: u32 = 1;
@@ -40,7 +40,7 @@ struct Stored {
     status: Option<Status>,
 }
 
-/// Only to tell whether a later program has written the rest.
+/// Only to find out whether a later version has written the rest.
 #[derive(Debug, Deserialize)]
 struct Version {
     version: u32,
@@ -76,8 +76,8 @@ pub(super) fn block(log: &PointLog) -> String {
     format!("{OPEN}{}{CLOSE}", ascii(&json))
 }
 
-/// JSON whose other characters than plain ASCII, and those that mean something in HTML, are escaped as JSON does it.
-/// They occur in texts only, never in JSON's own marks.
+/// JSON in which all characters outside plain ASCII, and those with a meaning in HTML, are escaped in JSON's own way.
+/// They occur only in texts, never in JSON's own syntax.
 fn ascii(json: &str) -> String {
     let mut escaped = String::with_capacity(json.len());
     for character in json.chars() {
@@ -93,7 +93,7 @@ fn ascii(json: &str) -> String {
     escaped
 }
 
-/// A measurement out of the text between [`OPEN`] and [`CLOSE`].
+/// A measurement from the text between [`OPEN`] and [`CLOSE`].
 pub(super) fn parse(json: &str) -> Result<PointLog, PointFault> {
     let wrong = |error: serde_json::Error| PointFault::Json { what: error.to_string() };
     let Version { version } = serde_json::from_str(json).map_err(wrong)?;

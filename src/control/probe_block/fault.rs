@@ -3,7 +3,7 @@
 use crate::message::{Located, Say};
 use crate::probing::cycle::{CycleError, Key};
 
-/// Why a block cannot be read or written, and in which line.
+/// Why a block cannot be read or written, and on which line.
 pub type ProbeBlockError = Located<ProbeBlockFault>;
 
 /// What is wrong with a block.
@@ -13,24 +13,24 @@ pub enum ProbeBlockFault {
     /// No block of a probing cycle.
     #[say(id = "block-none")]
     NoBlock,
-    /// A second one.
+    /// A second block.
     #[say(id = "block-second")]
     SecondBlock {
         /// The line of the first one.
         first: usize,
     },
-    /// A cycle that is not one of ours.
+    /// A cycle that Fitcheck does not have.
     UnknownCycle {
-        /// What stands behind TCH PROBE.
+        /// What follows TCH PROBE.
         given: String,
         /// The numbers of the known cycles.
         known: String,
     },
-    /// A line of the block is no parameter.
+    /// A line of the block is not a parameter.
     NotAParameter {
         /// The line without its comment.
         given: String,
-        /// How it is done.
+        /// An example of a correct one.
         example: &'static str,
     },
     /// A parameter without a value.
@@ -38,7 +38,7 @@ pub enum ProbeBlockFault {
         /// The parameter.
         key: String,
     },
-    /// A parameter twice.
+    /// A parameter is given twice.
     Twice {
         /// The parameter.
         key: Key,
@@ -47,21 +47,21 @@ pub enum ProbeBlockFault {
     },
     /// A quotation mark without its partner.
     UnclosedQuote,
-    /// A parameter of the cycle behind the block.
+    /// A parameter of the cycle after the end of the block.
     BehindEnd {
         /// The line without its comment.
         given: String,
     },
-    /// The last line asks for another one.
+    /// The last line calls for another one.
     CutOff,
     /// The value is in a parameter of a program.
     Reference {
         /// The parameter of the cycle.
         key: String,
-        /// The parameter that it is given by.
+        /// The parameter that holds its value.
         given: String,
     },
-    /// The cycle does not take the parameter or its value.
+    /// The cycle does not accept the parameter or its value.
     #[say(transparent)]
     Cycle(Box<CycleError>),
     /// A text that a block cannot hold.

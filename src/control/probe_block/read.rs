@@ -1,4 +1,4 @@
-//! A block as pairs of name and text: a line at a time, cut at every `~`.
+//! A block as pairs of name and text: one line at a time, split at every `~`.
 
 use super::fault::{ProbeBlockError, ProbeBlockFault};
 use super::{ProbeBlock, Setting, Unused, shown};
@@ -11,8 +11,8 @@ const EXAMPLE: &str = "Q263=+35";
 
 /// Reads the one block of a probing cycle in a text: the block alone, or a program with one.
 ///
-/// Block numbers and names are not looked at, blank lines and comments are passed over, `~` at the end of a line takes
-/// the next one in. Other blocks of a program are not used, and named in [`ProbeBlock::unused`].
+/// Block numbers and names do not matter, blank lines and comments are skipped, `~` at the end of a line continues the
+/// block on the next one. Other blocks of a program are skipped, and reported in [`ProbeBlock::unused`].
 ///
 /// ```
 /// use fitcheck::control::probe_block::read;
@@ -25,13 +25,13 @@ const EXAMPLE: &str = "Q263=+35";
 /// ```
 ///
 /// # Errors
-/// [`ProbeBlockError`]: no block or two, a cycle that is not known, a line that is not a parameter, a parameter twice, a
+/// [`ProbeBlockError`]: no block or two, an unknown cycle, a line that is not a parameter, a parameter given twice, a
 /// block that is cut off.
 pub fn read(text: &str) -> Result<ProbeBlock, ProbeBlockError> {
     let mut reader = Reader::default();
     for (number, line) in lines(text) {
         let (segments, is_closed) = segments(line);
-        // Any other block of a program may hold what it likes.
+        // Any other block of a program may hold anything.
         if !is_closed && reader.state == State::Promised {
             return Err(ProbeBlockFault::UnclosedQuote.at(number));
         }
@@ -43,7 +43,7 @@ pub fn read(text: &str) -> Result<ProbeBlock, ProbeBlockError> {
     reader.end()
 }
 
-/// As [`read()`], but a text that begins no block is taken for lines of this cycle's: what people cut out of a program.
+/// As [`read()`], but a text that begins no block is read as lines of this cycle: what people cut out of a program.
 ///
 /// # Errors
 /// As for [`read()`].
@@ -60,16 +60,16 @@ pub fn read_or_lines(text: &str, cycle: &'static Cycle) -> Result<ProbeBlock, Pr
     }
 }
 
-/// What stands between two `~`, or a line without one.
+/// What is between two `~`, or a line without one.
 #[derive(Debug)]
 struct Segment<'a> {
     code: &'a str,
     has_comment: bool,
-    /// Whether a `~` stands behind it.
+    /// Whether a `~` follows it.
     goes_on: bool,
 }
 
-/// A line cut at every `~` outside quotation marks, a blank rest is none; and whether every mark has its partner.
+/// A line split at every `~` outside quotation marks, without a blank rest; and whether every mark has its partner.
 fn segments(line: &str) -> (Vec<Segment<'_>>, bool) {
     let mut found = Vec::new();
     let (mut start, mut comment, mut quoted) = (0, None, false);
@@ -98,14 +98,14 @@ fn segments(line: &str) -> (Vec<Segment<'_>>, bool) {
 /// Where the reader is.
 #[derive(Debug, Default, PartialEq, Eq)]
 enum State {
-    /// Before the block, or well behind it.
+    /// Before the block, or well after it.
     #[default]
     Outside,
-    /// A `~` has promised another line.
+    /// A `~` has announced another line.
     Promised,
-    /// The last line had neither `~` nor comment: as the manual of cycle 427 prints it, its comment and its `~` may follow.
+    /// The last line had neither `~` nor comment; both may follow on the next line, as in the manual of cycle 427.
     Open,
-    /// Behind the last line of the block.
+    /// After the last line of the block.
     Behind,
 }
 
@@ -133,7 +133,7 @@ impl Reader {
         self.outside(segment, line)
     }
 
-    /// What comes behind a line of the block.
+    /// Sets the state after a line of the block.
     const fn follow(&mut self, segment: &Segment<'_>) {
         self.state = match (segment.goes_on, segment.has_comment) {
             (true, _) => State::Promised,
@@ -218,7 +218,7 @@ impl Reader {
         if let Some((first, key)) = block.settings.iter().find_map(|other| Some((other.line, same(other)?))) {
             return Err(ProbeBlockFault::Twice { key, first }.at(line));
         }
-        // More names than a cycle has parameters would be refused later; here they would only fill the memory.
+        // More names than a cycle has parameters would be an error later; here they would only fill the memory.
         if block.cycle.parameter_named(key).is_none() {
             let error = block.cycle.set(Inputs::new(), key, text).map(drop);
             return error.map_err(|error| ProbeBlockFault::Cycle(Box::new(error)).at(line));
@@ -236,7 +236,7 @@ impl Reader {
     }
 }
 
-/// A block without its number and its mark for skipping, `/12`, `12 /`, `N3`.
+/// A block without its number and its mark for block skip, `/12`, `12 /`, `N3`.
 fn body(code: &str) -> &str {
     let bare = code.trim_start_matches(|c: char| c == '/' || c.is_ascii_digit() || c.is_whitespace());
     let numbered = bare.strip_prefix(['N', 'n']).and_then(|rest| {
@@ -246,8 +246,8 @@ fn body(code: &str) -> &str {
     numbered.unwrap_or(bare).trim_start_matches(|c: char| c == '/' || c.is_whitespace())
 }
 
-/// The cycle that a block calls, and the words of its line where they stand on it: `G785 R0 BR0`. `None` for any other
-/// block.
+/// The cycle that a block calls, and the words after it on its line, if there are any: `G785 R0 BR0`. `None` for any
+/// other block.
 fn head(body: &str) -> Result<Option<(&'static Cycle, Option<&str>)>, ProbeBlockFault> {
     let (first, rest) = body.split_once(char::is_whitespace).unwrap_or((body, ""));
     if first.strip_prefix(['G', 'g']).is_some_and(|number| !number.is_empty()) {

@@ -9,7 +9,7 @@ use crate::words::Dialogue;
 const LINE_END: &str = "\r\n";
 
 /// The block of a cycle with these inputs: every parameter of the declaration that was given or has a default, in its
-/// order, with its name in a dialogue language where that is known. Without a block number; CRLF between lines.
+/// order, with its name in a dialogue language if that is known. Without a block number; CRLF between lines.
 ///
 /// ```
 /// use fitcheck::control::probe_block::write;
@@ -41,7 +41,7 @@ pub fn write(cycle: &Cycle, inputs: &Inputs, language: Dialogue) -> Result<Strin
     let mut lines = vec![format!("TCH PROBE {} {}", cycle.code, cycle.name(language))];
     for (parameter, text) in pairs {
         let pair = match (parameter.key, inputs.value(parameter.key)) {
-            // The name of a tool goes into the text parameter of the same number.
+            // A tool name goes into the text parameter of the same number.
             (Key::Q(number), Some(Value::Text(_))) => format!("QS{number}={text}"),
             (key, _) => format!("{key}={text}"),
         };
@@ -50,7 +50,7 @@ pub fn write(cycle: &Cycle, inputs: &Inputs, language: Dialogue) -> Result<Strin
     Ok(lines.join(&format!(" ~{LINE_END}")) + LINE_END)
 }
 
-/// A value as a block has it: a sign for numbers of a milling control, quotation marks round a text.
+/// A value as in a block: a sign for numbers of a milling control, quotation marks round a text.
 fn value_text(cycle: &Cycle, parameter: &Parameter, value: &Value) -> Result<String, ProbeBlockFault> {
     let number = |number: String| {
         let is_plain = cycle.control == Control::Lathe || number.starts_with('-');

@@ -1,14 +1,15 @@
 //! The two blocks that describe the columns of a table.
 //!
-//! `#STRUCTBEGIN` … `#STRUCTEND` of iTNC 530 and `TableDescription ( … )` of TNC 640 and TNC7
-//! (`docs/SOURCES.md`). The width of a column is the figure in the block, 0 where there is none. What a block says beyond name, width, type and decimals is kept as it is written.
+//! `#STRUCTBEGIN` … `#STRUCTEND` of iTNC 530 and `TableDescription ( … )` of TNC 640 and TNC7 (`docs/SOURCES.md`). The
+//! width of a column is the figure in the block, 0 if there is none. Everything besides name, width, type and decimals
+//! is kept as written.
 
 use super::fault::{TableError, TableFault, TableWarningKind};
 use super::read::{MOST_COLUMNS, Reader, WIDEST};
 use super::{Column, CommentPlace, ControlTable};
 use crate::control::text::beginning;
 
-/// Reads the lines behind `#STRUCTBEGIN` up to and including `#STRUCTEND`.
+/// Reads the lines after `#STRUCTBEGIN` up to and including `#STRUCTEND`.
 pub(super) fn read_structure(reader: &mut Reader<'_>, table: &mut ControlTable) -> Result<Vec<Column>, TableError> {
     let begin = reader.line;
     let mut columns: Vec<Column> = Vec::new();
@@ -131,7 +132,7 @@ impl<'a> Tokens<'_, 'a> {
         Ok(Token::Word(self.take(end)))
     }
 
-    /// Takes so many bytes off the line.
+    /// Takes this many bytes off the line.
     fn take(&mut self, bytes: usize) -> &'a str {
         let (taken, rest) = self.rest.split_at_checked(bytes).unwrap_or((self.rest, ""));
         self.character += taken.chars().count();
@@ -150,7 +151,7 @@ impl<'a> Tokens<'_, 'a> {
         if token == Token::Sign(sign) { Ok(()) } else { Err(self.unexpected(sign, token.text())) }
     }
 
-    /// The next key before `:=`, or `None` at the closing bracket. Commas between entries are passed over.
+    /// The next key before `:=`, or `None` at the closing bracket. Commas between entries are skipped.
     fn key(&mut self, close: &'static str, table: &mut ControlTable) -> Result<Option<&'a str>, TableError> {
         loop {
             match self.next(table)? {
@@ -162,7 +163,7 @@ impl<'a> Tokens<'_, 'a> {
         }
     }
 
-    /// A value as it is written; `None` for a bracketed one, which is skipped with a warning.
+    /// A value as written; `None` for a bracketed one, which is skipped with a warning.
     fn value(&mut self, key: &str, table: &mut ControlTable) -> Result<Option<&'a str>, TableError> {
         self.expect(":=", table)?;
         match self.next(table)? {
@@ -188,7 +189,7 @@ impl<'a> Tokens<'_, 'a> {
         Ok(())
     }
 
-    /// The entries of one `CfgColumnDescription ( … )`, behind its opening bracket.
+    /// The entries of one `CfgColumnDescription ( … )`, after its opening bracket.
     fn column(&mut self, table: &mut ControlTable) -> Result<Column, TableError> {
         let mut column = Column::plain("", 0);
         while let Some(key) = self.key(")", table)? {
@@ -204,7 +205,7 @@ impl<'a> Tokens<'_, 'a> {
         Ok(column)
     }
 
-    /// The list of columns, behind its opening bracket.
+    /// The list of columns, after its opening bracket.
     fn columns(&mut self, table: &mut ControlTable) -> Result<Vec<Column>, TableError> {
         let mut columns: Vec<Column> = Vec::new();
         while let Some(object) = self.key("]", table)? {
@@ -228,7 +229,7 @@ pub(super) fn read_description<'a>(
 ) -> Result<Vec<Column>, TableError> {
     let begin = reader.line;
     let mut tokens = Tokens { reader, begin, rest: line, character: 0 };
-    // The word itself, which the caller has seen.
+    // The word itself, which the caller has already read.
     let _table_description = tokens.next(table)?;
     tokens.expect("(", table)?;
     let mut columns = Vec::new();

@@ -1,13 +1,13 @@
-//! What can be wrong or odd in a table file, and where.
+//! Errors and warnings for a table file, and their places.
 //!
 //! Rule 8 of `docs/SOURCES.md`: every message names file, line and column.
 
 use crate::message::{Located, Say};
 
-/// Why a file is no table that can be used.
+/// Why a file is not a usable table.
 pub type TableError = Located<TableFault>;
 
-/// What was odd but readable.
+/// A warning about a table file that could still be read.
 pub type TableWarning = Located<TableWarningKind>;
 
 /// What is wrong with a table file.
@@ -23,29 +23,29 @@ pub enum TableFault {
         #[say(skip)]
         code: u32,
     },
-    /// A line beyond the bound of the reader.
+    /// A line longer than the reader accepts.
     LineTooLong {
-        /// The bound.
+        /// The limit.
         limit: usize,
     },
     /// More cells than the reader keeps.
     TooLarge {
-        /// The bound.
+        /// The limit.
         limit: usize,
     },
     /// More columns than the reader keeps.
     TooManyColumns {
-        /// The bound.
+        /// The limit.
         limit: usize,
     },
-    /// The first line is no BEGIN line.
+    /// The first line is not a BEGIN line.
     NoBegin {
         /// What the file begins with.
         found: String,
     },
-    /// BEGIN stands alone.
+    /// BEGIN without a name.
     NoName,
-    /// A text in quotation marks does not end in its line.
+    /// A text in quotation marks does not end on its line.
     UnclosedQuote,
     /// The file ends within a block.
     UnclosedBlock {
@@ -56,14 +56,14 @@ pub enum TableFault {
     },
     /// Two blocks that describe the columns.
     SecondBlock,
-    /// Something else is due here.
+    /// Something else is expected here.
     Unexpected {
-        /// What is due: a sign or a word of the format, the same in every language.
+        /// What is expected: a sign or a word of the format, the same in every language.
         expected: &'static str,
         /// What was found.
         found: String,
     },
-    /// A width or a number of decimals that is none.
+    /// A width or a number of decimals that is not usable.
     NotASize {
         /// The key, WIDTH or DEC.
         key: &'static str,
@@ -74,9 +74,9 @@ pub enum TableFault {
     },
     /// There is no line with the names of the columns.
     NoColumns,
-    /// Columns are told by their position, and a tab has none.
+    /// Columns are found by their position, and a tab does not have one.
     Tab,
-    /// Two columns with one name.
+    /// Two columns with the same name.
     ColumnTwice {
         /// The name.
         name: String,
@@ -86,16 +86,16 @@ pub enum TableFault {
         /// The first column that it does not reach.
         name: String,
     },
-    /// No `[END]` and neither a line end nor a blank behind the last row: its last figure may not be the last.
+    /// No `[END]`, and neither a line end nor a blank after the last row: its last number may be cut off.
     Truncated,
-    /// Text behind the end.
+    /// Text after the end.
     TextAfterEnd {
         /// What was found.
         found: String,
     },
 }
 
-/// What is odd in a table file that was read all the same.
+/// A warning about a table file that could still be read.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "table")]
 pub enum TableWarningKind {
@@ -115,7 +115,7 @@ pub enum TableWarningKind {
         /// The width that follows from the block.
         described: usize,
     },
-    /// The block describes a column that the line of names does not have.
+    /// The block describes a column that is not in the line of names.
     NotInTable {
         /// The column.
         name: String,

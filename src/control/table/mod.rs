@@ -7,8 +7,8 @@
 //! | `write` | a table to bytes |
 //! | `fault` | errors and warnings with file, line and column |
 //!
-//! A cell is a text here. What a column means is the business of others, such as [`super::deviations`].
-//! Formats and rules: `docs/SOURCES.md`.
+//! A cell is only a text here. Other modules, such as [`super::deviations`], know what a column means. Formats and
+//! rules: `docs/SOURCES.md`.
 
 mod block;
 mod fault;
@@ -32,13 +32,13 @@ pub use write::WriteError;
 pub struct ControlTable {
     /// The name in the BEGIN line, without its suffix: `82553_hole`.
     pub name: String,
-    /// The suffix without its dot, where there is one.
+    /// The suffix without its dot, if there is one.
     pub suffix: Option<String>,
-    /// The unit in the BEGIN line, where there is one.
+    /// The unit in the BEGIN line, if there is one.
     pub unit: Option<TableUnit>,
-    /// What stands between quotation marks behind `Version:`.
+    /// The text in quotation marks after `Version:`.
     pub version: Option<String>,
-    /// What else stands in the BEGIN line: `U`, as far as known.
+    /// What else is in the BEGIN line: `U`, as far as known.
     pub mark: Option<String>,
     /// How the columns are described.
     pub generation: Generation,
@@ -46,7 +46,7 @@ pub struct ControlTable {
     pub columns: Vec<Column>,
     /// What a `TableDescription` says about the whole table, such as `primaryKey`: key and value as written.
     pub properties: Vec<(String, String)>,
-    /// The rows; each has one trimmed text a column.
+    /// The rows; each has one trimmed text per column.
     pub rows: Vec<Vec<String>>,
     /// The comments in the file's order.
     pub comments: Vec<Comment>,
@@ -87,11 +87,11 @@ pub enum Generation {
 pub struct Column {
     /// The name: a run of characters without blanks, compared with its case.
     pub name: String,
-    /// Characters from the start of this column to the start of the next one; more than the name has.
+    /// Characters from the start of this column to the start of the next one; more than the length of the name.
     pub width: usize,
-    /// The type's word where a block gives one: `N`, `C`, `FLOAT`, `TEXT` …
+    /// The word for the type, if a block gives one: `N`, `C`, `FLOAT`, `TEXT` …
     pub kind: Option<String>,
-    /// Decimals where a `#STRUCTBEGIN` block gives them (`DEC`).
+    /// Decimals, if a `#STRUCTBEGIN` block gives them (`DEC`).
     pub decimals: Option<usize>,
     /// Everything else that the block says, key and value as written: `DIA-ENGLISH`, `initial` …
     pub settings: Vec<(String, String)>,
@@ -103,34 +103,34 @@ impl Column {
         Self { name: name.to_owned(), width, kind: None, decimals: None, settings: Vec::new() }
     }
 
-    /// Whether the block calls it a text; `None` where no block does say.
+    /// Whether the block calls it a text; `None` if no block says so or otherwise.
     pub fn is_text(&self) -> Option<bool> {
         self.kind.as_deref().map(|kind| matches!(kind, "C" | "TEXT" | "UPTEXT" | "PATHNAME" | "TSTAMP" | "L" | "X"))
     }
 
-    /// Whether the block says anything about it but its width.
+    /// Whether the block says anything about it except its width.
     const fn is_described(&self) -> bool {
         self.kind.is_some() || self.decimals.is_some() || !self.settings.is_empty()
     }
 }
 
-/// A comment, without the sign that makes it one.
+/// A comment, without the sign that marks it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Comment {
-    /// Where it stands.
+    /// Its place.
     pub place: CommentPlace,
     /// Its text.
     pub text: String,
 }
 
-/// Where a comment stands.
+/// The place of a comment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CommentPlace {
     /// Between the BEGIN line and the names of the columns, outside a block.
     Header,
     /// In the block.
     Block,
-    /// Before the row of this number, counted from 0; behind the last row it is the number of rows.
+    /// Before the row of this number, counted from 0; after the last row it is the number of rows.
     Row(usize),
 }
 
@@ -155,8 +155,8 @@ impl ControlTable {
 
     /// The same table with another kind of header.
     ///
-    /// Types are translated (numbers, texts) or, where none is given, taken from the cells. What only one kind of header
-    /// can say (dialogue texts, initial values, limits, properties of the table) is left out.
+    /// Types are translated (numbers, texts) or, if none is given, derived from the cells. Entries that only one kind
+    /// of header can hold (dialogue texts, initial values, limits, properties of the table) are left out.
     #[must_use]
     pub fn to_generation(&self, generation: Generation) -> Self {
         let mut table = self.clone();
@@ -169,7 +169,7 @@ impl ControlTable {
             let cells = || self.rows.iter().filter_map(|row| row.get(number).map(String::as_str));
             let is_text = column.is_text().unwrap_or_else(|| !cells().all(|cell| is_blank(cell) || is_number(cell)));
             let decimals = cells().map(decimals).max().unwrap_or_default();
-            // The row number stands in no #STRUCTBEGIN block.
+            // No #STRUCTBEGIN block contains the row number.
             let is_row_number = column.name == "NR" && generation == Generation::Structure;
             let kind = match generation {
                 Generation::Plain => None,
@@ -177,7 +177,7 @@ impl ControlTable {
                 Generation::Structure => Some(if is_text { "C" } else { "N" }),
                 Generation::Description if is_text => Some("TEXT"),
                 Generation::Description if column.name == "NR" => Some("INT"),
-                // Never LENGTH: a control in inch would convert it.
+                // Never LENGTH: a control set to inches would convert it.
                 Generation::Description => Some("FLOAT"),
             };
             column.kind = kind.map(str::to_owned);

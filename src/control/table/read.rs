@@ -1,6 +1,6 @@
 //! Bytes to a table.
 //!
-//! One walk over the lines, each looked at once; what is kept is bounded. Rules: `docs/SOURCES.md`.
+//! One pass over the lines, which reads each line once; the amount of kept data is limited. Rules: `docs/SOURCES.md`.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -15,17 +15,17 @@ use crate::message::{Located, Place};
 pub(super) const LONGEST_LINE: usize = 1 << 16;
 /// The most columns. iTNC 530 has 30.
 pub(super) const MOST_COLUMNS: usize = 1_000;
-/// The most cells and other kept parts: 30 columns and 30 000 rows fit, and memory stays within some 100 MB.
+/// The most cells and other kept parts: 30 columns and 30 000 rows fit, and memory stays within about 100 MB.
 pub(super) const MOST_CELLS: usize = 1_000_000;
 /// The widest column that a block may describe.
 pub(super) const WIDEST: usize = 10_000;
 
-/// A table as it stands in a file: with what was odd, and where its parts are.
+/// A table as it is in a file: with the warnings, and the places of its parts.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableFile {
     /// The table.
     pub table: ControlTable,
-    /// What was odd but readable.
+    /// Warnings about a table that could still be read.
     pub warnings: Vec<TableWarning>,
     file: Arc<str>,
     /// The line with the names of the columns.
@@ -34,27 +34,27 @@ pub struct TableFile {
     starts: Vec<usize>,
     /// The line of each row.
     row_lines: Vec<usize>,
-    /// Row and column of the cells that begin right behind their neighbour, in order.
+    /// Row and column of the cells that begin directly after their neighbour, in order.
     touching: Vec<(usize, usize)>,
 }
 
 impl TableFile {
-    /// Where a cell begins.
+    /// The place where a cell begins.
     pub fn cell_place(&self, row: usize, column: usize) -> Place {
         self.place(self.row_lines.get(row).copied().unwrap_or(self.names_line), column)
     }
 
-    /// What there is to say about a cell.
+    /// A message about a cell, with its place.
     pub(crate) fn at_cell<T>(&self, row: usize, column: usize, what: T) -> Located<T> {
         Located { what, place: self.cell_place(row, column) }
     }
 
-    /// What there is to say about a column, at its name.
+    /// A message about a column, with the place of its name.
     pub(crate) fn at_name<T>(&self, column: usize, what: T) -> Located<T> {
         Located { what, place: self.place(self.names_line, column) }
     }
 
-    /// Whether the text of a cell and that of a neighbour are not kept apart by a blank: either may be cut wrongly.
+    /// Whether there is no blank between the text of a cell and that of a neighbour: either may be split wrongly.
     pub fn touches(&self, row: usize, column: usize) -> bool {
         self.touching.binary_search(&(row, column)).is_ok() || self.touching.binary_search(&(row, column + 1)).is_ok()
     }
@@ -66,13 +66,13 @@ impl TableFile {
 }
 
 impl ControlTable {
-    /// Reads a table of any of the three generations: UTF-8 or Windows-1252, any line end.
+    /// Reads a table of any of the three generations: UTF-8 or Windows-1252, any line ends.
     ///
     /// `file` is the name for messages.
     ///
     /// # Errors
-    /// [`TableFault`] with its place. Nothing is guessed: a row that does not reach the last column or a second column
-    /// of the same name is an error, too.
+    /// [`TableFault`] with its place. Nothing is guessed: a row that does not reach the last column, or a second column
+    /// of the same name, is an error, too.
     pub fn read(bytes: &[u8], file: &str) -> Result<TableFile, TableError> {
         let text = decode(bytes);
         let mut reader = Reader::new(&text, file);
@@ -86,7 +86,7 @@ impl ControlTable {
     }
 }
 
-/// What the walk over the rows found besides the rows.
+/// What the pass over the rows found besides the rows.
 #[derive(Default)]
 struct Body {
     row_lines: Vec<usize>,
@@ -95,7 +95,7 @@ struct Body {
     has_end: bool,
 }
 
-/// The walk over the lines.
+/// The pass over the lines.
 pub(super) struct Reader<'a> {
     lines: Box<dyn Iterator<Item = (usize, &'a str)> + 'a>,
     file: Arc<str>,
@@ -242,7 +242,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The names, merged with what the block says. Answers where the columns start.
+    /// The names, merged with what the block says. Returns where the columns start.
     fn names(&mut self, line: usize, names: &str, table: &mut ControlTable) -> Result<Vec<usize>, TableError> {
         self.no_tab(names)?;
         let mut described = std::mem::take(&mut table.columns);
@@ -251,7 +251,7 @@ impl<'a> Reader<'a> {
             return Err(self.fault(TableFault::TooManyColumns { limit: MOST_COLUMNS }, 0));
         }
         self.keep(found.len())?;
-        // The first column takes what stands left of its name, so that no text of a row is lost.
+        // The first column includes everything to the left of its name, so that no text of a row is lost.
         let starts: Vec<usize> =
             found.iter().enumerate().map(|(i, (start, _))| if i == 0 { 0 } else { *start }).collect();
         let end = names.chars().count();
@@ -263,7 +263,7 @@ impl<'a> Reader<'a> {
             let from = starts.get(number).copied().unwrap_or_default();
             let width = next.map_or(end.max(start + name.chars().count() + 1), |&next| next) - from;
             let Some(at) = described.iter().position(|column| column.name == name) else {
-                // The row number stands in no #STRUCTBEGIN block.
+                // No #STRUCTBEGIN block contains the row number.
                 if table.generation != Generation::Plain && name != "NR" {
                     self.warn(TableWarningKind::NotDescribed { name: name.to_owned() }, start);
                 }
@@ -340,12 +340,12 @@ impl<'a> Reader<'a> {
         Ok((cells, characters))
     }
 
-    /// Judges the end of the file.
+    /// Checks the end of the file.
     fn finish(&mut self, body: &Body, ends_in_blank: bool) -> Result<(), TableError> {
         if body.has_end {
             return Ok(());
         }
-        // Without a blank or a line end behind it, the last number may have had more figures.
+        // Without a blank or a line end after it, the last number may have had more digits.
         if !ends_in_blank && body.row_lines.last() == Some(&self.line) {
             return Err(self.fault(TableFault::Truncated, 0));
         }
@@ -358,7 +358,7 @@ fn is_end(text: &str) -> bool {
     matches!(text, "[END]" | "END")
 }
 
-/// The span that follows from a block: `#STRUCTBEGIN` adds a blank to the larger of width and name,
+/// The span that follows from a block: `#STRUCTBEGIN` adds a blank to the width or the name, whichever is longer,
 /// `TableDescription` gives the span itself (`docs/SOURCES.md`).
 fn span(column: &Column, generation: Generation) -> usize {
     let name = column.name.chars().count();
@@ -376,7 +376,7 @@ fn words(line: &str) -> Vec<(usize, &str)> {
         if before_is_blank && !c.is_whitespace() {
             let rest = line.get(byte..).unwrap_or_default();
             found.push((character, rest.split_whitespace().next().unwrap_or_default()));
-            // One more than is accepted is enough to refuse the line.
+            // One more than the limit is enough to reject the line.
             if MOST_COLUMNS < found.len() {
                 break;
             }

@@ -1,6 +1,6 @@
 //! A table to bytes.
 //!
-//! Cells are written as they are, padded to their columns; lines end in CRLF, the table in `[END]`. What is written reads
+//! Cells are written as they are, padded to their columns; lines end in CRLF, the table in `[END]`. The result reads
 //! back as the same table, or it is an error. Rules: `docs/SOURCES.md`.
 
 use crate::control::text::decode;
@@ -28,21 +28,21 @@ pub enum WriteError {
         /// The column's width.
         width: usize,
     },
-    /// More columns than the control takes.
+    /// More columns than the control accepts.
     TooManyColumns {
         /// How many there are.
         columns: usize,
         /// How many there may be.
         limit: usize,
     },
-    /// Lines longer than the control takes.
+    /// Lines longer than the control accepts.
     TooLong {
-        /// How many there are.
+        /// How many characters a line has.
         characters: usize,
-        /// How many there may be.
+        /// How many it may have.
         limit: usize,
     },
-    /// Something in the table would be read as something else, such as a name with a blank in it.
+    /// Something in the table would be read back differently, such as a name with a blank in it.
     ReadsOtherwise,
 }
 
@@ -50,7 +50,7 @@ impl ControlTable {
     /// The table as bytes: ASCII, or Windows-1252 where the text needs it, or UTF-8 where that is not enough.
     ///
     /// # Errors
-    /// [`WriteError`] where the control could not take the table or would read something else.
+    /// [`WriteError`] if the control could not read the table or would read something else.
     pub fn write(&self) -> Result<Vec<u8>, WriteError> {
         self.check_size()?;
         let bytes = encode(self.text()?);
@@ -95,7 +95,7 @@ impl ControlTable {
         }
         row_comments(&mut lines, &mut comments, self.rows.len());
         lines.push("[END]".to_owned());
-        // Every line has its end.
+        // Every line gets its end.
         lines.push(String::new());
         Ok(lines.join("\r\n"))
     }
@@ -194,7 +194,7 @@ fn pad(line: &mut String, text: &str, width: usize) {
     line.extend(std::iter::repeat_n(' ', width.saturating_sub(text.chars().count())));
 }
 
-/// ASCII as it is; else Windows-1252, unless that would be taken for UTF-8 or cannot hold the text.
+/// ASCII as it is; else Windows-1252, unless that would be read as UTF-8 or cannot hold the text.
 fn encode(text: String) -> Vec<u8> {
     if !text.is_ascii() {
         let (bytes, _, unmappable) = encoding_rs::WINDOWS_1252.encode(&text);

@@ -1,4 +1,4 @@
-//! How much a program may do, and how a run is set up.
+//! How much a run may use, and its settings.
 
 use jiff::civil::DateTime;
 
@@ -6,14 +6,14 @@ use crate::control::probe_table::ProbeTable;
 use crate::message::Say;
 use crate::words::Dialogue;
 
-/// What a run may use; each of them ends it with a fault of its own.
+/// What a run may use; each limit has a fault of its own that ends the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Budget {
     /// Blocks.
     pub blocks: u64,
-    /// Calls of labels within one another.
+    /// Nested calls of labels.
     pub label_calls: usize,
-    /// Calls of programs within one another.
+    /// Nested calls of programs.
     pub program_calls: usize,
     /// Characters of a text parameter: 254 on older controls, 255 on newer ones.
     pub text: usize,
@@ -31,14 +31,14 @@ pub struct Budget {
     pub files: usize,
     /// Their size together, bytes.
     pub file_bytes: usize,
-    /// Bytes that are read from files and written to them, over and over again included.
+    /// Bytes that are read from files and written to them, repeated ones included.
     pub traffic: usize,
     /// Remarks; more are only counted.
     pub remarks: usize,
 }
 
 impl Default for Budget {
-    /// Nesting and text as on newer controls, the rest far beyond any measuring program.
+    /// Nesting and text as on newer controls, everything else far beyond any measuring program.
     fn default() -> Self {
         Self {
             blocks: 10_000_000,
@@ -58,7 +58,7 @@ impl Default for Budget {
     }
 }
 
-/// How a run is set up.
+/// The settings of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// The dialogue language, for masks.
@@ -67,9 +67,9 @@ pub struct Settings {
     pub time: DateTime,
     /// What the run may use.
     pub budget: Budget,
-    /// Whether a block that is not known is passed over with a remark instead of stopping the run.
+    /// Whether an unknown block is skipped with a remark instead of stopping the run.
     pub skip_unknown: bool,
-    /// Whether blocks with a `/` are passed over.
+    /// Whether blocks with a `/` are skipped.
     pub block_skip: bool,
     /// Whether M1 stops.
     pub optional_stop: bool,
@@ -78,7 +78,7 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The control's own: unknown blocks stop, blocks with a `/` run, M1 does not stop, the shipped touch-probe table.
+    /// The control's own: unknown blocks stop, blocks with a `/` run, M1 does not stop, the built-in touch-probe table.
     pub fn new(language: Dialogue, time: DateTime) -> Self {
         Self {
             language,
@@ -121,7 +121,7 @@ pub enum UsedUp {
 }
 
 impl Budget {
-    /// Fails where so many are already there.
+    /// An error if this many are already there.
     pub(super) fn one_more(have: usize, most: usize, used_up: fn(usize) -> UsedUp) -> Result<(), UsedUp> {
         if have < most { Ok(()) } else { Err(used_up(most)) }
     }

@@ -8,15 +8,15 @@ use crate::probing::{Contact, Recorded, Source, SourceError};
 /// What the probe touches.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Contacts {
-    /// Whatever a cycle expects, at nominal and without faults.
+    /// Whatever a cycle expects, at nominal size and without faults.
     Perfect,
-    /// A simulated workpiece; scatter goes on from cycle to cycle.
+    /// A simulated workpiece; the scatter continues from cycle to cycle.
     Workpiece(Simulation),
     /// Contacts in probing order, points of the surface, for all cycles of the run one after the other.
     Recorded(Vec<Contact>),
 }
 
-/// The contacts while the run goes on.
+/// The contacts during the run.
 #[derive(Debug)]
 pub(super) enum Probed {
     Perfect,
@@ -25,7 +25,7 @@ pub(super) enum Probed {
     Recorded(Recorded),
 }
 
-/// The way of the probe, and what came of it.
+/// The path of the probe, and the outcome.
 type Measured = (Vec<Move>, Result<CycleResult, CycleError>);
 
 impl Probed {
@@ -37,7 +37,7 @@ impl Probed {
         }
     }
 
-    /// How many recorded contacts there are and how many the cycles took, where they did not take all.
+    /// How many recorded contacts there are and how many the cycles took, unless they took all.
     pub(super) fn left(&self) -> Option<(usize, usize)> {
         let Self::Recorded(recorded) = self else { return None };
         Some(recorded.handed_out()).filter(|(count, used)| used < count)

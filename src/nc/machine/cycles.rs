@@ -25,12 +25,12 @@ pub struct CycleRun {
     pub result: CycleResult,
 }
 
-/// The cycles of a run, and what they measure with.
+/// The cycles of a run, and the probe that they use.
 #[derive(Debug)]
 pub(super) struct Cycles {
     probed: Probed,
     probe: TouchProbe,
-    /// The tool that is called and not in the touch-probe table.
+    /// The tool of the last call, if it is not in the touch-probe table.
     other_tool: Option<String>,
     runs: Vec<CycleRun>,
     most: usize,
@@ -51,12 +51,12 @@ impl Cycles {
         &self.runs
     }
 
-    /// That recorded contacts are left, where the cycles did not take all.
+    /// A remark that recorded contacts are left, unless the cycles took all.
     pub(super) fn contacts_left(&self) -> Option<Remark> {
         self.probed.left().map(|(count, used)| Remark::ContactsLeft { count, used })
     }
 
-    /// TOOL CALL: the probe of that number; a name stands for the first probe of the table.
+    /// TOOL CALL: the probe of that number; a name selects the first probe of the table.
     pub(super) fn call_tool(
         &mut self,
         tool: Option<&Tool>,
@@ -64,7 +64,7 @@ impl Cycles {
         values: &Values,
     ) -> Result<(), FaultKind> {
         let (number, name) = match tool {
-            // Without a tool only speed or feed are changed.
+            // Without a tool, only speed or feed change.
             None => return Ok(()),
             Some(Tool::Number(number)) => {
                 let value = values.operand(*number)?;
@@ -81,7 +81,7 @@ impl Cycles {
         Ok(())
     }
 
-    /// That another probe measures than the tool that was called; said once a call.
+    /// A remark that another probe measures than the tool that was called; made once per call.
     pub(super) fn other_probe(&mut self) -> Option<Remark> {
         self.other_tool.take().map(|tool| Remark::OtherProbe { tool, probe: self.probe.number })
     }
@@ -91,7 +91,7 @@ impl Cycles {
         Budget::one_more(self.runs.len(), self.most, UsedUp::Cycles)
     }
 
-    /// Runs a cycle from a position: the way of the probe, and what came of it.
+    /// Runs a cycle from a position: the path of the probe, and the outcome.
     pub(super) fn measure(
         &mut self,
         cycle: &'static Cycle,
@@ -114,7 +114,7 @@ impl Cycles {
     }
 }
 
-/// The inputs with what the lines of a block give.
+/// The inputs, with the values from the lines of a block.
 fn with_lines(
     mut inputs: Inputs,
     cycle: &'static Cycle,
@@ -133,7 +133,7 @@ fn with_lines(
     Ok(inputs)
 }
 
-/// The value of a line in the kind that the parameter is declared as; the range is checked by the cycle.
+/// The value of a line in the kind that the parameter declares; the cycle checks the range.
 fn input(
     cycle: &'static Cycle,
     declared: &cycle::Parameter,
@@ -154,7 +154,7 @@ fn input(
     let value = values.value(operand)?;
     let number = values.operand(operand)?;
     match declared.range {
-        // At the nearest nanometre; what no length can be is said by the reader of such texts.
+        // Rounded to the nearest nanometre; the reader of such texts rejects what is not a length.
         Range::Length { .. } => {
             length_of(&value).map_or_else(|| read(&number.to_string()), |length| Ok(cycle::Value::Length(length)))
         }
@@ -164,7 +164,7 @@ fn input(
     }
 }
 
-/// Results into their parameters, the number of the cycle into Q198, where the ball touched last into Q115 to Q117.
+/// Puts the results into their parameters, the cycle's number into Q198, and the last contact into Q115 to Q117.
 pub(super) fn hand_over(cycle: &Cycle, result: &CycleResult, values: &mut Values) -> Result<(), FaultKind> {
     for (parameter, value) in result.results.iter().filter_map(|found| variable(found.key, &found.value)) {
         values.put(parameter, value)?;
@@ -179,7 +179,7 @@ pub(super) fn hand_over(cycle: &Cycle, result: &CycleResult, values: &mut Values
     Ok(())
 }
 
-/// The cycle of a number: those of lathe controls are no `TCH PROBE`.
+/// The cycle of a number: those of lathe controls are not called by `TCH PROBE`.
 pub(super) fn cycle_of(number: &str) -> Result<&'static Cycle, FaultKind> {
     cycles_of(Control::Milling).find(|cycle| cycle.code == number).ok_or_else(|| {
         let known: Vec<&str> = cycles_of(Control::Milling).map(|cycle| cycle.code).collect();

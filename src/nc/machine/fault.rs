@@ -1,4 +1,4 @@
-//! What ends a run before its end: as the control says it, with block and reason.
+//! What stops a run early: the block and the reason, as a control shows them.
 
 use super::budget::UsedUp;
 use super::path::{NcPath, PathError};
@@ -26,18 +26,18 @@ pub struct BlockPlace {
 pub struct Fault {
     /// The block.
     pub place: BlockPlace,
-    /// Its number in the program, where it has one.
+    /// Its number in the program, if it has one.
     pub number: Option<u32>,
     /// Its first line in the program's text, counted from 1.
     pub line: usize,
-    /// What it says, shortened.
+    /// Its text, shortened.
     pub text: String,
     /// Why.
     pub kind: Box<FaultKind>,
 }
 
 impl Fault {
-    /// A fault of a block; behind the last block the last one is named.
+    /// A fault of a block; after the last block, the fault names the last one.
     pub(super) fn new(program: &Program, mut place: BlockPlace, kind: FaultKind) -> Self {
         place.block = place.block.min(program.blocks().len().saturating_sub(1));
         let block = program.blocks().get(place.block);
@@ -79,13 +79,13 @@ pub enum FaultKind {
         /// How many it may have.
         most: usize,
     },
-    /// The block is not known, or not understood.
+    /// The block is unknown, or cannot be understood.
     UnknownBlock,
-    /// A cycle that is not run.
+    /// A cycle that Fitcheck does not run.
     UnknownCycle {
         /// Its number.
         cycle: String,
-        /// Those that are.
+        /// The cycles that it runs.
         known: String,
     },
     /// The program has no end, or not even a beginning.
@@ -93,14 +93,14 @@ pub enum FaultKind {
         /// The block that is missing.
         what: &'static str,
     },
-    /// A file is no program.
+    /// A file is not a program.
     NoProgram {
         /// The file.
         path: NcPath,
         /// What is wrong.
         error: ProgramError,
     },
-    /// A label that cannot be gone to.
+    /// A label that no jump can reach.
     #[say(transparent)]
     Label(#[from] LabelFault),
     /// A parameter does not hold the number of a label.
@@ -112,7 +112,7 @@ pub enum FaultKind {
     },
     /// A parameter without a value.
     Undefined(#[say(name = "parameter")] Parameter),
-    /// A parameter that no control has.
+    /// A parameter that does not exist on a control.
     NoParameter(#[say(name = "parameter")] Parameter),
     /// A text where a number is needed.
     NotNumber(#[say(name = "parameter")] Parameter),
@@ -122,25 +122,25 @@ pub enum FaultKind {
     DivisionByZero,
     /// A root of a number below zero.
     NegativeRoot(f64),
-    /// A function of a number that has none.
+    /// A function without a result for its number.
     NoResult {
         /// The function.
         function: &'static str,
         /// The number.
         value: f64,
     },
-    /// A result that no parameter holds.
+    /// A result that no parameter can hold.
     BeyondRange(f64),
-    /// A number with decimals, or below zero, where things are counted.
+    /// A number with decimals, or below zero, where a count is needed.
     NotWhole {
         /// What is counted.
         what: &'static str,
         /// What was given.
         value: f64,
     },
-    /// A part of a text that begins behind its end.
+    /// A part of a text that begins after its end.
     BehindText {
-        /// Its characters.
+        /// The number of its characters.
         length: usize,
         /// Where the part begins.
         from: usize,
@@ -152,40 +152,40 @@ pub enum FaultKind {
         /// What it holds.
         text: String,
     },
-    /// A system text that is not known.
+    /// An unknown system text.
     UnknownSystemText {
         /// The group.
         id: f64,
         /// The number in the group.
         number: f64,
     },
-    /// A path that is not followed.
+    /// A path that Fitcheck does not follow.
     #[say(transparent)]
     Path(#[from] PathError),
-    /// A file that is not there, or cannot be used.
+    /// A file that does not exist, or cannot be used.
     #[say(transparent)]
     Store(#[from] StoreError),
-    /// FN 27 and FN 28 without FN 26.
+    /// FN 27 or FN 28 without FN 26.
     NoTable,
     /// The table is broken.
     #[say(transparent)]
     Table(Box<TableError>),
-    /// A column that the table does not have; upper and lower case count.
+    /// A column that the table does not have; names are case-sensitive.
     NoColumn {
         /// The table.
         table: String,
-        /// What was asked for.
+        /// The column requested.
         column: String,
-        /// What there is.
+        /// The columns that it has.
         columns: String,
     },
-    /// A row behind the table's end.
+    /// A row after the table's end.
     NoRow {
         /// The table.
         table: String,
-        /// What was asked for.
+        /// The row requested.
         row: usize,
-        /// The last there is.
+        /// The last row.
         last: usize,
     },
     /// A table without rows.
@@ -199,7 +199,7 @@ pub enum FaultKind {
         /// The column.
         column: String,
     },
-    /// A cell that is not a number, and a number is needed.
+    /// A cell that is not a number, where a number is needed.
     NoNumberInCell {
         /// The table.
         table: String,
@@ -207,10 +207,10 @@ pub enum FaultKind {
         row: usize,
         /// The column.
         column: String,
-        /// What stands there.
+        /// The text found.
         cell: String,
     },
-    /// A cell that is not kept apart from its neighbour.
+    /// A cell without a blank between it and its neighbour.
     Touches {
         /// The table.
         table: String,
@@ -219,7 +219,7 @@ pub enum FaultKind {
         /// The column.
         column: String,
     },
-    /// A table that FN 27 has changed cannot be written.
+    /// A table that FN 27 has changed, but that cannot be written.
     TableWrite {
         /// The table.
         table: String,
@@ -250,21 +250,21 @@ pub enum FaultKind {
         /// The parameter.
         parameter: Parameter,
     },
-    /// A parameter that is there twice.
+    /// A parameter that is given twice.
     CycleParameterTwice {
         /// The cycle.
         cycle: &'static str,
         /// The parameter.
         parameter: Parameter,
     },
-    /// The cycle did not come to its end.
+    /// The cycle did not finish.
     Cycle {
         /// The cycle.
         cycle: &'static str,
         /// Why.
         error: Box<CycleError>,
     },
-    /// The workpiece cannot be.
+    /// The workpiece is impossible.
     Workpiece(#[say(name = "error")] Box<WorkpieceError>),
     /// A cycle in a program in inches.
     Inch,

@@ -1,4 +1,4 @@
-//! The files of a run: what the store gives is counted, and the same bytes are not taken apart twice.
+//! The files of a run: what is read from the store is counted, and the same bytes are not parsed twice.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -22,7 +22,7 @@ pub(super) struct Files {
     budget: Budget,
     /// The programs of this run.
     programs: BTreeMap<NcPath, Arc<Program>>,
-    /// Those of the runs before.
+    /// The programs of earlier runs.
     known: BTreeMap<NcPath, Arc<Program>>,
     tables: Vec<(NcPath, Vec<u8>, Arc<TableFile>)>,
     kept_bytes: usize,
@@ -42,7 +42,7 @@ impl Files {
         }
     }
 
-    /// Counts anew. Programs and tables are remembered until their bytes change.
+    /// Starts counting again. Programs and tables are remembered until their bytes change.
     pub(super) fn restart(&mut self, main: (NcPath, Arc<Program>)) {
         self.known.append(&mut self.programs);
         self.programs.extend([main]);
@@ -55,8 +55,8 @@ impl Files {
         Ok(bytes)
     }
 
-    /// Writes a file and says how many bytes it has then; `None` where nothing is written. What is spent on it is the
-    /// caller's to count.
+    /// Writes a file and returns how many bytes it has then; `None` if nothing is written. The caller must count the
+    /// bytes with [`Self::spend`].
     pub(super) fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<Option<usize>, StoreError> {
         match self.store.write(path, bytes, how) {
             Ok(size) => Ok(Some(size)),
@@ -65,14 +65,14 @@ impl Files {
         }
     }
 
-    /// Counts bytes that were read or written: a loop around a large file would go on for days.
+    /// Counts bytes that were read or written: without it, a loop with a large file could run for days.
     pub(super) fn spend(&mut self, bytes: usize) -> Result<(), UsedUp> {
         self.traffic = self.traffic.saturating_add(bytes);
         let most = self.budget.traffic;
         if most < self.traffic { Err(UsedUp::Traffic(most)) } else { Ok(()) }
     }
 
-    /// Counts a file that is kept, beside so many changed tables.
+    /// Counts a file that is kept, in addition to this many changed tables.
     pub(super) fn keep(&mut self, bytes: usize, tables: usize) -> Result<(), UsedUp> {
         Budget::one_more(self.programs.len() + tables, self.budget.files, UsedUp::Files)?;
         let bytes = self.kept_bytes + bytes;
@@ -88,14 +88,14 @@ impl Files {
         self.programs.get(path)
     }
 
-    /// A program, read once a run.
+    /// A program, read once per run.
     pub(super) fn program(&mut self, path: &NcPath, tables: usize) -> Result<Arc<Program>, FaultKind> {
         if let Some(program) = self.programs.get(path) {
             return Ok(Arc::clone(program));
         }
         let bytes = self.read(path).or_else(|fault| self.with_suffix(path, fault))?;
         self.keep(bytes.len(), tables)?;
-        // A program gives its bytes back as they were read.
+        // A program returns exactly the bytes that it was read from.
         let program = match self.known.get(path).filter(|program| program.write() == bytes) {
             Some(program) => Arc::clone(program),
             None => match Program::read(&bytes) {

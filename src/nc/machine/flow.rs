@@ -16,11 +16,11 @@ struct Frame {
     path: NcPath,
     program: Arc<Program>,
     unit: Option<Unit>,
-    /// The block that is run next.
+    /// The block that runs next.
     next: usize,
     /// Whether `BEGIN PGM` was passed.
     has_begun: bool,
-    /// How often each repeated part is still to be run, by the block that repeats it.
+    /// How many repeats are left for each repeated part, by the block that repeats it.
     repeats: BTreeMap<usize, u32>,
 }
 
@@ -35,12 +35,12 @@ impl Frame {
 pub struct Call {
     /// The block that called.
     pub from: BlockPlace,
-    /// The program that called, where another one was called.
+    /// The program that called, if another one was called.
     caller: Option<Box<Frame>>,
 }
 
 impl Call {
-    /// Whether another program was called, and not a label.
+    /// Whether a program was called, not a label.
     pub const fn is_program(&self) -> bool {
         self.caller.is_some()
     }
@@ -71,7 +71,7 @@ impl Flow {
         self.frame.unit
     }
 
-    /// The block that is run next.
+    /// The block that runs next.
     pub(super) const fn next(&self) -> usize {
         self.frame.next
     }
@@ -90,7 +90,7 @@ impl Flow {
         self.calls.iter().any(Call::is_program)
     }
 
-    /// Goes past a block that is run now. Nothing but comments may stand before `BEGIN PGM`.
+    /// Moves past a block that runs now. Only comments may come before `BEGIN PGM`.
     pub(super) const fn pass(&mut self, at: usize, body: &Body) -> Result<(), FaultKind> {
         self.frame.next = at + 1;
         if !self.frame.has_begun {
@@ -103,7 +103,7 @@ impl Flow {
         Ok(())
     }
 
-    /// `LBL 0` returns from a subprogram; without a call it is passed over, and so is every other label.
+    /// `LBL 0` returns from a subprogram; without a call it has no effect, like every other label.
     pub(super) fn pass_label(&mut self, label: &Target) {
         let returns = *label == Target::Number(0) && self.calls.last().is_some_and(|call| !call.is_program());
         if let Some(call) = self.calls.pop_if(|_call| returns) {
@@ -131,7 +131,7 @@ impl Flow {
         Ok(program.label(&label)?)
     }
 
-    /// Runs a subprogram, or the part of the program between the label and here again.
+    /// Runs a subprogram, or repeats the part of the program from the label to this block.
     pub(super) fn call_label(
         &mut self,
         at: usize,
@@ -142,7 +142,7 @@ impl Flow {
         let to = self.block_of(label, values)?;
         if let Some(repeat) = repeat {
             match self.frame.repeats.remove(&at).unwrap_or(repeat).checked_sub(1) {
-                // The count is used up: the next time it begins anew.
+                // The count is used up: the next time it starts again.
                 None => {}
                 Some(left) => {
                     self.frame.repeats.insert(at, left);
@@ -164,14 +164,14 @@ impl Flow {
         Budget::one_more(depth, self.budget.program_calls, UsedUp::ProgramCalls)
     }
 
-    /// Goes into another program.
+    /// Enters another program.
     pub(super) fn call_program(&mut self, at: usize, path: NcPath, program: Arc<Program>) {
         let from = self.place_of(at);
         let caller = std::mem::replace(&mut self.frame, Frame::new(path, program));
         self.calls.push(Call { from, caller: Some(Box::new(caller)) });
     }
 
-    /// `END PGM`: goes back to the caller, and says whether there was one.
+    /// `END PGM`: returns to the caller; `false` if there is none.
     pub(super) fn end_program(&mut self) -> bool {
         while let Some(call) = self.calls.pop() {
             if let Some(caller) = call.caller {

@@ -1,4 +1,4 @@
-//! The measuring logs that cycles ask for with Q281: into a file beside the program, or on the screen.
+//! The measuring logs that cycles ask for with Q281: to a file next to the program, or on the screen.
 
 use super::budget::Settings;
 use super::fault::{BlockPlace, FaultKind};
@@ -43,8 +43,8 @@ impl Log {
         Ok(content.map(|content| Self { content, path, is_shown, language }))
     }
 
-    /// Writes or shows it. Logs of the same name are added to one another, as [`CycleLog::append`] says; one that
-    /// cannot be written is remarked, and the run goes on.
+    /// Writes or shows it. A log is added to an earlier one of the same name, as [`CycleLog::append`] says; a log that
+    /// cannot be written gives a remark, and the run goes on.
     pub(super) fn write(
         self,
         place: BlockPlace,
@@ -68,7 +68,7 @@ impl Log {
         Ok(())
     }
 
-    /// Whether the log stands in the file now.
+    /// Whether the log is now in the file.
     fn save(&self, place: &BlockPlace, files: &mut Files, remarks: &mut Remarks) -> Result<bool, FaultKind> {
         let before = match files.read(&self.path) {
             Err(FaultKind::Store(StoreError::Missing { .. })) => Vec::new(),

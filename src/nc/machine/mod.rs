@@ -1,4 +1,4 @@
-//! The machine: runs NC programs as a control does, within bounds.
+//! The machine: runs NC programs as a control does, within limits.
 //!
 //! | file | what |
 //! |---|---|
@@ -8,15 +8,15 @@
 //! | `tables` | FN 26, FN 27, FN 28 |
 //! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
-//! | `moves` | straight lines and the way of the ball's centre |
-//! | `files`, `store` | what the run reads and writes, counted; who gives it (`files::Folders`, or memory) |
+//! | `moves` | straight lines and the path of the ball's centre |
+//! | `files`, `store` | what the run reads and writes, counted; where it comes from (`files::Folders`, or memory) |
 //! | `path` | paths of the control |
-//! | `budget`, `fault`, `remark`, `step` | what a run may use, why it stopped, what is worth knowing, what a step comes to |
+//! | `budget`, `fault`, `remark`, `step` | what a run may use, why it stopped, its remarks, a step's outcome |
 //!
-//! Semantics as the manuals say (`docs/SOURCES.md`, Klartext); where they are silent, a run stops with a fault that says
-//! why, never with a guess. A program can do no harm: blocks, nesting, text, outputs and memory have budgets, and files
-//! are read and written by the store that the machine is handed, and by nothing else. A step takes no longer in a long
-//! program than in a short one.
+//! Semantics as in the manuals (`docs/SOURCES.md`, Klartext); where they say nothing, a run stops with a fault that
+//! says why, never with a guess. A program can do no harm: blocks, nesting, text, outputs and memory have budgets, and
+//! only the store that the machine is given reads and writes files. A step takes no longer in a long program than in a
+//! short one.
 
 mod budget;
 mod contacts;

@@ -1,4 +1,4 @@
-//! Straight lines: where the ball's centre is, and the way that it went.
+//! Straight lines: where the ball's centre is, and the path that it took.
 
 use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, FaultKind};
@@ -18,7 +18,7 @@ pub struct Travel {
     pub from: [f64; 3],
     /// Where it ends.
     pub to: [f64; 3],
-    /// The centre where it is an arc about it; the shorter way round.
+    /// For an arc, its centre; the arc takes the shorter way round.
     pub about: Option<[f64; 3]>,
     /// What it is.
     pub kind: TravelKind,
@@ -35,8 +35,8 @@ pub enum TravelKind {
     Cycle(Phase),
 }
 
-/// Where the ball's centre stands, and the way that it went. An axis is known once a block has moved it to a place of
-/// the workpiece.
+/// Where the ball's centre is, and the path that it took. An axis is known once a block has moved it to a place in
+/// workpiece coordinates.
 #[derive(Debug)]
 pub(super) struct Way {
     position: [Option<f64>; 3],
@@ -57,13 +57,13 @@ impl Way {
         &self.travels
     }
 
-    /// The place where all three axes are known.
+    /// The place, if all three axes are known.
     pub(super) fn place(&self) -> Option<[f64; 3]> {
         let [x, y, z] = self.position;
         Some([x?, y?, z?])
     }
 
-    /// `L`: axes that are not named stay; compensation of the radius does not move the ball's centre.
+    /// `L`: axes that are not named stay; radius compensation does not move the ball's centre.
     pub(super) fn travel(
         &mut self,
         block: BlockPlace,
@@ -71,7 +71,7 @@ impl Way {
         unit: Option<Unit>,
         values: &Values,
     ) -> Result<(), FaultKind> {
-        // M91 and M92 count from the machine's own zero, which nobody knows here.
+        // M91 and M92 count from the machine's own zero, which is unknown here.
         let is_of_machine = movement.machine.iter().any(|function| matches!(function.number, 91 | 92));
         let factor = if unit == Some(Unit::Inch) { INCH } else { 1.0 };
         let mut to = self.position;
@@ -108,7 +108,7 @@ impl Way {
         }
     }
 
-    /// The way of a cycle.
+    /// The path of a cycle.
     pub(super) fn follow(&mut self, block: &BlockPlace, moves: &[Move]) -> Result<(), FaultKind> {
         for step in moves {
             let Move { phase, from, to, about, .. } = *step;

@@ -1,17 +1,17 @@
-//! Paths as programs write them: `TNC:\fit\a.h`, `..\b.tab`, `b.tab`. Whatever a path says, it stays below the root.
+//! Paths as programs write them: `TNC:\fit\a.h`, `..\b.tab`, `b.tab`. No path can lead above the root.
 
 use std::fmt;
 use std::sync::Arc;
 
 use crate::message::{Say, as_text};
 
-/// The drive of programs on these controls; no other is followed.
+/// The drive of programs on these controls; others are not followed.
 const DRIVE: &str = "TNC:";
 
 /// The most characters of a path.
 const LONGEST: usize = 1_000;
 
-/// Names that some systems take for devices, with any ending.
+/// Names that some systems treat as devices, with any ending.
 const DEVICES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
 
 /// A path of the control from its root, without `.` and `..`: at least a file name.
@@ -24,9 +24,9 @@ as_text!(NcPath);
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "machine-path", error)]
 pub enum PathError {
-    /// There is none.
+    /// The path is empty.
     Empty,
-    /// No program needs such a path.
+    /// Longer than any program needs.
     TooLong {
         /// What is allowed.
         most: usize,
@@ -63,12 +63,12 @@ impl NcPath {
     /// ```
     ///
     /// # Errors
-    /// [`PathError`] for what is not followed.
+    /// [`PathError`] for a path that is not followed.
     pub fn new(path: &str) -> Result<Self, PathError> {
         normalised(path, &[])
     }
 
-    /// The path of a program that a user has named: what is none on a control counts by its file name.
+    /// The path of a program that a user has named: if it is not a path of a control, only the file name counts.
     pub fn of_file(path: &str) -> Self {
         let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
         Self::new(path).or_else(|_outside| Self::new(name)).unwrap_or_else(|_no_name| Self("program.h".into()))
@@ -77,7 +77,7 @@ impl NcPath {
     /// A path as a program at this path writes it.
     ///
     /// # Errors
-    /// [`PathError`] for what is not followed.
+    /// [`PathError`] for a path that is not followed.
     pub fn resolve(&self, path: &str) -> Result<Self, PathError> {
         let mut folder: Vec<&str> = self.parts().collect();
         folder.pop();
@@ -135,7 +135,7 @@ fn normalised(given: &str, folder: &[&str]) -> Result<NcPath, PathError> {
     Ok(NcPath(parts.join("\\").into()))
 }
 
-/// Whether every system takes this for the name of a file.
+/// Whether every system accepts this as a file name.
 fn is_name(name: &str) -> bool {
     let stem = name.split('.').next().unwrap_or_default().trim_end();
     let numbered = |device: &str| {

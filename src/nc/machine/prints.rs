@@ -19,7 +19,7 @@ pub struct Window {
     pub mask: NcPath,
     /// The text, every line ended by LF.
     pub text: String,
-    /// Whether it is still open: `SCLR:` closes all.
+    /// Whether it is still open: `SCLR:` closes all windows.
     pub is_open: bool,
 }
 
@@ -30,15 +30,15 @@ pub struct Written {
     pub place: BlockPlace,
     /// The file.
     pub path: NcPath,
-    /// The text, every line ended by LF; in the file they end in CRLF.
+    /// The text, every line ended by LF; in the file the lines end in CRLF.
     pub text: String,
-    /// Whether it stands in place of what was there or behind it.
+    /// Whether it replaces the old content or follows it.
     pub how: FileUse,
-    /// Whether it is in the file: only where a folder was chosen.
+    /// Whether it is in the file: only if a folder was chosen.
     pub is_saved: bool,
 }
 
-/// What was printed so far.
+/// What has been printed so far.
 #[derive(Debug)]
 pub(super) struct Prints {
     budget: Budget,
@@ -88,12 +88,12 @@ impl Prints {
         Budget::one_more(self.outputs.len(), self.budget.outputs, UsedUp::Outputs)
     }
 
-    /// Keeps what was printed to a file.
+    /// Keeps the text that was printed to a file.
     pub(super) fn keep(&mut self, output: Written) {
         self.outputs.push(output);
     }
 
-    /// Outputs to the same file are collected until a mask closes it.
+    /// Collects outputs to the same file until a mask closes it.
     pub(super) fn print(
         &mut self,
         place: BlockPlace,
@@ -138,14 +138,14 @@ pub(super) fn rendered(
     read.render(values.all(), context).map_err(refused)
 }
 
-/// Writes a file and says whether it stands there now.
+/// Writes a file and returns whether it is there now.
 pub(super) fn save(path: &NcPath, bytes: &[u8], how: FileUse, files: &mut Files) -> Result<bool, FaultKind> {
     let size = files.write(path, bytes, how)?;
     files.spend(size.unwrap_or_default())?;
     Ok(size.is_some())
 }
 
-/// Whether so much more would make a file larger than so many kilobytes.
+/// Whether this many more bytes would make a file larger than this many kilobytes.
 fn is_full(path: &NcPath, kilobytes: u32, more: usize, files: &mut Files) -> Result<bool, FaultKind> {
     let size = match files.read(path) {
         Err(FaultKind::Store(_)) => 0,
@@ -155,7 +155,7 @@ fn is_full(path: &NcPath, kilobytes: u32, more: usize, files: &mut Files) -> Res
     Ok(most < size.saturating_add(more))
 }
 
-/// Text as a control writes it: CRLF, Windows-1252 where the text needs it, UTF-8 where that is not enough.
+/// Text as a control writes it: CRLF; Windows-1252 if the text needs it, UTF-8 if that is not enough.
 fn encoded(text: &str) -> Vec<u8> {
     let text = text.replace('\n', "\r\n");
     match encoding_rs::WINDOWS_1252.encode(&text) {

@@ -12,14 +12,14 @@ use crate::message::{Message, Say};
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "machine-remark")]
 pub enum Remark {
-    /// A block that is not known was passed over.
+    /// An unknown block was skipped.
     Skipped,
     /// M2 or M30 in a called program ended the whole run.
     EndedWithin {
         /// The M function.
         function: u32,
     },
-    /// A value that was given before the run stands in place of the block's.
+    /// A value that was given before the run takes the place of the block's value.
     GivenWins {
         /// The parameter.
         parameter: Parameter,
@@ -31,14 +31,14 @@ pub enum Remark {
         /// The file.
         path: NcPath,
     },
-    /// A table that FN 27 has changed could not be written after the run had already failed, or a measuring log.
+    /// A measuring log, or a table that FN 27 has changed before the run failed, could not be written.
     NotSaved {
         /// The file.
         path: NcPath,
         /// Why.
         reason: Message,
     },
-    /// `M_APPEND_MAX`: the file has reached its size, nothing was added.
+    /// `M_APPEND_MAX`: the file has reached its size, so nothing was added.
     Full {
         /// The file.
         path: NcPath,
@@ -50,14 +50,14 @@ pub enum Remark {
         /// The file.
         path: NcPath,
     },
-    /// The run is over and recorded contacts are left: perhaps they belong to other features than those they were given to.
+    /// The run is over and recorded contacts are left: perhaps the cycles took contacts of other features.
     ContactsLeft {
         /// How many there were.
         count: usize,
         /// How many the cycles took.
         used: usize,
     },
-    /// The tool is not in the touch-probe table, the first probe was used.
+    /// The tool is not in the touch-probe table; the first probe was used.
     OtherProbe {
         /// The tool.
         tool: String,
@@ -66,11 +66,11 @@ pub enum Remark {
     },
 }
 
-/// The remarks of a run: so many, then they are counted only.
+/// The remarks of a run; beyond the limit they are only counted.
 #[derive(Debug)]
 pub(super) struct Remarks {
     list: Vec<(BlockPlace, Remark)>,
-    /// Which of the list are about a block.
+    /// The positions in the list, by block.
     of: BTreeMap<BlockPlace, Vec<usize>>,
     unlisted: usize,
     most: usize,
@@ -81,9 +81,9 @@ impl Remarks {
         Self { list: Vec::new(), of: BTreeMap::new(), unlisted: 0, most: budget.remarks }
     }
 
-    /// Remembers what is worth knowing, once a block.
+    /// Adds a remark, unless the block already has the same one.
     pub(super) fn add(&mut self, place: BlockPlace, remark: Remark) {
-        // Only those of the block are looked through: a loop makes the same ones again and again.
+        // Only remarks of the same block are compared: a loop makes the same ones again and again.
         let said = self.of.get(&place).into_iter().flatten();
         if said.filter_map(|number| self.list.get(*number)).any(|(_, said)| *said == remark) {
             return;

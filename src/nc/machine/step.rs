@@ -1,12 +1,12 @@
-//! What a step of the machine comes to.
+//! The outcome of a step of the machine.
 
 use crate::message::Say;
 use crate::probing::cycle::Stop;
 
-/// What a step came to.
+/// The outcome of a step.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Step {
-    /// A block was run, or as many as were asked for.
+    /// A block was run, or as many as requested.
     Went,
     /// The run waits; the next step goes on.
     Paused(Pause),

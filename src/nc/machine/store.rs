@@ -8,19 +8,19 @@ use crate::message::Say;
 use crate::shipped;
 use crate::words::Dialogue;
 
-/// Files as a program sees them. Paths are followed to their end before they come here.
+/// Files as a program sees them. Paths are fully resolved before they get here.
 pub trait Store: Send {
     /// The bytes of a file.
     ///
     /// # Errors
-    /// [`StoreError`] says why there are none.
+    /// [`StoreError`] if they cannot be read.
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError>;
 
-    /// Writes what FN 16 prints, or a table that FN 27 has changed, and says how many bytes the file has then. A store
-    /// that does not say otherwise writes nothing.
+    /// Writes what FN 16 prints, or a table that FN 27 has changed, and returns how many bytes the file has then. The
+    /// default implementation writes nothing.
     ///
     /// # Errors
-    /// [`StoreError::ReadOnly`] where nothing is written, others where it went wrong.
+    /// [`StoreError::ReadOnly`] if nothing is written, others if writing failed.
     fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
         Err(StoreError::ReadOnly)
     }
@@ -30,7 +30,7 @@ pub trait Store: Send {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "machine-store", error)]
 pub enum StoreError {
-    /// There is none.
+    /// The file does not exist.
     Missing {
         /// Its path.
         path: NcPath,
@@ -45,7 +45,7 @@ pub enum StoreError {
         /// Its path.
         path: NcPath,
     },
-    /// It is larger than anything that a control has.
+    /// It is larger than any file of a control.
     TooLarge {
         /// Its path.
         path: NcPath,
@@ -54,11 +54,11 @@ pub enum StoreError {
     },
     /// No folder was chosen for outputs.
     ReadOnly,
-    /// The system said no.
+    /// The system reported an error.
     System {
         /// Its path.
         path: NcPath,
-        /// What the system says.
+        /// What the system reports.
         reason: String,
     },
 }
@@ -69,7 +69,7 @@ impl StoreError {
     }
 }
 
-/// The programs, tables and masks that are embedded: found by file name, whatever the folder. Nothing is written.
+/// The embedded programs, tables and masks: found by file name, in any folder. Nothing is written.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Shipped;
 
@@ -80,7 +80,7 @@ impl Shipped {
         files.find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, bytes)| *bytes)
     }
 
-    /// The programs that begin by themselves, one a dialogue language.
+    /// The programs that can be started directly, one per dialogue language.
     pub fn main_programs() -> impl Iterator<Item = (Dialogue, &'static str)> {
         let named = |dialogue| shipped::NC.iter().find(|(name, _)| *name == format!("8255_{dialogue}.h"));
         Dialogue::ALL.into_iter().filter_map(move |dialogue| Some((dialogue, named(dialogue)?.0)))
@@ -93,19 +93,19 @@ impl Store for Shipped {
     }
 }
 
-/// The files of a control and no others. Nothing is written.
+/// Only these files of a control. Nothing is written.
 impl Store for BTreeMap<NcPath, Vec<u8>> {
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
         self.get(path).cloned().ok_or_else(|| StoreError::missing(path))
     }
 }
 
-/// Files in memory, by path or by file name, and the embedded ones after them. Outputs stay in memory.
+/// Files in memory, by path or by file name, then the embedded ones. Outputs stay in memory.
 #[derive(Debug, Clone, Default)]
 pub struct InMemory(BTreeMap<String, Vec<u8>>);
 
 impl InMemory {
-    /// No file but the embedded ones.
+    /// No files except the embedded ones.
     pub fn new() -> Self {
         Self::default()
     }

@@ -1,4 +1,4 @@
-//! FN 26, FN 27 and FN 28: one table is open at a time.
+//! FN 26, FN 27 and FN 28: only one table is open at a time.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ struct OpenTable {
     path: NcPath,
     file: Arc<TableFile>,
     bytes: usize,
-    /// The block that changed it first.
+    /// The first block that changed it.
     changed_at: Option<usize>,
 }
 
@@ -28,7 +28,7 @@ impl OpenTable {
         self.path.file_name().to_owned()
     }
 
-    /// The number of a column; upper and lower case count.
+    /// The number of a column; names are case-sensitive.
     fn column(&self, name: &str) -> Result<usize, FaultKind> {
         let table = &self.file.table;
         table.column(name).ok_or_else(|| {
@@ -80,7 +80,7 @@ impl OpenTable {
         } else {
             values.decimal(Operand::Parameter { parameter: from, is_negative: false }, column.decimals)?
         };
-        // A blank must be left between the columns.
+        // At least one blank must remain between the columns.
         if column.width <= text.chars().count() {
             let error = WriteError::TooWide { row, column: column.name.clone(), text, width: column.width };
             return Err(FaultKind::TableWrite { table: self.name(), error });
@@ -109,7 +109,7 @@ impl Tables {
         self.open.as_ref().map(|open| &open.path)
     }
 
-    /// How many changed tables live on in memory.
+    /// How many changed tables are kept in memory.
     pub(super) fn changed(&self) -> usize {
         self.changed.len()
     }
@@ -118,7 +118,7 @@ impl Tables {
         self.open.as_ref().ok_or(FaultKind::NoTable)
     }
 
-    /// FN 26; the table that was open is closed already.
+    /// FN 26; the previous table is already closed.
     pub(super) fn open(&mut self, path: NcPath, files: &mut Files) -> Result<(), FaultKind> {
         let open = if let Some(changed) = self.changed.get(&path) {
             changed.clone()
@@ -130,7 +130,7 @@ impl Tables {
         Ok(())
     }
 
-    /// FN 28: one column fills the parameter, several fill those behind it as well.
+    /// FN 28: one column fills the parameter, several also fill the following ones.
     pub(super) fn read(
         &self,
         to: Parameter,
@@ -181,7 +181,7 @@ impl Tables {
         Ok(())
     }
 
-    /// Writes the open table where FN 27 has changed it. Where nothing is written, the change lives on in memory.
+    /// Writes the open table if FN 27 has changed it. If nothing is written, the change stays in memory.
     pub(super) fn close(
         &mut self,
         program: &NcPath,
@@ -200,7 +200,7 @@ impl Tables {
             remarks.add(place, Remark::NotWritten { path: path.clone() });
             self.changed.insert(path, open);
         }
-        // Where nothing is written, it was put together all the same: a loop around a large table would go on for days.
+        // Counted even if nothing is written, because it was built: a loop with a large table could run for days.
         Ok(files.spend(size.unwrap_or(bytes.len()))?)
     }
 }
@@ -212,7 +212,7 @@ fn names<'a>(columns: &'a Columns, values: &'a Values) -> Result<Vec<&'a str>, F
     })
 }
 
-/// A parameter and those behind it.
+/// A parameter and the following ones.
 fn following(first: Parameter) -> impl Iterator<Item = Parameter> {
     (first.number..=u16::MAX).map(move |number| Parameter { number, ..first })
 }

@@ -12,15 +12,15 @@ use crate::message::{self, as_text};
 pub struct Block {
     /// Its lines in the program's text, counted from 0.
     pub lines: Range<usize>,
-    /// The block number that is written in the program, where there is one.
+    /// The block number in the program, if there is one.
     pub number: Option<u32>,
-    /// Whether a `/` stands before it: with block skip it is passed over.
+    /// Whether a `/` precedes it: with block skip it is skipped.
     pub may_be_skipped: bool,
     /// What it says.
     pub body: Body,
 }
 
-/// Where something stands in the text: line and column, both from 1; columns count characters.
+/// A place in the text: line and column, both from 1; columns count characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Place {
     /// Line.
@@ -44,7 +44,7 @@ pub enum Unit {
     Inch,
 }
 
-/// As it is written behind the name of the program.
+/// As it is written after the name of the program.
 impl fmt::Display for Unit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
@@ -71,7 +71,7 @@ pub enum Body {
         /// Its unit.
         unit: Unit,
     },
-    /// A comment alone, or a number alone.
+    /// Only a comment, or only a number.
     Nothing,
     /// `* - text`: structure.
     Heading {
@@ -86,7 +86,7 @@ pub enum Body {
     CallLabel {
         /// The label.
         label: Target,
-        /// How often the part from the label to here is run again.
+        /// How often the part from the label to this block is repeated.
         repeat: Option<u32>,
     },
     /// `CALL PGM TNC:\Plan.h`
@@ -109,9 +109,9 @@ pub enum Body {
     },
     /// FN 9 to FN 12
     Jump {
-        /// When.
+        /// The condition.
         condition: Condition,
-        /// Where to.
+        /// The destination.
         label: Target,
     },
     /// `FN 14: ERROR= 1005`
@@ -127,7 +127,7 @@ pub enum Body {
     TableOpen(TextOperand),
     /// `FN 28: TABREAD Q10 = 6/"X,Y,D"`
     TableRead {
-        /// The first parameter that is filled; several columns fill those behind it.
+        /// The first parameter that is filled; several columns fill the following ones.
         to: Parameter,
         /// The row, from 0.
         row: Operand,
@@ -145,11 +145,11 @@ pub enum Body {
     },
     /// `TOOL CALL 5 Z S2000`
     ToolCall {
-        /// Number, name, QS parameter; `None` changes speed or feed only.
+        /// Number, name or QS parameter; `None` changes only speed or feed.
         tool: Option<Tool>,
         /// The tool axis.
         axis: Option<Axis>,
-        /// What stands behind it (S, F, DL …), as it is.
+        /// The rest (S, F, DL …), as written.
         rest: String,
     },
     /// `L  X+10  Y+Q21 R0 FMAX M3`
@@ -158,7 +158,7 @@ pub enum Body {
     MachineFunctions(Vec<MachineFunction>),
     /// `STOP`, `STOP M6`
     Stop(Vec<MachineFunction>),
-    /// `TCH PROBE 427 NAME ~` and its lines; runs where it stands.
+    /// `TCH PROBE 427 NAME ~` and its lines; runs where it is in the program.
     Probe(CycleBlock),
     /// `CYCL DEF 247 NAME ~` and its lines.
     CycleDefinition(CycleBlock),
@@ -173,9 +173,9 @@ pub enum Operand {
     Number(f64),
     /// A Q, QL or QR parameter.
     Parameter {
-        /// Which.
+        /// The parameter.
         parameter: Parameter,
-        /// Whether a minus sign stands before it.
+        /// Whether a minus sign precedes it.
         is_negative: bool,
     },
 }
@@ -183,7 +183,7 @@ pub enum Operand {
 /// A text or a text parameter.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TextOperand {
-    /// As it is written, without quotes.
+    /// As written, without quotation marks.
     Text(String),
     /// A QS parameter (also written `:'QS1'` in paths of FN 16).
     Parameter(Parameter),
@@ -196,11 +196,11 @@ pub enum Target {
     Number(u32),
     /// By name.
     Name(String),
-    /// The name stands in a QS parameter, the number in a Q parameter.
+    /// The name is in a QS parameter, or the number in a Q parameter.
     Parameter(Parameter),
 }
 
-/// As it is written behind `LBL`: `5`, `"LOOP"`, `QS5`.
+/// As it is written after `LBL`: `5`, `"LOOP"`, `QS5`.
 impl fmt::Display for Target {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -213,7 +213,7 @@ impl fmt::Display for Target {
 
 as_text!(Unit, Target);
 
-/// When a jump is made.
+/// The condition of a jump.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Condition {
     /// FN 9 to FN 12 with two values.
@@ -242,11 +242,11 @@ pub enum Relation {
 pub enum Columns {
     /// `"X,Y,D"`: one or more names.
     Names(Vec<String>),
-    /// The name stands in a QS parameter.
+    /// The name is in a QS parameter.
     Parameter(Parameter),
 }
 
-/// Which tool.
+/// A tool.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Tool {
     /// By number, or by the number in a Q parameter.
@@ -275,7 +275,7 @@ pub enum Axis {
 pub struct Movement {
     /// The axes that move.
     pub axes: Vec<AxisWord>,
-    /// `R0`, `RL`, `RR`, as it is written.
+    /// `R0`, `RL`, `RR`, as written.
     pub compensation: Option<String>,
     /// The feed.
     pub feed: Option<Feed>,
@@ -286,22 +286,22 @@ pub struct Movement {
 /// `IX+2,5`
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisWord {
-    /// Which axis.
+    /// The axis.
     pub axis: Axis,
-    /// Whether an `I` stands before it: the value counts from where the axis is.
+    /// Whether an `I` precedes it: the value counts from where the axis is.
     pub is_incremental: bool,
-    /// Where to.
+    /// The destination.
     pub value: Operand,
 }
 
-/// How fast.
+/// A feed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Feed {
     /// `FMAX`
     Rapid,
     /// `FAUTO`
     Auto,
-    /// `F200`, `FQ1822`: mm a minute, or a tenth of an inch a minute.
+    /// `F200`, `FQ1822`: mm per minute, or a tenth of an inch per minute.
     Value(Operand),
 }
 
@@ -310,16 +310,16 @@ pub enum Feed {
 pub struct MachineFunction {
     /// Its number.
     pub number: u32,
-    /// What stands behind it, as it is.
+    /// The text after it, as written.
     pub rest: String,
 }
 
 /// A cycle with its lines, in the order of the program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CycleBlock {
-    /// The number behind `TCH PROBE` or `CYCL DEF`, as it is written: `421`, `7.0`.
+    /// The number after `TCH PROBE` or `CYCL DEF`, as written: `421`, `7.0`.
     pub number: String,
-    /// The name behind it, as it is written.
+    /// The name after it, as written.
     pub name: String,
     /// Its parameters.
     pub lines: Vec<CycleLine>,
@@ -332,20 +332,20 @@ pub struct CycleLine {
     pub parameter: Parameter,
     /// The value.
     pub value: CycleValue,
-    /// Where the parameter stands.
+    /// The place of the parameter.
     pub place: Place,
-    /// The comment behind it, which names the parameter in the language of the control.
+    /// The comment after it, which names the parameter in the language of the control.
     pub comment: String,
 }
 
-/// What a cycle's parameter is set to.
+/// The value of a cycle's parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CycleValue {
-    /// A number or a parameter; `text` is what is written, so that decimals go to the cycle exactly.
+    /// A number or a parameter; `text` is the original text, so that decimals reach the cycle exactly.
     Number {
         /// The value.
         value: Operand,
-        /// As it is written.
+        /// As written.
         text: String,
     },
     /// A quoted text or a QS parameter.

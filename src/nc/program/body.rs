@@ -1,4 +1,4 @@
-//! What a block says: its first words decide who reads the rest.
+//! What a block says: its first words decide which function reads the rest.
 
 use super::block::{Body, Target, Unit};
 use super::cursor::{Cursor, Read};
@@ -11,7 +11,7 @@ const MOST_LABEL: u32 = 65_535;
 /// How often a part of a program can be repeated.
 const MOST_REPEATS: u32 = 65_534;
 
-/// Reads a block that is neither heading nor cycle. What begins like nothing that is known is [`Body::Other`].
+/// Reads a block that is neither heading nor cycle. A block with an unknown beginning is [`Body::Other`].
 pub(super) fn body(code: &str) -> Read<Body> {
     let mut cursor = Cursor::new(code);
     let cursor = &mut cursor;
@@ -65,7 +65,7 @@ fn name_and_unit(cursor: &mut Cursor<'_>) -> Read<(String, Unit)> {
     }
 }
 
-/// `LBL 5`, `LBL "NAME"`, the word is taken.
+/// `LBL 5`, `LBL "NAME"`, after the word.
 fn label(cursor: &mut Cursor<'_>) -> Read<Body> {
     cursor.blanks();
     let at = cursor.clone();
@@ -89,7 +89,7 @@ pub(super) fn target(cursor: &mut Cursor<'_>) -> Read<Target> {
     }
 }
 
-/// `CALL LBL 5 REP 3`, also `REP3` and the old `REP 25/25`: the second number counted what is left.
+/// `CALL LBL 5 REP 3`, also `REP3` and the old `REP 25/25`: its second number counted the repeats left.
 fn call_label(cursor: &mut Cursor<'_>) -> Read<Body> {
     let label = target(cursor)?;
     let mut repeat = None;

@@ -1,13 +1,13 @@
-//! A place in the text of one block that moves forward.
+//! A place in the text of one block, which moves forward.
 //!
-//! Klartext is not read word by word: blanks may stand within a word (`X + 0`, `FN0 :`) and lack between words
-//! (`SIN-Q5`, `IX-QR4`). So every reader asks the cursor for what it expects, and the cursor passes over blanks.
+//! Klartext is not read word by word: blanks may occur within a word (`X + 0`, `FN0 :`) and be missing between words
+//! (`SIN-Q5`, `IX-QR4`). So every reader asks the cursor for what it expects, and the cursor skips blanks.
 
 use super::block::{Operand, TextOperand};
 use super::fault::{BlockFault, Wanted};
 use crate::control::variables::{Family, Parameter};
 
-/// What is read, or why not.
+/// What was read, or why reading stopped.
 pub(super) type Read<T> = Result<T, Stop>;
 
 /// Where reading stopped, as bytes from the beginning of the block's text, and why.
@@ -24,7 +24,7 @@ pub(super) struct Cursor<'a> {
     at: usize,
 }
 
-/// How much of what was found an error repeats, in characters.
+/// How many characters of the text found an error repeats.
 const SHOWN: usize = 24;
 
 impl<'a> Cursor<'a> {
@@ -38,23 +38,23 @@ impl<'a> Cursor<'a> {
         self.at
     }
 
-    /// What is left.
+    /// The rest of the text.
     pub(super) fn rest(&self) -> &'a str {
         self.text.get(self.at..).unwrap_or_default()
     }
 
-    /// What was passed since a place, without blanks around it.
+    /// The text between a place and here, without blanks around it.
     pub(super) fn since(&self, at: usize) -> &'a str {
         self.text.get(at..self.at).unwrap_or_default().trim()
     }
 
-    /// Passes over blanks.
+    /// Skips blanks.
     pub(super) fn blanks(&mut self) {
         let rest = self.rest();
         self.at += rest.len() - rest.trim_start().len();
     }
 
-    /// Whether nothing but blanks is left.
+    /// Whether only blanks are left.
     pub(super) fn is_at_end(&mut self) -> bool {
         self.blanks();
         self.text.len() <= self.at
@@ -66,7 +66,7 @@ impl<'a> Cursor<'a> {
         self.rest().chars().next()
     }
 
-    /// Takes what passes a test from here on, blanks too where the test lets them.
+    /// Takes characters as long as they pass a test, also blanks if the test allows them.
     pub(super) fn take_while(&mut self, test: impl Fn(char) -> bool) -> &'a str {
         let rest = self.rest();
         let end = rest.find(|c| !test(c)).unwrap_or(rest.len());
@@ -74,7 +74,7 @@ impl<'a> Cursor<'a> {
         rest.get(..end).unwrap_or_default()
     }
 
-    /// Takes all that is left, without blanks around it.
+    /// Takes the rest, without blanks around it.
     pub(super) fn take_rest(&mut self) -> &'a str {
         let rest = self.rest();
         self.at = self.text.len();
@@ -100,7 +100,7 @@ impl<'a> Cursor<'a> {
         is_next
     }
 
-    /// Takes a whole word, in any case: no letter stands behind it.
+    /// Takes a whole word, in any case: no letter follows it.
     pub(super) fn take_word(&mut self, word: &str) -> bool {
         let mut ahead = self.clone();
         let is_next = ahead.take_prefix(word) && !ahead.rest().starts_with(|c: char| c.is_alphabetic() || c == '_');
@@ -136,12 +136,12 @@ impl<'a> Cursor<'a> {
         if self.take_word(word) { Ok(()) } else { Err(self.stop(Wanted::Word(word))) }
     }
 
-    /// Stops unless nothing is left.
+    /// Stops if anything is left.
     pub(super) fn end(&mut self) -> Read<()> {
         if self.is_at_end() { Ok(()) } else { Err(self.fail(BlockFault::LeftOver { found: self.shown() })) }
     }
 
-    /// Something else is due here.
+    /// The fault that something else is expected here.
     pub(super) fn stop(&mut self, wanted: Wanted) -> Stop {
         let reason = if self.is_at_end() {
             BlockFault::Missing(wanted)
@@ -156,12 +156,12 @@ impl<'a> Cursor<'a> {
         Stop { at: self.at, reason }
     }
 
-    /// The beginning of what is left, as an error repeats it.
+    /// The beginning of the rest, as an error repeats it.
     fn shown(&self) -> String {
         self.rest().split_whitespace().next().unwrap_or_default().chars().take(SHOWN).collect()
     }
 
-    /// Takes a number without sign as it is written: digits with at most one point or comma among or around them.
+    /// Takes the text of a number without sign: digits with at most one point or comma before, between or after them.
     pub(super) fn number_text(&mut self) -> Option<&'a str> {
         self.blanks();
         let mut ahead = self.clone();
@@ -219,7 +219,7 @@ impl<'a> Cursor<'a> {
         if !ahead.take_prefix("Q") {
             return Ok(None);
         }
-        // Ranges: 1999 and 499, facts of the manuals (`docs/SOURCES.md`).
+        // Ranges: 1999 and 499, from the manuals (`docs/SOURCES.md`).
         let (family, name, most) = match ahead.rest().bytes().next() {
             Some(b'S' | b's') => (Family::Qs, "QS", 1999),
             Some(b'L' | b'l') => (Family::Ql, "QL", 499),
@@ -245,7 +245,7 @@ impl<'a> Cursor<'a> {
         self.parameter_of(Wanted::Parameter, |_family| true)
     }
 
-    /// Takes a parameter of numbers or stops.
+    /// Takes a number parameter or stops.
     pub(super) fn number_parameter(&mut self) -> Read<Parameter> {
         self.parameter_of(Wanted::NumberParameter, |family| family != Family::Qs)
     }
@@ -263,7 +263,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Takes `+` or `-`; says whether it is a minus.
+    /// Takes `+` or `-`; returns whether it was a minus.
     pub(super) fn minus(&mut self) -> bool {
         let is_minus = self.take('-');
         if !is_minus {
@@ -286,7 +286,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Takes a quoted text. That quotes are closed is checked before.
+    /// Takes a quoted text. The caller has checked that the quotes are closed.
     pub(super) fn quoted(&mut self) -> Option<&'a str> {
         self.blanks();
         let rest = self.rest().strip_prefix('"')?;
@@ -295,7 +295,7 @@ impl<'a> Cursor<'a> {
         Some(text)
     }
 
-    /// Takes a path or the like up to a sign or the end: quoted, a QS parameter, or as it is.
+    /// Takes a path or the like up to a sign or the end: quoted, a QS parameter, or as written.
     pub(super) fn path(&mut self, until: Option<char>) -> Read<TextOperand> {
         if let Some(text) = self.quoted() {
             return Ok(TextOperand::Text(text.to_owned()));

@@ -1,4 +1,4 @@
-//! Cycles: `TCH PROBE` and `CYCL DEF` with the lines behind them.
+//! Cycles: `TCH PROBE` and `CYCL DEF` with the lines after them.
 
 use super::block::{CycleBlock, CycleLine, CycleValue, Place, TextOperand};
 use super::cursor::{Cursor, Read, Stop};
@@ -6,13 +6,13 @@ use super::fault::{BlockFault, Wanted};
 use super::lines::Piece;
 use crate::control::variables::Family;
 
-/// The number and the name, behind `TCH PROBE` or `CYCL DEF`.
+/// The number and the name, after `TCH PROBE` or `CYCL DEF`.
 pub(super) fn head(cursor: &mut Cursor<'_>) -> Read<CycleBlock> {
     let Some(number) = cursor.number_text() else { return Err(cursor.stop(Wanted::Number)) };
     Ok(CycleBlock { number: number.to_owned(), name: cursor.take_rest().to_owned(), lines: Vec::new() })
 }
 
-/// Adds what a line says; `column` is the column of a place in the line's code, in bytes.
+/// Adds the content of a line; `column` turns a byte position in the line's code into a place.
 pub(super) fn line(cycle: &mut CycleBlock, piece: &Piece<'_>, column: impl Fn(usize) -> Place) -> Read<()> {
     let mut cursor = Cursor::new(piece.code);
     while !cursor.is_at_end() {
@@ -47,7 +47,7 @@ fn value(cursor: &mut Cursor<'_>) -> Result<CycleValue, Stop> {
             let text = cursor.since(from.at()).chars().filter(|c| !c.is_whitespace()).collect();
             Ok(CycleValue::Number { value, text })
         }
-        // A number beyond its range says so; anything else is no value.
+        // A number beyond its range has an error of its own; anything else is not a value.
         Err(stop) if matches!(stop.reason, BlockFault::Missing(_) | BlockFault::Unexpected { .. }) => {
             Err(from.clone().stop(Wanted::CycleValue))
         }

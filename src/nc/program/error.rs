@@ -1,14 +1,14 @@
-//! What can be wrong with a program, or odd about it.
+//! Errors and warnings for a program.
 
 use super::block::{Target, Unit};
 use super::fault::BlockFault;
 use crate::message::{Located, Say};
 
-/// Why a file is no program at all.
+/// Why a file is not a program at all.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "program", error)]
 pub enum ProgramError {
-    /// There is nothing to read.
+    /// The file is empty.
     Empty,
     /// More MiB than any measuring program needs.
     TooLarge {
@@ -20,38 +20,38 @@ pub enum ProgramError {
         /// What is allowed.
         most: usize,
     },
-    /// Too many bytes that no text holds.
+    /// Too many bytes that do not occur in text.
     Binary {
-        /// How many bytes are no characters.
+        /// How many bytes are not characters.
         controls: usize,
         /// How many there are.
         bytes: usize,
     },
 }
 
-/// What is odd about a program, with line and column.
+/// A warning about a program, with line and column.
 pub type ProgramWarning = Located<ProgramWarningKind>;
 
-/// What is odd about a program that can still be read.
+/// A warning about a program that can still be read.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "program", error)]
 pub enum ProgramWarningKind {
-    /// The first block is another one.
+    /// The first block is not `BEGIN PGM`.
     NoBegin,
     /// There is a second `BEGIN PGM`.
     SecondBegin,
     /// `END PGM` does not occur.
     NoEnd,
-    /// Beginning and end name different units.
+    /// Beginning and end have different units.
     Units {
         /// The unit of `BEGIN PGM`: this one counts.
         begin: Unit,
         /// The unit of `END PGM`.
         end: Unit,
     },
-    /// Something stands behind `END PGM`.
+    /// Something follows `END PGM`.
     AfterEnd,
-    /// Block numbers that do not rise; said once.
+    /// Block numbers that do not rise; reported once.
     Numbers {
         /// The first number that does not rise.
         number: u32,
@@ -69,7 +69,7 @@ pub enum ProgramWarningKind {
     },
     /// A quotation mark without its partner.
     UnclosedQuote,
-    /// The file ends behind a `~`.
+    /// The file ends after a `~`.
     OpenEnd,
     /// A block of a known kind that cannot be understood; it is kept as text.
     NotUnderstood(#[say(name = "reason")] BlockFault),
@@ -98,9 +98,9 @@ pub enum LabelFault {
         /// The line where it occurs again.
         second: usize,
     },
-    /// `LBL 0` ends subprograms and is no place to go to.
+    /// `LBL 0` ends subprograms and cannot be a destination.
     Zero,
-    /// The parameter has to be replaced by its value first.
+    /// The parameter must first be replaced by its value.
     Parameter {
         /// The parameter.
         label: Target,

@@ -1,9 +1,9 @@
-//! Formulas of numbers and texts, as a tree.
+//! Formulas for numbers and texts, as a tree.
 
 use super::block::{Operand, TextOperand};
 use crate::control::variables::Parameter;
 
-/// A formula that gives a number. FN 0 to FN 8 and FN 13 are formulas in other words.
+/// A formula that gives a number. FN 0 to FN 8 and FN 13 are other notations of formulas.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expression {
     /// A number or a parameter, with its sign.
@@ -18,9 +18,9 @@ pub enum Expression {
     ToNumber(Parameter),
     /// `INSTR ( SRC_QS10 SEA_QS13 BEG2 )`.
     Position {
-        /// Where it is looked for.
+        /// The text to search in.
         source: Parameter,
-        /// What is looked for.
+        /// The text to search for.
         wanted: Parameter,
         /// From which character, counted from 0.
         from: Operand,
@@ -36,7 +36,7 @@ pub enum Expression {
     },
 }
 
-/// What stands between two operands.
+/// The operation between two operands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operation {
     /// `+`
@@ -53,11 +53,11 @@ pub enum Operation {
     Remainder,
     /// `LEN` of FN 8: the root of the sum of squares.
     Hypotenuse,
-    /// `ANG` of FN 13: the angle whose sine is to the first operand what its cosine is to the second, degrees.
+    /// `ANG` of FN 13: the angle whose sine is to the first operand as its cosine is to the second, degrees.
     Angle,
 }
 
-/// Functions that stand before their operand; angles in degrees.
+/// Functions before their operand; angles in degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NumberFunction {
     /// Square.
@@ -82,30 +82,30 @@ pub enum NumberFunction {
     Logarithm,
     /// Power of e.
     Exponential,
-    /// The other sign.
+    /// The opposite sign.
     Negative,
     /// Whole part.
     Integer,
     /// Size without sign.
     Absolute,
-    /// Part behind the point.
+    /// The part after the point.
     Fraction,
     /// Sign: 1 for 0 and above, -1 below.
     Sign,
 }
 
-/// A formula that gives a text: the items one behind the other (`||`); at least one.
+/// A formula that gives a text: the items joined in order (`||`); at least one.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TextExpression {
     /// A quoted text or a QS parameter.
     Value(TextOperand),
     /// `QS12 || QS13 || QS14`.
     Join(Vec<Self>),
-    /// `TOCHAR ( DAT+Q50 DECIMALS3 )`; without decimals, as many as the value has.
+    /// `TOCHAR ( DAT+Q50 DECIMALS3 )`; if decimals are not given, as many as the value has.
     FromNumber {
         /// The number.
         number: Operand,
-        /// Digits behind the point.
+        /// Digits after the point.
         decimals: Option<Operand>,
     },
     /// `SUBSTR ( SRC_QS10 BEG2 LEN4 )`.
@@ -114,10 +114,10 @@ pub enum TextExpression {
         source: Parameter,
         /// From which character, counted from 0.
         from: Operand,
-        /// How many characters; to the end without it.
+        /// How many characters; to the end if not given.
         length: Option<Operand>,
     },
-    /// `SYSSTR ( ID10321 NR0 )`: date and time and others; kept, run for date and time only.
+    /// `SYSSTR ( ID10321 NR0 )`: date and time and others; all are read, but only date and time is run.
     System {
         /// The group.
         id: Operand,

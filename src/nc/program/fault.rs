@@ -9,47 +9,47 @@ use crate::message::Say;
 pub enum BlockFault {
     /// The block ends too early.
     Missing(#[say(name = "wanted")] Wanted),
-    /// Something else stands there.
+    /// Something else was found.
     Unexpected {
         /// What is allowed.
         wanted: Wanted,
-        /// What stands there.
+        /// The text found.
         found: String,
     },
-    /// The block is complete, and yet goes on.
+    /// The block is complete, but text follows.
     LeftOver {
-        /// What stands there.
+        /// The text found.
         found: String,
     },
-    /// A word in a formula that is not a function of it.
+    /// A word in a formula that is not one of its functions.
     UnknownFunction {
         /// The word.
         found: String,
     },
     /// A number that is not a finite number.
     NumberSize {
-        /// What stands there.
+        /// The text found.
         found: String,
     },
-    /// A parameter with a number that its family does not have.
+    /// A parameter number that its family does not have.
     ParameterRange {
-        /// What stands there.
+        /// The text found.
         found: String,
         /// Q, QL, QR or QS.
         family: &'static str,
-        /// The last one.
+        /// The last number.
         most: u16,
     },
     /// A whole number beyond its range.
     Range {
-        /// What stands there.
+        /// The text found.
         found: String,
         /// The largest.
         most: u32,
     },
-    /// A label is known when the program is read.
+    /// A label must be known when the program is read, so it cannot be a parameter.
     LabelOfParameter {
-        /// What stands there.
+        /// The parameter found.
         parameter: Parameter,
     },
     /// FN 9 to FN 12 each have their comparison.
@@ -58,27 +58,27 @@ pub enum BlockFault {
         number: u32,
         /// Its word.
         allowed: &'static str,
-        /// What stands there.
+        /// The word found.
         found: &'static str,
     },
     /// An axis occurs twice.
     AxisTwice,
-    /// Brackets and functions within one another.
+    /// Too many nested brackets and functions.
     TooDeep {
         /// What is allowed.
         most: usize,
     },
-    /// A formula without end.
+    /// A formula with too many operands.
     TooManyOperands {
         /// What is allowed.
         most: usize,
     },
-    /// A block without end.
+    /// A block that is too long.
     TooLong {
         /// What is allowed.
         most: usize,
     },
-    /// Formulas without end.
+    /// Too much text in formulas and long lines.
     TooMuch {
         /// What is allowed.
         most: usize,
@@ -111,6 +111,6 @@ pub enum Wanted {
     Relation,
     /// A unit.
     Unit,
-    /// What a cycle's parameter is set to.
+    /// A value of a cycle's parameter.
     CycleValue,
 }

@@ -1,4 +1,4 @@
-//! Formulas of numbers: power before point before dash, and a function binds only the operand behind it.
+//! Formulas for numbers: powers first, then products, then sums; a function binds only the operand after it.
 //!
 //! A sign binds like a function. Operations of the same rank go from left to right, powers too.
 
@@ -9,9 +9,9 @@ use super::fault::{BlockFault, Wanted};
 use super::words::{FUNCTIONS, meaning};
 use crate::control::variables::{Family, Parameter};
 
-/// How deep brackets and functions may be within one another.
+/// The most nested brackets and functions.
 pub(super) const MOST_DEPTH: usize = 64;
-/// How many operands a formula may have: a tree of it is never deeper than this and [`MOST_DEPTH`] together.
+/// The most operands of a formula: its tree is never deeper than this plus [`MOST_DEPTH`].
 pub(super) const MOST_OPERANDS: usize = 500;
 
 /// Reads a formula as far as it goes.
@@ -69,7 +69,7 @@ impl Formula<'_, '_> {
         Ok(left)
     }
 
-    /// An operand with what stands before it.
+    /// An operand with everything before it.
     fn operand(&mut self) -> Read<Expression> {
         if self.depth == MOST_DEPTH {
             return Err(self.cursor.fail(BlockFault::TooDeep { most: MOST_DEPTH }));
@@ -129,7 +129,7 @@ impl Formula<'_, '_> {
     }
 }
 
-/// The other sign; of a number or parameter it is part of it.
+/// The opposite sign; for a number or parameter it becomes part of it.
 fn negative(operand: Expression) -> Expression {
     match operand {
         Expression::Value(Operand::Number(number)) => Expression::Value(Operand::Number(-number)),
@@ -140,7 +140,7 @@ fn negative(operand: Expression) -> Expression {
     }
 }
 
-/// The functions that make a number of a text; the word is already taken.
+/// The functions that turn a text into a number; the word has already been taken.
 fn text_function(cursor: &mut Cursor<'_>, word: &str) -> Read<Option<Expression>> {
     let is = |name: &str| word.eq_ignore_ascii_case(name);
     if !["TONUMB", "INSTR", "STRLEN", "STRCOMP"].into_iter().any(is) {

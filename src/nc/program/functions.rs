@@ -10,7 +10,7 @@ use super::text_formula::text_expression;
 use super::words::{OPERATIONS, RELATIONS, word};
 use crate::control::variables::Family;
 
-/// `FN n: …`, the word `FN` is taken. Functions that Fitcheck does not run are [`Body::Other`].
+/// `FN n: …`, after the word `FN`. Functions that Fitcheck does not run are [`Body::Other`].
 pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
     let number = cursor.expect_whole(99)?;
     cursor.expect(':', ":")?;
@@ -54,7 +54,7 @@ pub(super) fn assignment(cursor: &mut Cursor<'_>) -> Read<Body> {
     Ok(Body::Assign { to, value: expression(cursor)? })
 }
 
-/// `DECLARE STRING QS1 = …`, the words are taken.
+/// `DECLARE STRING QS1 = …`, after the first two words.
 pub(super) fn declaration(cursor: &mut Cursor<'_>) -> Read<Body> {
     let to = cursor.text_parameter(Wanted::TextParameter)?;
     cursor.expect('=', "=")?;
@@ -100,7 +100,7 @@ fn between(cursor: &mut Cursor<'_>, operation: Operation) -> Read<Expression> {
     Ok(binary(operation, left, value(cursor)?))
 }
 
-/// `DIV`, and `/` in programs that were written by hand.
+/// `DIV`, or `/` in programs that were written by hand.
 fn divide(cursor: &mut Cursor<'_>) -> Read<Expression> {
     let left = value(cursor)?;
     if !cursor.take('/') {
@@ -121,7 +121,7 @@ fn jump(cursor: &mut Cursor<'_>, number: u32) -> Read<Body> {
     Ok(Body::Jump { condition, label: target(cursor)? })
 }
 
-/// `Q1 IS DEFINED`; nothing is taken where a comparison stands there.
+/// `Q1 IS DEFINED`; takes nothing if a comparison comes next.
 fn defined(cursor: &mut Cursor<'_>) -> Read<Option<Condition>> {
     let mut ahead = cursor.clone();
     ahead.minus();

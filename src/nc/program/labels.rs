@@ -1,11 +1,11 @@
-//! Where the labels of a program stand.
+//! Where the labels of a program are.
 
 use std::collections::HashMap;
 
 use super::block::{Block, Body, Target};
 use super::error::LabelFault;
 
-/// Labels by number and by name; `LBL 0` is none.
+/// Labels by number and by name; `LBL 0` does not count.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Labels(HashMap<Target, Found>);
 
@@ -17,7 +17,7 @@ struct Found {
     again: Option<usize>,
 }
 
-/// A label that is defined again, and where it stands first.
+/// A label that is defined again, and its first place.
 pub(super) struct Again<'a> {
     pub label: &'a Target,
     pub line: usize,
@@ -25,7 +25,7 @@ pub(super) struct Again<'a> {
 }
 
 impl Labels {
-    /// Looks through blocks; tells of labels that are there more than once. Lines count from 1.
+    /// Finds the labels of blocks, and those defined more than once. Lines count from 1.
     pub(super) fn of(blocks: &[Block]) -> (Self, Vec<Again<'_>>) {
         let mut labels = Self::default();
         let mut twice = Vec::new();

@@ -1,4 +1,4 @@
-//! Lines of a program, and what each is made of.
+//! Lines of a program, and the parts of each.
 
 use std::ops::Range;
 
@@ -24,12 +24,12 @@ impl Lines {
         Some(Self(found))
     }
 
-    /// How many.
+    /// The number of lines.
     pub(super) const fn count(&self) -> usize {
         self.0.len()
     }
 
-    /// Where a line stands in the text, without its end.
+    /// The range of a line in the text, without its end.
     pub(super) fn range(&self, line: usize) -> Option<Range<usize>> {
         let &(start, end) = self.0.get(line)?;
         Some(usize::try_from(start).ok()?..usize::try_from(end).ok()?)
@@ -41,7 +41,7 @@ impl Lines {
     }
 }
 
-/// Whether a character is passed over at both ends of a line; U+001A ends files of old systems.
+/// Whether a character is skipped at both ends of a line; U+001A ends files of old systems.
 fn is_blank(c: char) -> bool {
     c.is_whitespace() || c == '\u{1a}' || c == '\u{feff}'
 }
@@ -51,24 +51,24 @@ pub(super) fn trimmed(line: &str) -> &str {
     line.trim_matches(is_blank)
 }
 
-/// A line, taken apart.
+/// The parts of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Piece<'a> {
-    /// Which line, from 0.
+    /// The line, from 0.
     pub line: usize,
     /// Where `code` begins in the line, in bytes.
     pub start: usize,
-    /// What is said, without comment, `~` and blanks around it.
+    /// The code, without comment, `~` and blanks around it.
     pub code: &'a str,
     /// The comment without `;`, `~` and blanks around it.
     pub comment: Option<&'a str>,
     /// Whether a `~` ends the line.
     pub goes_on: bool,
-    /// Where a quotation mark stands that is not closed, in bytes from the line's beginning.
+    /// The place of a quotation mark that is not closed, in bytes from the line's beginning.
     pub open_quote: Option<usize>,
 }
 
-/// Takes the first line of a block apart; `from` bytes of it (block number and skip mark) are passed over.
+/// Parses the first line of a block; skips the first `from` bytes (block number and skip mark).
 pub(super) fn first(text: &str, line: usize, from: usize) -> Piece<'_> {
     let piece = next(text, line, from);
     // In a heading quotation marks and semicolons are text.
@@ -76,19 +76,19 @@ pub(super) fn first(text: &str, line: usize, from: usize) -> Piece<'_> {
     if code.starts_with('*') { Piece { code, comment: None, open_quote: None, ..piece } } else { piece }
 }
 
-/// A text without blanks at its end and the `~` there, and whether there is one.
+/// A text without blanks at its end and the `~` there, and whether there was one.
 fn without_tilde(text: &str) -> (&str, bool) {
     let text = text.trim_end_matches(is_blank);
     text.strip_suffix('~').map_or((text, false), |before| (before.trim_end_matches(is_blank), true))
 }
 
-/// Takes a further line of a block apart.
+/// Parses a further line of a block.
 pub(super) fn next(text: &str, line: usize, from: usize) -> Piece<'_> {
     let (rest, goes_on) = without_tilde(text.get(from..).unwrap_or_default());
     let begins = rest.len() - rest.trim_start_matches(is_blank).len();
     let (end, open_quote) = comment_begins(rest);
     let (code, comment) = rest.split_at_checked(end).unwrap_or((rest, ""));
-    // Written by hand the ~ may stand before the comment.
+    // In programs that were written by hand, the ~ may come before the comment.
     let (code, goes_on_before) = without_tilde(code);
     Piece {
         line,
@@ -100,8 +100,8 @@ pub(super) fn next(text: &str, line: usize, from: usize) -> Piece<'_> {
     }
 }
 
-/// Where the comment begins: at the first `;` that is not within quotation marks. A mark that is not closed quotes
-/// nothing; its place is given back.
+/// Where the comment begins: at the first `;` that is not within quotation marks. A mark that is not closed has no
+/// effect; its place is returned.
 fn comment_begins(text: &str) -> (usize, Option<usize>) {
     let mut at = 0;
     while let Some(found) = text.get(at..).and_then(|rest| rest.find([';', '"'])) {
@@ -118,7 +118,7 @@ fn comment_begins(text: &str) -> (usize, Option<usize>) {
     (text.len(), None)
 }
 
-/// What stands before a block: the number, the skip mark on either side of it, and where the rest begins.
+/// What precedes a block: the number, the skip mark on either side of it, and where the rest begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Front {
     /// The block number.
@@ -129,7 +129,7 @@ pub(super) struct Front {
     pub end: usize,
 }
 
-/// Reads what stands before a block.
+/// Reads what precedes a block.
 pub(super) fn front(line: &str) -> Front {
     let mut rest = line.trim_start_matches(is_blank);
     let mut may_be_skipped = false;

@@ -1,22 +1,22 @@
-//! NC programs in Klartext: read, shown and written again.
+//! NC programs in Klartext: read, shown and written back.
 //!
 //! | file | what |
 //! |---|---|
 //! | `block` | what a block says |
-//! | `expression` | formulas of numbers and texts |
+//! | `expression` | formulas for numbers and texts |
 //! | `read` | text to blocks, with warnings |
-//! | `lines`, `cursor` | lines taken apart; the place in a block's text that reading moves forward |
-//! | `understand` | the lines of one block to what it says |
+//! | `lines`, `cursor` | parts of lines; the place in a block's text that moves forward |
+//! | `understand` | from the lines of one block to what it says |
 //! | `body`, `functions`, `moves`, `cycle` | the kinds of blocks, read |
 //! | `formula`, `text_formula` | formulas, read |
-//! | `labels` | where the labels stand |
+//! | `labels` | where the labels are |
 //! | `words` | words of the language, for reading and writing |
-//! | `error`, `fault` | what can be wrong, in words |
-//! | `write`, `write_formula` | bodies to blocks, for new programs |
+//! | `error`, `fault` | errors and warnings |
+//! | `write`, `write_formula` | from bodies to blocks, for new programs |
 //!
 //! A program keeps its text and is written byte for byte as it was read; a block is a range of its lines and what they
-//! say. What is not known is kept as text ([`Body::Other`]), never refused: real programs hold far more than Fitcheck
-//! runs. Running is the business of `nc::machine`. Grammar: manuals and public programs, see `docs/SOURCES.md`.
+//! say. Unknown blocks are kept as text ([`Body::Other`]) and are never an error: real programs hold far more than
+//! Fitcheck runs. Running is in `nc::machine`. Grammar: manuals and public programs, see `docs/SOURCES.md`.
 
 mod block;
 mod body;
@@ -63,12 +63,12 @@ impl Program {
         &self.blocks
     }
 
-    /// The name behind `BEGIN PGM`, where there is one.
+    /// The name after `BEGIN PGM`, if there is one.
     pub fn name(&self) -> Option<&str> {
         self.begin().map(|(name, _)| name)
     }
 
-    /// The unit behind `BEGIN PGM`, where there is one.
+    /// The unit after `BEGIN PGM`, if there is one.
     pub fn unit(&self) -> Option<Unit> {
         self.begin().map(|(_, unit)| unit)
     }
@@ -90,18 +90,18 @@ impl Program {
         self.lines.count()
     }
 
-    /// A line as it is written, counted from 0; empty beyond the last.
+    /// A line as written, counted from 0; empty beyond the last.
     pub fn line(&self, line: usize) -> &str {
         self.lines.line(&self.text, line)
     }
 
-    /// The lines of a block as they are written; none beyond the last block.
+    /// The lines of a block as written; none beyond the last block.
     pub fn text_of(&self, block: usize) -> impl Iterator<Item = &str> {
         let lines = self.blocks.get(block).map_or(0..0, |block| block.lines.clone());
         lines.map(|line| self.line(line))
     }
 
-    /// The comment of a block, where there is one: that of its first line, without the `;` before it.
+    /// The comment of a block, if there is one: that of its first line, without the `;` before it.
     pub fn comment_of(&self, block: usize) -> Option<&str> {
         let line = self.blocks.get(block)?.lines.start;
         let text = self.line(line);
@@ -118,7 +118,7 @@ impl Program {
     /// The block of a label.
     ///
     /// # Errors
-    /// Where there is none, or more than one, or the label is 0 or a parameter.
+    /// [`LabelFault`] if there is none or more than one, or if the label is 0 or a parameter.
     pub fn label(&self, label: &Target) -> Result<usize, LabelFault> {
         self.labels.block(label)
     }
@@ -137,7 +137,7 @@ enum Encoding {
     Windows1252,
 }
 
-/// What a file in UTF-8 may begin with.
+/// The mark at the beginning of some files in UTF-8.
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
 impl Encoding {
@@ -148,7 +148,7 @@ impl Encoding {
         };
         match std::str::from_utf8(rest) {
             Ok(text) => (text.to_owned(), utf8),
-            // Then the mark is three characters like all others.
+            // In this case the mark is three ordinary characters.
             Err(_not_utf8) => (text::windows_1252(bytes), Self::Windows1252),
         }
     }

@@ -9,7 +9,7 @@ use crate::control::variables::Family;
 /// The largest number of an M function.
 const MOST_M: u32 = 9999;
 
-/// `L …`, the word is taken.
+/// `L …`, after the word.
 pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
     let mut movement = Movement { axes: Vec::new(), compensation: None, feed: None, machine: Vec::new() };
     loop {
@@ -31,7 +31,7 @@ pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
     }
 }
 
-/// `IX+2,5`; blanks may stand anywhere in it.
+/// `IX+2,5`; blanks may occur anywhere in it.
 fn axis_word(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
     let mut ahead = cursor.clone();
     let is_incremental = ahead.take_prefix("I");
@@ -48,7 +48,7 @@ fn axis_letter(cursor: &mut Cursor<'_>) -> Option<Axis> {
     Some(axis)
 }
 
-/// What stands behind the F.
+/// The value after the F.
 fn feed(cursor: &mut Cursor<'_>) -> Read<Feed> {
     if cursor.take_word("MAX") {
         return Ok(Feed::Rapid);
@@ -59,7 +59,7 @@ fn feed(cursor: &mut Cursor<'_>) -> Read<Feed> {
     Ok(Feed::Value(cursor.operand()?))
 }
 
-/// M functions up to the end; what stands behind a number belongs to it, up to the next M function.
+/// M functions up to the end; text after a number belongs to it, up to the next M function.
 pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunction>> {
     let mut found = Vec::new();
     while !cursor.is_at_end() {
@@ -84,7 +84,7 @@ pub(super) fn is_machine_function(cursor: &Cursor<'_>) -> bool {
     ahead.take_prefix("M") && ahead.rest().trim_start().starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// `TOOL CALL …`, the words are taken.
+/// `TOOL CALL …`, after the two words.
 pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<Body> {
     let tool = tool(cursor)?;
     let mut ahead = cursor.clone();

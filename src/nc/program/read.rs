@@ -1,4 +1,4 @@
-//! Text to blocks, with warnings.
+//! From text to blocks, with warnings.
 
 use super::block::{Block, Body, Place, Unit};
 use super::cursor::Cursor;
@@ -9,20 +9,20 @@ use super::lines::{Front, Lines, Piece, first, front, next, trimmed};
 use super::understand::{Odd, understand};
 use super::{Encoding, Program};
 
-/// The largest file, 64 MiB: a program of some two million blocks.
+/// The largest file, 64 MiB: a program of about two million blocks.
 const LARGEST: usize = 64 << 20;
 /// The most lines.
 const MOST_LINES: usize = 2_000_000;
-/// The most text in formulas and in lines longer than [`LONG`], 8 MiB: what they say takes up to fifty times their
-/// length in memory. Real programs stay far below.
+/// The most text in formulas and in lines longer than [`LONG`], 8 MiB: once read, it takes up to fifty times its length
+/// in memory. Real programs stay far below.
 const MOST_FORMULAS: usize = 8 << 20;
-/// From here a line is long: a control's has some 250 characters.
+/// A line from this length on is long: a control's has about 250 characters.
 const LONG: usize = 256;
 /// How many warnings are listed one by one.
 const MOST_WARNINGS: usize = 500;
 
 impl Program {
-    /// Reads a program: UTF-8 or Windows-1252, any line ends. Text never fails; what is odd about it is listed.
+    /// Reads a program: UTF-8 or Windows-1252, any line ends. Text is never an error; there is a list of warnings.
     ///
     /// ```
     /// use fitcheck::nc::program::{Body, Program, Target};
@@ -38,7 +38,7 @@ impl Program {
     /// ```
     ///
     /// # Errors
-    /// [`ProgramError`] where the file is empty, larger than 64 MiB or 2 million lines, or no text.
+    /// [`ProgramError`] if the file is empty, larger than 64 MiB or 2 million lines, or not a text.
     pub fn read(bytes: &[u8]) -> Result<(Self, Vec<ProgramWarning>), ProgramError> {
         if LARGEST < bytes.len() {
             return Err(ProgramError::TooLarge { most: LARGEST >> 20 });
@@ -60,8 +60,8 @@ impl Program {
     }
 }
 
-/// Refuses what is no text: more than a quarter of zeros (text transfer separates lines with byte 0, so some are
-/// allowed), or more than a tenth of other control characters.
+/// An error for bytes that are not text: more than a quarter of zeros (text transfer separates lines with byte 0, so
+/// some are allowed), or more than a tenth of other control characters.
 fn is_text(bytes: &[u8]) -> Result<(), ProgramError> {
     let is_odd = |byte: u8| byte < b' ' && !matches!(byte, 0 | b'\t' | b'\n' | b'\r' | 0x0c | 0x1a);
     let (mut zeros, mut odd) = (0_usize, 0_usize);
@@ -75,7 +75,7 @@ fn is_text(bytes: &[u8]) -> Result<(), ProgramError> {
     Ok(())
 }
 
-/// Warnings, of which only so many are kept.
+/// Warnings, of which only the first are kept.
 #[derive(Debug, Default)]
 struct Warnings {
     kept: Vec<(Place, ProgramWarningKind)>,
@@ -158,7 +158,7 @@ impl<'a> Reader<'a> {
         self.lines.line(self.text, line)
     }
 
-    /// A place in a line, from bytes to characters.
+    /// A place in a line: bytes turned into characters.
     fn place(&self, line: usize, at: usize) -> Place {
         let before = self.line(line).get(..at).map_or(0, |before| before.chars().count());
         Place { line: line + 1, column: before + 1 }
@@ -169,7 +169,7 @@ impl<'a> Reader<'a> {
         self.warnings.add(place, || what);
     }
 
-    /// Reads the block that begins in a line; gives the line behind it.
+    /// Reads the block that begins in a line; returns the line after it.
     fn block(&mut self, line: usize) -> usize {
         let front = front(self.line(line));
         let end = self.collect(line, front.end);
@@ -185,8 +185,8 @@ impl<'a> Reader<'a> {
         end
     }
 
-    /// Takes apart the lines of a block; gives the line behind it. A comment that is a block of its own goes on as
-    /// comment, else every line is taken apart; blank lines are passed over.
+    /// Parses the lines of a block; returns the line after it. A comment that is a block of its own continues as a
+    /// comment; otherwise every line is parsed. Blank lines are skipped.
     fn collect(&mut self, line: usize, from: usize) -> usize {
         self.pieces.clear();
         let mut last = first(self.line(line), line, from);
@@ -213,7 +213,7 @@ impl<'a> Reader<'a> {
         end
     }
 
-    /// Counts what formulas and long lines add up to, and refuses what is too much.
+    /// Counts the total of formulas and long lines; too much is an error.
     fn weigh(&mut self) -> Result<(), Odd> {
         let Some(&first) = self.pieces.first() else { return Ok(()) };
         let is_formula = ["Q", "FN", "DECLARE"].iter().any(|word| Cursor::new(first.code).take_prefix(word));
@@ -236,7 +236,7 @@ impl<'a> Reader<'a> {
         self.number = Some(number);
     }
 
-    /// Whether the program begins and ends as it should.
+    /// Checks that the program begins and ends correctly.
     fn check_frame(&mut self, line: usize, body: &Body) {
         if self.has_end && !self.has_text_after_end {
             self.has_text_after_end = true;

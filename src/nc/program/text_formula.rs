@@ -1,4 +1,4 @@
-//! Formulas of texts: items with `||` between them.
+//! Formulas for texts: items with `||` between them.
 
 use super::block::TextOperand;
 use super::cursor::{Cursor, Read};
@@ -7,7 +7,7 @@ use super::fault::{BlockFault, Wanted};
 use super::formula::{MOST_OPERANDS, text_word, value_word};
 use crate::control::variables::Family;
 
-/// Reads a formula of texts as far as it goes.
+/// Reads a text formula as far as it goes.
 pub(super) fn text_expression(cursor: &mut Cursor<'_>) -> Read<TextExpression> {
     let first = item(cursor)?;
     let mut items = Vec::new();

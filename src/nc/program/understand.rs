@@ -1,4 +1,4 @@
-//! The lines of one block to what it says.
+//! From the lines of one block to what it says.
 
 use super::block::{Body, CycleBlock, Place};
 use super::body::body;
@@ -9,10 +9,10 @@ use super::fault::BlockFault;
 use super::lines::Piece;
 use super::words::DEEPEST;
 
-/// The longest block that is looked into, in bytes; a control takes a few hundred characters a line.
+/// The longest block that is parsed, in bytes; a control accepts a few hundred characters per line.
 const LONGEST: usize = 1 << 16;
 
-/// What is odd, and where: line from 0, bytes from its beginning.
+/// A warning and its place: line from 0, bytes from the line's beginning.
 #[derive(Debug)]
 pub(super) struct Odd {
     pub line: usize,
@@ -20,7 +20,7 @@ pub(super) struct Odd {
     pub what: ProgramWarningKind,
 }
 
-/// What the lines of a block say; `place` counts characters of a line, given bytes.
+/// What the lines of a block say; `place` turns a line and its bytes into a place in characters.
 pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> Place) -> Result<Body, Odd> {
     let open = pieces.iter().find_map(|piece| piece.open_quote.map(|at| (piece.line, at)));
     if let Some((line, at)) = open {
@@ -37,7 +37,7 @@ pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> P
     if cursor.take_words(&["CYCL", "DEF"]) {
         return cycle(cursor, first, more, place).map(Body::CycleDefinition);
     }
-    // A comment that ends in ~ goes on in the next line; only without comment it is the block that goes on.
+    // A comment that ends in ~ continues on the next line; only without a comment does the block itself continue.
     let pieces = if first.comment.is_some() { std::slice::from_ref(first) } else { pieces };
     plain(pieces)
 }
@@ -84,7 +84,7 @@ fn cycle(
     Ok(cycle)
 }
 
-/// `* - text`: two more blanks before or behind the dash are one level more.
+/// `* - text`: each two more blanks before or after the dash are one level more.
 fn heading(text: &str) -> Body {
     let blanks = |text: &str| text.len() - text.trim_start_matches(' ').len();
     let before = blanks(text);

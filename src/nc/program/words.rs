@@ -1,4 +1,4 @@
-//! Words of the language and what they stand for, each once: reading and writing use the same lists.
+//! Words of the language and their meanings, each only once: reading and writing use the same lists.
 
 use super::block::{Axis, Relation};
 use super::expression::{NumberFunction, Operation};
@@ -23,7 +23,7 @@ pub(super) const FUNCTIONS: [(&str, NumberFunction); 16] = [
     ("SGN", NumberFunction::Sign),
 ];
 
-/// What stands between two operands; `LEN` and `ANG` only in FN 8 and FN 13.
+/// Operations between two operands; `LEN` and `ANG` only in FN 8 and FN 13.
 pub(super) const OPERATIONS: [(&str, Operation); 8] = [
     ("+", Operation::Add),
     ("-", Operation::Subtract),
@@ -59,15 +59,15 @@ pub(super) const AXES: [(&str, Axis); 9] = [
 /// Corrections of the tool radius.
 pub(super) const COMPENSATIONS: [&str; 3] = ["R0", "RL", "RR"];
 
-/// The deepest level of headings; what is written deeper is of this one. A control's line is far shorter.
+/// The deepest level of headings; deeper ones count as this level. A control's line is far shorter.
 pub(super) const DEEPEST: usize = 50;
 
-/// What a word stands for, in any case.
+/// The meaning of a word, in any case.
 pub(super) fn meaning<T: Copy>(list: &[(&str, T)], word: &str) -> Option<T> {
     list.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|&(_, meaning)| meaning)
 }
 
-/// The word for something.
+/// The word for a meaning.
 pub(super) fn word<T: Copy + PartialEq>(list: &[(&'static str, T)], meaning: T) -> &'static str {
     list.iter().find(|(_, known)| *known == meaning).map_or("", |&(name, _)| name)
 }

@@ -1,8 +1,8 @@
-//! Bodies to blocks as a control writes them: for programs that Fitcheck makes.
+//! From bodies to blocks as a control writes them: for programs that Fitcheck makes.
 //!
-//! Layout: block numbers padded to two characters, two blanks before axis words (one before incremental ones),
-//! explicit signs, blanks in formulas, cycle lines indented by four, parameter and value padded to ten characters.
-//! What is written reads back as the same body. A program that was read is not written here: it keeps its text.
+//! Layout: block numbers padded to two characters, two blanks before axis words (one before incremental ones), explicit
+//! signs, blanks in formulas, cycle lines indented by four, parameter and value padded to ten characters. The text
+//! reads back as the same body. A program that was read is not written here: it keeps its text.
 
 use super::block::{
     AxisWord, Body, Columns, Condition, CycleBlock, CycleValue, Feed, MachineFunction, Movement, Operand, TextOperand,
@@ -28,9 +28,9 @@ pub fn program<'a>(blocks: impl IntoIterator<Item = (&'a Body, &'a str)>) -> Str
     text
 }
 
-/// The lines of a block; none for [`Body::Other`], whose text no body holds.
+/// The lines of a block; none for [`Body::Other`], because a body does not hold its text.
 ///
-/// Texts are cleaned of what would end them: line ends, quotation marks within others, a `~` at a line's end.
+/// Characters that would end a text are removed: line ends, quotation marks within others, a `~` at a line's end.
 ///
 /// ```
 /// use fitcheck::nc::program::{Body, Target, write};
@@ -42,8 +42,8 @@ pub fn block(number: u32, body: &Body) -> Vec<String> {
     commented(number, body, "")
 }
 
-/// The lines of a block with a comment behind it; behind the first line where it is a cycle. A heading takes all that
-/// stands behind it as its text.
+/// The lines of a block with a comment after it; for a cycle, after the first line. A heading takes everything after it
+/// as its text.
 pub fn commented(number: u32, body: &Body, comment: &str) -> Vec<String> {
     let comment = cleaned(comment);
     let front = format!("{number:<2} ");
@@ -92,7 +92,7 @@ fn cycle_lines(cycle: &CycleBlock) -> impl Iterator<Item = String> {
     })
 }
 
-/// What a block of one line says.
+/// The text of a block of one line.
 fn said(body: &Body) -> String {
     match body {
         Body::Begin { name, unit } => format!("BEGIN PGM {} {unit}", cleaned(name)),
@@ -185,7 +185,7 @@ fn cell(row: Operand, columns: &Columns) -> String {
     }
 }
 
-/// A number or a parameter without plus sign.
+/// A number or a parameter without a plus sign.
 fn plain(operand: Operand) -> String {
     signed(operand).trim_start_matches('+').to_owned()
 }
@@ -197,7 +197,7 @@ fn text_operand(text: &TextOperand) -> String {
     }
 }
 
-/// A path stands without quotation marks, but where it would read as something else.
+/// A path has no quotation marks, unless it would be read back differently.
 fn path_operand(path: &TextOperand) -> String {
     match path {
         TextOperand::Parameter(parameter) => parameter.to_string(),

@@ -5,7 +5,7 @@ use super::expression::{Expression, NumberFunction, Operation, TextExpression};
 use super::words::{FUNCTIONS, OPERATIONS, word};
 use crate::control::variables::Parameter;
 
-/// `Q5 = …`; FN 8 and FN 13 where no formula can say it.
+/// `Q5 = …`; FN 8 and FN 13 for operations that no formula has.
 pub(super) fn formula(to: Parameter, value: &Expression) -> String {
     if let Expression::Binary(operation, left, right) = value
         && let (Expression::Value(left), Expression::Value(right)) = (&**left, &**right)
@@ -20,7 +20,7 @@ pub(super) fn formula(to: Parameter, value: &Expression) -> String {
     format!("{to} = {}", expression(value, Rank::Sum))
 }
 
-/// How strongly something binds; brackets stand where a weaker one is an operand of a stronger one.
+/// How strongly an operation binds; a weaker operand of a stronger operation gets brackets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
     Sum,
@@ -55,7 +55,7 @@ fn expression(value: &Expression, least: Rank) -> String {
         Expression::Function(function, operand) => {
             let is_value = matches!(**operand, Expression::Value(_));
             let name = match function {
-                // Before anything but a value the sign is the function.
+                // Before anything but a value, the sign is the function.
                 NumberFunction::Negative if !is_value => "-",
                 function => word(&FUNCTIONS, *function),
             };
@@ -76,7 +76,7 @@ fn expression(value: &Expression, least: Rank) -> String {
     }
 }
 
-/// A formula of texts.
+/// A text formula.
 pub(super) fn text_formula(value: &TextExpression) -> String {
     match value {
         TextExpression::Value(TextOperand::Text(text)) => quoted(text),
@@ -98,7 +98,7 @@ pub(super) fn text_formula(value: &TextExpression) -> String {
     }
 }
 
-/// With its sign, as in words of a block: `+60`, `-Q1`.
+/// With its sign, as in the words of a block: `+60`, `-Q1`.
 pub(super) fn signed(operand: Operand) -> String {
     match operand {
         Operand::Number(number) => format!("{number:+}"),
@@ -107,7 +107,7 @@ pub(super) fn signed(operand: Operand) -> String {
     }
 }
 
-/// As in formulas: no plus, and a blank behind the minus.
+/// As in formulas: no plus, and a blank after the minus.
 fn unsigned(operand: Operand) -> String {
     let text = signed(operand);
     match text.strip_prefix('-') {
@@ -116,7 +116,7 @@ fn unsigned(operand: Operand) -> String {
     }
 }
 
-/// As behind the words of functions: a number without plus, a parameter with it: `BEG2`, `BEG+Q5`.
+/// As after the words of functions, a number without plus, a parameter with it: `BEG2`, `BEG+Q5`.
 pub(super) fn word_value(operand: Operand) -> String {
     match operand {
         Operand::Number(number) => number.to_string(),
@@ -124,7 +124,7 @@ pub(super) fn word_value(operand: Operand) -> String {
     }
 }
 
-/// A text within quotation marks; those within it become apostrophes, control characters blanks.
+/// A text within quotation marks; those within it become apostrophes, control characters become blanks.
 pub(super) fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('"', "'").replace(char::is_control, " "))
 }

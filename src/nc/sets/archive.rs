@@ -8,7 +8,7 @@ use zip::{CompressionMethod, ZipWriter};
 use super::SetFile;
 use super::error::SetError;
 
-/// Files without folders, not compressed and without a time, so that the same files give the same bytes.
+/// Files without folders, not compressed and without a time, so that the same files always give the same bytes.
 pub(super) fn zip(files: &[SetFile]) -> Result<Vec<u8>, SetError> {
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored).unix_permissions(0o644);
     let mut writer = ZipWriter::new(Cursor::new(Vec::new()));

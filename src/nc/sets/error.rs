@@ -1,4 +1,4 @@
-//! Why a plan or a set cannot be, and what is worth knowing about one that can.
+//! Why a plan or a set is impossible, and remarks on a possible one.
 
 use crate::control::table::WriteError;
 use crate::length::{Length, LengthError};
@@ -9,50 +9,50 @@ use crate::probing::cycle::CycleError;
 use crate::tolerance::table::TableShapeError;
 use crate::tolerance::{Callout, CalloutError, LimitsError, ToleranceClass};
 
-/// Why a plan cannot be, with the line of its file where it has one.
+/// Why a plan is impossible, with the line of its file if there is one.
 pub type PlanError = Located<PlanFault>;
 
-/// Why a plan cannot be.
+/// Why a plan is impossible.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "nc", error)]
 pub enum PlanFault {
-    /// Nothing to measure.
+    /// There is nothing to measure.
     NoFeatures,
-    /// More than a control shows.
+    /// More features than a control can show.
     TooMany {
         /// What is allowed.
         most: usize,
     },
     /// A column is missing.
     NoColumn {
-        /// Which.
+        /// The column.
         column: &'static str,
     },
-    /// A column that nobody knows.
+    /// An unknown column.
     UnknownColumn {
-        /// Which.
+        /// The column.
         column: String,
-        /// Those that are known.
+        /// The known columns.
         known: String,
     },
     /// A column occurs twice.
     ColumnTwice {
-        /// Which.
+        /// The column.
         column: &'static str,
     },
     /// A row has more cells than the header.
     Cells {
         /// How many it has.
         found: usize,
-        /// How many there are columns.
+        /// How many columns there are.
         expected: usize,
     },
-    /// A cell that must be filled is not.
+    /// A cell that must be filled is empty.
     NoCell {
         /// Its column.
         column: &'static str,
     },
-    /// A cell holds no number.
+    /// A cell does not hold a number.
     #[say(id = "nc-value")]
     Number {
         /// Its column.
@@ -70,7 +70,7 @@ pub enum PlanFault {
         /// What is wrong.
         error: Box<CalloutError>,
     },
-    /// No class: the called program finds limits by class alone.
+    /// No class: the called program finds limits only by class.
     NoClass {
         /// What was given.
         callout: Callout,
@@ -89,24 +89,24 @@ pub enum PlanFault {
         /// Why.
         error: Box<LimitsError>,
     },
-    /// A value that the cycle refuses.
+    /// A value that is out of the cycle's range.
     #[say(transparent)]
     Range(Box<CycleError>),
-    /// The probe would move at or below the height where it measures.
+    /// The probe would move at or below the measuring height.
     ClearanceHeight {
         /// The clearance height.
         height: Length,
         /// The measuring height.
         z: Length,
     },
-    /// A name that no file can have.
+    /// A name that is not possible for a file.
     Name {
         /// What was given.
         name: String,
         /// The most characters.
         most: usize,
     },
-    /// Two features of one name.
+    /// Two features with the same name.
     SameName {
         /// The name.
         name: String,
@@ -120,7 +120,7 @@ pub enum SetError {
     /// Something is wrong with the plan.
     #[say(transparent)]
     Plan(#[from] PlanError),
-    /// A folder that programs cannot name.
+    /// A folder that programs cannot use.
     Folder {
         /// What was given.
         folder: String,
@@ -134,7 +134,7 @@ pub enum SetError {
         /// Why.
         error: TableShapeError,
     },
-    /// The control could not take a table.
+    /// The control could not read a table.
     #[say(id = "nc-value")]
     Table {
         /// The table.
@@ -143,7 +143,7 @@ pub enum SetError {
         /// Why.
         error: WriteError,
     },
-    /// A program or a mask that does not read back.
+    /// A program or a mask that does not read back correctly.
     ReadsOtherwise {
         /// The file.
         file: String,
@@ -152,7 +152,7 @@ pub enum SetError {
     Proof(#[say(name = "reason")] ProofFault),
     /// The zip file cannot be made.
     Archive {
-        /// What its writer says.
+        /// The message of the zip writer.
         reason: String,
     },
 }
@@ -161,15 +161,15 @@ pub enum SetError {
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "nc-proof", error)]
 pub enum ProofFault {
-    /// The main program is none.
+    /// The main program cannot be read.
     #[say(transparent)]
     Program(ProgramError),
     /// The run stopped.
     #[say(transparent)]
     Fault(Fault),
-    /// The run goes on and on.
+    /// The run does not end.
     NoEnd,
-    /// Features were left out, or measured twice.
+    /// Features were left out or measured twice.
     Count {
         /// How many cycles were run.
         found: usize,
@@ -187,18 +187,18 @@ pub enum ProofFault {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "nc")]
 pub enum SetRemark {
-    /// A class beyond the 47 of NC-Solution 8255 has got a column.
+    /// A class that is not one of the 47 of NC-Solution 8255 has a column.
     OwnColumn {
         /// The class.
         class: ToleranceClass,
         /// The table.
         table: &'static str,
     },
-    /// The table is full with its own classes, so it has those of the plan alone.
+    /// The table is full with its own classes, so it has only those of the plan.
     FewerColumns {
         /// The table.
         table: &'static str,
-        /// The classes that it has.
+        /// The classes in it.
         classes: String,
     },
     /// Q262 is the limit next to the nominal size, which lies outside the limits.

@@ -1,17 +1,17 @@
-//! Sets of files with which a control measures features itself: programs, tables, mask and a page of text.
+//! Sets of files for a control to measure features itself: programs, tables, mask and a page of text.
 //!
 //! | file | what |
 //! |---|---|
 //! | `plan`, `plan_csv` | which features are measured, and where; read from CSV |
-//! | `names` | what files and folders are called, by generation of controls |
+//! | `names` | names of files and folders, by generation of controls |
 //! | `programs` | the main program, the check program and the mask of a set |
-//! | `tables` | the two tables: the 47 classes, and what the plan needs beside them |
-//! | `readme` | the page that says what goes where |
-//! | `proof` | the set is run before it is given out |
+//! | `tables` | the two tables: the 47 classes, and what else the plan needs |
+//! | `readme` | the page that says where each file goes |
+//! | `proof` | runs the set before it is handed over |
 //! | `archive` | all of it as one zip file |
-//! | `error` | why a plan or a set cannot be |
+//! | `error` | why a plan or a set is impossible |
 //!
-//! Everything is made in memory; where it goes is the caller's business. What differs between generations is in
+//! Everything is made in memory; the caller decides where it goes. The differences between generations are in
 //! `docs/SOURCES.md`, sets for a control.
 
 mod archive;
@@ -41,12 +41,12 @@ pub struct Target {
     pub control: Control,
     /// The language of comments, status words and mask.
     pub language: Dialogue,
-    /// The folder on the control that the files will stand in: the paths in the programs.
+    /// The folder for the files on the control, used by the paths in the programs.
     pub folder: ControlFolder,
 }
 
 impl Target {
-    /// A control's usual folder.
+    /// A control with its usual folder.
     pub fn new(control: Control, language: Dialogue) -> Self {
         Self { control, language, folder: control.usual_folder() }
     }
@@ -94,8 +94,8 @@ impl NcSet {
     /// ```
     ///
     /// # Errors
-    /// [`SetError`] where a feature has no limits, or a table cannot be as the plan needs it. Nothing is left out, and
-    /// no set is given out that the machine does not run to the plan's limits.
+    /// [`SetError`] if a feature has no limits, or a table cannot hold what the plan needs. Nothing is left out, and no
+    /// set is returned unless the machine runs it to the plan's limits.
     pub fn make(plan: &NcPlan, target: &Target, sources: &Sources) -> Result<Self, SetError> {
         let names = Names::new(target);
         let limits = plan.limits(sources)?;
@@ -124,13 +124,13 @@ impl NcSet {
     /// All files as one zip file, not compressed; the same set gives the same bytes.
     ///
     /// # Errors
-    /// [`SetError::Archive`] with what the writer of zip files says.
+    /// [`SetError::Archive`] with the message of the zip writer.
     pub fn zip(&self) -> Result<Vec<u8>, SetError> {
         archive::zip(&self.files)
     }
 }
 
-/// What is written must read back without a remark, or the control would not take it either.
+/// The files must read back without a warning, or the control would not read them either.
 fn check_programs(files: &[SetFile]) -> Result<(), SetError> {
     for file in files {
         let is_sound = if file.name.to_ascii_lowercase().ends_with(".a") {

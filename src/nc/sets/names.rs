@@ -1,4 +1,4 @@
-//! What files and folders are called on a control, and other words that differ by generation.
+//! Names of files and folders on a control, and other words that differ by generation.
 
 use std::fmt;
 use std::str::FromStr;
@@ -33,7 +33,7 @@ impl Control {
         }
     }
 
-    /// The control of a name on the command line; TNC 320 and TNC 620 take the same files as TNC 640.
+    /// The control for a name on the command line; TNC 320 and TNC 620 use the same files as TNC 640.
     pub fn from_code(code: &str) -> Option<Self> {
         match code.to_ascii_lowercase().as_str() {
             "itnc530" => Some(Self::Itnc530),
@@ -43,7 +43,7 @@ impl Control {
         }
     }
 
-    /// The name that people know.
+    /// The common name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Itnc530 => "iTNC 530",
@@ -52,7 +52,7 @@ impl Control {
         }
     }
 
-    /// Where the files usually stand on the control.
+    /// The usual folder of the files on the control.
     pub fn usual_folder(self) -> ControlFolder {
         ControlFolder(
             match self {
@@ -85,7 +85,7 @@ impl Control {
     }
 }
 
-/// A folder on the control, such as `TNC:\nc_prog\fitcheck\`: the files of a set stand in it.
+/// A folder on the control, such as `TNC:\nc_prog\fitcheck\`, for the files of a set.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ControlFolder(String);
 
@@ -101,8 +101,8 @@ impl fmt::Display for ControlFolder {
 impl FromStr for ControlFolder {
     type Err = SetError;
 
-    /// Reads a folder below `TNC:\`; a `\` at the end may be left out. Blanks, `..` and signs beyond letters, digits, `_`
-    /// and `-` are refused: they end a path in a program, or lead elsewhere.
+    /// Reads a folder below `TNC:\`; a `\` at the end may be left out. Blanks, `..` and signs other than letters,
+    /// digits, `_` and `-` are errors: they end a path in a program, or lead elsewhere.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let wrong = || SetError::Folder { folder: text.chars().take(LONGEST_FOLDER).collect() };
         let path = text.trim();
@@ -118,7 +118,7 @@ impl FromStr for ControlFolder {
     }
 }
 
-/// What the files of a set are called.
+/// The names of the files of a set.
 #[derive(Debug, Clone)]
 pub(super) struct Names<'a> {
     pub(super) target: &'a Target,
@@ -130,8 +130,8 @@ pub(super) struct Names<'a> {
 }
 
 impl<'a> Names<'a> {
-    /// iTNC 530: as NC-Solution 8255. Later controls: a letter first and no operator, as TNC7 wants the names of tables
-    /// (manual 81762x-19); the other files follow.
+    /// iTNC 530: as NC-Solution 8255. Later controls: a letter first and no operator, as TNC7 requires for names of
+    /// tables (manual 81762x-19); the other files follow the same rule.
     pub(super) fn new(target: &'a Target) -> Self {
         let language = target.language;
         let [main, check, mask, hole, shaft] = match target.control {
@@ -162,7 +162,7 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// The file that a feature's window is also printed to: one a feature, so that none takes the place of another.
+    /// The file that a feature's window is also printed to: one per feature, so that none replaces another.
     pub(super) fn result(&self, feature: &str) -> String {
         match self.target.control {
             Control::Itnc530 => format!("8255_{feature}.txt"),
@@ -175,7 +175,7 @@ impl<'a> Names<'a> {
         format!("{}{file}", self.target.folder)
     }
 
-    /// The same as a block names it.
+    /// The same path, as a block uses it.
     pub(super) fn operand(&self, file: &str) -> TextOperand {
         TextOperand::Text(self.path(file))
     }

@@ -10,20 +10,20 @@ use crate::tolerance::{Callout, Feature, Limits, Sources, Tolerance};
 /// The most features of a plan: a control opens a window for each.
 pub const MOST_FEATURES: usize = 1_000;
 
-/// The lateral clearance where none is given, 2 mm: it is added to the probe's own.
+/// The lateral clearance if none is given, 2 mm: it is added to the probe's own.
 pub const DEFAULT_CLEARANCE: Length = Length::from_micrometres(2_000);
 
-/// The clearance height where none is given, 50 mm above the preset.
+/// The clearance height if none is given, 50 mm above the preset.
 pub const DEFAULT_CLEARANCE_HEIGHT: Length = Length::from_micrometres(50_000);
 
-/// The most characters of a feature's name: with what stands around it a file name of at most 29.
+/// The most characters of a feature's name: with its prefix and suffix, a file name has at most 29.
 const LONGEST_NAME: usize = 20;
 
 /// A feature of a plan: the seven inputs of NC-Solution 8255 (NC-Solutions, description of NC program 8255), the
-/// clearance height that it leaves open, and a name.
+/// clearance height, which that program leaves open, and a name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NcFeature {
-    /// Its name: ASCII letters, digits and `_`, at most 20; without one it gets `F` and its number.
+    /// Its name: ASCII letters, digits and `_`, at most 20; if empty, it becomes `F` and its number.
     pub name: String,
     /// Nominal size and class (Q1, QS1).
     pub callout: Callout,
@@ -56,7 +56,7 @@ impl NcFeature {
         }
     }
 
-    /// What of it no program could take.
+    /// Checks that a program can use it.
     fn check(&self) -> Result<(), PlanFault> {
         let callout = self.callout;
         match callout.tolerance() {
@@ -82,11 +82,11 @@ impl NcFeature {
     }
 }
 
-/// A plan that a program can be made of: at least one feature, every value in its range, every name once.
+/// A plan that can become a program: at least one feature, every value in its range, no name twice.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NcPlan {
     features: Vec<NcFeature>,
-    /// Where each of them stands in its file.
+    /// The line of each feature in its file.
     lines: Vec<usize>,
 }
 
@@ -94,12 +94,12 @@ impl NcPlan {
     /// A plan of features; those without a name get one.
     ///
     /// # Errors
-    /// [`PlanError`] names the first feature that cannot be.
+    /// [`PlanError`] for the first feature that is impossible.
     pub fn new(features: Vec<NcFeature>) -> Result<Self, PlanError> {
         Self::of_lines(features, Vec::new())
     }
 
-    /// The same of a file; `lines` are those of the features.
+    /// The same for a file; `lines` are those of the features.
     pub(super) fn of_lines(mut features: Vec<NcFeature>, lines: Vec<usize>) -> Result<Self, PlanError> {
         if features.is_empty() {
             return Err(located(None, PlanFault::NoFeatures));
@@ -113,7 +113,7 @@ impl NcPlan {
             if feature.name.is_empty() {
                 feature.name = format!("F{}", number + 1);
             }
-            // The files of the results differ by it, and a control takes a and A for the same file.
+            // The names of the result files differ only by it, and for a control a and A are the same file.
             if !names.insert(feature.name.to_ascii_uppercase()) {
                 let what = PlanFault::SameName { name: feature.name.clone() };
                 return Err(located(lines.get(number), what));
@@ -133,7 +133,7 @@ impl NcPlan {
             let callout = feature.callout;
             let limits =
                 sources.limits(&callout, None).map_err(|error| PlanFault::Limits { callout, error: Box::new(error) });
-            // Far below a millimetre a class can reach below 0, which no cycle takes.
+            // Far below a millimetre a class can reach below 0, which no cycle accepts.
             let checked =
                 limits.and_then(|limits| in_range(Meaning::MinimumDiameter, &limits.minimum()).map(|()| limits));
             checked.map_err(|what| located(self.lines.get(number), what))
@@ -142,7 +142,7 @@ impl NcPlan {
     }
 }
 
-/// Holds a value against the range of a parameter; both cycles have these parameters, with the same ranges.
+/// Checks a value against the range of a parameter; both cycles have these parameters, with the same ranges.
 fn in_range(meaning: Meaning, value: &impl ToString) -> Result<(), PlanFault> {
     let Some(parameter) = measuring(Feature::Hole).meant(meaning) else { return Ok(()) };
     let value = value.to_string();
@@ -152,7 +152,7 @@ fn in_range(meaning: Meaning, value: &impl ToString) -> Result<(), PlanFault> {
     }
 }
 
-/// A fault with its line, where there is a file.
+/// A fault with its line, if there is a file.
 fn located(line: Option<&usize>, what: PlanFault) -> PlanError {
     PlanError { what, place: Place { line: line.copied(), ..Place::default() } }
 }

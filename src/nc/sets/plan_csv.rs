@@ -1,7 +1,7 @@
-//! Plans as CSV: one feature a line.
+//! Plans as CSV: one feature per line.
 //!
-//! The header names the columns, in any order: `callout`, `x`, `y`, `z`, and where they are wanted `name`, `angle`,
-//! `clearance`, `clearance_height`. Cells are separated by comma, semicolon or tabulator; numbers have a point or a comma.
+//! The header names the columns, in any order: `callout`, `x`, `y`, `z`, and if wanted `name`, `angle`, `clearance`,
+//! `clearance_height`. Comma, semicolon or tab separates cells; numbers have a point or a comma.
 
 use std::str::FromStr;
 
@@ -10,10 +10,10 @@ use super::plan::{MOST_FEATURES, NcFeature, NcPlan};
 use crate::control::text::{decode, lines};
 use crate::length::LengthError;
 
-/// The columns that are known.
+/// The known columns.
 const COLUMNS: [&str; 8] = ["name", "callout", "x", "y", "z", "angle", "clearance", "clearance_height"];
 
-/// Those that must be there.
+/// The required columns.
 const NEEDED: [&str; 4] = ["callout", "x", "y", "z"];
 
 impl NcPlan {
@@ -28,7 +28,7 @@ impl NcPlan {
     /// ```
     ///
     /// # Errors
-    /// [`PlanError`] with the line, also where a row has more cells than the header, or a column is not known.
+    /// [`PlanError`] with the line, also if a row has more cells than the header, or if a column is unknown.
     pub fn read(bytes: &[u8]) -> Result<Self, PlanError> {
         let text = decode(bytes);
         let header = lines(&text).map(|(_, line)| line).find(|line| !line.trim().is_empty()).unwrap_or_default();
@@ -55,7 +55,7 @@ impl NcPlan {
     }
 }
 
-/// The cells of a line; none holds a line's end.
+/// The cells of a line; none contains a line end.
 fn cells(line: &str, separator: u8) -> csv::StringRecord {
     let reader = csv::ReaderBuilder::new()
         .has_headers(false)
@@ -63,7 +63,7 @@ fn cells(line: &str, separator: u8) -> csv::StringRecord {
         .delimiter(separator)
         .buffer_capacity(line.len().clamp(1, 1 << 16))
         .from_reader(line.as_bytes());
-    // One row of a text in memory can always be read.
+    // A row of a text in memory can always be read.
     reader.into_records().find_map(Result::ok).unwrap_or_default()
 }
 

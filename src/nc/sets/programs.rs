@@ -1,4 +1,4 @@
-//! The programs and the mask of a set, made from the shipped ones: block by block, with what differs changed.
+//! The programs and the mask of a set, made from the built-in ones: block by block, with the differences changed.
 
 use super::error::SetRemark;
 use super::names::{Control, Names};
@@ -10,16 +10,16 @@ use crate::shipped;
 use crate::tolerance::Feature;
 use crate::words::Dialogue;
 
-/// The last block that computes a limit: behind it both are known.
+/// The last block that computes a limit: after it both are known.
 const MINIMUM: Parameter = Parameter::q(33);
 
 /// The nominal diameter of the cycles.
 const NOMINAL_DIAMETER: Parameter = Parameter::q(262);
 
-/// What takes its place where it must lie between the limits.
+/// The parameter that replaces it if it must lie between the limits.
 const BETWEEN: Parameter = Parameter::q(62);
 
-/// Q62 becomes the nominal size, or the limit next to it where it lies outside (TNC7 manual 81762x-19, cycle 421).
+/// Q62 becomes the nominal size or, if that lies outside, the limit next to it (TNC7 manual 81762x-19, cycle 421).
 const BETWEEN_LIMITS: &[u8] = b"Q62 = Q1 ;Q33 <= Q62 <= Q23
 FN 11: IF +Q62 GT +Q33 GOTO LBL 97
 Q62 = Q33
@@ -32,7 +32,7 @@ LBL 98
 /// Blocks with their comments.
 type Blocks = Vec<(Body, String)>;
 
-/// What blocks say, but for BEGIN and END.
+/// The bodies of blocks, without BEGIN and END.
 fn blocks(text: &[u8]) -> Blocks {
     let Ok((program, _warnings)) = Program::read(text) else { return Blocks::new() };
     let blocks = program.blocks().iter().enumerate();
@@ -41,14 +41,14 @@ fn blocks(text: &[u8]) -> Blocks {
     inner.map(|(number, block)| (block.body.clone(), comment(number))).collect()
 }
 
-/// A shipped program; they are part of Fitcheck, and tests make a set in every language.
+/// A built-in program; these are part of Fitcheck, and tests make a set in every language.
 fn shipped_program(name: &str, language: Dialogue) -> Blocks {
     blocks(shipped::file(shipped::NC, &format!("{name}_{language}.h")).unwrap_or_default())
 }
 
 /// The file of a program. All of it is ASCII, since names and texts are.
 fn written(file: &str, blocks: &[(Body, String)]) -> Vec<u8> {
-    // A program is called like its file, without the ending.
+    // A program has the name of its file, without the ending.
     let name = file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_owned();
     let begin = [bare(Body::Begin { name: name.clone(), unit: Unit::Mm })];
     let end = [bare(Body::End { name, unit: Unit::Mm })];
@@ -68,7 +68,7 @@ fn print(names: &Names<'_>, output: String) -> (Body, String) {
 /// The main program: for each feature its parameters, the call, a file with its result, and a stop.
 pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
     let blocks = shipped_program("8255", names.target.language);
-    // What stands once stands before the first parameter and behind the stop.
+    // Blocks that occur only once are before the first parameter or after the stop.
     let is_parameter = |(body, _): &(Body, String)| matches!(body, Body::Assign { .. } | Body::AssignText { .. });
     let first = blocks.iter().position(is_parameter).unwrap_or_default();
     let behind = blocks.iter().position(|(body, _)| matches!(body, Body::Stop(_))).map_or(first, |at| at + 1);
@@ -142,7 +142,7 @@ pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
     written(&names.check, &made)
 }
 
-/// The mask: every record ends in a semicolon, lines in CRLF; `F` in place of `LF` where the control knows it.
+/// The mask: every record ends in a semicolon, lines in CRLF; `F` instead of `LF` if the control has it.
 pub(super) fn mask(target: &Target) -> Vec<u8> {
     let original = shipped::file(shipped::MASKS, &format!("82552_{}.a", target.language));
     let text = String::from_utf8_lossy(original.unwrap_or_default());
@@ -154,7 +154,7 @@ pub(super) fn mask(target: &Target) -> Vec<u8> {
     lines.collect::<String>().into_bytes()
 }
 
-/// The nominal diameter that the check program gives to the cycle, where it is another than the nominal size.
+/// The nominal diameter that the check program passes to the cycle, if it differs from the nominal size.
 pub(super) fn moved_nominal(planned: Planned<'_>, control: Control) -> Option<SetRemark> {
     let limits = planned.limits;
     let value: Length = limits.nominal.max(limits.minimum()).min(limits.maximum());

@@ -1,7 +1,7 @@
-//! A set is run before it is given out: every feature on a workpiece in the middle of its zone.
+//! Runs a set before it is handed over: every feature on a workpiece in the middle of its zone.
 //!
-//! Only the set's own files are there, at their paths on the control. Each cycle must get exactly the plan's limits
-//! and call the workpiece good; then the program, the tables, the mask and every path in them fit together.
+//! Only the set's own files are present, at their paths on the control. Each cycle must get exactly the plan's limits
+//! and find the workpiece good: then the program, the tables, the mask and every path in them fit together.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use crate::probing::Contact;
 use crate::probing::cycle::Angle;
 use crate::verdict::Status;
 
-/// How often a run may pause: once a feature, and not for ever.
+/// How many blocks may run between two pauses: a run pauses once per feature, and must not go on for ever.
 const BLOCKS: u64 = 10_000_000;
 
 /// Runs the set; the first file is its main program.

@@ -1,7 +1,7 @@
-//! The page that says what goes where, from a text of each language in `assets/nc`.
+//! The page that says where each file goes, from a text of each language in `assets/nc`.
 //!
-//! A line may begin with the controls that it is for, `[tnc640 tnc7] text`. `{main}` and its like are put in; `{features}`
-//! and `{nominal}` stand alone on their lines and become as many as there are.
+//! A line may begin with the controls that it is for, `[tnc640 tnc7] text`. `{main}` and similar words are filled in;
+//! `{features}` and `{nominal}` are alone on their lines and become as many lines as needed.
 
 use super::Planned;
 use super::error::SetRemark;
@@ -32,7 +32,7 @@ fn add(page: &mut String, line: &str) {
     page.push_str("\r\n");
 }
 
-/// The line without what it is for, or nothing where it is for other controls.
+/// The line without its controls, or `None` if it is for other controls.
 fn for_control<'a>(line: &'a str, code: &str) -> Option<&'a str> {
     let Some((controls, text)) = line.strip_prefix('[').and_then(|line| line.split_once(']')) else {
         return Some(line);
@@ -57,7 +57,7 @@ fn filled(line: &str, names: &Names<'_>) -> String {
     marks.into_iter().fold(line.to_owned(), |line, (mark, text)| line.replace(mark, &text))
 }
 
-/// Name, callout, limits and place of a feature: figures alone, the same in every language.
+/// Name, callout, limits and place of a feature: only figures, the same in every language.
 fn feature(planned: Planned<'_>, names: &Names<'_>) -> String {
     let (feature, limits) = (planned.feature, planned.limits);
     let (callout, result) = (feature.callout.to_string(), names.result(&feature.name));

@@ -1,4 +1,4 @@
-//! The two tables of a set: the 47 classes of NC-Solution 8255, and what the plan needs beside them.
+//! The two tables of a set: the 47 classes of NC-Solution 8255, and what else the plan needs.
 
 use std::collections::BTreeSet;
 
@@ -12,10 +12,10 @@ use crate::length::Length;
 use crate::tolerance::table::Column;
 use crate::tolerance::{Callout, DeviationTable, Deviations, Feature, Source, Sources, ToleranceClass};
 
-/// The table of holes or of shafts, and what is worth knowing about it. Size ranges are those of the shipped table, cut where the user's own tables or the
-/// classes of the plan need it, so that no cell ever stands for two values.
+/// The table of holes or of shafts, with its remarks. Size ranges are those of the built-in table, divided where the
+/// user's own tables or the classes of the plan need it, so that no cell ever holds two values.
 ///
-/// An iTNC 530 takes 30 columns at most: where the classes beyond the 47 do not fit, only the plan's are written.
+/// An iTNC 530 accepts at most 30 columns: if the classes beyond the 47 do not fit, only the plan's are written.
 pub(super) fn table(
     feature: Feature,
     planned: &[Planned<'_>],
@@ -54,7 +54,7 @@ pub(super) fn table(
     Ok((bytes, remarks))
 }
 
-/// The classes of the shipped table.
+/// The classes of the built-in table.
 fn usual_classes(feature: Feature) -> Vec<ToleranceClass> {
     let tables = shipped_tables();
     let classes = tables.iter().flat_map(|table| table.columns().iter().map(|column| column.class));
@@ -73,7 +73,7 @@ fn ends(feature: Feature, asked: &[&Planned<'_>], sources: &Sources) -> Vec<Leng
     ends.into_iter().collect()
 }
 
-/// The size range that limits were found in.
+/// The size range in which limits were found.
 const fn range(source: &Source) -> Option<(Length, Length)> {
     match *source {
         Source::Standard { over, to, .. } | Source::Table { over, to, .. } => Some((over, to)),
@@ -93,7 +93,7 @@ fn made(
         .map_err(|error| SetError::Shape { table: name, error })
 }
 
-/// A cell is filled where one value of the source counts in all of the range.
+/// A cell is filled if a single value of the source applies in the whole range.
 fn cell(class: ToleranceClass, (over, to): (Length, Length), sources: &Sources) -> Option<Deviations> {
     let callout = Callout::new(to, class).ok()?;
     let (deviations, source) = sources.deviations(&callout, None).ok()?;

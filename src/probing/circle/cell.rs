@@ -1,20 +1,20 @@
 //! One cell of a nearest-point or farthest-point Voronoi diagram, made by clipping a convex polygon.
 //!
-//! Every side remembers which point's bisector it lies on, and corners are computed from the two lines that meet
-//! there, never by walking along a clipped side: a start polygon of any size costs no accuracy.
+//! Every side remembers which point's bisector it lies on, and corners are computed from the two lines that meet there,
+//! never by walking along a clipped side: a start polygon of any size costs no accuracy.
 
 use super::frame::{cross, dot, midpoint, minus, norm, unit};
 
 /// What a side of a cell lies on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
-    /// The polygon that was clipped.
+    /// A border of the polygon that the clipping started with.
     Border,
     /// The bisector against this point, by index.
     Point(usize),
 }
 
-/// Where `normal · x` is at most `offset`; the normal is a unit vector.
+/// The points where `normal · x` is at most `offset`; the normal is a unit vector.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HalfPlane {
     normal: [f64; 2],
@@ -22,13 +22,13 @@ pub(super) struct HalfPlane {
 }
 
 impl HalfPlane {
-    /// Nearer to `own` than to `other`; points that coincide keep everything.
+    /// The points nearer to `own` than to `other`; if the two coincide, every point.
     pub(super) fn nearer(own: [f64; 2], other: [f64; 2]) -> Self {
         let normal = unit(minus(other, own));
         Self { normal, offset: dot(normal, midpoint(own, other)) }
     }
 
-    /// To the left of the way from one corner to the next.
+    /// The points to the left of the line from one corner to the next.
     fn left_of(start: [f64; 2], end: [f64; 2]) -> Self {
         let [x, y] = minus(end, start);
         let normal = unit([y, -x]);
@@ -54,14 +54,14 @@ pub(super) fn crossing(first: &HalfPlane, second: &HalfPlane) -> Option<[f64; 2]
 /// One side of a cell, from its start to the start of the next one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
-    /// Where it begins.
+    /// Where it starts.
     pub(super) start: [f64; 2],
     /// What it lies on.
     pub(super) side: Side,
     line: HalfPlane,
 }
 
-/// A convex polygon that is clipped.
+/// A convex polygon that can be clipped.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Cell {
     edges: Vec<Edge>,
@@ -69,7 +69,7 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// Begins again with a polygon, corners counter-clockwise.
+    /// Starts again with a polygon, corners counter-clockwise.
     pub(super) fn restart(&mut self, corners: &[[f64; 2]]) {
         self.edges.clear();
         let next = corners.iter().cycle().skip(1);
@@ -85,7 +85,7 @@ impl Cell {
         &self.edges
     }
 
-    /// Sides with their ends.
+    /// The sides, each with its end.
     pub(super) fn segments(&self) -> impl Iterator<Item = (&Edge, [f64; 2])> {
         let next = self.edges.iter().cycle().skip(1);
         self.edges.iter().zip(next).map(|(edge, next)| (edge, next.start))
@@ -103,7 +103,7 @@ impl Cell {
             let (is_in, ends_in) = (start_height <= 0.0, end_height <= 0.0);
             let cut = || {
                 crossing(&edge.line, &line).unwrap_or_else(|| {
-                    // Parallel to the last bit, yet on both sides: any place on the way will do.
+                    // Parallel to the last bit, yet on both sides: any place between the two will do.
                     let part = start_height / (start_height - end_height);
                     let ([x, y], [to_x, to_y]) = (edge.start, minus(end, edge.start));
                     [x + part * to_x, y + part * to_y]

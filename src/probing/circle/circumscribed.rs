@@ -1,15 +1,15 @@
 //! The smallest circle that contains all points.
 //!
-//! It is carried by two or three of them. Starting from any two, the point farthest outside joins the carriers, the
-//! smallest circle about these (at most four) replaces the circle, and the radius grows with every round, so that it
-//! ends. Each round looks at every point once; even 100 000 points take a dozen rounds.
+//! Two or three of them carry it. Starting from any two, the point farthest outside joins the carriers, and the
+//! smallest circle about these (at most four) replaces the circle. The radius grows with every round, so the search
+//! ends. Each round visits every point once; even 100 000 points take only a dozen rounds.
 
 use super::frame::{circumcentre, midpoint, minus, norm};
 
-/// How far outside a point may lie by rounding, as part of the radius.
+/// How far outside a point may lie because of rounding, as a fraction of the radius.
 const ROUNDING: f64 = 1e-14;
 
-/// Rounds after which the answer differs from the last one by rounding only.
+/// Number of rounds after which the answer changes by rounding only.
 const MOST_ROUNDS: usize = 1_000;
 
 /// Centre and radius of the smallest circle around the points.
@@ -32,7 +32,7 @@ pub(super) fn smallest(points: &[[f64; 2]]) -> ([f64; 2], f64) {
         keep_three(&mut carriers, circle);
     }
     let (centre, radius) = circle;
-    // The radius that rounding left is the one that contains every point.
+    // This radius includes the rounding, so that the circle contains every point.
     (centre, farthest(points, centre).map_or(radius, |(distance, _)| distance))
 }
 
@@ -49,7 +49,7 @@ fn keep_three(carriers: &mut Vec<[f64; 2]>, (_, radius): ([f64; 2], f64)) {
             return;
         }
     }
-    // Rounding let no three carry the same circle; the newest three come closest.
+    // Because of rounding, no three carry the same circle; the newest three come closest.
     carriers.remove(0);
 }
 
@@ -57,12 +57,12 @@ fn farthest(points: &[[f64; 2]], centre: [f64; 2]) -> Option<(f64, [f64; 2])> {
     points.iter().map(|&point| (norm(minus(point, centre)), point)).max_by(|(a, _), (b, _)| a.total_cmp(b))
 }
 
-/// The smallest circle about a handful of points: of all circles on two or three of them that contain the others.
+/// The smallest circle about a few points: the smallest of those on two or three of them that contain the others.
 fn smallest_about_few(points: &[[f64; 2]]) -> ([f64; 2], f64) {
     let mut best = ([0.0; 2], f64::INFINITY);
     let mut consider = |centre: [f64; 2], on: [f64; 2]| {
         let radius = farthest(points, centre).map_or(0.0, |(distance, _)| distance);
-        // A centre whose farthest point is another one than those it was made of is a circle, too, only not the best.
+        // If the farthest point is not one of those that made the centre, this is still a circle, but not the best one.
         if radius < best.1 && radius <= norm(minus(on, centre)) * (1.0 + 1e-12) {
             best = (centre, radius);
         }

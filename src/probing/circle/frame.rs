@@ -1,4 +1,4 @@
-//! Contacts as points about their own centre, and what keeps them from being a circle.
+//! Contacts as points about their own centre, and why they may fail to make a circle.
 //!
 //! A circle is never computed in machine coordinates: 1 km away from the origin the textbook formula for three points
 //! is wrong by 0.7 µm. The points are moved to the middle of their bounding box and divided by a power of two, which
@@ -9,20 +9,20 @@ use crate::length::Length;
 use crate::message::Say;
 use crate::probing::contact::Contact;
 
-/// Rounding of a coordinate, in units of the largest coordinate: contacts nearer to each other than this, or to a
-/// straight line, differ by rounding only.
+/// Rounding of a coordinate, in units of the largest coordinate: contacts that are closer than this to each other, or
+/// to a straight line, differ by rounding only.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Why contacts are no circle.
+/// Why contacts do not make a circle.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "circle", error)]
 pub enum CircleError {
-    /// One or two contacts, or none.
+    /// Fewer than three contacts.
     TooFew {
         /// How many were given.
         contacts: usize,
     },
-    /// Contacts lie at the same place, and without the repeated ones fewer than three are left.
+    /// Some contacts lie at the same place, and without the repeated ones fewer than three are left.
     Coinciding {
         /// The first of the two, counted from 1.
         first: usize,
@@ -47,7 +47,7 @@ pub enum CircleError {
     NotFinite {
         /// Which contact, counted from 1.
         contact: usize,
-        /// `x` or `y`.
+        /// The axis, `x` or `y`.
         axis: char,
         /// What was given.
         value: f64,
@@ -63,17 +63,17 @@ pub enum CircleError {
     },
 }
 
-/// A number as errors show it: 1e300 without its three hundred zeros.
+/// A number as errors show it: 1e300 without its 300 zeros.
 fn brief(value: f64) -> String {
     if value.abs() < 1e15 { value.to_string() } else { format!("{value:e}") }
 }
 
-/// A number of things as a factor. Exact up to 2^32, more than a file of the largest size can hold.
+/// A count as a factor. Exact up to 2^32, more than a file of the largest size can hold.
 pub(super) fn count_f64(count: usize) -> f64 {
     f64::from(u32::try_from(count).unwrap_or(u32::MAX))
 }
 
-/// From `b` to `a`.
+/// The vector from `b` to `a`.
 pub(super) fn minus([a_x, a_y]: [f64; 2], [b_x, b_y]: [f64; 2]) -> [f64; 2] {
     [a_x - b_x, a_y - b_y]
 }
@@ -83,7 +83,7 @@ pub(super) fn dot([a_x, a_y]: [f64; 2], [b_x, b_y]: [f64; 2]) -> f64 {
     a_x * b_x + a_y * b_y
 }
 
-/// Product of the lengths and the sine between; positive when `b` lies to the left of `a`.
+/// Product of the lengths and the sine of the angle between; positive when `b` lies to the left of `a`.
 pub(super) fn cross([a_x, a_y]: [f64; 2], [b_x, b_y]: [f64; 2]) -> f64 {
     a_x * b_y - a_y * b_x
 }
@@ -93,7 +93,7 @@ pub(super) fn norm([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
 }
 
-/// The same direction with length 1; a vector without a length has no direction and stays zero.
+/// The same direction with length 1; a vector of length zero has no direction and stays zero.
 pub(super) fn unit([x, y]: [f64; 2]) -> [f64; 2] {
     let length = norm([x, y]);
     if length <= 0.0 { [0.0; 2] } else { [x / length, y / length] }
@@ -131,7 +131,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// Moves, scales and sorts contacts of which a circle can be made.
+    /// Moves, scales and sorts contacts that can make a circle.
     pub(super) fn new(contacts: &[Contact]) -> Result<Self, CircleError> {
         check_numbers(contacts)?;
         if contacts.len() < 3 {
@@ -161,7 +161,7 @@ impl Frame {
         Ok(frame)
     }
 
-    /// Notes pairs of contacts at the same place and answers how many different places there are.
+    /// Records pairs of contacts at the same place and returns how many different places there are.
     fn find_repeated(&mut self, sorted: &[(usize, &Contact)], rounding: f64) -> usize {
         let mut distinct: usize = 0;
         let mut kept: Option<(usize, &Contact)> = None;
@@ -237,7 +237,7 @@ fn bounds(contacts: &[Contact]) -> [[f64; 2]; 2] {
     })
 }
 
-/// The largest power of two that is not above a number; 1 for zero and numbers too small to scale by.
+/// The largest power of two that is not above a number; 1 for zero and for numbers too small to scale by.
 fn power_of_two_below(number: f64) -> f64 {
     /// The bits of an `f64` that hold the exponent.
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;

@@ -6,7 +6,7 @@ use super::frame::{cross, dot, mean, minus, norm};
 pub(super) fn convex(sorted: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut corners = chain(sorted.iter().copied());
     let mut upper = chain(sorted.iter().rev().copied());
-    // Each chain ends where the other begins.
+    // The last corner of a chain is the first one of the other chain.
     corners.pop();
     upper.pop();
     corners.append(&mut upper);
@@ -38,7 +38,7 @@ pub(super) fn narrowest_strip(corners: &[[f64; 2]]) -> f64 {
     corners.iter().zip(next).map(width).fold(f64::INFINITY, f64::min)
 }
 
-/// The points in the order of their directions from the middle of the hull.
+/// The points, ordered by their direction from the middle of the hull.
 pub(super) fn around(points: &[[f64; 2]], corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let middle = mean(corners);
     let angle = |point: &[f64; 2]| {
@@ -50,10 +50,10 @@ pub(super) fn around(points: &[[f64; 2]], corners: &[[f64; 2]]) -> Vec<[f64; 2]>
     ordered
 }
 
-/// All other points with their indices, neighbours on both sides first, one or two of the last ones twice.
+/// All other points with their indices, neighbours on both sides first; one or two of the last points come twice.
 ///
-/// Clipping in this order cuts a polygon down to a few sides at once; in any other, cells of thousands of sides come
-/// and go on the way.
+/// Clipping in this order cuts a polygon down to a few sides at once; in any other order, cells of thousands of sides
+/// come and go on the way.
 pub(super) fn neighbours(ordered: &[[f64; 2]], index: usize) -> impl Iterator<Item = (usize, [f64; 2])> {
     let count = ordered.len();
     let onwards = (0..).zip(ordered.iter().copied()).take(count).cycle().skip(index + 1);

@@ -1,14 +1,14 @@
-//! The largest circle with no point inside that the points surround.
+//! The largest empty circle that the points surround.
 //!
-//! Of all circles with no point strictly inside and the centre in the convex hull, the largest; where the largest is
-//! reached on the edge of the hull, it could go on growing outwards and there is none. Locally largest circles are no
-//! answer (sets `cir2d13`, `scipy_cookbook1`): every Voronoi cell is looked at.
+//! Of all circles with no point strictly inside and with the centre in the convex hull, this is the largest. Where that
+//! one has its centre on the edge of the hull, it could grow further outwards, so there is none. Locally largest
+//! circles are not enough (sets `cir2d13`, `scipy_cookbook1`): every Voronoi cell is searched.
 
 use super::cell::{Cell, HalfPlane, Side};
 use super::frame::{minus, norm};
 use super::hull::{around, neighbours};
 
-/// Circles on the edge of the hull and inside it count as equal within this part.
+/// Circles on the edge of the hull and inside it count as equal within this fraction.
 const ROUNDING: f64 = 1e-12;
 
 /// Centre and radius, or `None` where no such circle exists.

@@ -1,16 +1,16 @@
 //! The circle with the least sum of squared radial deviations.
 //!
 //! Only the centre is searched for, because the best radius about any centre is the mean distance (Coope 1993). Three
-//! points: closed form. More: Taubin's algebraic circle as the start, then full Newton steps where they help and
-//! halved Gauss-Newton steps where they do not, and Newton steps to the last bit at the end. A search that stops when
-//! the sum of squares stops falling would leave about 1e-8 mm on rough short arcs.
+//! points: closed form. More: Taubin's algebraic circle as the start, then full Newton steps where they help and halved
+//! Gauss-Newton steps where they do not, and at the end Newton steps to the last bit. A search that stops when the sum
+//! of squares stops falling would leave about 1e-8 mm on rough short arcs.
 
 use super::frame::{circumcentre, count_f64, cross, dot, mean, minus, norm, unit};
 
 /// More steps than any set needs: one point far inside takes plain Gauss-Newton about 50.
 const MOST_STEPS: usize = 500;
 
-/// A centre farther away than this many half extents of the contacts is no circle: at 20 mm its arc rises 10 nm.
+/// A centre farther away than this many half extents of the contacts makes no circle: at 20 mm its arc rises 10 nm.
 const FARTHEST: f64 = 1e6;
 
 /// A least-squares circle.
@@ -37,7 +37,7 @@ impl Fit {
 
 /// How much farther a point lies from `centre` than the origin does.
 ///
-/// Written so that nothing of the size of the radius cancels: on a short arc of a large circle the rounding stays that
+/// Written so that no terms of the size of the radius cancel: on a short arc of a large circle the rounding stays that
 /// of the points.
 fn excess(point: [f64; 2], centre: [f64; 2]) -> f64 {
     let sum = norm(minus(point, centre)) + norm(centre);
@@ -67,7 +67,7 @@ struct Symmetric {
 }
 
 impl Symmetric {
-    /// Solves for the vector that this matrix turns into `right`; `None` unless positive definite.
+    /// Solves for the vector that this matrix maps to `right`; `None` unless the matrix is positive definite.
     fn solve(self, [right_x, right_y]: [f64; 2]) -> Option<[f64; 2]> {
         let determinant = self.xx * self.yy - self.xy * self.xy;
         if self.xx + self.yy <= 0.0 || determinant <= 0.0 {
@@ -153,7 +153,7 @@ fn search(points: &[[f64; 2]], start: [f64; 2]) -> Option<[f64; 2]> {
     Some(polish(points, centre, sums))
 }
 
-/// A centre with a smaller sum of squares: a Newton step, or a Gauss-Newton step halved until it helps.
+/// A centre with a smaller sum of squares: by a Newton step, or by a Gauss-Newton step halved until it helps.
 fn downhill(points: &[[f64; 2]], centre: [f64; 2], sums: &Sums) -> Option<([f64; 2], Sums)> {
     let improved = |step, part| {
         let there = moved(centre, step, part);
@@ -168,7 +168,7 @@ fn downhill(points: &[[f64; 2]], centre: [f64; 2], sums: &Sums) -> Option<([f64;
     halvings.take(40).find_map(|part| improved(step, part))
 }
 
-/// Newton steps for as long as they get shorter: to the last bit.
+/// Newton steps for as long as they get shorter, that is, to the last bit.
 fn polish(points: &[[f64; 2]], centre: [f64; 2], sums: Sums) -> [f64; 2] {
     let (mut centre, mut sums) = (centre, sums);
     let mut before = 1e-4 * (1.0 + norm(centre));
@@ -188,7 +188,7 @@ fn polish(points: &[[f64; 2]], centre: [f64; 2], sums: Sums) -> [f64; 2] {
     centre
 }
 
-/// Means of products of the points about their centroid.
+/// Means of products of the points' coordinates about their centroid.
 struct Moments {
     centroid: [f64; 2],
     xx: f64,
@@ -251,8 +251,8 @@ fn start(points: &[[f64; 2]]) -> Option<[f64; 2]> {
 /// The sum of squared distances from the best straight line.
 fn straight_squares(points: &[[f64; 2]]) -> f64 {
     let Moments { centroid, xx, xy, yy, .. } = Moments::of(points);
-    // The direction of the line halves the angle of (xx - yy, 2 xy); distances are summed directly, because the smaller
-    // eigenvalue of a nearly straight set would cancel.
+    // The direction of the line is half the angle of (xx - yy, 2 xy); distances are summed directly, because the
+    // smaller eigenvalue of a nearly straight set would cancel.
     let angle = (2.0 * xy).atan2(xx - yy) / 2.0;
     let along = [angle.cos(), angle.sin()];
     points.iter().map(|&point| cross(along, minus(point, centroid)).powi(2)).sum()

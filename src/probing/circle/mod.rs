@@ -9,11 +9,11 @@
 //! | `inscribed` | the largest empty circle that the contacts surround |
 //! | `zone` | the narrowest ring: roundness |
 //! | `two_point` | diameters between opposed contacts |
-//! | `uncertainty` | how much of a contact's scatter goes into diameter and centre |
+//! | `uncertainty` | how much a contact's scatter affects diameter and centre |
 //! | `warning` | what the contacts cannot tell |
 //!
-//! Everything here is `f64` millimetres and nothing is rounded; a result becomes a [`crate::length::Length`] once, in
-//! [`super::measurement`]. Heights (`z`) are not looked at. Limits and verdicts are elsewhere.
+//! Everything here is in `f64` millimetres and nothing is rounded; a result becomes a [`crate::length::Length`] once,
+//! in [`super::measurement`]. Heights (`z`) are not used. Limits and verdicts are elsewhere.
 
 mod cell;
 mod circumscribed;
@@ -37,16 +37,16 @@ pub use zone::Zone;
 /// A circle in millimetres.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Circle {
-    /// Centre in the reference axis.
+    /// Centre, reference axis.
     pub x: f64,
-    /// Centre in the minor axis.
+    /// Centre, minor axis.
     pub y: f64,
     /// Diameter.
     pub diameter: f64,
 }
 
-/// The most contacts for which the maximum inscribed circle and the minimum zone are searched for: the search looks at
-/// every pair of contacts. Beyond it they are left out, with [`CircleWarning::TooManyContacts`].
+/// The most contacts for which the maximum inscribed circle and the minimum zone are searched for: the search visits
+/// every pair of contacts. For more contacts both are left out, with [`CircleWarning::TooManyContacts`].
 pub const MOST_FOR_ZONE: usize = 3_000;
 
 /// Everything that contacts say about a circle. Lengths in millimetres.
@@ -62,13 +62,13 @@ pub struct Evaluation {
     pub maximum_inscribed: Option<Circle>,
     /// Minimum zone (GC): the ring of least width that holds all contacts.
     pub minimum_zone: Option<Zone>,
-    /// Two-point sizes (LP) where contacts oppose each other.
+    /// Two-point sizes (LP) where contacts are opposite each other.
     pub two_point: Vec<TwoPoint>,
-    /// The arc in degrees that the contacts cover: 360 less [`Self::largest_gap_deg`].
+    /// The arc in degrees that the contacts cover: 360 minus [`Self::largest_gap_deg`].
     pub arc_deg: f64,
     /// The largest angle in degrees without a contact, seen from the least-squares centre.
     pub largest_gap_deg: f64,
-    /// How scatter of the contacts goes into diameter and centre.
+    /// How the scatter of the contacts affects diameter and centre.
     pub uncertainty: Uncertainty,
     /// What the contacts cannot tell, and what is suspicious.
     pub warnings: Vec<CircleWarning>,
@@ -88,7 +88,7 @@ impl Evaluation {
         (squares / count_f64(self.residuals.len())).sqrt()
     }
 
-    /// Roundness by the minimum zone, where there is one.
+    /// Roundness by the minimum zone, if there is one.
     pub fn roundness(&self) -> Option<f64> {
         self.minimum_zone.map(|zone| zone.width)
     }
@@ -147,9 +147,9 @@ pub fn evaluate(contacts: &[Contact]) -> Result<Evaluation, CircleError> {
     Ok(evaluation)
 }
 
-/// The arc in degrees that contacts cover, seen from a circle's centre: 360 less the largest gap.
+/// The arc in degrees that contacts cover, seen from a circle's centre: 360 minus the largest gap.
 ///
-/// No contact, or one only, covers no arc.
+/// A single contact covers no arc, nor does an empty list.
 pub fn arc_deg(contacts: &[Contact], circle: &Circle) -> f64 {
     let points: Vec<_> = contacts.iter().map(|contact| [contact.x - circle.x, contact.y - circle.y]).collect();
     360.0 - largest_gap_deg(&points, [0.0, 0.0])

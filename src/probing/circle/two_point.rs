@@ -1,10 +1,10 @@
-//! Two-point sizes: distances between contacts that oppose each other.
+//! Two-point sizes: distances between contacts that are opposite each other.
 
 use super::frame::{Frame, dot, minus, norm};
 use crate::probing::contact::Contact;
 
-/// Contacts oppose each other when they lie within this many degrees of 180 apart, seen from the least-squares centre:
-/// on a diameter of 25 mm the chord is then at most 1 µm too short. Ours.
+/// Contacts are opposite each other when they lie within this many degrees of 180 apart, seen from the least-squares
+/// centre: on a diameter of 25 mm the chord is then at most 1 µm too short. Our choice.
 const WITHIN_DEG: f64 = 1.0;
 
 /// A size between two opposed contacts, ISO 14405-1 (LP).
@@ -16,11 +16,11 @@ pub struct TwoPoint {
     pub size: f64,
     /// Direction of the chord in degrees from the reference axis, from -90 (excluded) to 90.
     pub direction_deg: f64,
-    /// How much the chord is shorter than the diameter because it passes beside the centre: 2 e² / D, millimetres.
+    /// How much shorter the chord is than the diameter because it misses the centre: 2 e² / D, millimetres.
     pub short_by: f64,
 }
 
-/// Pairs of contacts that are each other's best opposite, by the lower number.
+/// Pairs of contacts that are each other's best opposite, sorted by the lower number.
 pub(super) fn opposed(contacts: &[Contact], frame: &Frame, centre: [f64; 2]) -> Vec<TwoPoint> {
     let places: Vec<_> = contacts.iter().map(|contact| minus(frame.place(contact), centre)).collect();
     let mut angles: Vec<(f64, usize)> = places.iter().map(|[x, y]| y.atan2(*x).to_degrees()).zip(0..).collect();
@@ -52,7 +52,7 @@ fn size(frame: &Frame, contacts: [usize; 2], from: [f64; 2], to: [f64; 2]) -> Tw
     }
 }
 
-/// The contact whose direction is nearest to a wanted one, if it is near enough; of equally near ones the first.
+/// The contact whose direction is nearest to the wanted one, if it is near enough; the first of equally near ones.
 fn nearest(angles: &[(f64, usize)], wanted: f64) -> Option<usize> {
     let after = angles.partition_point(|(angle, _)| *angle < wanted);
     let candidates = [after.checked_sub(1).unwrap_or(angles.len().saturating_sub(1)), after % angles.len().max(1)];

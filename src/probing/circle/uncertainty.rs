@@ -1,11 +1,11 @@
-//! How much of a contact's scatter goes into diameter and centre.
+//! How much a contact's scatter affects diameter and centre.
 
 use super::frame::{count_f64, mean, minus, unit};
 
-/// Standard uncertainties of the least-squares circle in units of that of one contact along the radius.
+/// Standard uncertainties of the least-squares circle, in units of the uncertainty of one contact along the radius.
 ///
-/// From the directions a of the contacts alone: rows (cos a, sin a, 1), covariance (JᵀJ)⁻¹, u(D) = 2 √C₃₃. Form of the
-/// workpiece is not in it.
+/// From the directions a of the contacts alone: rows (cos a, sin a, 1), covariance (JᵀJ)⁻¹, u(D) = 2 √C₃₃. The form of
+/// the workpiece is not included.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Uncertainty {
     /// u(D) / s.
@@ -16,7 +16,7 @@ pub struct Uncertainty {
     pub centre_across: f64,
 }
 
-/// u(D) / s of three contacts 120 degrees apart: 2 / √3, what short arcs are compared with.
+/// u(D) / s of three contacts 120 degrees apart: 2 / √3. Short arcs are compared with it.
 pub(super) const THREE_BY_120: f64 = 1.154_700_538_379_251_5;
 
 impl Uncertainty {

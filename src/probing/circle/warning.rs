@@ -3,16 +3,16 @@
 use super::{Evaluation, MOST_FOR_ZONE};
 use crate::message::Say;
 
-/// An arc from here on counts as half a circle or more: a half circle may come out a rounding short.
+/// An arc from here on counts as half a circle or more: rounding may make a half circle a little too short.
 const HALF_CIRCLE_DEG: f64 = 180.0 - 1e-6;
 
-/// A chord shorter than its diameter by more than this is named: 0.1 µm. Ours.
+/// A chord that is shorter than its diameter by more than this gets a warning: 0.1 µm. Our choice.
 const SHORT_CHORD_MM: f64 = 1e-4;
 
-/// So many warnings of a kind are listed: a file may hold a million repeated contacts.
+/// At most this many warnings of a kind are listed: a file may hold a million repeated contacts.
 const MOST_OF_A_KIND: usize = 5;
 
-/// One remark on an evaluation.
+/// One warning about an evaluation.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "circle")]
 pub enum CircleWarning {
@@ -41,13 +41,13 @@ pub enum CircleWarning {
     NoInscribed,
     /// A straight strip is narrower than every ring.
     NoZone,
-    /// Too many contacts to look at every pair.
+    /// Too many contacts to examine every pair.
     #[say(args(most = MOST_FOR_ZONE))]
     TooManyContacts {
         /// How many.
         contacts: usize,
     },
-    /// A two-point size beside the centre.
+    /// A two-point size whose chord misses the centre.
     ShortChord {
         /// Number of the first, from 1.
         first: usize,
@@ -71,7 +71,7 @@ pub enum CircleWarning {
     },
 }
 
-/// All remarks on an evaluation.
+/// All warnings about an evaluation.
 pub(super) fn all(evaluation: &Evaluation, repeated: &[[usize; 2]]) -> Vec<CircleWarning> {
     let mut warnings = Vec::new();
     let contacts = evaluation.residuals.len();

@@ -2,21 +2,21 @@
 //!
 //! At the best centre four points touch the ring: two outside and two inside, or three and one. Those centres are the
 //! corners of the nearest-point and the farthest-point Voronoi diagram and the crossings of an edge of one with an edge
-//! of the other; all of them are looked at, because the width has local minima. Widths are differences of radii, not
-//! of their squares.
+//! of the other; all of them are tried, because the width has local minima. Widths are differences of radii, not of
+//! their squares.
 
 use super::cell::{Cell, HalfPlane, Side, crossing};
 use super::frame::{Frame, cross, dot, minus, norm};
 use super::hull::{around, narrowest_strip, neighbours};
 
-/// Centres are searched for within so many half extents of the points. Farther away a ring is a straight strip.
+/// Centres are searched for within this many half extents of the points. Farther away a ring is a straight strip.
 const REACH: f64 = 1e4;
 
-/// How far beyond its ends an edge is still tried: every centre found is measured again.
+/// How far beyond its ends an edge is still tried: every centre that is found is measured again.
 const BEYOND: f64 = 1e-11;
 
-/// A ring narrower by less than this, in half extents of the points, is no better. On an exact circle every edge
-/// crosses every other near the centre, and each would be measured again for the sake of its last bit.
+/// A ring that is narrower by less than this, in half extents of the points, is no better. On an exact circle every
+/// edge crosses every other near the centre, and each would be measured again just for its last bit.
 const NO_BETTER: f64 = 1e-14;
 
 /// The ring of least width that holds all contacts. Lengths in millimetres.
@@ -26,7 +26,7 @@ pub struct Zone {
     pub x: f64,
     /// Centre in the minor axis.
     pub y: f64,
-    /// Outer less inner radius: the roundness.
+    /// Outer minus inner radius: the roundness.
     pub width: f64,
     /// Diameter of the outer circle.
     pub outer_diameter: f64,
@@ -85,7 +85,7 @@ pub(super) fn narrowest(points: &[[f64; 2]], hull: &[[f64; 2]], start: [f64; 2])
     };
     let mut width = consider(start);
     for &(centre, outer) in &far.corners {
-        // The corner's own radius is the outer one; the first point too far inside ends the look.
+        // The corner's own radius is the outer one; the first point too far inside ends the search.
         if points.iter().all(|&point| outer - norm(minus(point, centre)) < width - NO_BETTER) {
             width = consider(centre);
         }
@@ -126,11 +126,11 @@ struct DiagramEdge {
     start: [f64; 2],
     end: [f64; 2],
     line: HalfPlane,
-    /// [`BEYOND`] as part of the edge.
+    /// [`BEYOND`] as a fraction of the edge.
     beyond: f64,
-    /// Least distance of the edge to the two points.
+    /// Smallest distance of the edge to the two points.
     least: f64,
-    /// Greatest distance of the edge to the two points.
+    /// Largest distance of the edge to the two points.
     most: f64,
 }
 
@@ -150,7 +150,7 @@ impl Diagram {
         diagram
     }
 
-    /// Takes over the sides and corners of one cell that no earlier cell has brought.
+    /// Adds the sides and corners of one cell that no earlier cell has added.
     fn take(
         &mut self,
         cell: &Cell,
@@ -193,7 +193,7 @@ impl DiagramEdge {
         Self { own, start, end, line, beyond: BEYOND / length, least, most: start_distance.max(end_distance) }
     }
 
-    /// Where two edges cross, a little beyond their ends included.
+    /// Where two edges cross, including a little beyond their ends.
     fn meets(&self, other: &Self) -> Option<[f64; 2]> {
         let (along, other_along) = (minus(self.end, self.start), minus(other.end, other.start));
         let between = minus(other.start, self.start);

@@ -1,4 +1,4 @@
-//! The way of the probe through a cycle: moves as values that can be listed and stepped, and the contacts on it.
+//! The path of the probe through a cycle: moves that can be listed and stepped through, and the contacts on it.
 //!
 //! All places are those of the ball's centre in workpiece coordinates, millimetres.
 
@@ -10,7 +10,7 @@ use crate::probing::vector::along;
 /// What a move is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Phase {
-    /// To where a probing begins, at rapid traverse.
+    /// To the place where a probing begins, at rapid traverse.
     PrePosition,
     /// Towards the workpiece, at probing feed.
     Approach,
@@ -23,7 +23,7 @@ pub enum Phase {
 }
 
 impl Phase {
-    /// The word for machines.
+    /// The word for machines to read.
     pub const fn word(self) -> &'static str {
         match self {
             Self::PrePosition => "pre-position",
@@ -46,11 +46,11 @@ pub struct Move {
     pub from: [f64; 3],
     /// Where it ends, mm.
     pub to: [f64; 3],
-    /// The centre where it is an arc about it, mm; the shorter way round.
+    /// For an arc, its centre, mm; the arc takes the shorter way round.
     pub about: Option<[f64; 3]>,
 }
 
-/// Asks for contacts and writes down the way between them.
+/// Asks for contacts and records the path between them.
 pub struct Course<'a> {
     prober: &'a mut dyn Prober,
     moves: Vec<Move>,
@@ -63,7 +63,7 @@ impl<'a> Course<'a> {
         Self { prober, moves: Vec::new(), at: position, touches: 0 }
     }
 
-    /// The ball's radius, mm; zero where contacts are points of the surface already.
+    /// The ball's radius, mm; zero where contacts are already points of the surface.
     pub(in crate::probing) fn ball_radius(&self) -> f64 {
         self.prober.ball_radius()
     }
@@ -77,7 +77,7 @@ impl<'a> Course<'a> {
         self.go(Phase::PrePosition, to, None);
     }
 
-    /// Moves to above a place and down to it: over the clearance height where the way there is not at that height.
+    /// Moves above a place and down to it: over the clearance height if the ball is not yet at that height.
     pub(in crate::probing) fn pre_position_from_above(&mut self, to: [f64; 3], height: f64) {
         let [x, y, z] = to;
         let above = height.max(z);
@@ -93,7 +93,7 @@ impl<'a> Course<'a> {
         self.go(Phase::PrePosition, to, Some(centre));
     }
 
-    /// Probes from where the probing begins; the ball stays where it met the workpiece.
+    /// Probes from the start of the probing; the ball stays where it met the workpiece.
     pub(in crate::probing) fn touch(&mut self, touch: &Touch) -> Result<Contact, CycleError> {
         self.touches += 1;
         match self.prober.touch(touch) {
@@ -106,7 +106,7 @@ impl<'a> Course<'a> {
                 Ok(contact)
             }
             Err(error) => {
-                // The way that was probed in vain is shown as well, where it has an end.
+                // A path probed without a contact is also shown, where it has an end.
                 if touch.longest.is_finite() && !matches!(error, NoContact::InMaterial { .. }) {
                     self.at = Some(touch.from);
                     self.go(Phase::Approach, along(touch.from, touch.direction, touch.longest), None);
@@ -121,7 +121,7 @@ impl<'a> Course<'a> {
         self.go(Phase::Retract, to, None);
     }
 
-    /// Ends the cycle at the clearance height above where the ball is.
+    /// Ends the cycle at the clearance height, straight above the ball.
     pub(in crate::probing) fn leave(&mut self, height: f64) {
         if let Some(from @ [x, y, _]) = self.at.filter(|[_, _, z]| *z < height) {
             let to = [x, y, height];
@@ -133,14 +133,14 @@ impl<'a> Course<'a> {
     fn go(&mut self, phase: Phase, to: [f64; 3], about: Option<[f64; 3]>) {
         let from = self.at.replace(to).unwrap_or(to);
         let touch = if phase == Phase::PrePosition { self.touches + 1 } else { self.touches };
-        // The first place is where the way begins, and a move to where the ball is is none.
+        // The first place is the start of the path, and a move to where the ball already is does not count.
         if from.iter().zip(&to).any(|(from, to)| 0.0 < (to - from).abs()) {
             self.moves.push(Move { phase, touch: Some(touch), from, to, about });
         }
     }
 }
 
-/// A measured coordinate at the nearest nanometre.
+/// A measured coordinate, rounded to the nearest nanometre.
 pub(in crate::probing) fn nearest(mm: f64) -> Result<Length, CycleError> {
     Length::from_mm_f64(mm).map_err(CycleError::TooFar)
 }

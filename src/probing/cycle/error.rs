@@ -1,4 +1,4 @@
-//! Why a cycle did not run, or not to its end.
+//! Why a cycle did not run, or did not finish.
 
 use super::key::Key;
 use super::parameter::Range;
@@ -7,7 +7,7 @@ use crate::message::{Message, Say};
 use crate::probing::circle::CircleError;
 use crate::probing::contact::NoContact;
 
-/// Why a cycle did not run, or not to its end.
+/// Why a cycle did not run, or did not finish.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "cycle", error)]
 pub enum CycleError {
@@ -29,7 +29,7 @@ pub enum CycleError {
         key: Key,
         /// Its name.
         name: &'static str,
-        /// What is wrong with the text, said by the room that reads such texts.
+        /// What is wrong with the text, as the room that reads such texts puts it.
         error: Message,
     },
     /// A parameter without a default was not given.
@@ -39,7 +39,7 @@ pub enum CycleError {
         /// Its name.
         name: &'static str,
     },
-    /// PREDEF, and no GLOBAL DEF before.
+    /// PREDEF without a GLOBAL DEF before it.
     NoGlobal {
         /// The parameter.
         key: Key,
@@ -95,15 +95,15 @@ pub enum CycleError {
         contact: usize,
         /// How far apart.
         difference: Length,
-        /// The parameter that permits less.
+        /// The parameter that permits no more than its value.
         key: Key,
-        /// How much it permits.
+        /// How much is permitted.
         most: Length,
     },
     /// The probe met nothing.
     #[say(transparent)]
     NoContact(#[from] NoContact),
-    /// The contacts make no circle.
+    /// The contacts do not make a circle.
     #[say(transparent)]
     Circle(#[from] CircleError),
     /// The result is beyond what a length can hold.

@@ -1,4 +1,4 @@
-//! What a cycle is run with: values of parameters, the probe, where the machine stands.
+//! What a cycle is run with: values of parameters, the probe, the position of the machine.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// Nothing given, and the probe of the shipped table.
+    /// No values given, and the probe of the built-in table.
     pub fn new() -> Self {
         Self::default()
     }
@@ -31,21 +31,21 @@ impl Inputs {
         self
     }
 
-    /// Gives a parameter the value that PREDEF stands for: what GLOBAL DEF does in a program.
+    /// Gives a parameter the value that PREDEF stands for, as GLOBAL DEF does in a program.
     #[must_use]
     pub fn with_global(mut self, key: impl Into<Key>, value: Value) -> Self {
         self.globals.insert(key.into(), value);
         self
     }
 
-    /// Takes another row of the touch-probe table.
+    /// Uses another row of the touch-probe table.
     #[must_use]
     pub const fn with_probe(mut self, probe: TouchProbe) -> Self {
         self.probe = probe;
         self
     }
 
-    /// Says where the ball's centre stands before the cycle, mm. Only G785 without D and WB asks for it.
+    /// Sets where the ball's centre is before the cycle, mm. Only G785 without D and WB needs it.
     #[must_use]
     pub const fn with_position(mut self, position: [f64; 3]) -> Self {
         self.position = Some(position);
@@ -57,23 +57,23 @@ impl Inputs {
         &self.probe
     }
 
-    /// Where the ball's centre stands before the cycle, mm, if it was said.
+    /// Where the ball's centre is before the cycle, mm, if that was set.
     pub const fn position(&self) -> Option<[f64; 3]> {
         self.position
     }
 
-    /// The value of a parameter: what was given or, in the inputs of a result, its default.
+    /// The value of a parameter: the given one or, in the inputs of a result, its default.
     pub fn value(&self, key: impl Into<Key>) -> Option<&Value> {
         let key = key.into();
         self.filled.get(&key).or_else(|| self.given.get(&key))
     }
 
-    /// Whether a value was given, so that no default is taken.
+    /// Whether a value was given, so that no default is used.
     pub fn is_given(&self, key: impl Into<Key>) -> bool {
         self.given.contains_key(&key.into())
     }
 
-    /// A length of checked inputs; zero where there is none.
+    /// A length from checked inputs; zero if there is none.
     pub(in crate::probing) fn length(&self, key: impl Into<Key>) -> Length {
         if let Some(Value::Length(length)) = self.value(key) { *length } else { Length::ZERO }
     }

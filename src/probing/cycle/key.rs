@@ -1,4 +1,4 @@
-//! How programs name a parameter or a result: `Q273`, `QS400`, `BR`, `#i99`.
+//! What programs call a parameter or a result: `Q273`, `QS400`, `BR`, `#i99`.
 
 use std::fmt;
 
@@ -26,7 +26,7 @@ impl fmt::Display for Key {
 crate::message::as_text!(Key);
 
 impl From<u16> for Key {
-    /// A Q parameter by its number.
+    /// The Q parameter of this number.
     fn from(number: u16) -> Self {
         Self::Q(number)
     }

@@ -1,7 +1,7 @@
 //! What a parameter means: how it is drawn, and which sentence explains it.
 //!
-//! A cycle declares the meaning of each of its parameters; the drawings, the log and the status window ask for a meaning
-//! and never for the number of a parameter. A new cycle whose meanings are here needs no drawing of its own.
+//! A cycle declares the meaning of each of its parameters; the drawings, the log and the status window go by meaning,
+//! never by the number of a parameter. A new cycle with meanings from here needs no drawing of its own.
 
 use super::parameter::Range;
 
@@ -38,7 +38,7 @@ pub enum Meaning {
     FirstPoint(Axis),
     /// The second point of a ridge, in one axis.
     SecondPoint(Axis),
-    /// The diameter of the circle on which the probe stands before each contact.
+    /// The diameter of the circle on which the probe waits before each contact.
     StartDiameter,
     /// The angle of the first contact.
     FirstAngle,
@@ -46,7 +46,7 @@ pub enum Meaning {
     Step,
     /// The longest probing path, with its direction.
     Path,
-    /// How far two readings of one contact may differ.
+    /// How far two probings of one contact may differ.
     Difference,
     /// The height of the ball's centre during contact.
     MeasuringHeight,
@@ -112,7 +112,7 @@ pub enum Axis {
 }
 
 impl Meaning {
-    /// What is said of a parameter whose declaration says no more than its range.
+    /// The meaning of a parameter whose declaration gives no more than its range.
     pub(super) const fn of_range(range: Range) -> Self {
         match range {
             Range::Length { .. } => Self::Length,
@@ -124,12 +124,12 @@ impl Meaning {
         }
     }
 
-    /// Whether nothing but the range is known.
+    /// Whether only the range is known.
     pub const fn is_general(self) -> bool {
         matches!(self, Self::Length | Self::Angle | Self::Choice | Self::Number)
     }
 
-    /// The id of the sentence that explains it; in the plane there are two axes.
+    /// The id of the sentence that explains it; a plane has two axes.
     pub const fn sentence(self) -> &'static str {
         match self {
             Self::Centre(Axis::First) => "cycle-picture-centre-1",
@@ -192,7 +192,7 @@ impl Meaning {
         }
     }
 
-    /// Its word in the ids of other texts: `cycles-choice-log-1` is what 1 chooses.
+    /// Its word in the ids of other texts: `cycles-choice-log-1` explains the choice 1.
     pub fn word(self) -> &'static str {
         self.sentence().trim_start_matches("cycle-picture-")
     }

@@ -1,8 +1,8 @@
-//! What a measuring cycle declares: parameters with name, question, unit, range, default and meaning; the surface that it
-//! expects; what it does; its status window and its log.
+//! What a measuring cycle declares: parameters with name, question, unit, range, default and meaning; the surface that
+//! it expects; what it does; its status window and its log.
 //!
-//! Range errors, forms, drawings, NC blocks, logs and status windows are made from the declaration. Where contacts come
-//! from is not a cycle's business.
+//! Range errors, forms, drawings, NC blocks, logs and status windows are made from the declaration. A cycle does not
+//! know where its contacts come from.
 //!
 //! | file | what |
 //! |---|---|
@@ -10,12 +10,12 @@
 //! | `parameter` | one parameter: key, name, question, range, default |
 //! | `meaning` | what a parameter means: its drawing and its sentence |
 //! | `shared` | parameters that several cycles have |
-//! | `value` | what is put in and what comes out: lengths, angles, numbers, texts |
-//! | `inputs` | all values of a run, the probe, where the machine stands |
-//! | `course` | the way of the probe, move by move |
+//! | `value` | values of parameters and results: lengths, angles, numbers, texts |
+//! | `inputs` | all values of a run, the probe, the position of the machine |
+//! | `course` | the path of the probe, move by move |
 //! | `result` | what a cycle found |
 //! | `shown` | its status window and its measuring log |
-//! | `error` | why it did not run |
+//! | `error` | why a cycle did not run |
 
 mod course;
 mod error;
@@ -61,11 +61,11 @@ pub struct Cycle {
     pub names: Texts,
     /// Its parameters in the order of NC programs.
     pub parameters: &'static [Parameter],
-    /// The perfect surface that it would find nothing wrong with.
+    /// The perfect surface, in which the cycle would find no fault.
     pub surface: fn(&Inputs) -> Surface,
     /// Runs it on checked inputs.
     pub run: fn(&Inputs, &mut Course<'_>) -> Result<Measured, CycleError>,
-    /// What is checked, as the status window names it: the nominal size, or the measured axis.
+    /// What is checked, as the status window puts it: the nominal size, or the measured axis.
     pub subject: fn(&Inputs) -> Option<String>,
     /// Its status window.
     pub window: Window,
@@ -76,7 +76,7 @@ pub struct Cycle {
 /// The controls that have measuring cycles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Control {
-    /// A milling control: a `TCH PROBE` block, one parameter a line.
+    /// A milling control: a `TCH PROBE` block, one parameter per line.
     Milling,
     /// A lathe control: address letters on one line.
     Lathe,
@@ -95,7 +95,7 @@ pub struct Measured {
 }
 
 impl Cycle {
-    /// The name in a language; English where the language has none, else the first there is.
+    /// The name in a language; English if the language has none, else the first name in the list.
     pub fn name(&self, language: Dialogue) -> &'static str {
         let first = || self.names.first().map(|(_, name)| *name);
         in_language(self.names, language)
@@ -104,7 +104,7 @@ impl Cycle {
             .unwrap_or_default()
     }
 
-    /// A parameter by its key; a bare number is that of a Q parameter.
+    /// A parameter by its key; a bare number means a Q parameter.
     pub fn parameter(&self, key: impl Into<Key>) -> Option<&'static Parameter> {
         let key = key.into();
         self.parameters.iter().find(|parameter| parameter.key == key)
@@ -120,7 +120,7 @@ impl Cycle {
         self.parameters.iter().find(|parameter| parameter.meaning == meaning)
     }
 
-    /// What inputs say for a meaning; `None` where the cycle has no such parameter, or the inputs no value for it.
+    /// The inputs' value for a meaning; `None` if the cycle has no such parameter, or the inputs no value for it.
     pub fn value_of<'a>(&self, inputs: &'a Inputs, meaning: Meaning) -> Option<&'a Value> {
         inputs.value(self.meant(meaning)?.key)
     }
@@ -130,7 +130,7 @@ impl Cycle {
         if let Some(Value::Length(length)) = self.value_of(inputs, meaning) { Some(*length) } else { None }
     }
 
-    /// What is measured, as its drawings show it. Where inputs choose, it is what no input chooses.
+    /// What is measured, as its drawings show it. Where an input decides, this is the shape without inputs.
     pub fn shape(&self) -> Shape {
         (self.surface)(&Inputs::new()).shape()
     }
@@ -143,7 +143,7 @@ impl Cycle {
         let unknown = || self.no_such(name.trim());
         let parameter = self.parameter_named(name).ok_or_else(unknown)?;
         let value = match parameter.read(text)? {
-            // QS330 = "5" is the tool named 5, Q330 = 5 the tool with that number.
+            // QS330 = "5" is the tool with the name 5, Q330 = 5 the tool with that number.
             Value::Number(_) if parameter.range == Range::Tool && !parameter.key.is_exactly(name) => {
                 Value::Text(text.trim().to_owned())
             }
@@ -160,7 +160,7 @@ impl Cycle {
         self.measure_along(inputs, prober).1
     }
 
-    /// The same, and the way of the probe also where the cycle did not come to its end.
+    /// The same, and returns the path of the probe even where the cycle did not finish.
     pub fn measure_along(
         &self,
         inputs: &Inputs,
@@ -195,7 +195,7 @@ impl Cycle {
     /// The surface that the cycle expects by its inputs.
     ///
     /// # Errors
-    /// As [`Self::measure`], but for what only a contact can tell.
+    /// The same as for [`Self::measure`], except those that only a contact can cause.
     pub fn nominal(&self, inputs: &Inputs) -> Result<Surface, CycleError> {
         self.checked(inputs).map(|inputs| (self.surface)(&inputs))
     }
@@ -238,7 +238,7 @@ impl Cycle {
         CycleError::NoSuchParameter { cycle: self.code, parameter: parameter.to_owned(), known }
     }
 
-    /// Where the log goes: where a parameter asks for one, as that says.
+    /// Where the log goes: as the parameter for it says, if the cycle has one.
     fn log_target(&self, inputs: &Inputs) -> LogTarget {
         match (self.log.file(), self.value_of(inputs, Meaning::Log)) {
             (None, _) => LogTarget::Shown,
@@ -248,7 +248,7 @@ impl Cycle {
         }
     }
 
-    /// What was given without effect, and a tool that stays as it is.
+    /// Remarks about inputs without effect, and about a tool that is not corrected.
     fn remarks(&self, inputs: &Inputs) -> Vec<Remark> {
         let idle = self.parameters.iter().filter(|parameter| !parameter.has_effect && inputs.is_given(parameter.key));
         let mut remarks: Vec<_> = idle.map(|parameter| Remark::WithoutEffect { key: parameter.key }).collect();
@@ -263,7 +263,7 @@ impl Cycle {
     }
 }
 
-/// The limits of a cycle as two parameters: swapped is refused, both zero monitors nothing.
+/// The limits of a cycle from two parameters: swapped limits are an error, both zero monitors nothing.
 pub(in crate::probing) fn limits(
     inputs: &Inputs,
     minimum: u16,

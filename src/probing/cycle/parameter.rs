@@ -1,4 +1,4 @@
-//! The declaration of a parameter: key, name, question, range and what counts when it is not given.
+//! The declaration of a parameter: key, name, question, range and what applies when it is not given.
 
 use super::error::CycleError;
 use super::inputs::Inputs;
@@ -18,49 +18,49 @@ pub type Texts = &'static [(Dialogue, &'static str)];
 pub struct Parameter {
     /// What programs call it.
     pub key: Key,
-    /// Its name in English NC programs, behind the semicolon of a block.
+    /// Its name in English NC programs, after the semicolon of a block.
     pub name: &'static str,
     /// The same in other dialogue languages, where a source has it.
     pub names: Texts,
-    /// The control's own question, where it is known.
+    /// The question that the control asks, where it is known.
     pub questions: Texts,
-    /// What it may be.
+    /// The values that are allowed.
     pub range: Range,
     /// What it means: how it is drawn, and which sentence explains it.
     pub meaning: Meaning,
-    /// What counts when nothing is given.
+    /// What applies when no value is given.
     pub unset: Unset,
-    /// Another default, where another parameter has a certain value.
+    /// Another default for when another parameter has a certain value.
     pub unset_where: Option<UnsetWhere>,
     /// Whether PREDEF may stand for the value of GLOBAL DEF.
     pub may_be_predef: bool,
-    /// Whether it does anything; the others are accepted and kept only, and a form need not ask for them.
+    /// Whether it has an effect; the others are only accepted and kept, and a form need not ask for them.
     pub has_effect: bool,
 }
 
-/// What counts when a parameter is not given.
+/// What applies when a parameter is not given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unset {
     /// It must be given.
     Refused,
-    /// It has no value, and the cycle does without.
+    /// It has no value, and the cycle runs without one.
     Empty,
     /// A value: nanometres, ten-thousandths of a degree, or the number itself.
     Value(i64),
 }
 
-/// The default of a parameter where another one, a choice, has a certain value.
+/// The default of a parameter for when another one, a choice, has a certain value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct UnsetWhere {
     /// The other parameter.
     pub key: Key,
     /// Its value.
     pub is: i64,
-    /// The default then, as in [`Unset::Value`].
+    /// The default in that case, as in [`Unset::Value`].
     pub default: i64,
 }
 
-/// What a parameter may be; the bounds are allowed.
+/// The values that a parameter may have; both ends of a range are allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Range {
     /// A length, mm.
@@ -70,7 +70,7 @@ pub enum Range {
         /// To.
         most: Length,
     },
-    /// An angle, degrees, at most so many either way, and at least so many in size.
+    /// An angle, degrees, at most `most` either way and at least `smallest` in size.
     Angle {
         /// The most either way.
         most: Angle,
@@ -79,18 +79,18 @@ pub enum Range {
     },
     /// One of a few numbers.
     OneOf(&'static [i64]),
-    /// A number without a unit, at most so much either way.
+    /// A number without a unit, at most `most` either way.
     Number {
         /// The most either way.
         most: u16,
     },
     /// A tool by number, 0 to 99999.9 with 0 for none, or by name, at most 255 characters.
     Tool,
-    /// A tolerance band as QS400 has it, or none.
+    /// A tolerance band as in QS400, or none.
     Band,
 }
 
-/// The highest number of a tool; the digit behind the point is its index.
+/// The highest number of a tool; the digit after the point is its index.
 const HIGHEST_TOOL: f64 = 99_999.9;
 
 /// The most characters of a text parameter.
@@ -181,7 +181,7 @@ impl Parameter {
         Self::new(key, name, Range::OneOf(of))
     }
 
-    /// An angle in degrees, at most so many either way and at least so many in size.
+    /// An angle in degrees, at most `most` either way and at least `smallest` in size.
     pub const fn angle(key: Key, name: &'static str, most: i32, smallest: i32) -> Self {
         let range = Range::Angle { most: Angle::from_degrees(most), smallest: Angle::from_degrees(smallest) };
         Self::new(key, name, range)
@@ -236,7 +236,7 @@ impl Parameter {
         self
     }
 
-    /// The same, but accepted and kept only.
+    /// The same, but only accepted and kept.
     #[must_use]
     pub const fn without_effect(mut self) -> Self {
         self.has_effect = false;
@@ -255,12 +255,12 @@ impl Parameter {
             .unwrap_or_else(|| self.name_in(language))
     }
 
-    /// The value that counts when none is given, wherever no other parameter says otherwise.
+    /// The value that applies when none is given and no other parameter changes it.
     pub fn default_value(&self) -> Option<Value> {
         if let Unset::Value(default) = self.unset { self.value_of(default) } else { None }
     }
 
-    /// The value that counts when none is given, by the values of the other parameters.
+    /// The value that applies when none is given, depending on the other parameters.
     pub fn default_with(&self, inputs: &Inputs) -> Option<Value> {
         match self.unset_where {
             Some(UnsetWhere { key, is, default }) if inputs.value(key) == Some(&Value::Whole(is)) => {
@@ -280,7 +280,7 @@ impl Parameter {
         })
     }
 
-    /// Whether a value is one that this parameter may have.
+    /// Whether this parameter may have a value.
     pub fn allows(&self, value: &Value) -> bool {
         match (self.range, value) {
             (_, Value::Predef) => self.may_be_predef,
@@ -289,7 +289,7 @@ impl Parameter {
                 smallest.0 <= angle.0.saturating_abs() && angle.0.saturating_abs() <= most.0
             }
             (Range::OneOf(allowed), Value::Whole(whole)) => allowed.contains(whole),
-            // NaN is in no range.
+            // NaN is outside every range.
             (Range::Number { most }, Value::Number(number)) => number.abs() <= f64::from(most),
             (Range::Tool, Value::Number(number)) => {
                 let decimals = number.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len());
@@ -332,7 +332,7 @@ impl Parameter {
         read.map_err(|error| CycleError::NotAValue { key: self.key, name: self.name, error })
     }
 
-    /// Reads a value and holds it against the range.
+    /// Reads a value and checks it against the range.
     ///
     /// # Errors
     /// [`CycleError::NotAValue`] or [`CycleError::OutOfRange`].
@@ -356,14 +356,14 @@ fn no_number(text: &str) -> LengthError {
     if text.is_empty() { LengthError::Empty } else { LengthError::NotANumber { text: text.to_owned() } }
 }
 
-/// A whole number; one whose decimals are all zero is one as well, because programs write 3 as 3.0.
+/// A whole number, also with decimals that are all zero, because programs write 3 as 3.0.
 fn whole(text: &str) -> Option<i64> {
     let text = text.trim().replace('\u{2212}', "-");
     let (whole, decimals) = text.split_once(['.', ',']).unwrap_or((&text, ""));
     if decimals.bytes().all(|byte| byte == b'0') { whole.parse().ok() } else { None }
 }
 
-/// A finite decimal number with point or comma. Words such as `nan` and `inf` are none.
+/// A finite decimal number with point or comma. Words such as `nan` and `inf` do not count.
 pub(crate) fn number(text: &str) -> Option<f64> {
     let plain = text.trim().replace(',', ".").replace('\u{2212}', "-");
     let begins = plain.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit() || c == '.');

@@ -15,16 +15,16 @@ use crate::verdict::{PositionVerdict, Removal, Status};
 pub struct CycleResult {
     /// What it was run with, defaults filled in.
     pub inputs: Inputs,
-    /// The way of the ball's centre, move by move.
+    /// The path of the ball's centre, move by move.
     pub path: Vec<Move>,
-    /// Points of the surface in probing order, the ball's radius taken into account, mm.
+    /// Points of the surface in probing order, corrected for the ball's radius, mm.
     pub contacts: Vec<Contact>,
     /// What cycles that measure a circle found.
     pub circle: Option<CircleFound>,
-    /// What was compared with limits, each on its own; nothing that was not monitored.
+    /// What was compared with limits, one check per value; values that were not monitored are left out.
     pub checks: Vec<Check>,
-    /// The status that the markers tell: `Good` also where no limits were given, as on the control. `None` where the
-    /// cycle has no limits at all, or has none now and says so (Q183 = −1).
+    /// The status that the markers show: `Good` also where no limits were given, as on the control. `None` where the
+    /// cycle has no limits at all, or has none in this run and reports so (Q183 = −1).
     pub status: Option<Status>,
     /// The result parameters as the control lists them.
     pub results: Vec<Found>,
@@ -37,7 +37,7 @@ pub struct CycleResult {
 }
 
 impl CycleResult {
-    /// A measured length by what it is.
+    /// A measured length by its name.
     pub fn length(&self, name: FoundName) -> Option<Length> {
         let found = self.results.iter().find(|found| found.name == name)?;
         if let Value::Length(length) = found.value { Some(length) } else { None }
@@ -69,9 +69,9 @@ pub struct CircleFound {
     pub plane: Plane,
     /// The least-squares circle in that plane, unrounded, mm.
     pub circle: Circle,
-    /// The centre in first and second axis, at the nearest nanometre.
+    /// The centre in first and second axis, rounded to the nearest nanometre.
     pub centre: [Length; 2],
-    /// The diameter, at the nearest nanometre.
+    /// The diameter, rounded to the nearest nanometre.
     pub diameter: Length,
     /// The centre against its nominal position.
     pub position: PositionVerdict,
@@ -149,7 +149,7 @@ impl Found {
     }
 }
 
-/// What a result parameter is: a name in English, and its text in the locale files. A cycle may bring its own.
+/// What a result parameter is: a name in English, and its text in the locale files. A cycle may define its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct FoundName(&'static str);
 
@@ -164,7 +164,7 @@ impl FoundName {
     pub const SIDE_2: Self = Self::new("found-side-2");
     /// Measured width.
     pub const WIDTH: Self = Self::new("found-width");
-    /// Where the middle between two walls is in the measured axis.
+    /// The position of the middle between two walls in the measured axis.
     pub const CENTRE_LINE: Self = Self::new("found-centre-line");
     /// Deviation of a rectangle's side along the first axis.
     pub const SIDE_DEVIATION_1: Self = Self::new("found-side-deviation-1");
@@ -202,7 +202,7 @@ impl FoundName {
     pub const REWORK: Self = Self::new("found-rework");
     /// Marker of scrap.
     pub const SCRAP: Self = Self::new("found-scrap");
-    /// Status in one number.
+    /// Status as one number.
     pub const STATUS: Self = Self::new("found-status");
 
     /// Whether it is a coordinate of a centre, which has no limits of size.
@@ -255,7 +255,7 @@ impl Check {
         self.maximum.saturating_sub(self.measured)
     }
 
-    /// How much to take off, where that makes the part good.
+    /// How much to remove, where that makes the part good.
     pub fn removal(&self) -> Option<Removal> {
         let middle = self.minimum.midpoint(self.maximum);
         let beyond = self.above_minimum().min(self.below_maximum()).negated();
@@ -312,7 +312,7 @@ impl Say for Stop {
 pub enum LogTarget {
     /// There is none.
     None,
-    /// A file beside the program.
+    /// A file next to the program.
     File(&'static str),
     /// On the screen, and the program stops until it is started again.
     Screen,
@@ -324,7 +324,7 @@ pub enum LogTarget {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "remark")]
 pub enum Remark {
-    /// A parameter was given that does nothing.
+    /// A parameter was given that has no effect.
     WithoutEffect {
         /// The parameter.
         key: Key,
@@ -334,21 +334,21 @@ pub enum Remark {
         /// Its number or name.
         tool: String,
     },
-    /// Rework and scrap are those of an outside dimension.
+    /// Rework and scrap follow the rule for an outside dimension.
     OutsideDimension,
-    /// The nominal diameter does not lie between the limits, which a TNC7 asks for.
+    /// The nominal diameter is not between the limits, as a TNC7 requires.
     NominalOutsideLimits {
         /// The nominal diameter.
         nominal: Length,
     },
-    /// The nominal width does not lie between the limits, which a TNC7 asks for.
+    /// The nominal width is not between the limits, as a TNC7 requires.
     NominalWidthOutsideLimits {
         /// The nominal width.
         nominal: Length,
     },
     /// What `#i99` holds is not documented.
     VariableHoldsDiameter,
-    /// A tolerance text was given that is none, such as `0.1+0.1`.
+    /// A tolerance text was given that is not a tolerance, such as `0.1+0.1`.
     NoTolerance {
         /// The parameter.
         key: Key,

@@ -20,7 +20,7 @@ pub(in crate::probing) const POINT_2: Parameter = Parameter::coordinate(Key::Q(2
     .asked(&[(En, "1st meas. point 2nd axis?"), (It, "1. punto misurato sul 2. asse?")])
     .means(Meaning::Point(Axis::Second));
 
-/// The nominal centre of a hole, stud, pocket or boss, first and second axis.
+/// The nominal centre of a hole, shaft, pocket or boss, first and second axis.
 pub(in crate::probing) const CENTRE_1: Parameter = Parameter::coordinate(Key::Q(273), "CENTER IN 1ST AXIS")
     .asked(&[(En, "Center in 1st axis (nom. value)?")])
     .means(Meaning::Centre(Axis::First));
@@ -61,7 +61,7 @@ pub(in crate::probing) const SET_UP_CLEARANCE: Parameter = Parameter::size(Key::
     .or_predef()
     .means(Meaning::SetUpClearance);
 
-/// Where nothing is in the way.
+/// The height at which nothing is in the way.
 pub(in crate::probing) const CLEARANCE_HEIGHT: Parameter = Parameter::coordinate(Key::Q(260), "CLEARANCE HEIGHT")
     .named(&[(It, "ALTEZZA DI SICUREZZA")])
     .asked(&[(En, "Clearance height?"), (It, "Altezza di sicurezza?")])

@@ -1,4 +1,4 @@
-//! What a control shows and writes of a result: its status window and its measuring log, as a cycle declares them.
+//! How a control shows and writes a result: its status window and its measuring log, as a cycle declares them.
 
 use super::meaning::{Axis, Meaning};
 use super::result::FoundName;
@@ -8,9 +8,9 @@ use super::result::FoundName;
 pub enum Window {
     /// None: the cycle judges nothing.
     None,
-    /// That of program 82551, which shows a diameter.
+    /// The one of program 82551, which shows a diameter.
     Diameter,
-    /// One with a mask of the cycle's own, by its name: `427` is drawn with `427_nl.a` and its like.
+    /// One with a mask of the cycle's own, by its name: `427` is drawn with `427_nl.a` and so on.
     Own(&'static str),
 }
 
@@ -19,7 +19,7 @@ pub enum Window {
 pub enum Log {
     /// None; the control shows the result on its screen.
     Screen,
-    /// A text with the same sections for all cycles; Q281 asks for it.
+    /// A text with the same sections for all cycles, requested by Q281.
     Text(TextLog),
     /// A page of points with their deviations along the normal; written after every run.
     Points {
@@ -33,32 +33,31 @@ pub enum Log {
 pub struct TextLog {
     /// The name of the file.
     pub file: &'static str,
-    /// Its figures in the order of every section.
+    /// Its figures, in the order that every section uses.
     pub figures: &'static [LogFigure],
 }
 
 /// A measured value in the sections of a log.
 #[derive(Debug, Clone, Copy)]
 pub struct LogFigure {
-    /// The result that it is the actual value of.
+    /// The result that is its actual value.
     pub what: FoundName,
     /// Its words in `assets/logs`: those of the value, its maximum and its minimum.
     pub word: &'static str,
-    /// What stands beside the actual value.
+    /// What is given besides the actual value.
     pub kind: FigureKind,
 }
 
-/// What stands beside the actual value of a figure.
+/// What is given besides the actual value of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FigureKind {
-    /// A coordinate of a centre: nominal value, limits evenly about it, deviation. Beyond them it is scrap.
+    /// A coordinate of a centre: nominal value, symmetrical limits, deviation. Outside the limits it is scrap.
     Centre(Axis),
-    /// A size: the nominal value that the parameter of this meaning gives, limits of which 0 and 0 monitor nothing,
-    /// deviation.
+    /// A size: the nominal value from the parameter of this meaning, limits (0 and 0 monitor nothing), deviation.
     Size(Meaning),
-    /// A coordinate: limits of which 0 and 0 monitor nothing; a nominal value and a deviation only where the log has them.
+    /// A coordinate: limits (0 and 0 monitor nothing); a nominal value and a deviation only where the log has them.
     Coordinate,
-    /// Nothing: the value is information only.
+    /// Nothing: the value is for information only.
     Information,
 }
 

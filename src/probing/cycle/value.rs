@@ -14,7 +14,7 @@ pub(in crate::probing) const QUARTER_TURN: i64 = 900_000;
 pub struct Angle(pub(super) i64);
 
 impl Angle {
-    /// An angle of so many whole degrees.
+    /// An angle of this many whole degrees.
     pub const fn from_degrees(degrees: i32) -> Self {
         #[expect(clippy::as_conversions, reason = "widening in a const function")]
         Self(degrees as i64 * 10_000)
@@ -25,7 +25,7 @@ impl Angle {
         self.0
     }
 
-    /// The angle so many steps further, within one turn.
+    /// The angle turned on by this many steps, within one turn.
     #[must_use]
     pub fn stepped(self, step: Self, count: u8) -> Self {
         let turned = i128::from(self.0) + i128::from(step.0) * i128::from(count);
@@ -59,11 +59,11 @@ impl Angle {
 impl FromStr for Angle {
     type Err = LengthError;
 
-    /// Reads degrees with at most four decimals, point or comma: the same figures as a length.
+    /// Reads degrees with at most four decimals, point or comma: the same digits as a length.
     fn from_str(text: &str) -> Result<Self, LengthError> {
         let bare = text.trim();
         let bare = bare.strip_suffix('°').unwrap_or(bare);
-        // A length may name its unit; 45 mm is no angle.
+        // A length may name its unit; 45 mm is not an angle.
         if bare.contains(|c: char| c.is_alphabetic() || c == '°') {
             return Err(LengthError::NotANumber { text: text.trim().to_owned() });
         }
@@ -97,7 +97,7 @@ pub enum Value {
     Text(String),
     /// A tolerance band about a nominal coordinate (QS400); `None` for no tolerance.
     Band(Option<Deviations>),
-    /// The word PREDEF: the value that GLOBAL DEF has given.
+    /// The word PREDEF: the value from GLOBAL DEF.
     Predef,
 }
 
@@ -118,7 +118,7 @@ impl fmt::Display for Value {
 /// The word that stands for the value of GLOBAL DEF.
 pub(super) const PREDEF: &str = "PREDEF";
 
-/// A band as QS400 has it: `0.4-0.1`, `0.4`, `-0.1`.
+/// A band as in QS400: `0.4-0.1`, `0.4`, `-0.1`.
 fn band_text(band: &Deviations) -> String {
     let (upper, lower) = (band.upper(), band.lower());
     let plus = if Length::ZERO <= lower { "+" } else { "" };

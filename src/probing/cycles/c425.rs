@@ -2,8 +2,8 @@
 //!
 //! Parameters and ranges as in the cycle manual of the TNC 320, their order and names as in a public post-processor,
 //! course and results as in the manual of the TNC7: first in plus direction, then, shifted by Q310, in minus direction.
-//! Our readings: Q310 shifts across the measured axis; Q320 and Q301 come last, where a program has them at all; the
-//! second probing begins at rapid traverse as far from the wall as the nominal width lets expect it.
+//! Our interpretation: Q310 shifts across the measured axis; Q320 and Q301 come last, if a program has them at all; the
+//! second probing begins, at rapid traverse, as far from the wall as the nominal width suggests.
 
 use super::probed::{clearance, met, probing};
 use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, axis, measured, subject, surface};
@@ -68,7 +68,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
 
     let shift = if axis(inputs) == Axis::Second { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
     let shifted = along(start, shift, inputs.mm(310));
-    // Where the ball would touch the other wall, seen from the start, less the clearance.
+    // Where the ball would touch the other wall, seen from the start, minus the clearance.
     let gone = dot(along(ball, start, -1.0), plus);
     let expected = inputs.mm(311) - 2.0 * ball_radius - gone;
     let from = along(shifted, minus, (expected - clearance(inputs)).max(0.0));

@@ -1,9 +1,9 @@
 //! Cycle 426, measure ridge width: two points on either side, limits in Q288 and Q289.
 //!
-//! Parameters in the order of a public post-processor, with the names of its neighbours; ranges, course and results by
-//! analogy with 425 and 427, for no public page was found: first in minus direction onto the first point, then over the
-//! clearance height and in plus direction onto the second. Our reading: each probing begins `SET_UP`, Q320 and the ball's
-//! radius beside its point, so the first point is that with the larger coordinate.
+//! Parameters in the order of a public post-processor, with the names of its similar cycles; ranges, course and results
+//! by analogy with 425 and 427, because no public page was found: first in minus direction to the first point, then
+//! over the clearance height and in plus direction to the second. Our interpretation: each probing begins `SET_UP`,
+//! Q320 and the ball's radius away from its point, so the first point has the larger coordinate.
 
 use super::probed::met_at;
 use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, measured, subject, surface};

@@ -3,7 +3,7 @@
 //! Parameters, ranges, result and notes as in the Italian manual of TNC7. Rework and scrap are those of an outside
 //! dimension, as the cycle manual of the TNC 320 says: too large is rework, too small is scrap. The control's note that
 //! Q261 lies between Q276 and Q275 is left over from cycle 421 and does not hold here. That limits of 0 and 0 monitor
-//! nothing is our reading: 0 may be a real coordinate.
+//! nothing is our interpretation: 0 may be a real coordinate.
 
 use super::judged;
 use super::probed::met_at;
@@ -84,8 +84,8 @@ fn direction(inputs: &Inputs) -> [f64; 3] {
 
 /// Runs the cycle on checked inputs.
 ///
-/// Axis 1 and 2 take the ball's radius into account, axis 3 the probe's length: for a ball whose lowest point is the
-/// probe's length that is the same, the surface lies a radius ahead of the ball's centre.
+/// Axis 1 and 2 take the ball's radius into account, axis 3 the probe's length. For a ball whose lowest point is at the
+/// probe's length that is the same: the surface lies a radius ahead of the ball's centre.
 fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
     let limits = limits(inputs, 289, 288)?;
     let contact = met_at(point(inputs), direction(inputs), inputs, course)?;
@@ -98,6 +98,6 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     let checks: Vec<_> = judged::size(FoundName::COORDINATE, measured, limits, Feature::Shaft).into_iter().collect();
     let remarks = if checks.is_empty() { Vec::new() } else { vec![Remark::OutsideDimension] };
     let results = vec![Found::length(160, FoundName::COORDINATE, measured)];
-    // Without limits the markers are set all the same.
+    // The markers are set even without limits.
     Ok(Measured { remarks, ..judged::measured(inputs, vec![contact], checks, results) })
 }

@@ -1,8 +1,8 @@
 //! Cycle 444, probing in 3-D: one point of a free surface, its deviation along the normal.
 //!
-//! Course and principle as in the Dutch manual of TNC 640 (01/2021); parameters, QS400 and Q309 as in the cycle manual of the
-//! TNC 320. The ranges of the normal's components and the numbers of the results are from memory and may differ on a
-//! control.
+//! Course and principle as in the Dutch manual of TNC 640 (01/2021); parameters, QS400 and Q309 as in the cycle manual
+//! of the TNC 320. The ranges of the normal's components and the numbers of the results are from memory and may differ
+//! on a control.
 
 use super::judged;
 use super::probed::probing;
@@ -22,7 +22,7 @@ use crate::words::Dialogue::{En, Nl};
 /// The permitted deviation along the normal, as a text.
 const TOLERANCE: Key = Key::Qs(400);
 
-/// The retraction after the contact; without it the ball goes back to where the probing began.
+/// The retraction after the contact; without it the ball returns to where the probing began.
 const RETRACT: Key = Key::Word("MB");
 
 /// The declaration.
@@ -49,7 +49,7 @@ pub(super) const CYCLE: Cycle = Cycle {
             .means(Meaning::StopOnUndersize),
         Parameter::size(RETRACT, "RETRACTION").or_nothing().means(Meaning::Retract),
     ],
-    // One without a direction is named by the cycle itself.
+    // A normal without a direction is an error of the cycle itself.
     surface: |inputs| Surface::Point(FreePoint::flat(point(inputs), normal(inputs).unwrap_or_default())),
     run,
     subject: |_inputs| None,
@@ -57,7 +57,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     log: Log::Points { file: "TCHPR444.html" },
 };
 
-/// A component of the normal: what counts is the direction of all three, so any length will do.
+/// A component of the normal: only the direction of all three together counts, so any length will do.
 const fn component(number: u16, name: &'static str, axis: Axis) -> Parameter {
     Parameter::new(Key::Q(number), name, Range::Number { most: 10 }).means(Meaning::Normal(axis))
 }
@@ -67,7 +67,7 @@ fn point(inputs: &Inputs) -> [f64; 3] {
     [inputs.mm(263), inputs.mm(264), inputs.mm(294)]
 }
 
-/// The unit vector out of the material.
+/// The unit vector that points out of the material.
 fn normal(inputs: &Inputs) -> Result<[f64; 3], CycleError> {
     let keys @ [first, second, third] = [581, 582, 583].map(Key::Q);
     direction(keys.map(|key| inputs.number(key))).ok_or(CycleError::NoNormal { first, second, third })
@@ -91,10 +91,10 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     let contact = Contact::at(along(ball.place(), normal, -ball_radius));
     let (results, deviation) = measured(&contact, point(inputs), normal)?;
     let limits = inputs.band(TOLERANCE).map(|band| (band.lower(), band.upper()));
-    // Above the band there is material to take off, below it too much is gone.
+    // Above the band there is material to remove, below it too much is gone.
     let check = judged::size(FoundName::DEVIATION_ALONG, deviation, limits, Feature::Shaft);
     let checks: Vec<_> = check.into_iter().collect();
-    // A slip such as 0.1+0.2 for 0.1-0.2 shall not switch the monitoring off unseen.
+    // A typing mistake such as 0.1+0.2 for 0.1-0.2 must not switch off the monitoring unnoticed.
     let is_none = checks.is_empty() && inputs.is_given(TOLERANCE);
     let remarks = if is_none { vec![Remark::NoTolerance { key: TOLERANCE }] } else { Vec::new() };
     let status = check.map(|check| check.status);

@@ -21,10 +21,10 @@ use crate::words::Dialogue::En;
 /// The name of Q262.
 const NOMINAL_DIAMETER: &str = "NOMINAL DIAMETER";
 
-/// The step between three contacts when Q247 is not given: 90 degrees would leave half the circle unseen.
+/// The step between three contacts when Q247 is not given: with 90 degrees half the circle would be unmeasured.
 const STEP_OF_THREE: i64 = Angle::from_degrees(120).ten_thousandths();
 
-/// What differs between hole and stud.
+/// What differs between hole and shaft.
 pub(super) struct Side {
     pub(super) feature: Feature,
     /// The Q number of the maximum dimension.
@@ -124,17 +124,17 @@ pub(super) fn run(side: &Side, inputs: &Inputs, course: &mut Course<'_>) -> Resu
     Ok(Measured { circle: Some(found), remarks, ..measured })
 }
 
-/// The hole or stud at nominal.
+/// The hole or shaft at its nominal size.
 pub(super) fn surface(feature: Feature, inputs: &Inputs) -> Surface {
     Surface::Round(Workpiece::round(feature, [inputs.mm(273), inputs.mm(274)], inputs.mm(262)), Plane::Xy)
 }
 
-/// The nominal diameter, as the status window names it.
+/// The nominal diameter, as the status window shows it.
 pub(super) fn subject(inputs: &Inputs) -> String {
     inputs.length(262).to_string()
 }
 
-/// The contacts in order: at Q325 + k · Q247, from inside a hole or from outside a stud.
+/// The contacts in order: at Q325 + k · Q247, from inside a hole or from outside a shaft.
 fn touches(side: &Side, inputs: &Inputs, ball_radius: f64) -> Vec<Touch> {
     let (x, y, height) = (inputs.mm(273), inputs.mm(274), inputs.mm(261));
     let radius = inputs.mm(262) / 2.0;

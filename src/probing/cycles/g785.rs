@@ -1,10 +1,10 @@
 //! G785 of lathe controls, circle measurement: three contacts, centre and diameter, no limits.
 //!
-//! As in the manual of `MANUALplus` 620 and CNC PILOT 640 (54843x-03). Our readings where the manual is silent: angles
-//! count from the first axis of the plane to the second; a positive K leads away from the centre, a negative one towards
-//! it; without D every probing begins at the present position, and that is the nominal centre where nothing else is said;
-//! I and J are 0 without input; `#i99` holds the diameter. Q, P and H stand in the example block only: they are accepted
-//! without effect.
+//! As in the manual of `MANUALplus` 620 and CNC PILOT 640 (54843x-03). Our interpretation where the manual says
+//! nothing: angles count from the first axis of the plane to the second; a positive K leads away from the centre, a
+//! negative one towards it; without D every probing begins at the present position, which is the nominal centre unless
+//! set otherwise; I and J are 0 without input; `#i99` holds the diameter. Q, P and H are only in the example block:
+//! they are accepted without effect.
 
 use super::round;
 use crate::length::Length;
@@ -30,7 +30,7 @@ const CENTRE_1: Key = Key::Word("I");
 const CENTRE_2: Key = Key::Word("J");
 const PERMITTED: Key = Key::Word("WE");
 
-/// How many contacts there are round the circle.
+/// The number of contacts round the circle.
 const TOUCHES: u8 = 3;
 
 /// The declaration, in the order of the manual's list.
@@ -101,17 +101,17 @@ fn centre(inputs: &Inputs) -> [f64; 2] {
     [inputs.mm(CENTRE_1), inputs.mm(CENTRE_2)]
 }
 
-/// The circle that is met half-way along K by a ball without a radius: the cycle knows no nominal diameter.
+/// The circle that a ball without a radius meets half-way along K: the cycle has no nominal diameter.
 fn surface(inputs: &Inputs) -> Surface {
     let reached = inputs.mm(START_DIAMETER) / 2.0 + inputs.mm(PATH) / 2.0;
     Surface::Round(Workpiece::round(feature(inputs), centre(inputs), 2.0 * reached.abs()), plane(inputs))
 }
 
-/// Where the probings begin and where they lead, in plane coordinates.
+/// Where the probings begin and in which direction they go, in plane coordinates.
 fn touches(inputs: &Inputs) -> Vec<Touch> {
     let plane = plane(inputs);
     let [first, second] = centre(inputs);
-    // The present position; nominal centre and height 0 where nobody said it.
+    // The present position; nominal centre and height 0 where none was set.
     let present = inputs.position().map_or([first, second, 0.0], |place| plane.within(place));
     let [present_1, present_2, present_height] = present;
     let height = if inputs.value(HEIGHT).is_some() { inputs.mm(HEIGHT) } else { present_height };
@@ -156,7 +156,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     let (contacts, found) =
         round::found(contacts, feature(inputs), plane, course.ball_radius(), nominal, [Length::ZERO; 2])?;
     let [centre_1, centre_2] = found.centre;
-    // The screen shows the centre; by which name is not documented.
+    // The screen shows the centre; its name there is not documented.
     let [axis_1, axis_2] = plane.axes().map(Key::Word);
     Ok(Measured {
         contacts,
@@ -188,6 +188,6 @@ fn contact(touch: &Touch, number: usize, inputs: &Inputs, course: &mut Course<'_
     if most < difference {
         return Err(CycleError::Apart { contact: number, difference, key: PERMITTED, most });
     }
-    // The mean, without rounding anything away where both are the same.
+    // The mean, without any rounding where both are the same.
     Ok(Contact::at(along(one, along(other, one, -1.0), 0.5)))
 }

@@ -1,4 +1,4 @@
-//! What cycles that monitor limits share: sizes and centres against them, the stop, the markers.
+//! What cycles that monitor limits share: the check of sizes and centres, the stop, the markers.
 
 use crate::length::Length;
 use crate::probing::contact::Contact;
@@ -27,8 +27,8 @@ pub(super) fn position(centre: [Length; 2], nominal: [Length; 2], tolerances: [L
     PositionVerdict { axes: [axis(centre_1, nominal_1, tolerance_1), axis(centre_2, nominal_2, tolerance_2)] }
 }
 
-/// Each axis of a centre that has a tolerance, each its own cause: out of position cannot be machined back, so it is
-/// scrap.
+/// Each axis of a centre that has a tolerance, as a check of its own: a wrong position cannot be machined away, so it
+/// is scrap.
 pub(super) fn centre(centre: [Length; 2], nominal: [Length; 2], position: &PositionVerdict) -> Vec<Check> {
     let names = [FoundName::CENTRE_1, FoundName::CENTRE_2];
     let axes = names.into_iter().zip(centre).zip(nominal.into_iter().zip(position.axes));
@@ -50,8 +50,8 @@ fn worst(checks: &[Check]) -> Status {
     checks.iter().map(|check| check.status).max().unwrap_or(Status::Good)
 }
 
-/// What a cycle that monitors limits comes to, with its markers, and the stop where Q309 asks for one and something is
-/// out.
+/// The result of a cycle that monitors limits: with its markers, and with the stop where Q309 asks for one and a value
+/// is out of tolerance.
 pub(super) fn measured(
     inputs: &Inputs,
     contacts: Vec<Contact>,
@@ -64,12 +64,12 @@ pub(super) fn measured(
     Measured { contacts, circle: None, checks, status: Some(status), results, stop, remarks: Vec::new() }
 }
 
-/// Whether a nominal size does not lie between its limits.
+/// Whether a nominal size is not between its limits.
 pub(super) fn is_outside(nominal: Length, limits: Option<(Length, Length)>) -> bool {
     limits.is_some_and(|(minimum, maximum)| nominal < minimum || maximum < nominal)
 }
 
-/// How far two opposite walls are apart, and where the middle between them is, at the nearest nanometre.
+/// The distance between two opposite walls and the middle between them, rounded to the nearest nanometre.
 pub(super) fn between(one: f64, other: f64) -> Result<(Length, Length), CycleError> {
     Ok((nearest((one - other).abs())?, nearest(f64::midpoint(one, other))?))
 }

@@ -5,9 +5,9 @@
 //! | `circle_cycle` | what 421 and 422 share |
 //! | `rectangle_cycle` | what 423 and 424 share |
 //! | `width_cycle` | what 425 and 426 share |
-//! | `round` | from contacts to a circle |
+//! | `round` | the circle through contacts |
 //! | `judged` | sizes and centres against their limits |
-//! | `probed` | the clearance before a surface, and the point of it that was met |
+//! | `probed` | the clearance before a surface, and the point where the ball met the surface |
 //! | `c421` | 421, measure hole |
 //! | `c422` | 422, measure circle outside |
 //! | `c423` | 423, measure rectangle inside |

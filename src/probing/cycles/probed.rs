@@ -1,10 +1,10 @@
-//! How milling cycles probe: the clearance before a surface, and the point of it that the ball met.
+//! How milling cycles probe: the clearance before a surface, and the point where the ball met the surface.
 
 use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::{Course, CycleError, Inputs};
 use crate::probing::vector::along;
 
-/// The set-up clearance, mm: Q320 and that of the probe.
+/// The set-up clearance, mm: Q320 plus that of the probe.
 pub(super) fn clearance(inputs: &Inputs) -> f64 {
     inputs.mm(320) + inputs.probe().set_up.to_mm_f64()
 }
@@ -14,14 +14,14 @@ pub(super) fn probing(inputs: &Inputs, from: [f64; 3], direction: [f64; 3]) -> T
     Touch { from, direction, longest: inputs.probe().longest_path.to_mm_f64() }
 }
 
-/// Probes and moves back: the point of the surface that the ball met.
+/// Probes and moves back: the point where the ball met the surface.
 pub(super) fn met(touch: &Touch, course: &mut Course<'_>) -> Result<Contact, CycleError> {
     let ball = course.touch(touch)?;
     course.retract(touch.from);
     Ok(Contact::at(along(ball.place(), touch.direction, course.ball_radius())))
 }
 
-/// Probes towards a point from the clearance before it, coming from above: the point of the surface that the ball met.
+/// Probes towards a point from the clearance before it, coming from above: the point where the ball met the surface.
 pub(super) fn met_at(
     point: [f64; 3],
     direction: [f64; 3],

@@ -1,11 +1,11 @@
 //! What cycles 423 and 424 share: four contacts on the walls of a rectangle, centre and sides.
 //!
 //! Parameters and ranges as in the cycle manual of the TNC 320, their order and names as in a public post-processor;
-//! results and course as in the manual of the TNC7. Our readings: contacts 1 to 4 lie in plus direction of the first axis,
-//! plus of the second, minus of the first and minus of the second, on the axes through the nominal centre; a side is the
-//! distance of its two contacts, the centre their middle, and a rectangle that is turned is not corrected. A pocket side
-//! that is too large is scrap, one that is too small rework, a boss the reverse, as the control's error texts say; a
-//! centre out of position counts as scrap.
+//! results and course as in the manual of the TNC7. Our interpretation: contacts 1 to 4 lie in plus direction of the
+//! first axis, plus of the second, minus of the first and minus of the second, on the axes through the nominal centre;
+//! a side is the distance of its two contacts, the centre their middle, and a rectangle that is turned is not
+//! corrected. A pocket side that is too large is scrap, one that is too small is rework; for a boss it is the reverse,
+//! as the control's error texts say. A centre out of position counts as scrap.
 
 use super::judged;
 use super::probed::{clearance, met, probing};
@@ -44,7 +44,7 @@ pub(super) const PARAMETERS: [Parameter; 17] = [
     TOOL,
 ];
 
-/// The figures of the log; their order is our reading.
+/// The figures of the log; their order is our choice.
 pub(super) const FIGURES: &[LogFigure] = &[
     LogFigure { what: FoundName::CENTRE_1, word: "centre-1", kind: FigureKind::Centre(Axis::First) },
     LogFigure { what: FoundName::CENTRE_2, word: "centre-2", kind: FigureKind::Centre(Axis::Second) },
@@ -52,13 +52,13 @@ pub(super) const FIGURES: &[LogFigure] = &[
     LogFigure { what: FoundName::SIDE_2, word: "side-2", kind: FigureKind::Size(Meaning::Side(Axis::Second)) },
 ];
 
-/// The rectangle at nominal.
+/// The rectangle at its nominal size.
 pub(super) fn surface(feature: Feature, inputs: &Inputs) -> Surface {
     let [x, y, _] = centre(inputs);
     Surface::Walls(Walls::new(feature, [x, y], (inputs.mm(282), Some(inputs.mm(283)))))
 }
 
-/// The nominal sides, as the status window names them.
+/// The nominal sides, as the status window shows them.
 pub(super) fn subject(inputs: &Inputs) -> String {
     format!("{} x {}", inputs.length(282), inputs.length(283))
 }
@@ -102,20 +102,20 @@ fn touches(feature: Feature, inputs: &Inputs, ball_radius: f64) -> [Touch; 4] {
     ]
 }
 
-/// From above to the first contact; to the others as Q301 says, at measuring height one axis after the other.
+/// From above to the first contact; to the others as Q301 says, and at measuring height one axis after the other.
 fn pre_position(inputs: &Inputs, before: Option<[f64; 3]>, to: [f64; 3], course: &mut Course<'_>) {
     let Some([before_x, before_y, _]) = before.filter(|_| inputs.whole(301) == 0) else {
         return course.pre_position_from_above(to, inputs.mm(260));
     };
     let ([to_x, to_y, height], [centre_x, _, _]) = (to, centre(inputs));
-    // The contact before was beside the centre in one axis, this one is in the other.
+    // The previous contact was off the centre in one axis, this one is in the other.
     let is_from_first = (to_x - centre_x).abs() <= 0.0;
     let corner = if is_from_first { [before_x, to_y, height] } else { [to_x, before_y, height] };
     course.pre_position(corner);
     course.pre_position(to);
 }
 
-/// What four contacts on the walls come to: Q151, Q152 centre, Q154, Q155 sides, Q161 to Q165 their deviations.
+/// The results of four contacts on the walls: Q151, Q152 centre, Q154, Q155 sides, Q161 to Q165 their deviations.
 fn measured(
     feature: Feature,
     inputs: &Inputs,

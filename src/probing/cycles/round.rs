@@ -1,8 +1,8 @@
-//! From contacts to a circle, for every cycle that measures one.
+//! The circle through contacts, for every cycle that measures one.
 //!
-//! The circle goes through the ball's centres and is then widened or narrowed by the ball: so the ball's radius is taken
-//! into account exactly, wherever the circle lies. How the control itself fits contacts is not published; geometric least
-//! squares is our choice.
+//! The circle goes through the ball's centres and is then widened or narrowed by the ball: this takes the ball's radius
+//! into account exactly, wherever the circle lies. How the control itself fits a circle to contacts is not published;
+//! geometric least squares is our choice.
 
 use super::judged;
 use crate::length::Length;
@@ -47,7 +47,7 @@ fn fit(
     };
     let on_surface = |contact: &Contact| {
         let (off_x, off_y) = (contact.x - circle.x, contact.y - circle.y);
-        // Three contacts of one circle are never all at its centre; one that is stays there.
+        // Three contacts of one circle are never all at its centre; a contact that is there stays there.
         let distance = off_x.hypot(off_y);
         let share = if distance <= 0.0 { 0.0 } else { outward / distance };
         Contact::at(plane.place([contact.x + off_x * share, contact.y + off_y * share, contact.z]))

@@ -1,9 +1,8 @@
 //! What cycles 425 and 426 share: two contacts on opposite walls along one axis, width and centre line.
 //!
-//! Parameters in the order of a public post-processor; results Q156, Q157 and Q166 as the TNC7 manual has them for 425,
-//! those of 426 by analogy. That a slot which is too large is scrap and a ridge which is too large is rework is our
-//! reading of the control's error texts, as for 421 and 422. Walls that stand at an angle to the measured axis are not
-//! corrected.
+//! Parameters in the order of a public post-processor; results Q156, Q157 and Q166 as in the TNC7 manual for 425, those
+//! of 426 by analogy. That too large a slot is scrap and too large a ridge is rework is our interpretation of the
+//! control's error texts, as for 421 and 422. Walls at an angle to the measured axis are not corrected.
 
 use super::judged;
 use crate::length::Length;
@@ -35,7 +34,7 @@ pub(super) const MINIMUM: Parameter = Parameter::size(Key::Q(289), "MINIMUM LIMI
     .or(0)
     .means(Meaning::MinimumWidth);
 
-/// The figures of the log; their order is our reading.
+/// The figures of the log; their order is our choice.
 pub(super) const FIGURES: &[LogFigure] = &[
     LogFigure { what: FoundName::WIDTH, word: "width", kind: FigureKind::Size(Meaning::Width) },
     LogFigure { what: FoundName::CENTRE_LINE, word: "centre-line", kind: FigureKind::Information },
@@ -51,18 +50,18 @@ pub(super) fn along_axis(inputs: &Inputs) -> [f64; 3] {
     if axis(inputs) == Axis::Second { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] }
 }
 
-/// The walls at nominal about a place.
+/// The walls at nominal size about a place.
 pub(super) fn surface(feature: Feature, [x, y]: [f64; 2], inputs: &Inputs) -> Surface {
     let angle = if axis(inputs) == Axis::Second { 90.0 } else { 0.0 };
     Surface::Walls(Walls { angle, ..Walls::new(feature, [x, y], (inputs.mm(311), None)) })
 }
 
-/// The nominal width, as the status window names it.
+/// The nominal width, as the status window shows it.
 pub(super) fn subject(inputs: &Inputs) -> String {
     inputs.length(311).to_string()
 }
 
-/// What two contacts on the walls come to.
+/// The results of two contacts on the walls.
 pub(super) fn measured(
     feature: Feature,
     inputs: &Inputs,

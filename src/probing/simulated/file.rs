@@ -29,8 +29,8 @@
 //! | `[slot]`, `[ridge]` | two parallel walls | centre, width, angle, `surface_scatter` |
 //! | `[pocket]`, `[boss]` | a rectangle | centre, lengths = \[first, second\], angle, `surface_scatter` |
 //!
-//! The angle of walls is that of the first length, from the first axis; 0 without it. Lengths are millimetres, angles
-//! degrees. A key that is not known is refused.
+//! The angle of walls is that of the first length, from the first axis; 0 if it is not given. Lengths are in
+//! millimetres, angles in degrees. An unknown key is an error.
 
 use serde::{Deserialize, Serialize};
 
@@ -45,7 +45,7 @@ const STEEL: f64 = 11.5;
 /// The temperature that sizes refer to (ISO 1), °C.
 const REFERENCE: f64 = 20.0;
 
-/// The most characters of what the reader of TOML says.
+/// The most characters of the TOML reader's message.
 const LONGEST: usize = 300;
 
 /// A simulated machine before it is switched on.
@@ -59,37 +59,37 @@ pub struct Simulation {
     pub seed: u64,
     /// Temperature of the workpiece, °C.
     pub temperature: f64,
-    /// How much the workpiece grows, millionths per kelvin.
+    /// Thermal expansion of the workpiece, millionths per kelvin.
     pub expansion: f64,
 }
 
-/// Why a file is no machine.
+/// Why a file is not a machine.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "workpiece-file", error)]
 pub enum SimulationError {
-    /// It is no TOML, or has other keys.
+    /// It is not TOML, or has other keys.
     Toml {
-        /// Where.
+        /// The line.
         line: usize,
-        /// What the reader of TOML says, in English.
+        /// The TOML reader's message, in English.
         said: String,
     },
-    /// Not exactly one surface.
+    /// No surface, or more than one.
     #[say(args(tables = tables()))]
     NotOne {
         /// How many there are.
         found: usize,
     },
-    /// A figure that cannot be.
+    /// An impossible figure.
     CannotBe {
-        /// Where.
+        /// The line.
         line: usize,
         /// Which figure, and what is allowed.
         error: WorkpieceError,
     },
 }
 
-/// The tables of which a file has one: `[bore], [stud], …`.
+/// The tables of which a file has exactly one: `[bore], [stud], …`.
 fn tables() -> String {
     Shape::ALL.map(|shape| format!("[{}]", shape.table())).join(", ")
 }
@@ -237,10 +237,10 @@ impl Simulation {
         Ok(simulation)
     }
 
-    /// The machine as a file that [`Self::read`] reads back as the same.
+    /// The machine as a file; [`Self::read`] turns it back into the same machine.
     ///
     /// # Errors
-    /// What the writer of TOML says, for figures that no file can hold.
+    /// The TOML writer's message, for figures that no file can hold.
     pub fn write(&self) -> Result<String, toml::ser::Error> {
         let (seed, temperature, expansion, probe) = (self.seed, self.temperature, self.expansion, self.probe);
         let mut file = File { seed, temperature, expansion, probe, ..File::default() };
@@ -271,7 +271,7 @@ impl Simulation {
     /// Switches the machine on: the workpiece grows about its zero with its temperature, the scales do not.
     ///
     /// # Errors
-    /// [`WorkpieceError`] names the figure that cannot be.
+    /// [`WorkpieceError`] names the impossible figure.
     pub fn machine(&self) -> Result<Machine, WorkpieceError> {
         self.check()?;
         let factor = 1.0 + self.expansion * 1e-6 * (self.temperature - REFERENCE);
@@ -279,7 +279,7 @@ impl Simulation {
     }
 }
 
-/// A table of a file, as that of a hole or as that of a shaft.
+/// A table of a file, either as a hole's or as a shaft's.
 const fn hole_or_shaft<T: Copy>(feature: Feature, table: T) -> (Option<T>, Option<T>) {
     match feature {
         Feature::Hole => (Some(table), None),
@@ -287,7 +287,7 @@ const fn hole_or_shaft<T: Copy>(feature: Feature, table: T) -> (Option<T>, Optio
     }
 }
 
-/// What the reader of TOML says, without the whole of a very long key.
+/// The TOML reader's message, cut off where a key is very long.
 fn bounded(said: &str) -> String {
     match said.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", said.get(..end).unwrap_or_default()),
@@ -295,7 +295,7 @@ fn bounded(said: &str) -> String {
     }
 }
 
-/// What the reader of TOML says, in a user's words: numbers instead of their types, and which key stands twice.
+/// The TOML reader's message in a user's words: numbers instead of their types, and which key is there twice.
 fn plain(error: &toml::de::Error, text: &str) -> String {
     let said = error.message().replace("expected f64", "expected a number");
     let said = said.replace("expected u64", "expected a whole number from 0 to 9223372036854775807");
@@ -311,7 +311,7 @@ fn line_at(text: &str, offset: usize) -> usize {
     1 + text.bytes().take(offset).filter(|byte| *byte == b'\n').count()
 }
 
-/// The line of the key that a figure was given by; the first line of the table where it was not given.
+/// The line of the key that gave a figure; the first line of the table if the figure was not given.
 fn line_of(text: &str, kind: &str, what: &str) -> usize {
     let (table, key) = match what {
         "temperature" | "expansion" => (None, what),

@@ -1,9 +1,9 @@
-//! A workpiece and a probe that exist only here: form, scatter from a seed, temperature, a ball that is not a point.
+//! A workpiece and a probe that exist only in Fitcheck: form, scatter from a seed, temperature, a ball with a radius.
 //!
 //! | file | what |
 //! |---|---|
 //! | `file` | all of it as one TOML file |
-//! | `shape` | what there is to probe, by its shape |
+//! | `shape` | what can be probed, by its shape |
 //! | `surface` | round features, plane faces, points of free surfaces |
 //! | `walls` | slots, ridges, pockets and bosses |
 //! | `workpiece` | a round, oval or lobed contour |
@@ -41,7 +41,7 @@ use crate::message::Say;
 /// The largest coordinate and diameter, mm.
 const FARTHEST: f64 = 100_000.0;
 
-/// Why a workpiece cannot be.
+/// Why a workpiece is impossible.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(id = "workpiece-cannot-be", error)]
 pub struct WorkpieceError {
@@ -55,7 +55,7 @@ pub struct WorkpieceError {
     pub most: f64,
 }
 
-/// NaN is in no range.
+/// NaN is outside every range.
 fn in_range(what: &'static str, given: f64, least: f64, most: f64) -> Result<(), WorkpieceError> {
     if least <= given && given <= most { Ok(()) } else { Err(WorkpieceError { what, given, least, most }) }
 }
@@ -65,7 +65,7 @@ fn in_range(what: &'static str, given: f64, least: f64, most: f64) -> Result<(),
 pub struct Machine {
     surface: Surface,
     probe: Probe,
-    /// What the control takes the ball's offset for, less what it is.
+    /// The offset of the ball in the control, minus its real offset.
     misplaced: [f64; 3],
     random: ChaCha8Rng,
     touches: usize,
@@ -75,7 +75,7 @@ impl Machine {
     /// A machine with a round workpiece on it, in X/Y.
     ///
     /// # Errors
-    /// [`WorkpieceError`] names the figure that cannot be.
+    /// [`WorkpieceError`] names the impossible figure.
     pub fn new(workpiece: Workpiece, probe: Probe, seed: u64) -> Result<Self, WorkpieceError> {
         Self::with(Surface::Round(workpiece, Plane::Xy), probe, seed)
     }
@@ -83,15 +83,15 @@ impl Machine {
     /// A machine with any surface on it.
     ///
     /// # Errors
-    /// [`WorkpieceError`] names the figure that cannot be.
+    /// [`WorkpieceError`] names the impossible figure.
     pub fn with(surface: Surface, probe: Probe, seed: u64) -> Result<Self, WorkpieceError> {
         surface.check(probe.trigger_scatter)?;
         probe.check()?;
         Ok(Self { surface, probe, misplaced: [0.0; 3], random: ChaCha8Rng::seed_from_u64(seed), touches: 0 })
     }
 
-    /// Takes the calibration of a row of the touch-probe table: where the file says how far the ball really lies off the
-    /// spindle's axis, the difference misplaces every contact.
+    /// Uses the calibration of a row of the touch-probe table: where the file says how far the ball really lies off the
+    /// spindle's axis, the difference displaces every contact.
     #[must_use]
     pub fn calibrated(mut self, row: &TouchProbe) -> Self {
         if let Some([x, y]) = self.probe.offset {
@@ -102,7 +102,7 @@ impl Machine {
     }
 
     fn scatter(&mut self, sigma: f64) -> f64 {
-        // Drawn also for none, so that one figure does not change the others' numbers.
+        // Drawn even if there is no scatter, so that one figure does not change the random numbers of the others.
         let normal: f64 = StandardNormal.sample(&mut self.random);
         sigma * normal
     }
@@ -112,7 +112,7 @@ impl Prober for Machine {
     fn touch(&mut self, touch: &Touch) -> Result<Contact, NoContact> {
         self.touches += 1;
         let number = self.touches;
-        // Where the ball really is when the control takes it to be at the start.
+        // Where the ball really is when the control assumes it at the start.
         let from = along(touch.from, self.misplaced, -1.0);
         let ball_radius = self.probe.ball_radius;
         if !self.surface.is_free(from, ball_radius) {

@@ -1,21 +1,21 @@
 //! Where a ball meets a wavy contour: nearest points, and the way until none is nearer than the ball's radius.
 
-/// How many of the lowest samples are looked at closely: waves of nearly the same distance are few.
+/// How many of the lowest samples are searched closely: few waves have nearly the same distance.
 const CANDIDATES: usize = 4;
 
-/// The share of the golden section.
+/// The ratio of the golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// So near counts as a contact, mm: the last bits of coordinates up to a hundred metres.
+/// This close counts as a contact, mm: the last bits of coordinates up to a hundred metres.
 const TOUCHING: f64 = 1e-12;
 
-/// So near counts as a contact where the way along the contour is endless, mm.
+/// This close counts as a contact where the way along the contour is endless, mm.
 const GRAZING: f64 = 1e-9;
 
-/// The most steps of a way.
+/// The most steps of one way.
 const MOST_STEPS: usize = 2_000;
 
-/// The least value of a function between two places, sampled so often and then searched to the last bits.
+/// The least value of a function between two places: `samples` samples, then a search to the last bits.
 pub(super) fn least(value: impl Fn(f64) -> f64, from: f64, to: f64, samples: u32) -> f64 {
     let step = (to - from) / f64::from(samples.max(2));
     let mut lowest: Vec<(f64, f64)> = Vec::with_capacity(CANDIDATES + 1);
@@ -51,7 +51,7 @@ fn section(value: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
     at_left.min(at_right)
 }
 
-/// How far a ball can go until the gap to the contour is closed, at most so far; `None` where it stays open.
+/// How far a ball can move until the gap to the contour is closed, at most `farthest`; `None` where it stays open.
 ///
 /// A step as long as the gap never leads through the contour.
 pub(super) fn trace(gap: impl Fn(f64) -> f64, farthest: f64) -> Option<f64> {

@@ -1,4 +1,4 @@
-//! The simulated probe: its ball, its scatter, and what calibration did not find.
+//! The simulated probe: its ball, its scatter, and the errors that calibration left.
 
 use serde::{Deserialize, Serialize};
 
@@ -17,13 +17,13 @@ pub struct Probe {
     /// Radius of the ball, millimetres; zero is a point.
     #[serde(default)]
     pub ball_radius: f64,
-    /// How much too large the control takes that radius, millimetres.
+    /// How much larger the control takes that radius to be, millimetres.
     #[serde(default)]
     pub calibration_error: f64,
-    /// How far the ball really lies off the spindle's axis, millimetres; without it calibration found it exactly.
+    /// How far the ball really lies off the spindle's axis, millimetres; if not given, calibration found it exactly.
     #[serde(default)]
     pub offset: Option<[f64; 2]>,
-    /// Pre-travel by direction in the plane X/Y: the contact is told so much later, millimetres.
+    /// Pre-travel by direction in the plane X/Y: the contact is reported this much later, millimetres.
     #[serde(default)]
     pub lobing: Lobes,
 }
@@ -33,7 +33,7 @@ impl Probe {
     pub const STILL: Self =
         Self { trigger_scatter: 0.0, ball_radius: 0.0, calibration_error: 0.0, offset: None, lobing: Lobes::NONE };
 
-    /// Half a micrometre of scatter, as touch probes in machines have.
+    /// Half a micrometre of scatter, as is usual for touch probes in machines.
     pub const USUAL: Self = Self { trigger_scatter: 0.0005, ..Self::STILL };
 
     pub(super) fn check(&self) -> Result<(), WorkpieceError> {
@@ -49,7 +49,7 @@ impl Probe {
         in_range("lobing count", f64::from(self.lobing.count), 0.0, 100.0)
     }
 
-    /// How much later a contact is told in this direction: the share of it that lies in X/Y.
+    /// How much later a contact is reported in this direction: only the share in X/Y counts.
     pub(super) fn pre_travel(&self, [x, y, _]: [f64; 3]) -> f64 {
         if self.lobing.amplitude <= 0.0 { 0.0 } else { self.lobing.height(y.atan2(x)) * x.hypot(y) }
     }

@@ -1,4 +1,4 @@
-//! What there is to probe, by its shape: the names that files have, and what lies inside or outside.
+//! What can be probed, by its shape: the names in files, and what lies inside or outside.
 
 use crate::tolerance::Feature;
 
@@ -7,17 +7,17 @@ use crate::tolerance::Feature;
 pub enum Shape {
     /// A hole.
     Hole,
-    /// A shaft that stands up.
+    /// A shaft that stands upright.
     Stud,
     /// A plane face.
     Face,
     /// A point of a free surface.
     Point,
-    /// Two walls with room between them.
+    /// Two walls with space between them.
     Slot,
     /// Two walls with material between them.
     Ridge,
-    /// Four walls with room between them.
+    /// Four walls with space between them.
     Pocket,
     /// Four walls with material between them.
     Boss,
@@ -28,7 +28,7 @@ impl Shape {
     pub const ALL: [Self; 8] =
         [Self::Hole, Self::Stud, Self::Face, Self::Point, Self::Slot, Self::Ridge, Self::Pocket, Self::Boss];
 
-    /// The table of a workpiece file: `bore` of `[bore]`.
+    /// The table of a workpiece file: `bore` for `[bore]`.
     pub const fn table(self) -> &'static str {
         match self {
             Self::Hole => "bore",
@@ -42,12 +42,12 @@ impl Shape {
         }
     }
 
-    /// Whether it is a circle.
+    /// Whether it is round.
     pub const fn is_round(self) -> bool {
         matches!(self, Self::Hole | Self::Stud)
     }
 
-    /// How its sizes are judged: as those of a hole where there is room inside, else as an outside dimension.
+    /// How its sizes are judged: like those of a hole where there is space inside, else as an outside dimension.
     pub const fn feature(self) -> Feature {
         match self {
             Self::Hole | Self::Slot | Self::Pocket => Feature::Hole,

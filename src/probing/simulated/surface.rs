@@ -11,7 +11,7 @@ use crate::tolerance::Feature;
 /// A surface of the workpiece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Surface {
-    /// A hole or a stud in a plane of the machine; its axis has no end.
+    /// A hole or a shaft in a plane of the machine; its axis has no end.
     Round(Workpiece, Plane),
     /// A plane face without borders.
     Face(Face),
@@ -25,9 +25,9 @@ pub enum Surface {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Face {
-    /// A point of it; a wave has its crest there.
+    /// A point of the face; a wave has its crest there.
     pub point: [f64; 3],
-    /// Its normal out of the material, of any length but zero.
+    /// Its normal out of the material, of any length except zero.
     pub normal: [f64; 3],
     /// Waviness.
     #[serde(default)]
@@ -43,9 +43,9 @@ pub struct Face {
 pub struct Wave {
     /// Half the height from trough to crest.
     pub amplitude: f64,
-    /// From crest to crest.
+    /// The distance from crest to crest.
     pub length: f64,
-    /// The direction in which they follow each other; its share along the normal does not count.
+    /// The direction in which the waves follow each other; its share along the normal does not count.
     pub direction: [f64; 3],
 }
 
@@ -55,12 +55,12 @@ pub struct Wave {
 pub struct FreePoint {
     /// Where the point should be.
     pub point: [f64; 3],
-    /// The normal there out of the material, of any length but zero.
+    /// The normal there out of the material, of any length except zero.
     pub normal: [f64; 3],
-    /// How far the surface really lies out along the normal; below zero material is missing.
+    /// How far out along the normal the surface really lies; below zero, material is missing.
     #[serde(default)]
     pub deviation: f64,
-    /// Radius of the surface there: above zero it bulges out, below zero it is hollow; without it the surface is flat.
+    /// Radius of the surface there: above zero it is convex, below zero concave; if not given, the surface is flat.
     #[serde(default)]
     pub radius: Option<f64>,
     /// Scatter of the surface along the probing direction, one sigma.
@@ -69,14 +69,14 @@ pub struct FreePoint {
 }
 
 impl Face {
-    /// A perfect one.
+    /// A perfect face.
     pub const fn plane(point: [f64; 3], normal: [f64; 3]) -> Self {
         Self { point, normal, wave: None, surface_scatter: 0.0 }
     }
 }
 
 impl FreePoint {
-    /// One where it should be, on a flat surface.
+    /// A point at its nominal place, on a flat surface.
     pub const fn flat(point: [f64; 3], normal: [f64; 3]) -> Self {
         Self { point, normal, deviation: 0.0, radius: None, surface_scatter: 0.0 }
     }
@@ -104,7 +104,7 @@ pub enum Outline {
 }
 
 impl Surface {
-    /// What a drawing shows of it; walls without an end are as long as `reach` either way.
+    /// What a drawing shows of it; endless walls extend `reach` either way.
     pub fn outline(&self, reach: f64) -> Outline {
         match *self {
             Self::Round(Workpiece { centre, diameter, .. }, _) => Outline::Circle { centre, radius: diameter / 2.0 },
@@ -115,7 +115,7 @@ impl Surface {
         }
     }
 
-    /// Which way it faces in its plane; `None` where it faces every way.
+    /// The direction that it faces in its plane; `None` where it faces every direction.
     pub fn facing(&self) -> Option<[f64; 2]> {
         match self {
             Self::Face(Face { normal: [x, y, _], .. }) | Self::Point(FreePoint { normal: [x, y, _], .. }) => {
@@ -126,7 +126,7 @@ impl Surface {
         }
     }
 
-    /// What it is.
+    /// Its shape.
     pub const fn shape(&self) -> Shape {
         match self {
             Self::Round(Workpiece { feature: Feature::Hole, .. }, _) => Shape::Hole,
@@ -181,7 +181,7 @@ impl Surface {
         }
     }
 
-    /// Whether a ball there is not in the material.
+    /// Whether a ball at this place is outside the material.
     pub(super) fn is_free(&self, from: [f64; 3], ball_radius: f64) -> bool {
         let [first, second, _] = self.plane().within(from);
         match self {
@@ -200,7 +200,7 @@ impl Surface {
                 if up.abs() <= 0.0 {
                     return workpiece.distance([first, second], [along_1, along_2], ball_radius);
                 }
-                // Only the share across the axis leads towards the wall.
+                // Only the share across the axis moves towards the wall.
                 let share = along_1.hypot(along_2);
                 if share <= 0.0 {
                     return None;
@@ -235,7 +235,7 @@ impl Face {
         let off = along(from, self.point, -1.0);
         let height = dot(off, unit(self.normal));
         let Some(wave) = self.wave.filter(|wave| 0.0 < wave.amplitude) else { return height - ball_radius };
-        // Far above the crests the exact gap does not matter, only that it is not too large.
+        // Far above the crests the exact gap does not matter, as long as it is not too large.
         let above = height - wave.amplitude;
         if wave.length < above - ball_radius {
             return above - ball_radius;
@@ -270,7 +270,7 @@ impl FreePoint {
         in_range("radius", self.radius.map_or(1.0, f64::abs), 0.001, FARTHEST)
     }
 
-    /// The point of the surface that the deviation leads to.
+    /// The real point of the surface, moved by the deviation.
     fn real(&self) -> [f64; 3] {
         along(self.point, unit(self.normal), self.deviation)
     }

@@ -1,4 +1,4 @@
-//! Plane walls that stand parallel: a slot or ridge has two, a pocket or boss four. Their height has no end.
+//! Parallel plane walls: a slot or ridge has two, a pocket or boss four. Their height has no end.
 
 use super::{FARTHEST, WorkpieceError, in_range};
 use crate::tolerance::Feature;
@@ -10,7 +10,7 @@ pub struct Walls {
     pub feature: Feature,
     /// The middle between the walls.
     pub centre: [f64; 2],
-    /// From wall to wall, across the first pair and across the second, where there is one.
+    /// From wall to wall, across the first pair and, if there is one, across the second.
     pub lengths: (f64, Option<f64>),
     /// The direction across the first pair, degrees from the first axis.
     pub angle: f64,
@@ -37,20 +37,20 @@ impl Walls {
         in_range("surface scatter", self.surface_scatter, 0.0, 1.0)
     }
 
-    /// The same, grown by a factor about the workpiece's zero.
+    /// The same walls, grown by a factor about the workpiece's zero.
     pub(super) fn grown(self, factor: f64) -> Self {
         let (first, second) = self.lengths;
         let lengths = (first * factor, second.map(|second| second * factor));
         Self { centre: self.centre.map(|part| part * factor), lengths, ..self }
     }
 
-    /// Half the lengths; a pair that is not there is endlessly far away.
+    /// Half the lengths; a pair that does not exist is endlessly far away.
     fn halves(&self) -> [f64; 2] {
         let (first, second) = self.lengths;
         [first / 2.0, second.map_or(f64::INFINITY, |second| second / 2.0)]
     }
 
-    /// Across the first pair, exact at every quarter turn.
+    /// The direction across the first pair, exact at every quarter turn.
     pub(super) fn across(&self) -> [f64; 2] {
         let (sin, cos) = self.angle.to_radians().sin_cos();
         let is_quarter = (self.angle % 90.0).abs() <= 0.0;
@@ -68,7 +68,7 @@ impl Walls {
         self.within([x - centre_x, y - centre_y])
     }
 
-    /// The corners in their order round the walls, those of a single pair so far beside the centre.
+    /// The corners in their order round the walls; those of a single pair lie `reach` beside the centre.
     pub fn corners(&self, reach: f64) -> [[f64; 2]; 4] {
         let ([cos, sin], [centre_x, centre_y]) = (self.across(), self.centre);
         let [first, second] = self.halves().map(|half| if half.is_finite() { half } else { reach });
@@ -76,7 +76,7 @@ impl Walls {
             .map(|[x, y]| [centre_x + x * cos - y * sin, centre_y + x * sin + y * cos])
     }
 
-    /// Whether a ball there is not in the material.
+    /// Whether a ball at this place is outside the material.
     pub(super) fn is_free(&self, from: [f64; 2], ball_radius: f64) -> bool {
         let [place_1, place_2] = self.place(from).map(f64::abs);
         let [half_1, half_2] = self.halves();
@@ -101,14 +101,14 @@ impl Walls {
         met.into_iter().filter(|distance| 0.0 <= *distance).reduce(f64::min)
     }
 
-    /// Out of the room between walls: the wall ahead, of each pair.
+    /// From the space between walls: the wall ahead, of each pair.
     fn leaving(&self, place: [f64; 2], along: [f64; 2], ball_radius: f64) -> Vec<f64> {
         let ahead = place.into_iter().zip(along).zip(self.halves());
         let ahead = ahead.filter(|((_, along), half)| 0.0 < along.abs() && half.is_finite());
         ahead.map(|((place, along), half)| ((half - ball_radius).copysign(along) - place) / along).collect()
     }
 
-    /// Onto a body: a wall between its edges, or an edge, which a ball meets on its side.
+    /// Towards a body: a wall between its edges, or an edge, which a ball meets with its side.
     fn entering(&self, [place_1, place_2]: [f64; 2], [along_1, along_2]: [f64; 2], ball_radius: f64) -> Vec<f64> {
         let [half_1, half_2] = self.halves();
         let wall = |[place, along, half]: [f64; 3], [beside, beside_along, beside_half]: [f64; 3]| {

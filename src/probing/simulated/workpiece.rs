@@ -1,4 +1,4 @@
-//! A round feature with its form, and where a probing meets it.
+//! A round feature with its form, and the place where a probing meets it.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,10 +6,10 @@ use super::nearest::{least, trace};
 use super::{FARTHEST, WorkpieceError, in_range};
 use crate::tolerance::Feature;
 
-/// The most lobes: steps in which a contour is followed are so small that none is missed.
+/// The most lobes: the steps along a contour are so small that no lobe is missed.
 const MOST_LOBES: f64 = 100.0;
 
-/// The steps in which a smooth contour is followed.
+/// The number of steps along a smooth contour.
 const STEPS: u32 = 512;
 
 /// A circular feature with its form, millimetres and degrees.
@@ -37,7 +37,7 @@ pub struct Workpiece {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Lobes {
-    /// How many round the circle; two for ovality.
+    /// How many there are round the circle; two for ovality.
     pub count: u32,
     /// Amplitude in the radius, zero or more.
     pub amplitude: f64,
@@ -47,12 +47,12 @@ pub struct Lobes {
 }
 
 impl Workpiece {
-    /// A perfectly round one.
+    /// A perfectly round feature.
     pub const fn round(feature: Feature, centre: [f64; 2], diameter: f64) -> Self {
         Self { feature, centre, diameter, ovality: Lobes::NONE, lobes: Lobes::NONE, surface_scatter: 0.0 }
     }
 
-    /// One as a shop makes it: a micrometre oval, three tenths of a micrometre rough.
+    /// A usual feature from a workshop: a micrometre oval, three tenths of a micrometre rough.
     pub const fn usual(feature: Feature, diameter: f64) -> Self {
         Self {
             ovality: Lobes { count: 2, amplitude: 0.001, angle: 0.0 },
@@ -71,7 +71,7 @@ impl Workpiece {
         in_range("diameter", self.diameter, 0.001, FARTHEST)?;
         in_range("centre x", x, -FARTHEST, FARTHEST)?;
         in_range("centre y", y, -FARTHEST, FARTHEST)?;
-        // Contour and scatter must stay in the range where a contour is a curve about its centre.
+        // Contour and scatter must stay small enough for the contour to be a curve about its centre.
         let highest = self.diameter / 20.0;
         in_range("surface scatter", self.surface_scatter, 0.0, highest)?;
         in_range("probe scatter", trigger_scatter, 0.0, highest)?;
@@ -79,7 +79,7 @@ impl Workpiece {
         in_range("lobe height", self.lobes.amplitude, 0.0, highest)?;
         in_range("ovality angle", self.ovality.angle, -360.0, 360.0)?;
         in_range("lobe angle", self.lobes.angle, -360.0, 360.0)?;
-        // A wave that does not wave, or hardly, would only move or widen the circle.
+        // A wave with fewer crests would only move or widen the circle.
         let fewest = |wave: &Lobes| if 0.0 < wave.amplitude { 2.0 } else { 0.0 };
         in_range("ovality count", f64::from(self.ovality.count), fewest(&self.ovality), 2.0)?;
         in_range("lobes", f64::from(self.lobes.count), fewest(&self.lobes), MOST_LOBES)
@@ -89,7 +89,7 @@ impl Workpiece {
         self.ovality.amplitude.max(self.lobes.amplitude) <= 0.0
     }
 
-    /// Whether a ball there is not in the material, nor touching it from behind.
+    /// Whether a ball at this place is outside the material and does not touch it from behind.
     pub(super) fn is_free(&self, [x, y]: [f64; 2], ball_radius: f64) -> bool {
         let [centre_x, centre_y] = self.centre;
         let (off_x, off_y) = (x - centre_x, y - centre_y);
@@ -99,7 +99,7 @@ impl Workpiece {
             Feature::Hole => off + ball_radius <= radius || (!self.is_round() && off <= radius),
             Feature::Shaft => radius + ball_radius <= off || (!self.is_round() && radius <= off),
         };
-        // A point needs no room; of a wavy contour a neighbouring crest may be nearer.
+        // A point needs no space; a neighbouring crest of a wavy contour may be nearer.
         is_outside_material && (self.is_round() || ball_radius <= 0.0 || 0.0 <= self.gap([off_x, off_y], ball_radius))
     }
 
@@ -120,7 +120,7 @@ impl Workpiece {
                 Feature::Shaft => self.diameter / 2.0 + ball_radius,
             };
             let half = half_chord(radius)?;
-            // Out of a hole the far side is met, onto a shaft the near one.
+            // From inside a hole the far side is met, from outside a shaft the near one.
             let distance = if feature == Feature::Hole { along + half } else { along - half };
             return (0.0 <= distance).then_some(distance);
         }
@@ -132,8 +132,8 @@ impl Workpiece {
             let gap = |gone: f64| self.gap([gone * along_x - to_x, gone * along_y - to_y], ball_radius);
             return trace(gap, along + half);
         }
-        // A point: on the way through that circle the first crossing is looked for in small steps and then halved to
-        // the last bit.
+        // For a point, the first crossing on the way through that circle is searched for in small steps and then halved
+        // to the last bit.
         let half = half_chord(widest)?;
         let (first, last) = ((along - half).max(0.0), along + half);
         let crossed = |distance: f64| {

@@ -29,7 +29,7 @@ impl Run {
             if let Some(left) = self.cycles.contacts_left() {
                 self.remark(at, left);
             }
-            // Another error of the end counts as one of the block that ended the run.
+            // A second error at the end counts as an error of the block that ended the run.
             if let Err(kind) = self.close_table(files) {
                 done = Err(kind);
             }
@@ -37,7 +37,7 @@ impl Run {
         done.map_err(|kind| self.fail(at, kind, files))
     }
 
-    /// Ends the run with a fault; what FN 27 has changed until then is written, as on the control.
+    /// Ends the run with a fault; what FN 27 has changed so far is written, as on the control.
     fn fail(&mut self, at: usize, kind: FaultKind, files: &mut Files) -> Fault {
         let table = self.tables.path().cloned();
         if let (Err(error), Some(path)) = (self.close_table(files), table) {
@@ -113,7 +113,7 @@ impl Run {
             }
             Body::Probe(cycle) => return self.probe(at, cycle, files, settings),
             Body::Other if is_blank_form(self.flow.program(), at) => {}
-            // A block that is not known stops the run, or is passed over where the user says so.
+            // An unknown block stops the run, or is skipped if the user has chosen so.
             Body::CycleDefinition(_) | Body::Other if settings.skip_unknown => self.remark(at, Remark::Skipped),
             Body::CycleDefinition(_) | Body::Other => return Err(FaultKind::UnknownBlock),
         }
@@ -124,7 +124,7 @@ impl Run {
         self.remarks.add(self.flow.place_of(at), remark);
     }
 
-    /// The path that an operand names, from the program that runs.
+    /// The path in an operand, relative to the running program.
     fn path_of(&self, operand: &TextOperand) -> Result<NcPath, FaultKind> {
         Ok(self.flow.path().resolve(self.values.text_operand(operand)?)?)
     }
@@ -146,19 +146,19 @@ impl Run {
         Ok(())
     }
 
-    /// Whether the main program runs.
+    /// Whether the main program is running.
     fn is_main(&self) -> bool {
         !self.flow.is_within_call()
     }
 
-    /// Remarks a value that was given before the run and stands in place of a block's.
+    /// Adds a remark about a value that was given before the run and takes the place of a block's value.
     fn note_given(&mut self, at: usize, parameter: Parameter, given: Option<Value>) {
         if let Some(value) = given {
             self.remark(at, Remark::GivenWins { parameter, value: shown(&value) });
         }
     }
 
-    /// FN 26: another table that is open is closed before.
+    /// FN 26: closes the table that is still open.
     fn open_table(&mut self, path: &TextOperand, files: &mut Files) -> Result<(), FaultKind> {
         let path = self.path_of(path)?;
         if self.tables.path() == Some(&path) {
@@ -199,7 +199,7 @@ impl Run {
         }
     }
 
-    /// Runs a cycle and hands its results over.
+    /// Runs a cycle and sets its result parameters.
     fn probe(
         &mut self,
         at: usize,
@@ -238,7 +238,7 @@ impl Run {
         Ok(step)
     }
 
-    /// M0, M1, M2 and M30; all others move nothing here.
+    /// M0, M1, M2 and M30; the others have no effect here.
     fn machine_functions(&mut self, at: usize, functions: &[MachineFunction], settings: &Settings) -> Step {
         let mut step = Step::Went;
         for function in functions {
@@ -258,7 +258,7 @@ impl Run {
     }
 }
 
-/// The blank's form is for the control's graphics and changes nothing.
+/// The blank form is for the control's graphics and changes nothing.
 fn is_blank_form(program: &Program, at: usize) -> bool {
     program.text_of(at).next().is_some_and(|line| {
         let line = line.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace() || c == '/');

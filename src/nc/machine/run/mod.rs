@@ -25,7 +25,7 @@ use crate::control::variables::{Parameter, Value, Variables};
 use crate::nc::program::{Program, Unit};
 use crate::verdict::Status;
 
-/// A run: what a restart forgets.
+/// The state of a run: what a restart clears.
 #[derive(Debug)]
 struct Run {
     flow: Flow,
@@ -42,7 +42,7 @@ impl Run {
     fn new(path: NcPath, program: Arc<Program>, contacts: Contacts, settings: &Settings) -> Self {
         let is_inch = program.unit() == Some(Unit::Inch);
         let mut values = Values::new(settings);
-        // Q113 says the unit of the main program.
+        // Q113 holds the unit of the main program.
         values.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
         Self {
             flow: Flow::new(path, program, &settings.budget),
@@ -64,7 +64,7 @@ enum State {
     Faulted(Fault),
 }
 
-/// Runs a program as a control does. It owns all that it needs and may go to another thread.
+/// Runs a program as a control does. It owns all its data and can move to another thread.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -98,7 +98,7 @@ impl std::fmt::Debug for Machine {
 }
 
 impl Machine {
-    /// A machine before the first block of a program. Of a path that is none on the control, the file name counts.
+    /// A machine before the first block of a program. If a path is not one of a control, only its file name counts.
     pub fn new(
         path: &str,
         program: Arc<Program>,
@@ -113,8 +113,8 @@ impl Machine {
         Self { main, settings, files, breakpoints: BTreeSet::new(), run, state: State::Ready }
     }
 
-    /// Goes back before the first block: all that the run has found is forgotten, settings and breakpoints stay, and so
-    /// does what the store has written. Programs and tables that have not changed since are not read again.
+    /// Goes back before the first block: all results of the run are cleared; settings, breakpoints and files that the
+    /// store has written stay. Programs and tables that have not changed since are not parsed again.
     pub fn restart(&mut self, contacts: Contacts) {
         self.files.restart(self.main.clone());
         let (path, program) = self.main.clone();
@@ -122,11 +122,11 @@ impl Machine {
         self.state = State::Ready;
     }
 
-    /// Gives a parameter a value before the run. The main program's first assignment to it is then passed over with a
-    /// remark, unless it counts on from the parameter's own value.
+    /// Gives a parameter a value before the run. The main program's first assignment to it is then skipped with a
+    /// remark, unless that assignment uses the parameter's own value.
     ///
     /// # Errors
-    /// [`FaultKind`] where a control has no such parameter, or it cannot hold the value.
+    /// [`FaultKind`] if the parameter does not exist on a control, or cannot hold the value.
     pub fn set(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
         self.run.values.give(parameter, value)
     }
@@ -134,7 +134,7 @@ impl Machine {
     /// Runs one block.
     ///
     /// # Errors
-    /// [`Fault`]; the run is over then, and every further step says the same again.
+    /// [`Fault`]; the run is over then, and every further step gives the same fault.
     pub fn step(&mut self) -> Result<Step, Fault> {
         match &self.state {
             State::Ready => {}
@@ -150,10 +150,10 @@ impl Machine {
         done
     }
 
-    /// Runs blocks until the run pauses or ends, until the next one has a breakpoint, or so many.
+    /// Runs blocks until the run pauses or ends, the next block has a breakpoint, or `most` blocks have run.
     ///
     /// # Errors
-    /// As [`Self::step`].
+    /// As for [`Self::step`].
     pub fn run(&mut self, most: u64) -> Result<Step, Fault> {
         for done in 0..most {
             if 0 < done && self.is_at_breakpoint() {
@@ -193,7 +193,7 @@ impl Machine {
         self.run.values.changed()
     }
 
-    /// The block that is run next.
+    /// The block that runs next.
     pub fn place(&self) -> BlockPlace {
         self.run.flow.place_of(self.run.flow.next())
     }
@@ -208,7 +208,7 @@ impl Machine {
         self.files.loaded(path)
     }
 
-    /// The calls that lead here, the outermost first.
+    /// The calls that lead to the current block, the outermost first.
     pub fn calls(&self) -> &[Call] {
         self.run.flow.calls()
     }
@@ -228,12 +228,12 @@ impl Machine {
         self.run.cycles.runs()
     }
 
-    /// The way of the ball's centre so far.
+    /// The path of the ball's centre so far.
     pub fn path(&self) -> &[Travel] {
         self.run.way.travels()
     }
 
-    /// Where the ball's centre stands, mm, in X, Y and Z as far as it is known.
+    /// Where the ball's centre is, mm, in X, Y and Z as far as known.
     pub const fn position(&self) -> [Option<f64>; 3] {
         self.run.way.position()
     }
@@ -248,7 +248,7 @@ impl Machine {
         self.run.remarks.unlisted()
     }
 
-    /// How many blocks were run.
+    /// How many blocks have been run.
     pub const fn blocks_run(&self) -> u64 {
         self.run.blocks
     }
@@ -263,7 +263,7 @@ impl Machine {
         !matches!(self.state, State::Ready)
     }
 
-    /// The worst status of the cycles that judged.
+    /// The worst status of the cycles that gave one.
     pub fn status(&self) -> Option<Status> {
         self.cycles().iter().filter_map(|run| run.result.status).max()
     }

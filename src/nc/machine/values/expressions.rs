@@ -1,4 +1,4 @@
-//! Formulas that give a number, and the conditions of jumps. Numbers are binary as on the control.
+//! Formulas that give a number, and the conditions of jumps. Numbers are binary, as on the control.
 
 use std::cmp::Ordering;
 
@@ -25,7 +25,7 @@ impl Values {
                 Some(_) => Ok(count(self.text(*parameter)?)),
             },
             Expression::Compare { source, other } => {
-                // By code point, as UTF-8 compares; a text that is the beginning of another comes first.
+                // By code point, as UTF-8 compares; a text comes before any text that it is the beginning of.
                 Ok(match self.text(*source)?.cmp(self.text(*other)?) {
                     Ordering::Less => -1.0,
                     Ordering::Equal => 0.0,
@@ -82,7 +82,7 @@ impl Values {
         operand: Operand,
         decimals: Option<usize>,
     ) -> Result<String, FaultKind> {
-        /// As many as a value has, but no more than this: what lies behind is the noise of binary arithmetic.
+        /// As many decimals as a value has, but no more than this: the rest is noise of binary arithmetic.
         const MOST: usize = 9;
         let value = self.value(operand)?;
         let rounded = mask::decimal(&value, decimals.unwrap_or(MOST)).unwrap_or_else(|| shown(&value));
@@ -93,7 +93,7 @@ impl Values {
     }
 }
 
-/// How many characters a text has. It is far below 2^53.
+/// How many characters a text has; far below 2^53.
 fn count(text: &str) -> f64 {
     f64::from(u32::try_from(text.chars().count()).unwrap_or(u32::MAX))
 }
@@ -136,7 +136,7 @@ fn combine(operation: Operation, left: f64, right: f64) -> Result<f64, FaultKind
         Operation::Divide => left / right,
         Operation::Remainder => left % right,
         Operation::Power if is_zero(left) && right < 0.0 => return Err(FaultKind::DivisionByZero),
-        // Only whole powers of a number below zero exist.
+        // A number below zero has whole powers only.
         Operation::Power if left < 0.0 && 0.0 < right.fract().abs() => return Err(FaultKind::NegativeRoot(left)),
         Operation::Power => left.powf(right),
         Operation::Hypotenuse => left.hypot(right),
@@ -152,7 +152,7 @@ fn operand_reads(operand: Operand, wanted: Parameter) -> bool {
     matches!(operand, Operand::Parameter { parameter, .. } if parameter == wanted)
 }
 
-/// Whether a formula asks for a parameter.
+/// Whether a formula contains a parameter.
 pub(super) fn reads(formula: &Expression, wanted: Parameter) -> bool {
     match formula {
         Expression::Value(operand) => operand_reads(*operand, wanted),

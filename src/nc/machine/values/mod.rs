@@ -1,4 +1,4 @@
-//! Parameters of a run: what they hold, and what a block sets.
+//! Parameters of a run: their values, and what a block sets.
 //!
 //! | file | what |
 //! |---|---|
@@ -20,7 +20,7 @@ use crate::nc::program::{Expression, Operand, TextExpression, TextOperand};
 use expressions::reads;
 use texts::text_reads;
 
-/// The range of values in a control: 10^10 either way.
+/// The range of values on a control: 10^10 either way.
 const MOST: f64 = 1e10;
 
 /// The parameters of a run.
@@ -29,13 +29,13 @@ pub(super) struct Values {
     variables: Variables,
     /// The parameters that the last block has set.
     changed: Vec<Parameter>,
-    /// What was given before the run and no block has met yet.
+    /// Values that were given before the run and that no block has replaced yet.
     given: BTreeMap<Parameter, Value>,
-    /// The local parameters of the programs that called, the outermost first.
+    /// The local parameters of the calling programs, the outermost first.
     locals: Vec<Vec<(Parameter, Value)>>,
     /// The most characters of a text.
     longest: usize,
-    /// What `SYSSTR` says the time is.
+    /// The time that `SYSSTR` gives.
     time: DateTime,
 }
 
@@ -65,7 +65,7 @@ impl Values {
         self.changed.clear();
     }
 
-    /// Sets what the machine itself knows.
+    /// Sets a parameter that the machine itself provides.
     pub(super) fn set(&mut self, parameter: Parameter, value: Value) {
         self.variables.set(parameter, value);
     }
@@ -82,7 +82,7 @@ impl Values {
         self.locals.push(self.variables.take(Family::Ql));
     }
 
-    /// It returns, and the caller has its own again.
+    /// It returns, and the caller gets its own parameters back.
     pub(super) fn leave_program(&mut self) {
         self.variables.take(Family::Ql);
         for (parameter, value) in self.locals.pop().unwrap_or_default() {
@@ -144,7 +144,7 @@ impl Values {
         }
     }
 
-    /// Sets a parameter that a control has to a value that it can hold.
+    /// Sets a parameter that exists on a control to a value that it can hold.
     pub(super) fn put(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
         let most = match parameter.family {
             Family::Q | Family::Qs => 1_999,
@@ -179,7 +179,7 @@ impl Values {
         Ok(())
     }
 
-    /// `Q5 = …`. Gives the value that was given before the run where it stands in place of this one.
+    /// `Q5 = …`. Returns the value that was given before the run, if it takes the place of this one.
     pub(super) fn assign(
         &mut self,
         to: Parameter,
@@ -197,7 +197,7 @@ impl Values {
         Ok(given)
     }
 
-    /// `QS5 = …`; the same of a text.
+    /// `QS5 = …`; the same for a text.
     pub(super) fn assign_text(
         &mut self,
         to: Parameter,
@@ -222,8 +222,8 @@ impl Values {
         given
     }
 
-    /// The value that was given before the run, where it stands in place of this assignment: the first one in the main
-    /// program, unless it counts on from the value.
+    /// The value that was given before the run, if it takes the place of this assignment: the first one in the main
+    /// program, unless the assignment uses the parameter's own value.
     fn given(&mut self, parameter: Parameter, is_main: bool, counts_on: impl Fn() -> bool) -> Option<Value> {
         let value = if is_main { self.given.remove(&parameter)? } else { return None };
         if counts_on() {
@@ -236,11 +236,11 @@ impl Values {
 
 /// A number that a control can hold.
 fn in_range(number: f64) -> Result<f64, FaultKind> {
-    // NaN is in no range.
+    // NaN is outside every range.
     if number.abs() <= MOST { Ok(number) } else { Err(FaultKind::BeyondRange(number)) }
 }
 
-/// A whole number from 0, if it is one.
+/// A whole number from 0, if the value is one.
 pub(super) fn whole(value: f64) -> Option<usize> {
     const MOST: f64 = 1e15;
     if !(0.0..=MOST).contains(&value) || 0.0 < value.fract() {
@@ -264,7 +264,7 @@ pub fn shown(value: &Value) -> String {
     }
 }
 
-/// The value at the nearest nanometre.
+/// The value, rounded to the nearest nanometre.
 pub(super) fn length_of(value: &Value) -> Option<Length> {
     match value {
         Value::Length(length) => Some(*length),

@@ -5,7 +5,7 @@ use super::{Values, whole};
 use crate::control::variables::Parameter;
 use crate::nc::program::{Operand, TextExpression, TextOperand};
 
-/// Date and time; the only group of `SYSSTR` that is run.
+/// Date and time; the only group of `SYSSTR` that Fitcheck runs.
 const DATE_AND_TIME: usize = 10_321;
 
 /// The formats of date and time by their number, as far as known: from memory, a control may differ.
@@ -29,11 +29,11 @@ const FORMATS: [&str; 17] = [
     "%d.%m.%Y %H:%M",
 ];
 
-/// The most digits behind the point that a text of a number may have.
+/// The most digits after the point that a number may have in a text.
 const MOST_DECIMALS: usize = 9;
 
 impl Values {
-    /// The value of a formula of texts.
+    /// The value of a text formula.
     pub(super) fn evaluate_text(&self, formula: &TextExpression) -> Result<String, FaultKind> {
         match formula {
             TextExpression::Value(operand) => Ok(self.text_operand(operand)?.to_owned()),
@@ -51,7 +51,7 @@ impl Values {
         }
     }
 
-    /// TOCHAR: with so many decimals, rounded half away from zero; without, just those that the value has.
+    /// TOCHAR: with this many decimals, rounded half away from zero; if not given, as many as the value has.
     fn text_of_number(&self, number: Operand, decimals: Option<Operand>) -> Result<String, FaultKind> {
         let decimals = decimals.map(|decimals| self.whole("DECIMALS", decimals)).transpose()?;
         if let Some(value) = decimals.filter(|decimals| MOST_DECIMALS < *decimals) {
@@ -61,7 +61,7 @@ impl Values {
         self.decimal(number, decimals)
     }
 
-    /// SUBSTR: it may begin at the end of the text and end behind it, but not begin behind it.
+    /// SUBSTR: it may begin at the end of the text and end after it, but not begin after it.
     fn part(&self, source: Parameter, from: Operand, length: Option<Operand>) -> Result<String, FaultKind> {
         let text = self.text(source)?;
         let from = self.whole("BEG", from)?;
@@ -84,7 +84,7 @@ impl Values {
     }
 }
 
-/// The same of a text.
+/// Whether a text formula contains a parameter.
 pub(super) fn text_reads(formula: &TextExpression, wanted: Parameter) -> bool {
     match formula {
         TextExpression::Value(TextOperand::Parameter(parameter)) => *parameter == wanted,
