@@ -96,7 +96,7 @@ struct BandPicture {
     marker: Option<MarkerPicture>,
 }
 
-/// The limit band of a record with its measured value; sizes get at least so many decimals.
+/// The limit band of a record with its measured value; sizes have at least this many decimals.
 pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::Result<String> {
     let limits = &record.limits;
     let band = Band::new(limits, Some(record.measurement.diameter));
