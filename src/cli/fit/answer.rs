@@ -1,4 +1,4 @@
-//! What there is to say about one fit: computed by the core, put together here.
+//! What is said about one fit: computed by the core, put together here.
 
 use super::Given;
 use super::heat::{Heat, Heated};
