@@ -100,7 +100,7 @@ impl Answers {
         self.format == Format::Text
     }
 
-    /// An answer for people; the writer is told whether it is the first.
+    /// Prints an answer for people; `write` gets `true` for the first one.
     pub(super) fn text(
         &mut self,
         write: impl FnOnce(&mut dyn Write, bool) -> std::io::Result<()>,
@@ -110,7 +110,7 @@ impl Answers {
         Ok(write(&mut *io.out, self.answered == 1)?)
     }
 
-    /// Says why there is no answer.
+    /// Prints why there is no answer.
     pub(super) fn refuse<A: Answerer>(
         &mut self,
         asked: Asked<'_>,

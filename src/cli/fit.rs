@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `answer` | what is said about one fit |
+//! | `answer` | the answer for one fit |
 //! | `figures` | the same in figures: the names that CSV and JSON share |
 //! | `text` | the same for people |
 //! | `heat` | materials and temperatures |

@@ -37,9 +37,9 @@ pub struct Band {
     pub lower_um: f64,
     /// Upper limit deviation, always inside the axis; equal to the lower one for a zone of no width.
     pub upper_um: f64,
-    /// What lies left of the zone: rework for a hole, scrap for a shaft.
+    /// What is to the left of the zone: rework for a hole, scrap for a shaft.
     pub left: Side,
-    /// What lies right of the zone: scrap for a hole, rework for a shaft.
+    /// What is to the right of the zone: scrap for a hole, rework for a shaft.
     pub right: Side,
     /// The measured value, where there is one.
     pub marker: Option<Marker>,
@@ -109,7 +109,7 @@ impl Band {
         Self { axis_min_um, axis_max_um, lower_um, upper_um, left, right, marker, ticks }
     }
 
-    /// Where a deviation lies along the axis: 0 at the left end, 1 at the right end, kept between them.
+    /// Where a deviation is along the axis: 0 at the left end, 1 at the right end, kept between them.
     pub fn fraction(&self, um: f64) -> f64 {
         ((um - self.axis_min_um) / (self.axis_max_um - self.axis_min_um)).clamp(0.0, 1.0)
     }

@@ -48,12 +48,12 @@ impl Comparison {
 }
 
 impl Difference {
-    /// How far the table's upper deviation lies above the standard's, where both have one.
+    /// How far the table's upper deviation is above the standard's, where both have one.
     pub fn upper_by(&self) -> Option<Length> {
         Some(self.table?.minus(self.standard.as_ref().ok()?).0)
     }
 
-    /// How far the table's lower deviation lies above the standard's, where both have one.
+    /// How far the table's lower deviation is above the standard's, where both have one.
     pub fn lower_by(&self) -> Option<Length> {
         Some(self.table?.minus(self.standard.as_ref().ok()?).1)
     }

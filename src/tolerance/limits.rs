@@ -14,7 +14,7 @@ pub struct Deviations {
     lower: Length,
 }
 
-/// The upper deviation lies below the lower one.
+/// The upper deviation is below the lower one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(id = "deviations-order", error)]
 pub struct DeviationsError {

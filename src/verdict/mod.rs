@@ -53,7 +53,7 @@ pub enum Rule {
     Simple,
 }
 
-/// How much material to take off, as a diameter.
+/// How much material to remove, as a diameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Removal {
     /// To the nearest limit of size: the least that makes the part good.
@@ -73,7 +73,7 @@ pub struct SizeVerdict {
     pub above_minimum: Length,
     /// Maximum minus measured: negative when too large.
     pub below_maximum: Length,
-    /// For rework, how much to take off.
+    /// For rework, how much to remove.
     pub removal: Option<Removal>,
 }
 

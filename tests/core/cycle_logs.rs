@@ -198,7 +198,7 @@ fn what_was_not_monitored_is_not_judged_when_it_is_read_back() {
         // A monitored centre is judged although the diameter is not.
         let (cycle, result) = circle(false, [0, 0, 25_000_000], [100_001, 0, 24_500_000], None, [100_000, 0]);
         assert_eq!(result.status, Some(Status::Scrap));
-        // The page of figures has four decimals: a nanometre is not to be seen in it, and that is said.
+        // The page of figures has four decimals: it cannot show a nanometre, so the log reads as good.
         let (log, says) = there_and_back(cycle, &result, Unit::Millimetre, language);
         assert_eq!((log.status(language), says), (Some(Status::Good), Some(Status::Good)));
         let (cycle, result) = coordinate(7_000_000, [0, 0]);

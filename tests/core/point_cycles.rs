@@ -530,7 +530,7 @@ fn a_wave_lifts_the_ball_to_the_crest_and_lets_it_into_the_trough() {
         assert!((height("20", ball) - 5.01).abs() < 1e-9);
     }
     assert!((height("5", "0") - 5.0).abs() < 1e-9);
-    // On the flank the ball stands a little higher than the surface below it.
+    // On the flank the ball is a little higher than the surface below it.
     let flank = height("5", "2");
     assert!(5.0 < flank && flank < 5.000_1, "{flank}");
 }

@@ -191,7 +191,7 @@ impl TemperatureFigures {
 }
 
 impl<'a> Figures<'a> {
-    /// The columns of CSV: the names of JSON, joined where one lies within another.
+    /// The columns of CSV: the names of JSON, joined where one is within another.
     pub(super) const COLUMNS: [Column<Self>; 56] = columns! {
         callout, nominal_mm, kind, minimum_clearance_um, maximum_clearance_um, mean_clearance_um, basis, preferred,
         function,

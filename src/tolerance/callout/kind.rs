@@ -62,7 +62,7 @@ pub enum CalloutErrorKind {
     },
     /// A number after the size cannot be read.
     Number {
-        /// What it stands for.
+        /// What the number means.
         part: Part,
         /// What is wrong with it.
         error: LengthError,
