@@ -1,4 +1,4 @@
-//! Lists what is shipped: every file of the folders below, so that a new language, mask or program is a file and no line.
+//! Lists the built-in files: every file of the folders below, so that a new language, mask or program is only a file.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! The first frame and a settled frame of the window, without a graphics card: layout, shaping, tessellation.
 //!
-//! The same is measured for an empty window, so that the figures can be read as ratios of one run.
+//! An empty window is measured in the same way, so that the figures can be read as ratios within one run.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use eframe::egui::{CentralPanel, Ui};

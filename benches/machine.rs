@@ -1,4 +1,4 @@
-//! How many blocks of NC programs are run in a second: a counting loop, and the programs of NC-Solution 8255.
+//! How many blocks of NC programs run in a second: a counting loop, and the programs of NC-Solution 8255.
 #![expect(clippy::expect_used, reason = "a bench may stop")]
 
 use std::sync::Arc;
@@ -17,7 +17,7 @@ fn machine(program: &Arc<Program>) -> Machine {
     Machine::new("main.h", Arc::clone(program), Shipped, Contacts::Perfect, settings)
 }
 
-/// Runs to the end and says how many blocks that took.
+/// Runs to the end and returns how many blocks that took.
 fn run(machine: &mut Machine) -> u64 {
     while machine.run(u64::MAX).expect("no fault") != Step::Ended {}
     machine.blocks_run()

@@ -1,4 +1,4 @@
-//! How long reading and writing an NC program takes: blocks a second. The budget is 0.3 s for 100 000 blocks.
+//! How long reading and writing an NC program takes, in blocks per second. The budget is 0.3 s for 100 000 blocks.
 #![expect(clippy::expect_used, reason = "a bench may stop")]
 
 use std::fmt::Write;

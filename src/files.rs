@@ -33,7 +33,7 @@ pub enum FileError {
         /// The path.
         path: PathBuf,
     },
-    /// There is something at the path already.
+    /// There is already something at the path.
     Exists {
         /// The path.
         path: PathBuf,
@@ -44,7 +44,7 @@ pub enum FileError {
         /// The path.
         path: PathBuf,
     },
-    /// The system said no.
+    /// The system reports an error.
     System {
         /// What the system says.
         reason: String,
@@ -74,7 +74,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, FileError> {
     }
     let file = std::fs::File::open(path).map_err(|error| system(path, &error))?;
     let mut bytes = Vec::new();
-    // A pipe or a growing file has no length beforehand: read one byte more than allowed and see.
+    // A pipe or a growing file has no length beforehand: read one byte more than allowed to find out.
     file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| system(path, &error))?;
     if LARGEST < bytes.len().try_into().unwrap_or(u64::MAX) {
         return Err(FileError::TooLarge { path: path.to_owned() });
@@ -82,7 +82,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, FileError> {
     Ok(bytes)
 }
 
-/// Writes a file whole or not at all: beside it, synced, then renamed over it.
+/// Writes a file whole or not at all: to a temporary file beside it, synced, then renamed over it.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     if path.is_dir() {
         return Err(FileError::IsFolder { path: path.to_owned() });
@@ -91,12 +91,12 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     persist(beside, path, true)
 }
 
-/// The folder that a path lies in.
+/// The folder of a path.
 fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."))
 }
 
-/// Sets a broken file aside under another name and says which.
+/// Sets a broken file aside under another name and returns that name.
 pub fn set_aside(path: &Path) -> Result<PathBuf, FileError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     for number in 1..1000 {

@@ -15,13 +15,13 @@ use crate::verdict::{Doubt, PositionVerdict, Verdict, doubt, judge};
 /// One check.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
-    /// Local date and time of the check, or of the measurement where a file told it.
+    /// Local date and time of the check, or of the measurement where the file has one.
     pub time: DateTime,
     /// Name of the feature or part, where there is one.
     pub id: String,
     /// What was asked for; `None` where limits came from a log, which holds no class.
     pub callout: Option<Callout>,
-    /// What it was judged by.
+    /// The limits that it was judged by.
     pub limits: Limits,
     /// What was measured.
     pub measurement: Measurement,
@@ -32,8 +32,8 @@ pub struct Record {
 }
 
 impl Record {
-    /// A check of a measurement, and of the centre's position where it was measured: judged by the control's default
-    /// rule, and a value that may be another quantity doubted.
+    /// Checks a measurement, and the centre's position where it was measured, by the control's default rule; a value
+    /// that may be another quantity gets a doubt.
     pub fn judged(
         time: DateTime,
         id: String,

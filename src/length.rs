@@ -27,7 +27,7 @@ const NM_PER_MM: i64 = 1_000_000;
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Length(i64);
 
-/// The unit that a number without a unit of its own is read in, or that a length is printed in.
+/// The unit in which a number without a unit of its own is read, or in which a length is printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
     /// Millimetres.
@@ -49,7 +49,7 @@ impl Unit {
     }
 }
 
-/// Why a text or a number is no length.
+/// Why a text or a number is not a length.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "length", error)]
 pub enum LengthError {
@@ -86,12 +86,12 @@ impl IntoArg for Length {
 }
 
 impl Length {
-    /// No length at all.
+    /// A length of zero.
     pub const ZERO: Self = Self(0);
     /// The largest length, 1 000 000 000 mm; the smallest is its opposite.
     pub const MAX: Self = Self(1_000_000_000 * NM_PER_MM);
 
-    /// A length of so many nanometres.
+    /// A length of this many nanometres.
     ///
     /// # Errors
     /// [`LengthError::TooLarge`] beyond [`Length::MAX`].
@@ -102,14 +102,14 @@ impl Length {
         Ok(Self(nm))
     }
 
-    /// A length of so many micrometres, for constants in the code: any `i32` is in range.
+    /// A length of this many micrometres, for constants in the code: any `i32` is in range.
     pub const fn from_micrometres(um: i32) -> Self {
         // `as` widens here; `From` is not const.
         #[expect(clippy::as_conversions, reason = "widening in a const function")]
         Self(um as i64 * 1_000)
     }
 
-    /// A length of so many nanometres, for declarations in the code: the caller stays within [`Length::MAX`].
+    /// A length of this many nanometres, for declarations in the code: the caller stays within [`Length::MAX`].
     pub(crate) const fn constant(nm: i64) -> Self {
         Self(nm)
     }
@@ -163,7 +163,7 @@ impl Length {
         Self((self.0 - other.0).clamp(-Self::MAX.0, Self::MAX.0))
     }
 
-    /// The middle between two lengths, a half nanometre rounded towards the larger.
+    /// The middle between two lengths, with a half nanometre rounded towards the larger.
     #[must_use]
     pub fn midpoint(self, other: Self) -> Self {
         let sum = self.0 + other.0;
@@ -210,7 +210,7 @@ impl Length {
 
     /// The exact number in `unit`, with a point and only the decimals it has, but at least `decimals`.
     ///
-    /// Inches are not printed exactly (1 nm has no finite number of decimals); they come rounded to 7 decimals.
+    /// Inches are not printed exactly (1 nm has no finite number of decimals); they are rounded to 7 decimals.
     pub fn exact(self, unit: Unit, decimals: usize) -> String {
         let places = match unit {
             Unit::Millimetre => 6,
@@ -233,11 +233,11 @@ impl Length {
         format!("{plus}{}", self.exact(Unit::Micrometre, 0))
     }
 
-    /// The number in `unit` with exactly so many decimals, rounded half away from zero, with a point.
+    /// The number in `unit` with exactly this many decimals, rounded half away from zero, with a point.
     pub fn rounded(self, unit: Unit, decimals: usize) -> String {
         let magnitude = i128::from(self.0).unsigned_abs();
         let one = i128::from(unit.nanometres()).unsigned_abs();
-        // 12 decimals are more than any unit needs; a wider request is filled up with zeros.
+        // 12 decimals are more than any unit needs; beyond that the number is padded with zeros.
         let kept = decimals.min(12);
         let scale = (0..kept).fold(1_u128, |scale, _| scale * 10);
         let scaled = (magnitude * scale * 2 + one) / (one * 2);
@@ -250,7 +250,7 @@ impl Length {
     }
 }
 
-/// Takes a unit off the end of a number.
+/// Splits a unit off the end of a number.
 fn split_unit(text: &str, unit: Unit) -> (&str, Unit) {
     for (suffix, named) in [
         ("mm", Unit::Millimetre),

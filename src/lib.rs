@@ -1,10 +1,10 @@
-//! Fitcheck tells whether a probed bore or shaft is good, rework or scrap, and why.
+//! Fitcheck tells whether a probed hole or shaft is good, rework or scrap, and why.
 //!
-//! The rooms of the house, in the order in which data walks through them:
+//! The rooms of the house, in the order in which data goes through them:
 //!
 //! | module | what |
 //! |---|---|
-//! | [`shipped`], [`message`] | what is shipped; sentences without a language |
+//! | [`shipped`], [`message`] | the built-in files; sentences without a language |
 //! | [`length`] | whole nanometres |
 //! | [`tolerance`] | callouts, classes, limits |
 //! | [`probing`] | contacts, circles, measuring cycles, the simulated workpiece |

@@ -27,7 +27,7 @@ fn open_window() -> ExitCode {
     tell("this program was built without the window: name a subcommand, see fitcheck --help")
 }
 
-/// Says on standard error why the program ends; a closed one is nobody to tell.
+/// Prints on standard error why the program ends; if it is closed, nobody is left to tell.
 fn tell(message: &str) -> ExitCode {
     use std::io::Write as _;
     let _unheard = writeln!(std::io::stderr().lock(), "fitcheck: {message}");

@@ -1,4 +1,4 @@
-//! What stands in the source: the type, its variants, and the attributes.
+//! What the source declares: the type, its variants, and the attributes.
 
 use proc_macro2::Span;
 use syn::ext::IdentExt as _;
@@ -36,7 +36,7 @@ pub(crate) enum Text {
 pub(crate) struct Field {
     pub(crate) member: Member,
     pub(crate) ty: Type,
-    /// The argument that it is; `None` where it is left out.
+    /// The name of its argument; `None` where it is left out.
     pub(crate) argument: Option<String>,
     pub(crate) with: Option<Path>,
     pub(crate) is_from: bool,

@@ -1,4 +1,4 @@
-//! `#[derive(Say)]`: what an error, a warning or a remark says stands in the locale files and nowhere else.
+//! `#[derive(Say)]`: the wording of an error, a warning or a remark is in the locale files and nowhere else.
 //!
 //! ```ignore
 //! /// What is wrong with a table file.
@@ -20,17 +20,17 @@
 //! }
 //! ```
 //!
-//! Made from it: `Say` (the text's name with its values), `Display` (the English text), with `error` also
+//! The derive makes `Say` (the text's name with its values), `Display` (the English text), with `error` also
 //! `std::error::Error`, and `From` for a field with `#[from]`.
 //!
 //! A text's name is the prefix and the variant's name in kebab case; `#[say(id = "…")]` on a variant, or on a struct,
-//! names another. Arguments are the fields by name in kebab case; a single unnamed field is `$value` where
-//! `#[say(name = "…")]` gives no other name, and `#[say(skip)]` leaves a field out. A field's type says with
-//! `IntoArg` how it is put in. `args(…)` adds values that are computed from the fields, which are bound by reference.
+//! gives another name. Arguments are the fields by name in kebab case; a single unnamed field is `$value` unless
+//! `#[say(name = "…")]` names it, and `#[say(skip)]` leaves a field out. A field's type says with `IntoArg` how it is
+//! put in. `args(…)` adds values that are computed from the fields, which are bound by reference.
 //!
-//! A text that `assets/locales/en` lacks, and an argument that the text asks for and the variant lacks, are errors when
-//! the program is compiled, at the variant; the impls are made all the same, so that one mistake is one error. That the
-//! other languages have the same texts is a test.
+//! A text that `assets/locales/en` lacks, and an argument that the text asks for and the variant lacks, are compile
+//! errors at the variant; the impls are still made, so that one mistake is one error. A test checks that the other
+//! languages have the same texts.
 
 mod input;
 mod output;

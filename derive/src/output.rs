@@ -1,4 +1,4 @@
-//! The code that is made, and an error for every text that does not fit.
+//! The generated code, and an error for every text that does not fit.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -7,7 +7,7 @@ use syn::{Ident, Member};
 use crate::input::{Case, Said, Text};
 use crate::texts::Texts;
 
-/// The impls stand beside the errors: where they were missing, every use of the type would be an error of its own.
+/// The impls are made even with errors: without them, every use of the type would be an error of its own.
 pub(crate) fn write(said: &Said, texts: &Texts) -> TokenStream {
     let errors = said.cases.iter().filter_map(|case| {
         let message = wrong(case, texts)?;
@@ -37,7 +37,7 @@ pub(crate) fn write(said: &Said, texts: &Texts) -> TokenStream {
     }
 }
 
-/// Why a case cannot be said: its text is missing, or asks for more than it is given.
+/// Why a case has no sentence: its text is missing, or asks for more than it is given.
 fn wrong(case: &Case, texts: &Texts) -> Option<String> {
     let Text::Named(id) = &case.text else { return None };
     let texts = match texts {
@@ -62,7 +62,7 @@ fn arm(case: &Case) -> TokenStream {
     let path = case.variant.as_ref().map_or_else(|| quote!(Self), |variant| quote!(Self::#variant));
     let bindings = case.fields.iter().map(|field| {
         let (member, name) = (&field.member, binding(&field.member));
-        // A field that no argument asks for may still be used by a computed one.
+        // A field that no argument asks for may still be used by a computed value.
         let is_used = field.argument.is_some() || matches!(case.text, Text::Transparent) || !case.computed.is_empty();
         match member {
             Member::Named(_) if is_used => quote!(#name,),
@@ -111,7 +111,7 @@ fn conversions<'a>(said: &'a Said, case: &'a Case) -> impl Iterator<Item = Token
 mod tests {
     use super::*;
 
-    /// What is made of a type, where English has these texts, and the errors in it.
+    /// What is made from a type, given that English has these texts, and the errors in it.
     fn made(source: &str) -> (String, usize) {
         let texts = ["shape-round", "shape-square"].map(|id| (id.to_owned(), ["side".to_owned()].into()));
         let said = Said::read(&syn::parse_str(source).unwrap()).unwrap();

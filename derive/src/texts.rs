@@ -1,4 +1,4 @@
-//! The English texts: which there are, and what is put into each.
+//! The English texts: which ones exist, and what is put into each.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -28,7 +28,7 @@ fn read(folder: &Path) -> Texts {
     Ok(texts)
 }
 
-/// A text's name begins its line; what belongs to it is indented. Whether a file parses whole is a test of the crate.
+/// A text's name begins its line; its other lines are indented. A test of the crate checks that a file parses whole.
 fn collect(file: &str, texts: &mut BTreeMap<String, BTreeSet<String>>) {
     let mut name = String::new();
     for line in file.lines().filter(|line| !line.starts_with('#')) {

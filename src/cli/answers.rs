@@ -1,4 +1,4 @@
-//! Answers to callouts one by one, in one of the three formats: memory stays the same however many come.
+//! Answers callouts one by one, in one of the three formats: memory stays the same however many there are.
 
 mod lines;
 
@@ -15,14 +15,14 @@ use lines::{Found, Line};
 /// How much of a line that is too long is shown.
 const SHOWN: usize = 40;
 
-/// A callout, and its line where it comes from standard input.
+/// A callout, and its line if it comes from standard input.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Asked<'a> {
     pub(super) callout: &'a str,
     pub(super) line: Option<usize>,
 }
 
-/// What a subcommand has to say about a callout; refused ones are an answer as well.
+/// What a subcommand says about a callout; a refused callout also gets an answer.
 pub(super) trait Answerer {
     /// What CSV and JSON say.
     type Row<'a>: Cells;
@@ -34,23 +34,23 @@ pub(super) trait Answerer {
     fn refused(callout: &str, error: String) -> Self::Row<'_>;
 }
 
-/// An answer in figures: an object of JSON and a line of CSV.
+/// An answer in figures: a JSON object and a line of CSV.
 pub(super) trait Cells: Serialize {
     /// The cells of CSV, in the order of its columns.
     fn cells(&self) -> Vec<String>;
 }
 
-/// What was printed so far.
+/// What has been printed so far.
 pub(super) struct Answers {
     format: Format,
-    /// A single answer of JSON is an object, not an array.
+    /// A single answer in JSON is an object, not an array.
     is_one: bool,
     answered: usize,
     refused: usize,
 }
 
 impl Answers {
-    /// Answers every callout; `-` stands for the lines of standard input. Whether none was refused.
+    /// Answers every callout; `-` stands for the lines of standard input. Returns whether none was refused.
     pub(super) fn print<A: Answerer>(
         (format, is_one): (Format, bool),
         columns: &[&str],
@@ -74,8 +74,8 @@ impl Answers {
         answers.finish(io)
     }
 
-    /// Answers every line of the input. What is answered is out before the next wait for input, so that another
-    /// program can ask line by line.
+    /// Answers every line of the input. Answers are written out before the next wait for input, so that another program
+    /// can ask line by line.
     fn lines<A: Answerer>(&mut self, answerer: &mut A, io: &mut Io<'_>) -> Result<(), CliError> {
         let mut line = Line::default();
         for number in 1_usize.. {
@@ -100,7 +100,7 @@ impl Answers {
         self.format == Format::Text
     }
 
-    /// An answer for people; the writer is told whether it is the first.
+    /// Prints an answer for people; `write` gets `true` for the first one.
     pub(super) fn text(
         &mut self,
         write: impl FnOnce(&mut dyn Write, bool) -> std::io::Result<()>,
@@ -110,7 +110,7 @@ impl Answers {
         Ok(write(&mut *io.out, self.answered == 1)?)
     }
 
-    /// Says why there is no answer.
+    /// Prints why there is no answer.
     pub(super) fn refuse<A: Answerer>(
         &mut self,
         asked: Asked<'_>,
@@ -122,7 +122,7 @@ impl Answers {
             return self.figures(&A::refused(asked.callout, error.to_string()), io);
         }
         self.answered += 1;
-        // What was answered before stands before it on a screen, too.
+        // On a screen, earlier answers must also come before it.
         io.out.flush()?;
         match asked {
             Asked { callout: "", line: Some(line) } => io.tell(format_args!("line {line}: {error}")),
@@ -131,7 +131,7 @@ impl Answers {
         }
     }
 
-    /// A line of CSV or an object of JSON.
+    /// A line of CSV or a JSON object.
     pub(super) fn figures(&mut self, figures: &impl Cells, io: &mut Io<'_>) -> Result<(), CliError> {
         self.answered += 1;
         match self.format {
@@ -161,7 +161,7 @@ impl Answers {
 
 /// A line of CSV.
 pub(super) fn csv_line<T: AsRef<[u8]>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) -> Result<(), CliError> {
-    // Into memory first: the writer's own flush would reach the stream line by line.
+    // Into memory first: the writer's own flush would reach the stream at every line.
     let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
     writer.write_record(cells)?;
     let line = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;

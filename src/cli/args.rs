@@ -11,14 +11,14 @@ use crate::files;
 use crate::tolerance::{Base, Sources, iso286};
 use crate::words::Dialogue;
 
-/// One of some values that have names: clap lists the names, the program gets the value.
+/// One of several named values: clap lists the names, the program gets the value.
 pub(super) fn one_of<T: Clone + Send + Sync + 'static>(
     all: impl IntoIterator<Item = T>,
     name: fn(&T) -> &'static str,
 ) -> impl TypedValueParser<Value = T> {
     let all: Vec<T> = all.into_iter().collect();
     let names = PossibleValuesParser::new(all.iter().map(name).collect::<Vec<_>>());
-    // Names that are not listed have been refused before.
+    // Unlisted names have already been refused.
     names.try_map(move |given| all.iter().find(|one| name(one) == given).cloned().ok_or(std::fmt::Error))
 }
 

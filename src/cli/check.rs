@@ -89,7 +89,7 @@ struct SourceArgs {
     simulate: bool,
 }
 
-/// A shipped mask by its language, or a file.
+/// A built-in mask by its language, or a file.
 #[derive(Debug, Clone)]
 enum MaskArg {
     Shipped(Dialogue),
@@ -183,7 +183,7 @@ impl Args {
     }
 }
 
-/// What is odd about the measured value; what the measurement cannot tell stands in CSV and JSON.
+/// Warns about the measured value; what the measurement cannot tell is in CSV and JSON.
 fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
     if let Some(doubt) = record.doubt {
         io.warn(&doubt)?;
@@ -194,7 +194,7 @@ fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
     Ok(())
 }
 
-/// `unstated`: the callout has no letters and nobody said hole or shaft, so the file does not say it either.
+/// `unstated`: the callout has no letters and nobody named hole or shaft, so the JSON does not either.
 fn print_json(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut object = json::object(record).said()?;
     if let Some(feature) = object.get_mut("feature").filter(|_| unstated) {

@@ -28,7 +28,7 @@ pub(super) struct Args {
     format: Format,
 }
 
-/// The answer for programs; the names are a contract.
+/// The answer for programs; its names must not change.
 #[derive(Debug, Serialize)]
 struct Answer<'a> {
     least_squares: LeastSquares,

@@ -1,4 +1,4 @@
-//! Why a subcommand could not do its work, and how errors of the rooms become that.
+//! Why a subcommand could not do its work, and how the errors of the rooms become that.
 
 use std::path::PathBuf;
 
@@ -21,25 +21,25 @@ pub(super) enum CliError {
     /// A file could not be read or written.
     #[say(transparent)]
     File(#[from] FileError),
-    /// What a room says, as it says it.
+    /// An error of a room, in its words.
     #[say(transparent)]
     Said(Message),
-    /// What a room says, and what it is about: a file, an option, a callout.
+    /// An error of a room, and what it is about: a file, an option, a callout.
     About { what: Arg, error: Message },
     /// An answer that cannot be written as CSV or JSON.
     Output(String),
 
     /// A measured diameter of zero or less.
     NotAboveZero { diameter: Length },
-    /// A line of standard input beyond the bound of the reader.
+    /// A line of standard input that is longer than the reader's limit.
     #[say(args(limit = LONGEST_LINE))]
     LineTooLong,
-    /// A file that is read well and has no deviations.
+    /// A file that can be read and has no deviations.
     NotATable { name: String },
 
-    /// Hole or shaft has to be said.
+    /// Hole or shaft must be named.
     AddFeature { error: LimitsError },
-    /// Outside the limits, and rework or scrap depends on hole or shaft.
+    /// Outside the limits, and hole or shaft decides between rework and scrap.
     ReworkOrScrap { asked: Arg, measured: Length, minimum: Length, maximum: Length },
 
     /// Measured parts for several fits.
@@ -53,27 +53,27 @@ pub(super) enum CliError {
 
     /// The file of a control table has another ending.
     TableEnding { path: PathBuf },
-    /// A file's ending is none of its format.
+    /// A file's ending does not belong to its format.
     FormatEnding { path: PathBuf, format: &'static str, endings: String },
     /// Several tables for one file.
     SeveralTables,
 
-    /// `--format` asks for another format than the file's ending.
+    /// `--format` asks for a format other than that of the file's ending.
     ReportFormat { format: &'static str, file: PathBuf },
     /// No check could be used.
     ReportEmpty,
 
-    /// Inputs of a cycle that are no JSON object.
+    /// Inputs of a cycle that are not a JSON object.
     NotAnObject { error: String },
     /// An input of a cycle that is neither number nor text.
     NotAnInput { name: String, value: String },
-    /// An input of a cycle that stands twice in a file.
+    /// An input of a cycle that occurs twice in a file.
     GivenTwice { name: String },
     /// An input of a cycle that is set twice.
     SetTwice { name: String },
     /// The block of another cycle.
     OtherCycle { given: &'static str, wanted: &'static str },
-    /// A parameter that PREDEF cannot stand for, or none.
+    /// A parameter that PREDEF cannot stand for, or that does not exist.
     NotPredef { name: String },
     /// A probe that the touch-probe table lacks.
     NoProbe { number: u32 },
@@ -84,16 +84,16 @@ pub(super) enum CliError {
 
     /// A value of `--set` that is not a decimal number.
     NotANumber,
-    /// A folder that is not there.
+    /// A folder that does not exist.
     NoFolder { path: PathBuf },
-    /// A program that is neither there nor built in.
+    /// A program that is neither in a file nor built in.
     NoProgram { error: FileError, names: String },
 
-    /// An option of a single callout beside a plan.
+    /// An option for a single callout, given with a plan.
     OptionBesidePlan { option: &'static str },
     /// An option that a single callout needs.
     OptionMissing { option: &'static str },
-    /// A file that is there already.
+    /// A file that already exists.
     UseForce { error: FileError },
 }
 
@@ -152,7 +152,7 @@ impl From<serde_json::Error> for CliError {
 }
 
 impl From<csv::Error> for CliError {
-    /// A closed pipe stays one.
+    /// A closed pipe stays a closed pipe.
     fn from(error: csv::Error) -> Self {
         match error.into_kind() {
             csv::ErrorKind::Io(error) => Self::Stream(error),
@@ -161,9 +161,9 @@ impl From<csv::Error> for CliError {
     }
 }
 
-/// A room's error on its way out.
+/// An error of a room on its way out.
 pub(super) trait Refused<T> {
-    /// As the room says it.
+    /// In the words of the room.
     fn said(self) -> Result<T, CliError>;
     /// After what it is about.
     fn about(self, what: &(impl IntoArg + ?Sized)) -> Result<T, CliError>;

@@ -1,8 +1,8 @@
-//! `fitcheck fit`: a hole against a shaft, and the way back from a clearance to classes.
+//! `fitcheck fit`: a hole and a shaft, and the way back from a clearance to classes.
 //!
 //! | file | what |
 //! |---|---|
-//! | `answer` | what there is to say about one fit |
+//! | `answer` | the answer for one fit |
 //! | `figures` | the same in figures: the names that CSV and JSON share |
 //! | `text` | the same for people |
 //! | `heat` | materials and temperatures |
@@ -116,7 +116,7 @@ impl Args {
             Answers::print((self.format, is_one), &names(&Figures::COLUMNS), &self.callouts, &mut fits, io),
             fits.worst,
         ) {
-            // Nobody listens, but the verdict stands.
+            // Nobody is listening, but the verdict stands.
             (Err(CliError::Stream(error)), Some(worst)) if error.kind() == ErrorKind::BrokenPipe => {
                 Ok(Outcome::Judged(worst))
             }
@@ -139,7 +139,7 @@ struct Given<'a> {
 /// Answers with fits.
 struct Fits<'a> {
     given: Given<'a>,
-    /// The worst status of measured parts.
+    /// The worst status of the measured parts.
     worst: Option<Status>,
 }
 

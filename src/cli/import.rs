@@ -1,4 +1,4 @@
-//! `fitcheck import`: measurements from files, a verdict each.
+//! `fitcheck import`: measurements from files, with a verdict for each.
 
 mod print;
 mod row;
@@ -66,7 +66,7 @@ it is 1 where any row or file could not be used or not be judged. Files are read
     )
 }
 
-/// What all files together came to.
+/// The result of all files together.
 #[derive(Debug, Default)]
 struct Tally {
     worst: Option<Status>,
@@ -104,7 +104,7 @@ impl Args {
     }
 }
 
-/// Warnings about the whole file; those of a row stand beside it.
+/// Warns about the whole file; warnings about a row are beside the row.
 fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> Result<(), CliError> {
     for warning in imported.warnings.iter().filter(|warning| warning.what.row.is_none()) {
         let line = warning.place.line.unwrap_or(1);

@@ -14,7 +14,7 @@ use crate::message::{IntoArg, Say};
 use crate::probing::Contact;
 use crate::tolerance::DeviationTable;
 
-/// The standard streams, as arguments so that tests bring their own.
+/// The standard streams, as arguments so that tests can bring their own.
 pub struct Io<'a> {
     /// Standard input.
     pub input: &'a mut dyn BufRead,
@@ -25,7 +25,7 @@ pub struct Io<'a> {
 }
 
 impl Io<'_> {
-    /// Writes a line to standard error; nobody listening there is no error, so that the rest is still done.
+    /// Writes a line to standard error; it is not an error if nobody listens there, so that the rest is still done.
     pub(super) fn tell(&mut self, line: impl Display) -> Result<(), CliError> {
         heard_or_not(writeln!(self.err, "{}", tame(&line.to_string())))
     }
@@ -36,28 +36,28 @@ impl Io<'_> {
         heard_or_not(writeln!(self.out, "{text}"))
     }
 
-    /// Says what is odd.
+    /// Prints a warning.
     pub(super) fn warn(&mut self, what: &impl Say) -> Result<(), CliError> {
         self.tell(warning(what))
     }
 
-    /// Says what is odd about something: a file, a part.
+    /// Prints a warning about something: a file, a part.
     pub(super) fn warn_about(&mut self, name: &(impl IntoArg + ?Sized), what: &impl Say) -> Result<(), CliError> {
         self.tell(warning(&about(name, what)))
     }
 
-    /// Says what is worth knowing.
+    /// Prints a remark.
     pub(super) fn remark(&mut self, what: &impl Say) -> Result<(), CliError> {
         self.tell(remark(what))
     }
 
-    /// Says what failed, while the rest goes on.
+    /// Prints what failed, while the rest continues.
     pub(super) fn fail(&mut self, error: impl Display) -> Result<(), CliError> {
         self.tell(format_args!("fitcheck: {error}"))
     }
 }
 
-/// A text from a file as a terminal may get it: control characters, which could write a title or hide a line, become
+/// A text from a file, safe for a terminal: control characters, which could write a title or hide a line, become
 /// blanks.
 pub(super) fn tame(text: &str) -> String {
     text.chars().map(|c| if c.is_control() && c != '\n' && c != '\t' { ' ' } else { c }).collect()
@@ -114,7 +114,7 @@ pub(super) fn diameter(text: &str, what: What<'_>) -> Result<Length, CliError> {
     if Length::ZERO < diameter { Ok(diameter) } else { Err(CliError::NotAboveZero { diameter }).about(&what) }
 }
 
-/// Writes an output file and says its name on standard error.
+/// Writes an output file and prints its name on standard error.
 pub(super) fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), CliError> {
     files::write(path, bytes)?;
     io.tell(CliRemark::Wrote { path: path.display().to_string() })

@@ -52,7 +52,7 @@ impl Args {
 /// Answers with limits of size.
 struct LimitsOf<'a>(&'a Sources);
 
-/// A line of CSV or an object of JSON.
+/// A line of CSV or a JSON object.
 #[derive(Debug, Default, serde::Serialize)]
 struct Row<'a> {
     callout: &'a str,
@@ -92,7 +92,7 @@ impl Cells for Row<'_> {
     }
 }
 
-/// Where the limits come from, and what the shipped table says where the user's says something else.
+/// Where the limits come from, and what ISO 286 says where a user's table differs.
 pub(super) fn source(source: &Source) -> String {
     match source {
         Source::Table { instead_of: Some(shipped), .. } => {

@@ -1,9 +1,9 @@
-//! The command line: one file a subcommand, each a thin walk through the rooms.
+//! The command line: one file per subcommand, each a short walk through the rooms.
 //!
 //! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage. A closed pipe ends the
 //! program quietly. Nothing here needs a display.
 //!
-//! A new subcommand is a file with its `Args` and a line in the table `subcommands!`. What they share:
+//! A new subcommand is a file with its `Args` and a line in the table `subcommands!`. The subcommands share:
 //!
 //! | file | what |
 //! |---|---|
@@ -84,12 +84,12 @@ subcommands! {
     Run(run::Args),
     Table(table::Args),
 }
-/// An exact decimal: as it is in CSV, a number in JSON.
+/// An exact decimal: unchanged in CSV, a number in JSON.
 #[derive(Debug)]
 struct Figure(String);
 
 impl Figure {
-    /// Millimetres exactly, with at least so many decimals.
+    /// Millimetres exactly, with at least this many decimals.
     fn mm(length: Length, decimals: usize) -> Self {
         Self(length.exact(Unit::Millimetre, decimals))
     }
@@ -104,7 +104,7 @@ impl serde::Serialize for Figure {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match (self.0.parse::<i64>(), self.0.parse::<f64>()) {
             (Ok(whole), _) => serializer.serialize_i64(whole),
-            // A length has at most 16 figures and none finer than a nanometre: its nearest float prints the same.
+            // A length has at most 16 figures and none finer than a nanometre, so its nearest float prints the same.
             (_, Ok(number)) => serializer.serialize_f64(number),
             _ => serializer.serialize_str(&self.0),
         }
@@ -122,14 +122,14 @@ impl Cell for Figure {
 enum Outcome {
     /// Done; nothing was judged or everything is good.
     Done,
-    /// Judged: the worst status of all.
+    /// Judged: the worst status.
     Judged(Status),
     /// Some of the data could not be used; the rest was answered.
     BadData,
 }
 
 impl Outcome {
-    /// The exit code of the contract.
+    /// The exit code as listed above.
     const fn code(self) -> u8 {
         match self {
             Self::Done | Self::Judged(Status::Good) => 0,
@@ -147,7 +147,7 @@ impl Cli {
         self.command.is_some()
     }
 
-    /// Runs the subcommand on the given streams and answers with the exit code.
+    /// Runs the subcommand on the given streams and returns the exit code.
     pub fn run(&self, io: &mut Io<'_>) -> u8 {
         let result = self.command.as_ref().map_or(Ok(Outcome::Done), |command| command.run(io));
         let result = result.and_then(|outcome| heard_or_not(io.out.flush()).map(|()| outcome));

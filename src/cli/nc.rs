@@ -1,4 +1,4 @@
-//! `fitcheck nc`: programs, tables and mask with which a control measures features itself.
+//! `fitcheck nc`: the programs, tables and mask with which a control measures features itself.
 
 use std::path::{Path, PathBuf};
 
@@ -139,7 +139,7 @@ impl Args {
         NcPlan::new(vec![feature]).said()
     }
 
-    /// A plan's errors name its file.
+    /// Adds the plan's file to its errors.
     fn named(&self, set: Result<NcSet, SetError>) -> Result<NcSet, CliError> {
         match set {
             Err(SetError::Plan(error)) if self.is_plan() => Err(error).about(&self.what),

@@ -75,7 +75,7 @@ Examples:
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard error
 and in the report; the others are reported, and the exit code is 1.";
 
-/// Why a `--check` is no check.
+/// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "cli-check")]
 enum CheckError {
@@ -89,7 +89,7 @@ enum CheckError {
     Limits(#[from] LimitsError),
     /// The measured value cannot be read.
     Measured(LengthError),
-    /// A diameter is above zero.
+    /// The diameter is zero or less.
     NotPositive { measured: Length },
 }
 
@@ -110,7 +110,7 @@ fn output(text: &str) -> Result<Output, EndingError> {
     Ok(Output::File(PathBuf::from(text), report::rendering_for(Path::new(text))?))
 }
 
-/// The checks so far, and what made none.
+/// The checks so far, and what did not become one.
 #[derive(Debug, Default)]
 struct Collected {
     checks: Vec<Record>,
@@ -161,7 +161,7 @@ impl Args {
                 Err(CliError::ReportFormat { format: named.name, file: file.clone() })
             }
             (Output::File(_, rendering), _) => Ok(rendering),
-            // Without a format, clap has refused standard output before.
+            // Without a format, clap has already refused standard output.
             (Output::Standard, named) => Ok(named.unwrap_or(&report::html::RENDERING)),
         }
     }
@@ -190,7 +190,7 @@ impl Collected {
         Ok(())
     }
 
-    /// Notes what is no check, so that the report is not taken for the whole.
+    /// Notes what is not a check, so that nobody takes the report for complete.
     fn refuse(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> Result<(), CliError> {
         self.bad = true;
         self.note(place, what, io)
@@ -205,7 +205,7 @@ impl Collected {
     }
 }
 
-/// Judges a `--check`: a name and a colon perhaps, a callout, an equals sign, a diameter.
+/// Judges a `--check`: an optional name and colon, a callout, an equals sign, a diameter.
 fn record(text: &str, sources: &Sources, time: DateTime) -> Result<Record, CheckError> {
     let (asked, measured) = text.rsplit_once('=').ok_or_else(|| CheckError::NoMeasured { text: text.to_owned() })?;
     let (id, callout) = asked.rsplit_once(':').unwrap_or(("", asked));

@@ -18,7 +18,7 @@ pub(super) enum CliRemark {
     Refused { refused: usize, asked: usize },
     /// A search that found nothing.
     NoPair { nearest: String },
-    /// The default that nobody chose.
+    /// A default was used for the clearance height.
     ClearanceHeight { height: Length },
 }
 
@@ -26,9 +26,9 @@ pub(super) enum CliRemark {
 #[derive(Debug, Say)]
 #[say(prefix = "cli-warning")]
 pub(super) enum CliWarning<'a> {
-    /// A column of a file of contacts.
+    /// A skipped column of a file of contacts.
     ColumnNotUsed { column: &'a str },
-    /// The user's own table does not say what ISO 286 says.
+    /// The user's own table differs from ISO 286.
     OwnTable { name: &'a str, upper: Length, lower: Length },
     /// A cell for which ISO 286 has no value, or several.
     EmptyCell {
@@ -39,13 +39,13 @@ pub(super) enum CliWarning<'a> {
     },
     /// Recorded contacts that the cycle did not ask for.
     ContactsLeft { used: usize, count: usize },
-    /// A cycle whose log is not known.
+    /// A cycle with an unknown log.
     LogUnknown { code: &'a str },
-    /// A folder for logs and an input that wants none.
+    /// A folder for logs, and an input that wants no log.
     LogOff,
-    /// A folder for logs and a cycle without one.
+    /// A folder for logs, and a cycle without one.
     LogNone,
-    /// A folder for logs and an input that shows it.
+    /// A folder for logs, and an input that shows the log on the screen.
     LogOnScreen,
 }
 

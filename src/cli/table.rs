@@ -1,4 +1,4 @@
-//! `fitcheck table`: control tables against ISO 286, new ones, and tables for other tools.
+//! `fitcheck table`: compares control tables with ISO 286, makes new ones, and exports tables for other tools.
 
 mod made;
 mod verify;

@@ -1,6 +1,6 @@
-//! Which column of a CSV is which: by the words of its header in English, Dutch, German or Italian, else by content.
+//! Finds the columns of a CSV: by the words of its header (English, Dutch, German, Italian) or by content.
 //!
-//! What could be read in two ways is refused. `words` holds the words.
+//! A file that could be read in two ways is refused. `words` has the words.
 
 use csv::StringRecord;
 
@@ -10,10 +10,10 @@ use super::words::{self, Rank};
 use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, ToleranceClass};
 
-/// How many rows are looked at to find out what a file is.
+/// How many rows are examined to find out what a file is.
 const SAMPLE: usize = 200;
 
-/// How many lines may stand above a header.
+/// How many lines may come before a header.
 const ABOVE_HEADER: usize = 20;
 
 /// A column with lengths.
@@ -38,11 +38,11 @@ pub(super) struct Columns {
     pub(super) header: Option<usize>,
     /// Whether the columns were found by their names.
     pub(super) names_known: bool,
-    /// Names of the columns that are not used.
+    /// Names of the skipped columns.
     pub(super) ignored: Vec<String>,
-    /// The decimal sign of the measured values, where any has one.
+    /// The decimal sign of the measured values, if any has one.
     pub(super) decimal_sign: Option<char>,
-    /// Whether the cells behind measured values with a decimal sign are whole numbers of their own.
+    /// Whether the cells after measured values with a decimal sign are whole numbers of their own.
     pub(super) whole_numbers_behind: bool,
 }
 
@@ -58,7 +58,7 @@ impl Sample {
     pub(super) fn of(text: &str, first_line: usize, separator: Option<u8>) -> Self {
         let tried: &[u8] = separator.as_ref().map_or(&SEPARATORS, std::slice::from_ref);
         let samples = tried.iter().map(|&separator| Self::split(text, first_line, separator));
-        // The first of equals: the separators are in the order of their trust.
+        // The first of equals: the separators are in order of trust.
         let best = samples.reduce(|best, other| if best.sense() < other.sense() { other } else { best });
         best.unwrap_or(Self { separator: b';', rows: Vec::new(), header: None })
     }
@@ -84,7 +84,7 @@ impl Sample {
     /// What the columns are.
     ///
     /// # Errors
-    /// A reason that is about the whole file.
+    /// A reason that concerns the whole file.
     pub(super) fn columns(&self) -> Result<Columns, ImportErrorKind> {
         if self.rows.is_empty() {
             return Err(ImportErrorKind::NoRows);
@@ -101,9 +101,9 @@ impl Sample {
         Ok(columns)
     }
 
-    /// How many rows stand above the measurements.
+    /// How many rows come before the measurements.
     fn above(&self) -> usize {
-        // Names that are not known are no measurement, either.
+        // Unknown names are not a measurement either.
         let unknown = self.rows.first().is_some_and(|(_, cells)| may_be_names(cells));
         self.header.map_or(usize::from(unknown), |header| header + 1)
     }
@@ -137,7 +137,7 @@ impl Sample {
         };
         let sure = [Rank::Exact, Rank::Contained];
         let measured = best(Role::Measured, &sure)?;
-        // "diameter" is the measured value where no other column is, else it may be the nominal size.
+        // "diameter" is the measured value where no other column is; otherwise it may be the nominal size.
         let measured_at = match measured {
             Some(at) => at,
             None => best(Role::Measured, &[Rank::Weak])?.ok_or(ImportErrorKind::NoMeasuredColumn)?,
@@ -174,11 +174,11 @@ impl Sample {
         })
     }
 
-    /// Without a header: the column of callouts, or of classes with the nominal sizes before them, and the only
-    /// column of numbers behind it, or the only one at all.
+    /// Without a header: the column of callouts, or of classes with the nominal sizes before them, and the only column
+    /// of numbers after it, or the only one at all.
     fn by_content(&self) -> Result<Columns, ImportErrorKind> {
         let width = self.rows.iter().map(|(_, cells)| cells.len()).max().unwrap_or_default();
-        // What most rows have; a longer row is told as one.
+        // The count that most rows have; a longer row is reported.
         let count = (1..=width)
             .max_by_key(|&n| self.rows.iter().filter(|(_, cells)| cells.len() == n).count())
             .unwrap_or(width);
@@ -232,7 +232,7 @@ impl Sample {
         all < whole * 2
     }
 
-    /// The decimal sign that most values of a column have; of equals, that of the first.
+    /// The decimal sign that most values of a column have; in a tie, the first one.
     fn decimal_sign(&self, at: usize) -> Option<char> {
         let signs = || {
             self.cells(at).filter_map(|cell| match (cell.contains('.'), cell.contains(',')) {
@@ -268,13 +268,13 @@ pub(super) fn are_contacts(text: &str) -> bool {
             matches!(cells.len(), 2..=3)
                 && cells.iter().all(|cell| cell.trim().replace(',', ".").parse::<f64>().is_ok())
         };
-        // Most rows: one with letters is told by the reader of contacts.
+        // Most rows are enough: the reader of contacts reports one with letters.
         let contacts = sample.rows.iter().filter(|(_, cells)| is_contact(cells)).count();
         sample.header.is_none() && sample.rows.len() < contacts * 2
     })
 }
 
-/// Which row is the header: the first that names columns and holds no measurement.
+/// The header row: the first that names columns and holds no measurement.
 fn header(rows: &[(usize, StringRecord)]) -> Option<usize> {
     let first = rows
         .iter()
@@ -293,7 +293,7 @@ fn named(cells: &StringRecord) -> usize {
     cells.iter().filter(|cell| words::role(cell).is_some()).count()
 }
 
-/// Whether a row holds no figures: neither numbers nor callouts, nor what was meant to be one.
+/// Whether a row holds no figures: neither numbers nor callouts, nor anything meant as one.
 fn may_be_names(cells: &StringRecord) -> bool {
     let begins_with_digit =
         |cell: &str| cell.trim().trim_start_matches(['Ø', '⌀']).starts_with(|c: char| c.is_ascii_digit());
@@ -322,7 +322,7 @@ fn is_number(cell: &str) -> bool {
 }
 
 fn is_callout(cell: &str) -> bool {
-    // Deviations and limits look like dates and numbers of parts: 2024-03-14, 17-3.
+    // Deviations and limits look like dates and part numbers: 2024-03-14, 17-3.
     cell.parse::<Callout>().is_ok_and(|callout| callout.class().is_some())
 }
 

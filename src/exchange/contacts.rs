@@ -1,4 +1,4 @@
-//! Contacts of one circle: CSV with x, y and perhaps z, millimetres.
+//! Contacts of one circle: CSV with x, y and optionally z, in millimetres.
 //!
 //! A row that cannot be used makes the whole file doubtful, so it is an error: a circle through the rest would be a
 //! guess. Figures are read as `f64` with all their digits; they are geometry, not sizes.
@@ -13,7 +13,7 @@ use crate::probing::Contact;
 pub struct Contacts {
     /// The contacts in the file's order.
     pub contacts: Vec<Contact>,
-    /// Names of columns that were not used.
+    /// Names of the skipped columns.
     pub ignored: Vec<String>,
 }
 
@@ -50,19 +50,19 @@ pub enum ContactsError {
     NotANumber {
         /// x, y or z.
         name: char,
-        /// What stands there.
+        /// What was found.
         given: String,
     },
-    /// A decimal sign that is not the one of the rows before.
+    /// A decimal sign that is not that of the rows before.
     MixedSigns {
-        /// What stands there.
+        /// What was found.
         given: String,
     },
     /// A quotation mark that is not closed.
     OpenQuote,
 }
 
-/// Where x, y and z stand in a row.
+/// Where x, y and z are in a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Places {
     x: usize,
@@ -71,8 +71,8 @@ struct Places {
     cells: usize,
 }
 
-/// Reads contacts: separator comma, semicolon, tab or bar; decimal comma where the comma separates nothing; a header
-/// with x, y and z in any order, or none.
+/// Reads contacts. The separator is a comma, semicolon, tab or bar; a decimal comma may be used where the comma is not
+/// the separator. A header with x, y and z in any order is optional.
 ///
 /// ```
 /// let contacts = fitcheck::exchange::contacts::read(b"x;y\n12,5;0\n0;12,5\n-12,5;0\n")?;
@@ -81,7 +81,7 @@ struct Places {
 /// ```
 ///
 /// # Errors
-/// [`ContactsError`] with line and column, the number of the cell.
+/// [`ContactsError`] with the line and, as the column, the number of the cell.
 pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
     let text = text::decode(bytes);
     let separator = separator(&text);
@@ -118,7 +118,7 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
     Ok(read)
 }
 
-/// Point and comma as decimal signs in one file: one of them is a slip, and nobody can tell which.
+/// Refuses point and comma as decimal signs in one file: one of them is a slip, and nobody can tell which.
 fn same_sign(row: &[&str], line: usize, sign: &mut Option<char>) -> Result<(), Located<ContactsError>> {
     for (at, cell) in row.iter().enumerate().filter(|(_, cell)| number(cell).is_some()) {
         let Some(own) = cell.chars().find(|c| ['.', ','].contains(c)) else { continue };
@@ -129,7 +129,7 @@ fn same_sign(row: &[&str], line: usize, sign: &mut Option<char>) -> Result<(), L
     Ok(())
 }
 
-/// The separator of the first line that has one; a blank in between counts as none.
+/// The separator of the first line that has one; a blank is not a separator.
 fn separator(text: &str) -> u8 {
     let lines =
         text::lines(text).map(|(_, line)| line.trim()).filter(|line| !line.is_empty() && !line.starts_with('#'));
@@ -139,7 +139,7 @@ fn separator(text: &str) -> u8 {
         .unwrap_or(b',')
 }
 
-/// A first row with a letter in every cell but for units: no figure is a name.
+/// Whether a row is a header: one of its cells begins with x or y, and no cell is a number.
 fn is_header(row: &[&str]) -> bool {
     let begins = |cell: &&str| cell.starts_with(['x', 'y', 'X', 'Y']);
     row.iter().any(begins) && row.iter().all(|cell| number(cell).is_none())
@@ -200,7 +200,7 @@ fn at_cell(line: usize, at: usize, what: ContactsError) -> Located<ContactsError
     Located { what, place: Place { column: Some(at + 1), ..Place::line(line) } }
 }
 
-/// A finite decimal number with point or comma. Words such as `nan` and `inf` are none.
+/// A finite decimal number with point or comma. Words such as `nan` and `inf` are not numbers.
 fn number(cell: &str) -> Option<f64> {
     let plain = cell.replace(',', ".").replace('\u{2212}', "-");
     let figures = plain.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));

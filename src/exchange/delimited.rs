@@ -1,7 +1,7 @@
-//! Rows and cells of a text with separators, and the lines that they stand on.
+//! Rows and cells of a text with separators, and the lines that they are on.
 //!
-//! The `csv` crate splits rows into cells. A quotation mark that is not closed would make it swallow the rows behind it,
-//! so each line is looked through first: only the first row, which may be a header, may run over several lines.
+//! The `csv` crate splits rows into cells. A quotation mark that is not closed would make it swallow the rows after it,
+//! so each line is checked first: only the first row, which may be a header, may span several lines.
 
 use csv::{ReaderBuilder, StringRecord};
 
@@ -40,7 +40,7 @@ struct Segment {
 struct Reader<'a> {
     csv: csv::Reader<&'a [u8]>,
     text: &'a str,
-    /// How far lines are counted.
+    /// How far lines have been counted.
     byte: usize,
     line: usize,
 }
@@ -85,13 +85,13 @@ impl<'a> Reader<'a> {
         match self.csv.read_record(&mut cells) {
             Ok(true) => {}
             Ok(false) => return None,
-            // The text is valid, so there is nothing that could go wrong; if it does, the row is told.
+            // The text is valid, so nothing should go wrong; if it does, the row is reported.
             Err(error) => {
                 let line = error.position().map_or(self.line, |at| at.line().try_into().unwrap_or(self.line));
                 return Some(Item::OpenQuote { line, text: "" });
             }
         }
-        // The position is that of the row before's end: empty lines come between.
+        // The position is the end of the row before: empty lines may come between.
         let start = cells.position().map_or(0, csv::Position::byte);
         self.count_to(start.try_into().unwrap_or(usize::MAX));
         while self.text.as_bytes().get(self.byte).is_some_and(|byte| b"\r\n".contains(byte)) {
@@ -150,7 +150,7 @@ fn segments(text: &str, first_line: usize, separator: u8) -> Vec<Segment> {
     segments
 }
 
-/// The lines of a text with their numbers, beginnings and ends; the line's own end belongs to it.
+/// The lines of a text with their numbers, beginnings and ends; a line includes its line end.
 fn lines(text: &str, first: usize) -> impl Iterator<Item = (usize, usize, usize)> {
     let bytes = text.as_bytes();
     let mut from = 0;
@@ -233,7 +233,7 @@ mod tests {
     }
 
     proptest::proptest! {
-        /// Whatever the text, lines come in order and each row's first cell stands where it says.
+        /// Whatever the text, lines come in order and each row's first cell is where it says.
         #[test]
         fn lines_ascend(text in "[a;\"\n\r #,]{0,80}") {
             let count = lines(&text, 1).count();

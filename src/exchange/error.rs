@@ -7,13 +7,13 @@ use crate::length::{Length, LengthError};
 use crate::message::{Located, Message, Say, shortened};
 use crate::tolerance::{Callout, CalloutError, LimitsError};
 
-/// A row that could not be used. Its place is its line, 1 where the whole file is meant, and as the column the number of
-/// the cell in its row, or in a log the character in its line.
+/// A row that could not be used. Its place has its line, or 1 for the whole file; the column is the number of the cell
+/// in its row or, in a log, the character in its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ImportError {
     /// What is wrong.
     pub kind: ImportErrorKind,
-    /// What was given there; long texts are cut.
+    /// What was given there; long texts are shortened.
     pub given: String,
 }
 
@@ -29,7 +29,7 @@ impl Say for ImportError {
 pub enum ImportErrorKind {
     /// There is nothing in the file.
     Empty,
-    /// No format knows the file.
+    /// No format recognises the file.
     NotRecognised,
     /// Only a header, comments or blank lines.
     NoRows,
@@ -44,26 +44,26 @@ pub enum ImportErrorKind {
     Contacts(Box<Located<ContactsError>>),
     /// No column holds the measured values.
     NoMeasuredColumn,
-    /// Several columns could be the same thing.
+    /// Several columns could have the same role.
     SeveralColumns {
         /// Which.
         role: Role,
         /// The columns, by number or name.
         columns: String,
     },
-    /// The header names a unit that is not read.
+    /// The header names an unsupported unit.
     Unit {
         /// What was given.
         unit: String,
     },
-    /// A cell that is needed is not there.
+    /// A required cell is missing.
     RowShort {
         /// How many cells there are.
         found: usize,
         /// How many there should be.
         expected: usize,
     },
-    /// More cells than columns, as a decimal comma between separating commas makes them.
+    /// More cells than columns, caused for example by a decimal comma among separating commas.
     RowLong {
         /// How many cells there are.
         found: usize,
@@ -76,7 +76,7 @@ pub enum ImportErrorKind {
     Callout(#[say(name = "reason")] CalloutError),
     /// The nominal size in a column of its own cannot be read.
     Nominal(#[say(name = "reason")] LengthError),
-    /// Callout and column of nominal sizes contradict each other.
+    /// The callout and the column of nominal sizes contradict each other.
     NominalDiffers {
         /// The callout.
         callout: Callout,
@@ -88,7 +88,7 @@ pub enum ImportErrorKind {
     Limits(LimitsError),
     /// The measured value cannot be read.
     Measured(#[say(name = "reason")] LengthError),
-    /// The other decimal sign than in the rest of the column.
+    /// A decimal sign other than that of the rest of the column.
     DecimalSign {
         /// What was given.
         given: String,
@@ -128,7 +128,7 @@ pub enum Role {
     Time,
 }
 
-/// A warning about a file or row that was used all the same.
+/// A warning about a file or row that was still used.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ImportWarning {
     /// The line of the record or unjudged measurement that it belongs to; `None` where it is about the file.
@@ -147,17 +147,17 @@ impl Say for ImportWarning {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "exchange-warning")]
 pub enum ImportWarningKind {
-    /// In a log.
+    /// A warning about a log.
     #[say(transparent)]
     Log(LogWarningKind),
-    /// Columns that are not used.
+    /// Skipped columns.
     IgnoredColumns {
         /// Their names or numbers.
         columns: String,
     },
-    /// A line above the measurements.
+    /// A skipped line above the measurements.
     NotUsed {
-        /// What it says.
+        /// The line's text.
         text: String,
     },
     /// A comment that holds a measurement.

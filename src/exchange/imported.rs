@@ -1,4 +1,4 @@
-//! What came out of a file: records, and everything that made none.
+//! What was read from a file: records, and everything that did not become one.
 
 use jiff::civil::DateTime;
 
@@ -11,21 +11,21 @@ use crate::probing::cycle::FoundName;
 use crate::tolerance::Limits;
 use crate::verdict::{PositionVerdict, Removal, SizeVerdict, Status, judge_size};
 
-/// The most rows that one file is read for: a record takes some hundred bytes, so this bounds the memory.
+/// The most rows that are read from one file: a record takes some hundred bytes, so this bounds the memory.
 pub const MOST_ROWS: usize = 500_000;
 
-/// What came out of a file.
+/// What was read from a file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Imported {
     /// What could be judged, in the file's order.
     pub records: Vec<Record>,
     /// The line of each record, in the same order: a row's own line, a log's title.
     pub lines: Vec<usize>,
-    /// Measurements that make no record, because nothing tells what they should be.
+    /// Measurements that make no record, because nothing says what they should be.
     pub unjudged: Vec<Unjudged>,
     /// Rows that could not be used, or the reason why the whole file could not be.
     pub errors: Vec<Located<ImportError>>,
-    /// What was odd but readable.
+    /// Warnings about what was still readable.
     pub warnings: Vec<Located<ImportWarning>>,
     /// The contacts of a file of contacts.
     pub contacts: Option<Vec<Contact>>,
@@ -36,7 +36,7 @@ pub struct Imported {
 /// A measurement that makes no record.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unjudged {
-    /// Where it stands, from 1.
+    /// Its line, from 1.
     pub line: usize,
     /// Name of the feature or part, where there is one.
     pub id: String,
@@ -61,17 +61,17 @@ pub enum WhyUnjudged {
         /// The log's nominal diameter.
         nominal: Length,
     },
-    /// A coordinate is no feature of size, but its log has limits.
+    /// A coordinate is not a feature of size, but its log has limits.
     #[say(args(cycle = field_0.cycle))]
     Coordinate(#[say(skip)] Coordinate),
     /// A coordinate whose limits are both 0: the control did not monitor it.
     CoordinateWithoutLimits,
-    /// A width or the side of a rectangle: judged by its limits, but no hole or shaft.
+    /// A width or the side of a rectangle: judged by its limits, but not a hole or shaft.
     #[say(args(cycle = judged.cycle))]
     Size {
         /// What was measured.
         what: FoundName,
-        /// Its limits, and what they say.
+        /// Its limits, and its status by them.
         #[say(skip)]
         judged: Coordinate,
     },
@@ -95,7 +95,7 @@ pub enum WhyUnjudged {
 /// A value without a callout against its limits, judged as the control does: a coordinate, a deviation, a width, a side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Coordinate {
-    /// What programs call the cycle that measured it.
+    /// The name of the cycle that measured it, as programs know it.
     pub cycle: &'static str,
     /// The nominal value, where the log has one.
     pub nominal: Option<Length>,
@@ -103,9 +103,9 @@ pub struct Coordinate {
     pub maximum: Length,
     /// The smallest permitted value.
     pub minimum: Length,
-    /// What the limits say.
+    /// The status by these limits.
     pub status: Status,
-    /// On rework, how much to take off.
+    /// For rework, how much to remove.
     pub removal: Option<Removal>,
 }
 

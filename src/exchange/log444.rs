@@ -1,6 +1,6 @@
-//! Logs of points as deviations along the normal: no feature of size, so none of them makes a record.
+//! Logs of points as deviations along the normal: these are not features of size, so none of them makes a record.
 //!
-//! The status is computed from deviation and tolerance; a log whose own status is another is refused when it is read.
+//! The status is computed from deviation and tolerance; a log that has a different status is refused when it is read.
 
 use std::sync::Arc;
 
@@ -63,7 +63,7 @@ fn judged(log: &PointLog, band: Band, source: &Source<'_>) -> Option<Coordinate>
     Some(Coordinate::judged(cycle_of_points(), Some(Length::ZERO), &limits, log.deviation))
 }
 
-/// What programs call the cycle that writes such logs.
+/// The name of the cycle that writes such logs, as programs know it.
 fn cycle_of_points() -> &'static str {
     CYCLES.iter().find(|cycle| matches!(cycle.log, Log::Points { .. })).map_or("", |cycle| cycle.code)
 }

@@ -1,7 +1,7 @@
 //! HEIDENHAIN measuring logs as records.
 //!
-//! The limits come from the log, the callout is not in it. The verdict is computed: a log holds no status. A diameter
-//! makes a record; widths, sides and coordinates are judged, but make none.
+//! The limits come from the log, which has no callout. The verdict is computed: a log holds no status. A diameter makes
+//! a record; widths, sides and coordinates are judged, but make none.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -24,7 +24,7 @@ use crate::verdict::{AxisPosition, PositionVerdict};
 pub(super) const FORMAT: Format =
     Format { name: "log", endings: &["txt"], description: "exchange-format-logs", recognises, read };
 
-/// The control's fixed names, `TCHPR421.TXT`, or a text that has the shape of a log.
+/// The control's fixed names, `TCHPR421.TXT`, or a text with the shape of a log.
 fn recognises(source: &Source<'_>) -> bool {
     let name = source.file.to_ascii_uppercase();
     name.starts_with("TCHPR4") && Path::new(&name).extension().is_some_and(|ending| ending == "TXT")
@@ -62,7 +62,7 @@ fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
         FigureKind::Size(_) | FigureKind::Coordinate => Some(read.size(of.what, of.kind, figure, source)),
         FigureKind::Centre(_) | FigureKind::Information => None,
     });
-    // The centre is told with the first size.
+    // The centre is reported with the first size.
     let Some(first) = sizes.next() else { return };
     first.add(imported, &read, read.position);
     sizes.for_each(|other| other.add(imported, &read, None));
@@ -78,7 +78,7 @@ struct Read {
     centre: Option<[Length; 2]>,
 }
 
-/// What a size of a log comes to.
+/// What a size of a log becomes.
 enum Made {
     Record(Box<Record>),
     Unjudged { measured: Length, why: WhyUnjudged },
@@ -119,7 +119,7 @@ impl Read {
     fn size(&self, what: FoundName, kind: FigureKind, figure: &Figure, source: &Source<'_>) -> Made {
         let (measured, is_coordinate) = (figure.actual, kind == FigureKind::Coordinate);
         let Some(pair) = figure.limits else {
-            // As in the cycle itself: limits of 0 monitor nothing.
+            // As in the cycle itself, limits of 0 mean that nothing is monitored.
             let why = if is_coordinate {
                 WhyUnjudged::CoordinateWithoutLimits
             } else {
@@ -148,7 +148,7 @@ fn finish(imported: &mut Imported, warnings: Vec<log::LogWarning>, row: usize) {
     }
 }
 
-/// The name that a user gave the file, as users keep one file a feature; the control's own name says nothing.
+/// The name that a user gave the file, because users keep one file per feature; the control's own name says nothing.
 fn id(file: &str) -> String {
     let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
     if stem.to_ascii_uppercase().starts_with("TCHPR4") { String::new() } else { stem.to_owned() }
@@ -173,13 +173,13 @@ fn position(layout: &TextLog, figures: &[Figure]) -> Option<PositionVerdict> {
     Some(PositionVerdict { axes: axes.try_into().ok()? })
 }
 
-/// What a log says of the centre's axes.
+/// The figures of a log for the centre's axes.
 fn centre_figures<'a>(layout: &TextLog, figures: &'a [Figure]) -> impl Iterator<Item = &'a Figure> {
     let centre = layout.figures.iter().zip(figures).filter(|(of, _)| matches!(of.kind, FigureKind::Centre(_)));
     centre.map(|(_, figure)| figure)
 }
 
-/// Rounding may leave the limits uneven by the last figure: the limit on the side where the centre is decides.
+/// Rounding may make the limits uneven in the last figure: the limit on the side of the centre decides.
 fn axis(limits: LimitPair, nominal: Length, actual: Length) -> AxisPosition {
     let deviation = actual.saturating_sub(nominal);
     let above = limits.maximum.saturating_sub(nominal);

@@ -1,7 +1,7 @@
 //! CSV of id, callout and measured value, with or without a header.
 //!
-//! Separator, decimal sign and columns are found out; what could be meant in two ways is refused. The whole file is in
-//! memory, so whoever reads it bounds its size ([`crate::files::LARGEST`]); the number of rows is bounded here.
+//! Separator, decimal sign and columns are detected; what could be meant in two ways is refused. The whole file is in
+//! memory, so the caller bounds its size ([`crate::files::LARGEST`]); the number of rows is bounded here.
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub(super) const FORMAT: Format = Format {
     read,
 };
 
-/// Text, not bytes of anything: of fifty characters at most one is a control character.
+/// Text, not arbitrary bytes: at most one of fifty characters is a control character.
 fn is_text(head: &str) -> bool {
     let odd = head.chars().filter(|c| c.is_control() && !"\t\r\n".contains(*c)).count();
     odd * 50 <= head.chars().count()
@@ -60,7 +60,7 @@ fn read(source: &Source<'_>) -> Imported {
     reader.imported
 }
 
-/// The line `sep=;` that spreadsheets put first and understand.
+/// The text after a line `sep=;`, which spreadsheets put first.
 fn without_separator_line(text: &str) -> (&str, usize, Option<u8>) {
     let separator =
         text.get(..4).filter(|start| start.eq_ignore_ascii_case("sep=")).and_then(|_| text.as_bytes().get(4));
@@ -129,7 +129,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Judges a row and keeps it, or tells the cell that is in the way.
+    /// Judges a row and keeps it, or names the cell that cannot be used.
     fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         self.right_length(cells)?;
         let measured = self.measured(cells)?;
@@ -149,7 +149,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Enough cells for what is needed, and none beyond the columns.
+    /// There must be enough cells for what is needed, and none beyond the columns.
     fn right_length<'c>(&self, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         let expected = self.columns.count;
         let found = cells.len();
@@ -224,7 +224,7 @@ impl Reader<'_> {
         Ok(Some((callout, cell)))
     }
 
-    /// `25,5 H7,25.512` without a header: is it 5 H7 of part 25, or 25,5 H7? The measured value tells that it is in doubt.
+    /// `25,5 H7,25.512` without a header is 5 H7 of part 25, or 25,5 H7. The measured value shows the doubt.
     fn one_callout<'c>(
         &self,
         cells: &'c StringRecord,
@@ -245,7 +245,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The time of a row, or that of the import with a warning.
+    /// The time of a row, or the time of import with a warning.
     fn time(&mut self, line: usize, cells: &StringRecord) -> DateTime {
         let texts = self.columns.time.iter().filter_map(|&at| cells.get(at)).map(str::trim);
         let given = texts.filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ");
@@ -275,7 +275,7 @@ fn length(
     Ok((cell, length))
 }
 
-/// `2024-03-14 08:05:09` as ISO 8601 has it (the time may be missing), or day first: `14.3.2024 8:05`.
+/// `2024-03-14 08:05:09` as in ISO 8601 (the time is optional), or day first: `14.3.2024 8:05`.
 fn date_time(given: &str) -> Option<DateTime> {
     if let Ok(time) = given.parse() {
         return Some(time);

@@ -1,12 +1,12 @@
-//! Files of other tools: one file a format, bytes in and bytes out.
+//! Files of other tools: one source file per format, bytes in and bytes out.
 //!
 //! | file | what |
 //! |---|---|
-//! | `imported` | what came out of a file: records, and everything that made none |
-//! | `error` | what is wrong or odd, and where |
+//! | `imported` | what was read from a file: records, and everything that did not become one |
+//! | `error` | errors and warnings, with their places |
 //! | `logs` | HEIDENHAIN measuring logs as records |
 //! | `log444` | logs of points as deviations along the normal |
-//! | `contacts` | CSV of x, y and perhaps z |
+//! | `contacts` | CSV of x, y and optionally z |
 //! | `measurements` | CSV of id, callout and measured value |
 //! | `columns`, `words` | which column of a CSV is which, by header or content |
 //! | `tables` | tables of deviations for controls and other tools |
@@ -45,7 +45,7 @@ pub struct Format {
     pub name: &'static str,
     /// File endings in lower case, without the point.
     pub endings: &'static [&'static str],
-    /// The text of one line for people.
+    /// The id of its one-line description.
     description: &'static str,
     recognises: fn(&Source<'_>) -> bool,
     read: fn(&Source<'_>) -> Imported,
@@ -84,7 +84,7 @@ impl Say for Format {
 
 display!(Format);
 
-/// A file and what is needed to judge what it holds.
+/// A file and what is needed to judge its contents.
 struct Source<'a> {
     /// The file's name without its folder.
     file: Arc<str>,
@@ -93,7 +93,7 @@ struct Source<'a> {
     now: DateTime,
 }
 
-/// As much of a file as is looked at to recognise it.
+/// How much of a file is examined to recognise it.
 const HEAD: usize = 64 << 10;
 
 impl Source<'_> {
@@ -112,7 +112,7 @@ impl Source<'_> {
 
 fn decode(bytes: &[u8]) -> Cow<'_, str> {
     match encoding_rs::Encoding::for_bom(bytes) {
-        // Spreadsheets save "Unicode text" so.
+        // Spreadsheets save "Unicode text" this way.
         Some((encoding, _)) if encoding != encoding_rs::UTF_8 => encoding.decode(bytes).0,
         _ => text::decode(bytes),
     }
@@ -121,7 +121,7 @@ fn decode(bytes: &[u8]) -> Cow<'_, str> {
 /// Reads measurements from a file of any known format and judges them.
 ///
 /// Good rows become records; what cannot be used becomes an error with its line, and what cannot be judged is kept
-/// aside: `rows` is the sum of the three, so nothing is dropped. `now` is the time of records whose file tells none.
+/// apart: `rows` is the sum of the three, so nothing is lost. `now` is the time of records whose file has none.
 ///
 /// ```
 /// use fitcheck::tolerance::Sources;

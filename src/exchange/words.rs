@@ -1,4 +1,4 @@
-//! The words by which people name columns, in English, Dutch, German and Italian, and the units behind them.
+//! The words that people use to name columns, in English, Dutch, German and Italian, and the units after them.
 
 use super::error::Role;
 use crate::length::Unit;
@@ -10,7 +10,7 @@ pub(super) enum Rank {
     Exact,
     /// A word of it is known.
     Contained,
-    /// The name fits, but others as well: `diameter` may be nominal or measured.
+    /// The name fits, but others do as well: `diameter` may be nominal or measured.
     Weak,
 }
 
@@ -33,14 +33,14 @@ const WEAK: &str = "diameter|durchmesser|diametro|ø|dia|d|size|maat|maß|mass|g
 const TIME: &str = "time|timestamp|time stamp|datetime|date time|date and time|date|tijd|tijdstip|datum|datum tijd|\
     datum en tijd|zeit|uhrzeit|zeitstempel|zeitpunkt|data|ora|data ora|data e ora|measured at|measured on";
 
-/// Words that make a longer name something else: limits, deviations, whoever or whatever measured.
+/// Words that give a longer name another meaning: limits, deviations, whoever or whatever measured.
 const OTHER: &str = "deviation|dev|afwijking|abweichung|scostamento|error|fout|fehler|errore|min|max|minimum|maximum|\
     minimaal|maximaal|minimo|massimo|lower|upper|onder|boven|unten|oben|inferiore|superiore|limit|limits|grens|grenze|\
     limite|by|door|von|at|on|op|am|gauge|tool|device|unit|eenheid|einheit|unità|height|hoogte|höhe|altezza|temp|\
     temperature|temperatuur|temperatur|temperatura|position|positie|posizione|x|y|z|status|result|resultaat|ergebnis|\
     risultato|count|anzahl|aantal|plus|minus|um|form|rundheit|roundness|rondheid|type|typ|tipo";
 
-/// What a column with this name is.
+/// What a column with this name holds.
 pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
     let name = bare(header);
     let is = |list: &str| list.split('|').any(|word| word == name);
@@ -117,7 +117,7 @@ pub(super) fn unit(header: &str) -> Result<Option<Unit>, String> {
     }
 }
 
-/// A name and the unit behind it: `measured [mm]`, `measured (mm)`, `measured_mm`, `measured mm`, `measured in mm`.
+/// A name and the unit after it: `measured [mm]`, `measured (mm)`, `measured_mm`, `measured mm`, `measured in mm`.
 fn split_unit(header: &str) -> (&str, Option<&str>) {
     let header = header.trim().trim_end_matches([':', '.']);
     for (open, close) in [('[', ']'), ('(', ')'), ('{', '}'), ('<', '>')] {

@@ -1,4 +1,4 @@
-//! Several files into one folder: all of them or none.
+//! Writes several files into one folder: all of them or none.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -7,14 +7,14 @@ use tempfile::NamedTempFile;
 
 use super::{FileError, folder_of, system};
 
-/// Writes files into a folder, whole, and gives their paths. A folder that is not there is made; its parent must be.
+/// Writes whole files into a folder and returns their paths. A missing folder is made; its parent must exist.
 ///
-/// Everything is written beside first. A new folder then appears with all its files at once; in an old one they are
-/// renamed one after the other, and those of a failure before the end are taken away again, but for files that were
-/// overwritten.
+/// Everything is first written beside its place. A new folder then appears with all its files at once. In an existing
+/// one the files are renamed one after the other; after a failure, those already renamed are removed again, except for
+/// files that were overwritten.
 ///
 /// # Errors
-/// [`FileError::Exists`] where a file is there already and `overwrite` is not set: then nothing is written.
+/// [`FileError::Exists`] where a file already exists and `overwrite` is not set: then nothing is written.
 pub fn write_folder(folder: &Path, files: &[(&str, &[u8])], overwrite: bool) -> Result<Vec<PathBuf>, FileError> {
     let paths: Vec<PathBuf> = files.iter().map(|(name, _)| folder.join(name)).collect();
     if folder.is_dir() {
@@ -28,7 +28,7 @@ pub fn write_folder(folder: &Path, files: &[(&str, &[u8])], overwrite: bool) -> 
 /// Writes a file whole or not at all, and never over another one.
 ///
 /// # Errors
-/// [`FileError::Exists`] where there is one.
+/// [`FileError::Exists`] where the path already exists.
 pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     if path.exists() {
         return Err(FileError::Exists { path: path.to_owned() });
@@ -37,7 +37,7 @@ pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     persist(beside, path, false)
 }
 
-/// Makes a folder where there is none; its parent must be.
+/// Makes a folder where there is none; its parent must exist.
 ///
 /// # Errors
 /// [`FileError::Missing`] names the parent, [`FileError::Exists`] a file of that name.
@@ -49,7 +49,7 @@ pub fn make_folder(folder: &Path) -> Result<(), FileError> {
     std::fs::create_dir(folder).map_err(|error| system(parent, &error))
 }
 
-/// The folder that a new one is made in: what is missing is this one, and the error says so.
+/// The folder that a new one is made in; the error names it where it is missing.
 fn parent_of_new(folder: &Path) -> Result<&Path, FileError> {
     if folder.symlink_metadata().is_ok() {
         return Err(FileError::Exists { path: folder.to_owned() });
@@ -68,7 +68,7 @@ fn into_new(folder: &Path, files: &[(&str, &[u8])]) -> Result<(), FileError> {
         }
         make_readable(made.path(), 0o755)?;
         std::fs::rename(made.path(), folder)?;
-        // Its name is another one now: there is nothing left to take away.
+        // It now has another name, so there is nothing left to remove.
         let _renamed = made.keep();
         Ok(())
     };
@@ -90,7 +90,7 @@ fn into_old(folder: &Path, paths: &[PathBuf], files: &[(&str, &[u8])], overwrite
     for (file, path) in beside.into_iter().zip(paths) {
         if let Err(error) = persist(file, path, overwrite) {
             if !overwrite {
-                // What cannot be removed either is whole; the first error says what went wrong.
+                // A file that cannot be removed either is at least whole; the first error says what went wrong.
                 for path in done {
                     drop(std::fs::remove_file(path));
                 }
@@ -102,7 +102,7 @@ fn into_old(folder: &Path, paths: &[PathBuf], files: &[(&str, &[u8])], overwrite
     Ok(())
 }
 
-/// A file in a folder under a name of its own, synced.
+/// A temporary file with a name of its own in a folder, synced.
 pub(super) fn beside(folder: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
     let mut beside = tempfile::Builder::new().prefix(".fitcheck-").tempfile_in(folder)?;
     beside.write_all(bytes)?;
@@ -111,7 +111,7 @@ pub(super) fn beside(folder: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFi
     Ok(beside)
 }
 
-/// Puts a finished file in its place.
+/// Moves a finished file to its place.
 pub(super) fn persist(beside: NamedTempFile, path: &Path, overwrite: bool) -> Result<(), FileError> {
     let done = if overwrite { beside.persist(path) } else { beside.persist_noclobber(path) };
     match done {
@@ -123,7 +123,7 @@ pub(super) fn persist(beside: NamedTempFile, path: &Path, overwrite: bool) -> Re
     }
 }
 
-/// Temporary files and folders are private; what a user saves is read by others, too.
+/// Temporary files and folders are private; other people also read what a user saves.
 fn make_readable(path: &Path, mode: u32) -> std::io::Result<()> {
     #[cfg(unix)]
     {

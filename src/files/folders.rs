@@ -6,11 +6,11 @@ use super::{FileError, LARGEST, read, write};
 use crate::control::mask::FileUse;
 use crate::nc::machine::{NcPath, Shipped, Store, StoreError};
 
-/// How many entries of a folder are looked at for a name that differs by case only.
+/// How many entries of a folder are compared with a name that differs only by case.
 const MOST_ENTRIES: usize = 10_000;
 
 /// Folders to read from and one to write into. `TNC:\fit\a.h` is looked for as `fit/a.h` and then as `a.h` in each of
-/// them, first in the one that is written into; the embedded files come last.
+/// them, first in the one that is written into; the built-in files come last.
 #[derive(Debug, Clone, Default)]
 pub struct Folders {
     reading: Vec<PathBuf>,
@@ -18,25 +18,25 @@ pub struct Folders {
 }
 
 impl Folders {
-    /// The embedded files only, and nothing is written.
+    /// Only the built-in files, and nothing is written.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The folder that a program's file lies in; of a bare name it is the one that we are in.
+    /// The folder of a program's file; for a bare name, the current folder.
     pub fn beside(program: &Path) -> Self {
         let folder = program.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
         Self { reading: folder.map(Path::to_owned).into_iter().collect(), writing: None }
     }
 
-    /// The same with one more folder to read from, after those before it.
+    /// A copy with one more folder to read from, after those before it.
     #[must_use]
     pub fn reading(mut self, folder: impl Into<PathBuf>) -> Self {
         self.reading.push(folder.into());
         self
     }
 
-    /// The same with the folder that outputs go to.
+    /// A copy with the folder that outputs go to.
     #[must_use]
     pub fn writing(mut self, folder: impl Into<PathBuf>) -> Self {
         self.writing = Some(folder.into());
@@ -49,7 +49,7 @@ impl Store for Folders {
         let parts: Vec<&str> = path.parts().collect();
         for folder in self.writing.iter().chain(&self.reading) {
             for skipped in 0..parts.len() {
-                // Between the whole path and the bare name lie folders that the user may have copied without those above.
+                // The user may have copied a folder on the path without those above it.
                 let Some(found) = parts.get(skipped..).and_then(|parts| find(folder, parts)) else { continue };
                 return bytes_of(folder, &found, path);
             }
@@ -68,7 +68,7 @@ impl Store for Folders {
     }
 }
 
-/// The entry below a folder, exactly or but for the case of letters; links are not followed yet.
+/// The entry below a folder, with the same name or one that differs only by case; links are not followed yet.
 fn find(folder: &Path, parts: &[&str]) -> Option<PathBuf> {
     parts.iter().try_fold(folder.to_owned(), |at, part| {
         let exact = at.join(part);
@@ -83,14 +83,14 @@ fn find(folder: &Path, parts: &[&str]) -> Option<PathBuf> {
 /// The bytes of a file that must lie below the folder, links followed.
 fn bytes_of(folder: &Path, file: &Path, path: &NcPath) -> Result<Vec<u8>, StoreError> {
     let inside = inside(folder, file, path)?;
-    // A pipe would be waited for.
+    // Reading a pipe would wait.
     if !inside.is_file() {
         return Err(StoreError::NoFile { path: path.clone() });
     }
     read(&inside).map_err(|error| of_file(error, path))
 }
 
-/// The path without links, where that lies below the folder.
+/// The path without links, if it is below the folder.
 fn inside(folder: &Path, file: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
     let real = |path: &Path| path.canonicalize();
     let system = |error: std::io::Error| StoreError::System { path: path.clone(), reason: error.to_string() };
@@ -113,7 +113,7 @@ fn target(folder: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
     }
     at.push(name);
     match at.symlink_metadata() {
-        // Renaming over a link would replace it; the user meant the file behind it to stay.
+        // Renaming over a link would replace it, but the user wants the file behind it to stay.
         Ok(data) if data.is_symlink() => Err(StoreError::Outside { path: path.clone() }),
         Ok(data) if !data.is_file() => Err(StoreError::NoFile { path: path.clone() }),
         _ => Ok(at),
@@ -123,7 +123,7 @@ fn target(folder: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
 fn of_file(error: FileError, path: &NcPath) -> StoreError {
     let path = path.clone();
     match error {
-        // Nothing here asks for a file that is not there yet.
+        // Nothing here asks for a file that must not exist yet.
         FileError::IsFolder { .. } | FileError::Exists { .. } => StoreError::NoFile { path },
         FileError::Missing { .. } => StoreError::Missing { path },
         FileError::TooLarge { .. } => StoreError::TooLarge { path, most: LARGEST >> 20 },

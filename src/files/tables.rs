@@ -12,7 +12,7 @@ use crate::tolerance::DeviationTable;
 pub struct OwnTables {
     /// The tables, by file name.
     pub tables: Vec<DeviationTable>,
-    /// What was odd but readable, each with its file and line.
+    /// Warnings about what was still readable, each with its file and line.
     pub warnings: Vec<DeviationWarning>,
 }
 

@@ -1,4 +1,4 @@
-//! The status window of a record: what program 82551 hands to its mask.
+//! The status window of a record: the parameters that program 82551 passes to its mask.
 //!
 //! The parameters are those of NC-Solution 8255 (description of 7/2020): QS2 is the nominal size with only the decimals it
 //! has, a blank and the class; QS3 the status word; Q33 and Q23 the limits; Q153 the measured diameter.
@@ -47,7 +47,7 @@ pub fn status_variables(record: &Record, dialogue: Dialogue) -> Variables {
     variables
 }
 
-/// The text of the status window for a record, drawn with a mask or with the dialogue's own.
+/// The text of the status window for a record, made with the given mask or with the dialogue's own.
 ///
 /// # Errors
 /// [`RenderError`] where a user's mask asks for a parameter that the check does not set.

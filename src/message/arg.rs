@@ -12,7 +12,7 @@ pub enum Arg {
     Text(String),
     /// A whole number; it also chooses plural forms.
     Count(usize),
-    /// A decimal number with a point and an ASCII minus; each language prints it its own way.
+    /// A decimal number with a point and an ASCII minus; each language prints it in its own way.
     Number(String),
     /// A sentence within the sentence.
     Message(Message),

@@ -29,7 +29,7 @@ impl Bundle {
     /// The texts of some Fluent files of a language.
     pub fn from_files(code: &'static str, files: impl Iterator<Item = &'static (&'static str, &'static [u8])>) -> Self {
         let mut texts = FluentBundle::new_concurrent(vec![code.parse().unwrap_or_default()]);
-        // The marks U+2068 and U+2069 around every argument would stand in reports and labels.
+        // The marks U+2068 and U+2069 around every argument would show in reports and labels.
         texts.set_use_isolating(false);
         for (name, bytes) in files {
             let resource = match FluentResource::try_new(String::from_utf8_lossy(bytes).into_owned()) {
@@ -46,7 +46,7 @@ impl Bundle {
         Self { code, texts }
     }
 
-    /// The text of a name without arguments, where there is one.
+    /// The text of a name without arguments, if there is one.
     pub fn find(&self, id: &str) -> Option<String> {
         self.texts.has_message(id).then(|| self.format(id, None))
     }
@@ -56,7 +56,7 @@ impl Bundle {
         self.format(id, None)
     }
 
-    /// A sentence in this language; `number` prints decimal numbers its own way.
+    /// A sentence in this language; `number` prints decimal numbers in its way.
     pub fn say(&self, message: &Message, number: &dyn Fn(&str) -> String) -> String {
         let mut args = FluentArgs::new();
         for (name, arg) in &message.args {
@@ -71,7 +71,7 @@ impl Bundle {
         self.format(message.id, Some(&args))
     }
 
-    /// An unknown name is shown as itself and logged: a missing text must never stop a measurement.
+    /// An unknown name is shown as it is and logged: a missing text must never stop a measurement.
     fn format(&self, id: &str, args: Option<&FluentArgs<'_>>) -> String {
         let Some(pattern) = self.texts.get_message(id).and_then(|message| message.value()) else {
             log::error!("locale {}: no text {id}", self.code);

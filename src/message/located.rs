@@ -17,17 +17,17 @@ pub struct Place {
 }
 
 impl Place {
-    /// A line of a text whose name is said elsewhere.
+    /// A line of a text that is named elsewhere.
     pub const fn line(line: usize) -> Self {
         Self { file: None, line: Some(line), column: None }
     }
 
-    /// A character of a line of a text whose name is said elsewhere.
+    /// A character in a line of a text that is named elsewhere.
     pub const fn in_line(line: usize, column: usize) -> Self {
         Self { file: None, line: Some(line), column: Some(column) }
     }
 
-    /// A character of a file.
+    /// A character in a file.
     pub fn in_file(file: &Arc<str>, line: usize, column: usize) -> Self {
         Self { file: Some(Arc::clone(file)), line: Some(line), column: Some(column) }
     }
@@ -43,13 +43,13 @@ pub struct Located<T> {
 }
 
 impl<T> Located<T> {
-    /// Something in a line of a text whose name is said elsewhere.
+    /// Something in a line of a text that is named elsewhere.
     pub const fn in_line(line: usize, what: T) -> Self {
         Self { what, place: Place::line(line) }
     }
 }
 
-/// The place stands last where the file is named, first where only the line is.
+/// The place comes last where the file is named, first where only the line is known.
 impl<T: Say> Say for Located<T> {
     fn message(&self) -> Message {
         let what = self.what.message();

@@ -1,7 +1,7 @@
 //! A sentence without its language: the name of a text and what is put into it.
 //!
 //! Errors, warnings and remarks derive [`Say`]; their only wording is in `assets/locales`. `Display` is the English
-//! text, as logs and machines read it: a point for the decimal sign and an ASCII minus. The window and the report ask
+//! text, as logs and machines read it: with a decimal point and an ASCII minus. The window and the report ask
 //! [`Words`](crate::words::Words) for their own language.
 //!
 //! | file | what |
@@ -38,34 +38,34 @@ impl Message {
         Self { id, args: Vec::new() }
     }
 
-    /// The same with a value put in as its type says.
+    /// A copy with one more value, put in as its type says.
     #[must_use]
     pub fn with(mut self, name: &'static str, value: &(impl IntoArg + ?Sized)) -> Self {
         self.args.push((name, value.arg()));
         self
     }
 
-    /// The same with one more text put in, as it is.
+    /// A copy with one more text, put in as it is.
     #[must_use]
     pub fn text(mut self, name: &'static str, text: impl fmt::Display) -> Self {
         self.args.push((name, Arg::Text(text.to_string())));
         self
     }
 
-    /// The same with one more whole number put in.
+    /// A copy with one more whole number.
     #[must_use]
     pub fn count(self, name: &'static str, count: usize) -> Self {
         self.with(name, &count)
     }
 
-    /// The same with one more decimal number put in: a length in millimetres.
+    /// A copy with one more decimal number: a length in millimetres.
     #[must_use]
     pub fn mm(mut self, name: &'static str, length: impl fmt::Display) -> Self {
         self.args.push((name, Arg::Number(length.to_string())));
         self
     }
 
-    /// The same with another message put in.
+    /// A copy with one more message.
     #[must_use]
     pub fn message(mut self, name: &'static str, message: Self) -> Self {
         self.args.push((name, Arg::Message(message)));
@@ -79,7 +79,7 @@ impl Say for Message {
     }
 }
 
-/// The English text, numbers as machines write them.
+/// The English text, with numbers as machines write them.
 impl fmt::Display for Message {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         static ENGLISH: LazyLock<Bundle> = LazyLock::new(|| Bundle::of("en"));
@@ -87,7 +87,7 @@ impl fmt::Display for Message {
     }
 }
 
-/// What can be said in every language: errors, warnings and remarks.
+/// Something with a sentence in every language: errors, warnings and remarks.
 pub trait Say {
     /// The sentence without its language.
     fn message(&self) -> Message;
@@ -99,8 +99,8 @@ impl<T: Say + ?Sized> Say for Box<T> {
     }
 }
 
-/// A given text as errors repeat it: at most so many characters, control characters made visible, so that what was
-/// changed can no longer be read as a number or callout.
+/// A given text as errors repeat it: at most this many characters, with control characters made visible, so that a
+/// changed text can no longer be read as a number or callout.
 pub(crate) fn shortened(text: &str, most: usize) -> String {
     let mut chars = text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c });
     let mut short: String = chars.by_ref().take(most).collect();
@@ -110,7 +110,7 @@ pub(crate) fn shortened(text: &str, most: usize) -> String {
     short
 }
 
-/// `Display` for a type whose sentence is put together by hand: the English text.
+/// `Display` for a type whose sentence is composed by hand: the English text.
 macro_rules! display {
     ($($type:ty),+ $(,)?) => {$(
         impl ::std::fmt::Display for $type {

@@ -6,12 +6,12 @@
 use crate::length::Length;
 use crate::tolerance::{Feature, Limits};
 
-/// What a part on one side of the zone is.
+/// What a part is on one side of the zone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// Material can still be taken off.
     Rework,
-    /// Nothing can be put back.
+    /// Material cannot be put back.
     Scrap,
 }
 
@@ -37,9 +37,9 @@ pub struct Band {
     pub lower_um: f64,
     /// Upper limit deviation, always inside the axis; equal to the lower one for a zone of no width.
     pub upper_um: f64,
-    /// What lies left of the zone: rework for a hole, scrap for a shaft.
+    /// What is to the left of the zone: rework for a hole, scrap for a shaft.
     pub left: Side,
-    /// What lies right of the zone: scrap for a hole, rework for a shaft.
+    /// What is to the right of the zone: scrap for a hole, rework for a shaft.
     pub right: Side,
     /// The measured value, where there is one.
     pub marker: Option<Marker>,
@@ -47,20 +47,20 @@ pub struct Band {
     pub ticks: Vec<f64>,
 }
 
-/// Shown beside the zone at least, in zone widths: room for the side's name.
+/// The least margin on either side of the zone, in zone widths: room for the side's name.
 const MARGIN: f64 = 0.5;
-/// How far outside the zone, in zone widths, the measured value and the nominal size are still brought into sight.
-/// Beyond it the zone would become a line.
+/// How far outside the zone, in zone widths, the axis still stretches to the measured value and the nominal size.
+/// Farther out, the zone would become a line.
 const REACH: f64 = 1.0;
-/// Kept free between a value brought into sight and the axis's end, in zone widths.
+/// The gap between a value that the axis stretches to and the axis's end, in zone widths.
 const AIR: f64 = 0.15;
-/// Stands for the width of a zone that has none, micrometres.
+/// The width in micrometres used for a zone that has none.
 const WIDTH_OF_NONE: f64 = 10.0;
-/// No fewer steps than this between ticks; twice to thrice as many at most.
+/// The fewest steps between ticks; there are at most two to three times as many.
 const STEPS: f64 = 4.0;
 
 impl Band {
-    /// The band of some limits, with the measured value if there is one.
+    /// The band of the given limits, with the measured value if there is one.
     ///
     /// The axis shows the whole zone with half its width on either side. It stretches to the measured value and to
     /// the nominal size where they are less than a zone width away; a value farther out becomes an arrow.
@@ -109,7 +109,7 @@ impl Band {
         Self { axis_min_um, axis_max_um, lower_um, upper_um, left, right, marker, ticks }
     }
 
-    /// Where a deviation lies along the axis: 0 at the left end, 1 at the right end, kept between them.
+    /// Where a deviation is along the axis: 0 at the left end, 1 at the right end, kept between them.
     pub fn fraction(&self, um: f64) -> f64 {
         ((um - self.axis_min_um) / (self.axis_max_um - self.axis_min_um)).clamp(0.0, 1.0)
     }
@@ -125,7 +125,7 @@ pub(super) fn micrometres(length: Length) -> f64 {
     (length.to_mm_f64() * 1e6).round() / 1e3
 }
 
-/// Multiples of 1, 2 or 5 times a power of ten: at least [`STEPS`] steps would fit.
+/// Multiples of 1, 2 or 5 times a power of ten: at least [`STEPS`] steps fit.
 fn ticks(min: f64, max: f64) -> Vec<f64> {
     let rough = (max - min) / STEPS;
     let power = 10_f64.powf(rough.log10().floor());

@@ -1,11 +1,11 @@
-//! The columns of CSV for programs: each is declared once, with its name and how its cell is made of a row.
+//! The columns of CSV for programs: each is declared once, with its name and how a row gives its cell.
 
 use crate::verdict::Status;
 
-/// A column: its name, and its cell in a row; `None` is an empty one.
+/// A column: its name, and its cell in a row; `None` is an empty cell.
 pub type Column<R> = (&'static str, fn(&R) -> Option<String>);
 
-/// The columns of fields that are their own cells, under the fields' names: `class`, and `hole.class` as `hole_class`
+/// Columns whose cells are the fields themselves, under the fields' names: `class`, and `hole.class` as `hole_class`
 /// where `hole` is an `Option`.
 macro_rules! columns {
     ($($first:ident $(. $second:ident $(. $third:ident)?)?),+ $(,)?) => {
@@ -27,9 +27,9 @@ pub fn cells<'a, R>(columns: &'a [Column<R>], row: &'a R) -> impl Iterator<Item 
     columns.iter().map(move |(_, cell)| cell(row).unwrap_or_default())
 }
 
-/// What stands in a cell as it is, in every language the same.
+/// What goes into a cell unchanged, the same in every language.
 pub trait Cell {
-    /// Its text; `None` where there is nothing to say.
+    /// Its text; `None` for an empty cell.
     fn cell(&self) -> Option<String>;
 }
 

@@ -1,13 +1,13 @@
-//! Checks as CSV: one line a check, the same in every language.
+//! Checks as CSV: one line per check, the same in every language.
 //!
-//! UTF-8, comma, LF, always a decimal point; a header names the columns and their units. `contacts` holds an array
-//! as in the JSON, `[[x,y,z],…]` in millimetres; several `warnings` are separated by ` | `. Title, part and signature
-//! have no place here. `status` is the part's, as on the report: SCRAP where the centre is out of position, and then
-//! `warnings` tells what the size alone is.
+//! UTF-8, comma, LF, always a decimal point; a header names the columns and their units. `contacts` holds an array as
+//! in the JSON, `[[x,y,z],…]` in millimetres; several `warnings` are separated by ` | `. Title, part and signature are
+//! not included. `status` is the part's, as on the report: SCRAP where the centre is out of position; then `warnings`
+//! has the status of the size alone.
 //!
-//! A spreadsheet takes a field that begins with `=`, `+`, `-` or `@` for a formula, and an id or a file name can hold
+//! A spreadsheet reads a field that begins with `=`, `+`, `-` or `@` as a formula, and an id or a file name can hold
 //! one. Such a text gets an apostrophe in front, as in a spreadsheet itself: it is shown as text and never computed.
-//! Columns of numbers are never touched, so a negative deviation stays a number.
+//! Columns of numbers never get one, so a negative deviation stays a number.
 
 use super::columns::{Cell as _, Column, cells, names};
 use super::row::Row;
@@ -27,7 +27,7 @@ pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
     render_rows(records.iter().map(Row::of))
 }
 
-/// The same with an empty feature: where the callouts do not say hole or shaft, and it did not matter.
+/// The same with an empty feature: the callouts do not say hole or shaft, and it did not matter.
 pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError> {
     render_rows(records.iter().map(|record| Row { feature: "", ..Row::of(record) }))
 }
@@ -41,7 +41,7 @@ fn render_rows(rows: impl Iterator<Item = Row>) -> Result<Vec<u8>, RenderError> 
     writer.into_inner().map_err(|error| RenderError::writer("csv", &error))
 }
 
-/// Millimetres have at least three decimals, but for the nominal size.
+/// Millimetres have at least three decimals, except in the nominal size.
 pub(super) const COLUMNS: [Column<Row>; 20] = [
     ("time", |row| row.time.cell()),
     ("id", |row| harmless(&row.id).cell()),

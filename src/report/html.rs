@@ -1,4 +1,4 @@
-//! The report as one HTML page: no script, nothing from outside, prints well on A4 and in black and white.
+//! The report as one HTML page: no script, no external content, prints well on A4 and in black and white.
 //!
 //! The template is `assets/report/report.html`, its look `report.css`; every value is escaped by the template. This
 //! file puts figures into words and decides nothing. The page is also well-formed XML, so other tools can read it.
@@ -21,7 +21,7 @@ pub const RENDERING: Rendering = Rendering { name: "html", endings: &["html", "h
 /// A longer list of contacts goes to the end of the report, so that a check fits on a page and is never split.
 const CONTACTS_IN_CHECK: usize = 16;
 
-/// How dates are written: the same in every language, and nobody mistakes the day for the month.
+/// How dates are written: the same in every language, so that nobody mistakes the day for the month.
 const DATE: &str = "%Y-%m-%d %H:%M:%S";
 
 #[derive(Template)]
@@ -63,7 +63,7 @@ struct Count {
 struct Check {
     number: usize,
     heading: String,
-    /// The heading as the summary has it.
+    /// The heading in the summary.
     short: String,
     feature: String,
     id: String,
@@ -71,7 +71,7 @@ struct Check {
     word: String,
     sign: String,
     reason: String,
-    /// Said where the centre's position overrules the size.
+    /// The reason where the centre's position overrules the size.
     cause: Option<String>,
     doubt: Option<String>,
     band: String,
@@ -128,8 +128,8 @@ fn render(report: &Report, words: &Words) -> Result<Vec<u8>, RenderError> {
     Ok(printable(&page.render().map_err(failed)?).into_bytes())
 }
 
-/// The text without what no page may hold: control characters, and marks that turn the direction of writing and so
-/// the order of figures. Each becomes a replacement character, so that it is seen.
+/// The text without what a page must not contain: control characters, and marks that change the direction of writing
+/// and so the order of figures. Each becomes a replacement character, so that it is visible.
 fn printable(page: &str) -> String {
     let hidden = |c: char| {
         (c.is_control() && c != '\n' && c != '\t')
@@ -155,7 +155,7 @@ fn head(report: &Report, words: &Words) -> Vec<Entry> {
 fn summary(records: &[Record], words: &Words) -> Summary {
     let counts = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].into_iter().filter_map(|status| {
         let count = records.iter().filter(|record| record.verdict.status() == status).count();
-        // Nothing is ever re-measured without a guard band; a zero would only raise questions.
+        // Nothing is re-measured without a guard band, so a zero would only raise questions.
         (status != Status::ReMeasure || 0 < count).then(|| Count { word: words.told(&status), count })
     });
     Summary { counts: counts.collect(), total: records.len() }
@@ -225,7 +225,7 @@ fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
     })
 }
 
-/// What to remove, on diameter and per side. Half a nanometre per side is rounded up: it is enough, then.
+/// What to remove, on diameter and per side. Half a nanometre per side is rounded up, so that it is enough.
 fn removals(removal: Removal, words: &Words) -> Vec<RemovalLine> {
     let line = |id: &str, amount: Length| RemovalLine {
         label: words.get(id),

@@ -1,8 +1,8 @@
 //! Checks and reports as JSON, the same in every language.
 //!
-//! An object with the file's `version`, 1 now, and `checks`: one object a check with the names of the CSV's columns.
-//! Figures are numbers, contacts arrays of x, y, z in millimetres, warnings an array of sentences; what there is not
-//! is null. A report has its head beside them: `title`, `created`, `program`, `part`, `order`, `inspector`, `notes`.
+//! An object with the file's `version`, now 1, and `checks`: one object per check with the names of the CSV's columns.
+//! Figures are numbers, contacts are arrays of x, y, z in millimetres, warnings are an array of sentences; missing
+//! values are null. A report also has its head: `title`, `created`, `program`, `part`, `order`, `inspector`, `notes`.
 
 use serde::Serialize;
 
@@ -14,7 +14,7 @@ use crate::words::Words;
 /// This rendering.
 pub const RENDERING: Rendering = Rendering { name: "json", endings: &["json"], render: render_report };
 
-/// The version of the file's shape. A reader can rely on: what it knows of an older version stays where it is.
+/// The version of the file's structure. What a reader knows of an older version stays where it is.
 pub const VERSION: u32 = 1;
 
 #[derive(Serialize)]
@@ -54,11 +54,11 @@ pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
     written(None, records)
 }
 
-/// One record as an object with the CSV's names; what there is not is left out.
+/// One record as an object with the CSV's names; missing values are left out.
 pub fn object(record: &Record) -> Result<serde_json::Map<String, serde_json::Value>, RenderError> {
     let value = serde_json::to_value(Row::of(record)).map_err(|error| RenderError::writer("json", &error))?;
     let serde_json::Value::Object(mut object) = value else { return Ok(serde_json::Map::new()) };
-    // Without what there is not: nulls, and the empty contacts and name of a typed value.
+    // Leave out missing values: nulls, and the empty contacts and name of a typed value.
     object.retain(|_, value| {
         !value.is_null()
             && value.as_str() != Some("")

@@ -1,17 +1,17 @@
-//! The inspection report: one model, one file a rendering.
+//! The inspection report: one model, one file per rendering.
 //!
 //! | file | what |
 //! |---|---|
 //! | `html` | one self-contained page that prints well on A4 |
-//! | `csv`, `json` | the checks in figures, for spreadsheets and programs, in every language the same |
+//! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
 //! | `row` | the names and figures that CSV and JSON share |
 //! | `band` | the limit band's geometry, for the report and the window |
 //! | `picture` | the limit band and the verdict's sign as SVG |
 //! | `text` | sentences about status, source of the limits, size and position |
 //!
-//! A report is made of records and nothing else: no clock, no window, no table. The same report renders to the same
-//! bytes. A new rendering is a file here and a line in [`RENDERINGS`]; the command line's formats and the window's
-//! file filters follow from that list. Templates are in `assets/report`.
+//! A report is made from records and nothing else: no clock, no window, no table. The same report always gives the same
+//! bytes. A new rendering is a file here and a line in [`RENDERINGS`]; the command line's formats and the window's file
+//! filters follow from that list. Templates are in `assets/report`.
 
 pub mod band;
 pub mod columns;
@@ -49,12 +49,12 @@ pub struct Report {
     pub inspector: Option<String>,
     /// The checks, in the order of the report.
     pub checks: Vec<Record>,
-    /// What could not be used or was odd: nothing is left out in silence.
+    /// Errors and warnings: nothing is left out in silence.
     pub notes: Vec<Message>,
 }
 
 impl Report {
-    /// A report of some checks, made by this version of Fitcheck, all else empty.
+    /// A report of the given checks, made by this version of Fitcheck; all else is empty.
     pub fn new(created: DateTime, checks: Vec<Record>) -> Self {
         Self {
             title: String::new(),
@@ -69,26 +69,26 @@ impl Report {
     }
 }
 
-/// One way to put a report into bytes.
+/// One way to turn a report into bytes.
 #[derive(Debug, Clone, Copy)]
 pub struct Rendering {
     /// Its name on the command line.
     pub name: &'static str,
-    /// Endings of its files, the usual one first, without the point.
+    /// Endings of its files without the point, the usual one first.
     pub endings: &'static [&'static str],
-    /// Makes the file. Machine-readable renderings do not look at the words.
+    /// Makes the file. Machine-readable renderings do not use the words.
     pub render: fn(&Report, &Words) -> Result<Vec<u8>, RenderError>,
 }
 
 /// Every rendering: a new one is a line here.
 pub const RENDERINGS: &[Rendering] = &[html::RENDERING, csv::RENDERING, json::RENDERING];
 
-/// Why a report could not be put into bytes. None of the renderings has a reason to fail on any record; the writers
-/// that they use may in principle, and a report that is not whole must not be saved.
+/// Why a report could not be turned into bytes. No rendering fails on a record by itself, but the writers that they use
+/// may fail, and an incomplete report must not be saved.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "report-error", error)]
 pub enum RenderError {
-    /// The writer of the format refused.
+    /// The writer of the format failed.
     Writer {
         /// The rendering's name.
         format: &'static str,
@@ -113,7 +113,7 @@ pub enum EndingError {
         /// The file name.
         file: String,
     },
-    /// The ending is none of ours.
+    /// No rendering has this ending.
     #[say(args(endings = endings()))]
     Unknown {
         /// The ending without its point.
@@ -130,7 +130,7 @@ pub fn endings() -> String {
 /// The rendering that a file's ending asks for, in capitals or small letters.
 ///
 /// # Errors
-/// [`EndingError`] names the endings there are.
+/// [`EndingError`] names the known endings.
 pub fn rendering_for(path: &Path) -> Result<&'static Rendering, EndingError> {
     let Some(ending) = path.extension().map(|ending| ending.to_string_lossy()) else {
         return Err(EndingError::Missing { file: path.display().to_string() });

@@ -96,7 +96,7 @@ struct BandPicture {
     marker: Option<MarkerPicture>,
 }
 
-/// The limit band of a record with its measured value; sizes get at least so many decimals.
+/// The limit band of a record with its measured value; sizes have at least this many decimals.
 pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::Result<String> {
     let limits = &record.limits;
     let band = Band::new(limits, Some(record.measurement.diameter));
@@ -164,7 +164,7 @@ fn side(side: Side, from: f64, to: f64, cause: String, words: &Words) -> SidePic
     }
 }
 
-/// Wide slanting lines for rework, a narrow lattice for scrap: told apart in black and white.
+/// Wide slanting lines for rework, a narrow lattice for scrap: different even in black and white.
 fn hatch(side: Side, width: f64) -> String {
     let step = match side {
         Side::Rework => 14.0,
@@ -212,7 +212,7 @@ fn units(value: f64) -> String {
     format!("{:.1}", (value * 10.0).round() / 10.0 + 0.0)
 }
 
-/// How far a contact lies outside (+) or inside (−) a circle, in micrometres with one decimal and a sign.
+/// How far a contact is outside (+) or inside (−) a circle, in micrometres with one decimal and a sign.
 pub(super) fn radial_um(distance: f64, radius: f64, words: &Words) -> String {
     let Ok(deviation) = Length::from_mm_f64(distance - radius) else { return String::new() };
     let text = deviation.rounded(crate::length::Unit::Micrometre, 1);

@@ -1,6 +1,6 @@
-//! A record in figures: the names that CSV and JSON share, in every language the same.
+//! A record in figures: the names that CSV and JSON share, the same in every language.
 //!
-//! Millimetres and micrometres as the name says, always with a point. Sizes are exact.
+//! The names say millimetres or micrometres; the decimal sign is always a point. Sizes are exact.
 
 use serde::Serialize;
 
@@ -43,8 +43,8 @@ pub(super) struct Millimetres(pub Length);
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Micrometres(pub Length);
 
-// A length has at most 16 significant figures and a float's shortest text gives back 15 of any and 16 of nearly
-// every number; beyond that lie sizes above 1 000 km. So the JSON number reads as the exact decimal.
+// A length has at most 16 significant figures, and a float's shortest text gives back 15 figures of any number and 16
+// of nearly every number; the rest are sizes above 1 000 km. So the JSON number reads as the exact decimal.
 impl Serialize for Millimetres {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_f64(self.0.to_mm_f64())
@@ -58,7 +58,7 @@ impl Serialize for Micrometres {
 }
 
 impl Millimetres {
-    /// Exact, with at least so many decimals.
+    /// Exact, with at least this many decimals.
     pub fn text(self, decimals: usize) -> String {
         self.0.exact(Unit::Millimetre, decimals)
     }
@@ -103,7 +103,7 @@ impl Row {
     }
 }
 
-/// The position for machines; the size has its own column and neither hides the other.
+/// The position for machines; the size has its own column, so neither hides the other.
 fn position(position: PositionVerdict) -> &'static str {
     if position.is_out() {
         "OUT"
@@ -114,7 +114,7 @@ fn position(position: PositionVerdict) -> &'static str {
     }
 }
 
-/// What is odd about the check, then what the measurement cannot tell, in English.
+/// The warnings about the check, then what the measurement cannot tell, in English.
 pub fn warnings(record: &Record) -> Vec<String> {
     let Record { limits, measurement, verdict, doubt, .. } = record;
     let mut warnings: Vec<String> = doubt.iter().map(ToString::to_string).collect();

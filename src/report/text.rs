@@ -1,6 +1,6 @@
 //! Sentences of the report about one check: feature, source of the limits, size, position.
 //!
-//! Messages without a language; [`Words`] says them. Rules, doubts, caveats and origins bring their own.
+//! Messages without a language; [`Words`] puts them into one. Rules, doubts, caveats and origins have their own.
 
 use crate::length::Length;
 use crate::message::{Message, Say as _};
@@ -25,7 +25,7 @@ pub const fn side(side: Side) -> Message {
     })
 }
 
-/// Where the limits come from, and what the standard says where a user's table says something else.
+/// Where the limits come from, and what the standard says where a user's table differs.
 pub fn source(source: &Source, words: &Words) -> Message {
     match source {
         Source::Table { instead_of: Some(standard), .. } => Message::new("report-source-instead")

@@ -19,7 +19,7 @@ pub enum Feature {
 }
 
 impl Feature {
-    /// The other one.
+    /// The other side.
     #[must_use]
     pub const fn other(self) -> Self {
         match self {
@@ -28,7 +28,7 @@ impl Feature {
         }
     }
 
-    /// The lower-case English word, as it stands in JSON.
+    /// The lower-case English word, as in JSON.
     pub const fn word(self) -> &'static str {
         match self {
             Self::Hole => "hole",
@@ -50,12 +50,11 @@ const LONGEST: usize = 8;
 
 /// A tolerance class: the name of a column in a table of deviations.
 ///
-/// One or more letters, then one or two digits: `H7`, `js13`, and a user's own columns such as `U1`. The case of the
-/// letters decides hole or shaft and nothing else does, as program 82551 of NC-Solution 8255 compares the text with
-/// `a`.
+/// One or more letters, then one or two digits: `H7`, `js13`, and a user's own columns such as `U1`. Only the case of
+/// the letters decides between hole and shaft, because program 82551 of NC-Solution 8255 compares the text with `a`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ToleranceClass {
-    /// ASCII, filled up with zero bytes.
+    /// ASCII, padded with zero bytes.
     text: [u8; LONGEST],
 }
 
@@ -74,7 +73,7 @@ pub enum ClassError {
         /// The same in small letters.
         lower: String,
     },
-    /// Not letters and a grade.
+    /// The text is not letters and a grade.
     Malformed {
         /// What was given.
         text: String,

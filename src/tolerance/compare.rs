@@ -1,7 +1,7 @@
-//! A table of deviations against ISO 286, cell by cell.
+//! Compares a table of deviations with ISO 286, cell by cell.
 //!
-//! A table's range may cover several steps of the standard; it is compared on each of them, so that a range over 50 up
-//! to 80 mm is found wrong for r6, whose deviations change at 65 mm.
+//! A table's range may cover several steps of the standard; it is compared with each of them, so that a range over 50
+//! up to 80 mm is reported for r6, whose deviations change at 65 mm.
 
 use super::class::ToleranceClass;
 use super::iso286::{self, Undefined};
@@ -12,11 +12,11 @@ use crate::length::Length;
 /// What a comparison found.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Comparison {
-    /// Where the table differs, column by column and in each by ascending sizes.
+    /// Where the table differs, column by column, in each by ascending size.
     pub differences: Vec<Difference>,
     /// How many cells were compared.
     pub compared: usize,
-    /// Columns that are no class of ISO 286: the user's own.
+    /// Columns that are not classes of ISO 286: the user's own.
     pub unknown: Vec<ToleranceClass>,
 }
 
@@ -48,12 +48,12 @@ impl Comparison {
 }
 
 impl Difference {
-    /// How far the table's upper deviation lies above the standard's, where both have one.
+    /// How far the table's upper deviation is above the standard's, where both have one.
     pub fn upper_by(&self) -> Option<Length> {
         Some(self.table?.minus(self.standard.as_ref().ok()?).0)
     }
 
-    /// How far the table's lower deviation lies above the standard's, where both have one.
+    /// How far the table's lower deviation is above the standard's, where both have one.
     pub fn lower_by(&self) -> Option<Length> {
         Some(self.table?.minus(self.standard.as_ref().ok()?).1)
     }
@@ -75,7 +75,7 @@ pub fn compare(table: &DeviationTable, options: iso286::Options) -> Comparison {
     found
 }
 
-/// What differs in one cell: neighbouring steps with the same difference are one.
+/// The differences in one cell; neighbouring steps with the same difference are joined.
 fn differences(
     class: ToleranceClass,
     range: usize,
@@ -86,7 +86,7 @@ fn differences(
     let mut found: Vec<Difference> = Vec::new();
     let mut over = over;
     for end in iso286::steps_within(over, to) {
-        // Within a step no class changes, so its end speaks for all of it.
+        // No class changes within a step, so its end represents all of it.
         let standard = iso286::deviations(class, end, options).map(|cell| cell.deviations);
         if standard.as_ref().ok() != table.as_ref() {
             match found.last_mut() {

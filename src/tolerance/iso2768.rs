@@ -9,7 +9,7 @@ use super::limits::Deviations;
 use crate::length::Length;
 use crate::message::{Message, Say, as_text};
 
-/// A class of ISO 2768-1, told by its small letter.
+/// A class of ISO 2768-1, named by its small letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum GeneralClass {
     /// `f`.
@@ -27,9 +27,9 @@ as_text!(GeneralClass);
 /// A cell of the table: deviations, and the size range they belong to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct GeneralCell {
-    /// As much above as below.
+    /// The same amount above and below.
     pub deviations: Deviations,
-    /// Above this size; the first range begins with 0.5 mm itself.
+    /// Above this size; the first range includes its lower end, 0.5 mm.
     pub over: Length,
     /// Up to and including this size.
     pub to: Length,
@@ -39,7 +39,7 @@ pub struct GeneralCell {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "general", error)]
 pub enum GeneralError {
-    /// Below 0.5 mm the drawing must say the deviations.
+    /// Below 0.5 mm the drawing must state the deviations.
     #[say(args(first = FIRST))]
     TooSmall {
         /// The size that was asked for.
@@ -125,7 +125,7 @@ impl fmt::Display for GeneralClass {
 /// ```
 ///
 /// # Errors
-/// [`GeneralError`]: below 0.5 mm, above 4000 mm, and where the class has no value, with where it has one.
+/// [`GeneralError`] below 0.5 mm, above 4000 mm, and where the class has no value; it says where the class has one.
 pub fn deviations(class: GeneralClass, nominal: Length) -> Result<GeneralCell, GeneralError> {
     if nominal < FIRST {
         return Err(GeneralError::TooSmall { nominal });
@@ -142,7 +142,7 @@ pub fn deviations(class: GeneralClass, nominal: Length) -> Result<GeneralCell, G
     Ok(GeneralCell { deviations: Deviations::spanning(half, half.negated()), over, to })
 }
 
-/// Above, up to, and half the width where the class has one; ascending.
+/// The ranges, ascending: above, up to, and half the width where the class has one.
 fn ranges(class: GeneralClass) -> impl Iterator<Item = (Length, Length, Option<Length>)> {
     ROWS.iter().scan(FIRST, move |before, &(end, half_widths)| {
         let (over, to) = (*before, Length::from_micrometres(end));
@@ -155,7 +155,7 @@ fn last() -> Length {
     Length::from_micrometres(ROWS.iter().map(|&(end, _)| end).max().unwrap_or_default())
 }
 
-/// The first range holds its lower end, every other one begins above it.
+/// The first range includes its lower end; every other one begins above it.
 fn range(over: Length, to: Length) -> Message {
     let id = if over == FIRST { "general-range-from" } else { "limits-range" };
     Message::new(id).with("over", &over).with("to", &to)

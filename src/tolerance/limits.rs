@@ -14,7 +14,7 @@ pub struct Deviations {
     lower: Length,
 }
 
-/// The upper deviation lies below the lower one.
+/// The upper deviation is below the lower one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(id = "deviations-order", error)]
 pub struct DeviationsError {
@@ -36,7 +36,7 @@ impl Deviations {
         Ok(Self { upper, lower })
     }
 
-    /// The deviations between two values, whichever is the upper one: for code that knows, never for given texts.
+    /// The deviations between two values, whichever is the upper one: for trusted values, never for given texts.
     pub(super) fn spanning(one: Length, other: Length) -> Self {
         Self { upper: one.max(other), lower: one.min(other) }
     }
@@ -62,7 +62,7 @@ impl Deviations {
     }
 }
 
-/// Where deviations come from. Every number that is shown says this.
+/// Where deviations come from. Every number that is shown comes with this.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Source {
     /// A standard.
@@ -83,19 +83,19 @@ pub enum Source {
         /// up to and including this.
         to: Length,
     },
-    /// The callout says them itself: deviations or limits of size.
+    /// The callout states them itself: deviations or limits of size.
     Callout,
     /// A control's table.
     Table {
         /// The table's name, `82553_hole.tab`.
         name: Arc<str>,
-        /// Whether the table is one of the two shipped ones, which agree with ISO 286 cell by cell.
+        /// Whether the table is one of the two built-in ones, which agree with ISO 286 cell by cell.
         shipped: bool,
         /// The size range: above this,
         over: Length,
         /// up to and including this.
         to: Length,
-        /// What ISO 286 says here, where a user's table says something else.
+        /// What ISO 286 says here, where a user's table differs.
         instead_of: Option<Deviations>,
     },
     /// The limits came with the measurement, from the named file.
@@ -137,7 +137,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Limits from a nominal size and deviations: as Q23 and Q33 of program 82551 (LBL 99), but exact.
+    /// Limits from a nominal size and deviations: like Q23 and Q33 of program 82551 (LBL 99), but exact.
     ///
     /// `None` where a limit would lie beyond [`Length::MAX`].
     pub fn new(feature: Feature, nominal: Length, deviations: Deviations, source: Source) -> Option<Self> {
@@ -156,7 +156,7 @@ impl Limits {
         self.minimum
     }
 
-    /// The middle of the zone, a half nanometre rounded up.
+    /// The middle of the zone, with a half nanometre rounded up.
     pub fn middle(&self) -> Length {
         self.minimum.midpoint(self.maximum)
     }

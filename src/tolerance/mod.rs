@@ -7,13 +7,13 @@
 //! | `iso2768` | general tolerances: `10m` |
 //! | `limits` | deviations and limits of size, and where they come from |
 //! | `table` | size ranges and deviations as a control's table holds them |
-//! | `table_edit` | a table that is being edited, and tables made of the standard |
+//! | `table_edit` | a table that is being edited, and tables made from the standard |
 //! | `compare` | a table against the standard, cell by cell |
 //! | `iso286` | the standard: every class, 0 to 3150 mm |
 //! | `sources` | from a callout to limits: the user's own tables first, then a source of the list in `sources/bases` |
 //! | `fit` | a hole against a shaft: clearances, search, temperature |
 //!
-//! Nothing here reads a file or knows a window: tables arrive as values.
+//! Nothing here reads a file or depends on a window: tables come in as values.
 
 pub mod callout;
 pub mod class;

@@ -11,7 +11,7 @@ pub(super) fn message(ranges: &[(Length, Length)]) -> Message {
     }
 }
 
-/// The ranges that are defined, above and up to, neighbours joined: from the end of each range and whether it is.
+/// The defined ranges, above and up to, neighbours joined. Each item is the end of a range and whether it is defined.
 pub(super) fn where_defined(ends: impl Iterator<Item = (Length, bool)>) -> Vec<(Length, Length)> {
     let mut ranges: Vec<(Length, Length)> = Vec::new();
     let mut over = Length::ZERO;
@@ -26,7 +26,7 @@ pub(super) fn where_defined(ends: impl Iterator<Item = (Length, bool)>) -> Vec<(
     ranges
 }
 
-/// The ranges one after the other; halved each time, so that many ranges do not nest deeply.
+/// The ranges one after the other; the list is halved each time, so that many ranges do not nest deeply.
 fn joined(ranges: &[(Length, Length)]) -> Message {
     if let Some((first @ [_, ..], rest)) = ranges.split_at_checked(ranges.len() / 2) {
         return Message::new("limits-ranges").with("first", &joined(first)).with("rest", &joined(rest));

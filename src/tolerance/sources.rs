@@ -1,8 +1,8 @@
 //! The sources behind one question, "what are the limits of this callout": ISO 286, a control's tables and whatever
 //! else is in the list of `bases`.
 //!
-//! ISO 286 is the default. A user's own tables come first for the classes and sizes that they hold; they are looked up as
-//! program 82551 does it (LBL 1 to LBL 99). Every answer says where it comes from.
+//! ISO 286 is the default. A user's own tables come first for the classes and sizes that they hold; they are searched
+//! as in program 82551 (LBL 1 to LBL 99). Every answer says where it comes from.
 
 mod bases;
 
@@ -22,14 +22,14 @@ use crate::message::Say;
 
 /// Where limits are looked up: the user's own tables first, then one source of the list.
 ///
-/// A table that holds the class and reaches to the size answers, also with "not defined here"; a class or a size that
-/// it does not have is asked of the next source. Cloning is cheap.
+/// A table that has the class and reaches the size gives the answer, which may be "not defined here"; for a class or a
+/// size that it lacks, the next source is asked. Cloning is cheap.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Sources {
-    /// The user's own, in the order of asking.
+    /// The user's own, in the order in which they are asked.
     own: Vec<Arc<DeviationTable>>,
     base: Base,
-    /// The control's, in the order of asking; empty where a standard is the base.
+    /// The control's, in the order in which they are asked; empty where a standard is the base.
     control: Vec<Arc<DeviationTable>>,
     options: iso286::Options,
 }
@@ -47,7 +47,7 @@ pub enum LimitsError {
         class: ToleranceClass,
         /// The tables for this kind of feature, by name.
         table: String,
-        /// The classes that there are for this kind of feature.
+        /// The known classes for this kind of feature.
         known: String,
     },
     /// No table has the class, but one has that of the other case: the user may have meant that.
@@ -57,7 +57,7 @@ pub enum LimitsError {
         class: ToleranceClass,
         /// The tables for this kind of feature, by name.
         table: String,
-        /// The class that there is.
+        /// The class that the table has.
         other: ToleranceClass,
     },
     /// The size is beyond the table's last range.
@@ -89,7 +89,7 @@ pub enum LimitsError {
     /// ISO 2768-1 does not define it.
     #[say(transparent)]
     General(#[from] GeneralError),
-    /// A callout without letters does not say hole or shaft, and a fit says both.
+    /// A callout without letters does not name hole or shaft, and a fit names both.
     NoFeature {
         /// What was asked for.
         callout: Callout,
@@ -108,24 +108,24 @@ pub enum LimitsError {
 }
 
 impl Sources {
-    /// Tables as on a control, and nothing else.
+    /// Only tables, as on a control.
     pub fn of_tables(tables: impl IntoIterator<Item = impl Into<Arc<DeviationTable>>>) -> Self {
         Self::default().with_base(Base::ControlTables, || tables.into_iter().map(Into::into).collect())
     }
 
-    /// The same with another base. The control's tables are handed in, and asked for only where they are the base.
+    /// A copy with another base. `tables` is called only where the control's tables are the base.
     #[must_use]
     pub fn with_base(self, base: Base, tables: impl FnOnce() -> Vec<Arc<DeviationTable>>) -> Self {
         Self { base, control: if base.is_standard() { Vec::new() } else { tables() }, ..self }
     }
 
-    /// The same with a user's own tables, which are asked first.
+    /// A copy with a user's own tables, which are asked first.
     #[must_use]
     pub fn with_own(self, own: impl IntoIterator<Item = impl Into<Arc<DeviationTable>>>) -> Self {
         Self { own: own.into_iter().map(Into::into).collect(), ..self }
     }
 
-    /// The same with other options of ISO 286.
+    /// A copy with other options of ISO 286.
     #[must_use]
     pub const fn with_options(mut self, options: iso286::Options) -> Self {
         self.options = options;
@@ -137,7 +137,7 @@ impl Sources {
         &self.own
     }
 
-    /// What answers after them.
+    /// The source that is asked after them.
     pub const fn base(&self) -> Base {
         self.base
     }
@@ -147,14 +147,14 @@ impl Sources {
         self.options
     }
 
-    /// All tables in the order of asking.
+    /// All tables in the order in which they are asked.
     pub fn tables(&self) -> impl Iterator<Item = &Arc<DeviationTable>> {
         let has_namesake = |table: &DeviationTable| self.own.iter().any(|own| same_name(own, table));
         self.own.iter().chain(self.control.iter().filter(move |table| !has_namesake(table)))
     }
 
-    /// The classes to choose from for holes or for shafts, each once: those of the tables, then the usual ones of
-    /// the standard. Any other class of the standard is answered as well.
+    /// The classes to choose from for holes or for shafts, each once: those of the tables, then the usual ones of the
+    /// standard. Any other class of the standard also has an answer.
     pub fn classes(&self, feature: Feature) -> Vec<ToleranceClass> {
         let usual = self.base.standard().map(|standard| (standard.usual_classes)(feature));
         let mut classes = Vec::new();
@@ -166,7 +166,7 @@ impl Sources {
         classes
     }
 
-    /// The classes of the tables for holes or for shafts, in the order of asking; one of two tables comes twice.
+    /// The classes of the tables for holes or for shafts, table by table; a class that is in two tables comes twice.
     pub fn table_classes(&self, feature: Feature) -> impl Iterator<Item = ToleranceClass> {
         let columns = self.tables().flat_map(|table| table.columns().iter().map(|column| column.class));
         columns.filter(move |class| class.feature() == feature)
@@ -211,8 +211,8 @@ impl Sources {
             .ok_or(LimitsError::TooLarge { nominal: callout.nominal() })
     }
 
-    /// The limits of a callout where it does not matter whether a hole or a shaft is meant: of a callout without letters
-    /// they are given as those of a shaft.
+    /// The limits of a callout where it does not matter whether a hole or a shaft is meant: a callout without letters
+    /// gets those of a shaft.
     ///
     /// # Errors
     /// [`LimitsError`], also for a fit, which has two.
@@ -268,7 +268,7 @@ impl Sources {
             return Ok((deviations, Source::Table { name, shipped, over, to, instead_of }));
         }
         match (self.base.standard(), beyond) {
-            // A class of the user's own that the standard does not know: the table says how far it goes.
+            // A user's own class that the standard does not have: the error says where the table ends.
             (Some(standard), Some(table)) if !(standard.knows)(class) => Err(beyond_last_range(table, nominal)),
             (Some(standard), _) => (standard.deviations)(class, nominal, self.options),
             (None, Some(table)) => Err(beyond_last_range(table, nominal)),
@@ -276,7 +276,7 @@ impl Sources {
         }
     }
 
-    /// What ISO 286 says where a user's own table says something else.
+    /// What ISO 286 says where a user's own table differs.
     fn instead_of(
         &self,
         table: &DeviationTable,

@@ -13,7 +13,7 @@ use crate::message::Say;
 pub struct Column {
     /// The class, `H7`.
     pub class: ToleranceClass,
-    /// One cell a size range, `None` where the class is not defined.
+    /// One cell per size range, `None` where the class is not defined.
     pub cells: Vec<Option<Deviations>>,
 }
 
@@ -29,7 +29,7 @@ pub struct DeviationTable {
     pub(super) columns: Vec<Column>,
 }
 
-/// What is wrong with the parts of a [`DeviationTable`]; readers of files name the line, too.
+/// What is wrong with the parts of a [`DeviationTable`]; readers of files also name the line.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "shape", error)]
 pub enum TableShapeError {
@@ -51,7 +51,7 @@ pub enum TableShapeError {
         /// The number of ranges.
         ranges: usize,
     },
-    /// A class stands in two columns.
+    /// A class has two columns.
     Twice {
         /// The class.
         class: ToleranceClass,
@@ -59,7 +59,7 @@ pub enum TableShapeError {
 }
 
 impl DeviationTable {
-    /// A table of its parts. `shipped` marks the two tables that agree with ISO 286-2.
+    /// Makes a table from its parts. `shipped` marks the two built-in tables, which agree with ISO 286-2.
     ///
     /// # Errors
     /// [`TableShapeError`] where the parts do not fit together.
@@ -91,13 +91,13 @@ impl DeviationTable {
         &self.name
     }
 
-    /// The same table under another name: none of the shipped ones any more.
+    /// A copy under another name, which is no longer a built-in table.
     #[must_use]
     pub fn named(&self, name: &str) -> Self {
         Self { name: name.into(), shipped: false, ..self.clone() }
     }
 
-    /// Whether it is one of the two shipped tables.
+    /// Whether it is one of the two built-in tables.
     pub const fn shipped(&self) -> bool {
         self.shipped
     }
@@ -126,7 +126,7 @@ impl DeviationTable {
         self.columns.iter().find(|column| column.class == class)
     }
 
-    /// The first range whose end is not below the size: its number, above, up to and including.
+    /// The first range that ends at or above the size: its number, above, up to and including.
     pub(super) fn range(&self, nominal: Length) -> Option<(usize, Length, Length)> {
         let number = self.ends.partition_point(|&end| end < nominal);
         let (over, to) = self.ranges().nth(number)?;

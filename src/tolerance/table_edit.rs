@@ -1,4 +1,4 @@
-//! A table that is being edited, with undo; and tables made of the standard, in `making`.
+//! A table that is being edited, with undo; `making` makes tables from the standard.
 
 mod making;
 
@@ -8,29 +8,29 @@ use super::class::ToleranceClass;
 use super::limits::Deviations;
 use super::table::{Column, DeviationTable, TableShapeError};
 
-/// How many steps back undo remembers.
+/// How many steps can be undone.
 const UNDO_STEPS: usize = 200;
 
-/// A table that is being edited. Every change is one step of undo.
+/// A table that is being edited. Every change is one undo step.
 ///
 /// A step holds only what it changes, so that undo of a large table stays small.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableEdit {
     table: DeviationTable,
-    /// As it was opened.
+    /// The table as it was opened.
     kept: DeviationTable,
     past: Vec<Step>,
     future: Vec<Step>,
 }
 
-/// What leads from one state of a table to the next, or back.
+/// A step from one state of a table to the next, or back.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Step {
-    /// A cell gets this.
+    /// A cell gets this value.
     Cell { column: usize, range: usize, cell: Option<Deviations> },
-    /// A column comes in.
+    /// A column is added.
     Insert { at: usize, column: Column },
-    /// A column goes out.
+    /// A column is removed.
     Remove { at: usize },
 }
 
@@ -59,7 +59,7 @@ impl TableEdit {
     /// Adds a column at the end.
     ///
     /// # Errors
-    /// [`TableShapeError`] for a class that stands there already, or where the cells are more or fewer than the ranges.
+    /// [`TableShapeError`] for a class that the table already has, or where there are more or fewer cells than ranges.
     pub fn add_column(&mut self, column: Column) -> Result<(), TableShapeError> {
         let (class, cells, ranges) = (column.class, column.cells.len(), self.table.ends.len());
         if cells != ranges {
@@ -72,7 +72,7 @@ impl TableEdit {
         Ok(())
     }
 
-    /// Takes a column out. `false` where there is none of that class.
+    /// Removes a column. `false` where there is none of that class.
     pub fn remove_column(&mut self, class: ToleranceClass) -> bool {
         self.number(class).is_some_and(|at| self.change(Step::Remove { at }))
     }
@@ -81,7 +81,7 @@ impl TableEdit {
         self.table.columns.iter().position(|column| column.class == class)
     }
 
-    /// Takes a step that undo can take back.
+    /// Makes a change that can be undone.
     fn change(&mut self, step: Step) -> bool {
         let Some(back) = self.apply(step) else { return false };
         if UNDO_STEPS <= self.past.len() {
@@ -92,7 +92,7 @@ impl TableEdit {
         true
     }
 
-    /// Takes a step; the answer leads back. `None` where the step does not fit the table, which then stays as it is.
+    /// Applies a step and returns the step back. `None` where the step does not fit the table, which stays as it is.
     fn apply(&mut self, step: Step) -> Option<Step> {
         let columns = &mut self.table.columns;
         let back = match step {
@@ -107,12 +107,12 @@ impl TableEdit {
             Step::Remove { at } if at < columns.len() => Step::Insert { at, column: columns.remove(at) },
             Step::Insert { .. } | Step::Remove { .. } => return None,
         };
-        // A shipped table is one only as long as it holds what was shipped.
+        // A built-in table counts as one only while it has its original values.
         self.table.shipped = self.kept.shipped && !self.is_changed();
         Some(back)
     }
 
-    /// Takes the last change back. `false` when there is none.
+    /// Undoes the last change. `false` when there is none.
     pub fn undo(&mut self) -> bool {
         let again = self.past.pop().and_then(|step| self.apply(step));
         let done = again.is_some();
@@ -120,7 +120,7 @@ impl TableEdit {
         done
     }
 
-    /// Does the last change that was taken back again. `false` when there is none.
+    /// Redoes the last undone change. `false` when there is none.
     pub fn redo(&mut self) -> bool {
         let back = self.future.pop().and_then(|step| self.apply(step));
         let done = back.is_some();
@@ -128,17 +128,17 @@ impl TableEdit {
         done
     }
 
-    /// Whether there is a change to take back.
+    /// Whether there is a change to undo.
     pub const fn can_undo(&self) -> bool {
         !self.past.is_empty()
     }
 
-    /// Whether there is a change to do again.
+    /// Whether there is a change to redo.
     pub const fn can_redo(&self) -> bool {
         !self.future.is_empty()
     }
 
-    /// Whether the table holds something else than when it was opened.
+    /// Whether the table differs from when it was opened.
     pub fn is_changed(&self) -> bool {
         self.table.columns != self.kept.columns
     }

@@ -14,17 +14,17 @@ pub struct Actual {
     pub shaft: Length,
     /// Hole minus shaft; negative is an interference.
     pub clearance: Length,
-    /// Whether the clearance lies in the range that the callout allows, borders included. That can be so with a part
-    /// that is out of its own limits: the parts' verdicts say that.
+    /// Whether the clearance is in the range that the callout allows, both ends included. This is possible even with a
+    /// part outside its own limits: the parts' verdicts say that.
     pub conforms: bool,
-    /// What the hole alone is.
+    /// The verdict of the hole alone.
     pub hole_verdict: Verdict,
-    /// What the shaft alone is.
+    /// The verdict of the shaft alone.
     pub shaft_verdict: Verdict,
 }
 
 impl Actual {
-    /// What two measured parts do: their clearance, and each part's own verdict.
+    /// The clearance of two measured parts, and each part's own verdict.
     pub fn of(fit: &Fit, hole: Length, shaft: Length) -> Self {
         let clearance = hole.saturating_sub(shaft);
         Self {
@@ -43,14 +43,14 @@ impl Actual {
     }
 }
 
-/// One measured part, the other one anywhere within its limits.
+/// One measured part; the other one is anywhere within its limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Possible {
     /// Which part was measured.
     pub feature: Feature,
     /// Its measured diameter.
     pub measured: Length,
-    /// What it is alone.
+    /// Its verdict alone.
     pub verdict: Verdict,
     /// The smallest clearance with a good counterpart.
     pub minimum: Length,
@@ -59,7 +59,7 @@ pub struct Possible {
 }
 
 impl Possible {
-    /// What one measured part leaves possible when its counterpart lies within its limits.
+    /// The clearances that one measured part leaves possible when its counterpart is within its limits.
     pub fn of(fit: &Fit, feature: Feature, measured: Length) -> Self {
         let (limits, minimum, maximum) = match feature {
             Feature::Hole => {

@@ -1,7 +1,7 @@
 //! Good, rework, scrap or re-measure, and how much to remove.
 //!
-//! Compares with `<` and `<=` only, in whole nanometres; limits belong to the zone. The centre's position is a cause
-//! of its own. Formatting is elsewhere.
+//! The comparisons are only `<` and `<=`, in whole nanometres; limits belong to the zone. The centre's position is a
+//! separate cause. Formatting is elsewhere.
 //!
 //! | file | what |
 //! |---|---|
@@ -24,16 +24,16 @@ pub enum Status {
     /// Outside, but material can still be taken off.
     #[serde(rename = "REWORK")]
     Rework,
-    /// Neither proven (only with a guard band).
+    /// Neither is proven (only with a guard band).
     #[serde(rename = "RE-MEASURE")]
     ReMeasure,
-    /// Outside, and nothing can be put back.
+    /// Outside, and material cannot be put back.
     #[serde(rename = "SCRAP")]
     Scrap,
 }
 
 impl Status {
-    /// The word for machines, in every language the same.
+    /// The word for machines, the same in every language.
     pub const fn word(self) -> &'static str {
         match self {
             Self::Good => "GOOD",
@@ -53,12 +53,12 @@ pub enum Rule {
     Simple,
 }
 
-/// How much material to take off, as a diameter.
+/// How much material to remove, as a diameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Removal {
     /// To the nearest limit of size: the least that makes the part good.
     pub to_limit: Length,
-    /// To the middle of the zone: where a tool is aimed. A half nanometre is rounded to the larger size.
+    /// To the middle of the zone, where a tool is aimed. A half nanometre is rounded to the larger size.
     pub to_middle: Length,
 }
 
@@ -73,7 +73,7 @@ pub struct SizeVerdict {
     pub above_minimum: Length,
     /// Maximum minus measured: negative when too large.
     pub below_maximum: Length,
-    /// On rework, how much to take off.
+    /// For rework, how much to remove.
     pub removal: Option<Removal>,
 }
 
@@ -174,7 +174,7 @@ pub fn judge(limits: &Limits, measured: Length, position: Option<PositionVerdict
     Verdict { size: judge_size(limits, measured), position, rule: Rule::Simple }
 }
 
-/// A measured value that is probably something else than a diameter in millimetres.
+/// What a measured value probably is, other than a diameter in millimetres.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "doubt")]
 pub enum Doubt {
@@ -190,7 +190,7 @@ pub enum Doubt {
 
 /// Whether a measured value looks like another quantity: within 1 % of 25.4 times, 1/25.4, twice or half the nominal.
 ///
-/// The 1 % is ours, far from every honest reading. Zones of coarse grades are wider than that on small
+/// The 1 % is our choice, far from every honest measured value. Zones of coarse grades are wider than that on small
 /// sizes; a doubt only warns and never changes the verdict.
 pub fn doubt(nominal: Length, measured: Length) -> Option<Doubt> {
     let (nominal, measured) = (i128::from(nominal.nanometres()), i128::from(measured.nanometres()));

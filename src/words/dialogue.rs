@@ -1,4 +1,4 @@
-//! A dialogue language of the control, and the few words that it has for all of the control's files.
+//! A dialogue language of the control, and the few words that all of the control's files share.
 
 use std::fmt;
 use std::sync::OnceLock;
@@ -8,10 +8,10 @@ use serde::Deserialize;
 use super::Language;
 use crate::shipped;
 
-/// A dialogue language of the control: what stands in masks, logs, NC programs, and as names and questions in cycles.
+/// A dialogue language of the control: for masks, logs, NC programs, and the names and questions of cycles.
 ///
-/// It stands here on the ground, beside [`Language`], because the cycles declare their names and questions in it, and
-/// `probing` lies below `control`. The two are different lists: a control speaks Italian where the window does not.
+/// It is here, beside [`Language`], because the cycles declare their names and questions in it, and `probing` is below
+/// `control`. The two lists differ: a control has Italian where the window does not.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Dialogue {
     /// English.
@@ -25,11 +25,11 @@ pub enum Dialogue {
     It,
 }
 
-/// What `assets/dialogues` has of one dialogue language.
+/// What `assets/dialogues` has for one dialogue language.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DialogueWords {
-    /// Its own name in itself.
+    /// Its name in its own language.
     pub name: String,
     /// The decimal sign of logs for people.
     pub decimal_sign: char,
@@ -51,12 +51,12 @@ pub struct StatusWords {
     pub rework: String,
     /// Beyond the other limit.
     pub scrap: String,
-    /// Not to be judged.
+    /// Cannot be judged.
     pub re_measure: String,
 }
 
 impl Dialogue {
-    /// Every dialogue language that is shipped.
+    /// Every built-in dialogue language.
     pub const ALL: [Self; 4] = [Self::En, Self::Nl, Self::De, Self::It];
 
     /// The two-letter code, as in `--language nl` and `82552_nl.a`.
@@ -69,7 +69,7 @@ impl Dialogue {
         }
     }
 
-    /// The dialogue language of a code; capitals make no difference.
+    /// The dialogue language of a code; case does not matter.
     pub fn from_code(code: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|dialogue| dialogue.code().eq_ignore_ascii_case(code))
     }
@@ -84,18 +84,18 @@ impl Dialogue {
         WORDS.of(self)
     }
 
-    /// Its own name in itself.
+    /// Its name in its own language.
     pub fn name(self) -> &'static str {
         &self.words().name
     }
 
-    /// The language of notes for the person at Fitcheck: this one where the window has it, else English.
+    /// The language of notes for the person at Fitcheck: this one where the window has it, otherwise English.
     pub fn language(self) -> Language {
         Language::from_code(self.code()).unwrap_or_default()
     }
 }
 
-/// One value a dialogue language, all made at the first use.
+/// One value per dialogue language, all made at the first use.
 pub(crate) struct PerDialogue<T> {
     made: OnceLock<[(Dialogue, T); Dialogue::ALL.len()]>,
     make: fn(Dialogue) -> T,

@@ -9,10 +9,10 @@ use super::Dialogue;
 use crate::message::Bundle;
 use crate::shipped::{self, Files};
 
-/// A language of the window and of reports: what a person reads who sits at Fitcheck.
+/// A language of the window and of reports: the language of the person at Fitcheck.
 ///
-/// There are as many as `assets/locales` has folders; each says its own name and its decimal sign in `language.ftl`. What
-/// stands on a control is in a [`Dialogue`] of the control.
+/// Each folder of `assets/locales` is one language and has its own name and decimal sign in `language.ftl`. The texts
+/// on a control are in a [`Dialogue`] of the control.
 ///
 /// A saved state keeps the code; a code without a folder is read as English.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -20,14 +20,14 @@ pub struct Language(&'static str);
 
 #[expect(non_upper_case_globals, reason = "they read as the values of Dialogue do")]
 impl Language {
-    /// English: what errors print without [`Words`](super::Words), and what stands in for an unknown code.
+    /// English: the language of errors printed without [`Words`](super::Words), and the substitute for an unknown code.
     pub const En: Self = Self("en");
 
     /// Dutch, the language of NC-Solution 8255.
     pub const Nl: Self = Self("nl");
 }
 
-/// What a folder says of itself.
+/// What a folder says about itself.
 #[derive(Debug, PartialEq, Eq)]
 struct Folder {
     code: &'static str,
@@ -35,7 +35,7 @@ struct Folder {
     decimal_sign: char,
 }
 
-/// The languages of a list of shipped texts, in its order. A name that is missing is the code, a decimal sign the point.
+/// The languages in a list of built-in texts, in its order. The default name is the code, the default sign the point.
 fn folders(locales: Files) -> Vec<Folder> {
     let own = locales.iter().filter_map(|file| Some((file.0.strip_suffix("/language.ftl")?, file)));
     let folder = |(code, file)| {
@@ -64,7 +64,7 @@ impl Language {
         FOLDERS.iter().find(|folder| folder.code == self.0)
     }
 
-    /// Its own name in itself.
+    /// Its name in its own language.
     pub fn name(self) -> &'static str {
         self.folder().map_or(self.0, |folder| &folder.name)
     }

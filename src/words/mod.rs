@@ -1,6 +1,6 @@
-//! Texts in the user's language: [`Message`]s said in it, numbers written as its people read them.
+//! Texts in the user's language: [`Message`]s in words, and numbers as people of this language read them.
 //!
-//! The window and the report ask [`Words`]; files made for machines never do.
+//! The window and the report use [`Words`]; files for machines never do.
 //!
 //! | file | what |
 //! |---|---|
@@ -40,7 +40,7 @@ impl Words {
         self.bundle.get(id)
     }
 
-    /// The text of a name without arguments, where there is one.
+    /// The text of a name without arguments, if there is one.
     pub fn find(&self, id: &str) -> Option<String> {
         self.bundle.find(id)
     }
@@ -50,12 +50,12 @@ impl Words {
         self.bundle.say(message, &|plain| self.number(plain))
     }
 
-    /// What an error or a warning says in this language.
+    /// The text of an error or a warning in this language.
     pub fn told(&self, what: &impl Say) -> String {
         self.say(&what.message())
     }
 
-    /// A machine's number (`-25.012`) as people of this language read it: decimal sign, true minus sign.
+    /// A machine's number (`-25.012`) as people of this language read it: with its decimal sign and a true minus sign.
     pub fn number(&self, plain: &str) -> String {
         let sign = self.language.decimal_sign();
         let read = |c| match c {
@@ -66,7 +66,7 @@ impl Words {
         plain.chars().map(read).collect()
     }
 
-    /// Millimetres with at least so many decimals, exactly.
+    /// Millimetres with at least this many decimals, exactly.
     pub fn mm(&self, length: Length, decimals: usize) -> String {
         self.number(&length.exact(Unit::Millimetre, decimals))
     }

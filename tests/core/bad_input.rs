@@ -1,6 +1,6 @@
 //! Bad input on the command line: files that are empty, huge, folders, in another encoding, or cannot be written.
 //!
-//! What is wrong within a table, a mask, a log, a list of measurements or contacts is tested with its reader.
+//! Faults within a table, a mask, a log, a list of measurements or contacts are tested with their readers.
 
 #![cfg(test)]
 
@@ -12,7 +12,7 @@ use std::time::Duration;
 use assert_cmd::cargo::cargo_bin_cmd;
 use tempfile::TempDir;
 
-/// Every way to hand a file to the program; `FILE` stands for it.
+/// Every way to pass a file to the program; `FILE` stands for it.
 const READERS: [&[&str]; 5] = [
     &["import", "FILE"],
     &["circle", "FILE"],
@@ -21,7 +21,7 @@ const READERS: [&[&str]; 5] = [
     &["report", "FILE", "-o", "-", "--format", "csv"],
 ];
 
-/// Exit code, standard output, standard error. A program that hangs is stopped, and then it has no exit code.
+/// Exit code, standard output, standard error. A program that hangs is stopped and then has no exit code.
 fn run(args: &[&str], path: &Path) -> (i32, String, String) {
     let path = path.to_str().unwrap();
     let args = args.iter().map(|arg| if *arg == "FILE" { path } else { arg });
@@ -44,7 +44,7 @@ fn file(name: &str, bytes: &[u8]) -> (TempDir, PathBuf) {
     (folder, path)
 }
 
-/// 200 MB that take no room on the disk.
+/// 200 MB that take no space on the disk.
 fn huge(name: &str) -> (TempDir, PathBuf) {
     let (folder, path) = file(name, b"");
     File::options().write(true).open(&path).unwrap().set_len(200_000_000).unwrap();
@@ -142,7 +142,7 @@ fn a_byte_order_mark_does_not_matter() {
 fn a_place_that_cannot_be_written_is_named_and_nothing_is_left() {
     let (folder, path) = file("notes.txt", b"notes");
     let report = ["report", "--check", "25 H7=25.012", "-o", "FILE"];
-    // Beneath a file, in a folder that is not there, and over a folder.
+    // Below a file, in a folder that does not exist, and over a folder.
     let over = folder.path().join("over.html");
     std::fs::create_dir(&over).unwrap();
     for target in [path.join("report.html"), folder.path().join("none/report.html"), over] {

@@ -1,4 +1,4 @@
-//! The grammar of callouts and classes, its errors, and the places that they point at.
+//! The grammar of callouts and classes, its errors, and the places that they name.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,7 +6,7 @@ use std::str::FromStr;
 use fitcheck::tolerance::{Callout, CalloutError, Feature, ToleranceClass};
 use fitcheck::words::{Language, Words};
 
-/// What a text reads as, or `!` and what is said.
+/// What a text is read as, or `!` and the error.
 pub fn said<T: FromStr<Err = CalloutError> + fmt::Display>(text: &str) -> String {
     match T::from_str(text) {
         Ok(read) => read.to_string(),
@@ -27,7 +27,7 @@ fn check_all(texts: &[&str], expected: &str) {
     }
 }
 
-/// The characters between brackets are those that the error points at.
+/// The characters in brackets are those that the error names.
 #[track_caller]
 fn check_span(marked: &str) {
     let text = marked.replace(['[', ']'], "");
@@ -213,7 +213,7 @@ fn a_long_text_is_not_repeated_whole() {
         assert!(error.text.chars().count() <= 81 && error.to_string().chars().count() < 300, "{error}");
         assert!(!error.to_string().contains(char::is_control));
     }
-    // Zeros behind the figures are no finer.
+    // Zeros after the figures are not finer.
     check(&format!("25.{} H7", "0".repeat(200)), "25 H7");
 }
 

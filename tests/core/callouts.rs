@@ -66,7 +66,7 @@ fn general_tolerances_begin_at_half_a_millimetre_and_end_at_four_metres() {
 struct Sample {
     text: String,
     nominal: Option<Length>,
-    /// Upper and lower; `None` where the text is refused or no tolerance.
+    /// Upper and lower; `None` where the text is refused or means no tolerance.
     band: Option<(Length, Length)>,
     remark: String,
 }

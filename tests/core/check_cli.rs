@@ -8,7 +8,7 @@ use assert_cmd::cargo::cargo_bin_cmd;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-/// What the program answers: exit code, standard output, standard error.
+/// The answer of the program: exit code, standard output, standard error.
 #[derive(Debug, PartialEq, Eq)]
 struct Answer {
     code: i32,
@@ -56,7 +56,7 @@ fn sample(path: &str) -> String {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples").join(path).display().to_string()
 }
 
-/// Four contacts on a circle of 25.012 mm about 10, −5.
+/// Four contacts on a circle of 25.012 mm around 10, −5.
 const FOUR: &str = "x,y\n22.506,-5\n10,7.506\n-2.506,-5\n10,-17.506\n";
 
 #[test]
@@ -357,7 +357,7 @@ fn own_tables_come_first_and_add_their_classes() {
     let js7 = json_of(&["10 JS7", "--measured", "10.007", "--tables", &tables]);
     assert_eq!((&js7["min_mm"], &js7["max_mm"]), (&json!(9.9925), &json!(10.0075)));
     assert!(js7["source"].as_str().unwrap().starts_with("table "), "{js7}");
-    // U1 stands only in the user's table: +8 and +3 µm over 3 up to 6 mm.
+    // Only the user's table has U1: +8 and +3 µm over 3 up to 6 mm.
     let u1 = json_of(&["5 U1", "--measured", "5.003", "--tables", &tables]);
     assert_eq!((&u1["min_mm"], &u1["max_mm"], &u1["status"]), (&json!(5.003), &json!(5.008), &json!("GOOD")));
     assert_eq!(run(&["5 U1", "--measured", "5.003"]).code, 1);
@@ -365,7 +365,7 @@ fn own_tables_come_first_and_add_their_classes() {
     let empty = run(&["3 U1", "--measured", "3", "--tables", &tables]);
     assert_eq!(empty.code, 1);
     assert!(empty.err.contains("U1 is not defined over 0 up to 3 mm in table generation1_plain.tab"), "{}", empty.err);
-    // What the user's tables do not cover is still asked of ISO 286.
+    // ISO 286 still answers what the user's tables do not cover.
     let beyond = json_of(&["100 H7", "--measured", "100", "--tables", &tables]);
     assert_eq!(beyond["max_mm"], json!(100.035));
 }
@@ -387,7 +387,7 @@ fn the_help_has_examples_and_exit_codes() {
     }
 }
 
-/// A reader that went away must not turn scrap into good.
+/// A reader that has gone away must not turn scrap into good.
 #[cfg(unix)]
 #[test]
 fn a_closed_pipe_keeps_the_verdict() {

@@ -1,4 +1,4 @@
-//! What is said of contacts that make no circle, or a doubtful one.
+//! The messages about contacts that make no circle, or a doubtful one.
 
 use fitcheck::probing::Contact;
 use fitcheck::probing::circle::{CircleWarning, evaluate};

@@ -297,7 +297,7 @@ fn brute_width(contacts: &[Contact]) -> f64 {
 
 #[test]
 fn opposed_contacts_give_two_point_sizes() {
-    // An oval of amplitude 0.01 touched on its axes: X minus Y is four times the amplitude.
+    // An oval of amplitude 0.01 probed on its axes: X minus Y is four times the amplitude.
     let contacts = [[10.01, 0.0], [0.0, 9.99], [-10.01, 0.0], [0.0, -9.99]].map(contact);
     let found = evaluate(&contacts).unwrap();
     let sizes: Vec<_> = found.two_point.iter().map(|size| (size.contacts, size.size)).collect();
@@ -312,7 +312,7 @@ fn opposed_contacts_give_two_point_sizes() {
 
 #[test]
 fn a_chord_beside_the_centre_is_named() {
-    // D = 25, contacts opposed about a point 0.1 mm beside the true centre: the chord is 0.8 µm short.
+    // D = 25, contacts opposed about a point 0.1 mm off the true centre: the chord is 0.8 µm short.
     let half = (12.5_f64 * 12.5 - 0.1 * 0.1).sqrt();
     let contacts = [[half, 0.1], [0.0, 12.5], [-half, 0.1], [0.0, -12.5]].map(contact);
     let found = evaluate(&contacts).unwrap();

@@ -1,4 +1,4 @@
-//! Bytes of a control's text files to lines: encodings and line ends.
+//! From the bytes of a control's text files to lines: encodings and line ends.
 
 use fitcheck::control::text::{decode, lines};
 

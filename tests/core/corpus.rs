@@ -1,6 +1,6 @@
-//! The command line, byte for byte: every call of `tests/data/corpus/*.txt` against what it said when it was written.
+//! The command line, byte for byte: compares every call of `tests/data/corpus/*.txt` with its recorded output.
 //!
-//! `CORPUS=write cargo test --no-default-features --test core corpus` rewrites what the calls say; the difference is then
+//! `CORPUS=write cargo test --no-default-features --test core corpus` records the output again; the difference is then
 //! read in the files. A file is a list of calls:
 //!
 //! ```text
@@ -19,10 +19,10 @@
 //! | 25 H7                                               … and a line of it
 //! ```
 //!
-//! Every call runs in a fresh folder with a copy of what it names of `tests/data/corpus/inputs`. Control characters are written as their
-//! pictures, such as `␍`; `◁` at the end of a line says that no line end follows. What is not UTF-8 is shown as
-//! Windows-1252 and marked so; what is no text, or long, is a length and a hash. The current time becomes `«now»`, the
-//! call's folder `«here»`.
+//! Every call runs in a fresh folder with a copy of the files that it names from `tests/data/corpus/inputs`. Control
+//! characters are written as their pictures, such as `␍`; `◁` at the end of a line means that no line end follows. A
+//! text that is not UTF-8 is shown as Windows-1252 and marked so; bytes that are not text, or long, become a length and
+//! a hash. The current time becomes `«now»`, the call's folder `«here»`.
 
 #![cfg(test)]
 
@@ -35,20 +35,20 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::CommandFactory as _;
 
-/// Longer streams are a length and a hash.
+/// Longer streams become a length and a hash.
 const LONGEST_STREAM: usize = 16_000;
 
-/// Longer files that a call has written are a length and a hash.
+/// Longer files that a call has written become a length and a hash.
 const LONGEST_FILE: usize = 4_000;
 
-/// One call as it stands in its file.
+/// One call as its file has it.
 struct Call {
     file: PathBuf,
     line: usize,
     words: Vec<String>,
     /// What the writer of the corpus wrote: comments, the call, its input.
     given: Vec<String>,
-    /// What the program said.
+    /// The output of the program.
     said: Vec<String>,
     input: Vec<u8>,
     /// Files and folders that the call finds.
@@ -96,7 +96,7 @@ fn unshown(line: &str) -> Vec<u8> {
     text.into_bytes()
 }
 
-/// A text in the form of the corpus, each line behind its mark.
+/// A text in the form of the corpus, each line after its mark.
 fn shown(mark: char, text: &str) -> Vec<String> {
     let has_end = text.ends_with('\n');
     let mut lines: Vec<String> = text
@@ -181,7 +181,7 @@ fn corpus() -> Vec<(PathBuf, Vec<Call>, Vec<String>)> {
         .collect()
 }
 
-/// Every file below a folder with its bytes, every folder with a `/` behind its name.
+/// Every file below a folder with its bytes, every folder with a `/` after its name.
 fn tree(root: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     let mut open = vec![root.to_owned()];
@@ -253,7 +253,7 @@ impl Varying {
     }
 }
 
-/// What the program says to a call, as lines of the corpus.
+/// The program's output for a call, as lines of the corpus.
 fn answer(call: &Call) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     for (name, bytes) in tree(&data().join("corpus/inputs")) {
@@ -362,7 +362,7 @@ fn every_call_says_what_it_said() {
     );
 }
 
-/// Every option and every value of it that a subcommand of this name has, and does not occur in its calls.
+/// Every option and every value of it that a subcommand of this name has and that its calls do not use.
 fn missing(command: &clap::Command, path: &[&str], calls: &[&Call]) -> Vec<String> {
     let name = path.join(" ");
     let calls: Vec<&Call> = calls

@@ -46,7 +46,7 @@ fn result<'a>(answer: &'a Value, key: &str) -> &'a Value {
     &results.iter().find(|found| found["key"] == key).unwrap()["value"]
 }
 
-/// A file in a folder that goes with the test.
+/// A file in a folder that is removed with the test.
 fn file(folder: &tempfile::TempDir, name: &str, text: &str) -> String {
     let path: PathBuf = folder.path().join(name);
     fitcheck::files::write(&path, text.as_bytes()).unwrap();
@@ -298,7 +298,7 @@ fn a_log_is_written_beside_others_and_read_again() {
     assert!(text.starts_with("Measuring log for touch probe cycle 427 Coordinate measuring\r\n"), "{text}");
     assert!(text.contains("Date: 14-03-2026\r\nTime: 6:55:04\r\nMeasuring program: TNC:\\PART1.H\r\n"), "{text}");
     assert!(text.contains("Measured coordinate:                                5.0000\r\n"), "{text}");
-    // The second one stands behind the first, in another language.
+    // The second one follows the first, in another language.
     assert_eq!(logged(&folder, &["--language", "de"]).code, Some(0));
     let two = fitcheck::files::read(&path).unwrap();
     assert!(two.starts_with(&one) && one.len() < two.len());
@@ -306,7 +306,7 @@ fn a_log_is_written_beside_others_and_read_again() {
     let import = String::from_utf8(import.stdout).unwrap();
     assert!(import.contains("\n2 rows: 2 GOOD\n"), "{import}");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
-    // Nothing is added to a file that is cut off, and nothing of it is lost.
+    // Nothing is added to a file that is cut off, and nothing in it is lost.
     fitcheck::files::write(&path, &one[..100]).unwrap();
     let said = logged(&folder, &[]);
     let refused = "fitcheck: log: the file ends within a line: it may be cut off, so nothing is added to it: ";
@@ -424,7 +424,7 @@ fn widths_and_rectangles_through_the_program() {
     );
     assert_eq!(said.code, Some(11), "{}", said.err);
     assert!(std::fs::read_to_string(folder.path().join("TCHPR425.TXT")).unwrap().contains("cycle 425"));
-    // Perfect workpieces at nominal.
+    // Perfect workpieces at nominal size.
     let rectangle = ["Q273=50", "Q274=20", "Q282=60", "Q283=40", "Q261=-5"];
     for code in ["423", "424"] {
         let (exit, answer) = json(&[&[code, "--set"][..], &rectangle].concat(), "");

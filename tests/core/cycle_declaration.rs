@@ -1,4 +1,4 @@
-//! The declarations of all cycles against the control's manuals, and the range errors made from them.
+//! Compares the declarations of all cycles with the control's manuals, and tests the range errors made from them.
 
 use fitcheck::length::Length;
 use fitcheck::message::Say;
@@ -12,7 +12,7 @@ use fitcheck::tolerance::{Deviations, Feature};
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 
-/// A text that every cycle accepts for a parameter, out of its declaration.
+/// A text that every cycle accepts for a parameter, from its declaration.
 fn usual(parameter: &Parameter) -> Value {
     match parameter.range {
         // The two points of a ridge lie on either side of it.
@@ -35,7 +35,7 @@ fn length(text: &str) -> Value {
     Value::Length(text.parse().unwrap())
 }
 
-/// Runs a cycle without a contact to be had: what comes before probing is all that matters.
+/// Runs a cycle that can make no contact: only what comes before probing matters.
 fn error(cycle: &Cycle, inputs: &Inputs) -> CycleError {
     cycle.measure(inputs, &mut Recorded::new(Vec::new())).unwrap_err()
 }
@@ -44,7 +44,7 @@ fn error(cycle: &Cycle, inputs: &Inputs) -> CycleError {
 fn accepted(cycle: &Cycle, parameter: &Parameter, value: &Value) {
     match error(cycle, &asked(cycle).with(parameter.key, value.clone())) {
         CycleError::NoContact(_) | CycleError::LimitsSwapped { .. } => {}
-        // The control's range begins at 0, a circle, a path and a normal do not.
+        // The control's range begins at 0, but that of a circle, a path and a normal does not.
         CycleError::NoDiameter { key, .. } | CycleError::NoPath { key, .. } => {
             assert_eq!((key, value), (parameter.key, &Value::Length(Length::ZERO)));
         }
@@ -59,7 +59,7 @@ fn refused(cycle: &Cycle, parameter: &Parameter, value: &Value) {
     assert_eq!(said, format!("{} {} = {given}: {}", parameter.key, parameter.name, parameter.range));
 }
 
-/// The values on the bounds of a range, and those one step outside.
+/// The values at the ends of a range, and those one step outside.
 fn bounds(range: Range) -> (Vec<Value>, Vec<Value>) {
     let beside = |length: Length, nm: i64| Value::Length(Length::from_nanometres(length.nanometres() + nm).unwrap());
     let turned = |angle: Angle, sign: &str, ten_thousandths: i64| {
@@ -78,7 +78,7 @@ fn bounds(range: Range) -> (Vec<Value>, Vec<Value>) {
             (["", "-"].map(|sign| [turned(most, sign, 0), turned(smallest, sign, 0)]).concat(), outside)
         }
         Range::OneOf(allowed) => {
-            // Everything beside the choices that is near them, and what no number can hold.
+            // Everything near the choices that is not one of them, and what no number can hold.
             let near = allowed.iter().min().unwrap() - 1..=allowed.iter().max().unwrap() + 1;
             let outside = near.filter(|whole| !allowed.contains(whole)).chain([i64::MIN, i64::MAX]);
             (allowed.iter().copied().map(Value::Whole).collect(), outside.map(Value::Whole).collect())
@@ -147,7 +147,7 @@ fn every_parameter_is_accepted_and_refused_alike_when_it_is_typed() {
                 let said = parameter.accept(&text).unwrap_err();
                 let begins = format!("{} {}", parameter.key, parameter.name);
                 assert!(said.to_string().starts_with(&begins), "{text}: {said}");
-                // What can be read at all is refused for its range, with the range in the sentence.
+                // Everything that can be read is refused for its range, with the range in the sentence.
                 let is_number = text.parse::<f64>().is_ok_and(f64::is_finite);
                 if is_number {
                     assert_eq!(
@@ -288,7 +288,7 @@ const OF_426: &[Documented] = &[
     ("Q330", TOOL, false),
 ];
 
-/// Seed 003 gives no ranges but those of the choices.
+/// Seed 003 gives no ranges except those of the choices.
 const OF_785: &[Documented] = &[
     ("R", "0, 1, 2", false),
     ("BR", "0, 1", false),
@@ -414,7 +414,7 @@ fn what_has_no_effect_is_kept_and_said() {
             let mut machine = Simulation::perfect(cycle.nominal(inputs).unwrap()).machine().unwrap();
             cycle.measure(inputs, &mut machine).unwrap()
         };
-        // What must be given is enough, and the workpiece at nominal is good.
+        // The required parameters are enough, and the workpiece at nominal size is good.
         let plain = run(&required);
         assert!(plain.stop.is_none() && matches!(plain.status, None | Some(Status::Good)), "{}", cycle.code);
         for found in &plain.results {

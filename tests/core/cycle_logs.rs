@@ -36,12 +36,12 @@ fn still(surface: Surface) -> Machine {
     Machine::with(surface, Probe::STILL, 1).unwrap()
 }
 
-/// What the program's own import makes of a log.
+/// What the program's own import reads from a log.
 fn imported(file: &str, bytes: &[u8]) -> Imported {
     import(file, bytes, &Sources::default(), date(2000, 1, 1).at(0, 0, 0, 0))
 }
 
-/// The verdict that the import comes to, a centre out of position among it; `None` where nothing is judged.
+/// The verdict of the import, with a centre out of position; `None` where nothing is judged.
 fn import_says(file: &str, bytes: &[u8]) -> Option<Status> {
     let found = imported(file, bytes);
     assert_eq!(found.errors, []);
@@ -59,7 +59,7 @@ fn import_says(file: &str, bytes: &[u8]) -> Option<Status> {
     }
 }
 
-/// Writes the log, reads it back in two ways, and answers what it says.
+/// Writes the log, reads it back in two ways, and returns what it says.
 fn there_and_back(cycle: &Cycle, result: &CycleResult, unit: Unit, language: Dialogue) -> (CycleLog, Option<Status>) {
     let log = CycleLog::of(cycle, result, &heading(unit), language).unwrap();
     let bytes = log.write(language).unwrap();
@@ -98,7 +98,7 @@ fn circle(
         .into_iter()
         .chain([(minimum, min), (279, tolerances[0]), (280, tolerances[1])])
         .fold(Inputs::new(), |inputs, (key, value)| inputs.with(key, nm(value)));
-    // Four contacts of the circle, so that no rounding of a simulated path is in the way.
+    // Four contacts on the circle, so that the rounding of a simulated path does not interfere.
     let [x, y, diameter] = actual.map(mm);
     let part = Workpiece::round(feature, [x, y], diameter);
     let result = cycle.measure(&inputs, &mut still(Surface::Round(part, Plane::Xy))).unwrap();
@@ -195,10 +195,10 @@ fn what_was_not_monitored_is_not_judged_when_it_is_read_back() {
             (result.status, there_and_back(cycle, &result, Unit::Millimetre, language).1),
             (Some(Status::Good), None)
         );
-        // A centre that is monitored is judged although the diameter is not.
+        // A monitored centre is judged although the diameter is not.
         let (cycle, result) = circle(false, [0, 0, 25_000_000], [100_001, 0, 24_500_000], None, [100_000, 0]);
         assert_eq!(result.status, Some(Status::Scrap));
-        // The page of figures has four decimals: a nanometre is not to be seen in it, and that is said.
+        // The page of figures has four decimals: it cannot show a nanometre, so the log reads as good.
         let (log, says) = there_and_back(cycle, &result, Unit::Millimetre, language);
         assert_eq!((log.status(language), says), (Some(Status::Good), Some(Status::Good)));
         let (cycle, result) = coordinate(7_000_000, [0, 0]);
@@ -261,7 +261,7 @@ fn a_cycle_without_a_log_and_a_result_of_another_cycle_make_none() {
     let head = heading(Unit::Millimetre);
     for cycle in CYCLES {
         let made = CycleLog::of(cycle, &hole, &head, Dialogue::En).is_some();
-        // 421 and 422 have the same results but for the limits.
+        // 421 and 422 have the same results except for the limits.
         assert_eq!(made, [421, 422].contains(&cycle.number), "{}", cycle.code);
     }
     let cycle = cycle_named("G785").unwrap();
@@ -306,7 +306,7 @@ fn figures(log: &CycleLog) -> Vec<i64> {
     lengths.map(Length::nanometres).collect()
 }
 
-/// The worse of two verdicts is never the log's: rounding takes no value over its limit.
+/// The log never has the worse of two verdicts: rounding takes no value over its limit.
 fn is_no_worse(cycle: Option<Status>, log: Option<Status>) -> bool {
     log.is_none() || log <= cycle
 }
@@ -324,7 +324,7 @@ proptest! {
         nanometres in prop_oneof![Just([0; 4]), [-99..99_i64, -99..99, -99..99, 0..99]],
         (unit, language) in units(),
     ) {
-        // Tenths of a micrometre, the last figure of a log in millimetres, and perhaps nanometres beyond it.
+        // Tenths of a micrometre, the last figure of a log in millimetres, and possibly nanometres beyond it.
         let [fine_1, fine_2, fine_d, fine_t] = nanometres;
         let nominal_place = [centre[0] * 1000, centre[1] * 1000, nominal * 100];
         let actual = [

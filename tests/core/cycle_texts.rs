@@ -1,4 +1,4 @@
-//! The texts of cycles 14xx and of QS400: what they may say, and what they may not.
+//! The texts of cycles 14xx and of QS400: what they may and may not contain.
 
 use fitcheck::tolerance::CycleText;
 use fitcheck::tolerance::callout::qs400;

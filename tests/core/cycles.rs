@@ -26,7 +26,7 @@ fn hole() -> &'static Cycle {
     cycle(421).unwrap()
 }
 
-/// What an error says, the same in `Display` and in English, and something else in Dutch.
+/// The text of an error, the same in `Display` and in English, and different in Dutch.
 fn told(error: &CycleError) -> String {
     let english = error.to_string();
     assert_eq!(Words::new(Language::En).told(error), english);
@@ -34,7 +34,7 @@ fn told(error: &CycleError) -> String {
     english
 }
 
-/// Inputs of a 25 mm feature about (50, 20), changed by text: `Q247=60 Q423=3`.
+/// Inputs of a 25 mm feature around (50, 20), changed by text: `Q247=60 Q423=3`.
 fn inputs(cycle: &Cycle, changes: &str) -> Result<Inputs, String> {
     let all = format!("Q273=50 Q274=20 Q262=25 Q261=-5 Q260=20 {changes}");
     all.split_whitespace().try_fold(Inputs::new(), |inputs, change| {
@@ -85,7 +85,7 @@ fn a_hole_too_large_is_scrap_and_too_small_is_rework() {
     check(421, limits, 25.021_001, &format!("{place} Q153=25.021001 Q161=0 Q162=0 Q163=0.021001 {scrap}"));
     let rework = "Q180=0 Q181=1 Q182=0";
     check(421, limits, 24.999_999, &format!("{place} Q153=24.999999 Q161=0 Q162=0 Q163=-0.000001 {rework}"));
-    // Limits left at 0: nothing is monitored, and the markers say good.
+    // Limits of 0: nothing is monitored, and the markers say good.
     check(421, "", 24.5, &format!("{place} Q153=24.5 Q161=0 Q162=0 Q163=-0.5 {good}"));
 }
 
@@ -185,7 +185,7 @@ fn touches_start_on_the_free_side() {
     impl Prober for Seen {
         fn touch(&mut self, touch: &Touch) -> Result<Contact, NoContact> {
             let ([x, y, z], [along_x, along_y, along_z]) = (touch.from, touch.direction);
-            // Adding zero takes the sign off a zero.
+            // Adding zero removes the sign of a zero.
             let way = [along_x, along_y, along_z].map(|part| part + 0.0);
             self.0.push(format!("from {x} {y} {z} along {way:?}"));
             Ok(Contact { x: x + along_x, y: y + along_y, z })
@@ -303,7 +303,7 @@ fn the_same_seed_gives_the_same_contacts_and_another_seed_others() {
     let contacts = |seed| measured(&workpiece, probe, seed, &Setup::new("25")).contacts;
     assert_eq!(contacts(7), contacts(7));
     assert_ne!(contacts(7), contacts(8));
-    // Each touch has its own stream: three contacts begin as four do.
+    // Each contact has its own stream: three contacts begin as four do.
     let three = Setup { contacts: 3, step: Some(Angle::from_degrees(90)), ..Setup::new("25") };
     assert_eq!(measured(&workpiece, probe, 7, &three).contacts, contacts(7)[..3]);
 }
@@ -321,7 +321,7 @@ fn scatter_has_the_size_that_was_asked_for() {
     assert!((variance.sqrt() / 0.005 - 1.0).abs() < 4.0 / 4000.0_f64.sqrt(), "{}", variance.sqrt());
 }
 
-/// A length that a float stands for, to the nanometre.
+/// The length that a float stands for, to the nanometre.
 fn length(mm: f64) -> Length {
     Length::from_mm_f64(mm).unwrap()
 }

@@ -1,4 +1,4 @@
-//! On an exact workpiece every cycle gives the exact answer, and neither first angle nor sense of direction changes it.
+//! On an exact workpiece every cycle gives the exact answer; neither the first angle nor the direction changes it.
 
 use fitcheck::length::Length;
 use fitcheck::probing::TouchProbe;
@@ -26,7 +26,7 @@ fn machine(surface: Surface, ball_radius: f64) -> Machine {
     Machine::with(surface, Probe { ball_radius, ..Probe::STILL }, 1).unwrap()
 }
 
-/// A round feature and how a cycle goes about it; angles in ten-thousandths of a degree.
+/// A round feature and how a cycle probes it; angles in ten-thousandths of a degree.
 #[derive(Debug, Clone, Copy)]
 struct Round {
     code: &'static str,
@@ -90,13 +90,13 @@ impl Round {
         (circle.x - x).abs().max((circle.y - y).abs()).max((circle.diameter - self.diameter).abs())
     }
 
-    /// What the control lists, and nothing of where the contacts were.
+    /// What the control lists, without the places of the contacts.
     fn listed(&self) -> Vec<(Key, Value)> {
         self.run().results.into_iter().map(|found| (found.key, found.value)).collect()
     }
 }
 
-/// Round features within so many mm, with a step of so many degrees either way.
+/// Round features within the given mm, with a step of the given degrees either way.
 fn rounds(reach: f64, steps: std::ops::RangeInclusive<i64>) -> impl Strategy<Value = Round> {
     let code = proptest::sample::select(vec!["421", "422", "G785"]);
     let sense = prop_oneof![Just(1_i64), Just(-1)];
@@ -110,7 +110,7 @@ fn rounds(reach: f64, steps: std::ops::RangeInclusive<i64>) -> impl Strategy<Val
                 "422" => (Feature::Shaft, Plane::Xy),
                 _ => (if is_hole { Feature::Hole } else { Feature::Shaft }, plane),
             };
-            // Places on the nanometre, so that a result lies on one and not between two.
+            // Places on the nanometre grid, so that a result is on the grid and not between two points.
             let nanometre = |mm: f64| (mm * 1e6).round() / 1e6;
             Round {
                 code,

@@ -1,4 +1,4 @@
-//! Hole against shaft as geometry: the kind at its borders, what is no fit, and what measured parts do in it.
+//! Hole and shaft as geometry: the kind at its limits, what is not a fit, and what measured parts do in it.
 
 use fitcheck::length::Length;
 use fitcheck::tolerance::fit::{Fit, Kind};
@@ -53,7 +53,7 @@ fn two_measured_parts_have_a_clearance_and_a_verdict_each() {
     let fit = fit(("0.021", "0"), ("-0.007", "-0.020"));
     let actual = Actual::of(&fit, mm("25.0210"), mm("24.98"));
     assert_eq!((actual.clearance, actual.conforms, actual.status()), (mm("0.041"), true, Status::Good));
-    // Both parts out to the same side: the clearance conforms and the parts do not.
+    // Both parts are out to the same side: the clearance conforms and the parts do not.
     let actual = Actual::of(&fit, mm("25.031"), mm("25.003"));
     assert_eq!((actual.clearance, actual.conforms), (mm("0.028"), true));
     assert_eq!((actual.hole_verdict.status(), actual.shaft_verdict.status()), (Status::Scrap, Status::Rework));

@@ -1,4 +1,4 @@
-//! The search against looking at every pair, one `iso286::deviations` at a time.
+//! Compares the search with a check of every pair, one `iso286::deviations` at a time.
 
 use std::collections::BTreeSet;
 

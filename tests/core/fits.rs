@@ -1,7 +1,7 @@
-//! Hole against shaft: kinds, preferred and named fits, the other basis.
+//! Hole and shaft: kinds, preferred and named fits, the other basis.
 //!
-//! The worked examples and the tables of pairs are those of `docs/SOURCES.md`; the limits come from `iso286`, which is
-//! held against transcriptions of the standard elsewhere.
+//! The worked examples and the tables of pairs are those of `docs/SOURCES.md`; the limits come from `iso286`, which
+//! other tests compare with transcriptions of the standard.
 
 use fitcheck::length::Length;
 use fitcheck::tolerance::fit::equivalent::{Difference, equivalent};

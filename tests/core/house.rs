@@ -1,4 +1,4 @@
-//! The house's own rules, held against the source: who may know whom.
+//! The house's own rules, checked against the source: which room may use which.
 
 use std::path::{Path, PathBuf};
 
@@ -22,7 +22,7 @@ fn code(path: &Path) -> String {
     text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
 }
 
-/// Files below `src`, as paths from there.
+/// Files below `src`, as relative paths.
 fn files(wanted: impl Fn(&str) -> bool) -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let name = |path: &Path| path.strip_prefix(&root).unwrap().to_string_lossy().replace('\\', "/");
@@ -39,7 +39,7 @@ fn none_names(files: &[(String, String)], words: &[&str]) {
     }
 }
 
-/// The rooms from the ground up, each with the rooms that it may name: an arrow points down only.
+/// The rooms from the ground up, each with the rooms that it may name: an arrow only points down.
 const ROOMS: [(&str, &[&str]); 16] = [
     ("shipped", &[]),
     ("message", &["shipped"]),
@@ -116,7 +116,7 @@ fn named_rooms(line: &str) -> impl Iterator<Item = &str> {
     line.split("crate::").skip(1).map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap())
 }
 
-/// The lines of a file of which a room's code is made, with their numbers: no comments, and no tests at the end.
+/// The lines of a file that are a room's code, with their numbers: no comments, and no tests at the end.
 fn numbered_code(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let code = text.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
     (1..).zip(code.lines()).filter(|(_, line)| !line.trim_start().starts_with("//"))
@@ -216,7 +216,7 @@ fn no_cycle_is_named_outside_its_own_file() {
     assert_eq!(found, Vec::<String>::new());
 }
 
-/// What a parameter is called is said by the cycles alone.
+/// Only the cycles declare the names of parameters.
 #[test]
 fn no_parameter_of_a_cycle_is_asked_for_by_its_number() {
     let others = files(|name| {

@@ -1,4 +1,4 @@
-//! `fitcheck import` as a whole: files in, verdicts, problems and exit codes out.
+//! `fitcheck import` as a whole: files in, verdicts, errors and exit codes out.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use fitcheck::tolerance::Sources;
 
 const HEADER: &str = "file,line,id,callout,nominal_mm,min_mm,max_mm,measured_mm,deviation_um,status,remove_um,position,source,warnings,error";
 
-/// What the program answers: exit code, standard output, standard error.
+/// The answer of the program: exit code, standard output, standard error.
 struct Answer {
     code: i32,
     out: String,
@@ -219,7 +219,7 @@ fn every_sample_log_is_judged_on_the_command_line() {
     }
 }
 
-/// The class that the expected values name gives the limits that the log gives.
+/// The class in the expected values gives the limits that the log gives.
 #[test]
 fn limits_of_the_sample_logs_are_those_of_their_classes() {
     let mut compared = 0;
@@ -281,7 +281,7 @@ fn own_tables_come_first_and_say_where_they_differ() {
     assert_eq!(answer.code, 11);
 }
 
-/// What the program writes, it reads.
+/// The program reads what it writes.
 #[test]
 fn its_own_csv_is_read_to_the_same_verdicts() {
     let (_, first) = csv("m.csv", b"id;callout;measured\nb1;25 H7;25.012\nb2;20 g6;19.9975\nb3;25 H7;25.0215\n");
@@ -292,7 +292,7 @@ fn its_own_csv_is_read_to_the_same_verdicts() {
 proptest::proptest! {
     #![proptest_config(proptest::prelude::ProptestConfig { cases: 64, failure_persistence: None, ..Default::default() })]
 
-    /// With the tables of the program: as many answers as rows, whatever stands in them.
+    /// With the program's tables: as many answers as rows, whatever the rows hold.
     #[test]
     fn rows_are_records_unjudged_or_problems(rows in proptest::collection::vec(
         "(b[0-9]|);(25 ?[HKgZ][5-8]|Ø?[0-9]{1,3},5 h7|25|x|);(2[45][.,][0-9]{1,7}|[0-9]{1,3}|-3|abc|)", 1..30)

@@ -1,4 +1,4 @@
-//! ISO 286 cell by cell against independent transcriptions of the standard (`tests/data/iso286/README.md`).
+//! Compares ISO 286 with independent transcriptions of the standard, cell by cell (`tests/data/iso286/README.md`).
 
 use std::collections::BTreeMap;
 
@@ -106,7 +106,7 @@ fn agree_in_every_cell(feature: Feature, options: Options) -> usize {
                 let class = iso286::class(feature, letter, grade);
                 let expected = cells.get(&(class.to_string(), number));
                 defined += usize::from(expected.is_some());
-                // The borders alone: a zone is constant within a step, which the 47 classes below show.
+                // Only the ends: a zone is constant within a step, which the 47 classes below show.
                 for nominal in [nm(over.nanometres() + 1), to] {
                     let found = iso286::deviations(class, nominal, options);
                     let found = found.ok().map(|cell| (cell.deviations.upper(), cell.deviations.lower()));

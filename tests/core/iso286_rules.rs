@@ -1,4 +1,4 @@
-//! Rules and words of ISO 286. The standard cell by cell against independent transcriptions: `iso286.rs`.
+//! Rules and texts of ISO 286. `iso286.rs` compares the cells with independent transcriptions.
 
 use fitcheck::length::{Length, Unit};
 use fitcheck::tolerance::iso286::{Cell, Edition, JsHalves, Options, Remark, classes, classes_at, deviations};

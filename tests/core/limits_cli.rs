@@ -212,7 +212,7 @@ fn a_closed_pipe_is_not_an_error() {
             .unwrap();
         drop(child.stdout.take());
         let mut input = child.stdin.take().unwrap();
-        // The program may have gone before everything is written.
+        // The program may have ended before everything is written.
         let _closed = input.write_all("25 H7\n".repeat(100_000).as_bytes());
         drop(input);
         let output = child.wait_with_output().unwrap();

@@ -1,4 +1,4 @@
-//! The texts: complete in every language that the window offers, with the same arguments, and all of them used.
+//! The texts: complete in every language of the window, with the same arguments, and all of them used.
 
 #![cfg(test)]
 
@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use fitcheck::words::{Language, Words};
 use fluent_bundle::FluentResource;
 
-/// What stands before the name of a text in the source, `Message::new("file-missing")`: within these brackets every
-/// literal that looks like a name is one, so that `Message::new(match self { … })` is searched as well.
+/// What comes before the name of a text in the source, `Message::new("file-missing")`: within these brackets every
+/// literal that looks like a name is one, so that `Message::new(match self { … })` is also searched.
 const CALLS: [&str; 7] = ["Message::new(", "words.get(", "english.get(", "view.text(", ".t(", "said(", "entry(ui, "];
 
 /// What ends the name's beginning when the rest is put in: `view.text(&format!("export-{}", …))`.
@@ -22,7 +22,7 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Every file beneath a folder with an ending, in order.
+/// Every file below a folder with an ending, in order.
 fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap() {
@@ -48,7 +48,7 @@ fn arguments(text: &str) -> impl Iterator<Item = String> {
     text.split('$').skip(1).map(|rest| rest.chars().take_while(|c| c.is_alphanumeric() || "-_".contains(*c)).collect())
 }
 
-/// The texts of a file. A name begins its line; what belongs to it is indented.
+/// The texts of a file. A name begins its line; the other lines of its text are indented.
 fn texts(file: &str, text: &str, into: &mut Texts) {
     let mut name = None;
     for line in text.lines() {
@@ -90,7 +90,7 @@ fn source() -> String {
     source
 }
 
-/// What stands within the bracket that was opened just before.
+/// The text within the bracket that was just opened.
 fn within_bracket(rest: &str) -> &str {
     let mut depth = 1;
     let end = rest.find(|c: char| {
@@ -160,7 +160,7 @@ fn every_file_parses_whole() {
 
 #[test]
 fn every_file_is_embedded() {
-    // A name that the program does not know is said as itself.
+    // A name that the program does not know is shown as it is.
     for language in Language::all() {
         let words = Words::new(language);
         let text: String = locale(language).into_iter().map(|(_, text)| text).collect();
@@ -225,7 +225,7 @@ fn every_text_that_the_source_names_exists() {
 
 #[test]
 fn every_text_is_used() {
-    // Names are chosen in a `match` far from the call, too: any literal counts as a use.
+    // Names are also chosen in a `match` far from the call: any literal counts as a use.
     let source = source();
     let literals: BTreeSet<&str> = source.split('"').collect();
     let beginnings: Vec<&str> = literals.iter().filter_map(|literal| literal.strip_suffix(PUT_IN)).collect();

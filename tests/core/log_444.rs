@@ -39,7 +39,7 @@ fn points(page: &[u8]) -> Vec<PointLog> {
     read(page).into_iter().map(|answer| answer.unwrap().1).collect()
 }
 
-/// What people see of a page: the text outside of marks, blocks and styles, one line a cell.
+/// What people see of a page: the text outside of marks, blocks and styles, one line per cell.
 fn seen(page: &str) -> Vec<String> {
     let (_, body) = page.split_once("<body>").unwrap();
     let (mut seen, mut rest) = (Vec::new(), body);
@@ -369,7 +369,7 @@ fn any_point() -> impl Strategy<Value = PointLog> {
 }
 
 proptest! {
-    /// Whatever was measured and whatever the texts hold, the page gives it back exactly.
+    /// Whatever was measured and whatever the texts hold, the page returns it exactly.
     #[test]
     fn a_page_reads_back_unchanged(
         logs in proptest::collection::vec(any_point(), 0..4),
@@ -394,7 +394,7 @@ proptest! {
         let _answers = read(&[&before[..], open, json.as_bytes(), b"</script>", &after].concat());
     }
 
-    /// A page with one byte changed is read to the same figures, or the byte is in one of them, or it is refused.
+    /// A page with one byte changed gives the same figures, or the byte is in one of them, or the page is refused.
     #[test]
     fn one_changed_byte_never_moves_a_verdict(at in 0..4000_usize, byte in any::<u8>()) {
         let log = point("0.1");

@@ -1,4 +1,4 @@
-//! Reading a measuring log: whatever is cut off, contradicts itself or is no log.
+//! Reading a measuring log that is cut off, contradicts itself or is not a log.
 
 use fitcheck::control::log::{Figure, Further, LimitPair, Log, LogError, is_log, read};
 use fitcheck::length::{Length, Unit};
@@ -43,7 +43,7 @@ fn mm(text: &str) -> Length {
     text.parse().unwrap()
 }
 
-/// One line a log: its figures and warnings, or its error.
+/// One line per log: its figures and warnings, or its error.
 fn said(text: &str) -> String {
     let one = |log: Result<Log, LogError>| match log {
         Ok(log) => {
@@ -279,7 +279,7 @@ proptest::proptest! {
         let _logs = read(&bytes);
     }
 
-    /// A log with one byte changed is read to the same limits and diameter, or the change is in one of their figures.
+    /// A log with one byte changed gives the same limits and diameter, or the change is in one of their figures.
     #[test]
     fn one_changed_byte_does_not_move_figures(at in 0..LOG.len(), byte in proptest::prelude::any::<u8>()) {
         let mut bytes = LOG.as_bytes().to_vec();

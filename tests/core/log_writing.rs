@@ -1,4 +1,4 @@
-//! Measuring logs written: the samples byte for byte, what differs line by line, and round trips.
+//! Measuring logs written: the samples byte for byte, the differences line by line, and round trips.
 
 use std::path::{Path, PathBuf};
 
@@ -21,12 +21,12 @@ fn logs(bytes: &[u8]) -> Vec<Log> {
     read(bytes).into_iter().collect::<Result<_, _>>().unwrap()
 }
 
-/// The logs of a file written again, one behind the other.
+/// The logs of a file written again, one after another.
 fn written(bytes: &[u8], language: Dialogue) -> Vec<u8> {
     logs(bytes).iter().fold(Vec::new(), |file, log| append(&file, log, language).unwrap())
 }
 
-/// A sample's language: its folder's; that of the variants by their words.
+/// A sample's language: that of its folder; for the variants, that of their words.
 fn language(file: &str) -> Dialogue {
     match file.split_once('/').unwrap() {
         ("variants", "TCHPR421_decimal_comma.TXT") => Dialogue::De,
@@ -97,7 +97,7 @@ fn samples_are_written_byte_for_byte_as_they_were_read() {
             "variants/TCHPR421_two_logs.TXT",
         ]
     );
-    // What differs in these, the tests below say line by line.
+    // The tests below list the differences of these line by line.
     assert_eq!(
         other,
         [
@@ -142,9 +142,9 @@ fn values_on_lines_of_their_own_move_behind_their_labels() {
     let bytes = sample("variants/TCHPR421_value_on_next_line.TXT");
     let ours = String::from_utf8(written(&bytes, Dialogue::En)).unwrap();
     let theirs = String::from_utf8(bytes).unwrap();
-    // Blanks, blank lines and line ends are all that differs.
+    // Only blanks, blank lines and line ends differ.
     assert!(ours.split_whitespace().eq(theirs.split_whitespace()));
-    // In the sample a blank line and the figure follow the label; blank lines part the header's lines, too.
+    // In the sample a blank line and the figure follow the label; blank lines also separate the header's lines.
     let blank = |text: &str| text.lines().filter(|line| line.is_empty()).count();
     assert_eq!((theirs.lines().count(), blank(&theirs)), (69, 26));
     assert_eq!((ours.lines().count(), blank(&ours)), (34, 7));
@@ -324,7 +324,7 @@ fn nothing_is_added_to_a_file_that_is_cut_off() {
         match answer {
             Ok(both) => {
                 assert_eq!(whole[..end].last().map(|last| b"\r\n".contains(last)), Some(true));
-                // What was there reads as before, whatever it was.
+                // The earlier content reads as before, whatever it was.
                 let before = read(&whole[..end]);
                 let after = read(&both);
                 assert_eq!(after.last().unwrap().as_ref().unwrap().figures, log.figures, "{end}");
@@ -367,7 +367,7 @@ fn what_would_not_read_back_is_refused() {
     );
     let path = "would not be read back as the path of a program: write it as in TNC:\\PART\\CHECK.H";
     check_error(|log| log.program = Some("CHECK1".to_owned()), &format!("CHECK1 {path}"));
-    // Two letters of Latin-1 that are one of UTF-8.
+    // Two letters of Latin-1 that are also one letter of UTF-8.
     check_error(|log| log.program = Some("TNC:\\\u{c3}\u{b6}.H".to_owned()), &format!("TNC:\\\u{c3}\u{b6}.H {path}"));
     let otherwise = "the log cannot be written so that it reads back the same: check date, time and further results";
     check_error(|log| log.date = Some(jiff::civil::date(999, 1, 1)), otherwise);
@@ -378,7 +378,7 @@ fn what_would_not_read_back_is_refused() {
         |log| log.figures[2].actual = mm("12.03"),
         "deviation 0.0259 is not actual minus nominal value, 12.0300 - 12.0000",
     );
-    // Above zero, but not when it is printed.
+    // Above zero, but not as printed.
     check_error(|log| shrink(&mut log.figures[2]), "diameter 0.0000 is not above 0");
     check_error(
         |log| log.figures[2].limits = Some(LimitPair { maximum: mm("1"), minimum: mm("2") }),
@@ -388,7 +388,7 @@ fn what_would_not_read_back_is_refused() {
         |log| log.figures[0].limits.as_mut().unwrap().maximum = mm("51"),
         "limits 49.9000 and 51.0000 are not symmetrical about the nominal value 50.0000",
     );
-    // A log of the stud with a hole's figures is one of a stud: what differs is its words only.
+    // A log of the stud with a hole's figures stays a log of a stud: only its words differ.
     let stud = Log { cycle: 422, ..Log::new(421, published(), Unit::Millimetre) };
     assert_eq!(logs(&write(&stud, Dialogue::En).unwrap())[0].cycle, 422);
     let short = Log::new(425, published(), Unit::Millimetre);
@@ -443,7 +443,7 @@ fn coordinates(step: i64) -> impl Strategy<Value = Figure> {
     })
 }
 
-/// The figures of every cycle with a log, out of its declaration.
+/// The figures of every cycle with a log, from its declaration.
 fn values(step: i64) -> impl Strategy<Value = (u16, Vec<Figure>)> {
     let logs = CYCLES.iter().filter_map(|cycle| Some((cycle.number, layout(cycle.number)?)));
     let logs = proptest::sample::select(logs.collect::<Vec<_>>());
@@ -476,7 +476,7 @@ fn any_log(step: Option<i64>) -> impl Strategy<Value = (Log, Dialogue)> {
     })
 }
 
-/// What the log is when it is read, but for the title of the language and warnings of what was left out.
+/// The log as it is read back, except for the title of the language and warnings about what was left out.
 fn as_read(log: &Log, read: &Log) -> Log {
     Log { title: read.title.clone(), warnings: read.warnings.clone(), ..log.clone() }
 }
@@ -494,7 +494,7 @@ fn figures(log: &Log) -> Vec<Length> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
-    /// Figures on the printed grid come back as they were, in every language and unit.
+    /// Figures on the printed grid come back unchanged, in every language and unit.
     #[test]
     fn a_log_reads_back_unchanged((log, language) in any_log(None)) {
         let bytes = write(&log, language).unwrap();
@@ -502,7 +502,7 @@ proptest! {
         prop_assert_eq!(read.len(), 1);
         prop_assert_eq!(&read[0], &as_read(&log, &read[0]));
         prop_assert_eq!(&read[0].title, &log.printed(language).title);
-        // Written again it is the same file.
+        // Written again, it is the same file.
         prop_assert_eq!(write(&read[0], language).unwrap(), bytes);
     }
 
@@ -520,7 +520,7 @@ proptest! {
         }
     }
 
-    /// A file of several logs gives all of them back, in their order.
+    /// A file of several logs returns all of them, in their order.
     #[test]
     fn a_file_of_several_logs_gives_all_back(all in proptest::collection::vec(any_log(None), 1..5)) {
         let mut file = Vec::new();

@@ -1,4 +1,4 @@
-//! Measuring logs against `tests/data/samples/logs/expected.csv`, column by column.
+//! Compares measuring logs with `tests/data/samples/logs/expected.csv`, column by column.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -140,7 +140,7 @@ fn only_what_is_odd_is_warned_of() {
     });
 }
 
-/// The sample log with other figures in place of some of its own.
+/// The sample log with some of its figures replaced.
 fn sample(changes: &[(&str, &str)]) -> Vec<u8> {
     let text = std::fs::read_to_string(folder().join("en/TCHPR421.TXT")).unwrap();
     let changed = changes.iter().fold(text, |text, (from, to)| {
@@ -175,7 +175,7 @@ fn the_centre_is_a_cause_of_its_own() {
     check(&[("40.0120", "40.0500"), (" 0.0120", " 0.0500")], (Status::Good, Some(false)));
     check(&[("40.0120", "40.050001"), (" 0.0120", " 0.0500")], (Status::Good, Some(true)));
     check(&[("29.9910", "29.9499"), ("-0.0090", "-0.0501")], (Status::Good, Some(true)));
-    // Out of position does not hide what can be removed.
+    // A centre out of position does not hide what can be removed.
     let both = [("40.0120", "41.0000"), (" 0.0120", " 1.0000"), ("25.0134", "24.9980"), (" 0.0134", "-0.0020")];
     check(&both, (Status::Rework, Some(true)));
 }

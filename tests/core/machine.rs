@@ -1,4 +1,4 @@
-//! Running NC programs: documented values, every fault by its name, and nothing that a program could do harm with.
+//! Running NC programs: documented values, every fault by its name, and no way for a program to do harm.
 
 use std::sync::Arc;
 
@@ -34,7 +34,7 @@ fn program(text: &[u8]) -> Arc<Program> {
     Arc::new(Program::read(text).unwrap().0)
 }
 
-/// A program of these blocks.
+/// A program with these blocks.
 fn text(blocks: &str) -> String {
     format!("BEGIN PGM main MM\n{blocks}\nEND PGM main MM\n")
 }
@@ -47,7 +47,7 @@ fn machine(blocks: &str) -> Machine {
     machine_in(InMemory::new(), blocks)
 }
 
-/// Runs to the end; pauses are passed over.
+/// Runs to the end; pauses are skipped.
 #[track_caller]
 fn to_end(machine: &mut Machine) {
     loop {
@@ -165,7 +165,7 @@ fn the_syntax_zoo_leaves_the_documented_values() {
     assert_eq!(remarks, ["unknown block skipped"]);
     assert_eq!(machine.position(), [Some(12.5), Some(60.0), Some(100.0)]);
 
-    // Without leave to skip, the run stops at FN 18.
+    // Without permission to skip, the run stops at FN 18.
     let mut machine = Machine::new("syntax_zoo.h", zoo, InMemory::new(), Contacts::Perfect, settings());
     let fault = machine.run(u64::MAX).unwrap_err();
     assert_eq!(
@@ -218,10 +218,10 @@ fn jumps_calls_and_repeats_go_where_the_control_goes() {
     let blocks = "Q1 = 0\nCALL LBL \"ADD\"\nCALL LBL \"ADD\"\nLBL 1\nQ1 = Q1 + 1\nCALL LBL 1 REP 3\nQ2 = Q1\nM30\n\
                   LBL \"ADD\"\nQ1 = Q1 + 100\nLBL 0";
     check_values(&ran(blocks), &[("Q2", 204.0)]);
-    // A count that was used up begins anew: three times two rounds.
+    // A count that is used up starts again: three times two rounds.
     let blocks = "Q1 = 0\nQ2 = 0\nLBL 1\nLBL 2\nQ1 = Q1 + 1\nCALL LBL 2 REP 1\nQ2 = Q2 + 1\nCALL LBL 1 REP 2";
     check_values(&ran(blocks), &[("Q1", 6.0), ("Q2", 3.0)]);
-    // A subprogram in the normal flow is run through once; LBL 0 is passed over.
+    // A subprogram in the normal flow runs once; LBL 0 is skipped.
     check_values(&ran("Q1 = 0\nLBL 5\nQ1 = Q1 + 1\nLBL 0\nQ1 = Q1 + 10"), &[("Q1", 11.0)]);
     // Labels from parameters; numbers and names are separate.
     let blocks = "QS5 = \"7\"\nQ5 = 7\nFN 9: IF +0 EQU +0 GOTO LBL QS5\nM30\nLBL 7\nQ1 = 2\nM30\nLBL \"7\"\nQ1 = 1";
@@ -484,7 +484,7 @@ fn fn_27_changes_the_open_table_and_writes_it_when_it_is_closed() {
     let mut machine = machine_in(InMemory::new().with("own.tab", TABLE), blocks);
     to_end(&mut machine);
     check_values(&machine, &[("Q2", 12.5), ("Q3", 12.5)]);
-    // Nothing is written into folders that were given for reading only; the change lives on in memory.
+    // Nothing is written into folders that were given for reading only; the change stays in memory.
     let folder = tempfile::tempdir().unwrap();
     fitcheck::files::write(&folder.path().join("own.tab"), TABLE.as_bytes()).unwrap();
     let store = Folders::new().reading(folder.path());
@@ -594,7 +594,7 @@ fn fn_16_writes_below_the_chosen_folder_and_nowhere_else() {
         machine
     };
     let print = |mask: &str, to: &str| format!("FN 16: F-PRINT {mask}.a / {to}\n");
-    // Outputs are collected until a mask closes the file; then it begins anew, or is added to.
+    // Outputs are collected until a mask closes the file; then it starts again, or is added to.
     let blocks = [print("open", "res.txt"), print("close", "res.txt"), print("append", "res.txt")].concat();
     to_end(&mut run(&blocks));
     let read = |name: &str| std::fs::read_to_string(out.join(name)).unwrap();
@@ -619,7 +619,7 @@ fn fn_16_writes_below_the_chosen_folder_and_nowhere_else() {
         assert_eq!(fault_of(&mut run(&blocks)), r"TNC:\fit\etc.a leads out of the given folders");
     }
     assert!(!folder.path().join("x.txt").exists());
-    // Without a folder the run goes on, and the text is kept.
+    // Without a folder the run continues, and the text is kept.
     let program = program(text(&print("close", "res.txt")).as_bytes());
     let reading = Folders::new().reading(&masks);
     let mut machine = Machine::new("main.h", program, reading, Contacts::Perfect, settings());
@@ -672,7 +672,7 @@ fn q281_writes_the_measuring_log_beside_the_program_or_shows_it() {
     assert_eq!(logs, [of("35"), of("36.5")]);
     let [window] = machine.windows() else { panic!("{:?}", machine.windows()) };
     assert!(window.text.contains("20.0000"), "{}", window.text);
-    // Without a folder the text is there all the same.
+    // Without a folder the text still exists.
     let program = program(text(&block("35", "1")).as_bytes());
     let mut machine = Machine::new(r"TNC:\fit\main.h", program, Shipped, Contacts::Perfect, settings());
     to_end(&mut machine);
@@ -742,7 +742,7 @@ fn a_broken_file_is_named() {
     );
 }
 
-/// Runs the shipped Dutch programs with a nominal size and a class on a bore or a stud.
+/// Runs the built-in Dutch programs with a nominal size and a class on a bore or a stud.
 fn shipped(nominal: &str, class: &str, workpiece: &str) -> Machine {
     let main = program(Shipped::file("8255_nl.h").unwrap());
     let contacts = Contacts::Workpiece(Simulation::read(workpiece).unwrap());
@@ -863,7 +863,7 @@ const PIECES: [&str; 44] = [
     "\u{0}\u{ff}(((((",
 ];
 
-/// What a run may use while anything is tried.
+/// What a run may use in these trials.
 const SMALL: Budget = Budget {
     blocks: 3_000,
     label_calls: 20,
@@ -880,7 +880,7 @@ const SMALL: Budget = Budget {
     remarks: 50,
 };
 
-/// Runs anything within a small budget, and holds every bound against what is there afterwards.
+/// Runs anything within a small budget, and compares every bound with the result.
 fn run_anything(text: &[u8], sub: &[u8], skip_unknown: bool) {
     let Ok((program, _)) = Program::read(text) else { return };
     let store = InMemory::new()

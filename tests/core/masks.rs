@@ -1,4 +1,4 @@
-//! FN 16 masks: the samples, the shipped masks byte for byte, and what is refused.
+//! FN 16 masks: the samples, the built-in masks byte for byte, and what is refused.
 
 use std::collections::BTreeSet;
 
@@ -22,7 +22,7 @@ fn sample(name: &str) -> Vec<u8> {
     std::fs::read(format!("{}/tests/data/samples/masks/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }
 
-/// A record of 25 H7, or of any other size with a zone of so many micrometres above it.
+/// A record of 25 H7, or of any other size with a zone of this many micrometres above it.
 fn record(callout: &str, upper_um: i32, measured: &str) -> Record {
     let callout: Callout = callout.parse().unwrap();
     let measured: Length = measured.parse().unwrap();
@@ -353,7 +353,7 @@ fn every_language_has_its_shipped_mask() {
     }
 }
 
-/// What is there for one dialogue language, such as `82552_nl.a` and `nl.toml`, is there for all; what is missing is named.
+/// A file for one dialogue language, such as `82552_nl.a` and `nl.toml`, exists for all; a missing one is named.
 #[test]
 fn every_dialogue_has_every_mask_program_page_and_its_words() {
     let lists = [

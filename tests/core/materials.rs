@@ -23,7 +23,7 @@ fn temperatures_are_worked_by_hand() {
     // A steel ring of 50 mm at 220 °C over a cold pin at −30 °C: 115 µm and 28.75 µm.
     assert_eq!(clearance_change_apart(mm("50"), warm("11.5", "220"), warm("11.5", "-30")), mm("0.14375"));
     assert_eq!(clearance_change_apart(mm("50"), warm("11.5", "20"), warm("23.1", "20")), Length::ZERO);
-    // 0.5 nm either way goes away from zero: 1 mm · 0.5e-6 · 1 K.
+    // 0.5 nm either way is rounded away from zero: 1 mm · 0.5e-6 · 1 K.
     assert_eq!(growth(mm("1"), warm("0.5", "21")), mm("0.000001"));
     assert_eq!(growth(mm("1"), warm("0.5", "19")), mm("-0.000001"));
     assert_eq!(growth(mm("1"), warm("0.499", "21")), Length::ZERO);

@@ -1,4 +1,4 @@
-//! Measurements and contacts: what is said of them, and what becomes of contacts.
+//! Measurements and contacts: what is reported about them, and what happens to contacts.
 
 use fitcheck::length::Length;
 use fitcheck::message::Say;

@@ -34,7 +34,7 @@ fn read(bytes: &[u8]) -> Imported {
     imported
 }
 
-/// One text a record, unjudged measurement, error and warning.
+/// One text per record, unjudged measurement, error and warning.
 fn said(bytes: &[u8]) -> Vec<String> {
     let imported = read(bytes);
     let mut said = Vec::new();
@@ -281,7 +281,7 @@ fn formats_are_told_apart() {
 }
 
 proptest::proptest! {
-    /// Whatever a row holds, it is a record, is kept aside or is an error, on its own line.
+    /// Whatever a row holds, it is a record, is kept apart or is an error, on its own line.
     #[test]
     fn nothing_is_dropped(rows in proptest::collection::vec("[a-c]?;(25 H7|25 Z9|20 g6|7|);(25\\.0[0-9]{2}|2[,.;x]5|\"25|)", 1..20)) {
         let text = format!("id;callout;measured\n{}\n", rows.join("\n"));

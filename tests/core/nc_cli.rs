@@ -152,7 +152,7 @@ fn a_broken_path_leaves_nothing_behind() {
     let answer = nc(folder.path(), &bore(&["--control", "tnc7", "-o", output.to_str().unwrap()]));
     assert_eq!(answer.code, Some(1));
     assert!(
-        // What is missing is the folder that the set would stand in.
+        // The missing folder is the one that the set would be in.
         answer.err.ends_with("fitcheck: no such file or folder: none\n"),
         "{}",
         answer.err

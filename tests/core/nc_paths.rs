@@ -1,4 +1,4 @@
-//! Paths as programs write them: none leads out of the folders that were given.
+//! Paths as programs write them: none leads out of the given folders.
 
 use fitcheck::nc::machine::NcPath;
 

@@ -1,4 +1,4 @@
-//! Sets for a control: what is written reads back and runs to the verdict that Fitcheck gives.
+//! Sets for a control: what is written can be read back and runs to the same verdict as Fitcheck's.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -39,7 +39,7 @@ fn make(features: Vec<NcFeature>, control: Control, language: Dialogue) -> NcSet
     NcSet::make(&plan, &Target::new(control, language), &Sources::default()).unwrap()
 }
 
-/// The files of a set at their paths on the control and nothing else: no shipped file takes the place of a missing one.
+/// The files of a set at their paths on the control and nothing else: no built-in file replaces a missing one.
 #[derive(Default)]
 struct OnControl(BTreeMap<String, Vec<u8>>);
 
@@ -105,7 +105,7 @@ fn native(callout: Callout, limits: &Limits, measurement: Measurement, language:
     (status_window(&record, language, None).unwrap(), verdict.status())
 }
 
-/// Runs a set on one workpiece a feature and compares everything that it says. Gives the statuses.
+/// Runs a set on one workpiece per feature, compares all results, and returns the statuses.
 #[track_caller]
 fn check(
     features: &[NcFeature],
@@ -128,7 +128,7 @@ fn check(
     let statuses: Vec<Status> = machine.cycles().iter().map(|run| run.result.status.unwrap()).collect();
     let windows = machine.windows().iter().map(|window| window.text.clone());
     assert_eq!(windows.zip(statuses.iter().copied()).collect::<Vec<_>>(), expected, "{control:?} {language}");
-    // One file a feature, with the window's text.
+    // One file per feature, with the window's text.
     let files: Vec<String> = machine.outputs().iter().map(|written| written.path.file_name().to_owned()).collect();
     let before = if control == Control::Itnc530 { "8255_" } else { "FIT_" };
     let ending = if control == Control::Itnc530 { "txt" } else { "TXT" };
@@ -165,7 +165,7 @@ fn every_control_and_language_gives_the_native_verdicts() {
     let off = |length: Length, nm: i64| Length::from_nanometres(length.nanometres() + nm).unwrap();
     for control in Control::ALL {
         for language in Dialogue::ALL {
-            // Below, on, within, on and above the limits: each feature has its turn.
+            // Below, on, within, on and above the limits: each feature in turn.
             let mut statuses = Vec::new();
             for turn in 0..3 {
                 let diameters: Vec<Length> = limits
@@ -186,7 +186,7 @@ fn every_control_and_language_gives_the_native_verdicts() {
                 statuses.extend(check(&features, &diameters, control, language, &sources));
             }
             let count = |status| statuses.iter().filter(|given| **given == status).count();
-            // Of seven features each is once too small, once good, once too large.
+            // Each of the seven features is too small once, good once, and too large once.
             assert_eq!([Status::Good, Status::Rework, Status::Scrap].map(count), [7, 7, 7]);
         }
     }
@@ -217,7 +217,7 @@ fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
     }
 }
 
-/// What a probe does on its way: at clearance height before and after, never lower on the way to the centre.
+/// The movement of a probe: at clearance height before and after, never lower on the way to the centre.
 #[test]
 fn the_probe_moves_between_features_at_clearance_height() {
     let features = vec![feature("25 H7", ["40", "30", "-8"]), feature("20 g6", ["90", "30", "-8"])];
@@ -268,7 +268,7 @@ fn what_differs_between_the_controls() {
     // Headers of tables.
     assert_eq!([&itnc, &tnc640, &tnc7].map(|set| text_of(set, 3).contains("#STRUCTBEGIN")), [true, false, false]);
     assert_eq!([&itnc, &tnc640, &tnc7].map(|set| text_of(set, 3).contains("TableDescription")), [false, true, true]);
-    // Q262 moves between the limits on a TNC7 alone.
+    // Q262 is moved between the limits only on a TNC7.
     assert_eq!([&itnc, &tnc640, &tnc7].map(|set| text_of(set, 1).matches("Q262=+Q1 ").count()), [2, 2, 0]);
     assert_eq!([&itnc, &tnc640, &tnc7].map(|set| text_of(set, 1).matches("Q262=+Q62 ").count()), [0, 0, 2]);
     // Folders.
@@ -276,8 +276,8 @@ fn what_differs_between_the_controls() {
     assert!(text_of(&tnc7, 1).contains("FN 26: TABOPEN TNC:\\nc_prog\\fitcheck\\FIT_SHAFT.TAB\r\n"));
 }
 
-/// For every class of the tables: the nominal diameter of the cycle lies between its limits on a TNC7, and is the
-/// nominal size elsewhere.
+/// For every class of the tables: the nominal diameter of the cycle is between its limits on a TNC7, and is the nominal
+/// size elsewhere.
 #[test]
 fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
     let classes: Vec<ToleranceClass> =
@@ -294,11 +294,11 @@ fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
         let set = make(features.clone(), control, Dialogue::En);
         let machine = run(&set, control, Dialogue::En, Contacts::Perfect);
         let moved = set.remarks.iter().filter(|remark| matches!(remark, SetRemark::MovedNominal { .. })).count();
-        // 24 of the 47 classes lie beside the nominal size at 25 mm (`docs/SOURCES.md`, sets for a control).
+        // 24 of the 47 classes are off the nominal size at 25 mm (`docs/SOURCES.md`, sets for a control).
         let expected = if control == Control::Tnc7 { (0, 24) } else { (24, 0) };
         assert_eq!((outside(&machine), moved), expected, "{control:?}");
     }
-    // The note names the very value that the cycle gets.
+    // The note names the exact value that the cycle gets.
     for class in ["D10", "g6", "s7", "P9", "k6"] {
         let one = feature(&format!("25 {class}"), ["0", "0", "0"]);
         let set = make(vec![one], Control::Tnc7, Dialogue::En);
@@ -309,7 +309,7 @@ fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
     }
 }
 
-/// Least common ground of all controls: no system data, no joins of literals, ASCII, CRLF, numbers from 0.
+/// What all controls accept: no system data, no joins of literals, ASCII, CRLF, numbers from 0.
 #[test]
 fn programs_keep_to_the_common_ground() {
     for control in Control::ALL {
@@ -354,7 +354,7 @@ fn tables_hold_the_47_classes_and_what_the_plan_needs_beside_them() {
     assert_eq!((hole.columns().len(), shaft.columns().len()), (25, 23));
     let own = "ZA8".parse().unwrap();
     assert_eq!(set.remarks, [SetRemark::OwnColumn { class: own, table: "FIT_HOLE.TAB" }]);
-    // ZA changes at 24 mm, so the range to 30 mm is cut there; 500 H7 needs a range more.
+    // ZA changes at 24 mm, so the range to 30 mm is split there; 500 H7 needs one more range.
     let ends: Vec<String> = hole.ends().iter().map(ToString::to_string).collect();
     assert_eq!(ends.join(" "), "1 3 6 10 18 24 30 50 65 80 100 120 140 160 180 200 225 250 280 315 355 400 500");
     // Every filled cell is the standard's, everywhere in its range.
@@ -383,7 +383,7 @@ fn an_itnc_530_takes_thirty_columns_and_then_only_those_of_the_plan() {
     let diameters: Vec<Length> =
         many.iter().map(|feature| sources.limits(&feature.callout, None).unwrap().minimum()).collect();
     assert_eq!(check(&many, &diameters, Control::Itnc530, Dialogue::It, &sources), [Status::Good; 5]);
-    // More than even those: refused with the control's limit, nothing is left out.
+    // Even more than those: refused with the control's limit, nothing is left out.
     let letters = "CD D E EF F FG G H J JS K M N P R S T U V X Y Z ZA ZB ZC".split(' ');
     let all: Vec<NcFeature> = letters
         .flat_map(|letter| [6, 7].map(|grade| format!("8 {letter}{grade}")))
@@ -413,7 +413,7 @@ fn own_tables_are_what_the_control_gets() {
         let statuses = check(&features, &diameters, control, Dialogue::En, &sources);
         assert_eq!(statuses, [Status::Good, Status::Rework, Status::Good]);
     }
-    // The control's own tables alone: classes beyond the 47 are refused, with the line's place.
+    // Only the control's own tables: classes beyond the 47 are refused, with the line's place.
     let sources = Sources::of_tables(shipped_tables());
     let plan = NcPlan::read(b"callout,x,y,z\n25 H7,0,0,0\n25 U7,0,0,0\n").unwrap();
     let refused = NcSet::make(&plan, &Target::new(Control::Tnc7, Dialogue::En), &sources).unwrap_err().to_string();

@@ -231,7 +231,7 @@ fn q309_of_cycle_444_stops_on_both_sides_or_on_undersize_only() {
     for (deviation, stop) in [
         (0.5, [false, true, false]),
         (-0.2, [false, true, true]),
-        // In tolerance nothing stops, below nominal or above.
+        // Within tolerance nothing stops, whether below or above nominal.
         (-0.05, [false, false, false]),
         (0.05, [false, false, false]),
     ] {
@@ -245,7 +245,7 @@ fn cycle_444_starts_on_the_normal_and_retracts_by_mb() {
     let near =
         |place: [f64; 3], wanted: [f64; 3]| place.iter().zip(wanted).all(|(is, should)| (is - should).abs() < 1e-9);
     let of = |result: &CycleResult, phase| result.path.iter().rfind(|step| step.phase == phase).unwrap().to;
-    // 2.5 + 2 + 1 along (0, 0.6, 0.8); after the touch 2.5 from the point, and 10 more.
+    // 2.5 + 2 + 1 along (0, 0.6, 0.8); after the contact 2.5 from the point, and 10 more.
     assert!(near(of(&far, Phase::PrePosition), [10.0, 23.3, 34.4]));
     assert!(near(of(&far, Phase::Contact), [10.0, 21.5, 32.0]));
     assert!(near(of(&far, Phase::Retract), [10.0, 27.5, 40.0]));
@@ -492,10 +492,10 @@ fn every_fault_of_the_machine_shows_by_its_amount() {
     near(x, 50.005_75);
     let (_, _, diameter) = found(&format!("temperature = 30\nexpansion = 23.1\n{BORE}"), usual);
     near(diameter, 25.005_775);
-    // A ball taken 0.5 µm too large makes a bore 1 µm too large.
+    // A ball assumed 0.5 µm too large makes a bore 1 µm too large.
     let (_, _, diameter) = found(&format!("{BORE}[probe]\nball_radius = 3\ncalibration_error = 0.0005\n"), usual);
     near(diameter, 25.001);
-    // An offset that calibration knows changes nothing, the rest moves the centre.
+    // An offset that is calibrated changes nothing; the rest moves the centre.
     let offset = format!("{BORE}[probe]\nball_radius = 3\noffset = [0.01, -0.02]\n");
     let row = TouchProbe { offset: ["0.01", "-0.02"].map(|text| text.parse().unwrap()), ..usual };
     let (x, y, diameter) = found(&offset, row);
@@ -506,7 +506,7 @@ fn every_fault_of_the_machine_shows_by_its_amount() {
     near(x, 49.99);
     near(y, 20.02);
     near(diameter, 25.0);
-    // Pre-travel the same in all four directions widens by twice its amount.
+    // The same pre-travel in all four directions widens by twice its amount.
     let lobing = "[probe]\nball_radius = 3\nlobing = { count = 4, amplitude = 0.0007 }\n";
     let (_, _, diameter) = found(&format!("{BORE}{lobing}"), usual);
     near(diameter, 25.001_4);
@@ -530,7 +530,7 @@ fn a_wave_lifts_the_ball_to_the_crest_and_lets_it_into_the_trough() {
         assert!((height("20", ball) - 5.01).abs() < 1e-9);
     }
     assert!((height("5", "0") - 5.0).abs() < 1e-9);
-    // On the flank the ball stands a little higher than the surface below it.
+    // On the flank the ball is a little higher than the surface below it.
     let flank = height("5", "2");
     assert!(5.0 < flank && flank < 5.000_1, "{flank}");
 }
@@ -597,7 +597,7 @@ fn the_same_file_gives_the_same_contacts_and_scatter_has_its_size() {
 
 #[test]
 fn three_by_sixty_degrees_is_three_times_as_uncertain_as_three_by_120() {
-    // The table of factors through the lathe's cycle, not only through the formula.
+    // Tests the table of factors through the lathe's cycle, not only through the formula.
     let sigma = |step: u32| {
         let surface = bore([0.0, 0.0], 25.0, Plane::Xy);
         let probe = Probe { trigger_scatter: 0.000_5, ..Probe::STILL };

@@ -10,7 +10,7 @@ use fitcheck::tolerance::Deviations;
 use fitcheck::words::{Dialogue, Language, Words};
 use proptest::prelude::*;
 
-/// The example in the manual of cycle 427 as it is printed: comments on lines of their own, no `~` after the values.
+/// The example in the manual of cycle 427 as printed: comments on their own lines, no `~` after the values.
 const EXAMPLE_427: &str = "11 TCH PROBE 427 MISURAZ. COORDINATA ~\n\nQ263=+35\n\n;1. PUNTO 1. ASSE ~\n\nQ264=+45\n\n;1. PUNTO 2. ASSE ~\n\n\
     Q261=+5\n\n;ALTEZZA MISURATA ~\n\nQ320=+0\n\n;DISTANZA SICUREZZA ~\n\nQ272=+3\n\n;ASSE MISURATO ~\n\nQ267=-1\n\n\
     ;DIREZIONE ATTRAVERS. ~\n\nQ260=+20\n\n;ALTEZZA DI SICUREZZA ~\n\nQ281=+1\n\n;PROTOCOLLO DI MIS. ~\n\nQ288=+5.1\n\n\
@@ -38,7 +38,7 @@ const WRITTEN_004: &str = "TCH PROBE 427 MISURAZ. COORDINATA ~
 /// The example in the manual of G785.
 const EXAMPLE_785: &str = "N3 G785 R0 BR0 K2 C0 RC60 I0 J0 Q0 P0 H0";
 
-/// The pairs of a block, and what was not used, or the error.
+/// The pairs of a block, and what was skipped, or the error.
 fn pairs(text: &str) -> String {
     match read(text) {
         Ok(block) => {
@@ -149,9 +149,9 @@ fn what_is_wrong_with_a_block_is_named_with_its_line() {
         "TCH PROBE 427 ~\nQ263=+1\n;NO MORE\n\nQ264=+2",
         "line 5: Q264=+2 comes after the end of the block: every line but the last ends with ~",
     );
-    // A heading may hold a single mark for inches.
+    // A heading may contain a single inch mark.
     check("* - 1\" BORE\nTCH PROBE 427 ~\nQ263=+1", "427: Q263=+1");
-    // Any other assignment behind it is another block of the program.
+    // Any other assignment after it is another block of the program.
     check(
         "TCH PROBE 427 ~\nQ263=+1\nQ5=+2",
         "427: Q263=+1 | line 3: Q5=+2 is not part of the probing cycle and was skipped",
@@ -177,7 +177,7 @@ fn a_value_that_is_none_is_named_with_its_line_and_a_program_s_parameter_as_such
         said("TCH PROBE 444 ~\nQS400=QS5"),
         "line 2: QS400 = QS5: the value of QS5 is known only while a program runs"
     );
-    // A tool may be called anything.
+    // A tool may have any name.
     assert!(read("TCH PROBE 427 ~\nQS330=\"Q1\"").unwrap().put_into(Inputs::new()).unwrap().is_given(330));
 }
 
@@ -254,7 +254,7 @@ fn value(parameter: &'static Parameter) -> BoxedStrategy<Value> {
     if parameter.may_be_predef { prop_oneof![4 => plain, 1 => Just(Value::Predef)].boxed() } else { plain }
 }
 
-/// A cycle and inputs for it: what must be given, and some of the rest.
+/// A cycle and inputs for it: the required ones, and some of the rest.
 fn any_inputs() -> impl Strategy<Value = (&'static Cycle, Inputs)> {
     proptest::sample::select(CYCLES).prop_flat_map(|cycle| {
         let given: Vec<_> = cycle
@@ -276,7 +276,7 @@ fn any_inputs() -> impl Strategy<Value = (&'static Cycle, Inputs)> {
     })
 }
 
-/// What a cycle runs with, PREDEF taken as 7.
+/// The inputs that a cycle runs with, with PREDEF as 7.
 fn effective(cycle: &Cycle, inputs: &Inputs) -> Vec<(Key, Option<Value>)> {
     let seven = Value::Length("7".parse().unwrap());
     let inputs = [260, 320].into_iter().fold(inputs.clone(), |inputs, key: u16| inputs.with_global(key, seven.clone()));
@@ -296,7 +296,7 @@ proptest! {
         prop_assert_eq!(&block.unused, &None);
         let back = block.put_into(Inputs::new()).unwrap();
         prop_assert_eq!(effective(cycle, &back), effective(cycle, &inputs), "{}", text);
-        // And once more it is the same text.
+        // Written again, it is the same text.
         prop_assert_eq!(write(cycle, &back, language).unwrap(), text);
     }
 

@@ -1,4 +1,4 @@
-//! Touch-probe tables: the shipped one, and what is read and refused.
+//! Touch-probe tables: the built-in one, and what is read and refused.
 
 use fitcheck::control::probe_table::ProbeTable;
 use fitcheck::nc::machine::Shipped;

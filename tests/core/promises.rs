@@ -1,4 +1,4 @@
-//! ARCHITECTURE.md and TERMS.md keep their word: what they name exists.
+//! ARCHITECTURE.md and TERMS.md keep their promises: what they name exists.
 
 use std::path::{Path, PathBuf};
 
@@ -19,7 +19,7 @@ fn sources(folder: &Path, into: &mut Vec<(PathBuf, String)>) {
     }
 }
 
-/// What stands in backticks.
+/// The words in backticks.
 fn quoted(line: &str) -> impl Iterator<Item = &str> {
     line.split('`').skip(1).step_by(2)
 }

@@ -79,7 +79,7 @@ fn html(report: &Report, language: Language) -> String {
     let rendering = RENDERINGS.iter().find(|rendering| rendering.name == "html").unwrap();
     let page = String::from_utf8((rendering.render)(report, &Words::new(language)).unwrap()).unwrap();
     check_well_formed(&page);
-    // Lines end between tags, where they mean nothing.
+    // Lines are broken between tags, where that has no meaning.
     page.replace('\n', "")
 }
 

@@ -1,4 +1,4 @@
-//! `fitcheck report`: formats, files in and out, exit codes, refusals.
+//! `fitcheck report`: formats, files in and out, exit codes, errors.
 
 #![cfg(test)]
 
@@ -27,7 +27,7 @@ fn run(args: &[&str]) -> (i32, String, String) {
     (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
 }
 
-/// Writes a report into a folder of its own and gives its text.
+/// Writes a report into a folder of its own and returns its text.
 #[track_caller]
 fn written(name: &str, args: &[&str], code: i32) -> String {
     let folder = tempfile::tempdir().unwrap();

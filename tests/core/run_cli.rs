@@ -22,7 +22,7 @@ fn samples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples")
 }
 
-/// The sample programs with their tables and mask, and bores of three sizes, in a folder that goes with the test.
+/// The sample programs with their tables and mask, and bores of three sizes, in a folder that is removed with the test.
 struct Shop {
     folder: tempfile::TempDir,
 }
@@ -56,7 +56,7 @@ impl Shop {
         self.folder.path().join(name).display().to_string()
     }
 
-    /// A program of these blocks.
+    /// A program with these blocks.
     fn program(&self, blocks: &str) -> String {
         self.file("own.h", &format!("BEGIN PGM own MM\n{blocks}\nEND PGM own MM\n"))
     }
@@ -117,7 +117,7 @@ fn json_has_everything() {
     assert_eq!(answer["cycles"][0]["results"]["Q153"], 24.99);
     assert_eq!(answer["pauses"], serde_json::json!(["the program has stopped: STOP or M0"]));
     assert_eq!(answer["faults"], serde_json::json!([]));
-    // A fault does not take away what was found before it.
+    // A fault does not remove what was found before it.
     let program = shop.program("Q1 = 5\nQ2 = Q9");
     let (code, answer) = json(&[&program]);
     assert_eq!((code, &answer["parameters"]["Q1"]), (Some(1), &Value::from(5.0)));
@@ -282,7 +282,7 @@ fn wrong_usage_is_told_apart_from_bad_data() {
     check_stopped(&[&main, "--folder", "none"], "no such folder: none");
 }
 
-/// Slots and rectangles in a program: figures of the workpiece by hand, each in the parameter of its cycle.
+/// Slots and rectangles in a program: figures of the workpiece computed by hand, each in the parameter of its cycle.
 #[test]
 fn a_slot_and_a_pocket_are_measured_in_a_program() {
     let shop = Shop::new();

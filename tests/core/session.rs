@@ -24,7 +24,7 @@ fn session() -> Session {
     Session::new(Language::En)
 }
 
-/// Does the commands one after the other; the effects of the last.
+/// Runs the commands one after another; returns the effects of the last.
 fn run(session: &mut Session, commands: impl IntoIterator<Item = Command>) -> Vec<Effect> {
     commands.into_iter().map(|command| session.apply(command, now())).last().unwrap_or_default()
 }
@@ -62,7 +62,7 @@ fn mm(minimum: &str, maximum: &str) -> (String, String) {
     (minimum.to_owned(), maximum.to_owned())
 }
 
-/// No verdict beside limits that it was not made with.
+/// There is no verdict next to limits that it was not made with.
 #[track_caller]
 fn check_limits_belong_to_the_verdict(session: &Session) {
     if let Some(shown) = session.check().shown() {
@@ -74,7 +74,7 @@ fn told(session: &Session, field: CheckField) -> Option<String> {
     session.check().asked().error(field).map(|problem| Words::new(session.language()).say(problem))
 }
 
-/// What the world outside answers when a file of these bytes is imported.
+/// The answer of the outside world when a file with these bytes is imported.
 fn imported(session: &Session, name: &str, bytes: &[u8]) -> Command {
     let imported = import(name, bytes, session.sources(), now());
     Command::Check(CheckCommand::Imported { name: name.to_owned(), result: Ok(Box::new(imported)) })
@@ -180,7 +180,7 @@ fn a_changed_callout_clears_the_verdict_and_the_value_it_was_made_of() {
         assert_eq!((status(&session), session.text(CheckField::Measured)), (None, ""), "{change:?}");
         assert_eq!(session.history().len(), 1);
     }
-    // A value that nobody has judged yet stays.
+    // A value that has not been judged yet stays.
     let mut session = session();
     run(&mut session, [typed(CheckField::Measured, "25.012"), typed(CheckField::Callout, "25 H7")]);
     assert_eq!(session.text(CheckField::Measured), "25.012");
@@ -273,13 +273,13 @@ fn contacts_are_not_judged_while_the_centres_tolerance_cannot_be_read() {
         run(&mut session, [answer]);
         session
     };
-    // The centre is 0.1 mm off: scrap where 0.01 mm is permitted, and never good because of a slip of the finger.
+    // The centre is 0.1 mm off: scrap where 0.01 mm is permitted, and never good because of a typing error.
     assert_eq!(status(&import("0.01")), Some(Status::Scrap));
     assert_eq!(status(&import("0.2")), Some(Status::Good));
     let refused = import("0.01x");
     assert_eq!(status(&refused), None);
     assert!(refused.notices().iter().any(|notice| notice.is_problem));
-    // What the position does not need, does not stop it.
+    // Fields that the position does not need do not stop it.
     let mut session = session();
     run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Height, "high")]);
     let answer = imported(&session, "bore.csv", contacts);
@@ -323,7 +323,7 @@ fn a_dialog_says_what_is_wrong_and_stays() {
     assert_eq!((problem(&session), session.dialog().unwrap().busy), (Some("file-missing"), false));
     run(&mut session, [Command::Close]);
     assert_eq!((session.dialog(), session.notices().len()), (None, 0));
-    // Without a status window there is nothing to write, without a choice nothing to do.
+    // Without a status window there is nothing to write; without a choice there is nothing to do.
     run(&mut session, [Command::OpenDialog(Purpose::ExportStatus), Command::Confirm]);
     assert_eq!(problem(&session), Some("dialog-no-status"));
     assert_eq!(run(&mut session, [Command::Picked(None)]), []);

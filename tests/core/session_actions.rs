@@ -1,4 +1,4 @@
-//! The table of what a user can do: whole, without double keys, and the same as the README's.
+//! The table of commands: complete, without duplicate keys, and the same as in the README.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -45,7 +45,7 @@ fn every_action_has_its_texts_in_every_language() {
         let words = Words::new(language);
         for action in Action::all() {
             let text = action.text(&session, &words);
-            // A text that is missing is said by its name.
+            // A missing text is shown as its name.
             if text.contains('{') || text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-') {
                 missing.push(format!("{language}: {action:?} is called {text:?}"));
             }
@@ -64,7 +64,7 @@ fn every_action_is_listed_once() {
     assert_eq!(all.iter().collect::<std::collections::HashSet<_>>().len(), all.len());
 }
 
-/// How near a place is: where a nearer one has the same keys, those count.
+/// How near a place is: where a nearer one has the same keys, that one counts.
 fn nearness(place: Place) -> u8 {
     match place {
         Place::Part(_) => 0,
@@ -181,7 +181,7 @@ fn enter_measures_where_there_is_something_to_measure() {
     }
 }
 
-/// Whether keys need no focus in a part and are no word: `F5`, `Ctrl+O`.
+/// Whether keys need no focus in a part and do not type text: `F5`, `Ctrl+O`.
 fn is_told(word: &str) -> bool {
     let key = word.rsplit('+').next().unwrap_or(word);
     let number = key.strip_prefix('F').unwrap_or_default();

@@ -76,7 +76,7 @@ fn a_run_is_kept_with_its_inputs_and_any_change_clears_it() {
         assert!(session.cycles().run().is_none(), "{change:?}");
         assert!(session.cycles().window(session.drawn_with()).is_none());
     }
-    // The simulated workpiece is no input as long as it is not touched.
+    // The simulated workpiece is not an input until it is changed.
     now(&mut session);
     send(&mut session, WorkpieceCommand::Type(WorkpieceField::Diameter, "30".into()));
     send(&mut session, WorkpieceCommand::ChooseShape(Shape::Face));
@@ -292,7 +292,7 @@ fn a_block_fills_the_form_or_changes_nothing() {
     let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
     assert!(said.unwrap().starts_with("line 4: cycle 427 has no parameter Q999: its parameters are Q263, Q264, "));
     assert_eq!(session.cycles().cycle().number, 421);
-    // Another block of the program, or a block that is cut off, is not half taken either.
+    // Another block of the program, or a block that is cut off, is not taken in part either.
     for (changed, expected) in [
         (block.replace("Q999=+1 ;? ~\n", ""), "line 3: the block ends with ~, so a line is missing: it may be cut off"),
         (
@@ -358,7 +358,7 @@ fn no_text_in_any_field_makes_the_page_panic() {
     }
 }
 
-/// Whatever is done in whatever order: a shown result is what a new run with the fields on screen finds.
+/// Whatever is done in whatever order: a shown result is that of a new run with the fields on screen.
 #[test]
 fn a_shown_result_is_always_that_of_what_is_on_screen() {
     let contacts = [[12.5, 0.0, 0.0], [0.0, 12.502, 0.0], [-12.5, 0.0, 0.0], [0.0, -12.502, 0.0]].map(Contact::at);

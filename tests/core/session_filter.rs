@@ -13,7 +13,7 @@ fn table(classes: &str) -> DeviationTable {
     DeviationTable::new("own.tab", false, ends, classes.split(' ').map(column).collect()).unwrap()
 }
 
-/// The classes that are shown, the ends of the marked rows, and what is not there.
+/// The classes that are shown, the ends of the marked rows, and what does not exist.
 #[track_caller]
 fn check(classes: &str, text: &str, expected: &str) {
     let table = table(classes);

@@ -115,7 +115,7 @@ fn parts_are_judged_with_both_borders() {
     check("49.999999", "50.042", "-0.042001", false, (Rework, Good));
     check("50.025", "50.026", "-0.001", true, (Good, Good));
     check("50.025", "50.025999", "-0.000999", false, (Good, Scrap));
-    // Both are out, and yet their clearance is allowed.
+    // Both are out, but their clearance is allowed.
     check("50.030", "50.050", "-0.02", true, (Scrap, Rework));
 }
 

@@ -27,7 +27,7 @@ fn send(session: &mut Session, command: impl Into<Command>) {
     assert_eq!(session.apply(command.into(), now()), []);
 }
 
-/// Opens a program as the window does once its file was read.
+/// Opens a program as the window does once its file has been read.
 fn opened(body: &str) -> Session {
     let mut session = session();
     let text = format!("BEGIN PGM x MM\n{body}\nEND PGM x MM\n");
@@ -234,7 +234,7 @@ fn an_endless_loop_ends_by_its_budget() {
 
 #[test]
 fn breakpoints_hold_at_every_place_of_a_slice() {
-    // The second round of the loop ends one block before the border between two parts of a slice.
+    // The second round of the loop ends one block before the boundary between two parts of a slice.
     let mut session = opened("LBL 1\nQ1 = 1\nQ1 = 2\nQ1 = 3\nFN 9: IF +0 EQU +0 GOTO LBL 1");
     send(&mut session, ProgramCommand::ToggleBreakpoint(Some(3)));
     assert!(session.program().has_breakpoint(3));
@@ -279,7 +279,7 @@ fn to_the_cursor_and_over_a_call() {
     send(&mut session, ProgramCommand::Select(2));
     send(&mut session, ProgramCommand::RunToSelected);
     assert_eq!(run(&session).state(), State::Ended, "it is not reached again");
-    // A run that is over begins anew.
+    // A run that has ended starts again.
     send(&mut session, ProgramCommand::Run);
     assert_eq!(run(&session).state(), State::Ended);
     assert_eq!(run(&session).blocks_run(), 8);
@@ -312,7 +312,7 @@ fn problems_name_their_block() {
         .collect();
     assert_eq!(problems.first(), Some(&(NoteKind::Error, 4)), "{problems:?}");
     assert_eq!(problems.get(1), Some(&(NoteKind::Remark, 2)), "{problems:?}");
-    // Block number 3 behind block number 5.
+    // Block number 3 after block number 5.
     assert_eq!(problems.get(2), Some(&(NoteKind::Warning, 3)), "{problems:?}");
     assert!(session.program().note(problems.len()).is_none());
     let place = session.program().note(1).unwrap().place;

@@ -1,4 +1,4 @@
-//! What survives a restart: every key of a state file, old ones too.
+//! What survives a restart: every key of a state file, including old ones.
 
 #![cfg(test)]
 

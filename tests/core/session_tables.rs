@@ -53,7 +53,7 @@ fn error(session: &Session, field: TablesField) -> Option<String> {
     session.error(field).map(|error| Words::new(Language::En).say(error))
 }
 
-/// A table of the standard, then changed by its cells.
+/// A table of the standard, then changed in its cells.
 fn made(session: &mut Session, classes: &str, to: &str) {
     type_text(session, TablesField::Classes, classes);
     type_text(session, TablesField::To, to);
@@ -266,7 +266,7 @@ fn removing_the_last_column_leaves_an_empty_table_that_can_be_undone() {
     assert_eq!(selected(&session), "H7 0 3 +10/0");
 }
 
-/// Confirms the dialog and answers what the world would answer; the bytes.
+/// Confirms the dialog and answers as the outside world would; returns the bytes.
 fn save(session: &mut Session, format: usize, path: &str) -> Option<Vec<u8>> {
     session.apply(Command::OpenDialog(Purpose::SaveTable(format)), now());
     session.apply(Command::TypePath(path.to_owned()), now());

@@ -1,4 +1,4 @@
-//! The simulated workpiece as text fields: there and back, and what each of them may be.
+//! The simulated workpiece as text fields: there and back, and what each of them may hold.
 
 #![cfg(test)]
 

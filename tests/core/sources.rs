@@ -76,7 +76,7 @@ fn a_users_table_comes_first_and_says_what_it_overrides() {
     };
     assert_eq!(instead("1 H7"), None, "the same as the standard");
     assert_eq!(instead("2 H7"), pair(10, 0));
-    // U1 happens to be a class of the standard, too: ES = -18 up to 3 mm.
+    // U1 also happens to be a class of the standard: ES = -18 up to 3 mm.
     assert_eq!(instead("2 U1").map(|standard| standard.upper()), Some(Length::from_micrometres(-18)));
 }
 
@@ -116,7 +116,7 @@ fn callouts_without_letters_need_to_be_told_hole_or_shaft() {
     check("12 +0.01 -0.015", hole, "hole 11.985 to 12.01 from the callout itself");
     check("12 +0.01 -0.015", None, "12 +0.01 -0.015 does not say whether the hole or the shaft is meant");
     check("12.01/11.985", shaft, "shaft 11.985 to 12.01 from the callout itself");
-    // An odd number of nanometres: the middle is no whole number of them, the limits are exact all the same.
+    // An odd number of nanometres: the middle is not a whole number of them, but the limits are exact.
     check("12.000001/12", shaft, "shaft 12 to 12.000001 from the callout itself");
     check("10m", shaft, "shaft 9.8 to 10.2 from ISO 2768-1 class m, over 6 up to 30 mm");
     check("25 H7/g6", shaft, "shaft 24.98 to 24.993 from ISO 286, over 18 up to 30 mm");

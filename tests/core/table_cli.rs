@@ -59,7 +59,7 @@ fn both_shipped_tables_agree_with_the_standard() {
 #[test]
 fn one_changed_cell_is_found_and_named_with_its_place() {
     let folder = tempfile::tempdir().unwrap();
-    // 25 mm lies in the range up to 30 mm; D10 is the first class: +149 and +65 µm.
+    // 25 mm is in the range up to 30 mm; D10 is the first class: +149 and +65 µm.
     let line = line_of("30");
     let path = changed(folder.path(), line, "+149", "+150");
     let answer = table(&["verify", &path]);
@@ -116,7 +116,7 @@ fn a_shifted_size_range_is_found_in_all_classes_that_change_there() {
     let line = line_of("30");
     let answer = table(&["verify", &changed(folder.path(), line, "30 ", "31 ")]);
     assert_eq!(answer.code, Some(1));
-    // The cells of the range up to 30 mm now also speak for sizes up to 31 mm.
+    // The cells of the range up to 30 mm now also apply to sizes up to 31 mm.
     let first = format!(
         "own_hole.tab:{line}:17: D10 over 30 up to 31 mm: +149 / +65 µm, ISO 286 has +180 / +80 µm: upper 31 µm less, \
          lower 15 µm less"
@@ -249,7 +249,7 @@ fn the_built_in_tables_export_as_csv_has_the_published_figures() {
     assert!(700 < found, "{found} rows with the same ranges");
 }
 
-/// The classes and sizes of the shipped tables give the shipped tables.
+/// The classes and sizes of the built-in tables give the built-in tables.
 #[test]
 fn the_shipped_tables_can_be_made_anew() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! Tables against ISO 286: what agrees is clean, and whatever is changed is found, that and nothing else.
+//! Tables compared with ISO 286: a table that agrees is clean, and exactly what is changed is found.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -33,7 +33,7 @@ fn compared(table: &DeviationTable) -> Comparison {
     compare(table, Options::default())
 }
 
-/// The shipped table for this feature.
+/// The built-in table for this feature.
 fn shipped(feature: Feature) -> Arc<DeviationTable> {
     let is_of = |table: &&Arc<DeviationTable>| table.columns()[0].class.feature() == feature;
     Arc::clone(shipped_tables().iter().find(is_of).unwrap())
@@ -56,7 +56,7 @@ fn both_shipped_tables_agree_in_every_cell() {
     }
 }
 
-/// The oracle is the published figures, not the engine: 47 classes in the sub-steps that they are printed for.
+/// The figures to compare with are the published ones, not the engine's: 47 classes in their printed sub-steps.
 #[test]
 fn tables_of_the_published_figures_agree_and_with_a_nanometre_more_nothing_does() {
     let path = format!("{}/tests/data/iso286/limits_47_classes.csv", env!("CARGO_MANIFEST_DIR"));
@@ -94,7 +94,7 @@ fn tables_of_the_published_figures_agree_and_with_a_nanometre_more_nothing_does(
     }
 }
 
-/// Every cell of both tables, in every way in which one can be wrong.
+/// Every cell of both tables, in every way in which it can be wrong.
 #[test]
 fn one_changed_cell_is_the_one_difference() {
     for feature in [Feature::Hole, Feature::Shaft] {
@@ -139,7 +139,7 @@ fn a_size_range_that_ends_a_nanometre_off_is_found_there_and_nowhere_else() {
         let found = compared(&with_ends(&table, ends)).differences;
         let here: Vec<_> = found.iter().map(|one| (one.over, one.to)).collect();
         assert!(here.iter().all(|sizes| *sizes == (mm(over), mm(to))), "{here:?}");
-        // Every class whose cell is another in the next range: which these are, the table itself says.
+        // Every class with a different cell in the next range: the table itself says which these are.
         let differs = |column: &&Column| column.cells[thirty] != column.cells[thirty + 1];
         let expected: Vec<_> = table.columns().iter().filter(differs).map(|column| column.class).collect();
         assert_eq!(found.iter().map(|one| one.class).collect::<Vec<_>>(), expected);
@@ -157,7 +157,7 @@ fn a_range_over_two_sub_steps_is_wrong_for_the_classes_that_need_them() {
         cells.remove(at);
         Column { class: column.class, cells }
     });
-    // The cells of 65 to 80 mm now also speak for 50 to 65 mm.
+    // The cells of 65 to 80 mm now also apply to 50 to 65 mm.
     let merged = DeviationTable::new("own.tab", false, ends, columns.collect()).unwrap();
     let found: Vec<String> = compared(&merged).differences.iter().map(place).collect();
     assert_eq!(found, ["r6 over 50 up to 65", "s6 over 50 up to 65", "s7 over 50 up to 65"]);

@@ -1,4 +1,4 @@
-//! Tables that are edited and tables that are made of the standard.
+//! Tables that are edited and tables that are made from the standard.
 
 use fitcheck::length::Length;
 use fitcheck::tolerance::compare::compare;
@@ -8,7 +8,7 @@ use fitcheck::tolerance::table_edit::{MakeError, TableEdit, standard_column, sta
 use fitcheck::tolerance::{DeviationTable, Deviations, ToleranceClass};
 use proptest::prelude::*;
 
-/// How many steps back undo remembers.
+/// How many steps can be undone.
 const UNDO_STEPS: usize = 200;
 
 fn classes(text: &str) -> Vec<ToleranceClass> {
@@ -68,7 +68,7 @@ fn a_shipped_table_is_one_while_it_holds_what_was_shipped() {
 }
 
 proptest! {
-    /// Any changes, then all the way back and forth: every state between is met again.
+    /// Any changes, then all the way back and forth: every state between occurs again.
     #[test]
     fn undo_and_redo_meet_every_state(steps in proptest::collection::vec((0..4_u8, 0..3_usize, 0..3_i32), 0..60)) {
         let names = classes("H7 H8 H9");

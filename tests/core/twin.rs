@@ -1,9 +1,9 @@
-//! The twin test: program 8255 with 82551, as shipped, says what Fitcheck says, byte for byte.
+//! The twin test: the built-in program 8255 with 82551 says the same as Fitcheck, byte for byte.
 //!
-//! For all 47 classes, in every size range of the shipped tables at its end, in its middle and 0.1 µm above the end
-//! before, on workpieces a nanometre below the limits, on them, in the middle and a nanometre above. The limits are held
-//! against published figures (`tests/data/iso286`) as well. Where the program is weak, what the control says and what
-//! Fitcheck says stand side by side.
+//! For all 47 classes, in every size range of the built-in tables at its end, in its middle and 0.1 µm above the end
+//! before, on workpieces a nanometre below the limits, on them, in the middle and a nanometre above. The limits are
+//! also compared with published figures (`tests/data/iso286`). Where the program is weak, the control's answer and
+//! Fitcheck's are side by side.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -23,7 +23,7 @@ use fitcheck::tolerance::{Callout, DeviationTable, Feature, Limits, Sources, Tol
 use fitcheck::verdict::{Status, doubt, judge};
 use fitcheck::words::Dialogue;
 
-/// The centre that the shipped main programs name.
+/// The centre that the built-in main programs name.
 const CENTRE: [i32; 2] = [40, 30];
 
 /// The smallest workpiece that can be simulated, 1 µm.
@@ -53,7 +53,7 @@ fn simulation(feature: Feature, diameter: Length) -> Simulation {
     Simulation::perfect(Surface::Round(workpiece, Plane::Xy))
 }
 
-/// What a run of 8255 leaves behind.
+/// What is left after a run of 8255.
 #[derive(Debug, Clone, PartialEq)]
 struct Answer {
     window: String,
@@ -83,7 +83,7 @@ fn answer_of(machine: &Machine) -> Answer {
     Answer { window: window.text.clone(), status: machine.status(), word }
 }
 
-/// What `fitcheck check` answers on the same workpiece.
+/// The answer of `fitcheck check` on the same workpiece.
 fn native(limits: &Limits, callout: Callout, simulation: Simulation, language: Dialogue) -> Answer {
     let position = ProbePosition {
         centre: CENTRE.map(|mm| Length::from_micrometres(mm * 1000)),
@@ -137,7 +137,7 @@ fn compare(machine: &mut Machine, callout: Callout, limits: &Limits, (diameter, 
     assert_eq!(native.status, Some(expected), "{callout}, {diameter} mm");
 }
 
-/// Where no diameter can be measured, because the cell is empty or a limit is below 0, neither says a verdict.
+/// Where no diameter can be measured, because the cell is empty or a limit is below 0, neither gives a verdict.
 fn compare_refusals(machine: &mut Machine, callout: Callout, limits: Option<&Limits>) {
     let class = callout.class().unwrap();
     let refused = run(machine, &callout.nominal().to_string(), class.as_str(), Contacts::Recorded(Vec::new()));
@@ -261,7 +261,7 @@ fn every_language_says_the_same() {
     }
 }
 
-/// Where the program has no answer of its own: what the control says beside what Fitcheck says.
+/// Where the program has no answer of its own: the control's answer beside Fitcheck's.
 #[track_caller]
 fn side_by_side(nominal: &str, class: &str, control: &str, fitcheck: &str) {
     let mut machine = machine(Dialogue::Nl);
@@ -300,7 +300,7 @@ fn an_unknown_class_has_no_column() {
     let unknown = |class: &str| format!("{class} is not in table 82553_hole.tab; it has {holes}");
     side_by_side("25", "H10", &control("H10"), &unknown("H10"));
     side_by_side("25", "Z9", &control("Z9"), &unknown("Z9"));
-    // The program looks at the first sign alone: capitals, digits and nothing at all are holes to it.
+    // The program only looks at the first character: capitals, digits and nothing at all are holes to it.
     let mixed = "Js9 mixes upper and lower case: write JS9 for a hole or js9 for a shaft (character 4)";
     side_by_side("25", "Js9", &control("Js9"), mixed);
     let digit = "7 has no sign: write +7 or -7 for a deviation, and no blank within a number (character 4)";
@@ -368,7 +368,7 @@ fn without_a_marker_the_program_never_says_good() {
     assert!(machine.windows().is_empty());
 }
 
-/// All languages have the same blocks but for comments, names and words.
+/// All languages have the same blocks except for comments, names and words.
 #[test]
 fn the_programs_differ_in_words_only() {
     let bare = |name: &str, language: Dialogue| {

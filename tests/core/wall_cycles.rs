@@ -102,7 +102,7 @@ fn too_large_is_scrap_inside_and_rework_outside_and_a_limit_belongs_to_its_zone(
 
 #[test]
 fn scrap_comes_before_rework_and_a_centre_out_of_position_is_scrap() {
-    // The first side can be machined, the second cannot be put back.
+    // The first side can be machined; on the second, material cannot be put back.
     let both = rectangle("423", "Q284=60.1 Q285=60 Q286=40.1 Q287=40", [50.0, 20.0], (59.9, 40.2));
     assert_eq!((markers(&both).as_str(), both.checks.len()), ("001", 2));
     assert_eq!(both.checks.iter().map(|check| check.status).collect::<Vec<_>>(), [Status::Rework, Status::Scrap]);
@@ -139,7 +139,7 @@ fn the_second_contact_is_shifted_and_reached_as_q301_says() {
     };
     assert!((highest("Q310=-7.5") + 5.0).abs() < 1e-12, "at measuring height");
     assert!((highest("Q310=-7.5 Q301=1") - 30.0).abs() < 1e-12, "over the clearance height");
-    // In a wide slot the second touch begins where the nominal width lets expect the wall.
+    // In a wide slot the second probing begins where the nominal width predicts the wall.
     let (cycle, inputs) = given("425", "Q328=50 Q329=0 Q272=1 Q261=-5 Q260=30 Q311=80 Q320=1");
     let wide = cycle.measure(&inputs, &mut on(Walls::new(Feature::Hole, [30.0, 0.0], (80.0, None)), 2.0)).unwrap();
     let second = wide.path.iter().find(|step| step.touch == Some(2) && step.phase == Phase::Approach).unwrap();
@@ -281,7 +281,7 @@ fn a_log_has_the_sections_of_its_cycle_and_reads_back_in_every_language() {
             assert_eq!(says.max(), result.status, "{code} {dialogue}");
         }
     }
-    // Limits of 0 monitor nothing, in the log as in the cycle.
+    // Limits of 0 mean that nothing is monitored, in the log as in the cycle.
     let free = CycleLog::of(cycle, &slot("", 21.0), &heading(Unit::Millimetre), Dialogue::De).unwrap();
     assert_eq!(free.status(Dialogue::De), None);
     let bytes = free.write(Dialogue::De).unwrap();
@@ -328,14 +328,14 @@ fn a_workpiece_file_has_slots_and_rectangles() {
     ] {
         assert_eq!(file(text).unwrap_err(), expected);
     }
-    // Steel that is ten kelvin too warm.
+    // Steel that is ten kelvins too warm.
     let warm = "temperature = 30\nexpansion = 10\n[slot]\ncentre = [0, 0]\nwidth = 20\n";
     let (cycle, inputs) = given("425", "Q328=0 Q329=0 Q272=1 Q261=0 Q311=20");
     let found = cycle.measure(&inputs, &mut Simulation::read(warm).unwrap().machine().unwrap()).unwrap();
     assert_eq!(of(&found, 156), "20.002");
 }
 
-/// A length on the nanometre, so that a result lies on one and not between two.
+/// A length on the nanometre grid, so that a result is on the grid and not between two points.
 fn nanometre(mm: f64) -> f64 {
     (mm * 1e6).round() / 1e6
 }

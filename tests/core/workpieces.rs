@@ -1,4 +1,4 @@
-//! Simulated workpieces: what a file may say of one, and where a probe meets it.
+//! Simulated workpieces: what a file may say about one, and where a probe makes contact with it.
 
 use fitcheck::message::Say as _;
 use fitcheck::probing::simulated::{Lobes, Machine, Probe, Surface, Walls, Workpiece};
@@ -86,7 +86,7 @@ fn check_walls(walls: &Walls, from: [f64; 2], direction: [f64; 2], ball_radius: 
     assert!(is_near, "{found:?} for {expected:?}");
 }
 
-/// Whether a ball there is not in the material.
+/// Whether a ball at this place is outside the material.
 fn is_free(walls: &Walls, from: [f64; 2], ball_radius: f64) -> bool {
     touched(walls, from, [1.0, 0.0], ball_radius) != Err(NoContact::InMaterial { number: 1 })
 }
@@ -113,7 +113,7 @@ fn a_ball_meets_the_wall_ahead() {
 fn a_ball_meets_the_edge_of_a_boss_on_its_side_or_passes_it() {
     let boss = Walls::new(Feature::Shaft, [0.0, 0.0], (60.0, Some(40.0)));
     check_walls(&boss, [50.0, 10.0], [-1.0, 0.0], 5.0, Some(15.0));
-    // 3 above the edge the ball stands 4 beside it.
+    // 3 above the edge, the ball is 4 beside it.
     check_walls(&boss, [50.0, 23.0], [-1.0, 0.0], 5.0, Some(16.0));
     check_walls(&boss, [50.0, 25.1], [-1.0, 0.0], 5.0, None);
     assert!(is_free(&boss, [34.0, 23.0], 5.0) && !is_free(&boss, [33.9, 22.9], 5.0));

@@ -5,26 +5,26 @@ use std::io::BufRead;
 /// The longest line of standard input in bytes; a longer one is refused.
 pub(in crate::cli) const LONGEST_LINE: usize = 1 << 16;
 
-/// A line of input, its memory used again.
+/// A line of input, in memory that is used again.
 #[derive(Default)]
 pub(super) struct Line {
     pub(super) bytes: Vec<u8>,
-    /// Whether the input's buffer is used up: reading on may have to wait.
+    /// Whether the input's buffer is used up: the next read may have to wait.
     is_drained: bool,
 }
 
-/// What a look for the next line found.
+/// The result of looking for the next line.
 pub(super) enum Found {
     /// No more lines.
     End,
     /// A line.
     Whole,
-    /// `bytes` holds its beginning.
+    /// The line is too long; `bytes` holds its beginning.
     TooLong,
 }
 
 impl Line {
-    /// Reads a line without its end (LF or CRLF); `before_waiting` is called when the input may take its time.
+    /// Reads a line without its end (LF or CRLF); calls `before_waiting` when the input may take its time.
     pub(super) fn read(
         &mut self,
         input: &mut dyn BufRead,

@@ -8,13 +8,13 @@ use crate::length::Length;
 use crate::probing::cycle::{Check, LogTarget, Move, Value};
 use crate::words::Dialogue;
 
-/// What the contacts cannot tell, and where the log says something else.
+/// What the contacts cannot tell, and where the log differs.
 pub(super) fn warnings(run: &Run<'_>) -> Vec<String> {
     let contacts = run.result.evaluation().into_iter().flat_map(|found| found.warnings);
     contacts.map(|warning| warning.to_string()).chain(run.log.other.map(|other| other.to_string())).collect()
 }
 
-/// The answer; the names are a contract.
+/// The answer; its names must not change.
 #[derive(Debug, Serialize)]
 struct Answer<'a> {
     cycle: &'a str,
@@ -66,7 +66,7 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
     io.json(&answer)
 }
 
-/// A length has at most 16 figures and none finer than a nanometre: its nearest float prints the same.
+/// A length has at most 16 figures and none finer than a nanometre, so its nearest float prints the same.
 fn mm(length: Length) -> f64 {
     length.to_mm_f64()
 }

@@ -1,8 +1,8 @@
-//! A JSON object with every pair that it has: a map would keep the last of two with the same name and drop the other.
+//! A JSON object with all its pairs: a map would keep the last of two with the same name and drop the other.
 
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 
-/// The pairs of an object in its order.
+/// The pairs of an object in their order.
 #[derive(Debug)]
 pub(super) struct Pairs(pub(super) Vec<(String, serde_json::Value)>);
 

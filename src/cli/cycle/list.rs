@@ -6,7 +6,7 @@ use super::{CliError, Format, Io};
 use crate::probing::cycle::{Cycle, Inputs, Parameter, Unset, Value};
 use crate::words::Dialogue;
 
-/// One parameter; the names are a contract.
+/// One parameter; its names must not change.
 #[derive(Debug, Serialize)]
 struct Row {
     key: String,
@@ -42,7 +42,7 @@ impl Row {
         }
     }
 
-    /// What counts when it is not given.
+    /// The value that is used when it is not given.
     fn unset(&self) -> &str {
         match &self.default {
             Some(default) => default,

@@ -31,12 +31,12 @@ pub(super) struct LogArgs {
 pub(super) struct Kept {
     /// The text, where it goes on the screen.
     pub(super) shown: Option<String>,
-    /// Where the log says something else than the cycle.
+    /// Where the log differs from the cycle.
     pub(super) other: Option<OtherVerdict>,
 }
 
 impl LogArgs {
-    /// Writes the log where the cycle asks for a file and a folder was given, and makes the text for the screen.
+    /// Writes the log if the cycle asks for a file and a folder was given, and makes the text for the screen.
     pub(super) fn keep(
         &self,
         cycle: &Cycle,
@@ -78,7 +78,7 @@ impl LogArgs {
     }
 }
 
-/// Adds the log to the file, which may not be there yet.
+/// Adds the log to the file, which may not exist yet.
 fn add(log: &CycleLog, path: &Path, language: Dialogue, io: &mut Io<'_>) -> Result<(), CliError> {
     let before = match files::read(path) {
         Ok(bytes) => bytes,

@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `list` | the declaration of a cycle |
-//! | `json` | a JSON object, names that stand twice among it |
+//! | `json` | a JSON object, with names that occur twice |
 //! | `answer` | what the cycle found, for programs |
 //! | `text` | the same for people |
 //! | `log` | its measuring log |
@@ -30,7 +30,7 @@ use crate::probing::simulated::{Shape, Simulation};
 use crate::probing::{self, Contact, Prober, Recorded, SourceError, TouchProbe};
 use crate::words::Dialogue;
 
-/// Examples, and what the files are; the names of logs and workpieces come from the declarations.
+/// The examples and a description of the files; the names of logs and workpieces come from the declarations.
 fn help() -> String {
     let logs = CYCLES.iter().filter_map(|cycle| cycle.log.file()).collect::<Vec<_>>();
     let tables = Shape::ALL.map(|shape| format!("[{}]", shape.table()));
@@ -41,7 +41,7 @@ fn help() -> String {
         .to_owned()
 }
 
-/// The cycles as people call them.
+/// The names that people use for the cycles.
 fn codes() -> String {
     CYCLES.iter().map(|cycle| cycle.code).collect::<Vec<_>>().join(", ")
 }
@@ -104,7 +104,7 @@ pub(super) struct Args {
 /// Where the contacts come from.
 #[derive(Debug)]
 enum Source {
-    /// A workpiece without faults and a point as probe.
+    /// A workpiece without faults and a point as the probe.
     Perfect,
     /// A file of a simulated workpiece.
     Workpiece { file: String, simulation: Simulation },
@@ -265,7 +265,7 @@ impl Args {
     }
 }
 
-/// A touch-probe table of the user, or the built-in one.
+/// A user's touch-probe table, or the built-in one.
 pub(super) fn probe_table(path: Option<&Path>, io: &mut Io<'_>) -> Result<ProbeTable, CliError> {
     let Some(path) = path else { return Ok(ProbeTable::shipped().clone()) };
     let (name, bytes) = read_input(path, io)?;
@@ -283,7 +283,7 @@ pub(super) fn read_workpiece(path: &Path, io: &mut Io<'_>) -> Result<(String, Si
     Ok((file, simulation))
 }
 
-/// Contacts that the cycle did not ask for.
+/// Warns of contacts that the cycle did not ask for.
 fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
     let Source::Contacts { file, contacts } = source else { return Ok(()) };
     let (count, unused) = (contacts.len(), probing::Source::Recorded(contacts).unused(path));

@@ -81,7 +81,7 @@ fn source(run: &Run<'_>) -> String {
     }
 }
 
-/// The way of the ball's centre.
+/// The path of the ball's centre.
 pub(super) fn print_path(path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
     writeln!(io.out, "path of the ball's centre")?;
     for (number, step) in (1_usize..).zip(path) {

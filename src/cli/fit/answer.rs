@@ -1,4 +1,4 @@
-//! What there is to say about one fit: computed by the core, put together here.
+//! The answer for one fit: computed by the core, put together here.
 
 use super::Given;
 use super::heat::{Heat, Heated};

@@ -1,6 +1,6 @@
-//! One fit in figures: the names that CSV and JSON share, in every language the same.
+//! One fit in figures: the names that CSV and JSON share, the same in every language.
 //!
-//! Millimetres and micrometres as the name says, exact, with a point. What there is not is null, and empty in CSV.
+//! Millimetres and micrometres as the names say, exact, with a point. Missing values are null, and empty in CSV.
 
 use serde::Serialize;
 
@@ -99,7 +99,7 @@ struct MaterialFigures {
     source: Option<String>,
 }
 
-/// Millimetres with three decimals or more, as `limits` prints them.
+/// Millimetres with at least three decimals, as `limits` prints them.
 fn mm(length: Length) -> Figure {
     Figure::mm(length, 3)
 }
@@ -191,7 +191,7 @@ impl TemperatureFigures {
 }
 
 impl<'a> Figures<'a> {
-    /// The columns of CSV: the names of JSON, joined where one lies within another.
+    /// The columns of CSV: the names of JSON, joined where one is within another.
     pub(super) const COLUMNS: [Column<Self>; 56] = columns! {
         callout, nominal_mm, kind, minimum_clearance_um, maximum_clearance_um, mean_clearance_um, basis, preferred,
         function,

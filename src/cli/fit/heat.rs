@@ -1,4 +1,4 @@
-//! Materials and temperatures: arguments, and what they make of a fit.
+//! Materials and temperatures: arguments, and their effect on a fit.
 
 use std::path::PathBuf;
 
@@ -55,7 +55,7 @@ struct TemperatureArgs {
 /// The material of a part.
 #[derive(Debug, Clone)]
 pub(super) struct Part {
-    /// Its English name, none where the expansion itself was given.
+    /// Its English name; `None` where the expansion itself was given.
     pub name: Option<String>,
     pub certainty: Certainty,
     pub source: Option<String>,
@@ -72,7 +72,7 @@ pub(super) struct Heat {
 /// A fit at these temperatures.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Heated {
-    /// How much more clearance there is than at 20 °C.
+    /// How much larger the clearance is than at 20 °C.
     pub change: Length,
     pub minimum: Length,
     pub maximum: Length,

@@ -74,7 +74,7 @@ impl ScopeChoice {
     }
 }
 
-/// How many pairs are shown unless it is said.
+/// How many pairs are shown by default.
 const SHOWN: usize = 20;
 
 impl ReverseArgs {

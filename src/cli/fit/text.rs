@@ -34,7 +34,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
 pub(super) fn with_remarks(kind: &dyn Display, hole: ToleranceClass, shaft: ToleranceClass) -> String {
     let basis = basis(hole, shaft).map(|basis| basis.to_string());
     let preferred = preference(hole, shaft).map(|preference| preference.to_string());
-    // "preferred fit of the hole basis" says the basis, too, unless it is both.
+    // "preferred fit of the hole basis" also names the basis, unless it is both.
     let basis = basis.filter(|basis| preferred.as_ref().is_none_or(|preferred| !preferred.ends_with(basis.as_str())));
     let function = function(hole, shaft).map(|function| function.to_string());
     let all = [Some(kind.to_string()), basis, preferred, function];

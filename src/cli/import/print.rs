@@ -11,11 +11,11 @@ use crate::length::{Length, Unit};
 use crate::report::columns::names;
 use crate::verdict::Status;
 
-/// Prints the rows of one file after the other.
+/// Prints the rows of one file after another.
 pub(super) struct Printer {
     format: Format,
     is_first: bool,
-    /// The text's table: its columns are as wide as their widest cell, so it is printed at the end.
+    /// The table of the text: its columns are as wide as their widest cell, so it is printed at the end.
     table: Vec<[String; 9]>,
     summary: Summary,
 }
@@ -46,7 +46,7 @@ impl Printer {
         }
     }
 
-    /// Keeps the verdicts for the table; errors go to standard error with their places.
+    /// Keeps the verdicts for the table; prints errors to standard error with their places.
     fn text(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
         for row in rows {
             self.summary.count(&row);
@@ -84,7 +84,7 @@ impl Printer {
 
     fn json(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
         for row in rows {
-            // Written by hand, so that the names stand in the order of the columns.
+            // Written by hand, so that the names are in the order of the columns.
             let members: Vec<String> =
                 COLUMNS.iter().map(|(name, value)| format!("\"{name}\":{}", value(&row).json())).collect();
             let comma = if self.is_first { "" } else { "," };
@@ -133,7 +133,7 @@ fn csv(rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError>
 const HEADINGS: [&str; 9] =
     ["file:line", "id", "callout", "measured mm", "limits mm", "deviation µm", "verdict", "position", "source"];
 
-/// Which columns hold figures and stand to the right.
+/// Which columns hold figures and are right-aligned.
 const RIGHT: [bool; 9] = [false, false, false, true, false, true, false, false, false];
 
 fn cells(row: &Row) -> [String; 9] {
@@ -166,7 +166,7 @@ fn line(cells: &[String; 9], widths: &[usize; 9], io: &mut Io<'_>) -> std::io::R
     writeln!(io.out, "{}", padded.collect::<String>().trim_end())
 }
 
-/// How many rows came to what.
+/// How many rows had which result.
 #[derive(Debug, Default)]
 struct Summary {
     rows: usize,

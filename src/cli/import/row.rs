@@ -13,7 +13,7 @@ use crate::verdict::{PositionVerdict, Status};
 /// A column of the CSV and a name in JSON, with its value in a row.
 pub(super) type Column = (&'static str, fn(&Row) -> Value<'_>);
 
-/// The columns of the CSV and the names in JSON, in order. A stable contract.
+/// The columns of the CSV and the names in JSON, in order. They must not change.
 pub(super) const COLUMNS: [Column; 15] = [
     ("file", |row| Value::Text(&row.file)),
     ("line", |row| row.line.map_or(Value::Nothing, |line| Value::Number(line.to_string()))),
@@ -48,7 +48,7 @@ fn um(length: Option<Length>) -> Value<'static> {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Row {
     pub(super) file: String,
-    /// Where it stands; `None` where the file could not be read.
+    /// Its line; `None` where the file could not be read.
     pub(super) line: Option<usize>,
     /// Where an error is in its line.
     pub(super) column: Option<usize>,
@@ -79,7 +79,7 @@ pub(super) enum Value<'a> {
     Texts(&'a [String]),
 }
 
-/// One of the three things that a row of a file can come to.
+/// One of the three results of a row of a file.
 #[derive(Clone, Copy)]
 enum Came<'a> {
     Record(&'a Record),
@@ -87,7 +87,7 @@ enum Came<'a> {
     Error(&'a Located<ImportError>),
 }
 
-/// Everything that came out of a file, in the order of its lines. Rows are made one by one: a file may have many.
+/// Everything that was read from a file, in the order of its lines. Rows are made one by one: a file may have many.
 pub(super) fn rows<'a>(path: &'a Path, imported: &'a Imported) -> impl Iterator<Item = Row> + 'a {
     let mut warnings: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     for warning in &imported.warnings {
@@ -181,12 +181,12 @@ impl Row {
         Self { column: error.place.column, error: Some(error.what.kind.to_string()), ..Self::default() }
     }
 
-    /// A file that could not be read at all.
+    /// The row for a file that could not be read at all.
     pub(super) fn of_file(path: &Path, error: String) -> Self {
         Self { file: path.display().to_string(), error: Some(error), ..Self::default() }
     }
 
-    /// The part's status: scrap, too, where its centre is out of position.
+    /// The part's status: also scrap where its centre is out of position.
     pub(super) fn part_status(&self) -> Option<Status> {
         if self.position.is_some_and(|position| position.is_out()) { Some(Status::Scrap) } else { self.status }
     }
@@ -198,7 +198,7 @@ impl Row {
     }
 }
 
-/// A user's own table that does not say what the standard says.
+/// Where a user's own table differs from the standard.
 fn differs(standard: Deviations) -> String {
     format!("ISO 286 has {} / {} µm here", standard.lower().signed_um(), standard.upper().signed_um())
 }

@@ -1,4 +1,4 @@
-//! What came of a run, for programs: JSON. The names are a contract.
+//! The result of a run, for programs: JSON. The names must not change.
 
 use serde_json::{Map, Value as Json, json};
 
@@ -66,7 +66,7 @@ fn located(machine: &Machine, path: &NcPath, block: usize) -> Map<String, Json> 
     entries.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()
 }
 
-/// The same with more said.
+/// The same with more values.
 fn placed(machine: &Machine, at: &BlockPlace, more: Json) -> Json {
     let mut entry = located(machine, &at.program, at.block);
     if let Json::Object(more) = more {

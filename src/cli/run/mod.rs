@@ -97,14 +97,14 @@ enum RunFormat {
     Json,
 }
 
-/// What came of a run besides what the machine remembers.
+/// The result of a run besides what the machine remembers.
 #[derive(Default)]
 struct Ended {
     pauses: Vec<Pause>,
     fault: Option<Fault>,
 }
 
-/// Who hears of every block.
+/// A listener to every block.
 trait Listener {
     /// Before a block.
     fn before(&mut self, machine: &Machine);
@@ -165,7 +165,7 @@ impl Args {
         Ok(Machine::new(&name, Arc::new(program), store, contacts, settings))
     }
 
-    /// The program's name, its bytes and its folder; an embedded one where there is no such file.
+    /// The program's name, its bytes and its folder; a built-in program where there is no such file.
     fn read_program(&self, io: &mut Io<'_>) -> Result<(String, Vec<u8>, Folders), CliError> {
         let embedded = self.program.to_str().filter(|_| !self.program.exists()).and_then(Shipped::file);
         if let Some(bytes) = embedded {
@@ -174,7 +174,7 @@ impl Args {
         let is_bare = self.program.parent().is_some_and(|folder| folder.as_os_str().is_empty());
         let (name, bytes) = read_input(&self.program, io).map_err(|error| match error {
             CliError::File(error @ FileError::Missing { .. }) if is_bare => {
-                // NC-Solution 8255's own first.
+                // The programs of NC-Solution 8255 first.
                 let mut programs: Vec<_> = Shipped::main_programs().collect();
                 programs.sort_by_key(|(dialogue, _)| *dialogue != Dialogue::Nl);
                 let names: Vec<&str> = programs.into_iter().map(|(_, name)| name).collect();
@@ -193,7 +193,7 @@ impl Args {
         let Some(path) = &self.workpiece else { return Ok(Contacts::Perfect) };
         let (file, mut simulation) = read_workpiece(path, io)?;
         simulation.seed = self.seed.unwrap_or(simulation.seed);
-        // Figures that cannot be are said now, with the file's name, and not in the middle of the run.
+        // Impossible figures are reported now, with the file's name, and not in the middle of the run.
         simulation.machine().about(&file)?;
         Ok(Contacts::Workpiece(simulation))
     }
@@ -213,7 +213,7 @@ fn set(machine: &mut Machine, name: &str, value: &str) -> Result<(), CliError> {
     machine.set(parameter, value).about(&what)
 }
 
-/// Runs to the end or to a fault; pauses are remembered and passed over.
+/// Runs to the end or to a fault; pauses are remembered and skipped.
 fn run(machine: &mut Machine, listener: &mut dyn Listener, io: &mut Io<'_>) -> Result<Ended, CliError> {
     let mut ended = Ended::default();
     loop {
@@ -224,7 +224,7 @@ fn run(machine: &mut Machine, listener: &mut dyn Listener, io: &mut Io<'_>) -> R
             Ok(Step::Went) => {}
             Ok(Step::Ended) => return Ok(ended),
             Ok(Step::Paused(pause)) => {
-                /// A program that pauses in a loop says so often enough.
+                /// The most pauses that are kept: enough for a program that pauses in a loop.
                 const MOST: usize = 1_000;
                 if ended.pauses.len() < MOST {
                     ended.pauses.push(pause);

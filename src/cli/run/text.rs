@@ -1,4 +1,4 @@
-//! What came of a run, for people: windows and trace on standard output, notes on standard error.
+//! The result of a run, for people: windows and trace on standard output, notes on standard error.
 
 use super::super::CliRemark;
 use super::{CliError, Ended, Io, Listener, place, tame};

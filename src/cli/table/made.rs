@@ -155,7 +155,7 @@ impl ExportArgs {
             let renamed = file.map(|file| table.named(&file.to_string_lossy()));
             let table = renamed.as_ref().unwrap_or(table);
             let part = (format.write)(table).about(table.name())?;
-            // One header, however many tables.
+            // One header, however many tables there are.
             let header =
                 if format.name == "csv" && 0 < number { part.iter().position(|byte| *byte == b'\n') } else { None };
             bytes.extend(part.into_iter().skip(header.map_or(0, |end| end + 1)));

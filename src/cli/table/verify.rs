@@ -1,4 +1,4 @@
-//! `fitcheck table verify`: a control's table against ISO 286, cell by cell.
+//! `fitcheck table verify`: compares a control's table with ISO 286, cell by cell.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -45,11 +45,11 @@ pub(super) struct Args {
     standard: StandardArgs,
 }
 
-/// A table with what came of it.
+/// A table and the result of its comparison.
 struct Verified {
     table: Arc<DeviationTable>,
     found: Comparison,
-    /// The file as text, for the places of cells; none for a built-in table.
+    /// The file as text, for the places of cells; `None` for a built-in table.
     file: Option<TableFile>,
 }
 
@@ -93,7 +93,7 @@ impl Args {
             match self.file(path, io) {
                 Ok(one) => verified.push(one),
                 Err(CliError::Stream(error)) => return Err(CliError::Stream(error)),
-                // The other files are compared all the same.
+                // The other files are still compared.
                 Err(error) => {
                     bad = true;
                     io.fail(error)?;
@@ -122,7 +122,7 @@ impl Args {
 }
 
 impl Verified {
-    /// Where the value that differs stands in the file: the upper one, unless the lower one differs alone.
+    /// Where the value that differs is in the file: the upper one, unless only the lower one differs.
     fn place(&self, difference: &Difference) -> Option<Place> {
         let file = self.file.as_ref()?;
         let column = file.table.column(difference.class.as_str())?;
@@ -157,7 +157,7 @@ impl Verified {
     }
 }
 
-/// What text says.
+/// The sentences of the text format.
 #[derive(Debug, Say)]
 #[say(prefix = "cli-verify")]
 enum Sentence<'a> {
@@ -167,7 +167,7 @@ enum Sentence<'a> {
     Missing { place: String, class: &'a str, over: Length, to: Length, standard: String },
     /// A value that ISO 286 does not have.
     Undefined { place: String, class: &'a str, over: Length, to: Length, table: String, reason: Undefined },
-    /// The cell is empty, and ISO 286 has no value: the class has none at this size, and others in its range.
+    /// The cell and ISO 286 are empty: the class has no value at this size, but has one at others in its range.
     Neither { place: String, class: &'a str, over: Length, to: Length, reason: Undefined },
     /// How far a deviation is off: `upper` or `lower`, `more` or `less`.
     By { side: &'static str, um: String, way: &'static str },
@@ -175,7 +175,7 @@ enum Sentence<'a> {
     Table { name: &'a str, classes: usize, ranges: usize, cells: usize, differ: usize },
     /// A table without a class of ISO 286.
     Nothing { name: &'a str, classes: usize, ranges: usize, cells: usize },
-    /// Columns that are no class.
+    /// Columns that are not classes.
     Own { table: Message, own: String },
 }
 

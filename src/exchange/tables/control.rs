@@ -1,11 +1,11 @@
-//! A control's table for a chosen generation of controls: what each takes is in `docs/SOURCES.md`, tables.
+//! A control's table for a chosen generation of controls: `docs/SOURCES.md`, tables, says what each accepts.
 
 use super::{TableFormat, TableFormatError};
 use crate::control::deviations::to_control_table;
 use crate::control::table::Generation;
 use crate::tolerance::DeviationTable;
 
-/// The manual names none of the operators; these are those of the control's formulas.
+/// The manual does not name the operators; these are those of the control's formulas.
 const OPERATORS: [char; 6] = ['+', '-', '*', '/', '^', '%'];
 
 /// iTNC 530: structure block, at most 30 columns and 200 characters a line.

@@ -1,4 +1,4 @@
-//! Plain CSV: one line a cell that has a value, millimetres and micrometres as the names say, always a point.
+//! Plain CSV: one line per cell that has a value, in millimetres and micrometres as the names say, with a point.
 
 use super::{TableFormat, TableFormatError};
 use crate::length::{Length, Unit};

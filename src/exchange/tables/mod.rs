@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `control` | a control's table, for a chosen generation of controls |
-//! | `csv` | plain CSV, one line a cell |
+//! | `csv` | plain CSV, one line per cell |
 //! | `pcdmis` | the CSV that PC-DMIS reads for ISO tolerances |
 //!
 //! A new format is one file here and one line in [`TABLE_FORMATS`]; command line and dialogs follow from the list.
@@ -25,9 +25,9 @@ pub struct TableFormat {
     pub name: &'static str,
     /// File endings in lower case, without the point; the first is proposed.
     pub endings: &'static [&'static str],
-    /// The text of one line for people.
+    /// The id of its one-line description.
     pub description: &'static str,
-    /// What to look at before the file is relied on.
+    /// What to check before relying on the file.
     pub warning: fn(&DeviationTable) -> Option<FormatWarning>,
     /// Makes the file's bytes.
     pub write: fn(&DeviationTable) -> Result<Vec<u8>, TableFormatError>,
@@ -51,7 +51,7 @@ impl TableFormat {
 pub enum FormatWarning {
     /// How PC-DMIS takes the sign of a lower deviation.
     LowerSign {
-        /// The first class with another lower deviation.
+        /// The first class with a lower deviation other than zero.
         class: ToleranceClass,
     },
 }
@@ -63,19 +63,19 @@ pub enum TableFormatError {
     /// A control's table cannot be written.
     #[say(transparent)]
     Control(#[from] WriteError),
-    /// A TNC7 wants a letter first.
+    /// A name on a TNC7 must begin with a letter.
     Name {
         /// The table's name.
         name: String,
     },
-    /// A TNC7 would calculate with it.
+    /// A TNC7 would take the name for a formula.
     Operator {
         /// The table's name.
         name: String,
         /// The operator.
         sign: char,
     },
-    /// The writer of CSV failed.
+    /// The CSV writer failed.
     Csv {
         /// What it says.
         reason: String,

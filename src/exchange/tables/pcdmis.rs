@@ -1,12 +1,12 @@
 //! The CSV that PC-DMIS reads for ISO tolerances (PC-DMIS Core, page "ISO Dimension Tolerances").
 //!
-//! Two lines a class: the class and the bounds of its size ranges, then a pair of deviations for each range, in
-//! millimetres. Sure from that page (2020.2, 2023.1): the two lines, bounds above and up to, that the lines count for
-//! this class alone, and that case tells hole from shaft. The page shows H7 as a part of a file, so several classes one
-//! after the other are very likely. Not sure: the sign of a lower deviation, for the page shows 0 only and calls the
+//! Each class has two lines: the class and the bounds of its size ranges, then a pair of deviations for each range, in
+//! millimetres. That page (2020.2, 2023.1) confirms the two lines, bounds above and up to, that the lines apply to this
+//! class alone, and that case tells hole from shaft. It shows H7 as a part of a file, so several classes one after the
+//! other are very likely. Not confirmed: the sign of a lower deviation, because the page shows only 0 and calls the
 //! pair plus and minus tolerance, and elsewhere in PC-DMIS a minus tolerance is typed without its sign. It is written
-//! with its sign here, and [`FormatWarning::LowerSign`] says so. Nor is it sure that a class may come twice: where one is
-//! not defined in the middle of its sizes, it gets two lines for each part.
+//! with its sign here, and [`FormatWarning::LowerSign`] says so. Also not confirmed: that a class may occur twice. One
+//! that is not defined in the middle of its sizes gets two lines for each part.
 
 use super::{FormatWarning, TableFormat};
 use crate::length::{Length, Unit};

@@ -8,7 +8,7 @@ use super::scanner::{Place, is_figure, is_minus, is_sign};
 use crate::length::Length;
 use crate::tolerance::Deviations;
 
-/// The units that may stand behind a deviation.
+/// The units that may follow a deviation.
 const UNITS: [&str; 4] = ["mm", "\u{b5}m", "\u{3bc}m", "um"];
 
 /// The sign before a deviation.
@@ -24,14 +24,14 @@ pub(super) enum Sign {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Deviation<'a> {
     pub(super) sign: Sign,
-    /// With its sign.
+    /// The value with its sign.
     pub(super) value: Length,
     number: Number<'a>,
     place: Place,
 }
 
 impl<'a> Reader<'a> {
-    /// One deviation or two behind a size.
+    /// Reads one or two deviations after a size.
     pub(super) fn band(&mut self, size: Size) -> Result<Callout, CalloutError> {
         let first = self.deviation()?;
         self.refuse_no_sign(&first)?;
@@ -55,7 +55,7 @@ impl<'a> Reader<'a> {
         self.both(size, &first, &second)
     }
 
-    /// A sign, and a number with its unit.
+    /// Reads a sign and a number with its unit.
     pub(super) fn deviation(&mut self) -> Result<Deviation<'a>, CalloutError> {
         let start = self.scanner.offset();
         let sign = self.sign();
@@ -84,7 +84,7 @@ impl<'a> Reader<'a> {
         Sign::Plus
     }
 
-    /// One signed deviation, as QS400 of cycle 444 has it: the other one is zero.
+    /// One signed deviation, as in QS400 of cycle 444: the other one is zero.
     fn single(&self, size: Size, only: &Deviation<'_>) -> Result<Callout, CalloutError> {
         let whole = Place { start: size.place.start, end: only.place.end };
         if only.value == Length::ZERO {
@@ -92,7 +92,7 @@ impl<'a> Reader<'a> {
             return Err(self.error(end, Kind::Missing { part: Part::Deviation }));
         }
         let as_deviation = self.with_deviations(size, only.place, only.value, Length::ZERO);
-        // "12.01-11.985" and "12-11" may be limits of size as well; cycle texts have none.
+        // "12.01-11.985" and "12-11" may also be limits of size; cycle texts have none.
         let (nominal, removed) = (size.value, only.value.negated());
         if removed < nominal.saturating_sub(removed) || self.grammar == Grammar::Cycle {
             return as_deviation;
@@ -105,7 +105,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Upper and lower deviation. A callout with the lower one first is refused; cycle texts have both orders.
+    /// Upper and lower deviation. A callout must have the upper one first; cycle texts may have either order.
     fn both(&self, size: Size, first: &Deviation<'_>, second: &Deviation<'_>) -> Result<Callout, CalloutError> {
         let place = Place { start: first.place.start, end: second.place.end };
         let callout = self.with_deviations(size, place, first.value, second.value)?;
@@ -120,7 +120,7 @@ impl<'a> Reader<'a> {
         self.placed(place, Callout::with_deviations(size.value, Deviations::spanning(one, other)))
     }
 
-    /// Only zero may stand without a sign.
+    /// Only zero may have no sign.
     fn refuse_no_sign(&self, deviation: &Deviation<'_>) -> Result<(), CalloutError> {
         if deviation.sign == Sign::None && deviation.value != Length::ZERO {
             return Err(self.no_sign(deviation));

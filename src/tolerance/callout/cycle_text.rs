@@ -1,5 +1,5 @@
-//! The texts that cycles 14xx take for a nominal value: a callout, less, or more. Reading and writing; what a control
-//! does with them is not here.
+//! The texts that cycles 14xx take as a nominal value: a callout, less, or more. This file reads and writes them; what
+//! a control does with them is elsewhere.
 
 use std::fmt;
 use std::str::FromStr;
@@ -12,8 +12,8 @@ use crate::length::Length;
 
 /// A text of cycles 14xx: `10H7`, `?10H7`, `?`, `10H7@10.004`.
 ///
-/// The tolerance is a class of ISO 286, a general class of ISO 2768-1 or deviations; their order is free, so `8-2-1` is
-/// −1 and −2. Fits and limits of size are none of these cycles.
+/// The tolerance is a class of ISO 286, a general class of ISO 2768-1, or deviations in either order, so `8-2-1` means
+/// −1 and −2. These cycles have neither fits nor limits of size.
 ///
 /// ```
 /// use fitcheck::tolerance::callout::CycleText;
@@ -30,7 +30,7 @@ pub struct CycleText {
     pub position_unknown: bool,
     /// The nominal value; a lone `?` has none.
     pub size: Option<CycleSize>,
-    /// The actual value behind an `@`, in millimetres: a position, so it may be zero or less.
+    /// The actual value after an `@`, in millimetres: a position, so it may be zero or less.
     pub actual: Option<Length>,
 }
 
@@ -86,7 +86,7 @@ impl FromStr for CycleText {
     }
 }
 
-/// The number behind an `@`.
+/// The number after an `@`.
 fn actual(reader: &mut Reader<'_>) -> Result<Size, CalloutError> {
     reader.scanner.skip_blanks();
     let start = reader.scanner.offset();
@@ -102,7 +102,7 @@ fn actual(reader: &mut Reader<'_>) -> Result<Size, CalloutError> {
     })
 }
 
-/// As a control takes it: without blanks, with a point, every deviation with a sign, never `±` or `Ø`.
+/// The notation of a control: no blanks, a decimal point, a sign on every deviation, never `±` or `Ø`.
 ///
 /// A fit and limits of size, which these cycles do not have, are printed as callouts.
 impl fmt::Display for CycleText {

@@ -1,4 +1,4 @@
-//! Why a text is not a callout: the reason, and the character at which it shows.
+//! Why a text is not a callout: the reason, and the character where the error is.
 
 use std::ops::Range;
 
@@ -24,49 +24,49 @@ const LONGEST_GIVEN: usize = 80;
 pub struct CalloutError {
     /// What was given, without blanks around it and at most 80 characters of it; empty where no text was read.
     pub text: String,
-    /// The character at which it shows, counted from 1 in the text as it was given; 0 where no text was read.
+    /// The character where the error begins, counted from 1 in the text as given; 0 where no text was read.
     pub at: usize,
-    /// How many characters; 0 where something is missing.
+    /// How many characters are wrong; 0 where something is missing.
     pub length: usize,
     /// The reason.
     pub kind: CalloutErrorKind,
 }
 
 impl CalloutError {
-    /// An error at a place of a text.
+    /// An error at a place in a text.
     pub(super) fn at(text: &str, place: Place, kind: CalloutErrorKind) -> Self {
         let count = |range: Range<usize>| text.get(range).map_or(0, |part| part.chars().count());
         let (at, length) = (count(0..place.start) + 1, count(place.start..place.end));
         Self { text: shorten(text.trim()), at, length, kind }
     }
 
-    /// The same at a place of a text.
+    /// The same error at a place in a text.
     pub(super) fn placed(self, text: &str, place: Place) -> Self {
         Self::at(text, place, self.kind)
     }
 
-    /// The characters that are wrong, counted from 0 in the text as it was given; an empty range stands where
-    /// something is missing. `None` where no text was read.
+    /// The characters that are wrong, counted from 0 in the text as given; an empty range where something is missing.
+    /// `None` where no text was read.
     pub fn span(&self) -> Option<Range<usize>> {
         let start = self.at.checked_sub(1)?;
         Some(start..start.saturating_add(self.length))
     }
 
-    /// The character that the message names, where the reason alone does not tell the place.
+    /// The character that the message names, where the reason alone does not show the place.
     fn told_place(&self) -> Option<usize> {
         (0 < self.at && self.kind.needs_place()).then_some(self.at)
     }
 }
 
 impl From<CalloutErrorKind> for CalloutError {
-    /// An error of values, not of a text.
+    /// An error in values, not in a text.
     fn from(kind: CalloutErrorKind) -> Self {
         Self { text: String::new(), at: 0, length: 0, kind }
     }
 }
 
 impl From<ClassError> for CalloutError {
-    /// An error of a class that stands alone.
+    /// An error in a class on its own.
     fn from(error: ClassError) -> Self {
         CalloutErrorKind::Class(Box::new(error)).into()
     }

@@ -12,7 +12,7 @@ pub enum Part {
     Deviation,
     /// A limit of size.
     Limit,
-    /// The actual size behind the `@` of a cycle text.
+    /// The actual size after the `@` of a cycle text.
     Actual,
 }
 
@@ -35,7 +35,7 @@ pub enum CalloutErrorKind {
         /// What was given.
         nominal: Length,
     },
-    /// The text ends behind the size.
+    /// The text ends after the size.
     NoTolerance,
     /// The class cannot be read.
     #[say(transparent)]
@@ -43,26 +43,26 @@ pub enum CalloutErrorKind {
     /// A class of ISO 2768-1 in capitals, or a class of ISO 286 without its grade.
     #[say(args(capital = class.letter().to_ascii_uppercase()))]
     GeneralCapital {
-        /// The general class that it may be.
+        /// The general class that may be meant.
         class: GeneralClass,
-        /// The callout with it.
+        /// The callout with that class.
         offer: String,
     },
-    /// The shaft stands before the hole.
+    /// The shaft comes before the hole.
     FitOrder {
         /// The callout in the right order.
         offer: String,
     },
     /// Two holes or two shafts.
     FitSide {
-        /// The class before the stroke.
+        /// The class before the slash.
         first: ToleranceClass,
-        /// The class behind it.
+        /// The class after it.
         second: ToleranceClass,
     },
-    /// A number behind the size cannot be read.
+    /// A number after the size cannot be read.
     Number {
-        /// What it stands for.
+        /// What the number means.
         part: Part,
         /// What is wrong with it.
         error: LengthError,
@@ -72,7 +72,7 @@ pub enum CalloutErrorKind {
     NotA {
         /// What was expected.
         part: Part,
-        /// What stands there.
+        /// What was found.
         found: String,
     },
     /// The text ends where a number was expected.
@@ -86,29 +86,29 @@ pub enum CalloutErrorKind {
         /// The number.
         number: String,
     },
-    /// One deviation has a unit and the other has none: it may be meant in either.
+    /// One deviation has a unit and the other has none: the other may be in either unit.
     NoUnit {
         /// The number without a unit.
         number: String,
     },
-    /// The lower deviation stands before the upper one.
+    /// The lower deviation comes before the upper one.
     DeviationOrder {
         /// The callout in the right order.
         offer: String,
     },
-    /// The smaller limit stands before the larger one.
+    /// The smaller limit comes before the larger one.
     LimitsOrder {
         /// The callout in the right order.
         offer: String,
     },
-    /// Limits so far apart that they are hardly limits.
+    /// Limits that are too far apart to be meant as limits.
     LimitsApart {
         /// The larger.
         larger: Length,
         /// The smaller.
         smaller: Length,
     },
-    /// A minus between two sizes, or a very large lower deviation.
+    /// Either a minus between two sizes or a very large lower deviation.
     LimitsOrDeviation {
         /// The callout as limits.
         limits: String,
@@ -120,7 +120,7 @@ pub enum CalloutErrorKind {
         /// The callout as limits.
         limits: String,
     },
-    /// The lower deviation takes all of the size away.
+    /// The lower deviation makes the minimum limit zero or less.
     MinimumNotPositive {
         /// The minimum limit.
         minimum: Length,
@@ -133,7 +133,7 @@ pub enum CalloutErrorKind {
     },
     /// A point in one number and a comma in another: `1,234 +0.5` may be 1.234 mm or 1234 mm.
     MixedDecimals {
-        /// The number with the other sign.
+        /// The number with the other decimal sign.
         number: String,
     },
     /// `?` and `@` in a callout.
@@ -146,12 +146,12 @@ pub enum CalloutErrorKind {
         /// The sign that begins it.
         found: char,
     },
-    /// Something behind a whole callout.
+    /// Something follows a complete callout.
     TooMuch {
-        /// What stands there.
+        /// What was found.
         found: String,
     },
-    /// A text of QS400 that no string parameter can hold.
+    /// A text of QS400 that is too long for a string parameter.
     TooLong {
         /// The most characters.
         most: usize,
@@ -171,7 +171,7 @@ impl Part {
 }
 
 impl CalloutErrorKind {
-    /// Whether the reason alone does not tell the place.
+    /// Whether the reason alone does not show the place.
     pub(super) const fn needs_place(&self) -> bool {
         !matches!(
             self,

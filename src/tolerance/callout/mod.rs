@@ -21,8 +21,8 @@
 //! value      = number [ "mm" | "µm" | "um" ] ;
 //! number     = digits [ ( "." | "," ) digits ] ;            one kind of decimal sign in a text
 //! ```
-//! Blanks may stand between the parts; U+2212 and U+2013 are a minus. A callout says what is wanted; whether a class is
-//! defined at its size is told by the sources of limits, not here.
+//! Blanks may separate the parts; U+2212 and U+2013 count as a minus. A callout says what is wanted; the sources of
+//! limits say whether a class is defined at its size.
 
 mod band;
 mod cycle_text;
@@ -47,7 +47,7 @@ use super::limits::Deviations;
 use crate::length::Length;
 use crate::message::as_text;
 
-/// A nominal size above zero and its tolerance; the minimum limit it states is above zero, too.
+/// A nominal size above zero and its tolerance; the minimum limit that it states is also above zero.
 ///
 /// ```
 /// use fitcheck::tolerance::{Callout, Feature};
@@ -115,8 +115,8 @@ impl Callout {
         }
     }
 
-    /// A callout of a general tolerance of ISO 2768-1: `10m`. Whether the class is defined at the size is for
-    /// [`super::iso2768::deviations`] to say.
+    /// A callout of a general tolerance of ISO 2768-1: `10m`. [`super::iso2768::deviations`] says whether the class is
+    /// defined at the size.
     ///
     /// # Errors
     /// [`CalloutErrorKind::NotPositive`] for a size of zero or less.
@@ -168,7 +168,7 @@ impl Callout {
         Ok(Self { nominal, tolerance })
     }
 
-    /// The nominal size in millimetres above zero; of limits of size their middle, a half nanometre rounded up.
+    /// The nominal size in millimetres, above zero; for limits of size their middle, with a half nanometre rounded up.
     pub const fn nominal(&self) -> Length {
         self.nominal
     }
@@ -178,7 +178,7 @@ impl Callout {
         self.tolerance
     }
 
-    /// The tolerance class, where there is a single one: not of a fit.
+    /// The tolerance class, if there is exactly one; a fit has two.
     pub const fn class(&self) -> Option<ToleranceClass> {
         match self.tolerance {
             Tolerance::Class(class) => Some(class),
@@ -196,7 +196,7 @@ impl Callout {
         }
     }
 
-    /// The callout of one part: that side of a fit, any other callout as it is.
+    /// The callout of one part: one side of a fit, or any other callout unchanged.
     #[must_use]
     pub fn of_part(self, feature: Feature) -> Self {
         match (self.tolerance, self.class_for(feature)) {
@@ -205,7 +205,7 @@ impl Callout {
         }
     }
 
-    /// Hole or shaft, by the case of a single class; a callout of another kind does not say.
+    /// Hole or shaft, by the case of a single class; other callouts do not say.
     pub fn feature(&self) -> Option<Feature> {
         self.class().map(ToleranceClass::feature)
     }
@@ -216,15 +216,15 @@ as_text!(Callout);
 impl FromStr for Callout {
     type Err = CalloutError;
 
-    /// Reads the grammar at the head of this file.
+    /// Reads the grammar at the top of this file.
     fn from_str(text: &str) -> Result<Self, CalloutError> {
         reading::callout(text)
     }
 }
 
-/// The one notation of each kind, which reads as the same callout: `25 H7` as the control prints it in QS2, `25 H7/g6`,
-/// `10m`, `12 ±0.02`, `12 +0.2 0`, `12.01/11.985`. Numbers have a point and only the decimals they need; zero has no
-/// sign.
+/// The single notation of each kind, which reads back as the same callout: `25 H7` as the control prints it in QS2, `25
+/// H7/g6`, `10m`, `12 ±0.02`, `12 +0.2 0`, `12.01/11.985`. Numbers have a point and only the decimals they need; zero
+/// has no sign.
 impl fmt::Display for Callout {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let nominal = self.nominal;
@@ -243,7 +243,7 @@ impl fmt::Display for Callout {
     }
 }
 
-/// A deviation with its sign; zero carries none.
+/// A deviation with its sign; zero has none.
 fn signed(deviation: Length) -> String {
     format!("{}{deviation}", if Length::ZERO < deviation { "+" } else { "" })
 }

@@ -13,8 +13,8 @@ const LONGEST: usize = 255;
 
 /// Reads the text of QS400: `0.4-0.1` is +0.4 and −0.1, `0.4` is +0.4 and 0, `-0.1` is 0 and −0.1.
 ///
-/// A blank text, zero, and two deviations of the same sign (`0.1+0.1`) are no tolerance, as the manual of cycle 444 says.
-/// Point or comma, keyboard hyphen, true minus or en dash; numbers are millimetres without a unit.
+/// A blank text, zero, and two deviations of the same sign (`0.1+0.1`) mean no tolerance, says the manual of cycle 444.
+/// A text may have point or comma, keyboard hyphen, true minus or en dash; numbers are millimetres without a unit.
 ///
 /// ```
 /// use fitcheck::tolerance::callout::qs400;
@@ -26,7 +26,7 @@ const LONGEST: usize = 255;
 /// ```
 ///
 /// # Errors
-/// Anything else is refused, not ignored, as are more than 255 characters.
+/// [`CalloutError`] for any other text, and for more than 255 characters; nothing is ignored.
 pub fn qs400(text: &str) -> Result<Option<Deviations>, CalloutError> {
     let mut reader = Reader::new(text, Grammar::Cycle);
     if let Some((start, _)) = text.char_indices().nth(LONGEST) {
@@ -59,7 +59,7 @@ fn deviation<'a>(reader: &mut Reader<'a>) -> Result<Deviation<'a>, CalloutError>
     Ok(deviation)
 }
 
-/// A band of zero width around the nominal size is no tolerance.
+/// A band of zero width around the nominal size means no tolerance.
 fn band(one: Length, other: Length) -> Option<Deviations> {
     (one != other).then(|| Deviations::spanning(one, other))
 }

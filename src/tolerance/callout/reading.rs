@@ -7,10 +7,10 @@ use super::scanner::{Place, Scanner, is_decimal_sign, is_figure, is_minus, is_si
 use crate::length::{Length, LengthError};
 use crate::tolerance::{ClassError, GeneralClass, ToleranceClass};
 
-/// The unit that may stand behind a size.
+/// The unit that may follow a size.
 const SIZE_UNITS: [&str; 1] = ["mm"];
 
-/// Longer texts are no class, whatever they hold.
+/// A longer text is not a class, whatever it holds.
 const LONGEST_CLASS: usize = 16;
 
 /// What a text may be.
@@ -22,7 +22,7 @@ pub(super) enum Grammar {
     Cycle,
 }
 
-/// A text on its way to a callout.
+/// A text that is being read as a callout.
 #[derive(Debug)]
 pub(super) struct Reader<'a> {
     pub(super) scanner: Scanner<'a>,
@@ -45,7 +45,7 @@ pub(super) struct Number<'a> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Size {
     pub(super) value: Length,
-    /// Whether a plus stands before it.
+    /// Whether it has a plus sign.
     plus: bool,
     pub(super) place: Place,
 }
@@ -59,7 +59,7 @@ pub(super) fn callout(text: &str) -> Result<Callout, CalloutError> {
     Ok(callout)
 }
 
-/// The halves of a callout while it is typed: its size, and all that stands behind, both as given; either may be empty.
+/// The halves of a callout while it is typed: its size, and everything after it, both as given; either may be empty.
 ///
 /// ```
 /// use fitcheck::tolerance::callout::halves;
@@ -91,12 +91,12 @@ impl<'a> Reader<'a> {
         CalloutError::at(self.scanner.text(), place, kind)
     }
 
-    /// A callout, or its error at a place.
+    /// The same result, with its error at a place.
     pub(super) fn placed<T>(&self, place: Place, result: Result<T, CalloutError>) -> Result<T, CalloutError> {
         result.map_err(|error| error.placed(self.scanner.text(), place))
     }
 
-    /// Where the next character stands, or the end.
+    /// The place of the next character, or of the end.
     fn here(&self) -> Place {
         let start = self.scanner.offset();
         Place { start, end: start + self.scanner.peek().map_or(0, char::len_utf8) }
@@ -131,7 +131,7 @@ impl<'a> Reader<'a> {
         self.error(place, Kind::NoNominal { text: shorten(self.scanner.text().trim()) })
     }
 
-    /// A number without sign, with its unit where one of `units` follows; `None` where there is no figure.
+    /// Reads a number without a sign, with its unit if one of `units` follows; `None` where there is no figure.
     pub(super) fn number(
         &mut self,
         units: &[&'static str],
@@ -154,7 +154,7 @@ impl<'a> Reader<'a> {
         Ok(Some(Number { value, figures, unit, place }))
     }
 
-    /// A unit, perhaps after a blank, unless it is the beginning of a word: `25m6` and `25mm6` keep their class.
+    /// Reads a unit, perhaps after a blank, unless it is the beginning of a word: `25m6` and `25mm6` keep their class.
     fn unit(&mut self, units: &[&'static str]) -> Option<&'static str> {
         let mut ahead = self.scanner;
         ahead.skip_blanks();
@@ -168,7 +168,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    /// What stands behind the size.
+    /// Reads what follows the size.
     pub(super) fn tolerance(&mut self, size: Size) -> Result<Callout, CalloutError> {
         if size.value <= Length::ZERO {
             return Err(self.error(size.place, Kind::NotPositive { nominal: size.value }));
@@ -187,7 +187,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// `/11.985` behind a size: limits.
+    /// Reads `/11.985` after a size: limits.
     fn limits(&mut self, size: Size) -> Result<Callout, CalloutError> {
         if self.grammar == Grammar::Cycle {
             return Err(self.error(self.here(), Kind::NotInCycleText { found: '/' }));
@@ -240,7 +240,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Something else stands where a number was expected, or nothing.
+    /// The error where a number was expected and something else, or nothing, was found.
     pub(super) fn expected(&self, part: Part, start: usize) -> CalloutError {
         let mut scanner = self.scanner;
         scanner.take_while(|c| !c.is_whitespace());
@@ -251,7 +251,7 @@ impl<'a> Reader<'a> {
         self.error(place, Kind::NotA { part, found: shorten(scanner.since(start)) })
     }
 
-    /// In a callout `?` and `@` have no meaning.
+    /// Refuses `?` and `@`, which have no meaning in a callout.
     fn refuse_cycle_sign(&self) -> Result<(), CalloutError> {
         match self.scanner.peek() {
             Some(sign @ ('?' | '@')) if self.grammar == Grammar::Callout => {
@@ -261,7 +261,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Nothing but blanks may follow.
+    /// Only blanks may follow.
     pub(super) fn end(&mut self) -> Result<(), CalloutError> {
         self.scanner.skip_blanks();
         self.refuse_cycle_sign()?;
@@ -274,7 +274,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Letters and grade, or whatever stands in their place.
+/// Letters and grade, or whatever is in their place.
 fn class_token<'a>(scanner: &mut Scanner<'a>) -> &'a str {
     scanner.take_while(|c| !c.is_whitespace() && !is_sign(c) && !matches!(c, '/' | '?' | '@'))
 }

@@ -1,13 +1,13 @@
-//! A text read from left to right, character by character; it never goes beyond its end and never fails.
+//! A text that is read from left to right, character by character; reading never passes its end and never fails.
 
-/// Where something stands in a text, in bytes: from `start` up to before `end`.
+/// Where something is in a text, in bytes: from `start` up to before `end`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Place {
     pub(super) start: usize,
     pub(super) end: usize,
 }
 
-/// A text and how far it was read.
+/// A text and how far it has been read.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scanner<'a> {
     text: &'a str,
@@ -24,7 +24,7 @@ impl<'a> Scanner<'a> {
         self.text
     }
 
-    /// What was not read yet.
+    /// What has not been read yet.
     pub(super) const fn rest(&self) -> &'a str {
         self.rest
     }
@@ -39,7 +39,7 @@ impl<'a> Scanner<'a> {
         Place { start, end: self.offset() }
     }
 
-    /// What was read since an earlier offset.
+    /// What has been read since an earlier offset.
     pub(super) fn since(&self, start: usize) -> &'a str {
         self.text.get(start..self.offset()).unwrap_or_default()
     }
@@ -92,7 +92,7 @@ pub(super) const fn is_decimal_sign(c: char) -> bool {
     matches!(c, '.' | ',')
 }
 
-/// The hyphen of the keyboard, the true minus, and the en dash as it is printed.
+/// The keyboard's hyphen, the true minus, and the printed en dash.
 pub(super) const fn is_minus(c: char) -> bool {
     matches!(c, '-' | '\u{2212}' | '\u{2013}')
 }

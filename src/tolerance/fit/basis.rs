@@ -17,7 +17,7 @@ pub enum Basis {
 }
 
 impl Basis {
-    /// The word for machines, in every language the same.
+    /// The word for machines, the same in every language.
     pub const fn word(self) -> &'static str {
         match self {
             Self::Hole => "hole",
@@ -36,7 +36,7 @@ impl Basis {
     }
 }
 
-/// The basis of a pair of classes; `None` where neither is an H, or a class is none of ISO 286.
+/// The basis of a pair of classes; `None` where neither is an H, or a class is not in ISO 286.
 pub fn basis(hole: ToleranceClass, shaft: ToleranceClass) -> Option<Basis> {
     Basis::of_letters(iso286::parts(hole)?.0, iso286::parts(shaft)?.0)
 }

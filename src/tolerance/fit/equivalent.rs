@@ -21,7 +21,7 @@ pub fn equivalent(hole: ToleranceClass, shaft: ToleranceClass) -> Option<(Tolera
     })
 }
 
-/// How far one fit's clearances are from another's.
+/// How far one fit's clearances differ from another's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Difference {
     /// The other fit's smallest clearance minus this one's.

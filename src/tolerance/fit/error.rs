@@ -1,15 +1,15 @@
-//! Why a callout or two limits are no fit.
+//! Why a callout or two limits are not a fit.
 
 use crate::length::Length;
 use crate::message::Say;
 use crate::tolerance::callout::Callout;
 use crate::tolerance::sources::LimitsError;
 
-/// Why a callout or two limits are no fit.
+/// Why a callout or two limits are not a fit.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "fit", error)]
 pub enum FitError {
-    /// The callout has not two classes.
+    /// The callout does not have two classes.
     OneSided {
         /// What was given.
         callout: Callout,

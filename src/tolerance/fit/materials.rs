@@ -1,7 +1,7 @@
-//! Materials and how much they expand: the shipped list, and a user's own file.
+//! Materials and how much they expand: the built-in list, and a user's own file.
 //!
-//! A file is TOML with a `[[material]]` for each, as `assets/materials.toml`; it arrives as text. Alloys differ, so a
-//! user's own values come first and nothing is taken for a material that the list does not have.
+//! A file is TOML with one `[[material]]` per material, like `assets/materials.toml`; it is passed in as text. Alloys
+//! differ, so a user's own values come first, and no value is assumed for a material that the list lacks.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -19,7 +19,7 @@ use crate::words::Language;
 const VERSION: u32 = 1;
 /// The most materials in a file.
 pub const MOST: usize = 1000;
-/// The most bytes of a file: enough for so many materials, and read in no time.
+/// The most bytes of a file: enough for [`MOST`] materials, and quick to read.
 const LARGEST: usize = 1 << 20;
 /// The longest name in characters.
 const LONGEST_NAME: usize = 60;
@@ -31,7 +31,7 @@ const LONGEST_NAME: usize = 60;
 pub enum Certainty {
     /// A published table says so.
     Published,
-    /// A usual handbook value that nobody confirmed: check it before relying on it.
+    /// A common handbook value that is not confirmed: check it before relying on it.
     Verify,
     /// The user's own value.
     #[default]
@@ -39,7 +39,7 @@ pub enum Certainty {
 }
 
 impl Certainty {
-    /// The word for machines and files, in every language the same.
+    /// The word for machines and files, the same in every language.
     pub const fn word(self) -> &'static str {
         match self {
             Self::Published => "published",
@@ -65,7 +65,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// The name in a language, the English one where there is no other.
+    /// The name in a language, or the English one where there is no other.
     pub fn name_in(&self, language: Language) -> &str {
         self.names.get(language.code()).unwrap_or(&self.name)
     }
@@ -82,11 +82,11 @@ pub struct Materials {
     list: Vec<Material>,
 }
 
-/// Why a file of materials cannot be used, or a material not be found.
+/// Why a file of materials cannot be used, or a material cannot be found.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "material", error)]
 pub enum MaterialsError {
-    /// Not TOML, or not the expected fields.
+    /// The file is not TOML, or does not have the expected fields.
     Toml {
         /// What the reader of TOML says.
         reason: String,
@@ -106,7 +106,7 @@ pub enum MaterialsError {
         /// How many there are.
         count: usize,
     },
-    /// An empty or endless name, or one with control characters.
+    /// A name that is empty or too long, or has control characters.
     #[say(args(longest = LONGEST_NAME))]
     Name,
     /// Two materials have the same name.
@@ -118,7 +118,7 @@ pub enum MaterialsError {
     Unknown {
         /// What was asked for.
         name: String,
-        /// The names that there are.
+        /// The known names.
         known: String,
     },
 }
@@ -129,7 +129,7 @@ static SHIPPED: LazyLock<Materials> = LazyLock::new(|| {
 });
 
 impl Materials {
-    /// The shipped list.
+    /// The built-in list.
     pub fn shipped() -> &'static Self {
         &SHIPPED
     }
@@ -137,7 +137,7 @@ impl Materials {
     /// Reads a file of materials.
     ///
     /// # Errors
-    /// [`MaterialsError`] with the line, of two equal names that of the second; a file is taken whole or not at all.
+    /// [`MaterialsError`] with the line; for two equal names, the line of the second. A file is read whole or not.
     pub fn read(text: &str) -> Result<Self, Located<MaterialsError>> {
         let of_file = |what| Located { what, place: Place::default() };
         if LARGEST < text.len() {
@@ -167,7 +167,7 @@ impl Materials {
         Ok(Self { list })
     }
 
-    /// The same with a user's own: one of the same English name takes the place, the others follow.
+    /// A copy with a user's own materials: they replace those with the same English name, and the others follow.
     #[must_use]
     pub fn with_own(&self, own: Self) -> Self {
         let mut list = self.list.clone();
@@ -185,13 +185,13 @@ impl Materials {
         self.list.iter()
     }
 
-    /// The material of a name in any language; capitals make no difference.
+    /// Finds a material by its name in any language; case does not matter.
     ///
     /// # Errors
-    /// [`MaterialsError::Unknown`] with the names that there are.
+    /// [`MaterialsError::Unknown`] with the known names.
     pub fn find(&self, name: &str) -> Result<&Material, MaterialsError> {
         let name = name.trim();
-        // The last one first: a user's own name is not hidden by a translated name of a shipped one.
+        // The last one first: a translated name of a built-in material must not hide a user's own.
         self.list.iter().rev().find(|material| material.is_called(name)).ok_or_else(|| {
             let known: Vec<&str> = self.list.iter().map(|material| material.name.as_str()).collect();
             MaterialsError::Unknown { name: name.to_owned(), known: known.join(", ") }
@@ -264,7 +264,7 @@ fn toml_error(text: &str, error: &toml::de::Error) -> Located<MaterialsError> {
     Located { what, place: Place { column: Some(column), ..Place::line(line) } }
 }
 
-/// Line and column, from 1, of a byte.
+/// The line and column of a byte, counted from 1.
 fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let before = text.get(..byte).unwrap_or(text);
     let line = before.matches('\n').count() + 1;

@@ -1,14 +1,14 @@
-//! Fits: a hole against a shaft of the same nominal size.
+//! Fits: a hole and a shaft of the same nominal size.
 //!
 //! | file | what |
 //! |---|---|
 //! | here | clearances and the kind of fit |
-//! | `error` | why two limits are no fit |
+//! | `error` | why two limits are not a fit |
 //! | `basis` | hole basis or shaft basis |
 //! | `preferred` | the preferred fits of ISO 286-1 and the names of ANSI B4.2 |
 //! | `equivalent` | the same fit in the other basis, and whether it is exactly the same |
 //! | `thermal` | the clearance at another temperature |
-//! | `materials` | coefficients of expansion, shipped and the user's own |
+//! | `materials` | coefficients of expansion, built-in and the user's own |
 //! | `search` | from a wanted clearance to the classes that give it |
 //!
 //! A clearance is a length; a negative one is an interference. The kind of a fit depends on the size and is never
@@ -39,14 +39,14 @@ pub struct Fit {
     shaft: Limits,
 }
 
-/// What a hole and a shaft within their limits do to each other: as ISO 286-1 has it, with the standard's extreme
-/// cases: no clearance at all at the least still is a clearance fit, none at the most an interference fit.
+/// How a hole and a shaft within their limits go together, as ISO 286-1 defines it, with its extreme cases: a smallest
+/// clearance of zero is still a clearance fit, a largest clearance of zero is an interference fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Say)]
 #[say(prefix = "fit-kind")]
 pub enum Kind {
     /// The smallest clearance is zero or more.
     Clearance,
-    /// Clearance or interference, as the parts turn out.
+    /// Clearance or interference, depending on the actual parts.
     Transition,
     /// The largest clearance is zero or less, and the smallest is below zero.
     Interference,
@@ -64,7 +64,7 @@ impl Kind {
         }
     }
 
-    /// The word for machines, in every language the same.
+    /// The word for machines, the same in every language.
     pub const fn word(self) -> &'static str {
         match self {
             Self::Clearance => "clearance",
@@ -78,8 +78,8 @@ impl Fit {
     /// A fit of a hole and a shaft.
     ///
     /// # Errors
-    /// [`FitError`] when a part is not what it should be, when the nominal sizes differ, or when a clearance would be
-    /// beyond what a length holds.
+    /// [`FitError`] when a part is not the hole or shaft that it should be, when the nominal sizes differ, or when a
+    /// clearance would be beyond what a length holds.
     pub fn new(hole: Limits, shaft: Limits) -> Result<Self, FitError> {
         if hole.feature != Feature::Hole {
             return Err(FitError::NotAHole { minimum: hole.minimum(), maximum: hole.maximum() });
@@ -94,7 +94,7 @@ impl Fit {
         if let (Some(_), Some(_)) = clearances { Ok(Self { hole, shaft }) } else { Err(FitError::TooLarge) }
     }
 
-    /// The fit of a callout such as `25 H7/g6`, each part's limits by the same sources.
+    /// The fit of a callout such as `25 H7/g6`, with each part's limits from the same sources.
     ///
     /// ```
     /// use fitcheck::tolerance::Sources;
@@ -130,7 +130,7 @@ impl Fit {
         self.hole.nominal
     }
 
-    /// The largest clearance, ES − ei; negative when there always is an interference.
+    /// The largest clearance, ES − ei; negative when there is always interference.
     pub fn maximum_clearance(&self) -> Length {
         self.hole.maximum().saturating_sub(self.shaft.minimum())
     }
@@ -140,7 +140,7 @@ impl Fit {
         self.hole.minimum().saturating_sub(self.shaft.maximum())
     }
 
-    /// The clearance of two parts in the middle of their zones; a half nanometre is rounded towards the larger.
+    /// The clearance of two parts in the middle of their zones, with a half nanometre rounded towards the larger.
     pub fn mean_clearance(&self) -> Length {
         self.minimum_clearance().midpoint(self.maximum_clearance())
     }
@@ -150,7 +150,7 @@ impl Fit {
         Kind::of(self.minimum_clearance(), self.maximum_clearance())
     }
 
-    /// Whether a clearance lies in the range of this fit, borders included.
+    /// Whether a clearance is in the range of this fit, both ends included.
     pub fn allows(&self, clearance: Length) -> bool {
         self.minimum_clearance() <= clearance && clearance <= self.maximum_clearance()
     }

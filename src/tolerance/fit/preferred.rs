@@ -1,7 +1,7 @@
 //! The preferred fits of ISO 286-1 and the ten functions of ANSI B4.2.
 //!
-//! Whether a pair is preferred is a matter of its letters and grades; whether it is defined at a size, and what kind
-//! of fit it is there, is not said here. Which of the figures are confirmed and by how many: `docs/SOURCES.md`.
+//! The letters and grades decide whether a pair is preferred; whether it is defined at a size, and what kind of fit it
+//! is there, is decided elsewhere. `docs/SOURCES.md` says which figures are confirmed and by how many sources.
 
 use crate::message::Say;
 use crate::tolerance::class::{Feature, ToleranceClass};
@@ -35,7 +35,7 @@ const SHAFT_BASIS: [(u8, &[Part]); 5] = {
     ]
 };
 
-/// Which list of ISO 286-1 a preferred fit stands in.
+/// Which list of ISO 286-1 has a preferred fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Say)]
 #[say(prefix = "fit-preferred")]
 pub enum Preference {
@@ -46,7 +46,7 @@ pub enum Preference {
 }
 
 impl Preference {
-    /// The word for machines, in every language the same.
+    /// The word for machines, the same in every language.
     pub const fn word(self) -> &'static str {
         match self {
             Self::HoleBasis => "hole basis",
@@ -78,7 +78,7 @@ impl Preference {
     }
 }
 
-/// The list of preferred fits that a pair stands in; the hole basis where it stands in both, as `H7/h6` does.
+/// The list of preferred fits that has a pair; the hole basis where both have it, as for `H7/h6`.
 pub fn preference(hole: ToleranceClass, shaft: ToleranceClass) -> Option<Preference> {
     let (hole, shaft) = parts(hole, shaft)?;
     Preference::of_parts(hole, shaft)
@@ -96,7 +96,7 @@ pub enum Function {
     CloseRunning,
     /// `H7/g6`: moves and turns freely, and locates.
     Sliding,
-    /// `H7/h6`: snug, and taken apart freely.
+    /// `H7/h6`: snug, but freely assembled and taken apart.
     LocationalClearance,
     /// `H7/k6`: between clearance and interference.
     LocationalTransition,
@@ -106,7 +106,7 @@ pub enum Function {
     LocationalInterference,
     /// `H7/s6`: shrink fits on light sections.
     MediumDrive,
-    /// `H7/u6`: parts that stand high stress.
+    /// `H7/u6`: parts that withstand high stress.
     Force,
 }
 
@@ -136,7 +136,7 @@ impl Function {
         Self::Force,
     ];
 
-    /// The word for machines and the command line, in every language the same.
+    /// The word for machines and the command line, the same in every language.
     pub const fn word(self) -> &'static str {
         match self {
             Self::LooseRunning => "loose-running",

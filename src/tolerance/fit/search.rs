@@ -1,7 +1,7 @@
 //! From a wanted clearance to the pairs of classes that give it.
 //!
-//! Looks at every pair of classes that the sources define at a size, exactly, to the nanometre. Two numbers decide a
-//! pair, so all quarter of a million pairs are looked at; only those that are shown are spelled out.
+//! Checks every pair of classes that the sources define at a size, exact to the nanometre. Two numbers decide a pair,
+//! so all quarter of a million pairs are checked; only those that are shown get their details.
 
 mod ranking;
 
@@ -16,7 +16,7 @@ use crate::tolerance::class::{Feature, ToleranceClass};
 use crate::tolerance::iso286::Options;
 use crate::tolerance::sources::Sources;
 
-/// A range of clearance; negative is an interference. The borders belong to it.
+/// A range of clearance; negative is an interference. Both ends belong to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Wanted {
     /// No less than this.
@@ -25,7 +25,7 @@ pub struct Wanted {
     pub maximum: Length,
 }
 
-/// Which pairs are looked at.
+/// Which pairs are searched.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Scope {
     /// The preferred fits of ISO 286-1 and the pairs that ANSI B4.2 names.
@@ -48,7 +48,7 @@ pub struct Candidate {
     pub minimum: Length,
     /// The largest clearance.
     pub maximum: Length,
-    /// The list of ISO 286-1 that it stands in.
+    /// The list of ISO 286-1 that has it.
     pub preference: Option<Preference>,
     /// Its name in ANSI B4.2.
     pub function: Option<Function>,
@@ -69,7 +69,7 @@ impl Candidate {
     }
 }
 
-/// The pair that comes nearest where none fits.
+/// The nearest pair where none fits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Miss {
     /// The pair.
@@ -84,12 +84,12 @@ pub struct Miss {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Found {
     /// The best pairs, best first: preferred fits of the hole basis, of the shaft basis, pairs named in ANSI B4.2, then
-    /// hole basis, shaft basis, and the rest. Within each the widest tolerances first, which are the cheapest to make:
-    /// both together, then the narrower one; and then by letters.
+    /// hole basis, shaft basis, and the rest. In each group the widest tolerances come first, because they are the
+    /// cheapest to make: by both together, then by the narrower one, then by letters.
     pub candidates: Vec<Candidate>,
-    /// How many pairs fit altogether.
+    /// How many pairs fit in total.
     pub total: usize,
-    /// Where none fits, the pair that reaches least beyond what is wanted, below and above together.
+    /// Where none fits, the pair that exceeds the wanted range the least, below and above together.
     pub nearest: Option<Miss>,
 }
 
@@ -123,7 +123,7 @@ pub enum SearchError {
     },
 }
 
-/// Finds the pairs of ISO 286 whose whole range of clearance lies within the wanted one, and spells out the best
+/// Finds the pairs of ISO 286 whose whole range of clearance is within the wanted one, and gives details of the best
 /// `limit`.
 ///
 /// # Errors
@@ -138,7 +138,7 @@ pub fn search(
     search_in(nominal, wanted, &Sources::default().with_options(options), scope, limit)
 }
 
-/// The same among the classes of any sources: where a user's own table has a class, its deviations count.
+/// Searches the classes of any sources: where a user's own table has a class, its deviations count.
 ///
 /// # Errors
 /// [`SearchError`], also where the sources have no class for a hole or none for a shaft.

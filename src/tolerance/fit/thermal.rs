@@ -1,7 +1,7 @@
-//! The clearance at another temperature than the reference temperature of 20 °C (ISO 1).
+//! The clearance at a temperature other than the reference temperature of 20 °C (ISO 1).
 //!
-//! First order in the temperature, which is enough: a coefficient is seldom known better than to a tenth.
-//! Coefficients and temperatures are exact decimals; the result is rounded once, at the end, to the nanometre.
+//! First order in the temperature, which is enough: a coefficient is seldom known to better than a tenth. Coefficients
+//! and temperatures are exact decimals; the result is rounded once, at the end, to the nanometre.
 
 use std::fmt;
 use std::str::FromStr;
@@ -16,7 +16,7 @@ const SCALE: i128 = 1_000_000_000_000;
 
 /// A coefficient of linear expansion in thousandths of 10⁻⁶/K, from −20 to 500 · 10⁻⁶/K.
 ///
-/// The bounds hold every engineering metal and plastic; a value beyond them is probably given in another unit.
+/// The bounds include every engineering metal and plastic; a value beyond them is probably in another unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Expansion(i32);
 
@@ -80,7 +80,7 @@ impl Temperature {
 impl FromStr for Expansion {
     type Err = ThermalError;
 
-    /// Reads millionths a kelvin, `11.5`: point or comma, at most three decimals.
+    /// Reads millionths per kelvin, `11.5`: point or comma, at most three decimals.
     fn from_str(text: &str) -> Result<Self, ThermalError> {
         let text = text.trim();
         let found = i32::try_from(thousandths(text)?).ok().map(Self);
@@ -103,7 +103,7 @@ impl FromStr for Temperature {
     }
 }
 
-/// Millionths a kelvin with a point and only the decimals it has.
+/// Millionths per kelvin with a point and only the decimals it has.
 impl fmt::Display for Expansion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&decimal(self.0))
@@ -127,13 +127,13 @@ pub struct Warm {
 }
 
 impl Warm {
-    /// The growth of a length of 1 in billionths of a millionth.
+    /// The growth of a length of 1, in billionths of a thousandth (10⁻¹²).
     fn growth(self) -> i128 {
         i128::from(self.expansion.0) * i128::from(self.temperature.0 - REFERENCE)
     }
 }
 
-/// How much more clearance there is at a temperature of both parts than at 20 °C: ΔC = (α hole − α shaft)(T − 20) D.
+/// How much larger the clearance is with both parts at a temperature than at 20 °C: ΔC = (α hole − α shaft)(T − 20) D.
 ///
 /// ```
 /// use fitcheck::tolerance::fit::thermal::clearance_change;
@@ -147,7 +147,7 @@ pub fn clearance_change(nominal: Length, hole: Expansion, shaft: Expansion, temp
     clearance_change_apart(nominal, Warm { expansion: hole, temperature }, Warm { expansion: shaft, temperature })
 }
 
-/// The same where each part has its own temperature, as a hole that is heated for assembly.
+/// The same where each part has its own temperature, such as a hole that is heated for assembly.
 pub fn clearance_change_apart(nominal: Length, hole: Warm, shaft: Warm) -> Length {
     // Below 10^15 nm times 10^12: far inside an i128.
     nanometres(i128::from(nominal.nanometres()) * (hole.growth() - shaft.growth()))
@@ -166,7 +166,7 @@ fn nanometres(scaled: i128) -> Length {
     nm.and_then(|nm| Length::from_nanometres(nm).ok()).unwrap_or(Length::MAX)
 }
 
-/// The thousandths of a decimal number; beyond nine figures whatever is out of every range.
+/// The thousandths of a decimal number; with more than nine figures before the point, a value outside every range.
 fn thousandths(text: &str) -> Result<i64, ThermalError> {
     let not_a_number = || ThermalError::NotANumber { text: text.to_owned() };
     let unsigned = text.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(text);

@@ -1,7 +1,7 @@
 //! The figures of ISO 286-1 as they are printed: size steps, standard tolerances, fundamental deviations of shafts.
 //!
-//! Figures and how many independent transcriptions agree on each: `tests/data/iso286`. They are tabulated and never
-//! computed: the standard's formulas with ordinary rounding miss most cells. What holes make of them is said in `hole`.
+//! `tests/data/iso286` has the figures and how many independent transcriptions agree on each. They are tabulated and
+//! never computed: the standard's formulas with ordinary rounding miss most cells. `zone` derives those of holes.
 
 /// The ends of the main steps in mm: standard tolerances, letters cd to h and j to p.
 pub(super) const MAIN_ENDS: [i32; 21] =
@@ -13,10 +13,10 @@ pub(super) const SUB_ENDS: [i32; 41] = [
     560, 630, 710, 800, 900, 1000, 1120, 1250, 1400, 1600, 1800, 2000, 2240, 2500, 2800, 3150,
 ];
 
-/// The smallest size of the main step above 500 mm, by its number.
+/// The number of the first main step above 500 mm.
 pub(super) const FIRST_ABOVE_500: usize = 13;
 
-/// Standard tolerances in tenths of a micrometre: a row for each of IT01, IT0, IT1 to IT18, a column a main step.
+/// Standard tolerances in tenths of a micrometre: a row for each of IT01, IT0, IT1 to IT18, a column per main step.
 ///
 /// IT01 and IT0 end at 500 mm. IT14 to IT18 are not used up to 1 mm, which the first column does not show.
 pub(super) const STANDARD_TOLERANCES: [&[i32]; 20] = [

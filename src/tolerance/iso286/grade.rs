@@ -34,7 +34,7 @@ impl Grade {
         if 1 <= number && number <= 18 { Some(Self(number + 1)) } else { None }
     }
 
-    /// The grade of `01`, `0`, `1` to `18`; other spellings such as `07` are none.
+    /// The grade of `01`, `0`, `1` to `18`; other spellings such as `07` are not grades.
     pub(super) fn from_digits(digits: &[u8]) -> Option<Self> {
         match *digits {
             [b'0', b'1'] => Some(Self(0)),
@@ -45,7 +45,7 @@ impl Grade {
         }
     }
 
-    /// The two digits in ASCII; the second is 0 where there is one.
+    /// The two digits in ASCII; the second is 0 where there is only one.
     pub(in super::super) const fn digits(self) -> [u8; 2] {
         match self.0 {
             0 => [b'0', b'1'],

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `figures` | the printed tables: steps, standard tolerances, fundamental deviations |
 //! | `grade` | grades and letters |
-//! | `zone` | the rules: what the figures make of a class at a size, with every exception |
+//! | `zone` | the rules: how the figures give a class at a size, with every exception |
 //! | `remark` | what a reader should know about a figure |
 //! | `undefined` | why a class is refused, and where it is defined |
 //!
@@ -40,18 +40,18 @@ pub enum Edition {
     Of2010,
 }
 
-/// What becomes of half micrometres in JS7 to JS11 and js7 to js11.
+/// How half micrometres are treated in JS7 to JS11 and js7 to js11.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum JsHalves {
     /// They are kept: 100 JS9 is ±43.5 µm.
     #[default]
     Exact,
-    /// The tolerance's even number of micrometres below is halved, as in the 1988 edition: ±43 µm.
+    /// The tolerance is rounded down to an even number of micrometres and halved, as in the 1988 edition: ±43 µm.
     Rounded,
 }
 
-/// What may be chosen where editions differ.
+/// The choices where editions differ.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Options {
@@ -100,7 +100,7 @@ pub fn deviations(class: ToleranceClass, nominal: Length, options: Options) -> R
         .ok_or_else(|| refused(Reason::NotHere))
 }
 
-/// The letter and grade of a class, `None` for a class that the standard does not know (`Q7`, `U1` is one, `H19`).
+/// The letter and grade of a class; `None` for one that the standard does not have (`Q7`, `H19`, but not `U1`).
 pub fn parts(class: ToleranceClass) -> Option<(Letter, Grade)> {
     let text = class.as_str().as_bytes();
     let digits = text.iter().position(u8::is_ascii_digit)?;
@@ -154,7 +154,7 @@ pub fn preferred_classes(feature: Feature) -> impl Iterator<Item = ToleranceClas
     preferred.split(' ').filter_map(|class| class.parse().ok())
 }
 
-/// The upper, inclusive ends of all steps, ascending, 1 mm among them: within a step no class changes.
+/// The upper, inclusive ends of all steps, ascending, with 1 mm among them: no class changes within a step.
 pub fn step_ends() -> impl Iterator<Item = Length> {
     std::iter::once(1).chain(figures::SUB_ENDS).map(millimetres)
 }
@@ -163,7 +163,7 @@ const fn millimetres(mm: i32) -> Length {
     Length::from_micrometres(mm.saturating_mul(1000))
 }
 
-/// The ends of the steps within a size range, its own end last: within a step no class changes.
+/// The ends of the steps within a size range, its own end last: no class changes within a step.
 pub(super) fn steps_within(over: Length, to: Length) -> impl Iterator<Item = Length> {
     step_ends().filter(move |end| over < *end && *end < to).chain([to])
 }

@@ -19,7 +19,7 @@ pub enum Remark {
     TrialUse,
 }
 
-/// The remark about a cell, the most important one.
+/// The most important remark about a cell.
 pub(super) fn remark(
     letter: Letter,
     grade: Grade,

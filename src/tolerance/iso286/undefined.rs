@@ -22,13 +22,13 @@ pub struct Undefined {
 /// Why a class is refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// No letter or no grade of the standard.
+    /// The letter or the grade is not in the standard.
     NoClass,
     /// A size of 0 or less.
     NotPositive,
     /// Above 3150 mm, where the standard ends.
     TooLarge,
-    /// Not at this size, but perhaps at others.
+    /// Not defined at this size, but perhaps at others.
     NotHere,
 }
 

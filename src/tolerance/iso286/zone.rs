@@ -1,6 +1,6 @@
 //! Where a tolerance zone lies: the rules of ISO 286-1 on its printed figures, in nanometres.
 //!
-//! The rules are numbered as in `docs/SOURCES.md`, ISO 286. Sizes arrive as steps; nothing here knows text.
+//! The rules are numbered as in `docs/SOURCES.md`, ISO 286. Sizes come in as steps; nothing here reads text.
 
 use super::figures::{self, FIRST_ABOVE_500, Row, STANDARD_TOLERANCES, Steps};
 use super::grade::{Grade, Letter};
@@ -8,7 +8,7 @@ use super::{Edition, JsHalves, Options};
 use crate::length::Length;
 use crate::tolerance::class::Feature;
 
-/// The steps that a size lies in.
+/// The steps that contain a size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Place {
     /// The number of the main step.
@@ -105,7 +105,7 @@ const fn not_up_to_one(feature: Feature, letter: Letter, grade: Grade) -> bool {
         || (matches!((feature, letter), (Feature::Hole, Letter::N)) && grade.at_least(9))
 }
 
-/// Rule 5: halves are kept, unless the 1988 rounding was chosen: an odd tolerance of grades 7 to 11 counts 1 µm less.
+/// Rule 5: halves are kept, unless the 1988 rounding is chosen, where an odd tolerance of grades 7 to 11 loses 1 µm.
 const fn half(width: i64, grade: Grade, js: JsHalves) -> i64 {
     let rounded = matches!(js, JsHalves::Rounded) && grade.at_least(7) && grade.at_most(11);
     if rounded && width % 2000 == 1000 { (width - 1000) / 2 } else { width / 2 }
@@ -144,7 +144,7 @@ fn hole_j(grade: Grade) -> Option<&'static Row> {
 
 /// ei of k to zc.
 fn shaft_lower(letter: Letter, grade: Grade, place: Place) -> Option<i64> {
-    // Rule 7: k lies above 0 in IT4 to IT7 and to 500 mm only.
+    // Rule 7: k is above 0 only in IT4 to IT7 and up to 500 mm.
     if letter == Letter::K && (place.above_500() || !grade.at_least(4) || grade.at_least(8)) {
         return Some(0);
     }

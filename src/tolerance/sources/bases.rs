@@ -1,4 +1,4 @@
-//! What answers after the user's own tables: the list of sources of limits.
+//! The list of sources that are asked after the user's own tables.
 //!
 //! A new source is a file in `bases/` with its declaration, its lines in this file, and its texts. The command line,
 //! the window's menu, the state file and every look-up follow from that.
@@ -14,24 +14,24 @@ use crate::tolerance::class::{Feature, ToleranceClass};
 use crate::tolerance::iso286::Options;
 use crate::tolerance::limits::{Deviations, Source};
 
-/// What answers after the user's own tables. A state file keeps it by its name in kebab case.
+/// The source that is asked after the user's own tables. A state file keeps it by its name in kebab case.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Base {
     /// The standard: every class from above 0 up to 3150 mm.
     #[default]
     Iso286,
-    /// Tables as on a control. One of the user's own with the same name takes the place of its namesake.
+    /// Tables as on a control. A user's own table replaces the one with the same name.
     ControlTables,
 }
 
-/// What a source says of itself.
+/// What a source declares about itself.
 pub(super) struct Declaration {
     /// Its name on the command line.
     pub name: &'static str,
-    /// What the command line's help says about it.
+    /// Its text in the command line's help.
     pub help: &'static str,
-    /// The id of what the window's menu says.
+    /// The id of its text in the window's menu.
     pub text: &'static str,
     /// What it answers by itself; `None` where the control's tables answer.
     pub standard: Option<Standard>,
@@ -71,12 +71,12 @@ impl Base {
         self.declaration().name
     }
 
-    /// What the command line's help says about it.
+    /// Its text in the command line's help.
     pub const fn help(self) -> &'static str {
         self.declaration().help
     }
 
-    /// The id of what the window's menu says.
+    /// The id of its text in the window's menu.
     pub const fn text(self) -> &'static str {
         self.declaration().text
     }

@@ -1,4 +1,4 @@
-//! Tables made of the standard.
+//! Tables made from the standard.
 
 use crate::length::Length;
 use crate::message::Say;
@@ -6,7 +6,7 @@ use crate::tolerance::iso286::{self, Undefined};
 use crate::tolerance::table::{Column, DeviationTable, TableShapeError, ranges};
 use crate::tolerance::{Deviations, Feature, ToleranceClass};
 
-/// Why no table can be made of the standard.
+/// Why a table cannot be made from the standard.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "make", error)]
 pub enum MakeError {
@@ -43,11 +43,11 @@ pub fn standard_column(class: ToleranceClass, ends: &[Length], options: iso286::
     Column { class, cells: ranges(ends).map(cell).collect() }
 }
 
-/// A table of the standard for classes of holes or of shafts, over 0 up to and including `to`, with as few size ranges
-/// as the classes need.
+/// A table from the standard for classes of holes or of shafts, over 0 up to and including `to`, with as few size
+/// ranges as the classes need.
 ///
 /// # Errors
-/// [`MakeError`] names the class or the size that cannot be.
+/// [`MakeError`] names the class or the size that is not possible.
 pub fn standard_table(
     name: &str,
     classes: &[ToleranceClass],
@@ -57,17 +57,17 @@ pub fn standard_table(
     check_last(to)?;
     let all: Vec<Length> = iso286::steps_within(Length::ZERO, to).collect();
     let columns: Vec<Column> = classes.iter().map(|class| standard_column(*class, &all, options)).collect();
-    // A range goes on as long as no class changes.
+    // A range continues as long as no class changes.
     let changes = |number: usize| columns.iter().any(|column| column.cells.get(number) != column.cells.get(number + 1));
     let ends = all.iter().enumerate().filter(|(number, _)| changes(*number)).map(|(_, end)| *end).collect();
     table_of_standard(name, classes, ends, options)
 }
 
-/// The same for given ends of size ranges, ascending; cells are empty as [`standard_column`] says, and [`compare`] names
-/// those that hide something.
+/// The same for given ends of size ranges, ascending; cells are empty as [`standard_column`] says, and [`compare`]
+/// names those that hide a difference.
 ///
 /// # Errors
-/// [`MakeError`] names the class or the size that cannot be.
+/// [`MakeError`] names the class or the size that is not possible.
 ///
 /// [`compare`]: crate::tolerance::compare::compare
 pub fn table_of_standard(

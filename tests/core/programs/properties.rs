@@ -1,4 +1,4 @@
-//! What holds for any bytes, and for any body that is written.
+//! What is true of any bytes, and of any body that is written.
 
 use fitcheck::control::variables::{Family, Parameter};
 use fitcheck::nc::program::{
@@ -9,7 +9,7 @@ use fitcheck::nc::program::{
 use proptest::prelude::*;
 use proptest::sample::select;
 
-/// What holds for every file that is read.
+/// What is true of every file that is read.
 fn sound(bytes: &[u8]) -> Result<(), TestCaseError> {
     let Ok((program, warnings)) = Program::read(bytes) else { return Ok(()) };
     prop_assert_eq!(program.write(), bytes);
@@ -34,7 +34,7 @@ fn sound(bytes: &[u8]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Pieces of the language, in which mistakes are likely.
+/// Pieces of the language where mistakes are likely.
 const PIECES: [&str; 60] = [
     "BEGIN PGM ",
     "END PGM ",
@@ -126,7 +126,7 @@ proptest! {
         let bodies: Vec<Body> = [vec![begin], bodies, vec![end]].concat();
         let text = write::program(bodies.iter().map(|body| (body, "x; \"y")));
         let (program, warnings) = Program::read(text.as_bytes()).unwrap();
-        // A label may come twice.
+        // A label may occur twice.
         let odd = warnings.iter().find(|warning| !warning.to_string().contains("already defined"));
         prop_assert!(odd.is_none(), "{}\n{}", odd.unwrap(), text);
         let read: Vec<Body> = program.blocks().iter().map(|block| without_places(&block.body)).collect();
@@ -334,7 +334,7 @@ fn tool_call() -> impl Strategy<Value = Body> {
     })
 }
 
-/// Every kind of body but beginning, end and what is kept as text.
+/// Every kind of body except the beginning, the end and what is kept as text.
 fn body() -> impl Strategy<Value = Body> {
     let parameter = || prop_oneof![numeric().boxed(), textual().boxed()];
     prop_oneof![

@@ -58,7 +58,7 @@ fn machine(number: u32, rest: &str) -> MachineFunction {
     MachineFunction { number, rest: rest.to_owned() }
 }
 
-/// A formula with a bracket around everything that belongs together.
+/// A formula with brackets around everything that belongs together.
 fn shape(expression: &Expression) -> String {
     let operand = |operand: &Operand| match operand {
         Operand::Number(number) => number.to_string(),
@@ -371,7 +371,7 @@ fn headings_comments_and_blank_blocks() {
 #[test]
 fn a_block_that_is_no_cycle_may_go_on_in_the_next_line() {
     check(&["Q1 = 5 + ~\n  ( 3 ~\n )"], &body("Q1 = 5 + ( 3 )"));
-    // The star begins no heading here, so the comment ends the line.
+    // The star does not begin a heading here, so the comment ends the line.
     check(&["Q1 = 5 ~\n  * 3 ; three"], &body("Q1 = 5 * 3"));
 }
 

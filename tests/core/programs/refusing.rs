@@ -1,4 +1,4 @@
-//! What is odd about programs, said with line and column; and what is no program.
+//! Warnings about programs, with line and column; and what is not a program.
 
 use fitcheck::control::variables::Parameter;
 use fitcheck::nc::program::{Body, LabelFault, Program, ProgramError, Target};
@@ -15,7 +15,7 @@ fn check(text: &str, wanted: &[&str]) {
     assert_eq!(warnings(text), wanted, "{text}");
 }
 
-/// A block that is known and yet not understood is kept as text, with a reason.
+/// A block that is known but not understood is kept as text, with a reason.
 #[track_caller]
 fn check_block(block: &str, wanted: &str) {
     let text = format!("0 BEGIN PGM t MM\n{block}\n999 END PGM t MM\n");
@@ -127,7 +127,7 @@ fn formulas_are_bounded_in_all() {
     let line = format!("FN 18: {}\n", "x".repeat(60_000));
     let within = (8 << 20) / (line.len() - 1);
     let text = format!("0 BEGIN PGM t MM\n{}LBL 1\n9 END PGM t MM", line.repeat(within + 1));
-    // What is kept as text anyway counts as well.
+    // What is kept as text also counts.
     let told = "not understood: formulas and long blocks hold more than 8 MiB in all";
     check(&text, &[&format!("line {}, column 1: {told}", within + 2)]);
     let program = Program::read(text.as_bytes()).unwrap().0;

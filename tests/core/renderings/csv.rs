@@ -43,7 +43,7 @@ fn every_column_has_its_figure() {
     );
 }
 
-/// The one row of a record with this name, read back.
+/// The only row of a record with this name, read back.
 fn row(id: &str) -> ::csv::StringRecord {
     let record = Record { id: id.to_owned(), ..rework() };
     let bytes = render(&[record]).unwrap();

@@ -39,7 +39,7 @@ fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
     Limits::new(callout.feature().unwrap(), callout.nominal(), deviations, source).unwrap()
 }
 
-/// A check of some limits.
+/// A check of the given limits.
 fn record(callout: &str, limits: Limits, measurement: Measurement, position: Option<PositionVerdict>) -> Record {
     let time = date(2026, 11, 21).at(10, 42, 7, 0);
     Record::judged(time, String::new(), callout.parse().ok(), limits, measurement, position)
@@ -62,7 +62,7 @@ fn scrap() -> Record {
     Record { time: date(2026, 11, 21).at(10, 43, 30, 0), id: "Bore C".to_owned(), ..typed("25.030") }
 }
 
-/// A shaft whose diameter is good and whose centre is out in the minor axis.
+/// A shaft with a good diameter and a centre that is out in the minor axis.
 fn out_of_position() -> Record {
     let contact = |x, y| Contact { x, y, z: -5.0 };
     let (x, y, r) = (0.003, -0.012, 12.4925);

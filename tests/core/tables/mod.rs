@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `shipped` | the shipped tables against ISO 286 |
+//! | `shipped` | the built-in tables against ISO 286 |
 //! | `reading` | the samples, encodings, BEGIN lines, ends |
 //! | `refusing` | everything that can be wrong |
 //! | `writing` | round trips, and what cannot be written |
@@ -54,7 +54,7 @@ fn check_cell(table: &DeviationTable, callout: &str, upper: &str, lower: &str) {
     assert_eq!((limits.deviations.upper(), limits.deviations.lower()), (um(upper), um(lower)), "{callout}");
 }
 
-/// A small table as text, to be broken.
+/// A small table as text, to be damaged.
 const SOUND: &str = "\
 BEGIN own.tab
 NR  BEREICH H7     U1
@@ -70,7 +70,7 @@ fn check(text: &str, expected: &[&str]) {
     check_bytes(text.as_bytes(), expected);
 }
 
-/// What is said about a table: its warnings, or its error behind a `!`.
+/// The messages about a table: its warnings, or its error after a `!`.
 #[track_caller]
 fn check_bytes(bytes: &[u8], expected: &[&str]) {
     let said: Vec<String> = match read_table(bytes, "own.tab", "own.tab", false) {

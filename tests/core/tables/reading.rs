@@ -135,7 +135,7 @@ fn comments_blank_lines_and_a_bare_end_are_no_rows() {
 #[test]
 fn a_missing_end_is_a_warning() {
     check(&SOUND.replace("[END]\n", ""), &["[END] is missing: own.tab, line 6, column 1"]);
-    // A blank behind the last cell: it is whole, too.
+    // A blank after the last cell: the cell is also whole.
     let padded = SOUND.replace("+8\n", "+8     \n").replace("+3\n", "+3     \n").replace("-\n", "-      \n");
     check(padded.trim_end_matches("\n[END]\n"), &["[END] is missing: own.tab, line 6, column 1"]);
     let unpadded = SOUND.trim_end_matches("\n[END]\n");

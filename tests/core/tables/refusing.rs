@@ -1,4 +1,4 @@
-//! What is refused or warned about, each in its own words and with its place.
+//! What is refused or warned about, each with its own text and place.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! The shipped tables against the published figures of ISO 286.
+//! Compares the built-in tables with the published figures of ISO 286.
 
 use super::*;
 
@@ -41,7 +41,7 @@ fn published_for(rows: &[Published], class: &str, over: Length, to: Length) -> O
     found.first().copied()
 }
 
-/// The table that the standard's figures make.
+/// The table made from the standard's figures.
 fn table_of_the_standard(name: &str, classes: &str) -> DeviationTable {
     let rows = published();
     let ends: Vec<Length> = ENDS.iter().map(|end| mm(end)).collect();
@@ -57,7 +57,7 @@ fn table_of_the_standard(name: &str, classes: &str) -> DeviationTable {
     DeviationTable::new(name, true, ends.clone(), columns.collect()).unwrap()
 }
 
-/// `UPDATE_TABLES=1 cargo test shipped_tables` writes the files anew.
+/// `UPDATE_TABLES=1 cargo test shipped_tables` writes the files again.
 #[test]
 fn the_shipped_tables_are_what_the_writer_makes_of_the_standard() {
     for (name, classes) in [("82553_hole.tab", HOLE_CLASSES), ("82553_shaft.tab", SHAFT_CLASSES)] {
@@ -104,7 +104,7 @@ fn every_cell_of_the_shipped_tables_is_the_standards_and_nothing_is_more_or_less
     assert_eq!(empty, ["N9 over 0 up to 1", "js14 over 0 up to 1"]);
 }
 
-/// The same without the program's reader: the bytes by eye, so to speak.
+/// The same without the program's reader: straight from the bytes.
 #[test]
 fn the_shipped_files_are_laid_out_for_an_itnc_530() {
     for (name, columns) in [("82553_hole.tab", 26), ("82553_shaft.tab", 25)] {
@@ -125,7 +125,7 @@ fn the_shipped_files_are_laid_out_for_an_itnc_530() {
     assert!(row("6").contains("+7.5 ") && row("7").contains("-7.5 "));
 }
 
-/// The two shipped tables alone, as on a control.
+/// Only the two built-in tables, as on a control.
 fn control() -> fitcheck::tolerance::Sources {
     fitcheck::tolerance::Sources::of_tables(shipped_tables())
 }
@@ -214,7 +214,7 @@ fn the_shipped_tables_agree_with_the_spot_checks_as_far_as_they_go() {
             other => panic!("{callout}: {other:?}"),
         }
     }
-    // 400.5 H7 and 26 S7 are published, but not in the tables; eight callouts are refused by the standard, too.
+    // 400.5 H7 and 26 S7 are published, but not in the tables; the standard also refuses eight callouts.
     assert_eq!((agreed, refused), (26, 10));
 }
 

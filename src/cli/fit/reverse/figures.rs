@@ -1,4 +1,4 @@
-//! What a search found in figures, for CSV and JSON.
+//! The result of a search in figures, for CSV and JSON.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! Every pair of classes against the wanted clearance, in nanometres, and the order of the answer.
+//! Compares every pair of classes with the wanted clearance, in nanometres, and orders the answer.
 
 use std::cmp::Reverse;
 
@@ -33,7 +33,7 @@ impl Zone {
             (parts.is_none(), parts, *class)
         });
         classes.dedup();
-        // A class that its table does not define at this size is none to choose.
+        // A class that its table does not define at this size cannot be chosen.
         let zone = |class| {
             let callout = Callout::new(nominal, class).ok()?;
             Some(Self::new(class, sources.deviations(&callout, None).ok()?.0))
@@ -50,7 +50,7 @@ impl Zone {
         self.upper - self.lower
     }
 
-    /// Whether it lies on the zero line by its letter.
+    /// Whether its letter puts it on the zero line.
     fn is_h(&self) -> bool {
         self.parts.is_some_and(|(letter, _)| letter == Letter::H)
     }
@@ -124,7 +124,7 @@ pub(super) fn fitting(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Sc
     let (least, most) = (wanted.minimum.nanometres(), wanted.maximum.nanometres());
     let mut found = Vec::new();
     for hole in holes.iter().enumerate() {
-        // What the shaft's deviations may be, so that the inner loop compares and does nothing else.
+        // The range that the shaft's deviations may have, so that the inner loop only compares.
         let (highest, lowest) = (hole.1.lower - least, hole.1.upper - most);
         let fits = |shaft: &(usize, &Zone)| shaft.1.upper <= highest && lowest <= shaft.1.lower;
         let ranked = shafts.iter().enumerate().filter(fits).map(|shaft| Ranked::of(hole, shaft));
@@ -133,7 +133,7 @@ pub(super) fn fitting(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Sc
     found
 }
 
-/// The pair with the smallest reach beyond the wanted range; among equals the one of the best rank.
+/// The pair that exceeds the wanted range the least; among equals the one of the best rank.
 pub(super) fn nearest(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Scope) -> Option<Miss> {
     let (least, most) = (wanted.minimum.nanometres(), wanted.maximum.nanometres());
     let mut best: Option<((i64, Ranked), (i64, i64))> = None;

@@ -1,4 +1,4 @@
-//! The control's tables as a source of limits. They are handed in: reading them belongs to the room of the control.
+//! The control's tables as a source of limits. They are passed in; the room of the control reads them.
 
 use super::Declaration;
 
