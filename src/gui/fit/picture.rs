@@ -79,7 +79,7 @@ const LINE: f32 = 16.0;
 
 struct Drawing<'a> {
     painter: Painter,
-    /// Where deviations are drawn; the names stand below it.
+    /// Where deviations are drawn; the names are below it.
     body: Rect,
     whole: Rect,
     palette: &'a Palette,

@@ -159,8 +159,8 @@ impl Asked {
         self.errors.insert(field, problem);
     }
 
-    /// Shows the limits of a record, which may have come without a callout. A fit stays one: its other part can still be
-    /// chosen.
+    /// Shows the limits of a record, which may have come without a callout. A fit stays a fit: its other part can still
+    /// be chosen.
     pub(super) fn show_limits(&mut self, limits: Limits, callout: Option<Callout>) {
         if self.callout.map(|asked| asked.of_part(limits.feature)) != callout {
             self.callout = callout;

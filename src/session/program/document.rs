@@ -47,8 +47,8 @@ pub enum EntryKind {
 impl Document {
     /// Reads a program and looks through it once; `name` is its file name.
     ///
+    /// # Errors
     /// [`ProgramError`] where the bytes are not text.
-    /// [`ProgramError`] for what is no text.
     pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Vec<ProgramWarning>), ProgramError> {
         let (program, warnings) = Program::read(bytes)?;
         Ok((Self::new(NcPath::of_file(name), Arc::new(program)), warnings))
