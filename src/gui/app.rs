@@ -11,7 +11,7 @@ use super::{check, cycles, dialogs, field, fit, keypad, keys, program, tables, t
 use crate::session::{CheckField, Command, Effect, Page, Saved, Session, Theme};
 use crate::words::{Language, Words};
 
-/// What the window is started with.
+/// The settings that the window starts with.
 #[derive(Debug, Clone)]
 pub struct Setup {
     /// Where the state is kept.
@@ -25,7 +25,7 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// As the user starts it.
+    /// The settings for a user.
     pub fn for_user() -> Self {
         let language = sys_locale::get_locale().and_then(|locale| Language::from_code(&locale)).unwrap_or_default();
         Self { store: Store::of_user(), language, errands: Errands::OnThread, clock: || jiff::Zoned::now().datetime() }
@@ -47,7 +47,7 @@ pub struct App {
 }
 
 impl App {
-    /// The window with what the last one left.
+    /// The window in the state that the last one left.
     pub fn new(cc: &eframe::CreationContext<'_>, setup: Setup) -> Self {
         theme::install(&cc.egui_ctx);
         let (saved, told) = setup.store.load();
@@ -85,7 +85,7 @@ impl App {
         &self.session
     }
 
-    /// Does a command as if a button had sent it: the way in for scripts.
+    /// Does a command as if a button had sent it, for scripts.
     pub fn send(&mut self, ctx: &Context, command: Command) {
         self.apply(ctx, vec![command]);
     }
@@ -119,7 +119,7 @@ impl App {
             self.words = Words::new(self.session.language());
         }
         self.prefer_theme(ctx);
-        // What was just changed is drawn at once; after that nothing moves.
+        // The change is drawn at once; after that nothing moves.
         ctx.request_repaint();
     }
 
@@ -136,7 +136,7 @@ impl eframe::App for App {
     fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
         let answers = self.runner.answers();
         self.apply(ctx, answers);
-        // Nothing is lost without a question.
+        // Nothing is lost without a question to the user.
         let closing = ctx.input(|input| input.viewport().close_requested());
         if closing && !self.leaves && !self.session.unsaved_tables().is_empty() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);

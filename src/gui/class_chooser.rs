@@ -1,4 +1,4 @@
-//! Choosing a tolerance class from the tables: holes and shafts apart, each with its picture.
+//! Choosing a tolerance class from the tables: holes and shafts separately, each with its picture.
 
 use eframe::egui::{ComboBox, Id, Sense, Ui, vec2};
 

@@ -10,7 +10,7 @@ use super::view::{View, heading, problem, quiet};
 use crate::message::Message;
 use crate::session::{Action, Command, CycleFile, Dialog, Notice, Page, Purpose};
 
-/// Files dropped on the window are read, each as the open page takes it.
+/// Files dropped on the window are read, each as the open page uses it.
 fn dropped(ui: &Ui, view: &mut View<'_>) {
     let dropped = ui.input(|input| input.raw.dropped_files.clone());
     for file in dropped {
@@ -24,7 +24,7 @@ fn dropped(ui: &Ui, view: &mut View<'_>) {
     }
 }
 
-/// What a file that is dropped on the program page is, by its ending.
+/// What kind a file dropped on the program page is, by its ending.
 fn program_file(path: &Path) -> Purpose {
     match cycle_file(path) {
         CycleFile::Workpiece => Purpose::OpenCycleFile(CycleFile::Workpiece),
@@ -35,7 +35,7 @@ fn program_file(path: &Path) -> Purpose {
     }
 }
 
-/// What a file that is dropped on the cycles page is, by its ending.
+/// What kind a file dropped on the cycles page is, by its ending.
 fn cycle_file(path: &Path) -> CycleFile {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
     match ending.as_str() {
@@ -58,7 +58,7 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
     }
 }
 
-/// Nothing is lost without a question.
+/// Nothing is lost without a question to the user.
 fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.set_width(space(110.0));
     heading(ui, view.text("leave"));
@@ -106,7 +106,7 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let field = ui
         .add(TextEdit::singleline(&mut path).id(id).desired_width(f32::INFINITY).min_size(vec2(0.0, sizes().field)))
         .labelled_by(name.id);
-    // The path is asked for: when the dialog opens it has the focus, and typing replaces a proposed name.
+    // The dialog asks for the path: the field has the focus at first, and typing replaces a proposed name.
     if just_opened(ui, id) {
         field.request_focus();
         select_all(ui.ctx(), id, &path);
@@ -137,7 +137,7 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     });
 }
 
-/// A window that stays where it is, so far below its anchor.
+/// A window that cannot be moved, at a distance below its anchor.
 pub(super) fn fixed_window(id: &str, title: String, anchor: Align2, below: f32) -> Window<'static> {
     let window = Window::new(title).id(Id::unique(id)).anchor(anchor, vec2(0.0, below));
     window.collapsible(false).resizable(false)

@@ -1,4 +1,4 @@
-//! The world outside: files and dialogs on a named thread of their own, one at a time.
+//! The outside world: files and dialogs on a named thread of their own, one at a time.
 //!
 //! The answer comes back as a [`Command`] and asks for one frame. Tests run errands at once, on the frame's thread.
 
@@ -29,7 +29,7 @@ use crate::tolerance::{DeviationTable, Sources};
 /// How errands are run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Errands {
-    /// On a thread: the window stays alive.
+    /// On a thread: the window stays responsive.
     OnThread,
     /// At once: for tests. File dialogs answer that nothing was picked.
     AtOnce,
@@ -54,7 +54,7 @@ impl Runner {
         self.receiver.try_iter().collect()
     }
 
-    /// Runs an effect; the clipboard is the frame's own business.
+    /// Runs an effect; the frame itself does the clipboard.
     pub fn run(&self, ctx: &Context, effect: Effect, sources: &Arc<Sources>, now: DateTime) {
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
@@ -65,7 +65,7 @@ impl Runner {
         let errands = self.errands;
         let errand = move || {
             let command = answer(effect, errands, &sources, now);
-            // A closed window hears no answer; that is not a fault.
+            // A closed window hears no answer; that is not an error.
             let _closed = sender.send(command);
             ctx.request_repaint();
         };
@@ -107,7 +107,7 @@ fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> Co
         Purpose::OpenCycleFile(CycleFile::Probes) => {
             CyclesCommand::ProbesRead { name, result: read_probes(&path) }.into()
         }
-        // Files of these purposes are written.
+        // These purposes write files.
         _ => Command::Picked(None),
     }
 }
@@ -168,10 +168,10 @@ fn read_probes(path: &Path) -> Result<ProbeTable, Message> {
     ProbeTable::read(&bytes, &name(path)).map_err(|error| error.message())
 }
 
-/// The system's own dialog. `None` when it was left, or when there is none: the typed path remains.
+/// The system's own dialog. `None` when it was cancelled, or when there is none: the path can still be typed.
 fn pick(purpose: Purpose) -> Option<PathBuf> {
     let dialog = rfd::FileDialog::new();
-    // Patterns are literal: both cases are named.
+    // Patterns are literal: both cases are listed.
     let both = |endings: &[&str]| -> Vec<String> {
         endings.iter().flat_map(|ending| [ending.to_lowercase(), ending.to_uppercase()]).collect()
     };
@@ -191,7 +191,7 @@ fn pick(purpose: Purpose) -> Option<PathBuf> {
             dialog.add_filter("TOML", &both(&["toml"])).set_file_name("workpiece.toml").save_file()
         }
         Purpose::SaveCycleLog => {
-            // As the control ends them: text, and HTML for cycle 444.
+            // The endings that the control uses: text, and HTML for cycle 444.
             dialog.add_filter("Log", &both(&["txt", "html"])).save_file()
         }
         Purpose::SaveTable(number) => {

@@ -1,6 +1,6 @@
 //! A text field with a name, a unit and an error beside it.
 //!
-//! Text is read at every change and committed with Enter; nothing is dropped or altered while typing.
+//! Text is read at every change and committed with Enter; nothing is removed or altered while typing.
 
 use std::ops::Range;
 
@@ -19,19 +19,19 @@ pub(super) struct Look {
     pub font: FontId,
     /// The width in points.
     pub width: f32,
-    /// Where the text stands.
+    /// Where the text is aligned.
     pub align: Align,
     /// What counts while nothing is typed.
     pub hint: String,
 }
 
 impl Look {
-    /// A small field for a number, right aligned.
+    /// A small field for a number, right-aligned.
     pub fn number(width: f32) -> Self {
         Self { font: theme::font(theme::sizes().body), width, align: Align::RIGHT, hint: String::new() }
     }
 
-    /// A large field over a width.
+    /// A large field of a given width.
     pub fn large(width: f32) -> Self {
         Self { font: theme::font(theme::sizes().value), width, align: Align::LEFT, hint: String::new() }
     }
@@ -94,7 +94,7 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>
     response
 }
 
-/// How the columns of [`pairs_ui`] are set.
+/// The layout of the columns of [`pairs_ui`].
 pub(super) struct Pairs<F> {
     /// The width of a column.
     pub column: f32,
@@ -104,7 +104,7 @@ pub(super) struct Pairs<F> {
     pub gap: f32,
 }
 
-/// Two fields a row, each with its name above it and its unit behind it; errors below the row.
+/// Two fields per row, each with its name above it and its unit after it; errors below the row.
 pub(super) fn pairs_ui(
     ui: &mut Ui,
     view: &mut View<'_>,

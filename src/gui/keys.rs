@@ -1,6 +1,6 @@
-//! Keys: the one place where they are heard, by the table of actions.
+//! Keys: the one place that listens to them, according to the table of actions.
 //!
-//! What a widget does with keys of its own (Enter in a field, Space on a list) is the widget's.
+//! A widget handles keys of its own itself (Enter in a field, Space on a list).
 
 use eframe::egui::{self, Event, EventFilter, Id, KeyboardShortcut, Modifiers, Ui};
 
@@ -8,7 +8,7 @@ use super::view::View;
 use super::{fit, program, tables};
 use crate::session::action::{Held, Key, Part, Shortcut};
 
-/// Does what was pressed in this frame, before anything is drawn: what an action takes no widget hears.
+/// Does what was pressed in this frame, before anything is drawn: a key that an action takes reaches no widget.
 pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
     let part = focused_part(ui, view);
     let is_press = |event: &Event| matches!(event, Event::Key { pressed: true, .. });

@@ -11,7 +11,7 @@
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
 //! | `class_chooser`, `field`, `keypad`, `limits`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
-//! No decision and no arithmetic on lengths happens here; egui is named nowhere else.
+//! Nothing here decides anything or computes with lengths; nothing outside names egui.
 
 mod app;
 mod check;
@@ -49,12 +49,13 @@ use crate::message::Say;
 pub enum WindowError {
     /// No renderer could open a window.
     NotOpened {
-        /// What the system says.
+        /// The system's message.
         reason: String,
     },
 }
 
-/// Opens the window and runs it until it is closed: with OpenGL; with the feature `wgpu` by wgpu where OpenGL fails.
+/// Opens the window and runs it until it is closed: with OpenGL, or, with the feature `wgpu`, by wgpu where OpenGL
+/// fails.
 pub fn run() -> Result<(), WindowError> {
     let open = |renderer| {
         let viewport = ViewportBuilder::default()

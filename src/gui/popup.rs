@@ -9,7 +9,7 @@ use super::theme::{self, palette, sizes, space};
 use super::view::{View, problem, quiet};
 use crate::message::Message;
 
-/// The pop-up with its text, why there is none, or what stands there as long as there is nothing.
+/// The pop-up with its text, with the reason why there is none, or with `empty` while there is nothing.
 pub(super) fn popup_ui(ui: &mut Ui, view: &View<'_>, shown: Option<&Result<String, Message>>, empty: &str) {
     frame_ui(ui, view.text("popup-title"), |ui| {
         ui.set_min_height(space(24.0));
@@ -35,7 +35,7 @@ pub(super) fn frame_ui(ui: &mut Ui, title: String, content: impl FnOnce(&mut Ui)
     });
 }
 
-/// What such a window prints.
+/// The text that such a window prints.
 pub(super) fn text_ui(ui: &mut Ui, text: &str, salt: impl Hash + Debug) {
     let area = ScrollArea::both().id_salt(salt).max_height(space(60.0)).auto_shrink([false, true]);
     area.show(ui, |ui| {

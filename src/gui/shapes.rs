@@ -1,4 +1,4 @@
-//! Shapes that are painted, so that no font is needed: verdicts, hole and shaft, hatching.
+//! Shapes that are painted, so that they need no font: verdicts, hole and shaft, hatching.
 
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
@@ -14,13 +14,13 @@ pub(super) const fn screen(value: f64) -> f32 {
     value as f32
 }
 
-/// So many times a size, for any number of lines.
+/// A size multiplied by any number of lines.
 pub(super) fn times(size: f32, count: usize) -> f32 {
     let part = |number: usize| u16::try_from(number).map_or(f32::from(u16::MAX), f32::from);
     size * (part(count >> 16) * 65_536.0 + part(count & 0xffff))
 }
 
-/// The ring round a part of a page that has the focus as a whole.
+/// The ring around a part of a page that has the focus as a whole.
 pub(super) fn focus_ring(ui: &Ui, rect: Rect) {
     let stroke = Stroke::new(2.0, palette(ui.ctx()).accent.0);
     ui.painter().rect_stroke(rect.shrink(1.0), 0.0, stroke, StrokeKind::Inside);
@@ -52,7 +52,7 @@ pub(super) fn status(painter: &Painter, rect: Rect, status: Option<Status>, colo
     }
 }
 
-/// Points of an arc about a centre, degrees clockwise from +x as the screen has it.
+/// Points of an arc about a centre, degrees clockwise from +x as on the screen.
 fn arc(centre: Pos2, radius: f32, from: f32, to: f32) -> Vec<Pos2> {
     const STEPS: u8 = 40;
     (0..=STEPS)
@@ -145,7 +145,7 @@ pub(super) fn hatch(painter: &Painter, rect: Rect, hatch: Hatch, stroke: Stroke)
 /// The largest factor of 1, 2 or 5 times a power of ten by which the largest deviation stays within reach; at least 1.
 /// Both in the same unit.
 pub(super) fn magnification(reach: f64, largest: f64) -> f64 {
-    // An exact part has nothing to magnify; a few million are already more than any scatter needs.
+    // An exact part has nothing to magnify; a factor of a few million is already more than any scatter needs.
     let wanted = (reach / largest.max(reach * 1e-7 / 0.3)).max(1.0);
     let decade = 10_f64.powf(wanted.log10().floor());
     [5.0, 2.0, 1.0].into_iter().map(|step| step * decade).find(|factor| *factor <= wanted * (1.0 + 1e-9)).unwrap_or(1.0)

@@ -32,7 +32,7 @@ impl Store {
         Self { path: None }
     }
 
-    /// The saved state, if there is one, and what to tell when it was broken.
+    /// The saved state, if there is one, and a notice if it was broken.
     pub fn load(&self) -> (Option<Saved>, Option<Message>) {
         let Some(path) = &self.path else { return (None, None) };
         let bytes = match files::read(path) {

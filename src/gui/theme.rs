@@ -1,6 +1,6 @@
 //! Colours, sizes and fonts: the only place where the window gets them from.
 //!
-//! They stand in `assets/theme.toml` and `assets/fonts`; nothing else in `gui` names a colour, a size or a font.
+//! They are in `assets/theme.toml` and `assets/fonts`; nothing else in `gui` names a colour, a size or a font.
 
 use std::sync::{Arc, LazyLock};
 
@@ -45,7 +45,7 @@ palette! {
     line
     /// Text.
     text
-    /// Text that may be overlooked.
+    /// Secondary text.
     quiet
     /// The focus ring and the main action.
     accent
@@ -87,7 +87,7 @@ palette! {
     hole
     /// The shaft's.
     shaft
-    /// Words of the language in a program.
+    /// Words of the language in an NC program.
     keyword
     /// The status window.
     popup
@@ -128,13 +128,13 @@ pub struct Sizes {
     pub mono: f32,
     /// The status word.
     pub status: f32,
-    /// The step of all spaces.
+    /// The unit of all spaces.
     pub step: f32,
     /// The height of a field.
     pub field: f32,
-    /// The height of what is pressed with a finger.
+    /// The height of what a finger presses.
     pub touch: f32,
-    /// The side of a key of the keypad.
+    /// The side of a key on the keypad.
     pub key: f32,
 }
 
@@ -150,7 +150,7 @@ pub struct Tokens {
     pub sizes: Sizes,
 }
 
-/// The embedded theme. A test proves that it can be read, so the message is for whoever edits the file.
+/// The embedded theme. A test proves that it can be read, so the message is for people who edit the file.
 static TOKENS: LazyLock<Tokens> = LazyLock::new(|| {
     #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
     toml::from_str(include_str!("../../assets/theme.toml")).expect("assets/theme.toml can be read")
@@ -161,7 +161,7 @@ pub fn sizes() -> &'static Sizes {
     &TOKENS.sizes
 }
 
-/// So many steps of space.
+/// This many steps of space.
 pub fn space(steps: f32) -> f32 {
     TOKENS.sizes.step * steps
 }
@@ -184,17 +184,17 @@ pub fn semibold() -> FontFamily {
     FontFamily::Name("semibold".into())
 }
 
-/// A font of the sans at a size.
+/// The sans-serif font at a size.
 pub const fn font(size: f32) -> FontId {
     FontId::new(size, FontFamily::Proportional)
 }
 
-/// A font of the heavier sans at a size.
+/// The bold sans-serif font at a size.
 pub fn bold(size: f32) -> FontId {
     FontId::new(size, semibold())
 }
 
-/// A font of the monospaced face at a size.
+/// The monospaced font at a size.
 pub const fn mono(size: f32) -> FontId {
     FontId::new(size, FontFamily::Monospace)
 }
@@ -272,7 +272,7 @@ fn visuals(theme: Theme) -> Visuals {
     visuals.hyperlink_color = palette.accent.0;
     visuals.selection.bg_fill = palette.selection.0;
     visuals.selection.stroke = Stroke::new(2.0, palette.accent.0);
-    // A blinking caret would ask for a frame twice a second: idle is idle.
+    // A blinking caret would ask for two frames a second; an idle window draws none.
     visuals.text_cursor.blink = false;
     let edge = Stroke::new(1.0, palette.line.0);
     let ring = Stroke::new(2.0, palette.accent.0);
@@ -297,7 +297,7 @@ fn visuals(theme: Theme) -> Visuals {
 mod tests {
     use super::*;
 
-    /// Contrast after WCAG 2.1, success criterion 1.4.3: relative luminance of sRGB.
+    /// Contrast according to WCAG 2.1, success criterion 1.4.3: relative luminance of sRGB.
     fn contrast(one: Hex, other: Hex) -> f64 {
         let luminance = |Hex(colour): Hex| {
             let channel = |value: u8| {

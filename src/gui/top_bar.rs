@@ -1,4 +1,4 @@
-//! Top: pages, import and export, and the menu of everything that is set once.
+//! Top: pages, import and export, and the menu of settings.
 
 use eframe::egui::{Button, Id, Panel, RichText, Ui};
 
@@ -16,7 +16,7 @@ pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.horizontal(|ui| {
             ui.set_min_height(sizes().touch);
             pages_ui(ui, view);
-            // As wide as the three buttons, so that they stand at the right edge in reading order.
+            // As wide as the three buttons, so that they end at the right edge in reading order.
             let width = ui.memory(|memory| memory.data.get_temp(Id::unique("top-buttons"))).unwrap_or(space(70.0));
             ui.add_space((ui.available_width() - width).max(0.0));
             let buttons = ui.horizontal(|ui| {

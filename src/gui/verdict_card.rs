@@ -1,4 +1,4 @@
-//! The verdict's card: one word that is read from two metres, its shape, and the lines below it.
+//! The verdict's card: one word that can be read from two metres, its shape, and the lines below it.
 
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Frame, Layout, Margin, RichText, Sense, Ui, vec2};
@@ -25,7 +25,7 @@ pub(super) fn card_ui(ui: &mut Ui, status: Option<Status>, word: &str, lines: &[
             let (rect, _) = ui.allocate_exact_size(vec2(space(18.0), space(18.0)), Sense::hover());
             shapes::status(ui.painter(), rect, status, colour);
             // A long word (German, Italian) is set smaller rather than cut.
-            // 64 points and up, following the panel; no result is no news.
+            // 64 points and up, according to the panel; no result is set smaller.
             let wanted = sizes().status.max(ui.available_width() * 0.2);
             let wanted = if status.is_some() { wanted } else { sizes().value };
             let galley = ui.painter().layout_no_wrap(word.to_owned(), theme::bold(wanted), colour);

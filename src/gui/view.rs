@@ -14,7 +14,7 @@ use crate::length::{Length, Unit};
 use crate::session::{Action, Command, Session};
 use crate::words::Words;
 
-/// The arguments of every panel.
+/// What every panel is given.
 pub(super) struct View<'a> {
     /// The state; never changed while drawing.
     pub session: &'a Session,
@@ -35,7 +35,7 @@ impl View<'_> {
         self.words.get(id)
     }
 
-    /// Does an action, as its button and its keys do: nothing where it is not possible.
+    /// Does an action, as its button and its keys do; nothing where it is not possible.
     pub fn act(&mut self, action: Action) {
         self.commands.extend(action.command(self.session));
     }
@@ -51,7 +51,7 @@ impl View<'_> {
         self.button_as(ui, action, button)
     }
 
-    /// The same with a button of another look. Its keys show under the pointer.
+    /// Draws an action as a button of another look. Its keys show under the pointer.
     pub fn button_as(&mut self, ui: &mut Ui, action: Action, button: Button<'_>) -> Response {
         let mut response = ui.add_enabled(self.session.can(action), button);
         let keys = action.shortcut_on(self.session.page()).map(|keys| told(ui, keys));
@@ -65,13 +65,13 @@ impl View<'_> {
         response
     }
 
-    /// The same as high as a text field.
+    /// Draws an action as a button as high as a text field.
     pub fn field_button(&mut self, ui: &mut Ui, action: Action) -> Response {
         let button = self.named(action).min_size(vec2(0.0, theme::sizes().field));
         self.button_as(ui, action, button)
     }
 
-    /// The page's main action, so large.
+    /// The page's main action, in this size.
     pub fn main_button(&mut self, ui: &mut Ui, action: Action, size: Vec2) {
         let palette = theme::palette(ui.ctx());
         let text = RichText::new(action.text(self.session, self.words)).color(palette.on_accent.0);
@@ -79,7 +79,7 @@ impl View<'_> {
         self.button_as(ui, action, Button::new(text).fill(palette.accent.0).min_size(size));
     }
 
-    /// Draws an action as an entry of a menu, with its keys behind it.
+    /// Draws an action as an entry of a menu, followed by its keys.
     pub fn menu_item(&mut self, ui: &mut Ui, action: Action) {
         let name = action.text(self.session, self.words);
         let mut button = Button::new(&name);
@@ -92,7 +92,7 @@ impl View<'_> {
         }
     }
 
-    /// Draws an action as one of several choices; answers whether it was taken.
+    /// Draws an action as one of several choices; returns whether it was taken.
     pub fn radio(&mut self, ui: &mut Ui, action: Action) -> bool {
         let is_on = action.is_on(self.session).unwrap_or(false);
         let is_taken = ui.radio(is_on, action.text(self.session, self.words)).clicked();
@@ -113,9 +113,9 @@ impl View<'_> {
 
 /// How exactly a record's figures are shown.
 ///
-/// A typed or imported value is shown as it was given. A measured circle has more digits than it deserves: it is shown
-/// to 0.1 µm, as the control does, unless that would hide on which side of a limit it lies. Decided is always the
-/// exact value.
+/// A typed or imported value is shown as it was given. A measured circle has more digits than are meaningful: it is
+/// shown to 0.1 µm, as the control does, unless that would hide on which side of a limit it lies. Only the exact value
+/// decides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Digits {
     Exact,
@@ -131,13 +131,13 @@ impl Digits {
         }
     }
 
-    /// For a computed value so far from its limits.
+    /// The digits for a computed value at these distances from its limits.
     pub fn of_distances(distances: &[Length]) -> Self {
         let near = |distance: &Length| distance.abs() < Length::from_micrometres(1) && *distance != Length::ZERO;
         if distances.iter().any(near) { Self::Exact } else { Self::Rounded }
     }
 
-    /// A size in millimetres with at least so many decimals.
+    /// A size in millimetres with at least this many decimals.
     pub fn mm(self, words: &Words, length: Length, decimals: usize) -> String {
         match self {
             Self::Exact => words.mm(length, decimals),
@@ -161,18 +161,18 @@ impl Digits {
     }
 }
 
-/// A heading of a part of the page.
+/// A heading for a part of the page.
 pub(super) fn heading(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     ui.label(RichText::new(text).font(theme::bold(theme::sizes().heading)))
 }
 
-/// Text that may be overlooked.
+/// Secondary text.
 pub(super) fn quiet(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     let colour = theme::palette(ui.ctx()).quiet.0;
     ui.label(RichText::new(text).color(colour).size(theme::sizes().small))
 }
 
-/// The same in one line, cut where there is no room; the whole text shows under the pointer.
+/// Secondary text in one line, cut where there is no room; the whole text shows under the pointer.
 pub(super) fn quiet_cut(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     let colour = theme::palette(ui.ctx()).quiet.0;
     ui.add(egui::Label::new(RichText::new(text).color(colour).size(theme::sizes().small)).truncate())
@@ -184,12 +184,12 @@ pub(super) fn problem(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     ui.label(RichText::new(text).color(colour).size(theme::sizes().small))
 }
 
-/// How high a list that drops down may be: the rest scrolls, so that its end can always be reached.
+/// The greatest height of a drop-down list: the rest scrolls, so that its end can always be reached.
 pub(super) fn list_height(ui: &Ui) -> f32 {
     ui.ctx().content_rect().height() * 0.55
 }
 
-/// A list that drops down, with what is shown of it while it is closed; its caller names it.
+/// A drop-down list, with what is shown while it is closed; its caller names it.
 pub(super) fn list_ui(
     ui: &mut Ui,
     salt: impl Hash + Debug,
@@ -201,13 +201,13 @@ pub(super) fn list_ui(
     list.show_ui(ui, content).response
 }
 
-/// Makes a thing a live region: a screen reader says it whenever it changes.
+/// Makes a widget a live region: a screen reader reads it whenever it changes.
 pub(super) fn live(ui: &Ui, response: &Response, said: &str, politeness: Live) {
     response.widget_info(|| WidgetInfo::labeled(Role::Status, true, said));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(politeness));
 }
 
-/// A plot that is only looked at: nothing moves it, and it does not eat the wheel.
+/// A plot to look at only: it cannot be moved, and it leaves the mouse wheel to the page.
 pub(super) fn still_plot<'a>(id: &'static str, height: f32) -> Plot<'a> {
     Plot::new(id)
         .height(height)

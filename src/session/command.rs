@@ -1,4 +1,4 @@
-//! Everything that can be done, and what it asks of the world outside.
+//! Every command, and what it asks of the outside world.
 //!
 //! The list of commands is the window's manual: menu, key, button, test and script all send one of these.
 
@@ -38,11 +38,11 @@ pub enum Command {
     GoTo(Field),
     /// Shows or hides the keypad.
     ShowKeypad(bool),
-    /// Speaks another language.
+    /// Changes the language of the window.
     SetLanguage(Language),
-    /// Light, dark, or as the system.
+    /// Chooses light, dark, or the system's setting.
     SetTheme(Theme),
-    /// Draws the status window with a shipped mask, or with the language's own when `None`.
+    /// Draws the status window with a built-in mask; `None` is the mask of the language.
     SetMask(Option<Dialogue>),
     /// Asks for a file or a folder.
     OpenDialog(Purpose),
@@ -50,7 +50,7 @@ pub enum Command {
     TypePath(String),
     /// Shows the system's file dialog.
     Browse,
-    /// The system's file dialog answered; `None` when it was left without a choice or cannot be shown.
+    /// The system's file dialog answered; `None` when it was cancelled or cannot be shown.
     Picked(Option<PathBuf>),
     /// Does what the dialog is for.
     Confirm,
@@ -58,7 +58,7 @@ pub enum Command {
     Close,
     /// Asks whether the window may be closed: at once, unless a table has unsaved changes.
     AskToLeave,
-    /// Closes the window whatever is unsaved, or goes on.
+    /// Closes the window without saving, or keeps it open.
     Leave(bool),
     /// A mask was read, or not.
     MaskRead {
@@ -74,7 +74,7 @@ pub enum Command {
         /// The tables, and warnings.
         result: Result<(Vec<DeviationTable>, Vec<Message>), Message>,
     },
-    /// Uses no tables of the user's own any more.
+    /// Stops using the user's own tables.
     NoOwnTables,
     /// Looks limits up in another source, after the user's own tables.
     UseSource(Base),
@@ -82,9 +82,9 @@ pub enum Command {
     SetStandard(iso286::Options),
     /// A file was written, or not.
     Saved {
-        /// Where.
+        /// Its path.
         path: PathBuf,
-        /// Whether.
+        /// Whether that succeeded.
         result: Result<(), FileError>,
     },
 }
@@ -120,7 +120,7 @@ pub enum Purpose {
 }
 
 impl Purpose {
-    /// Whether something is read; else a file is written.
+    /// Whether something is read; otherwise a file is written.
     pub const fn is_reading(self) -> bool {
         match self {
             Self::Export(_) | Self::ExportStatus | Self::SaveTable(_) | Self::SaveWorkpiece | Self::SaveCycleLog => {
@@ -173,7 +173,7 @@ impl Page {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Theme {
-    /// As the system has it.
+    /// As the system is set.
     #[default]
     System,
     /// Light.
@@ -182,7 +182,7 @@ pub enum Theme {
     Dark,
 }
 
-/// What the state asks of the world: done at the edge, off the frame's thread.
+/// What the state asks of the outside world; done at the edge, not on the frame's thread.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
     /// Show the system's file dialog and send [`Command::Picked`].

@@ -1,4 +1,4 @@
-//! The text fields of all pages, and the texts in them: one text a field, read anew at every change.
+//! The text fields of all pages, and the texts in them: one text per field, read anew at every change.
 
 use std::collections::BTreeMap;
 
@@ -51,12 +51,12 @@ pub(super) trait KeptField: Copy + Ord + 'static {
     /// Every field in reading order.
     const ALL: &'static [Self];
 
-    /// Its key in the state file, and what stands in it at the first start.
+    /// Its key in the state file, and its text at the first start.
     fn declared(self) -> (&'static str, &'static str);
 }
 
-/// The fields of a page whose texts survive a restart, a row each: what it is, its key in the state file, and what stands
-/// in it at the first start.
+/// The fields of a page whose texts survive a restart, a row each: what it is, its key in the state file, and its text
+/// at the first start.
 macro_rules! kept_fields {
     ($(#[$doc:meta])* $name:ident $($(#[$field_doc:meta])* $field:ident: $key:literal, $first:literal;)+) => {
         $(#[$doc])*
@@ -105,7 +105,7 @@ impl<F: KeptField> Texts<F> {
         self.texts.iter().map(|(field, text)| (field.declared().0.to_owned(), text.clone()))
     }
 
-    /// The page's texts out of those of a state file.
+    /// The page's texts from those of a state file.
     pub fn restored(saved: &BTreeMap<String, String>) -> Self {
         let of_field = |field: &F| Some((*field, saved.get(field.declared().0)?.clone()));
         Self { texts: F::ALL.iter().filter_map(of_field).collect() }
@@ -115,7 +115,7 @@ impl<F: KeptField> Texts<F> {
 /// The whole number in a field.
 ///
 /// # Errors
-/// What is said beside the field where its text is none.
+/// What is shown beside the field where its text is not a whole number.
 pub(super) fn whole<T: std::str::FromStr>(text: &str) -> Result<T, Message> {
     let text = text.trim();
     text.parse().map_err(|_not_whole| Message::new("field-not-whole").text("given", text))
@@ -136,7 +136,7 @@ impl Range {
     /// The length in a field.
     ///
     /// # Errors
-    /// What is said beside the field where its text is no length, or one outside the range.
+    /// What is shown beside the field where its text is not a length, or is one outside the range.
     pub(super) fn read(self, text: &str) -> Result<Length, Message> {
         let value = text.parse::<Length>().map_err(|error| error.message())?;
         let largest = Length::from_nanometres(99_999_999_900).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Dialogs, and what comes back from files: every answer is told, in the dialog or as a notice.
+//! Dialogs, and what comes back from files: every answer is reported, in the dialog or as a notice.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -55,7 +55,7 @@ impl Session {
         }
     }
 
-    /// What a dialog asks of the world outside, or why not.
+    /// The effect that a dialog asks for, or why there is none.
     fn errand(&mut self, purpose: Purpose, path: PathBuf, now: DateTime) -> Result<Effect, Message> {
         if path.as_os_str().is_empty() {
             return Err(Message::new("dialog-no-path"));

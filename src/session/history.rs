@@ -1,4 +1,4 @@
-//! All checks of the session, which of them are chosen for a report, and how to take a change back.
+//! All checks of the session, which of them are chosen for a report, and how to undo a change.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -15,7 +15,7 @@ pub(super) struct History {
     undo: Vec<Snapshot>,
 }
 
-/// What undo goes back to.
+/// The state that undo returns to.
 #[derive(Debug, Clone, Default)]
 struct Snapshot {
     records: Vec<Arc<Record>>,
@@ -70,7 +70,7 @@ impl History {
         true
     }
 
-    /// Takes the last change back. `false` where there is none.
+    /// Undoes the last change. `false` where there is none.
     pub fn take_back(&mut self) -> bool {
         let Some(before) = self.undo.pop() else { return false };
         self.now = before;

@@ -19,7 +19,7 @@
 //! | `files` | dialogs, and what comes back from files |
 //! | `saved` | what survives a restart |
 
-/// `From` what a variant holds, for variants that hold something else each.
+/// `From` the value of a variant, for variants that each hold a different type.
 macro_rules! from_variants {
     ($whole:ident: $($variant:ident($part:ty)),+) => {
         $(impl From<$part> for $whole {
@@ -124,7 +124,7 @@ impl Session {
         }
     }
 
-    /// Does a command at a local date and time, and says what the world outside has to do.
+    /// Applies a command at a local date and time, and returns what the outside world has to do.
     pub fn apply(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         let shared = &mut self.shared;
         let effects = match command {
@@ -146,7 +146,7 @@ impl Session {
         effects
     }
 
-    /// Does what belongs to no page.
+    /// Applies a command that belongs to no page.
     fn apply_shared(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         let shared = &mut self.shared;
         match command {

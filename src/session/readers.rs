@@ -1,4 +1,4 @@
-//! What is read of the state that belongs to every page.
+//! Readers of the state that belongs to every page.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -71,7 +71,7 @@ impl Session {
         self.shared.history.chosen_count()
     }
 
-    /// Whether there is something to take back.
+    /// Whether there is something to undo.
     pub const fn can_undo(&self) -> bool {
         self.shared.history.can_undo()
     }
@@ -96,7 +96,7 @@ impl Session {
         &self.shared.materials
     }
 
-    /// Adds the user's own materials to the shipped ones; one of the same name takes its place.
+    /// Adds the user's own materials to the built-in ones; one of the same name replaces it.
     pub fn use_materials(&mut self, own: Materials) {
         self.shared.materials = Materials::shipped().with_own(own);
     }
@@ -106,12 +106,12 @@ impl Session {
         self.shared.dialog.as_ref()
     }
 
-    /// What is to be told, oldest first.
+    /// The notices, oldest first.
     pub fn notices(&self) -> &[Notice] {
         &self.shared.notices
     }
 
-    /// Tells something that happened outside, such as a state file that was set aside.
+    /// Adds a notice of something that happened outside, such as a state file that was set aside.
     pub fn tell(&mut self, message: Message) {
         self.shared.tell(message);
     }
@@ -121,7 +121,7 @@ impl Session {
         self.tables.unsaved().map(tables::Document::title).collect()
     }
 
-    /// The user's own tables that are not open yet: their number among [`Sources::own`], and table.
+    /// The user's own tables that are not open yet: number among [`Sources::own`], and table.
     pub fn unopened_tables(&self) -> impl Iterator<Item = (usize, &Arc<DeviationTable>)> {
         let own = self.shared.sources.own().iter().enumerate();
         own.filter(|(_, table)| self.tables.by_title(table.name()).is_none())

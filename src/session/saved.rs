@@ -43,7 +43,7 @@ pub struct Saved {
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SavedInputs {
-    /// The texts of the check, fit and table page by the keys of their fields; a missing one counts as its default.
+    /// The texts of the check, fit and table page by the keys of their fields; a missing one has its default.
     pub texts: BTreeMap<String, String>,
     /// Where the next measurement of the check page comes from.
     pub by: MeasureBy,
@@ -83,7 +83,7 @@ impl Default for Saved {
 pub enum SavedError {
     /// Not a state that this program wrote.
     Broken {
-        /// What the reader says.
+        /// The reader's message.
         reason: String,
     },
     /// Written by a later version.

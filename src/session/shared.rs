@@ -1,7 +1,7 @@
 //! What belongs to every page: settings, where limits are looked up, checks, the simulated workpiece, dialogs and
 //! notices.
 //!
-//! A page changes its own state and this, never another page. What others have to know it tells as [`News`].
+//! A page changes its own state and this, never another page. It announces what others have to know as [`News`].
 
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -21,10 +21,10 @@ use crate::words::{Dialogue, Language};
 /// The mask that the status window is drawn with.
 #[derive(Debug, Clone, Default)]
 pub enum MaskChoice {
-    /// The shipped mask of the window's language.
+    /// The built-in mask of the window's language.
     #[default]
     OfLanguage,
-    /// A shipped mask.
+    /// A built-in mask.
     Shipped(Dialogue),
     /// The user's own.
     Own {
@@ -35,10 +35,10 @@ pub enum MaskChoice {
     },
 }
 
-/// An open file dialog: a typed path is always the other way.
+/// An open file dialog; a path can always be typed instead.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Dialog {
-    /// What for.
+    /// Its purpose.
     pub purpose: Purpose,
     /// The typed path.
     pub path: String,
@@ -48,23 +48,23 @@ pub struct Dialog {
     pub busy: bool,
 }
 
-/// Something to be told, until it is closed.
+/// A notice, shown until it is closed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Notice {
     /// The headline.
     pub message: Message,
-    /// Details, one a line, as texts: rows of a file that could not be used, warnings.
+    /// Details, one per line: rows of a file that could not be used, warnings.
     pub details: Vec<Message>,
     /// Whether something failed.
     pub is_problem: bool,
 }
 
-/// What a page does, or what is done for all of them, that other pages follow.
+/// A change by a page, or for all of them, that other pages follow.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum News {
     /// A page was opened.
     Opened(Page),
-    /// Limits come from elsewhere.
+    /// Limits come from other sources.
     Sources,
     /// The user's own tables were read.
     OwnTables,
@@ -80,7 +80,7 @@ pub(super) enum News {
     Check(String),
 }
 
-/// Every page: what it is told to do, and what it hears of the others.
+/// What every page does: follow its commands and the news of the others.
 pub(super) trait PageState {
     /// What can be done on the page.
     type Command;
@@ -120,7 +120,7 @@ impl Shared {
         Self { language, theme, materials: Materials::shipped().clone(), ..Self::default() }
     }
 
-    /// Tells the other pages.
+    /// Announces news to the other pages.
     pub fn spread(&mut self, news: News) {
         self.news.push_back(news);
     }
@@ -154,7 +154,7 @@ impl Shared {
         }
     }
 
-    /// Looks limits up elsewhere.
+    /// Looks limits up in other sources.
     pub fn use_sources(&mut self, sources: Sources) {
         self.sources = Arc::new(sources);
         self.spread(News::Sources);
@@ -170,7 +170,7 @@ impl Shared {
         self.notices.push(Notice { message, details, is_problem: false });
     }
 
-    /// The same, where there are details to tell.
+    /// Tells the user what was done, where there are details.
     pub fn note_details(&mut self, message: Message, details: Vec<Message>) {
         if !details.is_empty() {
             self.note(message, details);
@@ -192,8 +192,8 @@ impl Shared {
         self.dialog.as_ref().is_some_and(|dialog| dialog.busy)
     }
 
-    /// What a file holds that a dialog asked for. The dialog is done, or says what is wrong with the file; where it was
-    /// closed, that is told.
+    /// The content of a file that a dialog asked for. The dialog closes, or shows what is wrong with the file; if it
+    /// was closed before, a notice shows it.
     pub fn file_answered<T>(&mut self, result: Result<T, Message>) -> Option<T> {
         match result {
             Ok(read) => {

@@ -1,6 +1,6 @@
-//! Steps among things that stand in rows and columns: classes of the map, cells, blocks, moves of a path.
+//! Steps among things in rows and columns: classes of the map, cells, blocks, moves of a path.
 
-/// A step; it ends at the edge, and is none where there is nothing in its direction.
+/// A step. It ends at the edge, and does nothing where there is nothing in its direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Step {
     /// To the one on the left: the class before, the move before.
@@ -11,9 +11,9 @@ pub enum Step {
     Up,
     /// To the one below: the coarser grade, the larger size range, the next block.
     Down,
-    /// So many up.
+    /// This many up.
     PageUp,
-    /// So many down.
+    /// This many down.
     PageDown,
     /// To the first one: of a table's row, its first class.
     First,

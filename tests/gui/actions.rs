@@ -1,4 +1,4 @@
-//! Every key does what its action does: a window that is driven by keys stays equal to a session that gets the commands.
+//! Every key does what its action does: a window driven by keys stays equal to a session that gets the commands.
 
 use std::collections::BTreeSet;
 
@@ -53,7 +53,7 @@ impl Pair {
         assert!(window == session, "after {what}: {shown:?}");
     }
 
-    /// Presses the keys of every action of the page, the possible and the impossible ones.
+    /// Presses the keys of every action of the page, possible or not.
     #[track_caller]
     fn press_all(&mut self) {
         let page = self.session.page();
@@ -63,7 +63,7 @@ impl Pair {
         }
     }
 
-    /// Presses keys; the session does what they stand for.
+    /// Presses keys; the session does the action that they belong to.
     #[track_caller]
     fn press(&mut self, shortcut: Shortcut) {
         self.focus();
@@ -79,7 +79,7 @@ impl Pair {
         self.check_same(&format!("{shortcut} on {page:?} for {heard:?}"));
     }
 
-    /// The part of the page has the focus; on pages without one, nothing has.
+    /// Gives the focus to the part of the page; on pages without one, nothing has it.
     fn focus(&mut self) {
         match self.session.page() {
             Page::Fit => self.window.get_by_role_and_label(Role::RadioGroup, "Hole classes").focus(),
@@ -91,7 +91,7 @@ impl Pair {
         self.window.step();
     }
 
-    /// Dialogs are closed, and the page is open again.
+    /// Closes dialogs and opens the page again.
     fn clean(&mut self, page: Page) {
         if self.session.dialog().is_some() {
             self.send(Command::Close);
@@ -104,7 +104,7 @@ impl Pair {
         }
     }
 
-    /// Every action of the page with keys was done by them.
+    /// Checks that keys did every action of the page that has some.
     #[track_caller]
     fn check_done(&self) {
         let page = self.session.page();
@@ -117,7 +117,7 @@ impl Pair {
     }
 }
 
-/// All of a session. Of a program, whose labels stand in no order, what is seen.
+/// A whole session as text; of a program, whose labels have no order, only what is seen.
 fn told(session: &Session) -> String {
     let program = session.program();
     let Some(document) = program.shown() else { return format!("{session:?}") };
@@ -135,7 +135,7 @@ fn press(window: &mut Harness<'_, App>, shortcut: Shortcut) {
         Held::CtrlShift => Modifiers::COMMAND | Modifiers::SHIFT,
         Held::Alt => Modifiers::ALT,
     };
-    // As the key is told: `←` is the arrow of another shape in the window's font.
+    // As the key is shown: `←` is the arrow of another shape in the window's font.
     let name = match shortcut.key.to_string().as_str() {
         "←" => "Left".to_owned(),
         "→" => "Right".to_owned(),
@@ -210,7 +210,7 @@ fn keys_of_the_program_page() {
         assert!(pair.done.iter().any(|done| done.starts_with(name)), "{name} was never possible");
     }
     assert_eq!(pair.done.iter().filter(|name| name.starts_with("MoveBlock")).count(), 6);
-    // A run that goes on is paused by the key that else closes what lies over the page.
+    // The key that otherwise closes what lies over the page pauses a run that goes on.
     pair.send(ProgramCommand::SetSpeed(Speed::Slow));
     pair.send(ProgramCommand::Reset);
     pair.send(ProgramCommand::Run);

@@ -241,7 +241,7 @@ fn a_callout_without_letters_asks_hole_or_shaft() {
     window.key_press(Key::Enter);
     window.run();
     assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
-    // A class says it itself, and the next callout without letters asks anew.
+    // A class says it itself, and the next callout without letters asks again.
     type_into(&mut window, "Callout", "25 H7");
     type_into(&mut window, "Callout", "10m");
     window.get_by_label_contains("does not say whether the hole or the shaft is meant");

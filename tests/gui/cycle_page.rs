@@ -38,7 +38,7 @@ fn key(window: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
     window.run();
 }
 
-/// Chooses a cycle by what the list calls it.
+/// Chooses a cycle by its name in the list.
 fn choose(window: &mut Harness<'_, App>, name: &str) {
     click(window, Role::ComboBox, "Cycle");
     click(window, Role::Button, name);
@@ -69,7 +69,7 @@ fn fill(window: &mut Harness<'_, App>, settings: &[(&str, &str)]) {
     }
 }
 
-/// What stands in the list of results behind a key.
+/// The value in the list of results after a key.
 fn result(window: &Harness<'_, App>, key: &str) -> String {
     let run = window.state().session().cycles().run().expect("a run");
     let found = run.found().unwrap_or_else(|| panic!("{:?}", run.result));
@@ -102,7 +102,7 @@ fn coordinate(window: Window) -> Harness<'static, App> {
     window
 }
 
-/// The page with cycle 422 on a stud that is a tenth too thick.
+/// The page with cycle 422 on a shaft that is a tenth too thick.
 fn stud(window: Window) -> Harness<'static, App> {
     let mut window = open(window);
     choose(&mut window, "422  MEAS. CIRCLE OUTSIDE");
@@ -164,7 +164,7 @@ fn a_circle_of_a_lathe_in_light() {
     picture("cycle_g785_light", lathe, Theme::Light, DESK);
 }
 
-/// The page with cycle 421 on a bore that is a little oval and lies a little off.
+/// The page with cycle 421 on a hole that is a little oval and lies a little off.
 fn hole(window: Window) -> Harness<'static, App> {
     let mut window = open(window);
     let block = [
@@ -289,7 +289,7 @@ fn scrap_of_a_simulated_face() {
     window.get_by_label_contains("COORDINATE STATUS: SCRAP");
     window.get_by_label("Measured on the simulated workpiece, seed 1");
     assert_eq!(result(&window, "Q182"), "1");
-    // No verdict beside other inputs.
+    // No verdict stays beside other inputs.
     fill(&mut window, &[("Q289", "4.8")]);
     assert_eq!(verdict(&window), "No result");
     assert!(window.query_by_label_contains("COORDINATE STATUS").is_none());
@@ -416,7 +416,7 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
     assert_eq!(window.state().session().workpiece().plane(), fitcheck::probing::cycle::Plane::Zx);
 }
 
-/// Presses the last of several buttons of the same name: that of what lies on top.
+/// Presses the last of several buttons of the same name: the topmost one.
 fn click_last(window: &mut Harness<'_, App>, label: &str) {
     window.get_all_by_role_and_label(Role::Button, label).last().unwrap().click_accesskit();
     window.run();
@@ -443,7 +443,7 @@ fn a_block_is_pasted_and_copied() {
     key(&mut window, Modifiers::NONE, Key::F5);
     assert_eq!(result(&window, "Q160"), "5");
     window.get_by_role_and_label(Role::Button, "Copy as NC block").click_accesskit();
-    // The text is in the frame of the click only.
+    // Only the frame of the click has the text.
     let copied = (0..4).find_map(|_| {
         window.step();
         window.output().platform_output.commands.iter().find_map(|command| match command {
@@ -489,7 +489,7 @@ fn the_page_works_by_key_alone_and_in_dutch() {
     assert_eq!(delay, Duration::MAX);
 }
 
-/// The name of what has the focus.
+/// The name of the widget that has the focus.
 #[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone is not general over lifetimes")]
 fn focused(window: &Harness<'_, App>) -> String {
     window.get_by(|node| node.is_focused()).accesskit_node().label().unwrap_or_default()
@@ -548,7 +548,7 @@ fn the_workpiece_s_dialog_takes_the_focus_and_is_whole_at_once() {
     assert_eq!(close(&window), settled);
     key(&mut window, Modifiers::NONE, Key::Escape);
     assert!(!window.state().session().workpiece_is_open());
-    // Back to where it was opened from.
+    // The focus is back where the dialog was opened from.
     assert_eq!(focused(&window), "Workpiece…");
 }
 
@@ -607,7 +607,7 @@ fn a_run_that_cannot_begin_leads_to_the_first_field_that_is_wrong() {
     window.get_by_role_and_label(Role::TextInput, &name(&window, "Q274")).type_text("50");
     key(&mut window, Modifiers::NONE, Key::F5);
     assert_eq!(focused(&window), name(&window, "Q280"));
-    // What stands there is replaced by typing.
+    // Typing replaces the text of the field.
     window.get_by_role_and_label(Role::TextInput, &name(&window, "Q280")).type_text("0,1");
     click(&mut window, Role::Button, "Run");
     assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));

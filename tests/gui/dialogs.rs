@@ -1,4 +1,4 @@
-//! Files in and out by a typed path.
+//! Reading and writing files by a typed path.
 
 use std::path::Path;
 

@@ -41,7 +41,7 @@ fn click(window: &mut Harness<'_, App>, role: Role, label: &str) {
     window.run();
 }
 
-/// The name of what has the focus.
+/// The name of the widget that has the focus.
 #[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone is not general over lifetimes")]
 fn focused(window: &Harness<'_, App>) -> String {
     window.get_by(|node| node.is_focused()).accesskit_node().label().unwrap_or_default()
@@ -356,7 +356,7 @@ fn own_materials_are_offered_and_a_broken_file_is_told() {
     click(&mut window, Role::Button, "steel  17.3");
     // 50 mm, (17.3 - 11.5) in a million and a kelvin, 60 K.
     type_into(&mut window, "Temperature", "80");
-    // The shaft's field still holds the value that it was left with.
+    // The shaft's field still has its last value.
     window.get_by_label("Clearance fit; clearance changes by +17.4 µm");
     put("version = 1\n[[material]]\nname = 7\n");
     let window = own_window();
@@ -388,7 +388,7 @@ fn nothing_lies_beside_a_small_window() {
     }
 }
 
-/// The whole map lies left of the answer, also where words are longer.
+/// The whole map lies left of the answer, even where words are longer.
 #[test]
 fn a_small_window_shows_every_class_in_dutch_too() {
     let mut window = open(Window { size: vec2(1024.0, 600.0), language: Language::Nl, ..Window::default() });

@@ -43,7 +43,7 @@ impl Window {
             .with_theme(self.theme)
             .with_max_steps(16)
             .build_eframe(|cc| App::new(cc, setup));
-        // "Follow system" would be the harness's own idea of a system.
+        // "Follow system" would follow the harness's idea of a system.
         let theme = match self.theme {
             Theme::Light => fitcheck::session::Theme::Light,
             Theme::Dark => fitcheck::session::Theme::Dark,

@@ -1,4 +1,4 @@
-//! Keyboard alone; idle is idle.
+//! The window works by keyboard alone, and an idle window draws nothing.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ use fitcheck::session::CheckField;
 
 use crate::harness::{Window, check, type_into, verdict, window};
 
-/// The name of what has the focus.
+/// The name of the widget that has the focus.
 #[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone is not general over lifetimes")]
 fn focused(window: &Harness<'_, App>) -> String {
     window.get_by(|node| node.is_focused()).accesskit_node().label().unwrap_or_default()

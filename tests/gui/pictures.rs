@@ -1,6 +1,6 @@
-//! A few small pictures of what words cannot say: the limit band and the status window, light and dark.
+//! A few small pictures of what words cannot express: the limit band and the status window, light and dark.
 //!
-//! They need a Vulkan driver, a software one will do. Where there is none the test says so and passes, except under
+//! They need a Vulkan driver; a software one is enough. Where there is none the test says so and passes, except under
 //! CI, where it fails. Rewrite them with `UPDATE_SNAPSHOTS=1 cargo test --all-features`.
 
 use std::panic::catch_unwind;

@@ -1,4 +1,4 @@
-//! The program page: the shipped program opened, filled in, stepped, run and read, by label and key.
+//! The program page: the built-in program opened, filled in, stepped, run and read, by label and key.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -150,7 +150,7 @@ fn a_value_that_cannot_be_read_is_said_beside_its_field_and_nothing_runs() {
 #[test]
 fn a_breakpoint_in_the_called_program_is_reached_and_left() {
     let mut page = page();
-    // Into the called program, to set the breakpoint there.
+    // Into the called program, to set a breakpoint there.
     for _ in 0..12 {
         press(&mut page, Key::F10);
     }
@@ -263,7 +263,7 @@ fn an_error_is_shown_and_a_click_goes_to_its_block() {
     press(&mut page, Key::F5);
     says(&page, "Stopped with an error");
     page.get_by_label("Q4 = Q1 / Q2, error here");
-    // Away from it, and back by the list of problems.
+    // Away from it, and back by the list of notes.
     page.get_by_role(Role::List).focus();
     page.run();
     press(&mut page, Key::Home);

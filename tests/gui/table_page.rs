@@ -207,7 +207,7 @@ fn an_edit_in_the_wrong_order_or_without_a_number_is_refused() {
     page.get_by_label("JS7, over 18 up to 30 mm, +10.5 / \u{2212}10.5 µm");
     type_into(&mut page, "Upper", "1.2.3");
     page.get_by_label("1.2.3 is not a number");
-    // Another cell is not shown before the text can be read.
+    // Another cell is shown only once the text can be read.
     choose(&mut page, "H7, over 10 up to 18 mm");
     assert_eq!(field(&page, "Upper"), "1.2.3");
     type_into(&mut page, "Upper", "");

@@ -1,4 +1,4 @@
-//! Right, above: the answer. One word that is read from two metres, its shape, and what to do.
+//! Right, above: the answer. One word that can be read from two metres, its shape, and what to do.
 
 use eframe::egui::{CollapsingHeader, Ui};
 
@@ -21,7 +21,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &View<'_>) {
     }
 }
 
-/// What stands below the word: the value, the distances, what to remove, the position.
+/// The lines below the word: the value, the distances, what to remove, the position.
 fn lines(words: &Words, record: &Record) -> Vec<String> {
     let size = &record.verdict.size;
     let digits = Digits::of(record);

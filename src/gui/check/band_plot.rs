@@ -65,7 +65,7 @@ fn plot_ui(ui: &mut Ui, words: &Words, band: &Band, limits: &Limits, record: Opt
     ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_description(said.clone()));
 }
 
-/// The band's own ticks, all labelled.
+/// The band's own ticks, each with a label.
 fn ticks(band: &Band) -> Vec<GridMark> {
     let step_size = match band.ticks.as_slice() {
         [first, second, ..] => second - first,
@@ -74,7 +74,7 @@ fn ticks(band: &Band) -> Vec<GridMark> {
     band.ticks.iter().map(|&value| GridMark { value, step_size }).collect()
 }
 
-/// What the picture shows, for whoever cannot see it.
+/// What the picture shows, in words, for users who cannot see it.
 fn describe(words: &Words, limits: &Limits, record: Option<&Record>) -> String {
     let zone = Message::new("band-describe")
         .text("lower", words.signed_um(limits.deviations.lower()))
@@ -119,7 +119,7 @@ impl Drawing<'_> {
         let right = Rect::from_min_max(pos2(upper, body.top()), body.max);
         self.side(left, self.band.left, Align2::LEFT_TOP);
         self.side(right, self.band.right, Align2::RIGHT_TOP);
-        // A zone of no width is still seen as a line.
+        // A zone of no width is still drawn as a line.
         let zone = Rect::from_min_max(pos2(lower, body.top()), pos2(upper.max(lower + 1.0), body.bottom()));
         self.painter.rect_filled(zone, 0.0, self.palette.zone.0);
         for (x, um) in [(lower, self.band.lower_um), (upper, self.band.upper_um)] {
@@ -152,12 +152,12 @@ impl Drawing<'_> {
         self.transform.position_from_point_x(um)
     }
 
-    /// Text without a ground.
+    /// Text without a background.
     fn text(&self, at: Pos2, anchor: Align2, text: &str, colour: Color32) {
         self.label(at, anchor, text, (Color32::TRANSPARENT, colour));
     }
 
-    /// Text on a ground, so that lines and hatching do not cross it.
+    /// Text on a background, so that lines and hatching do not cross it.
     fn label(&self, at: Pos2, anchor: Align2, text: &str, (ground, colour): (Color32, Color32)) {
         let galley = self.painter.layout_no_wrap(text.to_owned(), theme::font(sizes().body), colour);
         let rect = anchor.anchor_size(at, galley.size());

@@ -1,4 +1,4 @@
-//! The contacts seen from above: nominal circle, contacts with their deviation magnified, fitted circle and centre.
+//! The contacts seen from above: nominal circle, contacts with magnified deviations, fitted circle and centre.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +16,7 @@ use crate::words::Words;
 /// How far the largest deviation reaches, as a share of the nominal radius.
 const REACH: f64 = 0.3;
 
-/// Beyond so many contacts their numbers would hide the picture.
+/// Beyond this many contacts their numbers would hide the picture.
 const MOST_NUMBERS: usize = 16;
 
 /// Points on a drawn circle.
@@ -38,7 +38,7 @@ pub(super) fn contacts_ui(ui: &mut Ui, view: &View<'_>) {
         quiet(ui, view.text("contacts-empty"));
         return;
     };
-    // The remarks stand below the plot, so their height is taken first.
+    // The remarks are below the plot, so their height is taken first.
     let remarks = remarks(view.words, record);
     let text_height = ui.text_style_height(&eframe::egui::TextStyle::Body) + 6.0;
     let lines = if picture.is_some() { 1.0 } else { 0.0 } + 1.0;
@@ -73,7 +73,7 @@ struct Picture {
     factor: f64,
     /// Contacts in probing order.
     contacts: Vec<[f64; 2]>,
-    /// The fitted circle as the magnification bends it.
+    /// The fitted circle as the magnification distorts it.
     fitted: Vec<[f64; 2]>,
     /// The fitted centre.
     centre: [f64; 2],
@@ -86,7 +86,7 @@ impl Picture {
         if radius <= 0.0 || record.measurement.contacts.is_empty() {
             return None;
         }
-        // The nominal centre is where the position's deviation says; without one, the fitted centre.
+        // The position's deviation gives the nominal centre; without a position, it is the fitted centre.
         let off =
             record.verdict.position.map_or([0.0; 2], |position| position.axes.map(|axis| axis.deviation.to_mm_f64()));
         let nominal = [circle.x - off[0], circle.y - off[1]];
@@ -157,7 +157,7 @@ impl Picture {
             self.contacts.iter().zip(deviations).enumerate().filter(|_| self.contacts.len() <= MOST_NUMBERS)
         {
             let at = response.transform.position_from_point(&PlotPoint::new(*x, *y));
-            // The number stands beside the contact, outside the circle.
+            // The number is beside the contact, outside the circle.
             let side = if *x < -0.1 { -1.0 } else { 1.0 };
             let anchor = if side < 0.0 { Align2::RIGHT_CENTER } else { Align2::LEFT_CENTER };
             let text = format!("{}  {} µm", number + 1, words.number(&deviation));

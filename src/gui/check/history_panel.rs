@@ -1,4 +1,4 @@
-//! Bottom: what came before, newest first. Only the rows in sight are drawn.
+//! Bottom: earlier checks, newest first. Only the rows in sight are drawn.
 
 use eframe::egui::{Align, Button, Checkbox, Id, Layout, RichText, Sense, Ui, UiBuilder, vec2};
 use egui_extras::{Column, TableBuilder};

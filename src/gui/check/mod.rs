@@ -5,7 +5,7 @@
 //! | `asked_panel` | left: callout, limits, measured value, probe position, simulated workpiece |
 //! | `band_plot`, `contacts_plot` | middle: what was seen |
 //! | `answer_panel`, `status_panel` | right: the verdict, and the control's window |
-//! | `history_panel` | bottom: what came before |
+//! | `history_panel` | bottom: earlier checks |
 
 mod answer_panel;
 mod asked_panel;
@@ -20,7 +20,7 @@ pub(super) use status_panel::mask_chooser_ui;
 use super::theme::space;
 use super::view::View;
 
-/// The check page: left what is asked, middle what was seen, right the answer, bottom what came before.
+/// The check page: left what is asked, middle what was seen, right the answer, bottom the earlier checks.
 pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     let (narrow, low) = (size.x < 1200.0, size.y < 700.0);
@@ -34,7 +34,7 @@ pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
     let side = if narrow { space(66.0) } else { space(74.0) };
     Panel::left("asked").exact_size(side).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            // The scroll bar floats: it must not lie on the fields.
+            // The scroll bar floats: it must not cover the fields.
             ui.set_max_width(ui.available_width() - space(2.5));
             asked_panel::asked_panel_ui(ui, view);
         });

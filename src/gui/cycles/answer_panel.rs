@@ -48,7 +48,7 @@ fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&CycleRun>) {
     }
 }
 
-/// What stands below the word: the value, how far it is from its limits, what to remove, what else is out.
+/// The lines below the word: the value, its distance from its limits, what to remove, what else is out.
 fn lines(words: &Words, result: &CycleResult) -> Vec<String> {
     let Some(first) = result.checks.iter().find(|check| check.is_out()).or_else(|| result.checks.first()) else {
         return main_value(words, result).into_iter().chain([words.get("cycles-no-limits")]).collect();
@@ -94,18 +94,18 @@ fn check_lines(words: &Words, check: &Check) -> Vec<String> {
     lines
 }
 
-/// The value that the cycle is about: a diameter, a deviation along the normal, or the first one.
+/// The main value of the cycle: a diameter, a deviation along the normal, or else the first one.
 fn main_value(words: &Words, result: &CycleResult) -> Option<String> {
     let about = [FoundName::DIAMETER, FoundName::DEVIATION_ALONG];
     let found = result.results.iter().find(|found| about.contains(&found.name)).or_else(|| result.results.first())?;
     Some(match found.value {
-        // As beside limits: a measured value has more digits than it deserves.
+        // Like a value beside limits: a measured value has more digits than are meaningful.
         Value::Length(length) => format!("{} mm", Digits::Rounded.mm(words, length, 3)),
         ref other => value(words, other, 3),
     })
 }
 
-/// A value; a length with at least so many decimals.
+/// A value; a length with at least this many decimals.
 fn value(words: &Words, value: &Value, decimals: usize) -> String {
     match value {
         Value::Length(length) => format!("{} mm", words.mm(*length, decimals)),
@@ -114,7 +114,7 @@ fn value(words: &Words, value: &Value, decimals: usize) -> String {
     }
 }
 
-/// How many decimals show all lengths exactly, their decimal signs below each other.
+/// How many decimals show all lengths exactly, with their decimal signs aligned.
 fn decimals(result: &CycleResult) -> usize {
     let of_value = |found: &Found| match found.value {
         Value::Length(length) => {
@@ -125,7 +125,7 @@ fn decimals(result: &CycleResult) -> usize {
     result.results.iter().map(of_value).max().unwrap_or_default()
 }
 
-/// The result parameters, values below each other.
+/// The result parameters, their values aligned.
 fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
     ui.separator();
     ui.horizontal(|ui| {
@@ -153,7 +153,7 @@ fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
     }
 }
 
-/// The measuring log: its text where the control shows it, and a button that keeps it as a file.
+/// The measuring log: its text where the control shows it, and a button that saves it as a file.
 fn log_ui(ui: &mut Ui, view: &mut View<'_>, log: &RunLog) {
     if let Some(text) = &log.shown {
         let text = RichText::new(text).font(theme::mono(sizes().small));

@@ -30,7 +30,7 @@ fn title(view: &View<'_>, cycle: &Cycle) -> String {
     format!("{}  {}", cycle.code, cycle.name(view.words.language().dialogue()))
 }
 
-/// All cycles, by the name that the control has for them.
+/// All cycles, by the control's names for them.
 fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("cycles-cycle"));
     let chosen = view.session.cycles().cycle();
@@ -74,7 +74,7 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
         ContactsFrom::Perfect => {}
         ContactsFrom::Simulated => {
             ui.horizontal(|ui| simulated_ui(ui, view));
-            // The dialog says it beside the field.
+            // An open dialog shows it beside the field.
             let session = view.session;
             if let Some(error) = session.workpiece().problem().filter(|_| !session.workpiece_is_open()) {
                 problem(ui, view.words.say(&error));
@@ -137,7 +137,7 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let palette = palette(ui.ctx());
         ui.spacing_mut().item_spacing.x = space(1.5);
-        // The two small buttons keep their words whole.
+        // The two small buttons show their words in full.
         let small = |ui: &Ui, id: &str| {
             let galley = ui.painter().layout_no_wrap(view.words.get(id), theme::font(sizes().body), palette.text.0);
             galley.size().x + 2.0 * ui.spacing().button_padding.x + space(1.0)
@@ -191,7 +191,7 @@ fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = view.session.cycles();
     let is_wrong = Axis::ALL.iter().any(|axis| page.error(CycleField::Position(*axis)).is_some());
-    // What is wrong is never folded away.
+    // An error is never folded away.
     let header = CollapsingHeader::new(view.text("cycles-position")).id_salt("cycle-position");
     header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
         for axis in Axis::ALL {

@@ -1,4 +1,4 @@
-//! The cycles page: a measuring cycle on a workpiece that can be bent, or on recorded contacts.
+//! The cycles page: a measuring cycle on a simulated workpiece, or on recorded contacts.
 //!
 //! | file | what |
 //! |---|---|
@@ -44,7 +44,7 @@ pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     CentralPanel::default().show(ui, |ui| seen_panel::seen_ui(ui, view));
     workpiece_window::workpiece_ui(ui, view);
     block_window::block_ui(ui, view);
-    // A run that cannot begin leads to what is wrong, once it was tried.
+    // After an attempt, a run that cannot begin leads to the field that is wrong.
     let is_run = |command: &Command| matches!(command, Command::Cycles(CyclesCommand::Run));
     let has_run = view.commands.iter().any(is_run);
     ui.data_mut(|data| data.insert_temp(asked_id(), has_run));
@@ -54,8 +54,8 @@ fn asked_id() -> Id {
     Id::unique("cycle-run-asked")
 }
 
-/// The field that gets the focus because the run that was just asked for cannot begin with it: the one that had it last,
-/// where that is wrong, else the first.
+/// The field that gets the focus because the requested run cannot begin with it: the last focused one if it is wrong,
+/// else the first wrong one.
 fn wrong_field(ui: &Ui, view: &View<'_>) -> Option<CycleField> {
     let has_run = ui.data(|data| data.get_temp(asked_id()).unwrap_or(false));
     if !has_run {
@@ -66,7 +66,7 @@ fn wrong_field(ui: &Ui, view: &View<'_>) -> Option<CycleField> {
     last.filter(|field| page.error(*field).is_some()).or_else(|| page.first_wrong())
 }
 
-/// A column that scrolls where the window is low; the floating bar never lies on its content.
+/// A column that scrolls where the window is low; the floating bar never covers its content.
 fn column_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.set_max_width(ui.available_width() - space(2.5));
@@ -76,7 +76,7 @@ fn column_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// Scrolls to what has got the focus among what was just drawn.
+/// Scrolls to the widget that has just got the focus, if it was just drawn here.
 fn follow_focus(ui: &Ui) {
     let focused = ui.memory(Memory::focused);
     let last =
@@ -87,7 +87,7 @@ fn follow_focus(ui: &Ui) {
     }
 }
 
-/// Keeps the focus on a list after a choice by key; after one by hand Enter runs, as before it.
+/// Keeps the focus on a list after a choice by key; after a choice by pointer, Enter runs the cycle as before.
 fn keep_focus(ui: &Ui, list: &Response) {
     if ui.input(|input| input.key_pressed(Key::Space) || input.key_pressed(Key::Enter)) {
         list.request_focus();

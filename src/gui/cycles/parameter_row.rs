@@ -15,7 +15,7 @@ const FIELD: f32 = 24.0;
 /// How wide a unit is.
 const UNIT: f32 = 7.0;
 
-/// The row; answers whether it has the focus.
+/// The row; returns whether it has the focus.
 pub(super) fn parameter_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static Parameter) -> bool {
     let key = parameter.key;
     let question = parameter.question(view.words.language().dialogue());
@@ -50,7 +50,7 @@ pub(super) fn row_ui(ui: &mut Ui, name: String, field: impl FnOnce(&mut Ui, Id))
     });
 }
 
-/// What counts while nothing is typed.
+/// The default: what counts while nothing is typed.
 fn hint(view: &View<'_>, parameter: &Parameter) -> String {
     match (parameter.default_with(view.session.cycles().inputs()), parameter.unset) {
         (Some(value @ (Value::Length(_) | Value::Angle(_) | Value::Number(_))), _) => {
@@ -83,13 +83,13 @@ fn number_ui(
     response.has_focus()
 }
 
-/// What a number of a choice stands for, where that is known.
+/// The meaning of a number of a choice, where it is known.
 fn stands_for(view: &View<'_>, meaning: Meaning, number: i64) -> Option<String> {
     let number = if number < 0 { format!("minus-{}", number.unsigned_abs()) } else { number.to_string() };
     view.words.find(&format!("cycles-choice-{}", [meaning.word(), &number].join("-")))
 }
 
-/// One of a few numbers, each with what it means.
+/// One of a few numbers, each with its meaning.
 fn choice_ui(
     ui: &mut Ui,
     view: &mut View<'_>,
@@ -143,7 +143,7 @@ fn choice_ui(
     response.has_focus()
 }
 
-/// The choice whose number was just typed; a minus is the negative one.
+/// The choice whose number was just typed; a minus sign chooses the negative one.
 fn typed_number(ui: &Ui, allowed: &[i64]) -> Option<i64> {
     let typed = ui.input(|input| {
         let text = |event: &Event| if let Event::Text(text) = event { Some(text.clone()) } else { None };

@@ -20,7 +20,7 @@ pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.separator();
     }
     let session = view.session;
-    // Path and contacts share what is left; criteria follow below.
+    // Path and contacts share the remaining height; criteria follow below.
     let height = ((ui.available_height() - space(40.0)) / 2.0).max(space(40.0));
     column_ui(ui, |ui| match session.cycles().run() {
         None => _ = quiet(ui, view.text("cycles-nothing-seen")),
@@ -77,7 +77,7 @@ fn allowed(view: &View<'_>, parameter: &Parameter) -> String {
     view.words.say(&Message::new("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
 }
 
-/// What counts when nothing is typed.
+/// The default: what counts when nothing is typed.
 fn default(view: &View<'_>, parameter: &Parameter) -> String {
     match (parameter.default_with(view.session.cycles().inputs()), parameter.unset) {
         (None, Unset::Refused) => view.text("cycles-must-be-given"),
@@ -159,7 +159,7 @@ fn said(words: &Words, now: &Move, step: usize, count: usize) -> String {
     words.say(&message)
 }
 
-/// Millimetres to the ten-thousandth, as a control shows them, without a sign on zero.
+/// Millimetres to four decimals, as a control shows them, without a sign on zero.
 fn figure(mm: f64) -> String {
     let text = format!("{mm:.4}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

@@ -27,7 +27,7 @@ pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
             ui.separator();
             buttons_ui(ui, view);
         });
-    // A window takes the size of its content one frame late.
+    // A window takes the size of its content one frame later.
     let rect = window.map(|window| window.response.rect);
     let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(Id::unique("workpiece-size")), rect));
     if last != rect {

@@ -53,7 +53,7 @@ fn range(view: &View<'_>, minimum: Length, maximum: Length) -> String {
     format!("{} … {} µm", view.words.signed_um(minimum), view.words.signed_um(maximum))
 }
 
-/// The kind of fit. It is no verdict, so it has no verdict's colour.
+/// The kind of fit. It is not a verdict, so it does not have the colour of one.
 fn card_ui(ui: &mut Ui, view: &View<'_>, fit: Option<&Fit>) {
     let palette = palette(ui.ctx());
     let (fill, colour) = (palette.background.0, palette.text.0);
@@ -86,12 +86,12 @@ fn card_ui(ui: &mut Ui, view: &View<'_>, fit: Option<&Fit>) {
     live(ui, &response, &said, Live::Polite);
 }
 
-/// The ends of the range and its middle, by name; answers with what a screen reader says.
+/// The ends of the range and its middle, by name; returns what a screen reader says.
 fn figures_ui(ui: &mut Ui, view: &View<'_>, fit: &Fit) -> Vec<String> {
     let [upper, lower] = extremes(fit.minimum_clearance(), fit.maximum_clearance());
     let mean = fit.mean_clearance();
     let mean_id = if mean < Length::ZERO { "fit-mean-interference" } else { "fit-mean-clearance" };
-    // The maximum comes first, also where it is the largest interference.
+    // The maximum comes first, even where it is the largest interference.
     let (first, second) = if fit.kind() == Kind::Interference { (lower, upper) } else { (upper, lower) };
     let rows = [first, second, (mean_id, mean.abs())];
     let mut said = Vec::new();
@@ -107,7 +107,7 @@ fn figures_ui(ui: &mut Ui, view: &View<'_>, fit: &Fit) -> Vec<String> {
     said
 }
 
-/// Basis, preference and function: whatever can be said of the pair.
+/// Basis, preference and function, as far as they are known for the pair.
 fn said_of_ui(ui: &mut Ui, view: &View<'_>) {
     let page = view.session.fit();
     let (Some(hole), Some(shaft)) = (page.class(Feature::Hole), page.class(Feature::Shaft)) else { return };
@@ -138,7 +138,7 @@ fn limits_ui(ui: &mut Ui, view: &mut View<'_>, fit: &Fit) {
     }
 }
 
-/// The same fit in the other basis, to be taken over.
+/// The same fit in the other basis, with a button to take it.
 fn equivalent_ui(ui: &mut Ui, view: &mut View<'_>, equivalent: &Equivalent) {
     ui.horizontal(|ui| {
         let name = heading(ui, view.text("fit-equivalent"));

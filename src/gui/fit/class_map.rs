@@ -43,8 +43,7 @@ impl Columns {
     }
 }
 
-/// Heading, staircase, grid, and classes of own tables, down to the end of a column of `height` where that is
-/// high enough.
+/// Heading, staircase, grid, and classes of own tables, down to the end of a column of `height` if that is high enough.
 pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     let session = view.session;
     let side = session.fit().side();
@@ -67,7 +66,7 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
         quiet(ui, view.text("fit-classes-nowhere"));
         return;
     }
-    // Counted from the column's beginning, so that nothing changes its size while it is scrolled.
+    // Counted from the top of the column, so that nothing changes its size while it scrolls.
     let left = |ui: &Ui| height - (ui.cursor().top() - ui.min_rect().top());
     let chosen = session.fit().class(side);
     let grade = chosen.and_then(iso286::parts).map(|(_, grade)| grade);
@@ -192,7 +191,7 @@ impl Table<'_> {
             self.painter.rect_stroke(inner, 1.0, Stroke::new(1.5, self.palette.accent.0), StrokeKind::Inside);
         }
         if is_chosen {
-            // A mark of its own: the chosen class is not told by colour alone.
+            // An additional mark: the chosen class is not shown by colour alone.
             self.painter.circle_filled(place.center(), space(0.8), self.palette.on_accent.0);
         }
         response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_chosen, cell.class.as_str()));

@@ -58,7 +58,7 @@ pub(super) fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
-/// A column that scrolls where the window is low; the floating bar never lies on its content.
+/// A column that scrolls where the window is low; the floating bar never covers its content.
 fn column_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.set_max_width(ui.available_width() - space(2.5));

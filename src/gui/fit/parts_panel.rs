@@ -56,7 +56,7 @@ pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// Materials fill the field of expansion; what is typed there is no material's any more.
+/// Materials fill the field of expansion; a typed value belongs to no material any more.
 fn material_ui(ui: &mut Ui, view: &mut View<'_>, part: Feature, name: Id, width: f32) {
     let language = view.session.language();
     let now = view.session.fit().expansion(part);

@@ -37,7 +37,7 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(describe(view, fit, &picture)));
 }
 
-/// What the picture shows, for whoever cannot see it.
+/// What the picture shows, in words, for users who cannot see it.
 fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
     let words = view.words;
     let mut said = vec![words.say(&Message::new("fit-describe-zero").mm("nominal", fit.nominal()))];
@@ -74,12 +74,12 @@ fn describe_zone(view: &View<'_>, limits: &Limits) -> String {
     view.words.say(&message)
 }
 
-/// Least height between two labels of a zone.
+/// Minimum distance between two labels of a zone.
 const LINE: f32 = 16.0;
 
 struct Drawing<'a> {
     painter: Painter,
-    /// Where deviations are drawn; the names stand below it.
+    /// Where deviations are drawn; the names are below it.
     body: Rect,
     whole: Rect,
     palette: &'a Palette,
@@ -117,7 +117,7 @@ impl<'a> Drawing<'a> {
             self.name(x, limits);
         }
         let nominal = format!("{} mm", self.words.number(&fit.nominal().to_string()));
-        // On the side of the line where the last arrow, that of the parts or of the smallest clearance, is not.
+        // On the side of the line away from the last arrow, that of the parts or of the smallest clearance.
         let Picture { hole, shaft, .. } = self.picture;
         let last = match (hole.mark, shaft.mark) {
             (Some(Mark::InSight(hole)), Some(Mark::InSight(shaft))) => hole + shaft,
@@ -128,7 +128,7 @@ impl<'a> Drawing<'a> {
         self.label(at, anchor, &nominal, theme::bold(sizes().small));
     }
 
-    /// Text on a ground, so that lines do not cross it.
+    /// Text on a background, so that lines do not cross it.
     fn label(&self, at: Pos2, anchor: Align2, text: &str, font: eframe::egui::FontId) {
         let galley = self.painter.layout_no_wrap(text.to_owned(), font, self.palette.text.0);
         let rect = anchor.anchor_size(at, galley.size());
@@ -140,7 +140,7 @@ impl<'a> Drawing<'a> {
         self.painter.galley(rect.min, galley, self.palette.text.0);
     }
 
-    /// A zone of no width is still seen as a line.
+    /// A zone of no width is still drawn as a line.
     fn zone_rect(&self, x: Rangef, zone: &PictureZone) -> Rect {
         let (top, bottom) = (self.y(zone.upper_um), self.y(zone.lower_um));
         Rect::from_x_y_ranges(x, top..=bottom.max(top + 2.0))
@@ -164,7 +164,7 @@ impl<'a> Drawing<'a> {
         self.arrow(x.center(), zero, self.y(um), Stroke::new(1.5, self.palette.text.0));
     }
 
-    /// Both limit deviations beside the zone, the fundamental one heavier; pushed apart where they would touch.
+    /// Both limit deviations beside the zone, the fundamental one bolder; pushed apart where they would touch.
     fn edges(&self, x: Rangef, zone: &PictureZone, limits: &Limits) {
         let (mut top, mut bottom) = (self.y(zone.upper_um), self.y(zone.lower_um));
         let lacking = (LINE - (bottom - top)).max(0.0) / 2.0;
@@ -190,7 +190,7 @@ impl<'a> Drawing<'a> {
         let text = self.words.signed_um(measured.saturating_sub(limits.nominal));
         let colour = self.palette.text.0;
         let font = theme::bold(sizes().body);
-        // Towards the other zone: on the outer side stand the limit deviations.
+        // Towards the other zone: the limit deviations are on the outer side.
         let (side, beside) = match limits.feature {
             Feature::Hole => (10.0, Align2::LEFT_CENTER),
             Feature::Shaft => (-10.0, Align2::RIGHT_CENTER),
@@ -283,7 +283,7 @@ impl<'a> Drawing<'a> {
         self.head(pos2(x, bottom), vec2(0.0, 1.0), size, stroke.color);
     }
 
-    /// A head whose tip touches the place.
+    /// An arrowhead whose tip touches the place.
     fn head(&self, tip: Pos2, direction: eframe::egui::Vec2, size: f32, colour: Color32) {
         shapes::arrow_head(&self.painter, tip - direction * size * 0.6, direction, size, colour);
     }

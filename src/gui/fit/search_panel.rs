@@ -84,14 +84,14 @@ fn found_ui(ui: &mut Ui, view: &mut View<'_>, found: &Found) {
     );
 }
 
-/// A pair as a button: its classes, its clearances, and what is said of it.
+/// A pair as a button: its classes, its clearances, and a remark on it.
 fn row_ui(ui: &mut Ui, view: &mut View<'_>, candidate: &Candidate) {
     let palette = palette(ui.ctx());
     let Candidate { hole, shaft, minimum, maximum, .. } = *candidate;
     let pair = format!("{hole}/{shaft}");
     let range = format!("{} … {} µm", view.words.signed_um(minimum), view.words.signed_um(maximum));
     let text = |font, colour: Hex| TextFormat::simple(font, colour.0);
-    // The clearances stand below each other.
+    // The clearances are aligned below each other.
     let bold = theme::bold(sizes().body);
     let width = ui.painter().layout_no_wrap(pair.clone(), bold.clone(), palette.text.0).size().x;
     let mut job = LayoutJob::default();
@@ -102,7 +102,7 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, candidate: &Candidate) {
     if !remark.is_empty() {
         name = format!("{name}  {remark}");
     }
-    // Where there is no room for all, the figures stay whole.
+    // Where room is short, the remark shrinks and the figures stay whole.
     let remark = RichText::new(remark).size(sizes().small).color(palette.quiet.0).atom_shrink(true);
     let chosen = (view.session.fit().class(Feature::Hole), view.session.fit().class(Feature::Shaft));
     let button = Button::new((job, Atom::grow(), remark)).truncate().selected(chosen == (Some(hole), Some(shaft)));

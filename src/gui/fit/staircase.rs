@@ -66,7 +66,7 @@ pub(super) fn staircase_ui(
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(describe(view, map, grade)));
 }
 
-/// Every zone of the grade, for whoever cannot see it.
+/// Every zone of the grade in words, for users who cannot see it.
 fn describe(view: &View<'_>, map: &ClassMap, grade: Grade) -> String {
     let cells = crate::tolerance::iso286::Letter::ALL.into_iter().filter_map(|letter| map.cell(letter, grade));
     let said: Vec<String> = cells

@@ -79,7 +79,7 @@ fn window_ui(ui: &mut Ui, view: &View<'_>, window: &Window) {
     popup::frame_ui(ui, view.words.say(&title), |ui| popup::text_ui(ui, &window.text, salt));
 }
 
-/// What was measured, one a line: shape, word, cycle, value; a click shows the block.
+/// What was measured, one per line: shape, word, cycle, value; a click shows the block.
 fn cycles_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
     let cycles = run.cycles();
     if cycles.is_empty() {
@@ -107,7 +107,7 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
     }
 }
 
-/// What would have been written, file by file; nothing is.
+/// What would have been written, file by file; nothing is written.
 fn outputs_ui(ui: &mut Ui, view: &View<'_>, run: &Run) {
     let outputs = run.outputs();
     if outputs.is_empty() {

@@ -46,7 +46,7 @@ fn inputs_ui(ui: &mut Ui, view: &mut View<'_>) {
         (ProgramField::Input(*input).into(), name, input.unit())
     };
     let fields: Vec<_> = inputs.iter().map(named).collect();
-    // Each row takes what room there is: a long name may have made more of it.
+    // Each row takes the room that there is: a long name may have widened it.
     for row in fields.chunks(2) {
         fields_ui(ui, view, row);
     }

@@ -1,4 +1,4 @@
-//! The lines in sight; a click before a block sets a breakpoint. They take the focus as a whole.
+//! The lines in sight; a click before a block sets a breakpoint. The listing takes the focus as a whole.
 
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ use crate::session::program::{Document, Run, State};
 /// How many lines around a block come into sight with it.
 const AROUND: f32 = 3.0;
 
-/// The most characters of a line that are made room for.
+/// The most characters of a line that get room.
 const WIDEST: usize = 2_000;
 
 /// The id of the listing: it takes the focus as a whole.
@@ -34,7 +34,7 @@ fn gutter() -> f32 {
     space(10.0)
 }
 
-/// The listing in what room there is.
+/// The listing in the room that is left.
 pub(super) fn listing_ui(ui: &mut Ui, view: &mut View<'_>) {
     let Some(document) = view.session.program().shown() else {
         quiet(ui, view.text("program-page-nothing"));

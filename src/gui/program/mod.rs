@@ -8,8 +8,8 @@
 //! | `form_panel` | left: the inputs of 8255, the workpiece, program and native answer side by side |
 //! | `answer_panel` | right: windows, files, what was measured |
 //! | `watch_panel` | right, below: parameters |
-//! | `path_panel` | below the listing: the way of the probe |
-//! | `notes_panel` | below the listing: errors, warnings and remarks, to be jumped to |
+//! | `path_panel` | below the listing: the path of the probe |
+//! | `notes_panel` | below the listing: errors, warnings and remarks, each a link to its block |
 
 mod answer_panel;
 mod form_panel;
@@ -38,7 +38,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     focus_first(ui, view);
     tick(ui, view);
     let size = ui.available_size();
-    // Where the window is low, the way of the probe stands below the inputs.
+    // Where the window is low, the path of the probe is below the inputs.
     let (narrow, low) = (size.x < 1200.0, size.y < 640.0);
     Panel::top("program-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
     let side = if narrow { space(64.0) } else { space(74.0) };
@@ -53,7 +53,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     let side = if narrow { space(78.0) } else { space(90.0).max(size.x * 0.26) };
     Panel::right("program-answer").exact_size(side).show(ui, |ui| {
-        // The parameters keep a share of the height whatever there is above them.
+        // The parameters keep a share of the height whatever is above them.
         let height = (ui.available_height() * 0.4).max(space(44.0));
         Panel::bottom("program-watch").exact_size(height).show(ui, |ui| watch_panel::watch_ui(ui, view));
         CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
@@ -81,7 +81,7 @@ fn focus_first(ui: &Ui, view: &View<'_>) {
     }
 }
 
-/// A column that scrolls where the window is low; the floating bar never lies on its content.
+/// A column that scrolls where the window is low; the floating bar never covers its content.
 fn column_ui(ui: &mut Ui, id: &str, content: impl FnOnce(&mut Ui)) {
     ScrollArea::vertical().id_salt(id).auto_shrink(false).show(ui, |ui| {
         ui.set_max_width(ui.available_width() - space(2.5));

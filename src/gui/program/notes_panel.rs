@@ -1,4 +1,4 @@
-//! Below the listing: errors, warnings and remarks, one a line; a click shows the block.
+//! Below the listing: errors, warnings and remarks, one per line; a click shows the block.
 
 use eframe::egui::{Button, Panel, RichText, ScrollArea, Sense, Ui, vec2};
 
@@ -10,10 +10,10 @@ use crate::session::ProgramCommand;
 use crate::session::program::{NoteKind, Run};
 use crate::verdict::Status;
 
-/// How many lines are seen without scrolling.
+/// How many lines are visible without scrolling.
 const LINES: u8 = 4;
 
-/// The panel, where there is something to tell.
+/// The panel, where there are notes.
 pub(super) fn notes_ui(ui: &mut Ui, view: &mut View<'_>) {
     let program = view.session.program();
     let count = program.note_count();

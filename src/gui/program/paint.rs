@@ -11,7 +11,7 @@ use crate::verdict::Status;
 /// The most bytes of a line that are drawn.
 const LONGEST: usize = 2_000;
 
-/// A line with its parts told apart.
+/// A line with its parts distinguished.
 pub(super) fn line(text: &str, begins: bool, palette: &Palette) -> LayoutJob {
     let end = text.floor_char_boundary(LONGEST.min(text.len()));
     let text = text.get(..end).unwrap_or(text);
@@ -29,7 +29,7 @@ pub(super) fn line(text: &str, begins: bool, palette: &Palette) -> LayoutJob {
     job
 }
 
-/// Colours are quiet: whoever sees none reads the same.
+/// Colours are quiet: the line reads the same without them.
 fn format(token: Token, palette: &Palette) -> TextFormat {
     let colour = match token {
         Token::Plain | Token::Text | Token::Heading => palette.text.0,
@@ -66,7 +66,7 @@ pub(super) fn current(painter: &Painter, rect: Rect, failed: bool, palette: &Pal
     painter.add(Shape::convex_polygon(points, palette.accent.0, Stroke::NONE));
 }
 
-/// What a run does, as on a player: triangle, two bars, square, cross.
+/// The state of a run, as on a player: triangle, two bars, square, cross.
 pub(super) fn state(painter: &Painter, rect: Rect, state: Option<State>, palette: &Palette) {
     let rect = rect.shrink(rect.height() * 0.15);
     let colour = palette.text.0;

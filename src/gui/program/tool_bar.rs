@@ -10,7 +10,7 @@ use crate::nc::machine::Shipped;
 use crate::session::program::{Document, EntryKind, Origin, Run, Speed, State, Switch};
 use crate::session::{Action, Command, ProgramCommand, Purpose};
 
-/// Two rows: what is done with the program, and where the run is.
+/// Two rows: what can be done with the program, and where the run is.
 pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
@@ -45,7 +45,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
         for path in view.session.program().recent() {
             let chosen = view.session.program().origin() == Some(&Origin::File(path.clone()));
             if ui.selectable_label(chosen, path.display().to_string()).clicked() {
-                // As if it were opened anew: it may have changed.
+                // As if it were opened again: it may have changed.
                 view.send(Command::OpenDialog(Purpose::OpenProgram));
                 view.send(Command::Picked(Some(path.clone())));
             }

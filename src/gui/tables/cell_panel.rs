@@ -20,12 +20,12 @@ struct Selected<'a> {
     class: ToleranceClass,
     range: usize,
     cell: Option<Deviations>,
-    /// What ISO 286 says for the whole range, where it says one thing.
+    /// What ISO 286 gives for the whole range, where it gives one thing.
     standard: Option<Deviations>,
     differences: &'a [Difference],
 }
 
-/// How many differences of one cell are told: a range may cover many steps of the standard.
+/// How many differences of one cell are listed: a range may cover many steps of the standard.
 const MOST_TOLD: usize = 6;
 
 /// The panel's content.
@@ -54,7 +54,7 @@ fn title_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>) {
     });
 }
 
-/// Table, ISO 286 and how far apart they are: upper over lower.
+/// Table, ISO 286 and their difference: upper over lower.
 fn figures_ui(ui: &mut Ui, view: &mut View<'_>, selected: &Selected<'_>) {
     let rows = [(TablesField::CellUpper, "tables-upper"), (TablesField::CellLower, "tables-lower")];
     Grid::new("cell-figures").num_columns(4).min_row_height(0.0).spacing(vec2(space(3.0), space(1.0))).show(ui, |ui| {
@@ -92,7 +92,7 @@ fn right_ui(ui: &mut Ui, height: f32, figure: impl FnOnce(&mut Ui) -> Response) 
     ui.allocate_ui_with_layout(vec2(space(15.0), height), Layout::right_to_left(Align::Center), figure);
 }
 
-/// A field of the cell. Enter puts both into the table and goes back to the cells, Escape goes back without.
+/// A field of the cell. Enter puts both into the table and goes back to the cells; Escape goes back without a change.
 fn value_ui(ui: &mut Ui, view: &mut View<'_>, field: TablesField, name: Id) {
     let response = field_ui(ui, view, field, name, Look::number(space(18.0)));
     let pressed = |key| ui.input(|input| input.key_pressed(key));

@@ -1,4 +1,4 @@
-//! The cells in sight: size ranges down, classes across, heads that stay. It takes the focus as a whole.
+//! The cells in sight: size ranges down, classes across, heads that stay. The grid takes the focus as a whole.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::scroll_area::ScrollAreaOutput;
@@ -32,7 +32,7 @@ impl Measures {
     }
 }
 
-/// The grid in what room there is.
+/// The grid in the room that is left.
 pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     let Some(document) = view.session.tables().shown() else { return };
     let measures = Measures::new();
@@ -46,7 +46,7 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     let body = Rect::from_min_max(rect.min + measures.head, rect.max);
     let room = UiBuilder::new().max_rect(body).id_salt("table-body");
     let output = ui.scope_builder(room, |ui| {
-        // Cut cells are seen as cut; a fade would lie on the selected one.
+        // Cut cells look cut already; a fade would cover the selected one.
         ui.spacing_mut().scroll.fade.strength = 0.0;
         let number = view.session.tables().number();
         let area = ScrollArea::both().id_salt(("table", number)).auto_shrink(false);
@@ -66,7 +66,7 @@ struct Place {
     rect: Rect,
 }
 
-/// Draws the cells that the viewport shows; answers where the first one is.
+/// Draws the cells that the viewport shows; returns where the first one is.
 fn body_ui(ui: &mut Ui, view: &mut View<'_>, measures: &Measures, viewport: Rect, focused: bool) -> Pos2 {
     let Some(document) = view.session.tables().shown() else { return viewport.min };
     let filter = view.session.tables().filter();
@@ -167,7 +167,7 @@ fn follow(ui: &Ui, view: &View<'_>, document: &Document, measures: &Measures, co
     }
 }
 
-/// The heads above and on the left, moved as the cells are.
+/// The heads above and on the left, moved along with the cells.
 fn heads_ui(
     ui: &Ui,
     view: &View<'_>,

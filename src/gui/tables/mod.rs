@@ -27,7 +27,7 @@ pub(super) fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
     let side = if size.x < 1200.0 { space(72.0) } else { space(80.0) };
     Panel::right("table-cell").exact_size(side).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            // The scroll bar floats: it must not lie on the fields.
+            // The scroll bar floats: it must not cover the fields.
             ui.set_max_width(ui.available_width() - space(2.5));
             cell_panel::cell_panel_ui(ui, view);
             ui.separator();

@@ -7,7 +7,7 @@ use crate::length::Length;
 use crate::tolerance::Deviations;
 use crate::words::Words;
 
-/// What is to be seen of a cell.
+/// What is shown of a cell.
 pub(super) struct Look<'a> {
     pub palette: &'a Palette,
     pub words: &'a Words,
@@ -25,7 +25,7 @@ pub(super) struct Look<'a> {
 pub(super) enum Selection {
     None,
     Selected,
-    /// And the keyboard is here.
+    /// The same, and the grid has the focus.
     Focused,
 }
 
@@ -61,7 +61,7 @@ pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
     painter.rect_stroke(rect, 2.0, Stroke::new(width, palette.accent.0), StrokeKind::Inside);
 }
 
-/// A deviation, its decimals behind the room that the column's longest ones need.
+/// A deviation; its decimals take the room that the column's longest ones need.
 fn figure(painter: &Painter, rect: Rect, y: f32, look: &Look<'_>, length: Length) {
     let text = look.words.signed_um(length);
     let sign = look.words.language().decimal_sign();

@@ -14,7 +14,7 @@ use crate::session::tables::{Origin, TableChoice};
 use crate::session::{Action, TablesCommand, TablesField};
 use crate::verdict::Status;
 
-/// Two rows: what is done with the table, and what is seen of it.
+/// Two rows: what can be done with the table, and what is shown of it.
 pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
@@ -40,7 +40,7 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
 }
 
-/// The name of a table with what it is.
+/// The name of a table and what kind it is.
 fn told(view: &View<'_>, title: &str, origin: Origin) -> String {
     let kind = match origin {
         Origin::Shipped => "tables-kind-shipped",
@@ -128,7 +128,7 @@ fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// Below the cells: whether anything would be lost, and the keys.
+/// Below the cells: whether anything is unsaved, and the keys.
 pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
     let Some(document) = view.session.tables().shown() else { return };
     ui.horizontal_centered(|ui| {

@@ -7,7 +7,7 @@
 //! | `table` | a row for every entry |
 //! | `shortcut` | keys, without a window |
 //!
-//! Choices among what a user has (a class, a table of the list, a block) are no actions: they send commands.
+//! Choices among what a user has (a class, a table of the list, a block) are not actions: they send commands.
 
 mod shortcut;
 mod table;
@@ -75,7 +75,7 @@ impl Place {
         }
     }
 
-    /// What is nearer goes first: where two places know the same keys, those of the smaller one count.
+    /// The nearer place goes first: where two places use the same keys, the smaller one takes them.
     const fn rank(self) -> u8 {
         match self {
             Self::Part(_) => 0,
@@ -86,7 +86,7 @@ impl Place {
     }
 }
 
-/// The list, with the values of an action that is one for each of them.
+/// The list; an action with a value is one action for each of its values.
 macro_rules! actions {
     ($($(#[$doc:meta])* $name:ident $(($of:ty): $all:expr)?;)*) => {
         /// Something that a user can do by menu, button or key.
@@ -117,7 +117,7 @@ actions! {
     Export(usize): 0..RENDERINGS.len();
     /// Writes the status window's text.
     ExportStatus;
-    /// Light, dark, or as the system.
+    /// Chooses light, dark, or the system's setting.
     UseTheme(Theme): [Theme::System, Theme::Light, Theme::Dark];
     /// Looks limits up in a source of the list.
     UseSource(Base): Base::ALL;
@@ -127,11 +127,11 @@ actions! {
     Edition1988;
     /// Reads a folder of the user's own tables.
     LoadTables;
-    /// Uses no tables of the user's own any more.
+    /// Stops using the user's own tables.
     NoOwnTables;
     /// Reads a mask.
     LoadMask;
-    /// Takes back the last change of the history.
+    /// Undoes the last change of the history.
     Undo;
     /// Empties the history.
     ClearHistory;
@@ -174,7 +174,7 @@ actions! {
     OpenContacts;
     /// Reads a touch-probe table.
     OpenProbes;
-    /// Takes the shipped touch-probe table.
+    /// Takes the built-in touch-probe table.
     ShippedProbes;
     /// Opens the field for an NC block.
     PasteBlock;
@@ -193,9 +193,9 @@ actions! {
     OpenTable;
     /// Writes the shown table in a format of the tables' list, by its number there.
     SaveTable(usize): 0..TABLE_FORMATS.len();
-    /// Takes the shown table's last edit back.
+    /// Undoes the last edit of the shown table.
     UndoEdit;
-    /// Does it again.
+    /// Redoes it.
     RedoEdit;
     /// Looks limits up in the shown table first.
     UseTable;
@@ -230,15 +230,15 @@ actions! {
     PauseProgram;
     /// Runs one block.
     StepProgram;
-    /// Runs one block with all that it calls.
+    /// Runs one block, including everything that it calls.
     StepOver;
     /// Runs up to the selected block.
     RunToSelected;
-    /// Sets a breakpoint at the selected block, or takes it.
+    /// Sets a breakpoint at the selected block, or removes it.
     ToggleBreakpoint;
     /// Goes back to before the first block.
     ResetProgram;
-    /// Switches something about the run.
+    /// Switches an option of the run on or off.
     Switch(Switch): Switch::ALL;
     /// Goes to another block.
     MoveBlock(Step): Step::BLOCKS;
@@ -256,12 +256,12 @@ impl Action {
         self.row().place
     }
 
-    /// All its keys, also where another action has the first word. The first one is the one that is told.
+    /// All its keys, even those that another action takes first. The first one is shown to the user.
     pub fn shortcuts(self) -> impl Iterator<Item = Shortcut> {
         self.row().keys.into_iter().flatten()
     }
 
-    /// The keys that are told on a page; `None` where it has none, or another action of the page has them.
+    /// The keys that are shown on a page; `None` where it has none, or where another action of the page takes them.
     pub fn shortcut_on(self, page: Page) -> Option<Shortcut> {
         let place = self.place();
         let first = self.shortcuts().next().filter(|_| place.is_on(page))?;
@@ -269,7 +269,7 @@ impl Action {
             let of_other = other.place();
             of_other.is_on(page) && of_other.rank() < place.rank() && other.shortcuts().any(|other| other == first)
         };
-        // Escape is whose it can be: of a run that goes on, or of what lies over the page.
+        // Escape belongs to whatever can use it: a run that goes on, or what lies over the page.
         (first.key == Key::Escape || !Self::all().any(is_taken)).then_some(first)
     }
 
@@ -287,7 +287,7 @@ impl Action {
         }
     }
 
-    /// What it is called, in the words of a language.
+    /// Its name, in the words of a language.
     pub fn text(self, session: &Session, words: &Words) -> String {
         match self {
             Self::Export(number) => {
@@ -307,7 +307,7 @@ impl Action {
         }
     }
 
-    /// The id of what more is to be said about it.
+    /// The id of a further explanation.
     pub fn hint(self) -> Option<&'static str> {
         self.row().hint
     }
@@ -330,7 +330,7 @@ impl Session {
         (action.row().possible)(self)
     }
 
-    /// What closes what lies uppermost over the page.
+    /// The command that closes the topmost thing over the page.
     fn uppermost(&self) -> Option<Command> {
         let is_on = |page| self.page() == page;
         let has_notice = !self.notices().is_empty();
@@ -347,12 +347,12 @@ impl Session {
         }
     }
 
-    /// What keys do now, the nearest place first: `part` has the focus, or a text field (`is_typing`).
+    /// The actions of the keys now, the nearest place first: `part` has the focus, or a text field (`is_typing`).
     pub fn keys(&self, part: Option<Part>, is_typing: bool) -> Vec<(Shortcut, Action)> {
         let is_covered = self.dialog().is_some() || self.is_leaving();
         let is_heard = |action: Action| match action.place() {
             Place::Everywhere => true,
-            // Its window lies over the listing, and takes Escape.
+            // The workpiece's window lies over the listing, and takes Escape.
             Place::Page(Page::Program) if self.workpiece_is_open() => false,
             Place::Part(of) => part == Some(of) && of.page() == self.page(),
             place => place.is_on(self.page()),
@@ -368,7 +368,7 @@ impl Session {
     }
 }
 
-/// With a capital at the beginning, as an entry of a menu.
+/// Capitalised, as an entry of a menu.
 fn capitalised(text: &str) -> String {
     let mut chars = text.chars();
     chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()

@@ -1,4 +1,4 @@
-//! Keys as they are told to a user, without a window.
+//! Keys as they are shown to a user, without a window.
 
 use std::fmt;
 
@@ -29,7 +29,7 @@ pub enum Held {
 /// A key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Key {
-    /// A capital letter or a figure.
+    /// A capital letter or a digit.
     Character(char),
     /// A function key by its number.
     Function(u8),
@@ -70,7 +70,7 @@ impl Shortcut {
         Self { held: Held::Ctrl, key: Key::Character(key) }
     }
 
-    /// Whether a text field that has the focus takes the keys for itself: it takes its own text back.
+    /// Whether a text field that has the focus uses the keys itself, to undo its own edits.
     pub(super) const fn is_of_text(self) -> bool {
         matches!(self, Self { held: Held::Ctrl | Held::CtrlShift, key: Key::Character('Z' | 'Y') })
     }

@@ -15,7 +15,7 @@ use crate::tolerance::{Deviations, Feature, ToleranceClass};
 pub(super) struct Row {
     /// The id of its text.
     pub text: &'static str,
-    /// The id of what more is to be said.
+    /// The id of a further explanation.
     pub hint: Option<&'static str>,
     pub place: Place,
     pub keys: [Option<Shortcut>; 2],
@@ -26,7 +26,7 @@ pub(super) struct Row {
 /// What an action sends.
 pub(super) enum Sends {
     Always(Command),
-    /// What depends on the state: a switch is turned to its other side.
+    /// A command that depends on the state: a switch is turned to its other side.
     FromState(fn(&Session) -> Command),
 }
 
@@ -356,13 +356,13 @@ fn has_cell(session: &Session) -> bool {
     selected(session).is_some()
 }
 
-/// What stands in the selected cell.
+/// What is in the selected cell.
 fn cell(session: &Session) -> Option<Deviations> {
     let (document, (class, range)) = selected(session)?;
     document.cell(class, range)
 }
 
-/// One block more can be run: the run, if there is one, waits.
+/// Whether one more block can be run: the run, if there is one, waits.
 fn can_step(session: &Session) -> bool {
     let program = session.program();
     !program.is_running() && !program.run().is_some_and(Run::is_over)

@@ -1,4 +1,4 @@
-//! What commands and news make of the check page.
+//! How commands and news change the check page.
 
 use std::sync::Arc;
 
@@ -110,7 +110,7 @@ impl CheckPage {
         }
         self.clear_shown(sources);
         if self.asked.callout().is_some_and(|callout| callout.feature().is_some()) {
-            // The next callout without letters asks anew.
+            // The next callout without letters asks again.
             self.feature = None;
         }
         if self.measured_is_used {

@@ -62,7 +62,7 @@ pub(in crate::session) fn class_text(callout: &str) -> &str {
 }
 
 impl Asked {
-    /// Reads the fields. Empty optional fields are no error; a number that cannot be used is.
+    /// Reads the fields. Empty optional fields are not an error; a number that cannot be used is one.
     pub(super) fn read(texts: &Texts<CheckField>, feature: Option<Feature>, sources: &Sources) -> Self {
         let mut asked = Self::default();
         asked.read_callout(texts.text(CheckField::Callout), feature, sources);
@@ -98,7 +98,7 @@ impl Asked {
         self.errors.insert(CheckField::Callout, problem);
     }
 
-    /// The cycles for a hole and for a shaft have the same ranges but for their limits.
+    /// The cycles for a hole and for a shaft have the same ranges except for their limits.
     fn read_parameter(&mut self, field: CheckField, meaning: Meaning, text: &str) {
         let Some(parameter) = measuring(Feature::Hole).meant(meaning) else { return };
         match parameter.accept(text) {
@@ -159,8 +159,8 @@ impl Asked {
         self.errors.insert(field, problem);
     }
 
-    /// Shows the limits of a record, which may have come without a callout. A fit stays one: its other part can still be
-    /// chosen.
+    /// Shows the limits of a record, which may have come without a callout. A fit stays a fit: its other part can still
+    /// be chosen.
     pub(super) fn show_limits(&mut self, limits: Limits, callout: Option<Callout>) {
         if self.callout.map(|asked| asked.of_part(limits.feature)) != callout {
             self.callout = callout;

@@ -28,7 +28,7 @@ pub enum CheckCommand {
     Choose(usize, bool),
     /// Empties the history.
     ClearHistory,
-    /// Takes back the last change of the history.
+    /// Undoes the last change of the history.
     Undo,
     /// A file of measurements was read and understood, or not.
     Imported {

@@ -1,4 +1,4 @@
-//! From the fields to a measurement and a record; from an imported file to what is told about it.
+//! From the fields to a measurement and a record; from an imported file to the notice about it.
 
 use jiff::civil::DateTime;
 
@@ -15,7 +15,7 @@ use crate::session::shared::Notice;
 use crate::tolerance::Limits;
 use crate::verdict::{AxisPosition, PositionVerdict};
 
-/// What measuring refused, and beside which field it is said.
+/// The field that measuring refused, and why.
 type Refusal = (CheckField, Message);
 
 /// Measures as the fields say.
@@ -99,7 +99,7 @@ fn workpiece(asked: &Asked, limits: &Limits, position: &ProbePosition) -> Result
     Ok((workpiece, Probe { trigger_scatter: mm(CheckField::ProbeScatter)?, ..Probe::STILL }))
 }
 
-/// What is told about an imported file: how many checks, and every row that could not be used.
+/// The notice about an imported file: how many checks, and every row that could not be used.
 pub(super) fn import_notice(name: &str, imported: &Imported) -> Notice {
     let good = imported.records.len() + usize::from(imported.contacts.is_some());
     let message =

@@ -1,4 +1,4 @@
-//! What commands and news make of the cycles page.
+//! How commands and news change the cycles page.
 
 use jiff::civil::DateTime;
 
@@ -56,7 +56,7 @@ impl PageState for CyclesPage {
 
     fn follow(&mut self, news: &News, _shared: &mut Shared) {
         match news {
-            // Other sources do not know the workpiece.
+            // Other sources do not use the workpiece.
             News::Workpiece if self.from == ContactsFrom::Simulated => self.changed(),
             News::WorkpieceTaken => self.take_from(ContactsFrom::Simulated),
             News::ContactsTaken => self.take_from(ContactsFrom::Recorded),

@@ -16,7 +16,7 @@ pub enum CyclesCommand {
     From(ContactsFrom),
     /// Takes a row of the touch-probe table by its number.
     ChooseProbe(u32),
-    /// Takes the shipped touch-probe table.
+    /// Takes the built-in touch-probe table.
     ShippedProbes,
     /// Runs the cycle.
     Run,

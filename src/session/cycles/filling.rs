@@ -25,7 +25,7 @@ impl CyclesPage {
         SavedCycles { cycle: Some(self.cycle.number), texts: texts.collect() }
     }
 
-    /// Takes what was saved; what no cycle knows any more is left out.
+    /// Takes the saved values; those that no cycle knows any more are left out.
     pub(super) fn restore(&mut self, saved: &SavedCycles) {
         for (name, text) in &saved.texts {
             let known = name.split_once(' ').and_then(|(number, key)| {
@@ -39,7 +39,7 @@ impl CyclesPage {
         self.choose(saved.cycle.unwrap_or(self.cycle.number));
     }
 
-    /// All of a block or nothing: half of one would run with the rest of another.
+    /// Takes all of a block or nothing: half of it would run with the rest of another.
     pub(super) fn take_block(&mut self) {
         let Some(text) = &self.block else { return };
         match self.taken(&text.clone()) {
@@ -56,7 +56,7 @@ impl CyclesPage {
         let cycle = block.cycle;
         self.texts.retain(|(number, _), _| *number != cycle.number);
         for setting in &block.settings {
-            // The reader has refused what the cycle does not have.
+            // The reader has refused parameters that the cycle does not have.
             if let Some(parameter) = cycle.parameter_named(&setting.key) {
                 let text = setting.text.trim_start_matches('+').to_owned();
                 self.texts.insert((cycle.number, parameter.key), text);
@@ -72,7 +72,7 @@ impl CyclesPage {
         block.map(|block| block.replace("\r\n", "\n")).map_err(|error| error.message())
     }
 
-    /// A workpiece that suits the cycle: where the ball does not go into it, a point measures.
+    /// A workpiece that suits the cycle; where the ball does not fit into it, the probe is a point.
     pub(in crate::session) fn suited(&self, shared: &Shared) -> Result<Simulation, Message> {
         let nominal = self.cycle.nominal(&self.inputs).map_err(|error| error.message())?;
         let simulation = shared.workpiece.form.suited(nominal);

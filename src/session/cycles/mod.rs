@@ -128,7 +128,7 @@ impl CyclesPage {
         self.inputs.value(parameter.key).cloned().or_else(|| parameter.default_with(&self.inputs))
     }
 
-    /// Whether PREDEF was typed for a parameter, so that its value has to be said elsewhere.
+    /// Whether PREDEF was typed for a parameter, so that its value must be given elsewhere.
     pub fn is_predef(&self, key: Key) -> bool {
         self.inputs.value(key) == Some(&Value::Predef)
     }

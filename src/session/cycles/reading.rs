@@ -54,7 +54,7 @@ impl CyclesPage {
         }
     }
 
-    /// All three or none: a half position would be guessed.
+    /// All three or none: an incomplete position would be a guess.
     fn read_position(&mut self) -> Option<[f64; 3]> {
         if Axis::ALL.iter().all(|axis| self.text(CycleField::Position(*axis)).trim().is_empty()) {
             return None;

@@ -26,7 +26,7 @@ pub struct CycleRun {
     pub cycle: &'static Cycle,
     /// Where its contacts came from.
     pub from: Message,
-    /// The way of the ball's centre, also where the cycle did not come to its end.
+    /// The path of the ball's centre, even where the cycle did not reach its end.
     pub path: Vec<Move>,
     /// The surface that the cycle expects.
     pub nominal: Option<Surface>,
@@ -40,7 +40,7 @@ pub struct CycleRun {
     pub unused: usize,
     /// Its measuring log, where it asks for one (Q281), or why there is none.
     pub log: Option<Result<RunLog, Message>>,
-    /// When.
+    /// The time of the run.
     pub time: DateTime,
 }
 
@@ -53,12 +53,12 @@ pub struct RunLog {
     pub bytes: Vec<u8>,
     /// The text of a log that the control shows on its screen.
     pub shown: Option<String>,
-    /// Where its rounded figures say something else than the cycle.
+    /// The verdict of its rounded figures, where that differs from the cycle's.
     pub other: Option<OtherVerdict>,
 }
 
 impl RunLog {
-    /// The log of a result, as Q281 asks for it; a page of points is written only, never shown.
+    /// The log of a result, as Q281 asks for it; a page of points is only written, never shown.
     fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Dialogue) -> Option<Result<Self, Message>> {
         let (LogTarget::File(_) | LogTarget::Screen) = result.log else { return None };
         let (name, is_shown) = (cycle.log.file()?.to_owned(), result.log == LogTarget::Screen);
@@ -162,7 +162,7 @@ impl CyclesPage {
         })
     }
 
-    /// Where contacts come from, and how that is said.
+    /// The source of the contacts, and the message that names it.
     fn source<'a>(&self, shared: &'a Shared) -> Result<(Source<'a>, Message), Message> {
         match self.from {
             ContactsFrom::Perfect => Ok((Source::Perfect, Message::new("cycles-from-perfect"))),

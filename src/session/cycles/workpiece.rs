@@ -21,7 +21,7 @@ pub struct WorkpieceForm {
 }
 
 impl Default for WorkpieceForm {
-    /// A bore as a shop makes it, and a usual probe with a ball.
+    /// A hole as a workshop makes it, and an ordinary probe with a ball.
     fn default() -> Self {
         let bore = Surface::Round(Workpiece::usual(Feature::Hole, 25.0), Plane::Xy);
         Self::of(&Simulation { probe: Probe { ball_radius: 3.0, ..Probe::USUAL }, ..Simulation::perfect(bore) })
@@ -58,7 +58,7 @@ impl WorkpieceForm {
 
     fn fill_surface(&mut self, surface: &Surface) {
         use WorkpieceField as F;
-        // What other kinds ask for keeps a sensible start.
+        // The figures of other kinds of surface keep sensible initial values.
         self.put([F::PointX, F::PointY, F::PointZ], [0.0; 3]);
         self.put([F::NormalX, F::NormalY, F::NormalZ], [0.0, 0.0, 1.0]);
         self.put([F::WaveX, F::WaveY, F::WaveZ], [1.0, 0.0, 0.0]);
@@ -163,8 +163,8 @@ impl WorkpieceForm {
         self.read();
     }
 
-    /// A workpiece that a cycle expects, with the form and the roughness that a shop gives it; probe, seed and
-    /// temperature stay. A point of a free surface and a face stand for each other: the chosen one stays.
+    /// The workpiece that a cycle expects, with the form and the roughness that a workshop gives it; probe, seed and
+    /// temperature stay. A point of a free surface and a face can replace each other: the chosen one stays.
     pub(super) fn suited(&self, nominal: Surface) -> Simulation {
         let rough: f64 = 0.0003;
         let surface = match nominal {
@@ -279,7 +279,7 @@ impl WorkpieceForm {
         Some(Probe { trigger_scatter, ball_radius, calibration_error, offset, lobing })
     }
 
-    /// Two figures that may only be left out together: one alone would be guessed.
+    /// Two figures that may only be left out together: with one alone, the other would be a guess.
     fn both(&mut self, fields: [WorkpieceField; 2]) -> Option<[f64; 2]> {
         for field in fields {
             if self.text(field).trim().is_empty() {
@@ -295,7 +295,7 @@ impl WorkpieceForm {
         let count = self.whole(count);
         let (amplitude, angle) = (self.figure(height), self.figure(angle));
         let lobes = Lobes { count: count?, amplitude: amplitude?, angle: angle? };
-        // None are none, however many there would be.
+        // Without an amplitude, a count below 2 means no lobes.
         Some(if lobes.amplitude <= 0.0 && lobes.count < 2 { Lobes { count: 0, ..lobes } } else { lobes })
     }
 

@@ -1,17 +1,17 @@
-//! The figures of the simulated workpiece and probe: which there are, their units, and which one a refusal means.
+//! The figures of the simulated workpiece and probe: their names, their units, and which one an error means.
 
 use crate::probing::simulated::{Shape, WorkpieceError};
 
-/// What is declared of a figure.
+/// The declaration of a figure.
 struct Declared {
     name_id: &'static str,
     unit: &'static str,
-    /// What the simulated machine calls it where it refuses it.
+    /// Its names in the errors of the simulated machine.
     refused_as: &'static [&'static str],
 }
 
-/// The figures, a row each: what it is, the id of its name, its unit, and what the simulated machine calls it where it
-/// refuses it.
+/// The figures, a row each: what it is, the id of its name, its unit, and its names in the errors of the simulated
+/// machine.
 macro_rules! figures {
     ($($(#[$doc:meta])* $field:ident: $name:literal, $unit:literal, $refused:expr;)+) => {
         /// A figure of the simulated workpiece or probe.
@@ -89,9 +89,9 @@ figures! {
     BallRadius: "workpiece-ball", "mm", ["ball radius"];
     /// Scatter of the trigger point, one sigma, mm.
     TriggerScatter: "workpiece-trigger", "mm", ["probe scatter"];
-    /// How much too large the ball's radius was calibrated, mm.
+    /// By how much the ball's radius was calibrated too large, mm.
     CalibrationError: "workpiece-calibration", "mm", ["calibration error"];
-    /// How far the ball lies off the spindle's axis, X, mm; empty is what calibration found.
+    /// How far the ball lies off the spindle's axis, X, mm; empty takes what calibration found.
     OffsetX: "workpiece-offset-x", "mm", ["offset"];
     /// The same in Y.
     OffsetY: "workpiece-offset-y", "mm", [];
@@ -105,7 +105,7 @@ figures! {
     Seed: "seed", "", [];
     /// Temperature of the workpiece, °C.
     Temperature: "workpiece-temperature", "°C", ["temperature"];
-    /// How much it grows, millionths per kelvin.
+    /// Its expansion, millionths per kelvin.
     Expansion: "workpiece-expansion", "µm/(m K)", ["expansion"];
 }
 
@@ -144,7 +144,7 @@ impl WorkpieceField {
         Self::ALL.get(place(first)..=place(last)).unwrap_or_default()
     }
 
-    /// Whether nothing is an answer.
+    /// Whether it may be empty.
     pub const fn is_optional(self) -> bool {
         matches!(self, Self::WaveHeight | Self::Radius | Self::OffsetX | Self::OffsetY)
     }
@@ -159,7 +159,7 @@ impl WorkpieceField {
         self.declared().name_id
     }
 
-    /// The field of a figure that the simulated machine refuses by this name.
+    /// The field of the figure that an error of the simulated machine names.
     pub(super) fn named(error: &WorkpieceError, shape: Shape) -> Self {
         let place = if matches!(shape, Shape::Face | Shape::Point) { Self::PointX } else { Self::CentreX };
         let is_it = |field: &&Self| field.declared().refused_as.contains(&error.what);

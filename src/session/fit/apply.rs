@@ -1,4 +1,4 @@
-//! What commands and news make of the fit page.
+//! How commands and news change the fit page.
 
 use jiff::civil::DateTime;
 
@@ -68,7 +68,7 @@ impl FitPage {
         }
     }
 
-    /// One side of the fit goes to the check page.
+    /// Takes one side of the fit to the check page.
     fn check_part(&self, part: Feature, shared: &mut Shared) {
         let Some(class) = self.class(part) else { return };
         shared.spread(News::Check(self.with_nominal(class.as_str())));

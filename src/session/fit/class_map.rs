@@ -1,4 +1,4 @@
-//! Every class of holes or of shafts at one size: what can be chosen, where it lies, what stands beside it.
+//! Every class of holes or of shafts at one size: what can be chosen, where it lies, and its neighbours.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,13 +29,13 @@ pub struct ClassMap {
 }
 
 impl ClassMap {
-    /// Every class that the sources define at a size: those of the standard, where one is asked, and those of the
+    /// Every class that the sources define at a size: those of the standard, where one is used, and those of the
     /// tables.
     pub(super) fn new(feature: Feature, nominal: Length, sources: &Sources) -> Self {
         let standard = sources.standard_classes_at(feature, nominal).map(|(class, _)| class);
         let mut map = Self::default();
         for class in standard.chain(sources.table_classes(feature)) {
-            // An own table may say something else than the standard, or that the class is not defined here.
+            // An own table may differ from the standard, or say that the class is not defined here.
             let callout = Callout::new(nominal, class).ok();
             if let Some(limits) = callout.and_then(|callout| sources.limits(&callout, None).ok()) {
                 map.put(class, limits.deviations);
@@ -62,7 +62,7 @@ impl ClassMap {
         self.cells.is_empty() && self.others.is_empty()
     }
 
-    /// The grades that some class has, from the finest.
+    /// The grades that some class has, finest first.
     pub fn grades(&self) -> impl Iterator<Item = Grade> {
         self.grades.iter().copied()
     }
@@ -72,7 +72,7 @@ impl ClassMap {
         self.cells.get(&(grade, letter))
     }
 
-    /// Classes of own tables that are none of the standard's.
+    /// Classes of own tables that the standard does not have.
     pub fn others(&self) -> &[ToleranceClass] {
         &self.others
     }
@@ -83,7 +83,7 @@ impl ClassMap {
         in_standard || self.others.contains(&class)
     }
 
-    /// The lowest and the highest deviation of a grade in micrometres, the zero line among them; never the same.
+    /// The lowest and the highest deviation of a grade in micrometres, with the zero line between them; never equal.
     pub fn range_um(&self, grade: Grade) -> (f64, f64) {
         let of_grade = || Letter::ALL.into_iter().filter_map(|letter| self.cell(letter, grade));
         let lowest = of_grade().map(|cell| cell.lower_um).fold(0.0, f64::min);
@@ -91,7 +91,7 @@ impl ClassMap {
         if lowest < highest { (lowest, highest) } else { (-1.0, 1.0) }
     }
 
-    /// The next defined class from another one; `None` at the edge, and from a class that is not in the map.
+    /// The next defined class in the direction of a step; `None` at the edge, or for a class that is not in the map.
     pub fn next(&self, class: ToleranceClass, step: Step) -> Option<ToleranceClass> {
         let (letter, grade) = iso286::parts(class)?;
         let in_row = |letter: &Letter| Some(self.cell(*letter, grade)?.class);
@@ -105,7 +105,7 @@ impl ClassMap {
         }
     }
 
-    /// The class to begin with where none is chosen yet: H7 or h6 where there are such, else the first.
+    /// The class to begin with where none is chosen yet: H7 or h6 if the map has it, else the first.
     pub fn first(&self) -> Option<ToleranceClass> {
         let usual = |number| self.cell(Letter::H, Grade::numbered(number)?);
         let is_hole = self.cells.values().next()?.class.feature() == Feature::Hole;

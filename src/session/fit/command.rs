@@ -15,7 +15,7 @@ pub enum FitCommand {
     TakePair(ToleranceClass, ToleranceClass),
     /// Takes a class for its side; the nominal size and the other side stay.
     ChooseClass(ToleranceClass),
-    /// Takes the next class of the map that is shown, as an arrow points.
+    /// Takes the next class of the map that is shown, in the direction of an arrow.
     Move(Step),
     /// Shows the map of hole classes or of shaft classes.
     ShowClasses(Feature),

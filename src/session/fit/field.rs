@@ -19,9 +19,9 @@ kept_fields! {
     HoleExpansion: "hole-expansion", "11.5";
     /// Expansion of the shaft's material, 10⁻⁶/K.
     ShaftExpansion: "shaft-expansion", "11.5";
-    /// The smallest clearance that is searched for, mm; negative is an interference.
+    /// The smallest clearance to search for, mm; negative is an interference.
     WantedMinimum: "wanted-minimum", "";
-    /// The largest clearance that is searched for, mm; negative is an interference.
+    /// The largest clearance to search for, mm; negative is an interference.
     WantedMaximum: "wanted-maximum", "";
 }
 

@@ -5,11 +5,11 @@
 //! | here | the state, and what follows from it |
 //! | `field` | the text fields |
 //! | `command`, `apply` | what can be done, and doing it |
-//! | `reading` | callout, measured parts, temperature, search: made anew when a field changes |
+//! | `reading` | callout, measured parts, temperature, search: read anew when a field changes |
 //! | `class_map` | every class at the size, where it lies, and its neighbours |
 //! | `picture` | the classical picture's geometry |
 //!
-//! What costs more than a frame may (every class, every pair) is kept until the size or the sources change.
+//! What takes longer than a frame may (every class, every pair) is kept until the size or the sources change.
 
 mod apply;
 mod class_map;
@@ -49,7 +49,7 @@ pub struct Equivalent {
     pub difference: Result<Difference, Message>,
 }
 
-/// What the measured parts do.
+/// What follows from the measured parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parts {
     /// Both were measured.
@@ -61,19 +61,19 @@ pub enum Parts {
 /// The fit at a temperature of both parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WarmFit {
-    /// How warm.
+    /// The temperature.
     pub temperature: Temperature,
     /// How much more clearance there is than at 20 °C.
     pub change: Length,
-    /// The smallest clearance there.
+    /// The smallest clearance at the temperature.
     pub minimum: Length,
-    /// The largest clearance there.
+    /// The largest clearance at the temperature.
     pub maximum: Length,
-    /// The measured parts' clearance there.
+    /// The clearance of the measured parts at the temperature.
     pub actual: Option<Length>,
 }
 
-/// What a search was made with: while that is the same, so is the answer.
+/// The inputs of a search: while they are the same, so is the answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Asking {
     nominal: Length,
@@ -143,12 +143,12 @@ impl FitPage {
         self.texts.text(field)
     }
 
-    /// The nominal size, also of a callout that is not finished.
+    /// The nominal size, even of an unfinished callout.
     pub const fn nominal(&self) -> Option<Length> {
         self.nominal
     }
 
-    /// The class of a side, as far as it is typed.
+    /// The class of a side, as far as it has been typed.
     pub const fn class(&self, part: Feature) -> Option<ToleranceClass> {
         match part {
             Feature::Hole => self.hole,
@@ -191,7 +191,7 @@ impl FitPage {
         self.expansions.get(&part).copied()
     }
 
-    /// What the measured parts do, when there is a fit and one of them was measured.
+    /// What follows from the measured parts, when there is a fit and at least one of them was measured.
     pub fn parts(&self) -> Option<Parts> {
         let fit = self.fit.as_ref()?;
         match (self.length(FitField::HoleMeasured), self.length(FitField::ShaftMeasured)) {
@@ -210,7 +210,7 @@ impl FitPage {
         }
     }
 
-    /// The fit at another temperature than 20 °C.
+    /// The fit at a temperature other than 20 °C.
     pub fn warm(&self) -> Option<WarmFit> {
         let fit = self.fit.as_ref()?;
         let temperature = self.temperature.filter(|temperature| *temperature != Temperature::REFERENCE)?;
@@ -245,7 +245,7 @@ impl FitPage {
         })
     }
 
-    /// Whether both classes are defined at the size; true as long as there is no size.
+    /// Whether both classes are defined at the size; true while there is no size.
     pub fn is_defined(&self, hole: ToleranceClass, shaft: ToleranceClass) -> bool {
         let has = |class: ToleranceClass| self.map(class.feature()).is_none_or(|map| map.has(class));
         has(hole) && has(shaft)
@@ -256,7 +256,7 @@ impl FitPage {
         self.scope
     }
 
-    /// What the search found; `None` as long as it is not asked for.
+    /// What the search found; `None` while no search is asked for.
     pub fn found(&self) -> Option<Result<&Found, &Message>> {
         self.found.as_ref().map(Result::as_ref)
     }

@@ -47,11 +47,11 @@ pub struct Picture {
 
 /// Kept free above and below what is drawn, as a share of its height.
 const MARGIN: f64 = 0.12;
-/// How far beyond zones and zero line, as a share of their height, a measured part is still brought into sight.
+/// How far beyond zones and zero line, as a share of their height, a measured part is still shown.
 const REACH: f64 = 0.6;
 /// Kept free for the arrow of a part beyond the axis, as a share of the height.
 const ROOM: f64 = 0.16;
-/// Stands for the height of a picture that has none, micrometres.
+/// The height of a picture that would have none, micrometres.
 const HEIGHT_OF_NONE: f64 = 10.0;
 
 fn micrometres(length: Length) -> f64 {

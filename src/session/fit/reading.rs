@@ -1,4 +1,4 @@
-//! What the fields of the fit page mean. What costs more than a frame may is kept until its question changes.
+//! What the fields of the fit page mean. What takes longer than a frame may is kept until its inputs change.
 
 use std::sync::Arc;
 
@@ -35,7 +35,7 @@ impl FitPage {
             return;
         }
         let (nominal, classes) = (nominal_text(text), class_text(text));
-        // The map and the search need the size alone, also while the classes are still being typed.
+        // The map and the search need only the size, even while the classes are being typed.
         self.nominal = nominal.trim_start_matches(['Ø', '⌀']).parse().ok().filter(|nominal| Length::ZERO < *nominal);
         match text.parse::<Callout>() {
             Ok(callout) => {

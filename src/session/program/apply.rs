@@ -1,4 +1,4 @@
-//! What commands and news make of the program page.
+//! How commands and news change the program page.
 
 use jiff::civil::DateTime;
 
@@ -9,7 +9,7 @@ use crate::session::Step;
 use crate::session::command::{Effect, Page};
 use crate::session::shared::{News, PageState, Shared};
 
-/// How many blocks a page is.
+/// How many blocks make a page.
 const PAGE: usize = 20;
 
 impl PageState for ProgramPage {
@@ -99,7 +99,7 @@ impl ProgramPage {
         self.look_at(&place, true);
     }
 
-    /// A program of the call stack: at the block that calls, or that runs next.
+    /// Shows a program of the call stack at the block that calls, or that runs next.
     fn show_program(&mut self, path: NcPath) {
         let calls = self.run.iter().flat_map(Run::calls);
         let place = calls.filter(|place| place.program == path).last();

@@ -13,28 +13,28 @@ use crate::session::Step;
 /// What can be done on the program page.
 #[derive(Debug, Clone)]
 pub enum ProgramCommand {
-    /// Opens a shipped program by its file name.
+    /// Opens a built-in program by its file name.
     OpenShipped(&'static str),
     /// A program's file was read, or not.
     Read {
         /// Its path.
         path: PathBuf,
-        /// The program, and what is odd about it.
+        /// The program and its warnings.
         result: Result<(Box<Document>, Vec<ProgramWarning>), Message>,
     },
     /// Replaces the text of a field.
     Type(ProgramField, String),
     /// Chooses what is measured. Contacts are asked for where there are none.
     ChooseWorkpiece(WorkpieceFrom),
-    /// Runs until a stop, a breakpoint, a fault or the end; goes on where it paused.
+    /// Runs until a stop, a breakpoint, an error or the end; continues where it paused.
     Run,
     /// Runs one block.
     Step,
-    /// Runs one block with all that it calls.
+    /// Runs one block, including everything that it calls.
     StepOver,
     /// Runs up to the selected block.
     RunToSelected,
-    /// Runs the next slice; asked for by the window while a run goes on.
+    /// Runs the next slice; the window asks for it while a run goes on.
     Tick,
     /// Pauses.
     Pause,
@@ -44,7 +44,7 @@ pub enum ProgramCommand {
     SetSpeed(Speed),
     /// Switches something about the run on or off; takes effect at its next start.
     Toggle(Switch),
-    /// Sets or takes a breakpoint, by block of the shown program; the selected block where none is named.
+    /// Sets or removes a breakpoint at a block of the shown program; at the selected block where none is named.
     ToggleBreakpoint(Option<usize>),
     /// Selects a block of the shown program.
     Select(usize),
@@ -56,18 +56,18 @@ pub enum ProgramCommand {
     GoTo(BlockPlace),
     /// Keeps a parameter at the top of the list, or not.
     Pin(Parameter, bool),
-    /// Gives the parameter of its field the value of its field at the next start.
+    /// Gives the parameter in its field the value in its field at the next start.
     SetValue,
-    /// Takes such a value back.
+    /// Removes such a value.
     DropValue(Parameter),
 }
 
-/// What can be switched about a run.
+/// What can be switched on or off for a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Switch {
-    /// Blocks that are not known are passed over with a remark, instead of ending the run.
+    /// Unknown blocks are skipped with a remark instead of ending the run.
     SkipUnknown,
-    /// Blocks with a `/` are passed over.
+    /// Blocks with a `/` are skipped.
     BlockSkip,
     /// M1 stops.
     OptionalStop,
@@ -100,7 +100,7 @@ impl WorkpieceFrom {
 /// Where the open program came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Origin {
-    /// It is shipped; its file name.
+    /// It is built in; its file name.
     Shipped(&'static str),
     /// A file.
     File(PathBuf),

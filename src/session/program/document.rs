@@ -31,7 +31,7 @@ pub struct Entry {
     pub kind: EntryKind,
     /// How deep a structure block is, from 1; 1 for a label.
     pub depth: usize,
-    /// What stands there.
+    /// Its text.
     pub text: String,
 }
 
@@ -48,7 +48,7 @@ impl Document {
     /// Reads a program and looks through it once; `name` is its file name.
     ///
     /// # Errors
-    /// [`ProgramError`] for what is no text.
+    /// [`ProgramError`] where the bytes are not text.
     pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Vec<ProgramWarning>), ProgramError> {
         let (program, warnings) = Program::read(bytes)?;
         Ok((Self::new(NcPath::of_file(name), Arc::new(program)), warnings))
@@ -63,7 +63,7 @@ impl Document {
         Self { path, program, outline, names, assigned, selected: 0, longest }
     }
 
-    /// Where it is, as programs write it.
+    /// Its path, as programs write it.
     pub const fn path(&self) -> &NcPath {
         &self.path
     }
@@ -83,12 +83,12 @@ impl Document {
         &self.outline
     }
 
-    /// The structure or label that a block stands under, as its number in the outline.
+    /// The structure or label that a block is under, as its number in the outline.
     pub fn under(&self, block: usize) -> Option<usize> {
         self.outline.partition_point(|entry| entry.block <= block).checked_sub(1)
     }
 
-    /// What the comment at its first assignment calls a parameter.
+    /// The name of a parameter: the comment at its first assignment.
     pub fn name_of(&self, parameter: Parameter) -> Option<&str> {
         self.names.get(&parameter).map(String::as_str)
     }
@@ -137,7 +137,7 @@ fn entry(block: usize, body: &Body) -> Option<Entry> {
     }
 }
 
-/// The comments behind assignments: the first one of a parameter counts.
+/// The comments after assignments; the first one for a parameter counts.
 fn names(program: &Program) -> BTreeMap<Parameter, String> {
     let mut names = BTreeMap::new();
     for block in program.blocks() {

@@ -59,7 +59,7 @@ impl Input {
         }
     }
 
-    /// The parameter of the measuring cycle that it goes to; it says what is allowed.
+    /// The parameter of the measuring cycle that it sets; the parameter says what is allowed.
     const fn of_cycle(self) -> Option<Meaning> {
         match self {
             Self::Size | Self::Class => None,
@@ -120,7 +120,7 @@ pub(super) fn assigned(program: &Program) -> BTreeMap<Input, String> {
     found
 }
 
-/// A number, perhaps with a minus sign before it.
+/// A number, with or without a minus sign.
 fn plain(value: &Expression) -> Option<f64> {
     match value {
         Expression::Value(Operand::Number(number)) => Some(*number),
@@ -136,7 +136,7 @@ pub enum Agreement {
     Agrees,
     /// Neither has an answer, each for its own reason.
     BothRefuse,
-    /// They do not; what differs, one sentence each.
+    /// They do not: what differs, one sentence each.
     Differs(Vec<Message>),
 }
 
@@ -164,7 +164,7 @@ impl ProgramPage {
         }
     }
 
-    /// The inputs that were changed, as values to begin with.
+    /// The changed inputs, as values for the start of a run.
     pub(super) fn changed_inputs(&self) -> Vec<(Parameter, Value)> {
         let assigned = self.main().into_iter().flat_map(Document::assigned);
         let all = assigned.filter_map(|(&input, own)| {
@@ -203,7 +203,7 @@ impl ProgramPage {
         Some(limits)
     }
 
-    /// What Fitcheck makes of the diameter that the program measured (Q153), by its own limits.
+    /// The diameter that the program measured (Q153), and Fitcheck's verdict on it by its own limits.
     pub fn verdict(&self, sources: &Sources) -> Option<(Length, SizeVerdict)> {
         let limits = self.limits(sources)?.ok()?;
         let run = self.run.as_ref()?;
@@ -212,8 +212,8 @@ impl ProgramPage {
         Some((measured, judge_size(&limits, measured)))
     }
 
-    /// Whether the program's answer is Fitcheck's: its limits Q33 and Q23, and its status. Known once it measured, or
-    /// ended otherwise.
+    /// Whether the program's answer agrees with Fitcheck's: its limits Q33 and Q23, and its status. Known once the
+    /// program has measured or has ended otherwise.
     pub fn agreement(&self, sources: &Sources) -> Option<Agreement> {
         let native = self.limits(sources)?;
         let run = self.run.as_ref()?;

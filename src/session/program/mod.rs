@@ -6,11 +6,11 @@
 //! | `field` | the text fields |
 //! | `command`, `apply` | what can be done, and doing it |
 //! | `document` | a program as it is shown: outline, names of parameters, the selected block |
-//! | `tokens` | what a line is made of, so that it can be told apart |
+//! | `tokens` | the parts of a line, to be distinguished on screen |
 //! | `inputs` | the seven inputs of 8255 as fields, and Fitcheck's own answer |
 //! | `run` | a run: the machine, slice by slice |
 //! | `running` | run, pause, single block, to the selected block |
-//! | `watching` | parameters with their names, changes and values given beforehand |
+//! | `watching` | parameters with their names, changes and values given before a run |
 //! | `opening` | programs from files, and what is typed |
 //! | `workpiece` | what is measured |
 //! | `notes` | errors, warnings and remarks, block by block |
@@ -57,12 +57,12 @@ pub struct ProgramPage {
     main: Option<NcPath>,
     shown: Option<NcPath>,
     documents: BTreeMap<NcPath, Document>,
-    /// What reading the open program remarked.
+    /// The warnings of the reader about the open program.
     warnings: Vec<ProgramWarning>,
     texts: BTreeMap<ProgramField, String>,
     errors: BTreeMap<ProgramField, Message>,
     workpiece: WorkpieceFrom,
-    /// Values that were given beforehand.
+    /// Values that are given before a run.
     given: BTreeMap<Parameter, Value>,
     pinned: BTreeSet<Parameter>,
     breakpoints: BTreeSet<BlockPlace>,
@@ -72,9 +72,9 @@ pub struct ProgramPage {
     run: Option<Run>,
     /// Why a run could not begin.
     refused: Option<Message>,
-    /// Counts every time that a block has to come into sight.
+    /// Counts how often a line had to come into sight.
     looks: u64,
-    /// The line that has to.
+    /// The line that has to come into sight.
     look: usize,
 }
 
@@ -145,7 +145,7 @@ impl ProgramPage {
         (self.looks, self.look)
     }
 
-    /// Takes a program of the run among those that can be shown.
+    /// Adds a program of the run to those that can be shown.
     fn know(&mut self, path: &NcPath) {
         let known = self.documents.contains_key(path);
         if !known && let Some(program) = self.run.as_ref().and_then(|run| run.program(path)) {

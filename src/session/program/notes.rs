@@ -11,18 +11,18 @@ pub struct Note {
     pub kind: NoteKind,
     /// The block.
     pub place: BlockPlace,
-    /// What is said.
+    /// Its text.
     pub message: Message,
 }
 
 /// How much it matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum NoteKind {
-    /// It ended the run.
+    /// An error: it ended the run.
     Error,
-    /// The run remarked it.
+    /// A remark of the run.
     Remark,
-    /// Reading warned of it.
+    /// A warning of the reader.
     Warning,
 }
 

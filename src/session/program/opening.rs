@@ -12,7 +12,7 @@ use crate::session::shared::Shared;
 const MOST_RECENT: usize = 8;
 
 impl ProgramPage {
-    /// The page is opened: the first time with the shipped program of the window's language.
+    /// Opens the page; the first time with the built-in program of the window's language.
     pub(super) fn opened(&mut self, shared: &mut Shared) {
         if self.origin.is_some() {
             return;

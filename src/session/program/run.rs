@@ -1,4 +1,4 @@
-//! A run: the machine with what it waits for. It goes on in slices that the window asks for, so that it never waits long.
+//! A run: the machine and what it waits for. The window asks for it slice by slice, and so never waits long.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -13,14 +13,14 @@ use crate::nc::program::Program;
 use crate::probing::cycle::{Move, Phase};
 use crate::verdict::Status;
 
-/// Blocks of a slice at full speed: some milliseconds.
+/// Blocks in a slice at full speed: a few milliseconds.
 const SLICE: u64 = 2_000;
-/// Blocks between two looks at what a slice has cost.
+/// Blocks between two checks of what a slice has cost.
 const PART: u64 = 100;
-/// Cycles after which a slice ends; one takes far longer than any other block.
+/// Cycles after which a slice ends; a cycle takes far longer than any other block.
 const MOST_CYCLES: usize = 10;
 
-/// Moves that are drawn: more would be a blot.
+/// Moves that are drawn; more could not be told apart.
 pub const MOST_MOVES: usize = 500;
 
 /// How fast a run goes.
@@ -28,7 +28,7 @@ pub const MOST_MOVES: usize = 500;
 pub enum Speed {
     /// Four blocks a second: every block can be read.
     Slow,
-    /// Twenty blocks a second: the way through the program can be followed.
+    /// Twenty blocks a second: the course of the program can be followed.
     Medium,
     /// As fast as it can.
     #[default]
@@ -61,9 +61,9 @@ impl Speed {
 pub enum State {
     /// It goes on, slice by slice.
     Running,
-    /// It waits, for the reason that it says.
+    /// It waits for the stated reason.
     Paused,
-    /// It came to its end.
+    /// It reached its end.
     Ended,
     /// It ended with an error.
     Faulted,
@@ -73,7 +73,7 @@ pub enum State {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Goal {
     None,
-    /// No more than so many calls within one another.
+    /// At no more than this many nested calls.
     Depth(usize),
     Block(BlockPlace),
 }
@@ -87,8 +87,8 @@ pub struct Run {
     /// Why it waits.
     pub(super) reason: Message,
     fault: Option<Fault>,
-    /// The remarks that are listed, by number, and how many were looked through. That a value given here stands in
-    /// place of the program's is what was asked for, and is none.
+    /// The remarks that are listed, by number, and how many were examined. That a given value replaces the program's is
+    /// intended, so that remark is not listed.
     listed: Vec<usize>,
     looked_through: usize,
     /// The parameters before the last command.
@@ -135,12 +135,12 @@ impl Run {
         }
     }
 
-    /// The blocks that called, outermost first, and the one that runs next. Calls of labels are among them.
+    /// The calling blocks, outermost first, then the one that runs next. Calls of labels are included.
     pub fn calls(&self) -> impl Iterator<Item = BlockPlace> {
         self.machine.calls().iter().map(|call| call.from.clone()).chain(self.place())
     }
 
-    /// The programs that called one another, outermost first, without repeats behind one another.
+    /// The programs that called one another, outermost first, without consecutive repeats.
     pub fn programs(&self) -> Vec<NcPath> {
         let mut programs: Vec<_> = self.calls().map(|place| place.program).collect();
         programs.dedup();
@@ -190,12 +190,12 @@ impl Run {
         self.machine.status()
     }
 
-    /// Whether the ball's centre has gone any way.
+    /// Whether the ball's centre has moved.
     pub fn has_path(&self) -> bool {
         !self.machine.path().is_empty()
     }
 
-    /// The way of the ball's centre, the last [`MOST_MOVES`] moves.
+    /// The path of the ball's centre, the last [`MOST_MOVES`] moves.
     pub fn path(&self) -> Vec<Move> {
         let path = self.machine.path();
         let first = path.len().saturating_sub(MOST_MOVES);
@@ -256,7 +256,7 @@ impl Run {
         }
     }
 
-    /// Runs a slice. `is_first` is whether the run begins or goes on with it: then a breakpoint was seen already.
+    /// Runs a slice. `is_first` is whether the run begins or continues with it: a breakpoint there was already seen.
     pub(super) fn slice(&mut self, blocks: u64, is_first: bool, breakpoints: &BTreeSet<BlockPlace>) {
         let measured = self.machine.cycles().len();
         let mut left = blocks;
@@ -281,7 +281,7 @@ impl Run {
         }
     }
 
-    /// Why the run pauses here, where it has come as far as it should.
+    /// Why the run pauses here, if it has reached its goal.
     fn goal_reached(&self) -> Option<&'static str> {
         let (reached, reason) = match &self.goal {
             Goal::None => (false, ""),
@@ -292,7 +292,7 @@ impl Run {
     }
 }
 
-/// A move as it is drawn: a block of the program is one on the way to the next contact.
+/// A move for drawing: a block of the program counts as one on the way to the next contact.
 fn as_move(travel: &Travel) -> Move {
     let (phase, touch) = match travel.kind {
         TravelKind::Cycle(phase) => (phase, None),

@@ -44,9 +44,9 @@ impl ProgramPage {
         self.run.as_ref().is_some_and(|run| run.state == State::Running)
     }
 
-    /// The current block comes into sight and is the selected one.
+    /// Brings the current block into sight and selects it.
     fn follow(&mut self) {
-        // A program that measured or opened a window names its parameters, also after it has returned.
+        // A program that measured or opened a window names its parameters, even after it has returned.
         let places = self.run.as_ref().map(|run| {
             let (cycle, window) = (run.cycles().last(), run.windows().last());
             [cycle.map(|cycle| cycle.place.program.clone()), window.map(|window| window.place.program.clone())]
@@ -90,7 +90,7 @@ impl ProgramPage {
         Ok(Run::new(machine))
     }
 
-    /// The run that a command is for: the one that waits, or a new one. A run that is over stays until it is reset.
+    /// The run that a command is for: the one that waits, or a new one. A finished run stays until it is reset.
     fn ready_run(&mut self, shared: &Shared, now: DateTime) -> Option<&mut Run> {
         self.refused = None;
         if self.run.is_none() {
@@ -108,7 +108,7 @@ impl ProgramPage {
     }
 
     pub(super) fn start_or_go_on(&mut self, shared: &Shared, now: DateTime, mode: Mode) {
-        // A run that is over begins anew.
+        // A finished run starts again.
         if self.run.as_ref().is_some_and(Run::is_over) {
             self.run = None;
         }
@@ -134,7 +134,7 @@ impl ProgramPage {
         if run.is_over() {
             return;
         }
-        // A single block out of a run that goes on pauses it.
+        // A single block during a run pauses the run.
         run.pause("program-page-state-step");
         run.step();
         self.follow();

@@ -1,4 +1,4 @@
-//! What a line of a program is made of, so that it can be told apart on screen. Nothing is decided by this.
+//! The parts of a program line, to be distinguished on screen. Nothing is decided by them.
 
 use std::ops::Range;
 
@@ -30,11 +30,11 @@ const KEYWORDS: [&str; 63] = [
     "TOCHAR", "TONUMB", "TOOL",
 ];
 
-/// Words behind FN, in order.
+/// Words after FN, in order.
 const FUNCTIONS: [&str; 4] = ["TABOPEN", "TABREAD", "TABWRITE", "UNDEFINED"];
 
-/// Takes a line apart; every byte belongs to exactly one part. `begins` is whether a block begins in the line: only
-/// there stands a block number.
+/// Splits a line into parts; every byte belongs to exactly one. `begins` is whether a block begins in the line: only
+/// there can a block number be.
 pub fn tokens(line: &str, begins: bool) -> Vec<(Range<usize>, Token)> {
     let mut found = Found::default();
     let front = if begins { front(line) } else { 0 };
@@ -51,7 +51,7 @@ pub fn tokens(line: &str, begins: bool) -> Vec<(Range<usize>, Token)> {
     found.parts
 }
 
-/// The parts so far; equal neighbours are one.
+/// The parts so far; equal neighbours are merged.
 #[derive(Debug, Default)]
 struct Found {
     parts: Vec<(Range<usize>, Token)>,
@@ -71,7 +71,7 @@ impl Found {
     }
 }
 
-/// How long the number of a block is, with what stands around it.
+/// The length of a block's number, with what is around it.
 fn front(line: &str) -> usize {
     let rest = line.trim_start_matches(|c: char| c.is_whitespace() || c == '/');
     let behind = rest.trim_start_matches(|c: char| c.is_ascii_digit());
@@ -93,7 +93,7 @@ fn first(text: &str) -> (usize, Token) {
         Some(';') => (text.len(), Token::Comment),
         Some('"') => {
             let closed = text.get(1..).and_then(|rest| rest.find('"'));
-            // A mark that is not closed quotes nothing.
+            // A quotation mark that is not closed quotes nothing.
             closed.map_or((1, Token::Plain), |inner| (inner + 2, Token::Text))
         }
         Some(c) if c.is_alphabetic() => word(text, length(char::is_alphabetic)),
@@ -103,7 +103,7 @@ fn first(text: &str) -> (usize, Token) {
     }
 }
 
-/// A word of so many bytes at the beginning of a text: a parameter, a word of the language, or another one.
+/// The first word of a text, `length` bytes long: a parameter, a word of the language, or another one.
 fn word(text: &str, length: usize) -> (usize, Token) {
     let (word, behind) = text.split_at_checked(length).unwrap_or((text, ""));
     let digits = behind.len() - behind.trim_start_matches(|c: char| c.is_ascii_digit()).len();
@@ -125,7 +125,7 @@ fn is_keyword(word: &str) -> bool {
     KEYWORDS.binary_search(&word).is_ok() || FUNCTIONS.binary_search(&word).is_ok()
 }
 
-/// The comment behind a line, without its `;`.
+/// The comment at the end of a line, without its `;`.
 pub(super) fn comment(line: &str) -> Option<&str> {
     let (range, _) = tokens(line, true).into_iter().find(|(_, token)| *token == Token::Comment)?;
     let text = line.get(range)?.trim_start_matches(';').trim_end_matches(|c: char| c == '~' || c.is_whitespace());

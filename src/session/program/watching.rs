@@ -1,4 +1,4 @@
-//! Parameters with their names and changes, and values that are given beforehand.
+//! Parameters with their names and changes, and values that are given before a run.
 
 use super::{ProgramField, ProgramPage};
 use crate::control::variables::{Family, Parameter, Value};
@@ -8,7 +8,7 @@ use crate::message::Message;
 /// A parameter in the list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Watched<'a> {
-    /// Which.
+    /// The parameter.
     pub parameter: Parameter,
     /// Its value; `None` where a pinned one has none yet.
     pub value: Option<&'a Value>,
@@ -21,7 +21,7 @@ pub struct Watched<'a> {
 /// What is known about a parameter.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Name<'a> {
-    /// The control's own, by its text.
+    /// The control's own name for it, by the id of its text.
     Control(&'static str),
     /// The program's comment.
     Program(&'a str),
@@ -48,11 +48,11 @@ const CONTROL: [(u16, &str); 16] = [
 ];
 
 impl ProgramPage {
-    /// The parameters that the filter leaves, the pinned ones first.
+    /// The parameters that pass the filter, the pinned ones first.
     pub fn watched(&self) -> Vec<Watched<'_>> {
         let pinned = self.pinned.iter().map(|&parameter| self.watch(parameter, self.value(parameter), true));
         let run = self.run.iter().flat_map(|run| run.variables().iter());
-        // Before a run there is what was given to it.
+        // Before a run there are only the given values.
         let given = self.given.iter().filter(|_| self.run.is_none()).map(|(parameter, value)| (*parameter, value));
         let filter = self.text(ProgramField::Filter).trim().to_lowercase();
         let rest = run.chain(given).filter(|(parameter, _)| !self.pinned.contains(parameter));
@@ -65,7 +65,7 @@ impl ProgramPage {
         Watched { parameter, value, is_changed, is_pinned }
     }
 
-    /// The value of a parameter now, or the one that it is given beforehand.
+    /// The current value of a parameter, or the one that is given to it before a run.
     pub fn value(&self, parameter: Parameter) -> Option<&Value> {
         match &self.run {
             Some(run) => run.variables().get(parameter),
@@ -88,8 +88,7 @@ impl ProgramPage {
         parameter.to_string().to_lowercase().starts_with(filter) || name.contains(filter) || text.contains(filter)
     }
 
-    /// What a parameter is called: by the control, or by a comment of the shown program, the open one, or another of the
-    /// run.
+    /// The name of a parameter: the control's, or a comment of the shown program, the open one, or another of the run.
     pub fn name_of(&self, parameter: Parameter) -> Option<Name<'_>> {
         let own = || CONTROL.iter().find(|(number, _)| Parameter::q(*number) == parameter).map(|(_, id)| *id);
         let mut documents = self.shown().into_iter().chain(self.main()).chain(self.documents.values());
@@ -127,12 +126,12 @@ fn value_of(parameter: Parameter, text: &str) -> Option<Value> {
         return Some(Value::Text(text.to_owned()));
     }
     let number = text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite())?;
-    // Six decimals and fewer are exact as a length.
+    // Up to six decimals are exact as a length.
     Some(text.parse::<Length>().map_or(Value::Number(number), Value::Length))
 }
 
 impl ProgramPage {
-    /// The next run begins with the value of the fields; a run that was begun is cleared.
+    /// Gives the value of the fields to the next run; a run that has begun is cleared.
     pub(super) fn give_value(&mut self) {
         for field in [ProgramField::Name, ProgramField::Value] {
             self.errors.remove(&field);

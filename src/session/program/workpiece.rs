@@ -12,7 +12,7 @@ use crate::session::shared::Shared;
 use crate::tolerance::{Feature, Limits};
 
 impl ProgramPage {
-    /// A hole's or a shaft's workpiece at the inputs' centre.
+    /// The workpiece of a hole or a shaft at the inputs' centre.
     fn round(feature: Feature, centre: [Length; 2], diameter: Length) -> Contacts {
         let workpiece = Workpiece::round(feature, centre.map(Length::to_mm_f64), diameter.to_mm_f64());
         let surface = Surface::Round(workpiece, Plane::Xy);
@@ -33,7 +33,7 @@ impl ProgramPage {
         }
     }
 
-    /// Reads the fields of the workpiece anew; what is empty is no error until it is needed.
+    /// Reads the fields of the workpiece anew; an empty field is not an error until it is needed.
     pub(super) fn check_workpiece(&mut self) {
         for field in [ProgramField::Diameter, ProgramField::WorkpieceX, ProgramField::WorkpieceY] {
             self.errors.remove(&field);
@@ -61,7 +61,7 @@ impl ProgramPage {
         [Input::CentreX, Input::CentreY].map(|input| self.input_length(input).unwrap_or_default())
     }
 
-    /// The simulated workpiece that suits is that of the program's inputs, as a shop makes it.
+    /// A simulated workpiece that suits the program's inputs, as a workshop makes it.
     pub(in crate::session) fn suited(&self, shared: &Shared) -> Option<Simulation> {
         let limits = self.limits(&shared.sources)?.ok()?;
         let usual = Workpiece::usual(limits.feature, limits.middle().to_mm_f64());
@@ -70,7 +70,7 @@ impl ProgramPage {
         Some(Simulation { surface, ..machine })
     }
 
-    /// What both pages measure was changed: a run on it is cleared. On this page it is what is measured from now on.
+    /// What both pages measure was changed: clears a run on it. If this page is open, it is measured from now on.
     pub(super) fn workpiece_changed(&mut self, from: WorkpieceFrom, shared: &Shared) {
         if shared.page == Page::Program {
             self.workpiece = from;
@@ -80,7 +80,7 @@ impl ProgramPage {
         }
     }
 
-    /// What the next run measures, or why that cannot be.
+    /// What the next run measures, or why it cannot.
     pub(super) fn contacts(&mut self, shared: &Shared) -> Result<Contacts, Message> {
         let limits = self.limits(&shared.sources).and_then(Result::ok);
         match self.workpiece {

@@ -1,4 +1,4 @@
-//! What commands and news make of the table page.
+//! How commands and news change the table page.
 
 use jiff::civil::DateTime;
 
@@ -10,8 +10,8 @@ impl PageState for TablesPage {
     type Command = TablesCommand;
 
     fn apply(&mut self, command: TablesCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
-        // What was typed into the cell counts before another cell or table is shown; what cannot be read keeps the
-        // cell, and says why. Other commands are about the cell itself, or come from a file.
+        // What was typed into the cell is applied before another cell or table is shown. If it cannot be read, the cell
+        // stays selected and its field shows why. Other commands are about the cell itself, or come from a file.
         let is_pending = self.cell_is_pending(shared);
         match command {
             TablesCommand::Type(..)
@@ -20,7 +20,7 @@ impl PageState for TablesPage {
             | TablesCommand::EmptyCell
             | TablesCommand::TakeStandard
             | TablesCommand::Read { .. } => {}
-            // Undo takes back what was typed last.
+            // Undo discards what was typed last.
             TablesCommand::Undo | TablesCommand::Redo if is_pending => {
                 self.fill_cell_fields(shared);
                 return Vec::new();
@@ -75,7 +75,7 @@ impl TablesPage {
         }
     }
 
-    /// The shown table is another one, or was changed: filter, selection and fields follow.
+    /// Filter, selection and fields follow when the shown table is exchanged or changed.
     pub(super) fn shown_changed(&mut self, shared: &Shared) {
         let Some(document) = self.documents.get_mut(self.shown) else { return };
         self.filter = Filter::of(self.texts.text(TablesField::Filter), document.table());

@@ -23,27 +23,27 @@ pub enum TablesCommand {
     Select(ToleranceClass, usize),
     /// Selects a cell near the selected one.
     Move(Step),
-    /// Selects the next cell that differs from ISO 286, in reading order and round again.
+    /// Selects the next cell that differs from ISO 286, column by column and round again.
     NextDifference,
-    /// Selects the one before.
+    /// Selects the previous one.
     PreviousDifference,
-    /// Puts the two fields into the selected cell; both empty is an empty cell.
+    /// Puts the two fields into the selected cell; two empty fields make an empty cell.
     SetCell,
     /// Puts the selected cell back into the fields.
     RevertCell,
     /// Empties the selected cell.
     EmptyCell,
-    /// Puts what ISO 286 says into the selected cell.
+    /// Puts the deviations of ISO 286 into the selected cell.
     TakeStandard,
-    /// Takes the shown table's last edit back.
+    /// Undoes the last edit of the shown table.
     Undo,
-    /// Does it again.
+    /// Redoes it.
     Redo,
     /// Adds the classes of their field to the shown table, with the deviations of ISO 286.
     AddColumns,
     /// Removes the selected cell's class.
     RemoveColumn,
-    /// Makes a table of the classes and up to the size in their fields.
+    /// Makes a table of the classes in their field, up to the size in its field.
     Make,
     /// Looks limits up in the shown table first.
     Use,

@@ -10,7 +10,7 @@ use crate::tolerance::{DeviationTable, Deviations, ToleranceClass, iso286};
 /// Where an open table came from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
-    /// One of the two built-in tables: never changed, an edit makes a copy.
+    /// One of the two built-in tables. It is never changed: an edit makes a copy.
     Shipped,
     /// From the user's folder.
     Own,
@@ -32,19 +32,19 @@ pub struct Document {
     kept: Option<DeviationTable>,
     options: iso286::Options,
     comparison: Comparison,
-    /// The cells that differ, column by column: number of the column and of the size range, and the numbers of the
-    /// differences. A range may cover several steps of the standard and differ in each.
+    /// The cells that differ, column by column: column number, size range number, and the numbers of the differences. A
+    /// range may cover several steps of the standard and differ in each.
     differing: Vec<(usize, usize, Range<usize>)>,
     selected: Option<(ToleranceClass, usize)>,
 }
 
 impl Document {
-    /// A table that is kept somewhere as it is.
+    /// A table that is stored somewhere in this state.
     pub(super) fn kept(table: DeviationTable, origin: Origin, options: iso286::Options) -> Self {
         Self { kept: Some(table.clone()), ..Self::unsaved(table, origin, options) }
     }
 
-    /// A table that is kept nowhere.
+    /// A table that is not stored anywhere.
     pub(super) fn unsaved(table: DeviationTable, origin: Origin, options: iso286::Options) -> Self {
         let mut document = Self {
             title: table.name().to_owned(),
@@ -66,7 +66,7 @@ impl Document {
         Self { title, ..self }
     }
 
-    /// A copy that can be changed, under another title: nothing is unsaved yet.
+    /// A copy under another title, which can be changed and has no unsaved edits yet.
     pub(super) fn copy(&self, title: String) -> Self {
         let selected = self.selected;
         let copy = Self::kept(self.table().clone(), Origin::Copy, self.options);
@@ -123,7 +123,7 @@ impl Document {
         self.table().columns().iter().position(|column| column.class == class)
     }
 
-    /// Whether a class is none of ISO 286.
+    /// Whether a class is not one of ISO 286.
     pub fn is_own_class(&self, class: ToleranceClass) -> bool {
         self.comparison.unknown.contains(&class)
     }
@@ -133,7 +133,7 @@ impl Document {
         self.selected
     }
 
-    /// What stands in a cell.
+    /// What is in a cell.
     pub fn cell(&self, class: ToleranceClass, range: usize) -> Option<Deviations> {
         let column = self.table().columns().iter().find(|column| column.class == class)?;
         column.cells.get(range).copied().flatten()
@@ -146,22 +146,22 @@ impl Document {
         Some((over, *ends.get(range)?))
     }
 
-    /// What ISO 286 says for a cell; `None` where it says nothing, or more than one thing for the size range.
+    /// What ISO 286 gives for a cell; `None` where it gives nothing, or several values for the size range.
     pub fn standard(&self, class: ToleranceClass, range: usize) -> Option<Deviations> {
-        // The end before it and its own are enough.
+        // The two ends of the range are enough.
         let (over, to) = self.range(range)?;
         let ends = if Length::ZERO < over { vec![over, to] } else { vec![to] };
         standard_column(class, &ends, self.options).cells.last().copied().flatten()
     }
 
-    /// The options of ISO 286 that it is compared under.
+    /// The options of the comparison with ISO 286.
     pub const fn options(&self) -> iso286::Options {
         self.options
     }
 
-    /// Where ISO 286 defines a class: above and up to, mm.
+    /// The size ranges in which ISO 286 defines a class: above and up to, mm.
     pub fn defined(&self, class: ToleranceClass) -> Vec<(Length, Length)> {
-        // Beyond the standard's last size every class is refused, and the refusal knows where it is defined.
+        // Beyond the standard's last size every class is refused, and the error knows where it is defined.
         let refused = iso286::deviations(class, Length::MAX, self.options);
         refused.err().map(|undefined| undefined.defined()).unwrap_or_default()
     }
@@ -171,7 +171,7 @@ impl Document {
         self.kept.as_ref().is_none_or(|kept| !self.holds_what(kept))
     }
 
-    /// Whether a table of the same name that is read may take its place.
+    /// Whether a table that is read under the same name may replace it.
     pub(super) fn is_replaceable(&self) -> bool {
         self.origin != Origin::Shipped && !self.is_unsaved()
     }
@@ -181,12 +181,12 @@ impl Document {
         self.table().ends() == other.ends() && self.table().columns() == other.columns()
     }
 
-    /// Whether an edit can be taken back.
+    /// Whether an edit can be undone.
     pub fn can_undo(&self) -> bool {
         self.edit.can_undo()
     }
 
-    /// Whether an edit that was taken back can be done again.
+    /// Whether an undone edit can be redone.
     pub fn can_redo(&self) -> bool {
         self.edit.can_redo()
     }
@@ -204,12 +204,12 @@ impl Document {
         }
     }
 
-    /// Takes the last edit back and selects what it changed.
+    /// Undoes the last edit and selects what it changed.
     pub(super) fn undo(&mut self) {
         self.change_and_show(|edit| _ = edit.undo());
     }
 
-    /// Does it again and selects what it changes.
+    /// Redoes an edit and selects what it changes.
     pub(super) fn redo(&mut self) {
         self.change_and_show(|edit| _ = edit.redo());
     }
@@ -234,7 +234,7 @@ impl Document {
         (self.title, self.origin, self.kept) = (title, Origin::File, Some(table));
     }
 
-    /// Its file was written over.
+    /// Its file was overwritten.
     pub(super) fn lose_file(&mut self, title: String) {
         (self.title, self.kept) = (title, None);
     }
@@ -257,7 +257,7 @@ impl Document {
     }
 }
 
-/// The first cell that a table has otherwise than it was before; the first one of a column that is new.
+/// The first cell of a table that differs from before; of a new column, its first cell.
 fn first_change(before: &DeviationTable, after: &DeviationTable) -> Option<(ToleranceClass, usize)> {
     after.columns().iter().find_map(|column| {
         let Some(old) = before.columns().iter().find(|old| old.class == column.class) else {

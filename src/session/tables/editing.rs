@@ -9,17 +9,17 @@ use crate::tolerance::table_edit::{MakeError, TableEdit, standard_column, standa
 use crate::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass, iso286};
 use crate::words::Language;
 
-/// What the fields of the cell say, or which of them is wrong.
+/// What the fields of the cell contain, or which of them is wrong.
 type Typed = Result<Option<Deviations>, (TablesField, Message)>;
 
 impl TablesPage {
     /// Whether the fields of the cell can be put into it.
     pub fn cell_is_readable(&self) -> bool {
-        // The language is that of a refusal, which nobody reads here.
+        // The language matters only for the text of an error, which is not read here.
         self.typed_cell(Language::default()).is_ok()
     }
 
-    /// Both fields in micrometres; both empty is an empty cell.
+    /// Both fields in micrometres; two empty fields are an empty cell.
     fn typed_cell(&self, language: Language) -> Typed {
         let text = |field| self.text(field).trim();
         let read = |field| Length::parse_in(text(field), Unit::Micrometre).map_err(|error| (field, error.message()));
@@ -52,7 +52,7 @@ impl TablesPage {
         }
     }
 
-    /// Says what is no number while it is typed; the order of the two counts when they are put into the cell.
+    /// Reports what is not a number while it is typed; the order of the two is checked when the cell is set.
     pub(super) fn check_cell_fields(&mut self) {
         for field in [TablesField::CellUpper, TablesField::CellLower] {
             let text = self.text(field).trim();
@@ -68,7 +68,7 @@ impl TablesPage {
         self.cell_texts(shared.language).iter().any(|(field, text)| self.text(*field) != text)
     }
 
-    /// Puts what was typed into the selected cell. `false` when it cannot be read: then the field says why.
+    /// Puts what was typed into the selected cell. `false` when it cannot be read: then the field shows why.
     pub(in crate::session) fn settle_cell(&mut self, shared: &mut Shared) -> bool {
         if !self.cell_is_pending(shared) {
             return true;
@@ -112,7 +112,7 @@ impl TablesPage {
         let document = self.shown()?;
         if document.origin() == Origin::Shipped {
             let stem = document.title().rsplit_once('.').map_or(document.title(), |(stem, _)| stem);
-            // No blank: a control's table ends its name at one.
+            // No blank: in a control's table a blank ends the name.
             let copy = document.copy(self.free_title(&format!("{stem}_copy.tab")));
             let Some(number) = self.add(copy) else {
                 shared.tell(Message::new("tables-too-many").count("count", super::MOST_DOCUMENTS));
@@ -164,7 +164,7 @@ impl TablesPage {
         let first = classes.first().copied();
         self.change(shared, |edit| {
             for class in classes {
-                // Named once and not there yet, as just checked: nothing is refused.
+                // Each class is named once and new, as just checked: none is refused.
                 let _added = edit.add_column(standard_column(class, &ends, options));
             }
         });

@@ -26,7 +26,7 @@ enum Word<'a> {
 }
 
 impl Filter {
-    /// Reads a filter. Words are apart by blanks or commas that no digit follows; an empty text shows every column.
+    /// Reads a filter. Blanks, and commas that no digit follows, separate words; an empty text shows every column.
     ///
     /// Case counts where it tells columns apart; otherwise `h7` finds `H7`, too. A whole number that is a grade of the
     /// table is the grade; `7 mm` and `7.0` are sizes.
@@ -66,7 +66,7 @@ impl Filter {
         &self.rows
     }
 
-    /// The words that no column or row answers to.
+    /// The words that match no column or row.
     pub fn unmatched(&self) -> &[String] {
         &self.unmatched
     }
@@ -112,7 +112,7 @@ fn grade_of(class: &str) -> &str {
     class.trim_start_matches(|c: char| c.is_ascii_alphabetic())
 }
 
-/// Shows the columns of a word; the other case only where none has this one.
+/// Shows the columns that a word matches; case counts unless no column matches exactly.
 fn choose(word: Word<'_>, table: &DeviationTable, shown: &mut [bool]) -> bool {
     let ways: [fn(&str, &str) -> bool; 2] = [|one, other| one == other, str::eq_ignore_ascii_case];
     ways.into_iter().any(|same| {

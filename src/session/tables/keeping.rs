@@ -9,7 +9,7 @@ use crate::message::{Message, Say as _};
 use crate::session::shared::Shared;
 use crate::tolerance::DeviationTable;
 
-/// A table that is on its way to a file.
+/// A table that is being written to a file.
 #[derive(Debug)]
 pub(super) struct Saving {
     document: String,
@@ -45,22 +45,22 @@ impl TablesPage {
         let (Some(document), Some(format)) = (self.shown(), TABLE_FORMATS.get(format)) else {
             return Err(Message::new("tables-nothing-to-save"));
         };
-        // The table is called as its file is; a blank would end the name.
+        // The table has the name of its file; a blank would end the name.
         let name = path.file_name().unwrap_or_default().to_string_lossy().replace(char::is_whitespace, "_");
         let bytes = (format.write)(&renamed(document.table(), &name)).map_err(|error| error.message())?;
-        // A built-in table is kept as it is, and a file in another format cannot be opened again: they save nothing.
+        // A built-in table never changes; a file in another format cannot be opened again. Neither counts as saving.
         let saves = format.endings.contains(&"tab") && document.origin() != Origin::Shipped;
         let (document, table) = (document.title().to_owned(), document.table().clone());
         self.saving = saves.then(|| Saving { document, path: path.to_owned(), table });
         Ok(bytes)
     }
 
-    /// A file was written: where it was a table's, the table is saved as it was then, and called as its file.
+    /// A file was written. If it was a table's, the table is saved as it was then and takes the file's name.
     pub(in crate::session) fn saved(&mut self, path: &Path) {
         let Some(saving) = self.saving.take_if(|saving| saving.path == path) else { return };
         let title = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let Some(number) = self.by_title(&saving.document) else { return };
-        // Another open table of that name is in no file any more.
+        // Another open table of that name no longer has a file.
         let other = self.by_title(&title).filter(|other| *other != number);
         let free = self.free_title(&title);
         if let Some(other) = other.and_then(|other| self.documents.get_mut(other)) {

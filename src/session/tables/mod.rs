@@ -106,7 +106,7 @@ impl TablesPage {
         self.documents.get_mut(self.shown)
     }
 
-    /// The open table of a title. The built-in ones do not count: a user's own may be called the same.
+    /// The open table with a title. Built-in ones do not count: a user's own may have the same title.
     pub(super) fn by_title(&self, title: &str) -> Option<usize> {
         let is_it =
             |document: &Document| document.origin() != Origin::Shipped && document.title().eq_ignore_ascii_case(title);
@@ -121,7 +121,7 @@ impl TablesPage {
         titles.find(|title| self.by_title(title).is_none()).unwrap_or_default()
     }
 
-    /// Adds a table and says its number, or closes an old one without unsaved edits to make room.
+    /// Adds a table and returns its number, closing an old one without unsaved edits where there is no room.
     fn add(&mut self, document: Document) -> Option<usize> {
         if MOST_DOCUMENTS <= self.documents.len() {
             let old = self.documents.iter().position(|old| old.origin() != Origin::Shipped && !old.is_unsaved())?;

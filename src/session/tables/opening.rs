@@ -1,4 +1,4 @@
-//! Which tables are open: the built-in ones, the user's own, files, and what is made here.
+//! Which tables are open: the built-in ones, the user's own, files, and those made here.
 
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ impl TablesPage {
         }
     }
 
-    /// Opens a table that was read; one of the same name without unsaved edits makes room for it.
+    /// Opens a table that was read. It replaces one of the same name that has no unsaved edits.
     pub(super) fn open_table(&mut self, table: DeviationTable, origin: Origin, shared: &mut Shared) {
         let options = shared.sources.options();
         let same = self.by_title(table.name());
@@ -62,7 +62,7 @@ impl TablesPage {
         }
     }
 
-    /// Other options of ISO 286 count at once. What was typed into the cell counts before.
+    /// Applies other options of ISO 286 at once, after what was typed into the cell.
     pub(super) fn sources_changed(&mut self, shared: &mut Shared) {
         self.settle_cell(shared);
         let options = shared.sources.options();
@@ -72,7 +72,7 @@ impl TablesPage {
         self.shown_changed(shared);
     }
 
-    /// The tables of a folder were read: what is open follows, unless it has edits.
+    /// Open tables follow the tables of a folder that was read, unless they have edits.
     pub(super) fn own_tables_changed(&mut self, shared: &Shared) {
         let options = shared.sources.options();
         for document in &mut self.documents {

@@ -5,7 +5,7 @@ use crate::session::Step;
 use crate::session::shared::Shared;
 use crate::tolerance::ToleranceClass;
 
-/// How many size ranges a page is.
+/// How many size ranges make a page.
 const PAGE: usize = 10;
 
 impl TablesPage {
@@ -17,7 +17,7 @@ impl TablesPage {
         self.fill_cell_fields(shared);
     }
 
-    /// The selection goes where the filter points: to the row of a size, and into the columns that are shown.
+    /// Moves the selection to where the filter points: to the row of a size, and into the columns that are shown.
     pub(super) fn filter_changed(&mut self, shared: &mut Shared) {
         let Some(document) = self.shown() else { return };
         let filter = Filter::of(self.text(TablesField::Filter), document.table());
@@ -32,7 +32,7 @@ impl TablesPage {
         }
     }
 
-    /// A step among the columns that are shown. A selected cell that the filter hides counts as the nearest shown one.
+    /// Moves by a step among the shown columns. A selected cell that the filter hides counts as the nearest shown one.
     pub(super) fn move_by(&mut self, step: Step, shared: &Shared) {
         let Some(document) = self.shown() else { return };
         let (table, shown) = (document.table(), self.filter.columns());
@@ -60,7 +60,7 @@ impl TablesPage {
         }
     }
 
-    /// The next or the previous cell that differs, column by column and round again. A hidden one ends the filter.
+    /// Selects the next or previous cell that differs, column by column and round again. A hidden one ends the filter.
     pub(super) fn select_difference(&mut self, forwards: bool, shared: &Shared) {
         let Some(document) = self.shown() else { return };
         let here = document.selected().and_then(|(class, range)| Some((document.column(class)?, range)));

@@ -37,11 +37,11 @@ pub(super) fn ui(ui: &mut Ui, view: &View<'_>, result: &CycleResult) {
     }
 }
 
-/// What is shown of an axis, in nanometres: a zone with room on either side, or zero with the value.
+/// The part of an axis that is shown, in nanometres: a zone with room on either side, or zero with the value.
 fn span(measured: Length, limits: Option<[Length; 2]>) -> [f64; 2] {
     let nm = |length: Length| length.to_mm_f64() * 1e6;
     let [lower, upper] = limits.map_or([0.0; 2], |limits| limits.map(nm));
-    // A zone of no width is still seen: with the value, and at least a micrometre.
+    // A zone of no width still gets room: for the value, and at least a micrometre.
     let width = match upper - lower {
         width if 0.0 < width => width,
         _ => (2.0 * (nm(measured) - lower).abs()).max(1000.0),
@@ -68,7 +68,7 @@ struct Bar<'a> {
 }
 
 impl Bar<'_> {
-    /// Where a value stands, from 0 to 1; outside for one that is not in sight.
+    /// Where a value lies, from 0 to 1; outside that for one that is not in sight.
     fn share(&self, value: Length) -> f64 {
         let [from, to] = self.span;
         (value.to_mm_f64() * 1e6 - from) / (to - from)

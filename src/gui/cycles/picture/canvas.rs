@@ -1,4 +1,4 @@
-//! What the drawings are made of: lines, arrows, dimensions, labels, the probe. Colours and fonts are the theme's.
+//! Building blocks of the drawings: lines, arrows, dimensions, labels, the probe. The theme gives colours and fonts.
 //!
 //! Places are points from the upper left corner of the drawing, y downwards; angles are degrees counterclockwise from
 //! the right, as an operator counts them.
@@ -9,13 +9,13 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, 
 use crate::gui::shapes;
 use crate::gui::theme::{self, Palette, sizes};
 
-/// The width of the lines of a workpiece.
+/// The width of the outlines of a workpiece.
 pub(super) const EDGE: f32 = 1.5;
 
-/// The width of what is pointed at.
+/// The width of highlighted lines.
 const STRONG: f32 = 2.0;
 
-/// The size of an arrow's head.
+/// The size of an arrowhead.
 const HEAD: f32 = 9.0;
 
 /// Between a place and the label beside it.
@@ -33,7 +33,7 @@ impl<'a> Canvas<'a> {
         Self { painter: painter.with_clip_rect(rect.intersect(painter.clip_rect())), palette, rect }
     }
 
-    /// A place so far from the upper left corner.
+    /// A place at an offset from the upper left corner.
     pub(super) fn at(&self, x: f32, y: f32) -> Pos2 {
         self.rect.min + vec2(x, y)
     }
@@ -77,7 +77,7 @@ impl<'a> Canvas<'a> {
         self.line(at - vec2(0.0, size), at + vec2(0.0, size), stroke);
     }
 
-    /// A head whose tip is at a place.
+    /// An arrowhead with its tip at a place.
     pub(super) fn head(&self, tip: Pos2, direction: Vec2, colour: Color32) {
         shapes::arrow_head(&self.painter, tip - direction.normalized() * HEAD * 0.6, direction, HEAD, colour);
     }
@@ -98,7 +98,7 @@ impl<'a> Canvas<'a> {
         self.head(polar(centre, radius, to), polar(Pos2::ZERO, 1.0, to + turn).to_vec2(), stroke.color);
     }
 
-    /// A dimension between two places, heads within, or outside where there is no room.
+    /// A dimension between two places; arrowheads inside, or outside where there is no room.
     pub(super) fn dimension(&self, from: Pos2, to: Pos2) {
         let stroke = self.strong();
         let along = to - from;
@@ -114,22 +114,22 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// The key of what is pointed at.
+    /// The key of what is highlighted.
     pub(super) fn key(&self, at: Pos2, anchor: Align2, text: &str) {
         self.label(at, anchor, text, theme::bold(sizes().body), self.palette.accent.0);
     }
 
-    /// A word or a number beside something, without weight and without a ground.
+    /// A word or a number beside something, in light type and without a background.
     pub(super) fn note(&self, at: Pos2, anchor: Align2, text: &str) {
         self.painter.text(at, anchor, text, theme::font(sizes().small), self.palette.quiet.0);
     }
 
-    /// The same where lines or material are behind it.
+    /// A note with a background, where lines or material are behind it.
     pub(super) fn note_on_ground(&self, at: Pos2, anchor: Align2, text: &str) {
         self.label(at, anchor, text, theme::font(sizes().small), self.palette.quiet.0);
     }
 
-    /// Text on a ground, so that lines do not cross it, and within the drawing.
+    /// Text on a background, so that lines do not cross it, kept within the drawing.
     pub(super) fn label(&self, at: Pos2, anchor: Align2, text: &str, font: FontId, colour: Color32) -> Rect {
         let galley = self.painter.layout_no_wrap(text.to_owned(), font, colour);
         let rect = anchor.anchor_size(at, galley.size());
@@ -141,12 +141,12 @@ impl<'a> Canvas<'a> {
         rect
     }
 
-    /// Material from above.
+    /// Material seen from above.
     pub(super) fn block(&self, rect: Rect) {
         self.painter.rect(rect, 2.0, self.palette.none.0, self.edge(), StrokeKind::Middle);
     }
 
-    /// Material that is cut through.
+    /// Material in section.
     pub(super) fn cut(&self, rect: Rect) {
         self.painter.rect_filled(rect, 0.0, self.palette.none.0);
         shapes::hatch(&self.painter, rect, shapes::Hatch::Single, Stroke::new(1.0, self.palette.line.0));
@@ -175,7 +175,7 @@ impl<'a> Canvas<'a> {
     }
 }
 
-/// A place so far from a centre in a direction.
+/// A place at a distance from a centre in a direction.
 pub(super) fn polar(centre: Pos2, radius: f32, degrees: f32) -> Pos2 {
     let (sin, cos) = degrees.to_radians().sin_cos();
     centre + vec2(cos, -sin) * radius

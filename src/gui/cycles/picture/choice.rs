@@ -7,7 +7,7 @@ use super::canvas::{Canvas, polar};
 use super::parameter::Scene;
 use crate::probing::cycle::Meaning;
 
-/// Of more numbers only so many are drawn.
+/// Of more numbers than this, only the first are drawn.
 const MOST: usize = 5;
 
 /// The ball.
@@ -84,7 +84,7 @@ impl Choice<'_> {
             let way = vec![from, pos2(from.x, high), pos2(to.x, high), to];
             self.canvas.polyline(way, self.canvas.strong());
         } else if self.scene.shape.is_outside() {
-            // Round the stud: seen from the side, behind it.
+            // Around the shaft: seen from the side, behind it.
             self.canvas.dashed(&[from, to], self.canvas.strong(), 4.0, 4.0);
         } else {
             self.canvas.line(from, to, self.canvas.strong());

@@ -23,13 +23,13 @@ const REACH: f64 = 0.3;
 /// Deviations below 0.1 µm are not worth a larger picture.
 const NOT_WORTH_MM: f64 = 1e-4;
 
-/// Beyond so many contacts their numbers would hide the picture.
+/// Beyond this many contacts their numbers would hide the picture.
 const MOST_NUMBERS: usize = 16;
 
 /// Points on a drawn circle.
 const STEPS: u16 = 144;
 
-/// The contacts about their circle; for a cycle without a circle its first value between its limits.
+/// The contacts around their circle; for a cycle without a circle its first value between its limits.
 ///
 /// The evaluation, where there is one, is that of the result's contacts in their plane.
 pub(in crate::gui) fn contacts_picture(
@@ -55,7 +55,7 @@ pub(in crate::gui) fn contacts_picture(
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
 }
 
-/// The nominal diameter in millimetres: the measured one less its deviation, where the cycle tells it.
+/// The nominal diameter in millimetres: the measured one minus its deviation, where the cycle gives it.
 fn nominal(result: &CycleResult) -> Option<f64> {
     let diameter = result.circle.as_ref()?.diameter;
     let deviation = result.results.iter().find(|found| found.name == FoundName::DIAMETER_DEVIATION)?;
@@ -170,7 +170,7 @@ struct Drawing<'a> {
 
 impl Drawing<'_> {
     fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
-        // Numbers stand left and right of the circle, and above and below it.
+        // Numbers are left and right of the circle, and above and below it.
         let room = vec2(self.body.width() - space(44.0), self.body.height() - space(5.0)).min_elem().max(space(8.0));
         let unit = room / 2.0 / screen(1.0 + REACH);
         self.body.center() + vec2(screen(x), -screen(y)) * unit
@@ -244,7 +244,7 @@ fn label_rect(painter: &Painter, at: Pos2, anchor: Align2, text: &str) -> Rect {
     anchor.anchor_size(at, galley.size())
 }
 
-/// The place of a label, moved down or up where another stands already.
+/// The place of a label, moved down or up where another label is already.
 fn free(taken: &[Rect], wanted: Rect) -> Rect {
     let is_free = |rect: &Rect| taken.iter().all(|other| !other.expand(2.0).intersects(*rect));
     let step = wanted.height() + 4.0;

@@ -1,4 +1,4 @@
-//! Every criterion of a circle side by side, what scatter does to it, and what the contacts cannot tell.
+//! Every criterion of a circle side by side, the effect of scatter on it, and what the contacts cannot tell.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Grid, RichText, Ui, WidgetInfo};
@@ -9,7 +9,7 @@ use crate::message::Message;
 use crate::probing::circle::{Circle, CircleWarning, Evaluation, TwoPoint};
 use crate::words::Words;
 
-/// So many two-point sizes are listed one by one; of more, the smallest and the largest.
+/// Up to this many two-point sizes are listed one by one; of more, the smallest and the largest.
 const MOST_PAIRS: usize = 4;
 
 /// The heads of the columns.
@@ -43,7 +43,7 @@ pub(in crate::gui) fn criteria_table(ui: &mut Ui, view: &View<'_>, evaluation: &
 #[derive(Debug, Clone, PartialEq)]
 struct Row {
     name: String,
-    /// Centre in both axes, diameter, form; a dash where a criterion has none. Else the reason why there is no circle.
+    /// Centre in both axes, diameter, form; a dash where a criterion has none. Or else why there is no circle.
     cells: Result<[String; 4], String>,
 }
 
@@ -59,7 +59,7 @@ impl Row {
                 }
             }
             Err(reason) => {
-                // The reason is a sentence and stands across all columns.
+                // The reason is a sentence and spans all columns.
                 let colour = palette(ui.ctx()).quiet.0;
                 let galley = ui.painter().layout_no_wrap(reason.clone(), theme::font(sizes().small), colour);
                 let response = ui.allocate_response([1.0, galley.size().y].into(), eframe::egui::Sense::hover());
@@ -121,7 +121,7 @@ fn two_point(words: &Words, sizes: &[TwoPoint]) -> Vec<Row> {
     ends.into_iter().filter_map(|(id, size)| size.map(|size| row(id, size))).collect()
 }
 
-/// What a contact's scatter does to diameter and centre.
+/// The effect of a contact's scatter on diameter and centre.
 fn uncertainty(words: &Words, evaluation: &Evaluation) -> String {
     let factors = &evaluation.uncertainty;
     let factor = |value: f64| words.number(&format!("{value:.2}"));
@@ -137,7 +137,7 @@ fn is_too_many(warning: &CircleWarning) -> bool {
     matches!(warning, CircleWarning::TooManyContacts { .. })
 }
 
-/// Whether a warning is already said where the circle would stand.
+/// Whether a warning is already shown in place of the circle.
 fn stands_in_the_table(warning: &CircleWarning) -> bool {
     is_too_many(warning) || matches!(warning, CircleWarning::NoInscribed | CircleWarning::NoZone)
 }

@@ -1,4 +1,4 @@
-//! Parameters whose declaration says no more than their range: a length, an angle, a number.
+//! Parameters whose declaration gives no more than their range: a length, an angle, a number.
 
 use eframe::egui::{Align2, pos2, vec2};
 

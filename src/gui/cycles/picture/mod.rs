@@ -4,12 +4,12 @@
 //! |---|---|
 //! | `parameter` | the drawing of a parameter by its declared meaning and its cycle's shape, and its sentence |
 //! | `plan`, `section`, `choice`, `general` | its views: from above, from the side, one of a few numbers, any other |
-//! | `path`, `scale` | the way of the ball's centre, from above and from the side; one view of it |
+//! | `path`, `scale` | the path of the ball's centre, from above and from the side; one view of it |
 //! | `contacts` | contacts about a circle, deviations magnified; `bar`: one deviation between its limits |
 //! | `criteria` | every criterion of a circle side by side |
 //! | `canvas` | lines, arrows, dimensions, labels: what all drawings are made of |
 //!
-//! Every drawing says in words, as the name of its figure, what it shows.
+//! Every drawing has a name that says in words what it shows.
 
 mod bar;
 mod canvas;

@@ -12,10 +12,10 @@ use crate::probing::cycle::{Axis, Cycle, Key, Meaning, Parameter, Range};
 use crate::probing::simulated::Shape;
 use crate::words::Words;
 
-/// The size of the drawing in steps; the sentence stands below it.
+/// The size of the drawing in steps; the sentence is below it.
 const STEPS: [f32; 2] = [65.0, 40.0];
 
-/// So many lines of the sentence have room, so that the panel below does not jump from drawing to drawing.
+/// This many lines of the sentence have room, so that the panel below does not jump from drawing to drawing.
 const LINES: f32 = 3.0;
 
 /// The drawing of a parameter and its sentence; nothing for a key that the cycle does not have.

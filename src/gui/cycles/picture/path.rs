@@ -1,4 +1,4 @@
-//! The way of the ball's centre, from above and from the side: what is done, what is to come, where the ball is.
+//! The path of the ball's centre, from above and from the side: what is done, what is to come, where the ball is.
 
 use std::f64::consts::{PI, TAU};
 
@@ -15,11 +15,11 @@ use crate::probing::cycle::{Move, Phase, Plane};
 use crate::probing::simulated::Surface;
 use crate::words::Words;
 
-/// Points on an arc of the way.
+/// Points on an arc of the path.
 const STEPS: u8 = 48;
 
-/// The way of the probe after so many moves (`step`, from 0 to their number), with the surface that the cycle expects and
-/// the ball to scale (`ball_radius`, mm; 0 where contacts are points of the surface).
+/// The path of the probe after `step` moves (0 to their number), with the surface that the cycle expects and the ball
+/// to scale (`ball_radius`, mm; 0 where contacts are points of the surface).
 pub(in crate::gui) fn path_picture(
     ui: &mut Ui,
     view: &View<'_>,
@@ -29,7 +29,7 @@ pub(in crate::gui) fn path_picture(
     ball_radius: f64,
 ) {
     let moves: Vec<Move> = path.iter().copied().filter(is_finite).collect();
-    // Moves that cannot be drawn are none; the step counts those that can.
+    // Moves that cannot be drawn are left out; the step counts only those that can.
     let step = path.iter().take(step).filter(|one| is_finite(one)).count();
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height(ui)), Sense::hover());
     if ui.is_rect_visible(rect) {
@@ -41,7 +41,7 @@ pub(in crate::gui) fn path_picture(
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
 }
 
-/// As high as there is room, in a list that scrolls three quarters of the width.
+/// The height that there is room for; in a list that scrolls, three quarters of the width.
 pub(super) fn height(ui: &Ui) -> f32 {
     let most = (ui.available_width() * 0.75).max(space(40.0));
     ui.available_height().clamp(space(40.0), most)
@@ -80,7 +80,7 @@ fn describe(words: &Words, moves: &[Move], step: usize) -> String {
     }
 }
 
-/// Where the ball is after so many moves.
+/// Where the ball is after this many moves.
 pub(super) fn place(moves: &[Move], step: usize) -> Option<[f64; 3]> {
     match step.checked_sub(1).and_then(|last| moves.get(last)) {
         Some(last) => Some(last.to),
@@ -88,7 +88,7 @@ pub(super) fn place(moves: &[Move], step: usize) -> Option<[f64; 3]> {
     }
 }
 
-/// What is shown.
+/// The path and what is shown with it.
 pub(super) struct Way<'a> {
     pub(super) moves: &'a [Move],
     pub(super) step: usize,
@@ -101,7 +101,7 @@ impl Way<'_> {
         self.nominal.map_or(Plane::Xy, |surface| surface.plane())
     }
 
-    /// Places of the way, in the coordinates of a view.
+    /// Places of the path, in the coordinates of a view.
     pub(super) fn places(&self, eye: Eye) -> Vec<[f64; 2]> {
         self.moves.iter().flat_map(|one| trace(one, self.plane())).map(|place| eye.see(place)).collect()
     }
@@ -131,7 +131,7 @@ pub(super) fn trace(one: &Move, plane: Plane) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// From where the way is looked at.
+/// The direction of view.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Eye {
     /// Onto the plane.

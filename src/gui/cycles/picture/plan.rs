@@ -17,12 +17,12 @@ const BALL: f32 = 9.0;
 /// The angle of the first contact, and the step to the next.
 const FIRST: f32 = 50.0;
 const STEP: f32 = 80.0;
-/// Half the lengths of a rectangle; a slot or ridge has the first, and ends beyond the drawing of its block.
+/// Half the lengths of a rectangle; a slot or ridge has the first, and ends outside the drawing of its block.
 const HALVES: Vec2 = vec2(44.0, 32.0);
 const BLOCK: Vec2 = vec2(156.0, 112.0);
-/// The face that is touched, from above.
+/// The face that is touched, seen from above.
 const FACE: Rect = Rect { min: pos2(72.0, 20.0), max: pos2(168.0, 112.0) };
-/// Below and left of the datum is room for dimensions.
+/// Below and left of the datum there is room for dimensions.
 const BELOW: f32 = 147.0;
 const ASIDE: f32 = 20.0;
 
@@ -77,7 +77,7 @@ impl Plan<'_> {
         self.canvas.circle(origin, 3.5, self.canvas.palette.panel.0, self.canvas.edge());
     }
 
-    /// Half the lengths of walls, seen from their centre.
+    /// Half the lengths between walls, from their centre.
     fn halves(&self) -> Vec2 {
         match self.scene.shape {
             Shape::Slot | Shape::Ridge => vec2(HALVES.x, BLOCK.y / 2.0),
@@ -254,7 +254,7 @@ impl Plan<'_> {
         self.canvas.key(polar(centre, RADIUS + 8.0, 200.0), Align2::RIGHT_CENTER, &format!("−{}", self.key));
     }
 
-    /// A length from wall to wall, or a limit of it so far beside the walls.
+    /// A length from wall to wall, or a limit of it, this far beside the walls.
     fn length(&self, axis: Axis, beside: f32) {
         self.feature();
         self.axes();
@@ -307,7 +307,7 @@ impl Plan<'_> {
         self.canvas.key(centre, Align2::CENTER_CENTER, self.key);
     }
 
-    /// A point on one of the walls of a ridge: the first on the side of plus, the second on that of minus.
+    /// A point on one of the walls of a ridge: the first on the plus side, the second on the minus side.
     fn point_of_wall(&self, axis: Axis, side: f32) {
         self.feature();
         self.axes();

@@ -1,4 +1,4 @@
-//! One view of the way of the ball's centre: the same scale on both axes, the nominal surface, moves, ball, contacts.
+//! One view of the path of the ball's centre: the same scale on both axes, the nominal surface, moves, ball, contacts.
 
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
@@ -12,16 +12,16 @@ use crate::probing::cycle::{Move, Phase, Plane};
 use crate::probing::simulated::Outline;
 use crate::words::Words;
 
-/// The share of the room that is left around a view.
+/// The share of the room that is kept free around a view.
 const MARGIN: f64 = 0.08;
 
-/// The least that is shown, mm, where the way has no extent.
+/// The least that is shown, mm, where the path has no extent.
 const LEAST_MM: f64 = 1e-3;
 
-/// Farther away nothing is drawn, mm.
+/// Nothing farther away than this is drawn, mm.
 const FARTHEST_MM: f64 = 1e9;
 
-/// Where a view shows what, with the same scale on both axes.
+/// What a view shows where, with the same scale on both axes.
 pub(super) struct Scale {
     eye: Eye,
     rect: Rect,
@@ -31,14 +31,14 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// As large as everything on the way has room.
+    /// The largest scale at which everything on the path has room.
     pub(super) fn of(way: &Way<'_>, eye: Eye, rect: Rect) -> Self {
         let mut places = way.places(eye);
         let ball = way.ball_radius;
         let mut around = ball;
         match way.nominal.map(|surface| surface.outline(0.0)) {
             Some(Outline::Circle { centre: [first, second], radius }) if radius < FARTHEST_MM => {
-                // From the side only as far as it is wide.
+                // From the side only its width counts.
                 let height = places.first().map_or(0.0, |[_, height]| *height);
                 let across = [first - radius, first + radius];
                 match eye {
@@ -70,7 +70,7 @@ impl Scale {
             (f64::midpoint(least, most), most - least)
         };
         let ((x, wide), (y, high)) = (fold(|[x, _]| *x), fold(|[_, y]| *y));
-        // A ball that moves little still has some room around it.
+        // A ball that moves little still gets some room around it.
         let size = |extent: f64| ((extent + 2.0 * around) * (1.0 + 2.0 * MARGIN)).max(6.0 * ball).max(LEAST_MM);
         let room = rect.shrink(space(2.0));
         let [width, height] = [room.width(), room.height()].map(|side| f64::from(side.max(1.0)));
@@ -143,7 +143,7 @@ impl Scale {
         }
     }
 
-    /// A hole, stud or walls from the side, as far up as it is certain to reach: a ball's radius above the contacts.
+    /// A hole, shaft or walls from the side, as far up as they certainly reach: a ball's radius above the contacts.
     fn walls(&self, canvas: &Canvas<'_>, way: &Way<'_>, is_outside: bool, [left, right]: [f64; 2]) {
         let contacts = way.moves.iter().filter(|one| one.phase == Phase::Contact);
         let heights = contacts.map(|one| self.eye.see(way.plane().within(one.to))).map(|[_, height]| height);
@@ -177,7 +177,7 @@ impl Scale {
         let reach = self.rect.size().length();
         let point = self.at(point);
         canvas.line(point - along * reach, point + along * reach, canvas.edge());
-        // Short strokes into the material, as long as a line of them crosses the view.
+        // Short strokes into the material, along a line across the whole view.
         let mut off = -reach;
         while off < reach {
             let from = point + along * off;
@@ -196,7 +196,7 @@ impl Scale {
         stroke(canvas, &points, one.phase, is_done);
     }
 
-    /// Every contact as a mark on the surface with its number beyond it; several at one place share their mark.
+    /// Every contact as a mark on the surface with its number beyond it; several at one place share a mark.
     fn contacts(&self, canvas: &Canvas<'_>, way: &Way<'_>) {
         let mut marks: Vec<(Pos2, Vec2, String, bool)> = Vec::new();
         // From the ball's centre to where it touches, on screen.
@@ -244,7 +244,7 @@ impl Scale {
         let right = inner.right_bottom();
         let left = right - vec2(self.length(mm), 0.0);
         let text = format!("{} mm", words.number(&format!("{mm}")));
-        // On a ground of its own: material may be behind it.
+        // On a background of its own: material may be behind it.
         let top = right - vec2(self.length(mm).max(space(11.0)), sizes().small + space(2.0));
         let ground = Rect::from_two_pos(top, right).expand(space(1.0));
         canvas.painter.rect_filled(ground, 2.0, canvas.palette.panel.0);
@@ -261,7 +261,7 @@ fn is_near(place: &[f64]) -> bool {
     place.iter().all(|part| part.abs() < FARTHEST_MM)
 }
 
-/// From where to where corners reach, seen from the side.
+/// How far the corners reach, seen from the side.
 fn span(corners: &[[f64; 2]; 4], eye: Eye) -> [f64; 2] {
     let places = corners.map(|[first, second]| if eye == Eye::Front { second } else { first });
     places
@@ -269,7 +269,7 @@ fn span(corners: &[[f64; 2]; 4], eye: Eye) -> [f64; 2] {
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], place| [least.min(place), most.max(place)])
 }
 
-/// How the phases differ, also without colour: dashes, a full line with an arrow, dots beside it, long dashes.
+/// How the phases differ, even without colour: dashes, a full line with an arrow, dots beside it, long dashes.
 fn stroke(canvas: &Canvas<'_>, points: &[Pos2], phase: Phase, is_done: bool) {
     let palette = canvas.palette;
     let colour = |done| if is_done { done } else { palette.line.0 };
@@ -284,7 +284,7 @@ fn stroke(canvas: &Canvas<'_>, points: &[Pos2], phase: Phase, is_done: bool) {
             }
         }
         Phase::Retract => {
-            // It goes back where the approach came: drawn beside it.
+            // The ball goes back along its approach: drawn beside it.
             let along = (*last - *before).normalized();
             let beside = vec2(-along.y, along.x) * 5.0;
             let points: Vec<Pos2> = points.iter().map(|point| *point + beside).collect();

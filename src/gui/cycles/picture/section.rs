@@ -10,17 +10,17 @@ use crate::probing::simulated::Shape;
 
 /// The top of a workpiece, where the datum is.
 const DATUM: Pos2 = pos2(46.0, 78.0);
-/// Where the ball touches.
+/// The height where the ball touches.
 const MEASURING: f32 = 122.0;
-/// Where nothing is in the way.
+/// The height where nothing is in the way.
 const CLEARANCE: f32 = 28.0;
 /// The drawing's lower edge.
 const BOTTOM: f32 = 158.0;
-/// Where dimensions of heights stand.
+/// Where the dimensions of heights are.
 const ASIDE: f32 = 20.0;
 /// The ball.
 const BALL: f32 = 9.0;
-/// The part of the clearance that the touch-probe table gives, and with the parameter's.
+/// The clearance that the touch-probe table gives, and that together with the parameter's.
 const SET_UP: f32 = 15.0;
 const WITH_PARAMETER: f32 = 46.0;
 /// The free surface: a large circle; its point, in degrees.
@@ -28,7 +28,7 @@ const SURFACE_DATUM: Pos2 = pos2(46.0, 128.0);
 const SURFACE_CENTRE: Pos2 = pos2(120.0, 194.0);
 const SURFACE_RADIUS: f32 = 130.0;
 const SURFACE_POINT: f32 = 62.0;
-/// Half the band about it.
+/// Half the band around it.
 const HALF_BAND: f32 = 15.0;
 
 struct Section<'a> {
@@ -55,7 +55,7 @@ impl Section<'_> {
         self.canvas.rect.min + place.to_vec2()
     }
 
-    /// Workpiece and axes; gives the datum, the point that is touched and the direction out of the material.
+    /// Workpiece and axes; returns the datum, the point that is touched and the direction out of the material.
     fn workpiece(&self, across: &str) -> (Pos2, Pos2, Vec2) {
         let block = |left: f32, right: f32| {
             self.canvas.cut(Rect::from_min_max(self.at(pos2(left, DATUM.y)), self.at(pos2(right, BOTTOM))));
@@ -161,7 +161,7 @@ impl Section<'_> {
         self.canvas.probe(ball, BALL);
         self.canvas.contact(point, self.canvas.palette.text.0);
         let [set_up, with] = [SET_UP, WITH_PARAMETER].map(|distance| point + normal * distance);
-        // Dimensions stand beside the way, above it where it is level.
+        // Dimensions are beside the path, above it where it is level.
         let across = if normal.y.abs() < 0.1 { vec2(0.0, -22.0) } else { vec2(-normal.y, normal.x) * 22.0 };
         for place in [point, set_up, with] {
             self.canvas.line(place, place + across * 1.2, self.canvas.thin());
@@ -204,7 +204,7 @@ impl Section<'_> {
     }
 
     fn band(&self) {
-        // Of a plane face the band is drawn as of a free surface.
+        // The band of a plane face is drawn like that of a free surface.
         let (_, point, normal) = Section { scene: Scene { shape: Shape::Point, ..self.scene }, ..*self }.workpiece("X");
         let centre = self.at(SURFACE_CENTRE);
         let (from, to) = (SURFACE_POINT - 20.0, SURFACE_POINT + 24.0);

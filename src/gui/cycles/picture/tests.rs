@@ -1,4 +1,4 @@
-//! The drawings, by what they say; three pictures of them. Rewrite those with `UPDATE_SNAPSHOTS=1`.
+//! The drawings, by their descriptions; three pictures of them. Rewrite those with `UPDATE_SNAPSHOTS=1`.
 
 #![cfg(feature = "gui-tests")]
 
@@ -18,7 +18,7 @@ use crate::session::Session;
 use crate::tolerance::Feature;
 use crate::words::{Language, Words};
 
-/// Draws in a window and gives it back, settled.
+/// Draws in a window and returns it, settled.
 fn drawn<'a>(
     size: [f32; 2],
     theme: Theme,
@@ -71,7 +71,7 @@ fn evaluated(result: &CycleResult) -> Evaluation {
     evaluate(&result.plane_contacts()).unwrap()
 }
 
-/// Whether pictures can be made here; without a Vulkan driver they are left out, except under CI.
+/// Whether pictures can be made here; without a Vulkan driver they are skipped, except under CI.
 fn can_paint() -> bool {
     let renderer = std::panic::catch_unwind(egui_kittest::wgpu::WgpuTestRenderer::new);
     assert!(renderer.is_ok() || std::env::var("CI").is_err(), "no Vulkan driver, and CI must have one");
@@ -248,7 +248,7 @@ fn contacts_say_their_deviations_and_the_factor() {
                     1  +2.0 µm; 2  −2.0 µm; 3  +2.0 µm; 4  −2.0 µm. Nominal circle Ø 25.0000 mm.";
     assert_eq!(contacts_label(&result, None, Language::En), expected);
     assert_eq!(contacts_label(&result, Some(&evaluated(&result)), Language::En), expected);
-    // An evaluation of other contacts is not believed.
+    // An evaluation of other contacts is not used.
     let other = Evaluation { residuals: vec![1.0], ..evaluated(&result) };
     assert_eq!(contacts_label(&result, Some(&other), Language::En), expected);
 }
