@@ -49,7 +49,7 @@ pub(super) struct Args {
     /// Language of the status words and of the L_ sections in your own mask; without --mask, also of the mask
     #[arg(long, default_value = "en", value_parser = dialogue())]
     language: Dialogue,
-    /// Format of the answer; Format of the answer; text prints the mask's text and nothing else
+    /// Format of the answer; text prints the mask's text and nothing else
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     #[command(flatten)]

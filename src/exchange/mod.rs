@@ -5,7 +5,7 @@
 //! | `imported` | what was read from a file: records, and everything that did not become one |
 //! | `error` | errors and warnings, with their places |
 //! | `logs` | HEIDENHAIN measuring logs as records |
-//! | `log444` | logs of points as deviations along the normal |
+//! | `point_log` | logs of points as deviations along the normal |
 //! | `contacts` | CSV of x, y and optionally z |
 //! | `measurements` | CSV of id, callout and measured value |
 //! | `columns`, `words` | which column of a CSV is which, by header or content |
@@ -20,9 +20,9 @@ pub mod contacts;
 mod delimited;
 pub mod error;
 pub mod imported;
-mod log444;
 mod logs;
 mod measurements;
+mod point_log;
 pub mod tables;
 mod words;
 
@@ -52,7 +52,7 @@ pub struct Format {
 }
 
 /// Every format, in the order in which they are asked whether they know a file.
-pub const FORMATS: &[Format] = &[log444::FORMAT, logs::FORMAT, CONTACTS, measurements::FORMAT];
+pub const FORMATS: &[Format] = &[point_log::FORMAT, logs::FORMAT, CONTACTS, measurements::FORMAT];
 
 /// Contacts of a probe: recognised here, read by their own file.
 const CONTACTS: Format = Format {
