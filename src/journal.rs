@@ -27,13 +27,13 @@ pub struct Record {
     pub measurement: Measurement,
     /// The answer.
     pub verdict: Verdict,
-    /// A measured value that may be another quantity.
+    /// A measured value that may be another quantity or another part's.
     pub doubt: Option<Doubt>,
 }
 
 impl Record {
     /// Checks a measurement, and the centre's position where it was measured, by the control's default rule; a value
-    /// that may be another quantity gets a doubt.
+    /// that may be another quantity or another part's gets a doubt.
     pub fn judged(
         time: DateTime,
         id: String,
@@ -43,7 +43,7 @@ impl Record {
         position: Option<PositionVerdict>,
     ) -> Self {
         let measured = measurement.diameter;
-        let (verdict, doubt) = (judge(&limits, measured, position), doubt(limits.nominal, measured));
+        let (verdict, doubt) = (judge(&limits, measured, position), doubt(&limits, measured));
         Self { time, id, callout, limits, measurement, verdict, doubt }
     }
 }

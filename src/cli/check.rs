@@ -131,6 +131,9 @@ impl Args {
             return Err(CliError::ReworkOrScrap { asked, measured, minimum, maximum });
         }
         warn(&record, io)?;
+        if record.measurement.origin.is_simulated() && matches!(self.format, Format::Text) {
+            io.tell(CliRemark::Simulated)?;
+        }
         match self.format {
             Format::Text => self.print_window(&record, io)?,
             Format::Json => print_json(&record, unstated, io)?,

@@ -153,8 +153,11 @@ impl Answerer for Fits<'_> {
             Err(error) => return answers.refuse::<Self>(asked, &error, io),
         };
         self.worst = self.worst.max(answer.measured.status());
-        for (name, measured) in [(What::Hole, self.given.hole), (What::Shaft, self.given.shaft)] {
-            if let Some(doubt) = measured.and_then(|measured| doubt(answer.fit.nominal(), measured)) {
+        let fit = &answer.fit;
+        for (name, limits, measured) in
+            [(What::Hole, fit.hole(), self.given.hole), (What::Shaft, fit.shaft(), self.given.shaft)]
+        {
+            if let Some(doubt) = measured.and_then(|measured| doubt(limits, measured)) {
                 io.warn_about(&name, &doubt)?;
             }
         }

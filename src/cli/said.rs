@@ -12,6 +12,8 @@ pub(super) enum CliRemark {
     Wrote { path: String },
     /// A file of several files is written.
     WroteFiles { path: String, count: usize },
+    /// Nobody measured.
+    Simulated,
     /// A part can still be machined.
     Remove { limit: Length, middle: Length },
     /// Callouts without an answer.

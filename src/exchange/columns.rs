@@ -32,6 +32,8 @@ pub(super) struct Columns {
     pub(super) measured: LengthColumn,
     /// A column with date and time, or one for each.
     pub(super) time: Vec<usize>,
+    /// A column that says whether nobody measured.
+    pub(super) simulated: Option<usize>,
     /// How many cells a row has.
     pub(super) count: usize,
     /// The line of the header; `None` where there is none.
@@ -151,13 +153,17 @@ impl Sample {
         let time: Vec<usize> =
             (0..).zip(&roles).filter(|(_, r)| matches!(r, Some((Role::Time, _)))).map(|(at, _)| at).take(2).collect();
         let id = best(Role::Id, &sure)?;
+        let simulated = best(Role::Simulated, &sure)?;
         let column = |at: usize| -> Result<LengthColumn, ImportErrorKind> {
             let unit =
                 words::unit(header.get(at).unwrap_or_default()).map_err(|unit| ImportErrorKind::Unit { unit })?;
             Ok(LengthColumn { at, unit: unit.unwrap_or(Unit::Millimetre) })
         };
-        let used: Vec<usize> =
-            [id, tolerance, nominal, Some(measured_at)].into_iter().flatten().chain(time.iter().copied()).collect();
+        let used: Vec<usize> = [id, tolerance, nominal, simulated, Some(measured_at)]
+            .into_iter()
+            .flatten()
+            .chain(time.iter().copied())
+            .collect();
         let ignored = (0..).zip(header).filter(|(at, name)| !used.contains(at) && !name.trim().is_empty());
         Ok(Columns {
             id,
@@ -165,6 +171,7 @@ impl Sample {
             nominal: nominal.map(column).transpose()?,
             measured: column(measured_at)?,
             time,
+            simulated,
             count: header.len(),
             header: Some(line),
             names_known: true,
@@ -214,6 +221,7 @@ impl Sample {
             nominal: nominal.map(|at| LengthColumn { at, unit: Unit::Millimetre }),
             measured: LengthColumn { at: measured, unit: Unit::Millimetre },
             time: Vec::new(),
+            simulated: None,
             count,
             header: None,
             names_known: false,

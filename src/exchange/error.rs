@@ -95,6 +95,11 @@ pub enum ImportErrorKind {
         /// The sign of the other values.
         sign: char,
     },
+    /// A cell of the column that says whether nobody measured.
+    Simulated {
+        /// What was given.
+        given: String,
+    },
     /// A diameter of zero or less.
     NotPositive {
         /// What was given.
@@ -126,6 +131,8 @@ pub enum Role {
     Measured,
     /// Date, time or both.
     Time,
+    /// Whether nobody measured.
+    Simulated,
 }
 
 /// A warning about a file or row that was still used.

@@ -143,7 +143,7 @@ impl Reader<'_> {
         };
         let limits =
             self.source.sources.limits(&callout, None).map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
-        let measurement = Measurement::of_diameter(measured, Origin::Imported { file: Arc::clone(&self.source.file) });
+        let measurement = Measurement::of_diameter(measured, self.origin(cells)?);
         let record = Record::judged(self.time(line, cells), id, Some(callout), limits, measurement, None);
         self.imported.keep(line, record);
         Ok(())
@@ -243,6 +243,17 @@ impl Reader<'_> {
             return Err((cell, ImportErrorKind::DecimalComma { joined: shorten(&joined) }));
         }
         Ok(())
+    }
+
+    /// The file; a value that it calls simulated stays so.
+    fn origin<'c>(&self, cells: &'c StringRecord) -> Result<Origin, Refused<'c>> {
+        let file = Arc::clone(&self.source.file);
+        let text = self.columns.simulated.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        match text.to_ascii_lowercase().as_str() {
+            "" | "false" => Ok(Origin::Imported { file }),
+            "true" => Ok(Origin::ImportedSimulation { file }),
+            _ => Err((Cell { at: self.columns.simulated, text }, ImportErrorKind::Simulated { given: shorten(text) })),
+        }
     }
 
     /// The time of a row, or the time of import with a warning.

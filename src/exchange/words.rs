@@ -33,6 +33,8 @@ const WEAK: &str = "diameter|durchmesser|diametro|ø|dia|d|size|maat|maß|mass|g
 const TIME: &str = "time|timestamp|time stamp|datetime|date time|date and time|date|tijd|tijdstip|datum|datum tijd|\
     datum en tijd|zeit|uhrzeit|zeitstempel|zeitpunkt|data|ora|data ora|data e ora|measured at|measured on";
 
+const SIMULATED: &str = "simulated|gesimuleerd|simuliert|simulato";
+
 /// Words that give a longer name another meaning: limits, deviations, whoever or whatever measured.
 const OTHER: &str = "deviation|dev|afwijking|abweichung|scostamento|error|fout|fehler|errore|min|max|minimum|maximum|\
     minimaal|maximaal|minimo|massimo|lower|upper|onder|boven|unten|oben|inferiore|superiore|limit|limits|grens|grenze|\
@@ -52,6 +54,7 @@ pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
         (Role::Nominal, NOMINAL),
         (Role::Tolerance, TOLERANCE),
         (Role::Time, TIME),
+        (Role::Simulated, SIMULATED),
         (Role::Id, ID),
     ];
     if let Some((role, _)) = exact.into_iter().find(|(_, list)| is(list)) {

@@ -10,8 +10,15 @@ use super::view::{View, problem, quiet};
 use crate::message::Message;
 
 /// The pop-up with its text, with the reason why there is none, or with `empty` while there is nothing.
-pub(super) fn popup_ui(ui: &mut Ui, view: &View<'_>, shown: Option<&Result<String, Message>>, empty: &str) {
-    frame_ui(ui, view.text("popup-title"), |ui| {
+pub(super) fn popup_ui(
+    ui: &mut Ui,
+    view: &View<'_>,
+    shown: Option<&Result<String, Message>>,
+    empty: &str,
+    is_simulated: bool,
+) {
+    let title = if is_simulated && shown.is_some() { "popup-title-simulated" } else { "popup-title" };
+    frame_ui(ui, view.text(title), |ui| {
         ui.set_min_height(space(24.0));
         match shown {
             Some(Ok(text)) => text_ui(ui, text, "popup"),

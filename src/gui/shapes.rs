@@ -1,7 +1,7 @@
 //! Shapes that are painted, so that they need no font: verdicts, hole and shaft, hatching.
 
 use eframe::egui::epaint::PathShape;
-use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
 
 use super::theme::palette;
 use crate::tolerance::Feature;
@@ -24,6 +24,13 @@ pub(super) fn times(size: f32, count: usize) -> f32 {
 pub(super) fn focus_ring(ui: &Ui, rect: Rect) {
     let stroke = Stroke::new(2.0, palette(ui.ctx()).accent.0);
     ui.painter().rect_stroke(rect.shrink(1.0), 0.0, stroke, StrokeKind::Inside);
+}
+
+/// The frame of a simulated verdict: nobody measured it.
+pub(super) fn dashed_frame(painter: &Painter, rect: Rect, colour: Color32) {
+    let rect = rect.shrink(2.0);
+    let corners = [rect.left_top(), rect.right_top(), rect.right_bottom(), rect.left_bottom(), rect.left_top()];
+    painter.extend(Shape::dashed_line(&corners, Stroke::new(2.0, colour), 8.0, 5.0));
 }
 
 /// The shape of a verdict: check, turning arrow, cross, loop; a dash for no result.

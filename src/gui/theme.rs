@@ -75,6 +75,16 @@ palette! {
     none
     /// Text on it.
     on_none
+    /// GOOD, simulated.
+    pale_good
+    /// REWORK, simulated.
+    pale_rework
+    /// SCRAP, simulated.
+    pale_scrap
+    /// RE-MEASURE, simulated.
+    pale_re_measure
+    /// Text on a simulated verdict.
+    on_pale
     /// The tolerance zone in the limit band.
     zone
     /// Its edges and the text in it.
@@ -107,6 +117,18 @@ impl Palette {
             Some(Status::ReMeasure) => (self.re_measure.0, self.on_re_measure.0),
             None => (self.none.0, self.on_none.0),
         }
+    }
+
+    /// The same for a simulated verdict.
+    pub const fn of_simulated(&self, status: Option<Status>) -> (Color32, Color32) {
+        let fill = match status {
+            Some(Status::Good) => self.pale_good,
+            Some(Status::Rework) => self.pale_rework,
+            Some(Status::Scrap) => self.pale_scrap,
+            Some(Status::ReMeasure) => self.pale_re_measure,
+            None => return self.of_status(None),
+        };
+        (fill.0, self.on_pale.0)
     }
 }
 
@@ -332,6 +354,10 @@ mod tests {
                 ("on rework", palette.on_rework, palette.rework, 7.0),
                 ("on scrap", palette.on_scrap, palette.scrap, 4.5),
                 ("on re-measure", palette.on_re_measure, palette.re_measure, 4.5),
+                ("on pale good", palette.on_pale, palette.pale_good, 7.0),
+                ("on pale rework", palette.on_pale, palette.pale_rework, 7.0),
+                ("on pale scrap", palette.on_pale, palette.pale_scrap, 7.0),
+                ("on pale re-measure", palette.on_pale, palette.pale_re_measure, 7.0),
                 ("on none", palette.on_none, palette.none, 4.5),
                 ("zone edge", palette.zone_edge, palette.zone, 7.0),
                 ("text on hole zone", palette.text, palette.hole, 7.0),
@@ -351,6 +377,21 @@ mod tests {
                 [(palette.good, palette.rework), (palette.rework, palette.scrap), (palette.good, palette.scrap)]
             {
                 assert!(1.4 <= contrast(one, other), "{one:?} {other:?}: {:.2}", contrast(one, other));
+            }
+        }
+    }
+
+    #[test]
+    fn a_simulated_verdict_is_told_apart_from_a_measured_one_in_greyscale() {
+        for palette in [&TOKENS.light, &TOKENS.dark] {
+            for (measured, simulated) in [
+                (palette.good, palette.pale_good),
+                (palette.rework, palette.pale_rework),
+                (palette.scrap, palette.pale_scrap),
+                (palette.re_measure, palette.pale_re_measure),
+            ] {
+                let is = contrast(measured, simulated);
+                assert!(1.15 <= is, "{measured:?} {simulated:?}: {is:.2}");
             }
         }
     }

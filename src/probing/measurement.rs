@@ -43,8 +43,20 @@ pub enum Origin {
         /// The file's name without its folder.
         file: Arc<str>,
     },
+    /// A diameter from a file that says that it was simulated.
+    ImportedSimulation {
+        /// The file's name without its folder.
+        file: Arc<str>,
+    },
     /// A diameter that somebody typed.
     Typed,
+}
+
+impl Origin {
+    /// Whether nobody measured: no such value may pass for a measured one.
+    pub const fn is_simulated(&self) -> bool {
+        matches!(self, Self::Simulated { .. } | Self::ImportedSimulation { .. })
+    }
 }
 
 /// What a measurement cannot tell. Shown in the window and on every report.
@@ -53,6 +65,8 @@ pub enum Origin {
 pub enum Caveat {
     /// Only one number is known.
     OnlyADiameter,
+    /// A log without contacts: diameter and centre are known.
+    OnlyACircle,
     /// A circle goes through any three contacts: the residual is always zero.
     ThreeContacts,
     /// Four contacts: two diameters and a mean; four lobes are invisible.
@@ -102,6 +116,7 @@ impl Measurement {
     /// What this measurement cannot tell.
     pub fn caveats(&self) -> Vec<Caveat> {
         let mut caveats = vec![match self.contacts.len() {
+            0 if self.centre.is_some() => Caveat::OnlyACircle,
             0 => Caveat::OnlyADiameter,
             1..=3 => Caveat::ThreeContacts,
             4 => Caveat::FourContacts,

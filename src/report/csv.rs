@@ -42,7 +42,7 @@ fn render_rows(rows: impl Iterator<Item = Row>) -> Result<Vec<u8>, RenderError> 
 }
 
 /// Millimetres have at least three decimals, except in the nominal size.
-pub(super) const COLUMNS: [Column<Row>; 20] = [
+pub(super) const COLUMNS: [Column<Row>; 21] = [
     ("time", |row| row.time.cell()),
     ("id", |row| harmless(&row.id).cell()),
     ("callout", |row| row.callout.cell()),
@@ -63,6 +63,7 @@ pub(super) const COLUMNS: [Column<Row>; 20] = [
     ("origin", |row| harmless(&row.origin).cell()),
     ("rule", |row| row.rule.cell()),
     ("warnings", |row| row.warnings.join(" | ").cell()),
+    ("simulated", |row| row.simulated.cell()),
 ];
 
 fn contacts(row: &Row) -> Option<String> {

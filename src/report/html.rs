@@ -69,6 +69,8 @@ struct Check {
     id: String,
     time: String,
     word: String,
+    /// The word where nobody measured.
+    simulated: Option<String>,
     sign: String,
     reason: String,
     /// The reason where the centre's position overrules the size.
@@ -188,6 +190,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
         id: record.id.clone(),
         time: record.time.strftime(DATE).to_string(),
         word: words.told(&status),
+        simulated: measurement.origin.is_simulated().then(|| words.get("simulated")),
         sign: picture::verdict(status, words)?,
         reason: words.say(&text::size(&verdict.size, words)),
         cause: cause(verdict, words),

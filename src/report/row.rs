@@ -33,6 +33,7 @@ pub(super) struct Row {
     pub origin: String,
     pub rule: String,
     pub warnings: Vec<String>,
+    pub simulated: bool,
 }
 
 /// A length as a number of millimetres.
@@ -99,6 +100,7 @@ impl Row {
             origin: measurement.origin.to_string(),
             rule: verdict.rule.to_string(),
             warnings: warnings(record),
+            simulated: measurement.origin.is_simulated(),
         }
     }
 }

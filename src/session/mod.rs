@@ -52,7 +52,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 pub use action::Action;
-pub use check::{Asked, CheckCommand, CheckField, CheckPage, MeasureBy, Shown};
+pub use check::{Asked, CheckCommand, CheckField, CheckPage, Lot, MeasureBy, Question, Shown};
 pub use command::{Command, CycleFile, Effect, Page, Purpose, Theme};
 pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, WorkpieceField, WorkpieceForm,

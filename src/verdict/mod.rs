@@ -33,6 +33,9 @@ pub enum Status {
 }
 
 impl Status {
+    /// Every status, best first.
+    pub const ALL: [Self; 4] = [Self::Good, Self::Rework, Self::ReMeasure, Self::Scrap];
+
     /// The word for machines, the same in every language.
     pub const fn word(self) -> &'static str {
         match self {
@@ -174,40 +177,108 @@ pub fn judge(limits: &Limits, measured: Length, position: Option<PositionVerdict
     Verdict { size: judge_size(limits, measured), position, rule: Rule::Simple }
 }
 
-/// What a measured value probably is, other than a diameter in millimetres.
+/// What may be wrong with a measured value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "doubt")]
 pub enum Doubt {
     /// 25.4 times the nominal size: an inch part read in millimetres, converted once too often.
-    TimesInch,
+    TimesInch {
+        /// The size that it may have been, where 25.4 divides it into whole nanometres.
+        #[say(skip)]
+        meant: Option<Length>,
+    },
     /// The nominal size over 25.4: inches.
-    Inches,
+    Inches {
+        /// The size in millimetres.
+        #[say(skip)]
+        meant: Option<Length>,
+    },
     /// Twice the nominal size.
-    Double,
+    Double {
+        /// Half of the value.
+        #[say(skip)]
+        meant: Option<Length>,
+    },
     /// Half the nominal size: a radius.
-    Half,
+    Half {
+        /// Twice the value.
+        #[say(skip)]
+        meant: Option<Length>,
+    },
+    /// A power of ten times the nominal size, or a part of it: 250.12 or 2.5012 for 25.012.
+    DecimalSign {
+        /// The value with its decimal sign elsewhere.
+        meant: Length,
+    },
+    /// So far beyond a limit that it may be another part: by more than ten times the tolerance and 2 % of the nominal
+    /// size.
+    Far {
+        /// How far beyond the nearest limit.
+        distance: Length,
+    },
 }
 
-/// Whether a measured value looks like another quantity: within 1 % of 25.4 times, 1/25.4, twice or half the nominal.
+impl Doubt {
+    /// What the value may have been, where that is one whole number of nanometres.
+    pub const fn meant(self) -> Option<Length> {
+        match self {
+            Self::TimesInch { meant } | Self::Inches { meant } | Self::Double { meant } | Self::Half { meant } => meant,
+            Self::DecimalSign { meant } => Some(meant),
+            Self::Far { .. } => None,
+        }
+    }
+}
+
+/// A length times a fraction, where that is a whole number of nanometres.
+fn scaled(length: Length, factor: i128, divisor: i128) -> Option<Length> {
+    let scaled = i128::from(length.nanometres()) * factor;
+    let nm = (scaled % divisor == 0).then(|| i64::try_from(scaled / divisor).ok())??;
+    Length::from_nanometres(nm).ok()
+}
+
+/// Whether a measured value looks like another quantity or another part: within 1 % of 25.4 times, 1/25.4, twice or half
+/// the nominal size, or of it with the decimal sign elsewhere; or else far outside the limits.
 ///
-/// The 1 % is our choice, far from every honest measured value. Zones of coarse grades are wider than that on small
-/// sizes; a doubt only warns and never changes the verdict.
-pub fn doubt(nominal: Length, measured: Length) -> Option<Doubt> {
-    let (nominal, measured) = (i128::from(nominal.nanometres()), i128::from(measured.nanometres()));
-    // measured * divisor within 1 % of nominal * factor
+/// The 1 %, and the ten tolerances and 2 % of [`Doubt::Far`], are our choice, far from every honest measured value. Zones of
+/// coarse grades are wider than 1 % on small sizes; a doubt only warns and never changes the verdict.
+pub fn doubt(limits: &Limits, measured: Length) -> Option<Doubt> {
+    let (nominal, value) = (i128::from(limits.nominal.nanometres()), i128::from(measured.nanometres()));
+    // value * divisor within 1 % of nominal * factor
     let near = |factor: i128, divisor: i128| {
-        let (is, should) = (measured * divisor, nominal * factor);
+        let (is, should) = (value * divisor, nominal * factor);
         (is - should).abs() * 100 <= should.abs() && should != 0
     };
+    let meant = |factor, divisor| scaled(measured, factor, divisor);
     if near(254, 10) {
-        Some(Doubt::TimesInch)
+        return Some(Doubt::TimesInch { meant: meant(10, 254) });
     } else if near(10, 254) {
-        Some(Doubt::Inches)
+        return Some(Doubt::Inches { meant: meant(254, 10) });
     } else if near(2, 1) {
-        Some(Doubt::Double)
+        return Some(Doubt::Double { meant: meant(1, 2) });
     } else if near(1, 2) {
-        Some(Doubt::Half)
-    } else {
-        None
+        return Some(Doubt::Half { meant: meant(2, 1) });
     }
+    for power in 1..=6 {
+        let ten = 10_i128.pow(power);
+        let moved = if near(ten, 1) {
+            meant(1, ten)
+        } else if near(1, ten) {
+            meant(ten, 1)
+        } else {
+            None
+        };
+        if let Some(meant) = moved {
+            return Some(Doubt::DecimalSign { meant });
+        }
+    }
+    let beyond = |limit: Length| measured.saturating_sub(limit).abs();
+    let distance = match (measured < limits.minimum(), limits.maximum() < measured) {
+        (false, false) => return None,
+        (true, _) => beyond(limits.minimum()),
+        (_, true) => beyond(limits.maximum()),
+    };
+    let (distance_nm, width) =
+        (i128::from(distance.nanometres()), i128::from(limits.maximum().saturating_sub(limits.minimum()).nanometres()));
+    let is_far = width * 10 < distance_nm && nominal.abs() < distance_nm * 50;
+    is_far.then_some(Doubt::Far { distance })
 }

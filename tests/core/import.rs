@@ -304,3 +304,14 @@ proptest::proptest! {
         proptest::prop_assert_eq!(imported.records.len() + imported.unjudged.len() + imported.errors.len(), filled);
     }
 }
+
+#[test]
+fn a_simulated_value_stays_simulated_through_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = Command::cargo_bin("fitcheck").unwrap();
+    let asked = ["check", "25 H7", "--simulate", "--format", "csv"];
+    let output = command.current_dir(folder.path()).args(asked).output().unwrap();
+    std::fs::write(folder.path().join("simulated.csv"), &output.stdout).unwrap();
+    let answer = run(folder.path(), &["--format", "csv", "simulated.csv"]);
+    assert!(answer.out.contains("simulated: nothing was measured"), "{}", answer.out);
+}

@@ -62,6 +62,7 @@ mod session_program;
 mod session_saved;
 mod session_tables;
 mod session_tokens;
+mod session_verdicts;
 mod session_workpiece;
 mod sources;
 mod table_cli;

@@ -34,7 +34,7 @@ fn record(callout: &str, upper_um: i32, measured: &str) -> Record {
         id: String::new(),
         callout: Some(callout),
         verdict: judge(&limits, measured, None),
-        doubt: doubt(limits.nominal, measured),
+        doubt: doubt(&limits, measured),
         limits,
         measurement: Measurement::of_diameter(measured, Origin::Typed),
     }

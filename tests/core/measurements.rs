@@ -322,3 +322,14 @@ proptest::proptest! {
         proptest::prop_assert_eq!(imported.records[0].measurement.diameter, measured);
     }
 }
+
+#[test]
+fn a_value_that_a_file_calls_simulated_stays_simulated() {
+    let imported = read(b"id;callout;measured;simulated\nA;25 H7;25.012;true\nB;25 H7;25.012;false\nC;25 H7;25.012;\n");
+    let simulated: Vec<_> = imported.records.iter().map(|record| record.measurement.origin.is_simulated()).collect();
+    assert_eq!((simulated, imported.warnings.len()), (vec![true, false, false], 0));
+    check(
+        "id;callout;measured;simulated\nA;25 H7;25.012;perhaps\n",
+        &["! line 2, column 4: simulated: perhaps is neither true nor false <perhaps>"],
+    );
+}

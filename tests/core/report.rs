@@ -39,7 +39,7 @@ fn record(
         id: id.to_owned(),
         callout: callout.parse().ok(),
         verdict: judge(&limits, measurement.diameter, axes.map(|axes| PositionVerdict { axes })),
-        doubt: doubt(limits.nominal, measurement.diameter),
+        doubt: doubt(&limits, measurement.diameter),
         limits,
         measurement,
     }

@@ -90,13 +90,13 @@ fn csv_goes_to_standard_output_when_asked() {
     let args = ["--check", "=1+1: 25 H7=25.0215", "--check", "25 H7=25.021", "-o", "-", "--format", "csv"];
     let expected = "\
 time,id,callout,feature,nominal_mm,min_mm,max_mm,measured_mm,deviation_um,status,remove_um,remove_to_middle_um,\
-position,centre_x_mm,centre_y_mm,contacts,source,origin,rule,warnings
+position,centre_x_mm,centre_y_mm,contacts,source,origin,rule,warnings,simulated
 2026-11-21T10:42:00,'=1+1,25 H7,hole,25,25.000,25.021,25.0215,21.5,SCRAP,,,,,,,\
 \"ISO 286, over 18 up to 30 mm\",typed,\"no guard band, limits belong to the zone\",\
-one diameter only: form and position are unknown
+one diameter only: form and position are unknown,false
 2026-11-21T10:42:00,,25 H7,hole,25,25.000,25.021,25.021,21,GOOD,,,,,,,\
 \"ISO 286, over 18 up to 30 mm\",typed,\"no guard band, limits belong to the zone\",\
-one diameter only: form and position are unknown
+one diameter only: form and position are unknown,false
 ";
     assert_eq!(run(&args), (11, expected.to_owned(), String::new()));
 }

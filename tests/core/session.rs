@@ -202,7 +202,7 @@ fn a_check_from_the_history_brings_its_callout_back() {
 }
 
 #[test]
-fn limits_of_a_log_stay_while_its_verdict_is_shown() {
+fn limits_of_a_log_stay_until_there_are_others() {
     let mut session = session();
     measure(&mut session, "25 H7", "25.012");
     let answer = imported(&session, "TCHPR421.TXT", &log());
@@ -214,13 +214,13 @@ fn limits_of_a_log_stay_while_its_verdict_is_shown() {
     for change in
         [typed(CheckField::Part, "Bore A"), typed(CheckField::Measured, "9.9"), typed(CheckField::CentreX, "1")]
     {
-        run(&mut session, [change]);
-        assert!(session.check().shown().is_some());
-        check_limits_belong_to_the_verdict(&session);
+        run(&mut session, [Command::Check(CheckCommand::Show(1)), change]);
+        assert!(session.check().shown().is_none(), "the verdict was made with other inputs");
+        assert_eq!(session.check().asked().limits(), Some(&record.limits));
     }
     // The next check is made with the limits on screen, and the typed value stays readable.
-    run(&mut session, [typed(CheckField::Measured, "10.001"), Command::Check(CheckCommand::Measure)]);
-    assert_eq!((session.history().len(), session.text(CheckField::Measured)), (3, "10.001"));
+    run(&mut session, [typed(CheckField::Measured, "25.001"), Command::Check(CheckCommand::Measure)]);
+    assert_eq!((session.history().len(), session.text(CheckField::Measured)), (3, "25.001"));
     assert_eq!(session.check().shown().unwrap().record.limits, record.limits);
     run(&mut session, [Command::Check(CheckCommand::Show(0))]);
     assert_eq!((session.text(CheckField::Callout), limits(&session)), ("25 H7", Some(mm("25", "25.021"))));

@@ -68,6 +68,7 @@ cli-check-not-positive = measured value { $measured } mm is not above 0
 # Remarks
 cli-remark-wrote = wrote { $path }
 cli-remark-wrote-files = wrote { $path } ({ $count } files)
+cli-remark-simulated = simulated: nothing was measured
 cli-remark-remove = remove { $limit } mm to the nearest limit, { $middle } mm to the middle of the zone
 cli-remark-refused = { $refused } of { $asked } callouts refused
 cli-remark-no-pair = no pair fits; nearest is { $nearest }

@@ -4,8 +4,10 @@
 origin-simulated = simulated, cycle { $cycle }, seed { $seed }
 origin-contacts = contacts from { $file }
 origin-imported = imported from { $file }
+origin-imported-simulation = imported from { $file }, simulated
 origin-typed = typed
 caveat-only-a-diameter = one diameter only: form and position are unknown
+caveat-only-a-circle = diameter and centre only: form is unknown
 caveat-three-contacts = 3 contacts: form cannot be measured
 caveat-four-contacts = 4 contacts: no form beyond ovality is detected
 caveat-few-contacts = { $contacts } contacts: form between them is not detected

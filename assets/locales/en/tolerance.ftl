@@ -57,6 +57,8 @@ doubt-times-inch = measured value is 25.4 times the nominal size: was it convert
 doubt-inches = measured value is the nominal size over 25.4: is it in inch?
 doubt-double = measured value is twice the nominal size: was a diameter taken for a radius?
 doubt-half = measured value is half the nominal size: is it a radius?
+doubt-decimal-sign = measured value is about the nominal size with its decimal sign elsewhere: is it { $meant } mm?
+doubt-far = measured value is { $distance } mm outside the limits: is it this part, in millimetres?
 
 ## Files
 file-is-folder = this is a folder, not a file: { $path }

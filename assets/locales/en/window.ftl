@@ -86,6 +86,31 @@ contacts-describe = { $count } contacts seen from above, deviations magnified { 
 centre-is = centre { $x } / { $y }
 
 word-none = No result
+word-question = Is this right?
+simulated = SIMULATED
+judge-anyway = Judge { $measured } mm as it is
+take-meant = Take { $meant } mm
+question-enter = Enter judges the value as it is; typing replaces it
+lot-title = { $rows ->
+    [one] { $name }: 1 row
+   *[other] { $name }: { $rows } rows
+}
+lot-unjudged = { $count } not judged
+lot-refused = { $count ->
+    [one] 1 row refused
+   *[other] { $count } rows refused
+}
+lot-doubted = { $count ->
+    [one] 1 value may be another quantity
+   *[other] { $count } values may be another quantity
+}
+lot-shown = Shown: { $place } of { $judged }, worst first; line { $line }
+lot-shown-part = Shown: { $place } of { $judged }, worst first; line { $line }, { $part }
+lot-worst = Worst
+lot-worse = Worse
+lot-better = Better
+lot-best = Best
+lot-count = { $status } { $count }
 above-minimum = { $um } µm above minimum
 below-minimum = { $um } µm below minimum
 below-maximum = { $um } µm below maximum
@@ -103,6 +128,8 @@ why-rule = Rule: { $what }
 why-caveat = Limit of this measurement: { $what }
 
 popup-title = Status window
+popup-title-simulated = Status window, SIMULATED
+popup-exact = The window rounds to four decimals. Exactly: { $values }
 popup-empty = No measurement yet
 copy = Copy
 mask-choice = Mask

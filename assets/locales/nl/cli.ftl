@@ -68,6 +68,7 @@ cli-check-not-positive = gemeten waarde { $measured } mm is niet groter dan 0
 # Opmerkingen
 cli-remark-wrote = { $path } geschreven
 cli-remark-wrote-files = { $path } geschreven ({ $count } bestanden)
+cli-remark-simulated = gesimuleerd: er is niets gemeten
 cli-remark-remove = verwijder { $limit } mm tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van de tolerantie
 cli-remark-refused = { $refused } van { $asked } passingen geweigerd
 cli-remark-no-pair = geen enkel paar past; het dichtst erbij is { $nearest }

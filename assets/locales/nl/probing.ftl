@@ -3,8 +3,10 @@
 origin-simulated = gesimuleerd, cyclus { $cycle }, startgetal { $seed }
 origin-contacts = meetpunten uit { $file }
 origin-imported = geïmporteerd uit { $file }
+origin-imported-simulation = geïmporteerd uit { $file }, gesimuleerd
 origin-typed = getypt
 caveat-only-a-diameter = slechts één diameter: over vorm en positie is niets bekend
+caveat-only-a-circle = alleen diameter en middelpunt: over de vorm is niets bekend
 caveat-three-contacts = 3 meetpunten: de vorm is niet te meten
 caveat-four-contacts = 4 meetpunten: geen vorm te zien behalve ovaliteit
 caveat-few-contacts = { $contacts } meetpunten: de vorm ertussen is niet te zien

@@ -84,6 +84,7 @@ program-page-path = Weg van de taster
 
 program-page-no-windows = Het programma heeft geen venster geopend
 program-page-window = FN 16, { $mask }
+program-page-window-simulated = FN 16, { $mask }, GESIMULEERD
 program-page-cycles = Gemeten
 program-page-show-block = De regel tonen
 program-page-last-of = De laatste { $shown } van { $all }

@@ -57,6 +57,8 @@ doubt-times-inch = de gemeten waarde is 25,4 keer de nominale maat: twee keer ui
 doubt-inches = de gemeten waarde is de nominale maat gedeeld door 25,4: staat die in inch?
 doubt-double = de gemeten waarde is twee keer de nominale maat: is een diameter voor een straal aangezien?
 doubt-half = de gemeten waarde is de helft van de nominale maat: is het een straal?
+doubt-decimal-sign = de gemeten waarde is ongeveer de nominale maat met het decimaalteken op een andere plaats: is het { $meant } mm?
+doubt-far = de gemeten waarde ligt { $distance } mm buiten de grensmaten: is het dit deel, in millimeters?
 
 ## Bestanden
 file-is-folder = dit is een map, geen bestand: { $path }

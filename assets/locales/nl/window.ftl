@@ -86,6 +86,31 @@ contacts-describe = { $count } meetpunten van boven gezien, afwijkingen { $facto
 centre-is = midden { $x } / { $y }
 
 word-none = Geen resultaat
+word-question = Klopt dit?
+simulated = GESIMULEERD
+judge-anyway = { $measured } mm toch beoordelen
+take-meant = { $meant } mm nemen
+question-enter = Enter beoordeelt de waarde zoals ze is; typen vervangt ze
+lot-title = { $rows ->
+    [one] { $name }: 1 regel
+   *[other] { $name }: { $rows } regels
+}
+lot-unjudged = { $count } niet beoordeeld
+lot-refused = { $count ->
+    [one] 1 regel geweigerd
+   *[other] { $count } regels geweigerd
+}
+lot-doubted = { $count ->
+    [one] 1 waarde is misschien een andere grootheid
+   *[other] { $count } waarden zijn misschien een andere grootheid
+}
+lot-shown = Getoond: { $place } van { $judged }, slechtste eerst; regel { $line }
+lot-shown-part = Getoond: { $place } van { $judged }, slechtste eerst; regel { $line }, { $part }
+lot-worst = Slechtste
+lot-worse = Slechter
+lot-better = Beter
+lot-best = Beste
+lot-count = { $status } { $count }
 above-minimum = { $um } µm boven minimaal
 below-minimum = { $um } µm onder minimaal
 below-maximum = { $um } µm onder maximaal
@@ -103,6 +128,8 @@ why-rule = Regel: { $what }
 why-caveat = Grens van deze meting: { $what }
 
 popup-title = Statusvenster
+popup-title-simulated = Statusvenster, GESIMULEERD
+popup-exact = Het venster rondt af op vier decimalen. Precies: { $values }
 popup-empty = Nog geen meting
 copy = Kopiëren
 mask-choice = Masker

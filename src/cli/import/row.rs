@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use crate::cli::CliRemark;
 use crate::exchange::{ImportError, Imported, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
@@ -123,6 +124,9 @@ impl Row {
         let limits = &record.limits;
         let size = record.verdict.size;
         let mut warnings: Vec<String> = record.doubt.iter().map(ToString::to_string).collect();
+        if record.measurement.origin.is_simulated() {
+            warnings.push(CliRemark::Simulated.to_string());
+        }
         if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
             warnings.push(differs(*standard));
         }

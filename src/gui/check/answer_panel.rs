@@ -1,24 +1,82 @@
 //! Right, above: the answer. One word that can be read from two metres, its shape, and what to do.
 
-use eframe::egui::{CollapsingHeader, Ui};
+use eframe::egui::{CollapsingHeader, Ui, vec2};
 
-use crate::gui::verdict_card::{card_ui, half_um, status_id};
-use crate::gui::view::{Digits, View, quiet};
+use crate::gui::theme::{sizes, space};
+use crate::gui::verdict_card::{Card, card_ui, chip_ui, half_um, status_id};
+use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say};
-use crate::verdict::PositionVerdict;
+use crate::session::{Action, Lot, Question, Step};
+use crate::verdict::{PositionVerdict, Status};
 use crate::words::Words;
 
-/// The verdict card and the reasons below it.
-pub(super) fn answer_ui(ui: &mut Ui, view: &View<'_>) {
+/// The imported lot, if there is one, the verdict card, and the reasons below it; or a question instead.
+pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if let Some(lot) = view.session.check().lot() {
+        lot_ui(ui, view, lot);
+    }
+    if let Some(question) = view.session.check().question() {
+        return question_ui(ui, view, question);
+    }
     let record = view.session.check().shown().map(|shown| shown.record.as_ref());
     let lines = record.map(|record| lines(view.words, record)).unwrap_or_default();
     let status = record.map(|record| record.verdict.status());
-    card_ui(ui, status, &view.text(status_id(status)), &lines);
+    let is_simulated = record.is_some_and(|record| record.measurement.origin.is_simulated());
+    card_ui(ui, view, &Card { status, is_simulated, word: view.text(status_id(status)), lines: &lines });
     if let Some(record) = record {
         why_ui(ui, view, record);
     }
+}
+
+/// What is asked about a typed value before it is judged.
+fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question) {
+    let measured = format!("{} mm", view.words.mm(question.measured, 3));
+    let lines = [measured, view.words.told(&question.doubt), view.text("question-enter")];
+    card_ui(ui, view, &Card { status: None, is_simulated: false, word: view.text("word-question"), lines: &lines });
+    ui.add_space(space(1.0));
+    let size = vec2(ui.available_width(), sizes().touch);
+    if question.doubt.meant().is_some() {
+        view.main_button(ui, Action::TakeMeant, size);
+    }
+    let anyway = view.named(Action::JudgeAnyway).min_size(size);
+    view.button_as(ui, Action::JudgeAnyway, anyway);
+}
+
+/// How many rows of an imported file are what, and which of them is shown.
+fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
+    let words = view.words;
+    let said = |id: &'static str, count: usize| words.say(&Message::new(id).count("count", count));
+    heading(ui, words.say(&Message::new("lot-title").text("name", lot.name()).count("rows", lot.rows())));
+    ui.horizontal_wrapped(|ui| {
+        for (status, count) in lot.counts() {
+            // Nothing is re-measured without a guard band, so a zero would only raise questions.
+            if status != Status::ReMeasure || 0 < count {
+                let word = words.told(&status);
+                let text = Message::new("lot-count").text("status", word).count("count", count);
+                chip_ui(ui, status, &words.say(&text));
+            }
+        }
+    });
+    for (id, count) in
+        [("lot-unjudged", lot.unjudged()), ("lot-refused", lot.refused()), ("lot-doubted", lot.doubted())]
+    {
+        if 0 < count {
+            ui.label(said(id, count));
+        }
+    }
+    let Some((place, line)) = lot.shown() else { return };
+    let part = view.session.check().shown().map(|shown| shown.record.id.clone()).unwrap_or_default();
+    let shown = Message::new(if part.is_empty() { "lot-shown" } else { "lot-shown-part" });
+    let shown = shown.count("place", place).count("judged", lot.judged()).count("line", line).text("part", part);
+    ui.label(words.say(&shown));
+    ui.horizontal(|ui| {
+        for step in Step::PATH {
+            view.field_button(ui, Action::ShowInLot(step));
+        }
+    });
+    ui.add_space(space(1.0));
 }
 
 /// The lines below the word: the value, the distances, what to remove, the position.

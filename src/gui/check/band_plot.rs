@@ -1,7 +1,7 @@
 //! The limit band: deviation from the nominal size, the zone, both sides named and hatched, the measured value.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, RichText, Stroke, Ui, WidgetInfo, pos2, vec2};
 use egui_plot::{AxisHints, GridMark, PlotBounds, PlotTransform, VLine, VPlacement};
 
 use crate::gui::limits::feature_id;
@@ -22,6 +22,9 @@ pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
         heading(ui, view.text("limit-band"));
         if let Some(limits) = view.session.check().asked().limits() {
             quiet(ui, title(view, limits));
+        }
+        if record.is_some_and(|record| record.measurement.origin.is_simulated()) {
+            ui.label(RichText::new(view.text("simulated")).font(theme::bold(sizes().body)));
         }
     });
     let Some(limits) = view.session.check().asked().limits() else {

@@ -3,18 +3,45 @@
 use eframe::egui::{ComboBox, Ui};
 
 use crate::gui::popup::popup_ui;
-use crate::gui::view::{View, quiet};
+use crate::gui::view::{Digits, View, quiet};
+use crate::journal::Record;
+use crate::length::Length;
+use crate::message::Message;
 use crate::session::{Action, Command, MaskChoice, Purpose};
-use crate::words::Dialogue;
+use crate::words::{Dialogue, Words};
 
 /// The pop-up and what can be done with it.
 pub(super) fn status_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let shown = view.session.check().shown().map(|shown| shown.window.clone());
-    popup_ui(ui, view, shown.as_ref(), "popup-empty");
+    let shown = view.session.check().shown();
+    let is_simulated = shown.is_some_and(|shown| shown.record.measurement.origin.is_simulated());
+    popup_ui(ui, view, shown.map(|shown| &shown.window), "popup-empty", is_simulated);
+    if let Some(values) = shown.and_then(|shown| exact(view.words, &shown.record)) {
+        ui.label(view.words.say(&Message::new("popup-exact").text("values", values)));
+    }
     ui.horizontal(|ui| {
         view.button(ui, Action::CopyStatus);
         mask_chooser_ui(ui, view);
     });
+}
+
+/// What the window shows with fewer digits than it has; `None` where it shows all of them. The control prints lengths
+/// with four decimals; a value that a cycle measured has more that mean nothing, unless they decide.
+fn exact(words: &Words, record: &Record) -> Option<String> {
+    let limits = &record.limits;
+    let measured = (Digits::of(record) == Digits::Exact).then_some(record.measurement.diameter);
+    let values =
+        [("minimum", Some(limits.minimum())), ("maximum", Some(limits.maximum())), ("head-measured", measured)];
+    let said = |(id, length): (&str, Option<Length>)| {
+        let length = length.filter(|length| is_finer(*length))?;
+        Some(format!("{} {} mm", words.get(id), words.mm(length, 4)))
+    };
+    let said: Vec<_> = values.into_iter().filter_map(said).collect();
+    (!said.is_empty()).then(|| said.join(", "))
+}
+
+/// Whether a length has more than four decimals in millimetres.
+const fn is_finer(length: Length) -> bool {
+    length.nanometres() % 100 != 0
 }
 
 pub(in crate::gui) fn mask_chooser_ui(ui: &mut Ui, view: &mut View<'_>) {

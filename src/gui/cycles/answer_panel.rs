@@ -5,7 +5,7 @@ use eframe::egui::{Align, Label, Layout, RichText, Ui, vec2};
 use crate::gui::check::mask_chooser_ui;
 use crate::gui::popup::popup_ui;
 use crate::gui::theme::{self, sizes, space};
-use crate::gui::verdict_card::{card_ui, half_um, status_id};
+use crate::gui::verdict_card::{Card, card_ui, half_um, status_id};
 use crate::gui::view::{Digits, View, heading, quiet, quiet_cut};
 use crate::length::{Length, Unit};
 use crate::message::Message;
@@ -24,7 +24,8 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     let window = session.cycles().window(session.drawn_with());
     let is_measured = run.is_some_and(|run| run.found().is_some());
-    popup_ui(ui, view, window.as_ref(), if is_measured { "cycles-no-window" } else { "popup-empty" });
+    let empty = if is_measured { "cycles-no-window" } else { "popup-empty" };
+    popup_ui(ui, view, window.as_ref(), empty, run.is_some_and(|run| run.is_simulated));
     ui.horizontal(|ui| {
         view.button(ui, Action::CopyCycleStatus);
         mask_chooser_ui(ui, view);
@@ -37,15 +38,17 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&CycleRun>) {
     let words = view.words;
-    match run.map(|run| &run.result) {
-        None => card_ui(ui, None, &view.text("word-none"), &[]),
-        Some(Err(problem)) => card_ui(ui, None, &view.text("cycles-word-stopped"), &[words.say(problem)]),
+    let is_simulated = run.is_some_and(|run| run.is_simulated);
+    let (status, word, lines) = match run.map(|run| &run.result) {
+        None => (None, "word-none", Vec::new()),
+        Some(Err(problem)) => (None, "cycles-word-stopped", vec![words.say(problem)]),
         Some(Ok(result)) => {
             let status = result.status.filter(|_| !result.checks.is_empty());
             let word = if status.is_some() { status_id(status) } else { "cycles-word-no-verdict" };
-            card_ui(ui, status, &view.text(word), &lines(words, result));
+            (status, word, lines(words, result))
         }
-    }
+    };
+    card_ui(ui, view, &Card { status, is_simulated, word: view.text(word), lines: &lines });
 }
 
 /// The lines below the word: the value, its distance from its limits, what to remove, what else is out.

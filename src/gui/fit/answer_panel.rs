@@ -7,6 +7,7 @@ use crate::gui::class_chooser::feature_picture;
 use crate::gui::limits::{self, feature_id};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::verdict_card::chip_ui;
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, live, problem, quiet};
 use crate::length::Length;
@@ -194,18 +195,13 @@ fn one_ui(ui: &mut Ui, view: &View<'_>, possible: &Possible) {
 
 /// A measured part and its own verdict: word, shape and colour.
 fn part_ui(ui: &mut Ui, view: &View<'_>, part: Feature, measured: Length, status: Status) {
-    let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
     let part = view.text(feature_id(part));
     let word = view.text(status_id(Some(status)));
     let said = format!("{part} {word}");
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
-        let chip = Frame::new().fill(fill).corner_radius(4.0).inner_margin(Margin::symmetric(8, 4)).show(ui, |ui| {
-            let (rect, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
-            shapes::status(ui.painter(), rect, Some(status), colour);
-            ui.label(RichText::new(&word).font(theme::bold(sizes().body)).color(colour));
-        });
-        let response = ui.interact(chip.response.rect, ui.scope_id().with(&said), Sense::hover());
+        let chip = chip_ui(ui, status, &word);
+        let response = ui.interact(chip.rect, ui.scope_id().with(&said), Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
         ui.label(format!("{part} {} mm", view.words.mm(measured, 3)));
     });

@@ -6,7 +6,7 @@ use eframe::egui::{Button, CollapsingHeader, Frame, Label, Margin, RichText, Sen
 use crate::gui::popup;
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::verdict_card::status_id;
+use crate::gui::verdict_card::{colours, status_id};
 use crate::gui::view::{View, heading, live, quiet};
 use crate::message::Message;
 use crate::nc::machine::{CycleRun, Window};
@@ -42,10 +42,15 @@ fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&Run>) {
     let status = run.and_then(Run::status);
     let measured = run.and_then(|run| run.cycles().last()).and_then(|cycle| main_value(view.words, cycle));
     let word = view.text(status_id(status));
-    let (fill, colour) = palette(ui.ctx()).of_status(status);
+    let is_simulated = run.is_some() && view.session.program().is_simulated();
+    let (fill, colour) = colours(palette(ui.ctx()), status, is_simulated);
+    let simulated = (is_simulated && status.is_some()).then(|| view.text("simulated"));
     let size = if status.is_some() { sizes().status * 0.5 } else { sizes().value };
     let card = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::symmetric(12, 8)).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
+        if let Some(simulated) = &simulated {
+            ui.label(RichText::new(simulated).font(theme::bold(sizes().limits)).color(colour));
+        }
         ui.horizontal(|ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(space(9.0), space(9.0)), Sense::hover());
             shapes::status(ui.painter(), rect, status, colour);
@@ -55,7 +60,10 @@ fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&Run>) {
             }
         });
     });
-    let said = std::iter::once(word).chain(measured).collect::<Vec<_>>().join(". ");
+    if simulated.is_some() {
+        shapes::dashed_frame(ui.painter(), card.response.rect, colour);
+    }
+    let said = simulated.into_iter().chain([word]).chain(measured).collect::<Vec<_>>().join(". ");
     let response = ui.interact(card.response.rect, ui.scope_id().with("verdict"), Sense::hover());
     live(ui, &response, &said, Live::Assertive);
 }
@@ -74,7 +82,9 @@ fn main_value(words: &Words, run: &CycleRun) -> Option<String> {
 
 /// A window of FN 16, as the control shows it.
 fn window_ui(ui: &mut Ui, view: &View<'_>, window: &Window) {
-    let title = Message::new("program-page-window").text("mask", window.mask.file_name());
+    let id =
+        if view.session.program().is_simulated() { "program-page-window-simulated" } else { "program-page-window" };
+    let title = Message::new(id).text("mask", window.mask.file_name());
     let salt = (&window.place.program, window.place.block);
     popup::frame_ui(ui, view.words.say(&title), |ui| popup::text_ui(ui, &window.text, salt));
 }

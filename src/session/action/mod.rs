@@ -21,6 +21,7 @@ use super::tables::{self, TablesField};
 use super::workpiece::WorkpieceCommand;
 use super::{Command, Field, MeasureBy, Page, Session, Step, Theme};
 use crate::exchange::tables::TABLE_FORMATS;
+use crate::length::Length;
 use crate::message::Message;
 use crate::report::RENDERINGS;
 use crate::tolerance::{Base, Feature};
@@ -142,6 +143,12 @@ actions! {
 
     /// Measures and judges.
     Measure;
+    /// Judges a typed value that was asked about, as it is.
+    JudgeAnyway;
+    /// Takes what a typed value may have been instead of it.
+    TakeMeant;
+    /// Shows another row of the imported file, worst first.
+    ShowInLot(Step): Step::PATH;
     /// Clears the result.
     ClearResult;
     /// Chooses where the next measurement comes from.
@@ -301,6 +308,14 @@ impl Action {
                 let selected = session.tables().shown().and_then(tables::Document::selected);
                 let class = selected.map_or_else(|| words.get("class-none"), |(class, _)| class.to_string());
                 words.say(&Message::new("tables-remove-column").text("class", class))
+            }
+            Self::JudgeAnyway | Self::TakeMeant => {
+                let mm = |length: Option<Length>| length.map(|length| words.mm(length, 3)).unwrap_or_default();
+                let question = session.check().question();
+                let message = Message::new(self.row().text)
+                    .text("measured", mm(question.map(|question| question.measured)))
+                    .text("meant", mm(question.and_then(|question| question.doubt.meant())));
+                words.say(&message)
             }
             Self::UseTable if session.tables().is_used(session.sources()) => words.get("tables-in-use"),
             _ => words.get(self.row().text),

@@ -7,7 +7,7 @@ use crate::session::fit::FitCommand;
 use crate::session::program::{ProgramCommand, Run, Switch};
 use crate::session::tables::{self, TablesCommand, TablesField};
 use crate::session::workpiece::WorkpieceCommand;
-use crate::session::{Command, CycleFile, MeasureBy, Page, Purpose, Session, Step, Theme};
+use crate::session::{Command, CycleFile, Lot, MeasureBy, Page, Purpose, Session, Step, Theme};
 use crate::tolerance::iso286::{Edition, JsHalves, Options};
 use crate::tolerance::{Deviations, Feature, ToleranceClass};
 
@@ -138,6 +138,21 @@ pub(super) fn row(action: Action) -> Row {
         }
 
         Action::Measure => on(Page::Check, "measure", CheckCommand::Measure),
+        Action::JudgeAnyway => {
+            on(Page::Check, "judge-anyway", CheckCommand::Measure).when(|session| session.check().question().is_some())
+        }
+        Action::TakeMeant => on(Page::Check, "take-meant", CheckCommand::TakeMeant)
+            .when(|session| session.check().question().is_some_and(|question| question.doubt.meant().is_some())),
+        Action::ShowInLot(step) => {
+            let (text, possible): (_, fn(&Session) -> bool) = match step {
+                Step::First => ("lot-worst", is_after_worst),
+                Step::Left => ("lot-worse", is_after_worst),
+                Step::Right => ("lot-better", is_before_best),
+                _ => ("lot-best", is_before_best),
+            };
+            let row = on(Page::Check, text, CheckCommand::ShowInLot(step)).when(possible);
+            row.key(Shortcut { held: Held::Alt, ..keys(step) })
+        }
         Action::ClearResult => on(Page::Check, "clear", CheckCommand::Clear),
         Action::MeasureBy(by) => {
             let text = match by {
@@ -319,6 +334,14 @@ fn is_after_first(session: &Session) -> bool {
 
 fn is_before_last(session: &Session) -> bool {
     session.cycles().step() < session.cycles().last()
+}
+
+fn is_after_worst(session: &Session) -> bool {
+    session.check().lot().and_then(Lot::shown).is_some_and(|(place, _)| 1 < place)
+}
+
+fn is_before_best(session: &Session) -> bool {
+    session.check().lot().is_some_and(|lot| lot.shown().is_some_and(|(place, _)| place < lot.judged()))
 }
 
 fn rounds_js(options: Options) -> bool {

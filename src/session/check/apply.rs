@@ -4,10 +4,13 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::{Asked, CheckCommand, CheckField, CheckPage, MeasureBy, Shown, class_text, measuring, nominal_text};
+use super::{
+    Asked, CheckCommand, CheckField, CheckPage, Lot, MeasureBy, Question, Shown, class_text, measuring, nominal_text,
+};
 use crate::exchange::Imported;
 use crate::journal::{Record, status_window};
 use crate::message::{Message, Say as _};
+use crate::probing::Origin;
 use crate::session::command::Effect;
 use crate::session::shared::{News, PageState, Shared};
 use crate::tolerance::Sources;
@@ -26,26 +29,48 @@ impl PageState for CheckPage {
                 self.feature = Some(feature);
                 self.callout_changed(false, &shared.sources);
             }
-            CheckCommand::MeasureBy(by) => self.by = by,
+            CheckCommand::MeasureBy(by) if by == self.by => {}
+            CheckCommand::MeasureBy(by) => {
+                self.by = by;
+                self.edited(&shared.sources);
+            }
             CheckCommand::Measure => self.measure(shared, now),
+            CheckCommand::TakeMeant => {
+                if let Some(meant) = self.question.and_then(|question| question.doubt.meant()) {
+                    self.texts.set(CheckField::Measured, meant.to_string());
+                    self.edited(&shared.sources);
+                    self.measure(shared, now);
+                }
+            }
             CheckCommand::Clear => {
                 self.texts.set(CheckField::Measured, "");
                 self.measured_is_used = false;
-                self.clear_shown(&shared.sources);
+                self.clear(&shared.sources);
             }
             CheckCommand::CopyStatus => {
                 return self.status_text().map(|text| Effect::Copy(text.to_owned())).into_iter().collect();
             }
-            CheckCommand::Show(number) => self.show(number, shared),
+            CheckCommand::Show(number) => {
+                if !self.lot.as_mut().is_some_and(|lot| lot.go_to(number)) {
+                    self.lot = None;
+                }
+                self.show(number, shared);
+            }
+            CheckCommand::ShowInLot(step) => {
+                if let Some(lot) = &mut self.lot {
+                    lot.step(step);
+                    self.show_of_lot(shared);
+                }
+            }
             CheckCommand::Choose(number, is_chosen) => shared.history.choose(number, is_chosen),
             CheckCommand::ClearHistory => {
                 if shared.history.clear() {
-                    self.clear_shown(&shared.sources);
+                    self.clear(&shared.sources);
                 }
             }
             CheckCommand::Undo => {
                 if shared.history.take_back() {
-                    self.clear_shown(&shared.sources);
+                    self.clear(&shared.sources);
                 }
             }
             CheckCommand::Imported { name, result } => self.imported(&name, result, shared, now),
@@ -72,28 +97,29 @@ impl CheckPage {
     fn type_text(&mut self, field: CheckField, text: String, sources: &Sources) {
         self.texts.set(field, text);
         match field {
-            CheckField::Callout => self.callout_changed(true, sources),
+            CheckField::Callout => return self.callout_changed(true, sources),
             CheckField::Nominal => {
                 let (nominal, class) = (self.text(CheckField::Nominal), class_text(self.text(CheckField::Callout)));
                 let callout = format!("{} {class}", nominal.trim());
                 self.texts.set(CheckField::Callout, callout.trim());
-                self.callout_changed(false, sources);
+                return self.callout_changed(false, sources);
             }
             CheckField::Measured => {
                 self.by = MeasureBy::Typing;
                 self.measured_is_used = false;
-                self.read(sources);
             }
-            _ => self.read(sources),
+            CheckField::Part => self.part_is_lent = false,
+            _ => {}
         }
+        self.edited(sources);
     }
 
-    /// Reads the fields anew. The limits stay those of the record that is shown: it may come from a log without a
+    /// Reads the fields anew. The limits stay those of the record that was shown last: it may come from a log without a
     /// callout, or from tables that are no longer used.
     fn read(&mut self, sources: &Sources) {
         self.asked = Asked::read(&self.texts, self.feature, sources);
-        if let Some(shown) = &self.shown {
-            self.asked.show_limits(shown.record.limits.clone(), shown.record.callout);
+        if let Some(record) = &self.lent {
+            self.asked.show_limits(record.limits.clone(), record.callout);
         }
     }
 
@@ -108,51 +134,64 @@ impl CheckPage {
             let nominal = nominal_text(self.text(CheckField::Callout)).to_owned();
             self.texts.set(CheckField::Nominal, nominal);
         }
-        self.clear_shown(sources);
-        if self.asked.callout().is_some_and(|callout| callout.feature().is_some()) {
-            // The next callout without letters asks again.
-            self.feature = None;
-        }
         if self.measured_is_used {
             self.texts.set(CheckField::Measured, "");
             self.measured_is_used = false;
         }
+        self.clear(sources);
+        if self.asked.callout().is_some_and(|callout| callout.feature().is_some()) {
+            // The next callout without letters asks again.
+            self.feature = None;
+        }
     }
 
-    /// Without a record, the limits are again those of the fields.
-    fn clear_shown(&mut self, sources: &Sources) {
-        self.shown = None;
+    /// No verdict stays beside a value, a position or a name that it was not made with. The limits stay.
+    fn edited(&mut self, sources: &Sources) {
+        (self.shown, self.question, self.lot) = (None, None, None);
+        if std::mem::take(&mut self.part_is_lent) {
+            self.texts.set(CheckField::Part, "");
+        }
         self.read(sources);
     }
 
+    /// Without a record, the limits are again those of the fields.
+    fn clear(&mut self, sources: &Sources) {
+        self.lent = None;
+        self.edited(sources);
+    }
+
     fn measure(&mut self, shared: &mut Shared, now: DateTime) {
-        match measuring::measure(self, now) {
-            Ok(record) => {
-                if self.by == MeasureBy::Simulating {
-                    let next = self.asked.seed.unwrap_or_default().wrapping_add(1);
-                    self.texts.set(CheckField::Seed, next.to_string());
-                    self.read(&shared.sources);
-                } else {
-                    self.measured_is_used = true;
-                }
-                self.add(vec![Arc::new(record)], shared);
+        let asked_about = self.question.take();
+        // What stands in the field is the name that is meant.
+        self.part_is_lent = false;
+        self.edited(&shared.sources);
+        let record = match measuring::measure(self, now) {
+            Ok(record) => record,
+            Err((field, problem)) => return self.asked.refuse(field, problem),
+        };
+        if self.by == MeasureBy::Typing
+            && let Some(doubt) = record.doubt
+        {
+            let question = Question { measured: record.measurement.diameter, doubt };
+            if asked_about != Some(question) {
+                self.question = Some(question);
+                return;
             }
-            Err((field, problem)) => self.asked.refuse(field, problem),
         }
+        self.measured_is_used = self.by == MeasureBy::Typing;
+        if self.by == MeasureBy::Simulating {
+            let next = self.asked.seed.unwrap_or_default().wrapping_add(1);
+            self.texts.set(CheckField::Seed, next.to_string());
+        }
+        let number = add(vec![Arc::new(record)], shared);
+        self.show(number, shared);
     }
 
-    /// Adds records to the history and shows the last of them.
-    fn add(&mut self, records: Vec<Arc<Record>>, shared: &mut Shared) {
-        if records.is_empty() {
-            return;
-        }
-        shared.history.add(records);
-        self.show(shared.history.records().len() - 1, shared);
-    }
-
+    /// Shows a record of the history; what made it stands in the fields.
     fn show(&mut self, number: usize, shared: &Shared) {
         let Some(record) = shared.history.records().get(number).cloned() else { return };
         // The limits on screen follow the record, never the other way round.
+        let lot = self.lot.take();
         match record.callout {
             Some(callout) if Some(callout) != self.part_callout() => {
                 self.take_callout(&callout.to_string(), &shared.sources);
@@ -165,8 +204,26 @@ impl CheckPage {
         if record.callout.is_some_and(|callout| callout.feature().is_none()) {
             self.feature = Some(record.limits.feature);
         }
-        self.asked.show_limits(record.limits.clone(), record.callout);
+        (self.lot, self.question) = (lot, None);
+        self.show_inputs(&record);
+        self.lent = Some(Arc::clone(&record));
+        self.read(&shared.sources);
         self.draw(record, shared);
+    }
+
+    /// Puts the part's name and a typed value back into their fields: no other value stands beside the verdict.
+    fn show_inputs(&mut self, record: &Record) {
+        if self.text(CheckField::Part).trim() != record.id {
+            self.texts.set(CheckField::Part, record.id.clone());
+            self.part_is_lent = true;
+        }
+        let is_typed = record.measurement.origin == Origin::Typed;
+        let measured = self.asked.length(CheckField::Measured).filter(|_| is_typed);
+        if measured != Some(record.measurement.diameter) {
+            let text = if is_typed { record.measurement.diameter.to_string() } else { String::new() };
+            self.texts.set(CheckField::Measured, text);
+        }
+        self.measured_is_used = is_typed;
     }
 
     fn draw(&mut self, record: Arc<Record>, shared: &Shared) {
@@ -176,15 +233,48 @@ impl CheckPage {
     }
 
     fn imported(&mut self, name: &str, result: Result<Box<Imported>, Message>, shared: &mut Shared, now: DateTime) {
-        let Some(imported) = shared.file_answered(result) else { return };
+        let Some(mut imported) = shared.file_answered(result) else { return };
         shared.notices.push(measuring::import_notice(name, &imported));
-        let mut records: Vec<_> = imported.records.into_iter().map(Arc::new).collect();
-        if let Some(contacts) = imported.contacts {
+        if let Some(contacts) = imported.contacts.take() {
             match measuring::judge_contacts(name, &contacts, &self.asked, now) {
-                Ok(record) => records.push(Arc::new(record)),
+                Ok(record) => {
+                    self.edited(&shared.sources);
+                    let number = add(vec![Arc::new(record)], shared);
+                    self.show(number, shared);
+                }
                 Err(problem) => shared.tell(problem),
             }
+            return;
         }
-        self.add(records, shared);
+        let records: Vec<_> = std::mem::take(&mut imported.records).into_iter().map(Arc::new).collect();
+        let is_lot = 1 < imported.rows && !(records.is_empty() && imported.unjudged.is_empty());
+        if !is_lot && records.is_empty() {
+            return;
+        }
+        let lot = |first| Lot::new(name, &imported, &records, first);
+        let first = shared.history.records().len();
+        self.clear(&shared.sources);
+        self.lot = is_lot.then(|| lot(first));
+        if !records.is_empty() {
+            add(records, shared);
+        }
+        if is_lot {
+            self.show_of_lot(shared);
+        } else {
+            self.show(first, shared);
+        }
     }
+
+    /// Shows the row of the lot that is chosen.
+    fn show_of_lot(&mut self, shared: &Shared) {
+        if let Some(number) = self.lot.as_ref().and_then(Lot::number) {
+            self.show(number, shared);
+        }
+    }
+}
+
+/// Adds records to the history; returns the number of the last one.
+fn add(records: Vec<Arc<Record>>, shared: &mut Shared) -> usize {
+    shared.history.add(records);
+    shared.history.records().len().saturating_sub(1)
 }

@@ -3,12 +3,13 @@
 use super::{CheckField, MeasureBy};
 use crate::exchange::Imported;
 use crate::message::Message;
+use crate::session::Step;
 use crate::tolerance::{Feature, ToleranceClass};
 
 /// What can be done on the check page.
 #[derive(Debug, Clone)]
 pub enum CheckCommand {
-    /// Replaces the text of a field. A changed callout clears the result.
+    /// Replaces the text of a field, and takes the result away: it was made with another text.
     Type(CheckField, String),
     /// Takes a class from the chooser; the nominal size stays.
     ChooseClass(ToleranceClass),
@@ -16,14 +17,18 @@ pub enum CheckCommand {
     ChooseFeature(Feature),
     /// Chooses where the next measurement comes from.
     MeasureBy(MeasureBy),
-    /// Measures and judges.
+    /// Measures and judges. A typed value that may be another quantity is asked about first; a second time judges it.
     Measure,
+    /// Takes what the typed value may have been instead of it, and judges that.
+    TakeMeant,
     /// Clears the result and the typed value; the history stays.
     Clear,
     /// Puts the status window's text on the clipboard.
     CopyStatus,
     /// Shows a record of the history again, by its number.
     Show(usize),
+    /// Shows another row of the imported file: the first is the worst.
+    ShowInLot(Step),
     /// Marks a record for the report, or takes the mark off.
     Choose(usize, bool),
     /// Empties the history.

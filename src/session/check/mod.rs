@@ -7,11 +7,13 @@
 //! | `command`, `apply` | what can be done, and doing it |
 //! | `asked` | what the texts mean: callout, limits, errors beside their fields |
 //! | `measuring` | from the fields to a measurement |
+//! | `lot` | the rows of an imported file: how many are what, worst first |
 
 mod apply;
 mod asked;
 mod command;
 mod field;
+mod lot;
 mod measuring;
 
 use std::ops::Range;
@@ -23,21 +25,24 @@ pub use asked::Asked;
 pub(super) use asked::{class_text, nominal_text};
 pub use command::CheckCommand;
 pub use field::CheckField;
+pub use lot::Lot;
 
 use super::field::Texts;
 use super::saved::SavedInputs;
 use crate::journal::Record;
+use crate::length::Length;
 use crate::message::Message;
 use crate::tolerance::{Callout, Feature, Sources};
+use crate::verdict::Doubt;
 
 /// Where the next measurement comes from.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MeasureBy {
     /// A cycle on the simulated workpiece.
-    #[default]
     Simulating,
     /// A diameter that is typed.
+    #[default]
     Typing,
 }
 
@@ -50,6 +55,15 @@ pub struct Shown {
     pub window: Result<String, Message>,
 }
 
+/// A typed value that may not be what it seems to be: it is asked about before it is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Question {
+    /// The typed value.
+    pub measured: Length,
+    /// What is strange about it.
+    pub doubt: Doubt,
+}
+
 /// The state of the check page.
 #[derive(Debug)]
 pub struct CheckPage {
@@ -59,8 +73,15 @@ pub struct CheckPage {
     feature: Option<Feature>,
     asked: Asked,
     shown: Option<Shown>,
+    /// The record whose limits are on screen, also after its verdict is gone: it may come from a log without a callout,
+    /// or from tables that are no longer used.
+    lent: Option<Arc<Record>>,
+    /// Whether the part's name came with a record that was shown again: it is not the next part's.
+    part_is_lent: bool,
     /// Whether the typed diameter was measured already: a new callout empties its field.
     measured_is_used: bool,
+    question: Option<Question>,
+    lot: Option<Lot>,
 }
 
 impl CheckPage {
@@ -68,7 +89,18 @@ impl CheckPage {
     pub(super) fn new(saved: &SavedInputs, sources: &Sources) -> Self {
         let (texts, by, feature) = (Texts::restored(&saved.texts), saved.by, saved.feature);
         let asked = Asked::read(&texts, feature, sources);
-        Self { texts, by, feature, asked, shown: None, measured_is_used: false }
+        Self {
+            texts,
+            by,
+            feature,
+            asked,
+            shown: None,
+            lent: None,
+            part_is_lent: false,
+            measured_is_used: false,
+            question: None,
+            lot: None,
+        }
     }
 
     pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
@@ -105,9 +137,19 @@ impl CheckPage {
         self.feature
     }
 
-    /// The record that is shown, if any. It always belongs to the limits on screen.
+    /// The record that is shown, if any. It always belongs to what stands in the fields: any edit takes it away.
     pub const fn shown(&self) -> Option<&Shown> {
         self.shown.as_ref()
+    }
+
+    /// What is asked about the typed value before it is judged.
+    pub const fn question(&self) -> Option<&Question> {
+        self.question.as_ref()
+    }
+
+    /// The file that was imported last, while one of its rows or none is shown.
+    pub const fn lot(&self) -> Option<&Lot> {
+        self.lot.as_ref()
     }
 
     /// The status window's text, where there is one.

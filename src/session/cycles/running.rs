@@ -26,6 +26,8 @@ pub struct CycleRun {
     pub cycle: &'static Cycle,
     /// Where its contacts came from.
     pub from: Message,
+    /// Whether nobody measured: the workpiece was simulated, or perfect.
+    pub is_simulated: bool,
     /// The path of the ball's centre, even where the cycle did not reach its end.
     pub path: Vec<Move>,
     /// The surface that the cycle expects.
@@ -96,6 +98,7 @@ impl CycleRun {
         Self {
             cycle,
             from: Message::new("cycles-from-perfect"),
+            is_simulated: false,
             path: Vec::new(),
             nominal: None,
             ball_radius: 0.0,
@@ -151,6 +154,7 @@ impl CyclesPage {
         Ok(CycleRun {
             cycle,
             from,
+            is_simulated: self.from != ContactsFrom::Recorded,
             log: result.as_ref().ok().and_then(|result| RunLog::of(cycle, result, time, shared.language.dialogue())),
             nominal: cycle.nominal(inputs).ok(),
             ball_radius: prober.ball_radius(),

@@ -135,6 +135,11 @@ impl ProgramPage {
         !self.breakpoints.is_empty() && self.breakpoints.contains(&BlockPlace { program: program.clone(), block })
     }
 
+    /// Whether nobody measured what a run measures: it is a workpiece that is simulated, given or perfect.
+    pub fn is_simulated(&self) -> bool {
+        self.workpiece != WorkpieceFrom::Recorded
+    }
+
     /// The run, once it began.
     pub const fn run(&self) -> Option<&Run> {
         self.run.as_ref()

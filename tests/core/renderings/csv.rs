@@ -9,7 +9,7 @@ fn check(records: &[Record], lines: &[&str]) {
     let text = String::from_utf8(render(records).unwrap()).unwrap();
     let mut expected = vec![
         "time,id,callout,feature,nominal_mm,min_mm,max_mm,measured_mm,deviation_um,status,remove_um,\
-         remove_to_middle_um,position,centre_x_mm,centre_y_mm,contacts,source,origin,rule,warnings",
+         remove_to_middle_um,position,centre_x_mm,centre_y_mm,contacts,source,origin,rule,warnings,simulated",
     ];
     expected.extend(lines);
     assert_eq!(text.lines().collect::<Vec<_>>(), expected);
@@ -29,16 +29,17 @@ fn every_column_has_its_figure() {
             "2026-11-21T10:42:07,Bore A,25 H7,hole,25,25.000,25.021,25.012,12,GOOD,,,,,,,\
              \"ISO 286, over 18 up to 30 mm\",typed,\
              \"no guard band, limits belong to the zone\",\
-             one diameter only: form and position are unknown",
+             one diameter only: form and position are unknown,false",
             "2026-11-21T10:43:00,,25 H7,hole,25,25.000,25.021,24.998,-2,REWORK,2,12.5,,,,,\
              \"ISO 286, over 18 up to 30 mm\",typed,\
              \"no guard band, limits belong to the zone\",\
-             one diameter only: form and position are unknown",
+             one diameter only: form and position are unknown,false",
             "2026-11-21T10:44:00,Stud,25 g6,shaft,25,24.980,24.993,24.985,-15,SCRAP,,,OUT,0.003,-0.012,\
              \"[[12.4955,-0.012,-5.0],[0.003,12.4805,-5.0],[-12.4895,-0.012,-5.0],[0.003,-12.5045,-5.0]]\",\
              \"ISO 286, over 18 up to 30 mm\",\"simulated, cycle 422, seed 1\",\
              \"no guard band, limits belong to the zone\",\
-             the centre is out of position; the size alone is GOOD | 4 contacts: no form beyond ovality is detected",
+             the centre is out of position; the size alone is GOOD | 4 contacts: no form beyond ovality is detected,\
+             true",
         ],
     );
 }

@@ -35,7 +35,8 @@ fn a_check_has_the_columns_of_the_csv() {
       "rule": "no guard band, limits belong to the zone",
       "warnings": [
         "one diameter only: form and position are unknown"
-      ]
+      ],
+      "simulated": false
     }
   ]
 }

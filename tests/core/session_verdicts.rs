@@ -1,0 +1,347 @@
+//! No verdict stands beside anything that it was not made with: random edits and events over all pages.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use fitcheck::exchange::import;
+use fitcheck::files::FileError;
+use fitcheck::length::Length;
+use fitcheck::message::Say as _;
+use fitcheck::probing::Origin;
+use fitcheck::session::program::{Input, WorkpieceFrom};
+use fitcheck::session::{
+    CheckCommand, CheckField, Command, ContactsFrom, CycleField, CyclesCommand, FitCommand, FitField, MeasureBy, Page,
+    ProgramCommand, ProgramField, Session, Step, WorkpieceCommand,
+};
+use fitcheck::tolerance::{Base, Feature};
+use fitcheck::verdict::{Status, judge};
+use fitcheck::words::{Dialogue, Language};
+use jiff::civil::{DateTime, date};
+use proptest::prelude::*;
+use proptest::sample::select;
+
+fn now() -> DateTime {
+    date(2026, 11, 21).at(10, 42, 7, 0)
+}
+
+const ROWS: &[u8] = b"id,callout,measured\nA1,25 H7,25.012\nA2,25 H7,25.030\nA3,40 g6,39.98\nA4,25 Q9,25\nA5,,25\n";
+const ONE: &[u8] = b"id,callout,measured\nB1,25 H7,24.998\n";
+const CONTACTS: &[u8] = b"x,y\n12.506,0\n0,12.506\n-12.506,0\n0,-12.506\n";
+
+/// What a user or a file does; a command may need the state.
+#[derive(Debug, Clone)]
+enum Act {
+    Do(Command),
+    Import(&'static [u8]),
+    Log,
+    Cycle(&'static str, &'static str),
+}
+
+impl Act {
+    fn run(&self, session: &mut Session) {
+        let import = |session: &Session, name: &str, bytes: &[u8]| {
+            let imported = import(name, bytes, session.sources(), now());
+            CheckCommand::Imported { name: name.to_owned(), result: Ok(Box::new(imported)) }.into()
+        };
+        let command = match self {
+            Self::Do(command) => command.clone(),
+            Self::Import(bytes) => import(session, "parts.csv", bytes),
+            Self::Log => {
+                let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples/logs/en/TCHPR421.TXT");
+                import(session, "TCHPR421.TXT", &std::fs::read(path).unwrap())
+            }
+            Self::Cycle(name, text) => {
+                let Some(parameter) = session.cycles().cycle().parameter_named(name) else { return };
+                CyclesCommand::Type(CycleField::Parameter(parameter.key), (*text).to_owned()).into()
+            }
+        };
+        session.apply(command, now());
+    }
+}
+
+fn one_of<T: Clone + std::fmt::Debug + 'static>(all: Vec<T>) -> impl Strategy<Value = T> {
+    select(all)
+}
+
+fn typed_of_check() -> impl Strategy<Value = Command> {
+    const CALLOUTS: [&str; 8] = ["25 H7", "25 h6", "25 H7/g6", "12 +0.01 -0.015", "10m", "25 X", "", "40 g6"];
+    const MEASURED: [&str; 9] = ["25.012", "25.030", "24.998", "25.03O", "", "250.12", "12.005", "39.98", "12.506"];
+    prop_oneof![
+        4 => select(CALLOUTS.as_slice()).prop_map(|text| (CheckField::Callout, text)),
+        4 => select(MEASURED.as_slice()).prop_map(|text| (CheckField::Measured, text)),
+        1 => select(["", "A1", "B 2"].as_slice()).prop_map(|text| (CheckField::Part, text)),
+        1 => select(["25", "40", "x"].as_slice()).prop_map(|text| (CheckField::Nominal, text)),
+        1 => select(["0", "0.1", "x"].as_slice()).prop_map(|text| (CheckField::CentreX, text)),
+        1 => select(["0", "0.001", "-1"].as_slice()).prop_map(|text| (CheckField::CentreTolerance, text)),
+        1 => select(["", "25.03", "24.9"].as_slice()).prop_map(|text| (CheckField::TrueDiameter, text)),
+        1 => select(["1", "7", "x"].as_slice()).prop_map(|text| (CheckField::Seed, text)),
+    ]
+    .prop_map(|(field, text)| CheckCommand::Type(field, text.to_owned()).into())
+}
+
+fn check_act() -> impl Strategy<Value = Act> {
+    let events = one_of(vec![
+        Command::Check(CheckCommand::Measure),
+        CheckCommand::TakeMeant.into(),
+        CheckCommand::MeasureBy(MeasureBy::Typing).into(),
+        CheckCommand::MeasureBy(MeasureBy::Simulating).into(),
+        CheckCommand::ChooseFeature(Feature::Hole).into(),
+        CheckCommand::ChooseFeature(Feature::Shaft).into(),
+        CheckCommand::ChooseClass("H8".parse().unwrap()).into(),
+        CheckCommand::Clear.into(),
+        CheckCommand::Show(0).into(),
+        CheckCommand::Show(2).into(),
+        CheckCommand::ShowInLot(Step::Right).into(),
+        CheckCommand::ShowInLot(Step::Last).into(),
+        CheckCommand::ClearHistory.into(),
+        CheckCommand::Undo.into(),
+        CheckCommand::Imported {
+            name: "none.csv".to_owned(),
+            result: Err(FileError::Missing { path: "none.csv".into() }.message()),
+        }
+        .into(),
+    ]);
+    prop_oneof![
+        6 => typed_of_check().prop_map(Act::Do),
+        4 => Just(Act::Do(CheckCommand::Measure.into())),
+        4 => events.prop_map(Act::Do),
+        1 => one_of(vec![Act::Import(ROWS), Act::Import(ONE), Act::Import(CONTACTS), Act::Log]),
+    ]
+}
+
+fn other_act() -> impl Strategy<Value = Act> {
+    let program = |field, text: &str| ProgramCommand::Type(field, text.to_owned()).into();
+    let fit = |field, text: &str| FitCommand::Type(field, text.to_owned()).into();
+    let of_pages = one_of(vec![
+        Act::Cycle("Q262", "25"),
+        Act::Cycle("Q273", "50"),
+        Act::Cycle("Q274", "50"),
+        Act::Cycle("Q275", "25.021"),
+        Act::Cycle("Q276", "25"),
+        Act::Cycle("Q276", "25.01"),
+        Act::Cycle("Q261", "-5"),
+        Act::Cycle("Q260", "20"),
+        Act::Do(CyclesCommand::Run.into()),
+        Act::Do(CyclesCommand::Run.into()),
+        Act::Do(CyclesCommand::From(ContactsFrom::Simulated).into()),
+        Act::Do(CyclesCommand::From(ContactsFrom::Perfect).into()),
+        Act::Do(CyclesCommand::ChooseProbe(1).into()),
+        Act::Do(CyclesCommand::Choose(421).into()),
+        Act::Do(WorkpieceCommand::Suit.into()),
+        Act::Do(program(ProgramField::Input(Input::Size), "25")),
+        Act::Do(program(ProgramField::Input(Input::Class), "H8")),
+        Act::Do(program(ProgramField::Input(Input::Class), "h6")),
+        Act::Do(program(ProgramField::Diameter, "25.03")),
+        Act::Do(ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Given).into()),
+        Act::Do(ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Perfect).into()),
+        Act::Do(ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Simulated).into()),
+        Act::Do(ProgramCommand::Run.into()),
+        Act::Do(ProgramCommand::Run.into()),
+        Act::Do(ProgramCommand::Tick.into()),
+        Act::Do(fit(FitField::Callout, "25 H7/g6")),
+        Act::Do(fit(FitField::Callout, "25 H7/")),
+        Act::Do(fit(FitField::HoleMeasured, "25.01")),
+        Act::Do(fit(FitField::HoleMeasured, "25.01O")),
+        Act::Do(fit(FitField::ShaftMeasured, "24.99")),
+        Act::Do(fit(FitField::ShaftMeasured, "")),
+        Act::Do(FitCommand::Check(Feature::Hole).into()),
+    ]);
+    let everywhere = one_of(vec![
+        Command::UseSource(Base::ALL.into_iter().next().unwrap()),
+        Command::UseSource(Base::ALL.into_iter().next_back().unwrap()),
+        Command::NoOwnTables,
+        Command::SetLanguage(Language::Nl),
+        Command::SetMask(Some(Dialogue::De)),
+        Command::OpenPage(Page::Check),
+        Command::OpenPage(Page::Program),
+        Command::OpenPage(Page::Cycles),
+    ]);
+    prop_oneof![4 => of_pages, 1 => everywhere.prop_map(Act::Do)]
+}
+
+/// What stands in the fields is what the shown verdict was made with.
+fn the_check_page_agrees_with_itself(session: &Session) {
+    let page = session.check();
+    let Some(shown) = page.shown() else { return };
+    let record = &shown.record;
+    assert!(page.question().is_none());
+    assert!(session.history().iter().any(|of_history| Arc::ptr_eq(of_history, record)));
+    assert_eq!(page.asked().limits(), Some(&record.limits));
+    for field in [CheckField::Callout, CheckField::Measured] {
+        assert_eq!(page.error(field), None, "{field:?}");
+    }
+    assert_eq!(page.text(CheckField::Part).trim(), record.id);
+    let callout = page.asked().callout().map(|callout| callout.of_part(record.limits.feature));
+    assert_eq!(callout, record.callout);
+    assert_eq!(callout.is_none(), page.text(CheckField::Callout).is_empty());
+    match record.measurement.origin {
+        Origin::Typed => {
+            assert_eq!(page.text(CheckField::Measured).parse::<Length>().unwrap(), record.measurement.diameter);
+        }
+        _ => assert_eq!(page.text(CheckField::Measured), ""),
+    }
+    let again = judge(&record.limits, record.measurement.diameter, record.verdict.position);
+    assert_eq!(again, record.verdict);
+    let word = fitcheck::control::status::status_word(record.verdict.status(), session.drawn_with().0);
+    assert!(shown.window.as_ref().unwrap().contains(word));
+}
+
+/// What the other pages show is what they would show if everything were done once more.
+fn the_other_pages_agree_with_themselves(session: &mut Session) {
+    let cycles = |session: &Session| session.cycles().run().map(|run| run.result.clone());
+    if let Some(before) = cycles(session) {
+        session.apply(CyclesCommand::Run.into(), now());
+        assert_eq!(format!("{:?}", Some(before)), format!("{:?}", cycles(session)));
+    }
+    let status = |session: &Session| session.program().run().map(|run| (run.status(), run.is_over()));
+    if let Some((before, true)) = status(session) {
+        session.apply(ProgramCommand::Reset.into(), now());
+        session.apply(ProgramCommand::Run.into(), now());
+        while session.program().is_running() {
+            session.apply(ProgramCommand::Tick.into(), now());
+        }
+        assert_eq!(status(session).map(|(status, _)| status), Some(before));
+    }
+}
+
+/// Whether an act changes what a verdict was made of, so that none may be left.
+fn takes_away(act: &Act) -> bool {
+    matches!(
+        act,
+        Act::Do(Command::Check(
+            CheckCommand::Type(..)
+                | CheckCommand::ChooseFeature(_)
+                | CheckCommand::ChooseClass(_)
+                | CheckCommand::Clear
+        )) | Act::Do(Command::UseSource(_) | Command::NoOwnTables)
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn no_verdict_stands_beside_anything_that_it_was_not_made_with(
+        acts in prop::collection::vec(prop_oneof![5 => check_act(), 1 => other_act()], 1..40)
+    ) {
+        let mut session = Session::new(Language::En);
+        for act in &acts {
+            act.run(&mut session);
+            if takes_away(act) {
+                prop_assert!(session.check().shown().is_none(), "{act:?}");
+            }
+            the_check_page_agrees_with_itself(&session);
+        }
+    }
+
+    #[test]
+    fn the_other_pages_show_nothing_stale(
+        acts in prop::collection::vec(other_act(), 1..30)
+    ) {
+        let mut session = Session::new(Language::En);
+        session.apply(Command::OpenPage(Page::Program), now());
+        for act in &acts {
+            act.run(&mut session);
+            the_other_pages_agree_with_themselves(&mut session);
+        }
+    }
+}
+
+fn run(session: &mut Session, commands: impl IntoIterator<Item = CheckCommand>) {
+    for command in commands {
+        session.apply(command.into(), now());
+    }
+}
+
+fn typed(field: CheckField, text: &str) -> CheckCommand {
+    CheckCommand::Type(field, text.to_owned())
+}
+
+fn status(session: &Session) -> Option<Status> {
+    session.check().shown().map(|shown| shown.record.verdict.status())
+}
+
+#[test]
+fn a_mistyped_or_emptied_value_leaves_no_verdict() {
+    let mut session = Session::new(Language::En);
+    for edit in ["25.03O", "", "25.0120"] {
+        run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Measured, "25.012")]);
+        run(&mut session, [CheckCommand::Measure]);
+        assert_eq!(status(&session), Some(Status::Good));
+        run(&mut session, [typed(CheckField::Measured, edit)]);
+        assert_eq!(status(&session), None, "{edit:?} before Enter");
+    }
+    run(&mut session, [typed(CheckField::Measured, "25.03O"), CheckCommand::Measure]);
+    assert_eq!(status(&session), None);
+}
+
+#[test]
+fn a_value_far_from_the_nominal_size_is_asked_about_and_judged_at_the_second_enter() {
+    // What it may have been, for 25 H7.
+    for (measured, meant) in [
+        ("250.12", Some("25.012")),
+        ("2.5012", Some("25.012")),
+        ("25012", Some("25.012")),
+        ("0.98472", Some("25.011888")),
+        ("12.506", Some("25.012")),
+        ("50.024", Some("25.012")),
+        ("30", None),
+        ("24.4", None),
+    ] {
+        let mut session = Session::new(Language::En);
+        run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Measured, measured)]);
+        run(&mut session, [CheckCommand::Measure]);
+        let asked = session.check().question().copied();
+        assert_eq!((status(&session), session.history().len(), asked.is_some()), (None, 0, true), "{measured}");
+        assert_eq!(asked.unwrap().doubt.meant().map(|length| length.to_string()).as_deref(), meant, "{measured}");
+        let mut taken = Session::new(Language::En);
+        run(&mut session, [CheckCommand::Measure]);
+        assert!(matches!(status(&session), Some(Status::Scrap | Status::Rework)), "{measured}");
+        run(&mut taken, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Measured, measured)]);
+        run(&mut taken, [CheckCommand::Measure, CheckCommand::TakeMeant]);
+        assert_eq!(status(&taken), meant.map(|_| Status::Good), "{measured}");
+    }
+    // Honest values are judged at once.
+    for measured in ["25.012", "24.6", "25.5", "24.998"] {
+        let mut session = Session::new(Language::En);
+        run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Measured, measured)]);
+        run(&mut session, [CheckCommand::Measure]);
+        assert!(status(&session).is_some(), "{measured}");
+    }
+}
+
+#[test]
+fn another_value_is_asked_about_anew() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Measured, "250.12")]);
+    run(&mut session, [CheckCommand::Measure, typed(CheckField::Measured, "250.13"), CheckCommand::Measure]);
+    assert_eq!((status(&session), session.history().len()), (None, 0));
+    assert!(session.check().question().is_some());
+}
+
+#[test]
+fn many_rows_make_a_lot_with_the_worst_first() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::Measured, "9.9")]);
+    Act::Import(ROWS).run(&mut session);
+    let lot = session.check().lot().unwrap().clone();
+    let counts: Vec<_> = lot.counts().map(|(_, count)| count).collect();
+    // 25.012 is good, 25.030 scrap, 39.98 is in 39.975 to 39.991.
+    assert_eq!((counts, lot.unjudged(), lot.refused(), lot.rows()), (vec![2, 0, 0, 1], 1, 1, 5));
+    assert_eq!((lot.shown(), status(&session)), (Some((1, 3)), Some(Status::Scrap)));
+    assert_eq!(session.text(CheckField::Part), "A2");
+    assert_eq!(session.text(CheckField::Measured), "", "nothing imported stays beside a typed value");
+    run(&mut session, [CheckCommand::ShowInLot(Step::Last)]);
+    assert_eq!((session.check().lot().unwrap().shown(), status(&session)), (Some((3, 2)), Some(Status::Good)));
+    run(&mut session, [CheckCommand::ShowInLot(Step::Left)]);
+    // 5 µm from its nearer limit, against 9 µm.
+    assert_eq!(session.text(CheckField::Part), "A3");
+    run(&mut session, [typed(CheckField::Measured, "39.98")]);
+    assert_eq!((session.check().lot().is_none(), session.text(CheckField::Part)), (true, ""));
+}
+
+#[test]
+fn nothing_is_simulated_until_it_is_asked_for() {
+    let session = Session::new(Language::En);
+    assert_eq!(session.check().by(), MeasureBy::Typing);
+}
