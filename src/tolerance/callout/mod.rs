@@ -161,6 +161,8 @@ impl Callout {
         Ok(callout)
     }
 
+    /// An error of values has no place: a text's reader gives it one (`Reader::placed`), that of the class or deviation, and
+    /// `CalloutErrorKind::needs_place` says whether the message names it.
     fn above_zero(nominal: Length, tolerance: Tolerance) -> Result<Self, CalloutError> {
         if nominal <= Length::ZERO {
             return Err(CalloutErrorKind::NotPositive { nominal }.into());
