@@ -370,14 +370,31 @@ struct Wanted {
     shared: Option<(String, String)>,
 }
 
-/// The struct that an option comes from; `None` for the subcommand's own, which is called `Args` everywhere.
-fn shared_struct(command: &clap::Command, option: &clap::Arg) -> Option<String> {
-    let has = |group: &&clap::ArgGroup| group.get_args().any(|id| id == option.get_id());
-    command.get_groups().find(has).map(|group| group.get_id().to_string()).filter(|name| name != "Args")
+/// Structs of options that several subcommands have, by name, each with the names of its options.
+type SharedStructs = BTreeMap<String, BTreeSet<String>>;
+
+/// clap knows which subcommand has which struct, but not which options a struct has: those that all its subcommands
+/// have with the same help. What a subcommand has for itself is called `Args`, everywhere.
+fn shared_structs(command: &clap::Command) -> SharedStructs {
+    let mut found: BTreeMap<String, (usize, BTreeSet<(String, String)>)> = BTreeMap::new();
+    let mut open = vec![command];
+    while let Some(command) = open.pop() {
+        open.extend(command.get_subcommands());
+        let options = command.get_arguments().filter(|one| !matches!(one.get_action(), clap::ArgAction::Help));
+        let options: BTreeSet<_> =
+            options.map(|one| (one.get_id().to_string(), format!("{:?}", one.get_help()))).collect();
+        for name in command.get_groups().map(|group| group.get_id().to_string()).filter(|name| name != "Args") {
+            let (subcommands, common) = found.entry(name).or_insert_with(|| (0, options.clone()));
+            *subcommands += 1;
+            common.retain(|option| options.contains(option));
+        }
+    }
+    found.retain(|_, (subcommands, _)| 1 < *subcommands);
+    found.into_iter().map(|(name, (_, options))| (name, options.into_iter().map(|(id, _)| id).collect())).collect()
 }
 
 /// Every subcommand, every option of it and every value of each option.
-fn wanted(command: &clap::Command, path: &[&str], calls: &[&Call]) -> Vec<Wanted> {
+fn wanted(command: &clap::Command, path: &[&str], calls: &[&Call], shared: &SharedStructs) -> Vec<Wanted> {
     let name = path.join(" ");
     let calls: Vec<&Call> = calls
         .iter()
@@ -396,9 +413,13 @@ fn wanted(command: &clap::Command, path: &[&str], calls: &[&Call]) -> Vec<Wanted
         .into_iter()
         .flatten()
         .collect();
-        let origin = shared_struct(command, argument);
+        let has_it = |name: &String| shared.get(name).is_some_and(|ids| ids.contains(argument.get_id().as_str()));
+        let origin = command.get_groups().map(|group| group.get_id().to_string()).find(has_it);
         let mut want = |text: String, is_used: bool| {
-            let what = format!("fitcheck {name} without {text}");
+            let what = match &origin {
+                Some(origin) => format!("no subcommand with the options of {origin} has a call with {text}"),
+                None => format!("fitcheck {name} without {text}"),
+            };
             all.push(Wanted { what, is_used, shared: origin.clone().map(|origin| (origin, text)) });
         };
         let is_used = options.iter().any(|option| has(&[option]));
@@ -421,7 +442,7 @@ fn wanted(command: &clap::Command, path: &[&str], calls: &[&Call]) -> Vec<Wanted
     all.extend(structs.into_iter().map(of_struct));
     // What helps of itself repeats the help of the others.
     for subcommand in command.get_subcommands().filter(|subcommand| subcommand.get_name() != "help") {
-        all.extend(wanted(subcommand, &[path, &[subcommand.get_name()]].concat(), &calls));
+        all.extend(wanted(subcommand, &[path, &[subcommand.get_name()]].concat(), &calls, shared));
     }
     all
 }
@@ -436,14 +457,16 @@ fn every_subcommand_option_and_value_occurs() {
     assert_eq!(different.len(), calls.len(), "a call stands there twice");
     let mut command = fitcheck::cli::Cli::command();
     command.build();
-    let wanted = wanted(&command, &[], &calls);
+    let shared = shared_structs(&command);
+    assert!(shared["TableArgs"].contains("tables"), "the search for shared options finds only {shared:?}");
+    let wanted = wanted(&command, &[], &calls, &shared);
     let used: BTreeSet<_> = wanted.iter().filter(|one| one.is_used).filter_map(|one| one.shared.as_ref()).collect();
     let is_missing = |one: &&Wanted| !one.is_used && !one.shared.as_ref().is_some_and(|shared| used.contains(shared));
-    let missing: Vec<&str> = wanted.iter().filter(is_missing).map(|one| one.what.as_str()).collect();
+    let missing: BTreeSet<&str> = wanted.iter().filter(is_missing).map(|one| one.what.as_str()).collect();
     assert!(
         missing.is_empty(),
         "{}\nfor each, add a line \"$ fitcheck …\" to tests/data/corpus/*.txt, then \
          CORPUS=write cargo test --no-default-features --test core corpus:: records what it says; read the diff",
-        missing.join("\n")
+        missing.into_iter().collect::<Vec<_>>().join("\n")
     );
 }

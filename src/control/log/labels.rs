@@ -103,8 +103,7 @@ mod tests {
         for language in Dialogue::ALL {
             let labels = Labels::of(language);
             let mut need = |has: bool, what: &str, name: &str| {
-                let line = || format!("assets/logs/{language}.toml has no {what} {name}");
-                missing.extend((!has).then(line));
+                missing.extend((!has).then(|| format!("assets/logs/{language}.toml has no {what} {name}")));
             };
             for cycle in CYCLES {
                 let Log::Text(log) = cycle.log else { continue };
