@@ -66,6 +66,7 @@ pub(super) fn chip_ui(ui: &mut Ui, status: Status, text: &str) -> Response {
     let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
     let frame = Frame::new().fill(fill).corner_radius(4.0).inner_margin(Margin::symmetric(8, 4));
     let chip = frame.show(ui, |ui| {
+        ui.spacing_mut().interact_size.y = 0.0;
         ui.horizontal(|ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
             shapes::status(ui.painter(), rect, Some(status), colour);
