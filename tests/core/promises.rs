@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use fitcheck::probing::cycles::CYCLES;
+use fitcheck::probing::cycle::{Control, Cycle};
+use fitcheck::probing::cycles::{CYCLES, cycles_of};
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -84,10 +85,10 @@ fn every_link_of_the_documents_leads_to_a_file() {
     }
 }
 
-/// Every cycle as the README lists them: `421 to 427, 444 and G785`, with a word before the last.
-fn cycles(word: &str) -> String {
+/// Cycles as the README lists them: `421 to 427, 444 and G785`, with a word before the last.
+fn cycles(all: impl IntoIterator<Item = &'static Cycle>, word: &str) -> String {
     let mut runs: Vec<(&str, &str, Option<u16>)> = Vec::new();
-    for cycle in CYCLES {
+    for cycle in all {
         let number = cycle.code.parse::<u16>().ok();
         match runs.last_mut() {
             Some((_, last, next)) if next.is_some() && *next == number => {
@@ -107,11 +108,14 @@ fn cycles(word: &str) -> String {
 #[test]
 fn the_list_of_cycles_in_the_readme_is_the_program_s() {
     let text = std::fs::read_to_string(root().join("README.md")).unwrap();
-    let (and, or) = (cycles("and"), cycles("or"));
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let all = || CYCLES.iter().copied();
+    let (and, or) = (cycles(all(), "and"), cycles(all(), "or"));
     for sentence in [
         format!("**Measuring cycles.** {and} with"),
         format!("`fitcheck cycle` runs {and} on"),
         format!("Choose one of {or}:"),
+        format!("probing cycles {}, against", cycles(cycles_of(Control::Milling), "and")),
     ] {
         assert!(text.contains(&sentence), "README.md does not say: {sentence}");
     }
