@@ -241,7 +241,7 @@ fn the_language_can_be_switched_while_running() {
     window.run();
     window.get_by_label("Nederlands").click();
     window.run();
-    assert_eq!(verdict(&window), "GOED. 25,012 mm. 12 µm boven minimaal. 9 µm onder maximaal");
+    assert_eq!(verdict(&window), "GOED. 25,012 mm. 12 µm boven minimum. 9 µm onder maximum");
     window.get_by_role_and_label(Role::TextInput, "Gemeten waarde");
     window.get_by_label_contains("STATUS VAN DE PASSING: GOED");
 }

@@ -16,7 +16,7 @@ use crate::probing::cycle::{
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::En;
+use crate::words::Dialogue::{En, Nl};
 
 /// The name of Q262.
 const NOMINAL_DIAMETER: &str = "NOMINAL DIAMETER";
@@ -45,13 +45,18 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
     [
         CENTRE_1,
         CENTRE_2,
-        Parameter::size(q(262), NOMINAL_DIAMETER).asked(&[(En, "Nominal diameter?")]).means(Meaning::Diameter),
+        Parameter::size(q(262), NOMINAL_DIAMETER)
+            .named(&[(Nl, "NOMINALE DIAMETER")])
+            .asked(&[(En, "Nominal diameter?"), (Nl, "Nominale diameter?")])
+            .means(Meaning::Diameter),
         Parameter::angle(q(325), "STARTING ANGLE", 360, 0)
-            .asked(&[(En, "Starting angle?")])
+            .named(&[(Nl, "STARTHOEK")])
+            .asked(&[(En, "Starting angle?"), (Nl, "Starthoek?")])
             .or(0)
             .means(Meaning::FirstAngle),
         Parameter::angle(q(247), "STEPPING ANGLE", 120, 5)
-            .asked(&[(En, "Intermediate stepping angle?")])
+            .named(&[(Nl, "HOEKSTAP")])
+            .asked(&[(En, "Intermediate stepping angle?"), (Nl, "Hoekstap?")])
             .or(QUARTER_TURN)
             .or_where(q(423), 3, STEP_OF_THREE)
             .means(Meaning::Step),
@@ -60,10 +65,12 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
         CLEARANCE_HEIGHT,
         MOVE_TO_CLEARANCE,
         Parameter::size(q(side.maximum), "MAXIMUM DIMENSION")
+            .named(&[(Nl, "MAXIMALE MAAT")])
             .asked(side.maximum_question)
             .or(0)
             .means(Meaning::MaximumDiameter),
         Parameter::size(q(side.minimum), "MINIMUM DIMENSION")
+            .named(&[(Nl, "MINIMALE MAAT")])
             .asked(side.minimum_question)
             .or(0)
             .means(Meaning::MinimumDiameter),
@@ -73,11 +80,13 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
         STOP_IF_ERROR,
         TOOL,
         Parameter::choice(q(423), "NO. OF MEAS. POINTS", &[3, 4])
-            .asked(&[(En, "No. probe points in plane (4/3)?")])
+            .named(&[(Nl, "AANTAL MEETPUNTEN")])
+            .asked(&[(En, "No. probe points in plane (4/3)?"), (Nl, "Aantal meetpunten in vlak (4/3)?")])
             .or(4)
             .means(Meaning::ContactCount),
         Parameter::choice(q(365), "TYPE OF TRAVERSE", &[0, 1])
-            .asked(&[(En, "Type of traverse? Line=0/arc=1")])
+            .named(&[(Nl, "SOORT VERPLAATSING")])
+            .asked(&[(En, "Type of traverse? Line=0/arc=1"), (Nl, "Soort verplaatsing? Recht=0/boog=1")])
             .or(1)
             .means(Meaning::Traverse),
         REVERSED,
