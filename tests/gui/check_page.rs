@@ -254,7 +254,7 @@ fn a_parameter_out_of_range_says_its_range_beside_the_field() {
     type_into(&mut window, "First contact", "45,5");
     assert!(window.query_by_label_contains("Q325").is_none());
     type_into(&mut window, "Set-up clearance", "-1");
-    window.get_by_label_contains("Q320 SET-UP CLEARANCE = -1 mm");
+    window.get_by_label_contains("Q320 SET-UP CLEARANCE = −1 mm");
     type_into(&mut window, "Centre X", "abc");
     window.get_by_label_contains("abc is not a number");
 }

@@ -40,7 +40,7 @@ machine-not-text = { $parameter } bevat een getal: een tekst verwacht
 machine-division-by-zero = deling door nul
 machine-negative-root = de wortel van { $value } is niet gedefinieerd
 machine-no-result = { $function } { $value } is niet gedefinieerd
-machine-beyond-range = { $value } ligt buiten het waardebereik, −10^10 tot +10^10
+machine-beyond-range = { $value } ligt buiten het waardebereik, −10^10 tot 10^10
 machine-not-whole = { $what } = { $value }: een geheel getal vanaf 0 verwacht
 machine-behind-text = de tekst heeft { $length } tekens: positie { $from } ligt voorbij het einde
 machine-no-number-in-text = { $parameter } = "{ $text }" is geen getal
@@ -69,7 +69,7 @@ machine-remark-not-written = { $path } is niet geschreven: er is geen map voor u
 machine-remark-not-saved = { $path } is niet geschreven: { $reason }
 machine-remark-full = { $path } heeft de grens van { $kilobytes } kilobyte bereikt: er is niets toegevoegd
 machine-remark-table-written = { $path } is geschreven
-machine-remark-contacts-left = de cycli hebben { $used } van de { $count } opgenomen contacten gebruikt
+machine-remark-contacts-left = de cycli hebben { $used } van de { $count } opgenomen meetpunten gebruikt
 machine-remark-more = nog { $count } opmerkingen zijn niet vermeld
 machine-remark-other-probe = gereedschap { $tool } staat niet in de tastertabel: taster { $probe } is gebruikt
 

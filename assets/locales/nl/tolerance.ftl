@@ -73,7 +73,7 @@ iso286-no-letter = { $class } is geen tolerantieklasse van ISO 286: de letter { 
 iso286-too-large = nominale maat { $nominal } mm valt buiten ISO 286, die bij 3150 mm ophoudt
 iso286-not-here = { $class } is bij { $nominal } mm niet gedefinieerd in ISO 286; { $where }
 iso286-js-rounded = JS afgerond als in 1988
-iso286-contested-ef = omstreden: ef is hier 28 µm, andere uitgaven hebben 25 µm
+iso286-contested-ef = omstreden: ef is hier 28 µm, andere bronnen geven 25 µm
 iso286-older-it5 = op proef; oudere catalogi hebben hier een kleinere IT5
 iso286-trial-use = op proef
 

@@ -12,7 +12,7 @@ use crate::probing::cycle::shared::{
 };
 use crate::probing::cycle::{
     Angle, Axis, CircleFound, Course, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning,
-    Measured, Parameter, Plane, QUARTER_TURN, Remark, Texts, limits,
+    Measured, Parameter, ParameterName, Plane, QUARTER_TURN, Remark, Texts, limits,
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
@@ -20,6 +20,7 @@ use crate::words::Dialogue::{En, Nl};
 
 /// The name of Q262.
 const NOMINAL_DIAMETER: &str = "NOMINAL DIAMETER";
+const NOMINAL_DIAMETERS: Texts = &[(Nl, "NOMINALE DIAMETER")];
 
 /// The step between three contacts when Q247 is not given: with 90 degrees half the circle would be unmeasured.
 const STEP_OF_THREE: i64 = Angle::from_degrees(120).ten_thousandths();
@@ -46,7 +47,7 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
         CENTRE_1,
         CENTRE_2,
         Parameter::size(q(262), NOMINAL_DIAMETER)
-            .named(&[(Nl, "NOMINALE DIAMETER")])
+            .named(NOMINAL_DIAMETERS)
             .asked(&[(En, "Nominal diameter?"), (Nl, "Nominale diameter?")])
             .means(Meaning::Diameter),
         Parameter::angle(q(325), "STARTING ANGLE", 360, 0)
@@ -108,7 +109,10 @@ pub(super) fn run(side: &Side, inputs: &Inputs, course: &mut Course<'_>) -> Resu
     let limits = limits(inputs, side.minimum, side.maximum)?;
     let nominal = inputs.length(262);
     if nominal == Length::ZERO {
-        return Err(CycleError::NoDiameter { key: Key::Q(262), name: NOMINAL_DIAMETER });
+        return Err(CycleError::NoDiameter {
+            key: Key::Q(262),
+            name: ParameterName::new(NOMINAL_DIAMETER, NOMINAL_DIAMETERS),
+        });
     }
     let ball_radius = course.ball_radius();
     let height = inputs.mm(260);

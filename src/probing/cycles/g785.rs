@@ -11,7 +11,7 @@ use crate::length::Length;
 use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::{
     Angle, Axis, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Parameter,
-    Plane, Remark, Window, nearest,
+    ParameterName, Plane, Remark, Texts, Window, nearest,
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::probing::vector::{along, norm};
@@ -22,6 +22,7 @@ const PLANE: Key = Key::Word("R");
 const SIDE: Key = Key::Word("BR");
 const PATH: Key = Key::Word("K");
 const PATH_NAME: &str = "MEASURING PATH";
+const PATH_NAMES: Texts = &[(Nl, "TASTWEG")];
 const FIRST_ANGLE: Key = Key::Word("C");
 const STEP: Key = Key::Word("RC");
 const START_DIAMETER: Key = Key::Word("D");
@@ -51,7 +52,7 @@ pub(super) const CYCLE: Cycle = Cycle {
             .or(0)
             .means(Meaning::InsideOutside),
         Parameter::coordinate(PATH, PATH_NAME)
-            .named(&[(Nl, "TASTWEG")])
+            .named(PATH_NAMES)
             .asked(&[(De, "Messweg inkremental (Vorzeichen)"), (Nl, "Tastweg incrementeel (met teken)")])
             .means(Meaning::Path),
         Parameter::angle(FIRST_ANGLE, "ANGLE OF 1ST TOUCH", 360, 0)
@@ -152,7 +153,7 @@ fn touches(inputs: &Inputs) -> Vec<Touch> {
 /// Runs the cycle on checked inputs.
 fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
     if inputs.length(PATH) == Length::ZERO {
-        return Err(CycleError::NoPath { key: PATH, name: PATH_NAME });
+        return Err(CycleError::NoPath { key: PATH, name: ParameterName::new(PATH_NAME, PATH_NAMES) });
     }
     let plane = plane(inputs);
     let [first, second] = centre(inputs);
