@@ -47,8 +47,7 @@ fn focused_part(ui: &Ui, view: &View<'_>) -> Option<Part> {
     let part = Part::ALL.into_iter().find(|part| part.page() == view.session.page())?;
     let id = id(part, view);
     let horizontal_arrows = matches!(part, Part::Classes | Part::Cells);
-    let arrows =
-        EventFilter { tab: false, horizontal_arrows, vertical_arrows: true, escape: false };
+    let arrows = EventFilter { tab: false, horizontal_arrows, vertical_arrows: true, escape: false };
     ui.memory_mut(|memory| {
         memory.set_focus_lock_filter(id, arrows);
         memory.has_focus(id).then_some(part)

@@ -3,8 +3,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::query::{Query, RecordId, Records, Searched};
 use super::Record;
+use super::query::{Query, RecordId, Records, Searched};
 use crate::verdict::Status;
 
 /// Up to this many new records are put in place one by one; more of them are sorted together with the others.

@@ -136,7 +136,9 @@ impl Searched {
     /// The texts of a record.
     pub fn of(record: &Record) -> Self {
         let file = match &record.measurement.origin {
-            Origin::Contacts { file } | Origin::Imported { file } | Origin::ImportedSimulation { file } => file.as_ref(),
+            Origin::Contacts { file } | Origin::Imported { file } | Origin::ImportedSimulation { file } => {
+                file.as_ref()
+            }
             Origin::Simulated { .. } | Origin::Typed => "",
         };
         let measured = record.measurement.diameter.exact(Unit::Millimetre, 4);

@@ -56,10 +56,14 @@ fn any_query() -> impl Strategy<Value = Query> {
         word.typed = text == "lot";
         word
     });
-    let sort = (select(Column::ALL.as_slice()), any::<bool>()).prop_map(|(column, ascending)| Sort { column, ascending });
+    let sort =
+        (select(Column::ALL.as_slice()), any::<bool>()).prop_map(|(column, ascending)| Sort { column, ascending });
     let words = prop_oneof![3 => Just(Vec::new()), 2 => proptest::collection::vec(word, 1..3)];
-    (words, any::<bool>(), proptest::option::weighted(0.8, sort))
-        .prop_map(|(words, only_bad, sort)| Query { words, only_bad, sort })
+    (words, any::<bool>(), proptest::option::weighted(0.8, sort)).prop_map(|(words, only_bad, sort)| Query {
+        words,
+        only_bad,
+        sort,
+    })
 }
 
 /// What happens to the records.
@@ -214,12 +218,8 @@ proptest! {
 
 /// The measured values that a query's words find, of five records.
 fn found(words: &[&str]) -> Vec<usize> {
-    let records = [
-        record((4, 2, 0, 12, 0)),
-        record((5, 1, 1, -2, 0)),
-        record((0, 0, 2, -7, 0)),
-        record((6, 3, 4, 0, 0)),
-    ];
+    let records =
+        [record((4, 2, 0, 12, 0)), record((5, 1, 1, -2, 0)), record((0, 0, 2, -7, 0)), record((6, 3, 4, 0, 0))];
     let query = Query { words: words.iter().map(|word| Wanted::new(word)).collect(), ..Query::default() };
     let finds = |record: &Arc<Record>| query.finds(record, &Searched::of(record));
     (0..).zip(&records).filter(|(_, record)| finds(record)).map(|(number, _)| number).collect()

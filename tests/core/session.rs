@@ -202,7 +202,10 @@ fn a_check_from_the_history_brings_its_callout_back() {
     assert_eq!(status(&session), Some(Status::Good));
     run(&mut session, [Command::Check(CheckCommand::Show(RecordId(1)))]);
     assert_eq!((status(&session), limits(&session)), (Some(Status::Scrap), Some(mm("39.975", "39.991"))));
-    run(&mut session, [Command::Check(CheckCommand::Show(RecordId(2))), Command::Check(CheckCommand::Choose(RecordId(2), true))]);
+    run(
+        &mut session,
+        [Command::Check(CheckCommand::Show(RecordId(2))), Command::Check(CheckCommand::Choose(RecordId(2), true))],
+    );
     assert_eq!((status(&session), session.history().chosen_count()), (Some(Status::Scrap), 0));
 }
 
@@ -238,10 +241,16 @@ fn clearing_the_history_can_be_taken_back() {
     let mut session = session();
     measure(&mut session, "25 H7", "25.012");
     measure(&mut session, "25 H7", "24.998");
-    run(&mut session, [Command::Check(CheckCommand::Choose(RecordId(1), true)), Command::Check(CheckCommand::ClearHistory)]);
+    run(
+        &mut session,
+        [Command::Check(CheckCommand::Choose(RecordId(1), true)), Command::Check(CheckCommand::ClearHistory)],
+    );
     assert_eq!((session.history().len(), session.history().chosen_count(), status(&session)), (0, 0, None));
     run(&mut session, [Command::Check(CheckCommand::Undo)]);
-    assert_eq!((session.history().len(), session.history().is_chosen(RecordId(0)), session.history().is_chosen(RecordId(1))), (2, false, true));
+    assert_eq!(
+        (session.history().len(), session.history().is_chosen(RecordId(0)), session.history().is_chosen(RecordId(1))),
+        (2, false, true)
+    );
     run(
         &mut session,
         [Command::Check(CheckCommand::Undo), Command::Check(CheckCommand::Undo), Command::Check(CheckCommand::Undo)],
@@ -402,7 +411,8 @@ fn only_chosen_checks_are_exported() {
     measure(&mut session, "25 H7", "24.998");
     let csv = RENDERINGS.iter().position(|rendering| rendering.name == "csv").unwrap();
     let dialog = Command::OpenDialog(Purpose::Export(csv));
-    let effects = run(&mut session, [Command::Check(CheckCommand::Choose(RecordId(1), true)), dialog, Command::Confirm]);
+    let effects =
+        run(&mut session, [Command::Check(CheckCommand::Choose(RecordId(1), true)), dialog, Command::Confirm]);
     let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
     let text = String::from_utf8(bytes.clone()).unwrap();
     assert_eq!((path.to_str(), text.lines().count()), (Some("fitcheck.csv"), 2));

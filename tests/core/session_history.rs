@@ -327,13 +327,17 @@ fn undo_is_one_action_on_every_page_and_says_what_is_not_in_sight() {
     for page in [Page::Fit, Page::Cycles, Page::Program, Page::Check] {
         let mut session = four(Language::En);
         run(&mut session, [CheckCommand::ClearHistory.into(), Command::Close, Command::OpenPage(page)]);
-        let undo = |session: &Session| session.keys(None, false).into_iter().find(|(_, action)| *action == Action::Undo);
+        let undo =
+            |session: &Session| session.keys(None, false).into_iter().find(|(_, action)| *action == Action::Undo);
         assert_eq!(undo(&session).unwrap().0.to_string(), "Ctrl+Z", "{page:?}");
         run(&mut session, [CheckCommand::Undo.into()]);
         assert_eq!(session.history().len(), 4);
         let told: &[&str] = if page == Page::Check { &[] } else { &["Undone: clear history"] };
         assert_eq!(notices(&session), told, "{page:?}");
-        assert!(session.keys(None, true).iter().all(|(_, action)| *action != Action::Undo), "a text field undoes itself");
+        assert!(
+            session.keys(None, true).iter().all(|(_, action)| *action != Action::Undo),
+            "a text field undoes itself"
+        );
     }
 }
 
@@ -367,8 +371,5 @@ fn many_steps_are_undone_and_records_are_not_copied_for_it() {
 fn the_list_counts_by_status() {
     let session = four(Language::En);
     let counts: Vec<_> = Status::ALL.into_iter().zip(session.history().listed().counts()).collect();
-    assert_eq!(
-        counts,
-        [(Status::Good, 2), (Status::Rework, 1), (Status::ReMeasure, 0), (Status::Scrap, 1)]
-    );
+    assert_eq!(counts, [(Status::Good, 2), (Status::Rework, 1), (Status::ReMeasure, 0), (Status::Scrap, 1)]);
 }

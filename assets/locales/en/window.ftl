@@ -196,7 +196,7 @@ head-measured = Measured
 head-deviation = Deviation
 head-status = Status
 head-from = From
-choose-check = Choose { $callout } of { $time } for export
+choose-check = Choose { $check } of { $time } for export
 
 dialog-import = Import measurements
 dialog-mask = Own mask

@@ -196,7 +196,7 @@ head-measured = Gemeten
 head-deviation = Afwijking
 head-status = Status
 head-from = Herkomst
-choose-check = { $callout } van { $time } kiezen voor export
+choose-check = { $check } van { $time } kiezen voor export
 
 dialog-import = Metingen importeren
 dialog-mask = Eigen masker

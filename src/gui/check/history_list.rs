@@ -144,7 +144,11 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, columns: &Columns, row: &Row) {
         painter.rect_filled(row.rect, 0.0, ground);
     }
     if row.is_cursor {
-        painter.rect_filled(Rect::from_min_size(row.rect.left_top(), vec2(3.0, row.rect.height())), 0.0, palette.accent.0);
+        painter.rect_filled(
+            Rect::from_min_size(row.rect.left_top(), vec2(3.0, row.rect.height())),
+            0.0,
+            palette.accent.0,
+        );
     }
     let cells = Cells::of(view.words, &row.record);
     // Not focusable: the list is one stop for Tab.
@@ -199,7 +203,8 @@ fn choose_ui(ui: &Ui, view: &mut View<'_>, rect: Rect, row: &Row, cells: &Cells)
         shapes::status(ui.painter(), mark.shrink(3.0), Some(Status::Good), palette.text.0);
     }
     let response = ui.interact(rect, id().with(("choose", row.id.0)), Sense::CLICK);
-    let name = Message::new("choose-check").text("callout", &cells.callout).text("time", &cells.time);
+    let check = format!("{} {} {} mm", cells.part, cells.callout, cells.measured);
+    let name = Message::new("choose-check").text("check", check.trim()).text("time", &cells.time);
     response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, row.is_chosen, view.words.say(&name)));
     if response.clicked() {
         view.send(CheckCommand::Choose(row.id, !row.is_chosen));

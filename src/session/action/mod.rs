@@ -350,7 +350,10 @@ impl Action {
             }
             Self::Undo => {
                 let what = session.history().undoes();
-                what.map_or_else(|| words.get("undo"), |what| words.say(&Message::new("undo-what").message("what", what)))
+                what.map_or_else(
+                    || words.get("undo"),
+                    |what| words.say(&Message::new("undo-what").message("what", what)),
+                )
             }
             Self::ChooseBad => words.say(&Message::new("choose-bad").count("count", session.bad_count())),
             Self::UseTable if session.tables().is_used(session.sources()) => words.get("tables-in-use"),
