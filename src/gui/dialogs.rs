@@ -5,7 +5,7 @@ use std::path::Path;
 use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
 
 use super::field::select_all;
-use super::theme::{sizes, space};
+use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use crate::message::Message;
 use crate::session::{Action, Command, CycleFile, Dialog, Notice, Page, Purpose};
@@ -65,7 +65,7 @@ fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
     let names = view.session.unsaved_tables().join(", ");
     ui.label(view.words.say(&Message::new("leave-unsaved").text("names", names)));
     ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = sizes().touch;
+        ui.spacing_mut().interact_size.y = control(ui);
         let stay = ui.button(view.text("leave-stay"));
         if just_opened(ui, Id::unique("leaving")) {
             stay.request_focus();
@@ -104,7 +104,7 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let mut path = dialog.path.clone();
     let id = Id::unique("dialog-path");
     let field = ui
-        .add(TextEdit::singleline(&mut path).id(id).desired_width(f32::INFINITY).min_size(vec2(0.0, sizes().field)))
+        .add(TextEdit::singleline(&mut path).id(id).desired_width(f32::INFINITY).min_size(vec2(0.0, control(ui))))
         .labelled_by(name.id);
     // The dialog asks for the path: the field has the focus at first, and typing replaces a proposed name.
     if just_opened(ui, id) {
@@ -123,7 +123,7 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     }
     ui.horizontal(|ui| {
         let confirm = if dialog.purpose.is_reading() { "dialog-open" } else { "dialog-save" };
-        let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(24.0), sizes().touch));
+        let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(24.0), control(ui)));
         let (confirm, browse, cancel) = (button(confirm), button("dialog-browse"), button("dialog-cancel"));
         if ui.add_enabled(!dialog.busy, confirm).clicked() || entered {
             view.send(Command::Confirm);
@@ -170,6 +170,6 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
             },
         );
     }
-    let close = view.named(Action::Close).min_size(vec2(space(24.0), sizes().touch));
+    let close = view.named(Action::Close).min_size(vec2(space(24.0), control(ui)));
     view.button_as(ui, Action::Close, close);
 }

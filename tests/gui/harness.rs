@@ -22,11 +22,13 @@ pub struct Window {
     pub theme: Theme,
     pub language: Language,
     pub store: Store,
+    /// Pixels per point.
+    pub zoom: f32,
 }
 
 impl Default for Window {
     fn default() -> Self {
-        Self { size: DESK, theme: Theme::Light, language: Language::En, store: Store::nowhere() }
+        Self { size: DESK, theme: Theme::Light, language: Language::En, store: Store::nowhere(), zoom: 1.0 }
     }
 }
 
@@ -41,6 +43,7 @@ impl Window {
         let mut harness = Harness::builder()
             .with_size(self.size)
             .with_theme(self.theme)
+            .with_pixels_per_point(self.zoom)
             .with_max_steps(16)
             .build_eframe(|cc| App::new(cc, setup));
         // "Follow system" would follow the harness's idea of a system.

@@ -12,4 +12,5 @@ mod history;
 mod keyboard;
 mod pictures;
 mod program_page;
+mod sizes;
 mod table_page;

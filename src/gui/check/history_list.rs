@@ -12,7 +12,7 @@ use eframe::egui::{
 };
 
 use crate::gui::shapes::{self, focus_ring, times};
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::colours;
 use crate::gui::view::{Digits, View, quiet};
 use crate::journal::Record;
@@ -27,21 +27,36 @@ pub(in crate::gui) fn id() -> Id {
     Id::unique("history-list")
 }
 
-/// From the choice for export to the columns of [`Column::ALL`].
-type Columns = [Rangef; Column::ALL.len() + 1];
+/// From the choice for export to the columns of [`Column::ALL`]; one that has no room is left out.
+type Columns = [Option<Rangef>; Column::ALL.len() + 1];
 
-/// The columns within a width; what the others leave is the last one's, and where that is little they all give way.
+/// The columns within a width. Where there is too little room, where a value comes from gives way first, then the part,
+/// the deviation and the time; the row says it all under the pointer. What is left over is the last column's.
 fn columns(left: f32, width: f32) -> Columns {
-    let wanted = [10.0, 42.0, 24.0, 26.0, 26.0, 26.0, 60.0].map(space);
-    let factor = ((width - space(24.0)) / wanted.iter().sum::<f32>()).clamp(0.2, 1.0);
+    const FROM: usize = Column::ALL.len();
+    const GIVE_WAY: [usize; 4] = [FROM, 2, 5, 1];
+    let mut wanted = [10.0, 42.0, 24.0, 25.0, 25.0, 25.0, 62.0, 36.0].map(space);
+    for column in GIVE_WAY {
+        if wanted.iter().sum::<f32>() <= width {
+            break;
+        }
+        if let Some(wanted) = wanted.get_mut(column) {
+            *wanted = 0.0;
+        }
+    }
+    let sum: f32 = wanted.iter().sum();
+    if let [.., from] = &mut wanted
+        && 0.0 < *from
+    {
+        *from += (width - sum).max(0.0);
+    }
+    let factor = (width / wanted.iter().sum::<f32>()).max(0.0);
     let mut from = left;
-    let mut column = |wanted: f32| {
+    wanted.map(|wanted| {
         let column = Rangef::new(from, from + wanted * factor);
         from = column.max;
-        column
-    };
-    let [choose, time, part, callout, measured, deviation, status] = wanted.map(&mut column);
-    [choose, time, part, callout, measured, deviation, status, Rangef::new(from, (left + width).max(from))]
+        (0.0 < wanted).then_some(column)
+    })
 }
 
 /// Heads and rows in the room that is left.
@@ -49,7 +64,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
     let room = ui.available_rect_before_wrap();
     // The scroll bar floats: it must not cover the last column.
     let columns = columns(room.left(), room.width() - space(3.0));
-    let heads = Rect::from_min_size(room.min, vec2(room.width(), sizes().body + space(2.0)));
+    let heads = Rect::from_min_size(room.min, vec2(room.width(), control(ui)));
     heads_ui(ui, view, &columns, heads.y_range());
     let rect = Rect::from_min_max(heads.left_bottom(), room.max);
     let list = ui.interact(rect, id(), Sense::focusable_noninteractive());
@@ -62,7 +77,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
             quiet(ui, view.text("history-none-found"));
         }
         let area = ScrollArea::vertical().id_salt("history-rows").auto_shrink(false).min_scrolled_height(0.0);
-        area.show_rows(ui, sizes().field, count, |ui, places| rows_ui(ui, view, &columns, places));
+        area.show_rows(ui, control(ui), count, |ui, places| rows_ui(ui, view, &columns, places));
     });
     if list.has_focus() {
         focus_ring(ui, rect);
@@ -73,6 +88,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn heads_ui(ui: &mut Ui, view: &mut View<'_>, columns: &Columns, height: Rangef) {
     let sort = view.session.history().listed().query().sort;
     for (column, across) in Column::ALL.into_iter().zip(columns.iter().skip(1)) {
+        let Some(across) = across else { continue };
         let action = Action::SortHistory(column);
         let name = action.text(view.session, view.words);
         let ascending = sort.filter(|sort| sort.column == column).map(|sort| sort.ascending);
@@ -113,11 +129,11 @@ struct Row {
 
 fn rows_ui(ui: &mut Ui, view: &mut View<'_>, columns: &Columns, places: Range<usize>) {
     let (left, width) = (ui.max_rect().left(), ui.available_width());
-    follow(ui, view, ui.max_rect().top() - times(sizes().field, places.start), left);
+    follow(ui, view, ui.max_rect().top() - times(control(ui), places.start), left);
     let history = view.session.history();
     let shown = view.session.check().shown().map(|shown| Arc::clone(&shown.record));
     for (place, (id, record)) in places.clone().zip(history.listed().page(places)) {
-        let (rect, _) = ui.allocate_exact_size(vec2(width, sizes().field), Sense::hover());
+        let (rect, _) = ui.allocate_exact_size(vec2(width, control(ui)), Sense::hover());
         let row = Row {
             rect,
             id,
@@ -158,11 +174,14 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, columns: &Columns, row: &Row) {
     if row.is_cursor {
         ui.ctx().accesskit_node_builder(id(), |node| node.set_active_descendant(response.id.accesskit_id()));
     }
-    let [choose, time, part, callout, measured, deviation, status, from] = *columns;
-    choose_ui(ui, view, Rect::from_x_y_ranges(choose, row.rect.y_range()), row, &cells);
+    let [choose, time, part, callout, measured, deviation, status, from] =
+        columns.map(|across| across.map(|across| Rect::from_x_y_ranges(across, row.rect.y_range())));
+    if let Some(choose) = choose {
+        choose_ui(ui, view, choose, row, &cells);
+    }
     let font = theme::font(sizes().body);
     let mut is_cut = false;
-    for (across, text) in [
+    for (cell, text) in [
         (time, &cells.time),
         (part, &cells.part),
         (callout, &cells.callout),
@@ -170,10 +189,14 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, columns: &Columns, row: &Row) {
         (deviation, &cells.deviation),
         (from, &cells.from),
     ] {
-        let rect = Rect::from_x_y_ranges(across, row.rect.y_range()).shrink2(vec2(PAD, 0.0));
-        is_cut |= text_ui(painter, rect, text, &font, palette.text.0);
+        is_cut |= match cell {
+            Some(cell) => text_ui(painter, cell.shrink2(vec2(PAD, 0.0)), text, &font, palette.text.0),
+            None => true,
+        };
     }
-    status_ui(painter, Rect::from_x_y_ranges(status, row.rect.y_range()), row, &cells.status);
+    if let Some(status) = status {
+        status_ui(painter, status, row, &cells.status);
+    }
     let clicked = response.clicked();
     if is_cut {
         response.on_hover_text(said(view, &cells, row));
@@ -248,7 +271,7 @@ fn follow(ui: &Ui, view: &View<'_>, top: f32, left: f32) {
     let key = id().with("look");
     let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default::<u64>(key), number));
     let Some(place) = place.filter(|_| before != number) else { return };
-    let row = Rect::from_min_size(pos2(left, top + times(sizes().field, place)), vec2(1.0, sizes().field));
+    let row = Rect::from_min_size(pos2(left, top + times(control(ui), place)), vec2(1.0, control(ui)));
     ui.scroll_to_rect_animation(row, None, ScrollAnimation::none());
 }
 

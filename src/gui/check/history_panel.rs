@@ -18,6 +18,9 @@ use crate::session::{Action, CheckField, Field, status_text};
 /// How many checks the strip shows.
 const LAST: usize = 4;
 
+/// The room that one of them and the number of checks need.
+const LEAST: f32 = 90.0;
+
 fn unfolded_id() -> Id {
     Id::unique("history-unfolded")
 }
@@ -104,7 +107,9 @@ pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
     ui.horizontal(|ui| {
         title_ui(ui, view, true);
         for record in view.session.history().iter().rev().take(LAST) {
-            last_ui(ui, view, record);
+            if space(LEAST) <= ui.available_width() {
+                last_ui(ui, view, record);
+            }
         }
         let count = view.session.history().len();
         quiet(ui, view.words.say(&Message::new("history-count").count("count", count)));

@@ -19,7 +19,7 @@ use super::cycles::CyclesCommand;
 use super::program::{ProgramField, Switch};
 use super::tables::{self, TablesField};
 use super::workpiece::WorkpieceCommand;
-use super::{CheckField, Command, Field, MeasureBy, Page, Session, Step, Theme};
+use super::{CheckField, Command, Density, Field, MeasureBy, Page, Session, Step, Theme};
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::journal::query::Column;
 use crate::length::Length;
@@ -125,6 +125,8 @@ actions! {
     ExportStatus;
     /// Chooses light, dark, or the system's setting.
     UseTheme(Theme): [Theme::System, Theme::Light, Theme::Dark];
+    /// Chooses how high everything is that is pressed.
+    UseDensity(Density): Density::ALL;
     /// Looks limits up in a source of the list.
     UseSource(Base): Base::ALL;
     /// Rounds the halves of js, or not.
