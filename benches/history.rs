@@ -3,9 +3,10 @@
 //! It may take 4 ms. An idle frame is measured in the same way, so that the figures can be read as ratios within one run.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use eframe::egui::{Event, Modifiers, MouseWheelUnit, Pos2, TouchPhase, vec2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, TouchPhase, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::journal::query::Column;
 use fitcheck::session::{CheckCommand, CheckField, Command, Field, ListCommand};
@@ -56,17 +57,26 @@ fn frame(window: &mut Harness<'_, App>) -> usize {
 fn turn(window: &mut Harness<'_, App>, over: Pos2, number: usize) -> usize {
     let down = number / FRAMES % 2 == 0;
     let delta = vec2(0.0, if down { -37.0 } else { 37.0 });
-    let (unit, phase, modifiers) = (MouseWheelUnit::Point, TouchPhase::Move, Modifiers::NONE);
+    let (unit, phase, source) = (MouseWheelUnit::Point, TouchPhase::Move, MouseWheelSource::Wheel);
     let events = &mut window.input_mut().events;
     events.push(Event::PointerMoved(over));
-    events.push(Event::MouseWheel { unit, delta, phase, modifiers });
+    events.push(Event::MouseWheel { unit, delta, phase, source, modifiers: Modifiers::NONE });
     frame(window)
 }
 
 fn scrolling(criterion: &mut Criterion) {
     let mut window = window();
     criterion.bench_function("idle frame, 10 000 checks", |bencher| bencher.iter(|| frame(&mut window)));
-    let over = window.get_by_role(eframe::egui::accesskit::Role::Grid).rect().center();
+    let over = window.get_by_role(Role::Grid).rect().center();
+    let rows = |window: &Harness<'_, App>| {
+        let rows = window.query_all_by_role(Role::Row).map(|row| row.accesskit_node().label());
+        rows.collect::<Vec<_>>()
+    };
+    let before = rows(&window);
+    for _ in 0..10 {
+        turn(&mut window, over, 0);
+    }
+    assert_ne!(rows(&window), before, "the wheel scrolls the list");
     let mut number = 0;
     criterion.bench_function("frame while scrolling 10 000 checks", |bencher| {
         bencher.iter(|| {

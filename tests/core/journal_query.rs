@@ -19,6 +19,9 @@ fn now() -> DateTime {
     date(2026, 11, 21).at(10, 42, 7, 0)
 }
 
+/// Records by their numbers.
+type Rows = Vec<(RecordId, Arc<Record>)>;
+
 /// Names of parts and callouts, in the order in which a person sorts them.
 const PARTS: [&str; 7] = ["", "1", "2", "10", "A2", "A10", "b1"];
 const CALLOUTS: [&str; 4] = ["8 H7", "25 h6", "25 H7", "100 g6"];
@@ -89,12 +92,12 @@ fn any_act() -> impl Strategy<Value = Act> {
 /// Records that are looked at and sorted anew for every answer, by rules of their own.
 #[derive(Default)]
 struct Naive {
-    rows: Vec<(RecordId, Arc<Record>)>,
+    rows: Rows,
     query: Query,
 }
 
 impl Naive {
-    fn found(&self) -> Vec<(RecordId, Arc<Record>)> {
+    fn found(&self) -> Rows {
         let finds = |record: &Record| self.query.finds(record, &Searched::of(record));
         let mut found: Vec<_> = self.rows.iter().filter(|(_, record)| finds(record)).cloned().collect();
         let Some(Sort { column, ascending }) = self.query.sort else {
@@ -145,7 +148,7 @@ impl Records for Naive {
         Status::ALL.map(|status| found.iter().filter(|(_, record)| record.verdict.status() == status).count())
     }
 
-    fn page(&self, places: Range<usize>) -> Vec<(RecordId, Arc<Record>)> {
+    fn page(&self, places: Range<usize>) -> Rows {
         self.found().into_iter().skip(places.start).take(places.len()).collect()
     }
 
@@ -184,7 +187,7 @@ proptest! {
     #[test]
     fn a_kept_order_answers_like_a_fresh_look(acts in proptest::collection::vec(any_act(), 1..12)) {
         let (mut memory, mut naive) = (Memory::default(), Naive::default());
-        let mut removed: Vec<(Removed, Vec<(RecordId, Arc<Record>)>)> = Vec::new();
+        let mut removed: Vec<(Removed, Rows)> = Vec::new();
         for act in acts {
             match act {
                 Act::Add(records) => {

@@ -30,11 +30,11 @@ pub(in crate::gui) fn id() -> Id {
 /// From the choice for export to the columns of [`Column::ALL`]; one that has no room is left out.
 type Columns = [Option<Rangef>; Column::ALL.len() + 1];
 
-/// The columns within a width. Where there is too little room, where a value comes from gives way first, then the part,
-/// the deviation and the time; the row says it all under the pointer. What is left over is the last column's.
+/// The columns within a width. Where there is too little room, where a value comes from gives way first, then the
+/// deviation, the time and the part; the row says it all under the pointer. What is left over is the last column's.
 fn columns(left: f32, width: f32) -> Columns {
     const FROM: usize = Column::ALL.len();
-    const GIVE_WAY: [usize; 4] = [FROM, 2, 5, 1];
+    const GIVE_WAY: [usize; 4] = [FROM, 5, 1, 2];
     let mut wanted = [10.0, 42.0, 24.0, 25.0, 25.0, 25.0, 62.0, 36.0].map(space);
     for column in GIVE_WAY {
         if wanted.iter().sum::<f32>() <= width {
@@ -121,7 +121,7 @@ struct Row {
     rect: Rect,
     id: RecordId,
     record: Arc<Record>,
-    is_odd: bool,
+    place: usize,
     is_cursor: bool,
     is_chosen: bool,
     is_shown: bool,
@@ -137,7 +137,7 @@ fn rows_ui(ui: &mut Ui, view: &mut View<'_>, columns: &Columns, places: Range<us
         let row = Row {
             rect,
             id,
-            is_odd: place % 2 == 1,
+            place,
             is_cursor: history.cursor() == Some(id),
             is_chosen: history.is_chosen(id),
             is_shown: shown.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, &record)),
@@ -153,7 +153,7 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, columns: &Columns, row: &Row) {
     let ground = match row {
         Row { is_shown: true, .. } => Some(palette.selection.0),
         Row { is_cursor: true, .. } => Some(palette.field.0),
-        Row { is_odd: true, .. } => Some(palette.background.0),
+        Row { place, .. } if place % 2 == 1 => Some(palette.background.0),
         _ => None,
     };
     if let Some(ground) = ground {
@@ -298,5 +298,30 @@ impl Cells {
             status: status_text(record, words),
             from: words.say(&record.measurement.origin.message()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_fill_the_width_and_give_way_one_after_another() {
+        let mut before = Column::ALL.len() + 1;
+        for (width, shown) in [(1600.0, 8), (1000.0, 8), (900.0, 7), (760.0, 6), (600.0, 5), (500.0, 4), (200.0, 4)] {
+            let columns: Vec<Rangef> = columns(7.0, width).into_iter().flatten().collect();
+            assert_eq!(columns.len(), shown, "{width}");
+            assert!(
+                columns.windows(2).all(|pair| pair[0].min < pair[1].min && pair[0].max <= pair[1].min + 0.01),
+                "{width}"
+            );
+            let (first, last) = (columns[0].min, columns[shown - 1].max);
+            assert!((first - 7.0).abs() < 0.01 && (last - 7.0 - width).abs() < 0.01, "{width}: {first} to {last}");
+            assert!(shown <= before);
+            before = shown;
+        }
+        // The choice for export, the callout, the value and the verdict never give way.
+        let least = columns(0.0, 100.0).map(|column| column.is_some());
+        assert_eq!(least, [true, false, false, true, true, false, true, false]);
     }
 }

@@ -18,8 +18,8 @@ use crate::session::{Action, CheckField, Field, status_text};
 /// How many checks the strip shows.
 const LAST: usize = 4;
 
-/// The room that one of them and the number of checks need.
-const LEAST: f32 = 90.0;
+/// The room that one of them and the number of checks need: a measured one, and a simulated one, which says so.
+const LEAST: [f32; 2] = [56.0, 84.0];
 
 fn unfolded_id() -> Id {
     Id::unique("history-unfolded")
@@ -107,7 +107,9 @@ pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
     ui.horizontal(|ui| {
         title_ui(ui, view, true);
         for record in view.session.history().iter().rev().take(LAST) {
-            if space(LEAST) <= ui.available_width() {
+            let [measured, simulated] = LEAST.map(space);
+            let is_simulated = record.measurement.origin.is_simulated();
+            if (if is_simulated { simulated } else { measured }) <= ui.available_width() {
                 last_ui(ui, view, record);
             }
         }
