@@ -28,7 +28,8 @@ fn window() -> Harness<'static, App> {
     let setup = || Setup { store: Store::nowhere(), language: Language::En, errands: Errands::AtOnce, clock: now };
     let size = vec2(1280.0, 800.0);
     let mut window = Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup()));
-    let rows: String = (0..CHECKS).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
+    let rows: Vec<String> = (0..CHECKS).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
+    let rows = rows.concat();
     let sources = fitcheck::tolerance::Sources::default();
     let read =
         fitcheck::exchange::import("parts.csv", format!("id,callout,measured\n{rows}").as_bytes(), &sources, now());
@@ -55,7 +56,7 @@ fn frame(window: &mut Harness<'_, App>) -> usize {
 
 /// One turn of the wheel over the list, by somewhat more than a row.
 fn turn(window: &mut Harness<'_, App>, over: Pos2, number: usize) -> usize {
-    let down = number / FRAMES % 2 == 0;
+    let down = (number / FRAMES).is_multiple_of(2);
     let delta = vec2(0.0, if down { -37.0 } else { 37.0 });
     let (unit, phase, source) = (MouseWheelUnit::Point, TouchPhase::Move, MouseWheelSource::Wheel);
     let events = &mut window.input_mut().events;

@@ -113,8 +113,8 @@ fn a_row_says_date_part_callout_value_deviation_status_and_origin() {
 #[test]
 fn arrows_pages_home_and_end_walk_the_list_and_enter_shows_a_check() {
     let mut window = window();
-    let lot: String = (0..40).map(|number| format!("P{number:02},25 H7,25.012\n")).collect();
-    read(&mut window, &lot);
+    let lot: Vec<_> = (0..40).map(|number| format!("P{number:02},25 H7,25.012\n")).collect();
+    read(&mut window, &lot.concat());
     focus_list(&mut window);
     for (key, part) in [
         (Key::Home, "P39"),
@@ -286,7 +286,7 @@ fn ctrl_z_undoes_the_history_on_other_pages_unless_a_text_field_takes_it() {
     for (page, told) in [(Key::Num1, false), (Key::Num2, true), (Key::Num3, true), (Key::Num5, true)] {
         let mut window = three();
         press_ctrl(&mut window, page);
-        let focus = window.ctx.memory(|memory| memory.focused());
+        let focus = window.ctx.memory(eframe::egui::Memory::focused);
         window.ctx.memory_mut(|memory| focus.into_iter().for_each(|id| memory.surrender_focus(id)));
         window.run();
         press_ctrl(&mut window, Key::Z);
@@ -335,8 +335,8 @@ fn touch_alone_shows_and_chooses_a_check() {
 #[test]
 fn ten_thousand_checks_are_walked_and_only_those_in_sight_are_drawn() {
     let mut window = window();
-    let lot: String = (0..10_000).map(|number| format!("P{number},25 H7,25.0{:02}\n", number % 40)).collect();
-    read(&mut window, &lot);
+    let lot: Vec<_> = (0..10_000).map(|number| format!("P{number},25 H7,25.0{:02}\n", number % 40)).collect();
+    read(&mut window, &lot.concat());
     window.get_by_label("10000 checks");
     assert!(rows(&window).len() < 20, "{} rows", rows(&window).len());
     focus_list(&mut window);
