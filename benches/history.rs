@@ -4,7 +4,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, TouchPhase, vec2};
+use eframe::egui::{Event, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, TouchPhase, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Errands, Setup, Store};
@@ -23,10 +23,9 @@ fn now() -> DateTime {
     jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0)
 }
 
-/// A window with a history.
-fn window() -> Harness<'static, App> {
+/// A window with a history: below everything else, or beside it where the window is very wide.
+fn window(size: Vec2) -> Harness<'static, App> {
     let setup = || Setup { store: Store::nowhere(), language: Language::En, errands: Errands::AtOnce, clock: now };
-    let size = vec2(1280.0, 800.0);
     let mut window = Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup()));
     let rows: Vec<String> = (0..CHECKS).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
     let rows = rows.concat();
@@ -65,8 +64,23 @@ fn turn(window: &mut Harness<'_, App>, over: Pos2, number: usize) -> usize {
     frame(window)
 }
 
+/// In a very wide window the list is as high as the window, and has the most rows in sight.
+fn scrolling_beside(criterion: &mut Criterion) {
+    let mut window = window(vec2(2600.0, 1440.0));
+    let over = window.get_by_role(Role::Grid).rect().center();
+    let shown = window.query_all_by_role(Role::Row).count();
+    assert!(30 < shown, "{shown} rows in sight");
+    let mut number = 0;
+    criterion.bench_function("frame while scrolling 10 000 checks in a very wide window", |bencher| {
+        bencher.iter(|| {
+            number += 1;
+            turn(&mut window, over, number)
+        });
+    });
+}
+
 fn scrolling(criterion: &mut Criterion) {
-    let mut window = window();
+    let mut window = window(vec2(1280.0, 800.0));
     criterion.bench_function("idle frame, 10 000 checks", |bencher| bencher.iter(|| frame(&mut window)));
     let over = window.get_by_role(Role::Grid).rect().center();
     let rows = |window: &Harness<'_, App>| {
@@ -98,5 +112,5 @@ fn scrolling(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, scrolling);
+criterion_group!(benches, scrolling, scrolling_beside);
 criterion_main!(benches);
