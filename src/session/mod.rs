@@ -58,16 +58,18 @@ pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, WorkpieceField, WorkpieceForm,
 };
 pub use field::Field;
+pub use files::{Dialog, Fate, FilesCommand, FolderList, HEAD, Launch, OpenError, RecentFile};
 pub use fit::{
     ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
 };
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
-pub use saved::{Saved, SavedCycles, SavedError, SavedInputs};
-pub use shared::{Dialog, MaskChoice, Notice};
+pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs};
+pub use shared::{MaskChoice, Notice};
 pub use step::Step;
 pub use tables::{TablesCommand, TablesField, TablesPage};
 pub use workpiece::{RecordedContacts, WorkpieceCommand};
 
+use self::files::Places;
 use self::shared::{PageState as _, Shared};
 use crate::control::shipped_tables;
 use crate::message::Message;
@@ -95,6 +97,7 @@ impl Session {
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let mut shared = Shared::new(saved.language, saved.theme);
         shared.keypad = saved.keypad;
+        shared.places = Places::restore(saved.files);
         let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
         shared.sources = Arc::new(sources);
         let session = Self {
@@ -115,11 +118,13 @@ impl Session {
             language: self.shared.language,
             theme: self.shared.theme,
             keypad: self.shared.keypad,
-            tables_folder: self.shared.tables_folder.clone(),
+            // A path that is not text cannot be written.
+            tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
             source: self.shared.sources.base(),
             standard: self.shared.sources.options(),
             inputs: SavedInputs { texts: texts.collect(), by: self.check.by(), feature: self.check.feature() },
             cycles: self.cycles.saved(),
+            files: self.shared.places.saved(),
             ..Saved::default()
         }
     }
@@ -127,7 +132,7 @@ impl Session {
     /// Applies a command at a local date and time, and returns what the outside world has to do.
     pub fn apply(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         let shared = &mut self.shared;
-        let effects = match command {
+        let mut effects = match command {
             Command::Check(command) => self.check.apply(command, shared, now),
             Command::Fit(command) => self.fit.apply(command, shared, now),
             Command::Cycles(command) => self.cycles.apply(command, shared, now),
@@ -143,6 +148,8 @@ impl Session {
             self.tables.follow(&news, shared);
             self.program.follow(&news, shared);
         }
+        let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.to_read());
+        effects.extend(to_read.map(Effect::List));
         effects
     }
 
@@ -166,13 +173,14 @@ impl Session {
             Command::SetMask(language) => {
                 shared.set_mask(language.map_or(MaskChoice::OfLanguage, MaskChoice::Shipped));
             }
-            Command::OpenDialog(purpose) => self.open_dialog(purpose),
+            Command::Files(command) => return self.apply_files(command, now),
+            Command::OpenDialog(purpose) => self.open_dialog(purpose, now),
             Command::TypePath(path) => {
                 if let Some(dialog) = &mut shared.dialog {
-                    (dialog.path, dialog.problem) = (path, None);
+                    dialog.type_path(path);
                 }
             }
-            Command::Browse => return shared.dialog.iter().map(|dialog| Effect::Browse(dialog.purpose)).collect(),
+            Command::Browse => return self.browse(),
             Command::Picked(path) => return self.picked(path, now),
             Command::Confirm => return self.confirm(now),
             Command::Close => self.close(),

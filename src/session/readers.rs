@@ -1,11 +1,12 @@
 //! Readers of the state that belongs to every page.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::command::{Page, Theme};
 use super::cycles::WorkpieceForm;
-use super::shared::{Dialog, MaskChoice, Notice};
+use super::files::{Dialog, RecentFile};
+use super::shared::{MaskChoice, Notice};
 use super::workpiece::RecordedContacts;
 use super::{Session, tables};
 use crate::control::mask::Mask;
@@ -104,6 +105,26 @@ impl Session {
     /// The open file dialog.
     pub const fn dialog(&self) -> Option<&Dialog> {
         self.shared.dialog.as_ref()
+    }
+
+    /// The files that were read last, the latest first.
+    pub fn recent_files(&self) -> &[RecentFile] {
+        self.shared.places.recent()
+    }
+
+    /// The folders that were used last, each once.
+    pub fn recent_folders(&self) -> Vec<&Path> {
+        self.shared.places.folders()
+    }
+
+    /// The user's own folder, where there is one.
+    pub fn home(&self) -> Option<&Path> {
+        self.shared.places.home.as_deref()
+    }
+
+    /// Sets the folder in which dialogs begin until another one was used.
+    pub fn use_home(&mut self, home: PathBuf) {
+        self.shared.places.home = Some(home);
     }
 
     /// The notices, oldest first.
