@@ -98,7 +98,7 @@ fn answers(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) -
         Effect::Read(purpose, path) => {
             let command = read(purpose, path.clone(), sources, now);
             let fate = match &command {
-                _ if !path.exists() => Fate::Gone,
+                _ if matches!(path.try_exists(), Ok(false)) => Fate::Gone,
                 command if is_read(command) => Fate::Read,
                 _ => Fate::Refused,
             };

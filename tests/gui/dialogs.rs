@@ -246,7 +246,7 @@ fn a_file_is_found_and_read_by_keys_alone() {
     let mut window = at_home(folder.path());
     open_import(&mut window);
     window.get(part(Role::ListBoxOption, "logs, Folder"));
-    window.get(part(Role::ListBoxOption, "more.csv, 37 B"));
+    window.get(part(Role::ListBoxOption, "more.csv, 36 B"));
     press(&mut window, &[Key::ArrowDown, Key::Enter]);
     assert_eq!(rows(&window), 1, "notes.pdf holds no measurements");
     press(&mut window, &[Key::Backspace]);
