@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use eframe::egui::{Context, ThemePreference, Ui, ViewportCommand};
+use eframe::egui::{Context, Event, ThemePreference, Ui, ViewportCommand};
 use jiff::civil::DateTime;
 
 use super::effects::{Errands, Runner};
@@ -114,6 +114,7 @@ impl App {
             Theme::Light => ThemePreference::Light,
             Theme::Dark => ThemePreference::Dark,
         });
+        theme::set_density(ctx, self.session.is_for_touch());
     }
 
     fn run(&self, ctx: &Context, effect: Effect) {
@@ -163,7 +164,11 @@ impl eframe::App for App {
     }
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        let touched = touched(ui);
         let mut view = View { session: &self.session, words: &self.words, commands: Vec::new() };
+        if let Some(is_touched) = touched.filter(|is_touched| *is_touched != self.session.is_touched()) {
+            view.send(Command::Touched(is_touched));
+        }
         window_ui(ui, &mut view);
         let commands = view.commands;
         if self.first_frame {
@@ -181,6 +186,16 @@ impl eframe::App for App {
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
         self.keep();
     }
+}
+
+/// Whether a finger was used in this frame, or else a mouse; `None` where neither was. A finger also moves the pointer.
+fn touched(ui: &Ui) -> Option<bool> {
+    ui.input(|input| {
+        let is_finger = |event: &Event| matches!(event, Event::Touch { .. });
+        let is_mouse = |event: &Event| matches!(event, Event::PointerMoved(_) | Event::MouseWheel { .. });
+        let is_touch = input.any_touches() || input.events.iter().any(is_finger);
+        (is_touch || input.events.iter().any(is_mouse)).then_some(is_touch)
+    })
 }
 
 /// The top bar, the open page, and what lies over it.

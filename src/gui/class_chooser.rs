@@ -3,7 +3,7 @@
 use eframe::egui::{ComboBox, Id, Sense, Ui, vec2};
 
 use super::shapes;
-use super::theme::{self, palette, space};
+use super::theme::{control, palette, space};
 use super::view::{View, heading, list_height};
 use crate::session::CheckCommand;
 use crate::tolerance::Feature;
@@ -25,7 +25,7 @@ pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
                 });
                 ui.horizontal_wrapped(|ui| {
                     for class in view.session.sources().classes(feature) {
-                        let size = vec2(space(14.0), theme::sizes().field);
+                        let size = vec2(space(14.0), control(ui));
                         let button = eframe::egui::Button::selectable(chosen == Some(class), class.as_str());
                         if ui.add_sized(size, button).clicked() {
                             view.send(CheckCommand::ChooseClass(class));

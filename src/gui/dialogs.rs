@@ -5,8 +5,8 @@ use std::path::Path;
 use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
 
 use super::field::select_all;
-use super::folder_list::folder_list_ui;
-use super::theme::{sizes, space};
+use super::folder_list::{folder_list_ui, has_room};
+use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use crate::message::Message;
 use crate::session::{Action, Command, CycleFile, Dialog, FilesCommand, Notice, Page, Purpose};
@@ -67,7 +67,7 @@ fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
     let names = view.session.unsaved_tables().join(", ");
     ui.label(view.words.say(&Message::new("leave-unsaved").text("names", names)));
     ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = sizes().touch;
+        ui.spacing_mut().interact_size.y = control(ui);
         let stay = ui.button(view.text("leave-stay"));
         if just_opened(ui, Id::unique("leaving")) {
             stay.request_focus();
@@ -101,14 +101,24 @@ pub(super) const fn title_id(purpose: Purpose) -> &'static str {
 }
 
 fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
-    ui.set_width(space(160.0));
-    heading(ui, view.text(title_id(dialog.purpose)));
-    ui.add_enabled_ui(dialog.exists.is_none(), |ui| {
-        path_ui(ui, view, dialog);
-        folder_list_ui(ui, view, dialog);
-    });
-    ui.horizontal(|ui| {
-        ui.set_min_height(sizes().touch);
+    let screen = ui.ctx().content_rect().size();
+    ui.set_width(space(160.0).min(screen.x - space(10.0)));
+    let mut content_ui = |ui: &mut Ui| {
+        heading(ui, view.text(title_id(dialog.purpose)));
+        ui.add_enabled_ui(dialog.exists.is_none(), |ui| {
+            path_ui(ui, view, dialog);
+            folder_list_ui(ui, view, dialog);
+        });
+    };
+    if has_room(ui) {
+        content_ui(ui);
+    } else {
+        // The list scrolls away, and the buttons stay.
+        let height = screen.y - control(ui) - space(20.0);
+        ScrollArea::vertical().id_salt("file-dialog").max_height(height).show(ui, content_ui);
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.set_min_height(control(ui));
         match &dialog.exists {
             Some(path) => replace_ui(ui, view, path),
             None => buttons_ui(ui, view, dialog),
@@ -122,7 +132,7 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let mut path = dialog.path.clone();
     let id = Id::unique("dialog-path");
     let field = ui
-        .add(TextEdit::singleline(&mut path).id(id).desired_width(f32::INFINITY).min_size(vec2(0.0, sizes().field)))
+        .add(TextEdit::singleline(&mut path).id(id).desired_width(f32::INFINITY).min_size(vec2(0.0, control(ui))))
         .labelled_by(name.id);
     // The dialog asks for the path: the field has the focus at first and after a question, and typing replaces a
     // proposed name.
@@ -133,17 +143,18 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
         field.request_focus();
         select_all(ui.ctx(), id, &path);
     }
-    if field.changed() {
-        view.send(Command::TypePath(path.clone()));
-    } else if field.has_focus() && path.is_empty() && ui.input(|input| input.key_pressed(Key::Backspace)) {
+    // There is nothing to delete: the key goes back.
+    if field.has_focus() && dialog.path.is_empty() && ui.input(|input| input.key_pressed(Key::Backspace)) {
         view.act(Action::FolderUp);
+    } else if field.changed() {
+        view.send(Command::TypePath(path.clone()));
     }
     if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) && !dialog.is_waiting() {
         view.send(Command::Confirm);
         field.request_focus();
     }
     // The line is there in any case, so that the list stays in its place.
-    ui.horizontal(|ui| {
+    ui.vertical(|ui| {
         ui.set_min_height(space(5.0));
         if let Some(text) = &dialog.problem {
             problem(ui, view.words.say(text));
@@ -157,12 +168,12 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
 
 fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let confirm = if dialog.purpose.is_reading() { "dialog-open" } else { "dialog-save" };
-    let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(24.0), sizes().touch));
+    let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(24.0), control(ui)));
     let (confirm, cancel) = (button(confirm), button("dialog-cancel"));
     if ui.add_enabled(!dialog.busy, confirm).clicked() {
         view.send(Command::Confirm);
     }
-    let browse = view.named(Action::Browse).min_size(vec2(space(24.0), sizes().touch));
+    let browse = view.named(Action::Browse).min_size(vec2(space(24.0), control(ui)));
     view.button_as(ui, Action::Browse, browse);
     if ui.add(cancel).clicked() {
         view.send(Command::Close);
@@ -173,15 +184,15 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
 fn replace_ui(ui: &mut Ui, view: &mut View<'_>, path: &Path) {
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let question = view.words.say(&Message::new("dialog-exists").text("name", name));
-    let touch = vec2(space(24.0), sizes().touch);
-    let keep = view.named(Action::KeepFile).min_size(touch);
+    problem(ui, question);
+    let size = vec2(space(24.0), control(ui));
+    let keep = view.named(Action::KeepFile).min_size(size);
     let keep = view.button_as(ui, Action::KeepFile, keep);
     if just_opened(ui, Id::unique("replace")) {
         keep.request_focus();
     }
-    let replace = view.named(Action::ReplaceFile).min_size(touch);
+    let replace = view.named(Action::ReplaceFile).min_size(size);
     view.button_as(ui, Action::ReplaceFile, replace);
-    problem(ui, question);
 }
 
 /// A window that cannot be moved, at a distance below its anchor.
@@ -217,10 +228,10 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
             },
         );
     }
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let of_file = [Action::OpenWritten, Action::ShowWritten].into_iter().filter(|_| notice.file.is_some());
         for action in of_file.chain([Action::Close]) {
-            let button = view.named(action).min_size(vec2(space(24.0), sizes().touch));
+            let button = view.named(action).min_size(vec2(space(24.0), control(ui)));
             view.button_as(ui, action, button);
         }
     });

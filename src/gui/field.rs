@@ -9,7 +9,7 @@ use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, Stroke, TextBuffer, TextEdit, Ui, vec2};
 
 use super::keypad;
-use super::theme::{self, space};
+use super::theme::{self, control, space};
 use super::view::{View, problem, quiet};
 use crate::session::{Action, Field};
 
@@ -63,7 +63,7 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>
         .desired_width(look.width)
         .align(eframe::egui::Align2([look.align, Align::Center]))
         .hint_text(look.hint)
-        .min_size(vec2(look.width, theme::sizes().field));
+        .min_size(vec2(look.width, control(ui)));
     if culprit.is_some() {
         edit = edit.layouter(&mut layouter);
     }

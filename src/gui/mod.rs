@@ -9,6 +9,7 @@
 //! | `check`, `fit`, `cycles`, `tables`, `program` | the pages |
 //! | `top_bar`, `dialogs`, `folder_list` | what belongs to every page |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
+//! | `columns` | three columns, and how they fold |
 //! | `class_chooser`, `field`, `keypad`, `limits`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
@@ -16,6 +17,7 @@
 mod app;
 mod check;
 mod class_chooser;
+mod columns;
 mod cycles;
 mod dialogs;
 mod effects;
@@ -79,7 +81,7 @@ pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
             .with_app_id("fitcheck")
             .with_title("Fitcheck")
             .with_inner_size(Vec2::new(1280.0, 800.0))
-            .with_min_inner_size(Vec2::new(1024.0, 600.0));
+            .with_min_inner_size(Vec2::new(480.0, 320.0));
         let options = eframe::NativeOptions { viewport, renderer, ..Default::default() };
         let setup = Setup { files: files.to_owned(), ..Setup::for_user() };
         eframe::run_native("fitcheck", options, Box::new(|cc| Ok(Box::new(App::new(cc, setup)))))

@@ -6,7 +6,7 @@ use std::sync::{Arc, LazyLock};
 
 use eframe::egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke, Style,
-    TextStyle, Theme, Vec2, Visuals,
+    TextStyle, Theme, Ui, Vec2, Visuals,
 };
 use serde::Deserialize;
 
@@ -152,9 +152,9 @@ pub struct Sizes {
     pub status: f32,
     /// The unit of all spaces.
     pub step: f32,
-    /// The height of a field.
-    pub field: f32,
-    /// The height of what a finger presses.
+    /// The height of everything that is pressed, with a mouse.
+    pub mouse: f32,
+    /// The same by touch.
     pub touch: f32,
     /// The side of a key on the keypad.
     pub key: f32,
@@ -181,6 +181,24 @@ static TOKENS: LazyLock<Tokens> = LazyLock::new(|| {
 /// The sizes.
 pub fn sizes() -> &'static Sizes {
     &TOKENS.sizes
+}
+
+/// The height of everything that is pressed, here and now: buttons, fields, lists, tabs.
+pub fn control(ui: &Ui) -> f32 {
+    // Rows of text set it to nothing for themselves.
+    ui.ctx().global_style().spacing.interact_size.y
+}
+
+/// Sets the height of everything that is pressed.
+pub fn set_density(ctx: &Context, is_touch: bool) {
+    let height = if is_touch { TOKENS.sizes.touch } else { TOKENS.sizes.mouse };
+    if ctx.global_style().spacing.interact_size.y != height {
+        ctx.all_styles_mut(|style| {
+            style.spacing.interact_size.y = height;
+            style.spacing.icon_width = if is_touch { space(7.0) } else { space(5.0) };
+            style.spacing.icon_width_inner = style.spacing.icon_width * 0.6;
+        });
+    }
 }
 
 /// This many steps of space.
@@ -262,7 +280,7 @@ fn style(theme: Theme) -> Style {
     .into();
     style.spacing.item_spacing = Vec2::splat(space(2.0));
     style.spacing.button_padding = Vec2::new(space(3.0), space(1.5));
-    style.spacing.interact_size.y = sizes.field;
+    style.spacing.interact_size.y = sizes.mouse;
     style.spacing.window_margin = Margin::same(12);
     style.spacing.icon_width = space(5.0);
     style.spacing.icon_width_inner = space(3.0);

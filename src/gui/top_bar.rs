@@ -3,34 +3,60 @@
 use eframe::egui::{Button, Id, Panel, RichText, Ui};
 
 use super::dialogs::title_id;
-use super::theme::{self, sizes, space};
+use super::theme::{self, control, sizes, space};
 use super::view::View;
 use crate::message::Message;
 use crate::report::RENDERINGS;
-use crate::session::{Action, Command, FilesCommand, Page, Theme};
+use crate::session::{Action, Command, Density, FilesCommand, Page, Theme};
 use crate::tolerance::Base;
 use crate::words::Language;
 
-/// The bar.
+/// The bar: pages, import and export, settings; where the window is narrow, all of them in menus.
 pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
-    Panel::top("top").show(ui, |ui| {
-        ui.add_space(space(1.0));
+    Panel::top("top").resizable(false).show(ui, |ui| {
         ui.horizontal(|ui| {
-            ui.set_min_height(sizes().touch);
-            pages_ui(ui, view);
-            // As wide as the three buttons, so that they end at the right edge in reading order.
-            let width = ui.memory(|memory| memory.data.get_temp(Id::unique("top-buttons"))).unwrap_or(space(70.0));
+            ui.set_min_height(control(ui));
+            let id = Id::unique("top-bar");
+            // The widths of the last frame: what has no room goes into the menus.
+            let [pages, buttons] = ui.data(|data| data.get_temp::<[f32; 2]>(id)).unwrap_or([0.0; 2]);
+            let all = ui.available_width();
+            let has_room = pages + buttons + space(4.0) <= all;
+            let before = ui.cursor().left();
+            if has_room {
+                pages_ui(ui, view);
+            } else {
+                let open = Action::Open(view.session.page()).text(view.session, view.words);
+                let text = RichText::new(format!("{open} ▾")).font(theme::bold(sizes().heading));
+                ui.menu_button(text, |ui| {
+                    for page in Page::ALL.map(Action::Open) {
+                        view.menu_item(ui, page);
+                    }
+                });
+            }
+            let pages = if has_room { ui.cursor().left() - before } else { pages };
+            // As wide as the buttons, so that they end at the right edge in reading order.
+            let width = if has_room { buttons } else { ui.data(|data| data.get_temp(id.with("few"))).unwrap_or(0.0) };
             ui.add_space((ui.available_width() - width).max(0.0));
-            let buttons = ui.horizontal(|ui| {
-                ui.spacing_mut().interact_size.y = sizes().touch;
-                view.button(ui, Action::Import);
-                ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
-                ui.menu_button(view.text("menu"), |ui| menu_ui(ui, view));
+            let shown = ui.horizontal(|ui| {
+                if has_room {
+                    view.button(ui, Action::Import);
+                    ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
+                }
+                ui.menu_button(view.text("menu"), |ui| {
+                    if !has_room {
+                        view.menu_item(ui, Action::Import);
+                        ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
+                        ui.separator();
+                    }
+                    menu_ui(ui, view);
+                });
             });
-            let width = buttons.response.rect.width();
-            ui.memory_mut(|memory| memory.data.insert_temp(Id::unique("top-buttons"), width));
+            let width = shown.response.rect.width();
+            ui.data_mut(|data| {
+                data.insert_temp(id, [pages, if has_room { width } else { buttons }]);
+                data.insert_temp(id.with("few"), width);
+            });
         });
-        ui.add_space(space(1.0));
     });
 }
 
@@ -63,6 +89,7 @@ fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.menu_button(view.text("theme"), |ui| {
         choices_ui(ui, view, [Theme::System, Theme::Light, Theme::Dark].map(Action::UseTheme));
     });
+    ui.menu_button(view.text("density"), |ui| choices_ui(ui, view, Density::ALL.map(Action::UseDensity)));
     ui.menu_button(view.text("limits-from"), |ui| {
         choices_ui(ui, view, Base::ALL.map(Action::UseSource));
         ui.separator();

@@ -3,12 +3,14 @@
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Color32, Frame, Layout, Margin, Response, RichText, Sense, Ui, vec2};
 
+use super::columns::{is_low, is_tiny};
 use super::shapes;
 use super::theme::{self, Palette, palette, sizes, space};
 use super::view::{View, live};
 use crate::length::{Length, Unit};
-use crate::message::Say as _;
+use crate::message::{Message, Say as _};
 use crate::verdict::Status;
+use crate::words::Words;
 
 /// The name of a status in the locale files.
 pub(super) fn status_id(status: Option<Status>) -> &'static str {
@@ -16,49 +18,121 @@ pub(super) fn status_id(status: Option<Status>) -> &'static str {
 }
 
 /// What a card says.
-pub(super) struct Card<'a> {
+#[derive(Debug, Default)]
+pub(super) struct Card {
     /// Colour and shape; `None` is no result.
     pub status: Option<Status>,
     /// Whether the value was simulated: nobody measured it.
     pub is_simulated: bool,
     /// The word.
     pub word: String,
-    /// The lines below it, the first one larger.
-    pub lines: &'a [String],
+    /// The value.
+    pub value: Option<String>,
+    /// What is to be done, readable from as far as the word, and the rest of that sentence.
+    pub instruction: Option<(String, String)>,
+    /// The lines below.
+    pub lines: Vec<String>,
+}
+
+impl Card {
+    /// What a screen reader says.
+    fn said(&self, simulated: Option<&String>) -> String {
+        let instruction = self.instruction.as_ref().map(|(what, rest)| format!("{what} {rest}"));
+        let parts = simulated.into_iter().chain([&self.word]).chain(&self.value).chain(&instruction).chain(&self.lines);
+        parts.map(String::as_str).collect::<Vec<_>>().join(". ")
+    }
+}
+
+/// Around the text of a card.
+const MARGIN: i8 = 12;
+
+/// The width that a card needs so that no word is set smaller than its size.
+pub(super) fn least_width(ui: &Ui, view: &View<'_>) -> f32 {
+    let width = |status: Status| word_width(ui, &view.words.told(&status), sizes().status);
+    Status::ALL.map(width).into_iter().fold(0.0, f32::max) + f32::from(MARGIN) * 2.0 + space(4.0)
+}
+
+/// The lines of a card for which it has no room.
+pub(super) fn lines_below_ui(ui: &mut Ui, card: &Card) {
+    if is_tiny(ui) {
+        for line in card.instruction.iter().map(|(_, rest)| rest).chain(&card.lines) {
+            ui.label(line);
+        }
+    }
+}
+
+/// The width of a word; of several words, which go below each other, that of the longest.
+fn word_width(ui: &Ui, word: &str, size: f32) -> f32 {
+    let width =
+        |part: &str| ui.painter().layout_no_wrap(part.to_owned(), theme::bold(size), Color32::PLACEHOLDER).size().x;
+    word.split_whitespace().map(width).fold(0.0, f32::max)
 }
 
 /// The card, which is also a live region: a screen reader says the word and the lines.
-pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card<'_>) {
+pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card) {
     let (fill, colour) = colours(palette(ui.ctx()), card.status, card.is_simulated);
     let simulated = card.is_simulated.then(|| view.text("simulated"));
-    let shown = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::same(12)).show(ui, |ui| {
+    let shown = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::same(MARGIN)).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
-        ui.set_min_height(space(54.0));
-        ui.with_layout(Layout::top_down(Align::Center), |ui| {
+        if !is_low(ui) {
+            ui.set_min_height(space(54.0));
+        }
+        ui.spacing_mut().item_spacing.y = space(1.0);
+        ui.vertical_centered(|ui| {
             if let Some(simulated) = &simulated {
                 ui.label(RichText::new(simulated).font(theme::bold(sizes().value)).color(colour));
             }
-            let (rect, _) = ui.allocate_exact_size(vec2(space(18.0), space(18.0)), Sense::hover());
-            shapes::status(ui.painter(), rect, card.status, colour);
-            // A long word (German, Italian) is set smaller rather than cut.
-            // 64 points and up, according to the panel; no result is set smaller.
-            let wanted = sizes().status.max(ui.available_width() * 0.2);
-            let wanted = if card.status.is_some() { wanted } else { sizes().value };
-            let galley = ui.painter().layout_no_wrap(card.word.clone(), theme::bold(wanted), colour);
-            let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0));
-            ui.label(RichText::new(&card.word).font(theme::bold(size.floor())).color(colour));
-            for (number, line) in card.lines.iter().enumerate() {
-                let font = if number == 0 { theme::bold(sizes().value) } else { theme::font(sizes().limits) };
-                ui.label(RichText::new(line).font(font).color(colour));
+            let size = word_ui(ui, card, colour);
+            if let Some((what, rest)) = &card.instruction {
+                ui.label(RichText::new(what).font(theme::bold((size * 0.5).ceil())).color(colour));
+                if !is_tiny(ui) {
+                    ui.label(RichText::new(rest).font(theme::font(sizes().limits)).color(colour));
+                }
+            }
+            if let Some(value) = &card.value {
+                ui.label(RichText::new(value).font(theme::bold(sizes().value)).color(colour));
+            }
+            // Where there is no room the lines stand below the card.
+            let lines = if is_tiny(ui) { [].as_slice() } else { card.lines.as_slice() };
+            for line in lines {
+                ui.label(RichText::new(line).font(theme::font(sizes().limits)).color(colour));
             }
         });
     });
     if simulated.is_some() {
         shapes::dashed_frame(ui.painter(), shown.response.rect, colour);
     }
-    let said = simulated.iter().chain([&card.word]).chain(card.lines).map(String::as_str).collect::<Vec<_>>();
     let response = ui.interact(shown.response.rect, ui.scope_id().with("verdict"), Sense::hover());
-    live(ui, &response, &said.join(". "), Live::Assertive);
+    live(ui, &response, &card.said(simulated.as_ref()), Live::Assertive);
+}
+
+/// Shape and word; returns the word's size: 64 points and up, according to the panel. Pages keep [`least_width`] for
+/// it; only a window that is narrower than the word sets it smaller. No result is set smaller.
+fn word_ui(ui: &mut Ui, card: &Card, colour: Color32) -> f32 {
+    let width = ui.available_width();
+    let room = (width * 0.2).min(ui.ctx().content_rect().height() * 0.14);
+    let wanted = if card.status.is_some() { sizes().status.max(room) } else { sizes().value };
+    let size = wanted.min(wanted * width / word_width(ui, &card.word, wanted).max(1.0)).floor();
+    let text = RichText::new(&card.word).font(theme::bold(size)).color(colour);
+    let galley = ui.painter().layout_no_wrap(card.word.clone(), theme::bold(size), colour);
+    // Beside the word where the window is low and there is room, above it elsewhere.
+    let beside = size + space(2.0);
+    if is_low(ui) && galley.size().x + beside < width {
+        let row = vec2(width, galley.size().y);
+        ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+            ui.add_space((width - galley.size().x - beside) / 2.0);
+            let (rect, _) = ui.allocate_exact_size(vec2(size * 0.8, size * 0.8), Sense::hover());
+            shapes::status(ui.painter(), rect, card.status, colour);
+            ui.label(text);
+        });
+    } else {
+        if !is_low(ui) || card.status.is_none() {
+            let (rect, _) = ui.allocate_exact_size(vec2(space(16.0), space(16.0)), Sense::hover());
+            shapes::status(ui.painter(), rect, card.status, colour);
+        }
+        ui.label(text);
+    }
+    size
 }
 
 /// A small verdict: shape, text and colour.
@@ -66,6 +140,7 @@ pub(super) fn chip_ui(ui: &mut Ui, status: Status, text: &str) -> Response {
     let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
     let frame = Frame::new().fill(fill).corner_radius(4.0).inner_margin(Margin::symmetric(8, 4));
     let chip = frame.show(ui, |ui| {
+        ui.spacing_mut().interact_size.y = 0.0;
         ui.horizontal(|ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
             shapes::status(ui.painter(), rect, Some(status), colour);
@@ -78,6 +153,11 @@ pub(super) fn chip_ui(ui: &mut Ui, status: Status, text: &str) -> Response {
 /// The fill of a verdict and the colour on it: pale where nobody measured.
 pub(super) const fn colours(palette: &Palette, status: Option<Status>, is_simulated: bool) -> (Color32, Color32) {
     if is_simulated { palette.of_simulated(status) } else { palette.of_status(status) }
+}
+
+/// What to remove, and up to what.
+pub(super) fn remove(words: &Words, um: &str) -> (String, String) {
+    (words.say(&Message::new("remove-amount").text("um", um)), words.get("remove-to-limit"))
 }
 
 /// Half of a length in µm, exact.

@@ -8,7 +8,7 @@ use eframe::egui::{self, Button, ComboBox, Response, RichText, Ui, Vec2, WidgetI
 use egui_plot::Plot;
 
 use super::keys::told;
-use super::theme;
+use super::theme::{self, control};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::session::{Action, Command, Session};
@@ -67,7 +67,7 @@ impl View<'_> {
 
     /// Draws an action as a button as high as a text field.
     pub fn field_button(&mut self, ui: &mut Ui, action: Action) -> Response {
-        let button = self.named(action).min_size(vec2(0.0, theme::sizes().field));
+        let button = self.named(action).min_size(vec2(0.0, control(ui)));
         self.button_as(ui, action, button)
     }
 

@@ -121,7 +121,7 @@ impl Band {
 }
 
 /// A length in micrometres, the nearest float to its exact value.
-pub(super) fn micrometres(length: Length) -> f64 {
+pub fn micrometres(length: Length) -> f64 {
     (length.to_mm_f64() * 1e6).round() / 1e3
 }
 

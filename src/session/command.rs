@@ -45,6 +45,10 @@ pub enum Command {
     SetLanguage(Language),
     /// Chooses light, dark, or the system's setting.
     SetTheme(Theme),
+    /// Chooses how high everything is that is pressed.
+    SetDensity(Density),
+    /// A finger touched the window, or a mouse moved over it.
+    Touched(bool),
     /// Draws the status window with a built-in mask; `None` is the mask of the language.
     SetMask(Option<Dialogue>),
     /// Asks for a file or a folder.
@@ -183,6 +187,24 @@ pub enum Theme {
     Light,
     /// Dark.
     Dark,
+}
+
+/// How high everything is that is pressed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Density {
+    /// As it is used: high once a finger has touched the window, until a mouse moves over it.
+    #[default]
+    ByUse,
+    /// For a mouse.
+    Mouse,
+    /// For fingers and gloves.
+    Touch,
+}
+
+impl Density {
+    /// Every choice.
+    pub const ALL: [Self; 3] = [Self::ByUse, Self::Mouse, Self::Touch];
 }
 
 /// What the state asks of the outside world; done at the edge, not on the frame's thread.

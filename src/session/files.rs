@@ -25,8 +25,8 @@ pub use command::{Fate, FilesCommand, Launch};
 pub use dialog::Dialog;
 pub use folder_list::FolderList;
 pub use kinds::{HEAD, OpenError};
-pub use places::RecentFile;
 pub(super) use places::Places;
+pub use places::RecentFile;
 
 use super::Session;
 use super::command::{Effect, Purpose};

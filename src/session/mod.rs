@@ -53,7 +53,7 @@ use jiff::civil::DateTime;
 
 pub use action::Action;
 pub use check::{Asked, CheckCommand, CheckField, CheckPage, Lot, MeasureBy, Question, Shown};
-pub use command::{Command, CycleFile, Effect, Page, Purpose, Theme};
+pub use command::{Command, CycleFile, Density, Effect, Page, Purpose, Theme};
 pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, WorkpieceField, WorkpieceForm,
 };
@@ -98,6 +98,7 @@ impl Session {
         let mut shared = Shared::new(saved.language, saved.theme);
         shared.keypad = saved.keypad;
         shared.places = Places::restore(saved.files);
+        shared.density = saved.density;
         let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
         shared.sources = Arc::new(sources);
         let session = Self {
@@ -118,6 +119,7 @@ impl Session {
             language: self.shared.language,
             theme: self.shared.theme,
             keypad: self.shared.keypad,
+            density: self.shared.density,
             // A path that is not text cannot be written.
             tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
             source: self.shared.sources.base(),
@@ -170,6 +172,8 @@ impl Session {
             Command::ShowKeypad(shown) => shared.keypad = shown,
             Command::SetLanguage(language) => shared.set_language(language),
             Command::SetTheme(theme) => shared.theme = theme,
+            Command::SetDensity(density) => shared.density = density,
+            Command::Touched(is_touched) => shared.is_touched = is_touched,
             Command::SetMask(language) => {
                 shared.set_mask(language.map_or(MaskChoice::OfLanguage, MaskChoice::Shipped));
             }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::command::{Page, Theme};
+use super::command::{Density, Page, Theme};
 use super::cycles::WorkpieceForm;
 use super::files::{Dialog, RecentFile};
 use super::shared::{MaskChoice, Notice};
@@ -50,6 +50,25 @@ impl Session {
     /// Light or dark.
     pub const fn theme(&self) -> Theme {
         self.shared.theme
+    }
+
+    /// How high everything is that is pressed, as it was chosen.
+    pub const fn density(&self) -> Density {
+        self.shared.density
+    }
+
+    /// Whether a finger was used last.
+    pub const fn is_touched(&self) -> bool {
+        self.shared.is_touched
+    }
+
+    /// Whether what is pressed is high enough for fingers.
+    pub const fn is_for_touch(&self) -> bool {
+        match self.shared.density {
+            Density::ByUse => self.shared.is_touched,
+            Density::Mouse => false,
+            Density::Touch => true,
+        }
     }
 
     /// Whether the keypad is shown.

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use super::check::MeasureBy;
-use super::command::Theme;
+use super::command::{Density, Theme};
 use crate::message::Say;
 use crate::tolerance::{Base, Feature, iso286};
 use crate::words::Language;
@@ -27,6 +27,8 @@ pub struct Saved {
     pub theme: Theme,
     /// Whether the keypad is shown.
     pub keypad: bool,
+    /// How high everything is that is pressed.
+    pub density: Density,
     /// The folder of the user's own tables.
     pub tables_folder: Option<PathBuf>,
     /// What limits are looked up in after the user's own tables.
@@ -92,6 +94,7 @@ impl Default for Saved {
             language: Language::default(),
             theme: Theme::default(),
             keypad: false,
+            density: Density::default(),
             tables_folder: None,
             source: Base::default(),
             standard: iso286::Options::default(),

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::command::{Effect, Page, Purpose, Theme};
+use super::command::{Density, Effect, Page, Purpose, Theme};
 use super::files::{Dialog, Places};
 use super::history::History;
 use super::workpiece::SimulatedWorkpiece;
@@ -91,6 +91,9 @@ pub(super) struct Shared {
     pub theme: Theme,
     /// Whether the keypad is shown.
     pub keypad: bool,
+    pub density: Density,
+    /// Whether a finger was used last.
+    pub is_touched: bool,
     pub mask: MaskChoice,
     pub sources: Arc<Sources>,
     /// The folder of the user's own tables.

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use fitcheck::files::{
-    FileError, LARGEST, MOST_ENTRIES, list, make_folder, read, read_head, save, set_aside, write, write_folder, write_new,
+    FileError, LARGEST, MOST_ENTRIES, list, make_folder, read, read_head, save, set_aside, write, write_folder,
+    write_new,
 };
 
 #[test]

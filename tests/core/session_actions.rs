@@ -5,8 +5,8 @@ use std::path::Path;
 
 use fitcheck::session::action::{Action, Key, Place, Shortcut};
 use fitcheck::session::{
-    CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField, Page, ProgramCommand, ProgramField, Session,
-    TablesCommand, TablesField,
+    CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField, Page, ProgramCommand,
+    ProgramField, Session, TablesCommand, TablesField,
 };
 use fitcheck::words::{Language, Words};
 use jiff::civil::DateTime;

@@ -313,9 +313,7 @@ fn every_kind_begins_in_its_own_last_folder() {
         send(&mut session, FilesCommand::Seen { purpose, path: path.into(), fate: Fate::Read });
     }
     let (mut again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
-    for (purpose, folder) in
-        [(Purpose::Import, "/parts"), (Purpose::OpenProgram, "/nc"), (Purpose::LoadMask, "/nc")]
-    {
+    for (purpose, folder) in [(Purpose::Import, "/parts"), (Purpose::OpenProgram, "/nc"), (Purpose::LoadMask, "/nc")] {
         assert_eq!(send(&mut again, Command::OpenDialog(purpose)), [Effect::List(folder.into())], "{purpose:?}");
         send(&mut again, Command::Close);
     }

@@ -155,6 +155,18 @@ fn keys_of_the_check_page() {
     pair.send(Field::from(CheckField::Measured).typed("25.012".to_owned()));
     pair.send(CheckCommand::Measure);
     pair.press_all();
+    let rows = b"callout,measured\n25 H7,25.012\n25 H7,25.03\n25 H7,24.99\n";
+    let imported = fitcheck::exchange::import(
+        "parts.csv",
+        rows,
+        pair.session.sources(),
+        jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
+    );
+    pair.send(CheckCommand::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(imported)) });
+    for step in [Step::Right, Step::Left, Step::Last, Step::First] {
+        pair.press(Action::ShowInLot(step).shortcuts().next().unwrap());
+    }
+    pair.send(Command::Close);
     pair.send(Command::OpenDialog(Purpose::Import));
     pair.press(Action::Import.shortcuts().next().unwrap());
     pair.press(Action::Close.shortcuts().next().unwrap());

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::{Live, Role};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use eframe::egui::{Key, Modifiers};
-use fitcheck::session::CheckField;
+use fitcheck::session::{CheckCommand, CheckField};
 
 use crate::harness::{check, type_into, verdict, window};
 
@@ -106,6 +106,76 @@ fn half_the_nominal_size_is_doubted() {
 }
 
 #[test]
+fn a_mistyped_value_leaves_no_verdict_on_screen() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    type_into(&mut window, "Measured value", "25.03O");
+    assert_eq!(verdict(&window), "No result");
+    window.key_press(Key::Enter);
+    window.run();
+    assert_eq!(verdict(&window), "No result");
+}
+
+#[test]
+fn a_value_that_may_be_another_quantity_is_asked_about() {
+    let mut window = window();
+    check(&mut window, "25 H7", "250.12");
+    assert!(verdict(&window).starts_with("Is this right?. 250.120 mm"), "{}", verdict(&window));
+    window.get_by_role_and_label(Role::Button, "Take 25.012 mm").click();
+    window.run();
+    assert!(verdict(&window).starts_with("GOOD. 25.012 mm"), "{}", verdict(&window));
+    check(&mut window, "25 H7", "250.12");
+    window.get_by_role_and_label(Role::Button, "Judge 250.120 mm as it is").click();
+    window.run();
+    assert!(verdict(&window).starts_with("SCRAP. 250.120 mm"), "{}", verdict(&window));
+    // By keys alone: Enter asks, Enter once more judges.
+    check(&mut window, "25 H7", "2.5012");
+    assert!(verdict(&window).starts_with("Is this right?"), "{}", verdict(&window));
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(verdict(&window).starts_with("REWORK. 2.5012 mm"), "{}", verdict(&window));
+}
+
+#[test]
+fn the_status_window_keeps_the_controls_digits_with_the_exact_values_beside_it() {
+    let mut window = window();
+    check(&mut window, "25 H7", "25.021001");
+    window.get_by_label_contains("MEASURED DIAMETER:  25.0210");
+    window.get_by_label("The window rounds to four decimals. Exactly: Measured 25.021001 mm");
+    check(&mut window, "25 H7", "25.012");
+    assert!(window.query_by_label_contains("The window rounds").is_none());
+}
+
+#[test]
+fn many_imported_rows_are_counted_and_the_worst_is_shown_first() {
+    let mut window = window();
+    type_into(&mut window, "Measured value", "9.9");
+    let rows = b"id,callout,measured\nA1,25 H7,25.012\nA2,25 H7,25.030\nA3,25 H7,24.998\nA4,,25\n";
+    let imported = fitcheck::exchange::import(
+        "parts.csv",
+        rows,
+        window.state().session().sources(),
+        jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
+    );
+    let ctx = window.ctx.clone();
+    let command = CheckCommand::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(imported)) };
+    window.state_mut().send(&ctx, command.into());
+    window.run();
+    for label in ["parts.csv: 4 rows", "GOOD 1", "REWORK 1", "SCRAP 1", "1 not judged"] {
+        window.get_by_label(label);
+    }
+    window.get_by_label("Shown: 1 of 3, worst first; line 3, A2");
+    assert!(verdict(&window).starts_with("SCRAP. 25.030 mm"), "{}", verdict(&window));
+    window.get_by_role_and_label(Role::Button, "Better").click();
+    window.run();
+    assert!(verdict(&window).starts_with("REWORK. 24.998 mm"), "{}", verdict(&window));
+    window.key_press_modifiers(Modifiers::ALT, Key::End);
+    window.run();
+    window.get_by_label("Shown: 3 of 3, worst first; line 2, A1");
+    assert_eq!(window.state().session().text(CheckField::Measured), "");
+}
+
+#[test]
 fn nominal_size_and_class_make_the_callout() {
     let mut window = window();
     type_into(&mut window, "Nominal size", "40");
@@ -125,7 +195,8 @@ fn simulating_measures_with_contacts_and_fills_the_history() {
     window.run();
     window.get_by_role_and_label(Role::Button, "Measure").click();
     window.run();
-    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    assert!(verdict(&window).starts_with("SIMULATED. GOOD"), "{}", verdict(&window));
+    window.get_by_label("Status window, SIMULATED");
     let picture = window.get_by_role_and_label(Role::Figure, "Contacts");
     let said = picture.accesskit_node().data().description().unwrap_or_default().to_owned();
     assert!(said.starts_with("4 contacts seen from above"), "{said}");

@@ -245,6 +245,9 @@ fn a_file_is_found_and_read_by_keys_alone() {
     let folder = shop();
     let mut window = at_home(folder.path());
     open_import(&mut window);
+    if let Ok(pictures) = std::env::var("PICTURES") {
+        window.render().unwrap().save(Path::new(&pictures).join("dialog.png")).unwrap();
+    }
     window.get(part(Role::ListBoxOption, "logs, Folder"));
     window.get(part(Role::ListBoxOption, "more.csv, 36 B"));
     press(&mut window, &[Key::ArrowDown, Key::Enter]);
@@ -320,22 +323,29 @@ fn a_long_list_follows_the_arrows_and_says_where_it_ends() {
 }
 
 #[test]
-fn the_dialog_fits_a_small_window_and_asks_for_no_repaint() {
+fn the_dialog_fits_every_window_and_asks_for_no_repaint() {
     let folder = shop();
-    let size = eframe::egui::vec2(1024.0, 600.0);
-    for language in fitcheck::words::Language::all() {
-        let home = Some(folder.path().to_owned());
-        let mut window = Window { size, home, language, ..Window::default() }.open();
-        open_import(&mut window);
-        assert_eq!(rows(&window), 2);
-        let words = fitcheck::words::Words::new(language);
-        for button in ["dialog-open", "dialog-browse", "dialog-cancel", "dialog-up", "dialog-home"] {
-            let rect = window.get_by_role_and_label(Role::Button, &words.get(button)).rect();
-            assert!(rect.bottom() <= 600.0 && rect.top() >= 0.0 && rect.right() <= 1024.0, "{button}: {rect}");
-            assert!(44.0 <= rect.height(), "{button}: {rect}");
+    for (width, height) in [(427.0, 267.0), (533.0, 400.0), (800.0, 600.0), (1024.0, 600.0), (1280.0, 800.0)] {
+        for language in fitcheck::words::Language::all() {
+            let home = Some(folder.path().to_owned());
+            let size = eframe::egui::vec2(width, height);
+            let mut window = Window { size, home, language, ..Window::default() }.open();
+            open_import(&mut window);
+            let words = fitcheck::words::Words::new(language);
+            for button in ["dialog-open", "dialog-browse", "dialog-cancel"] {
+                let rect = window.get_by_role_and_label(Role::Button, &words.get(button)).rect();
+                let what = format!("{width}x{height} {} {button}: {rect}", language.code());
+                assert!(0.0 <= rect.top() && rect.bottom() <= height && rect.right() <= width, "{what}");
+            }
+            if 600.0 <= height {
+                assert_eq!(rows(&window), 2, "{width}x{height}");
+                let all = window.get_by_role_and_label(Role::CheckBox, &words.get("dialog-all-files")).rect();
+                let open = window.get_by_role_and_label(Role::Button, &words.get("dialog-open")).rect();
+                assert!(all.bottom() <= open.top(), "{width}x{height}: nothing scrolls");
+            }
+            let viewport = &window.output().viewport_output[&eframe::egui::ViewportId::ROOT];
+            assert_eq!(viewport.repaint_delay, std::time::Duration::MAX);
         }
-        let viewport = &window.output().viewport_output[&eframe::egui::ViewportId::ROOT];
-        assert_eq!(viewport.repaint_delay, std::time::Duration::MAX);
     }
 }
 

@@ -28,6 +28,8 @@ pub struct Window {
     pub home: Option<PathBuf>,
     /// The files that the window is started with.
     pub files: Vec<(Purpose, PathBuf)>,
+    /// Pixels per point.
+    pub zoom: f32,
 }
 
 impl Default for Window {
@@ -39,6 +41,7 @@ impl Default for Window {
             store: Store::nowhere(),
             home: None,
             files: Vec::new(),
+            zoom: 1.0,
         }
     }
 }
@@ -56,6 +59,7 @@ impl Window {
         let mut harness = Harness::builder()
             .with_size(self.size)
             .with_theme(self.theme)
+            .with_pixels_per_point(self.zoom)
             .with_max_steps(16)
             .build_eframe(|cc| App::new(cc, setup));
         // "Follow system" would follow the harness's idea of a system.

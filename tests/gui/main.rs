@@ -11,4 +11,5 @@ mod harness;
 mod keyboard;
 mod pictures;
 mod program_page;
+mod sizes;
 mod table_page;

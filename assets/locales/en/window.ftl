@@ -15,6 +15,10 @@ theme = Appearance
 theme-system = Follow system
 theme-light = Light
 theme-dark = Dark
+density = Size of controls
+density-by-use = Follow use
+density-mouse = Mouse
+density-touch = Touch
 limits-from = Limits from
 source-choice-iso286 = ISO 286, every class to 3150 mm
 source-choice-control = The control's tables, 47 classes to 400 mm
@@ -79,6 +83,12 @@ side-rework = rework
 side-scrap = scrap
 zone = zone
 
+last-values = Last values
+last-values-empty = The last values of these limits appear here
+last-values-describe = { $count ->
+    [one] The last value, newest last:
+   *[other] The last { $count } values, newest last:
+}
 contacts = Contacts
 contacts-factor = deviations × { $factor }
 contacts-empty = The contacts appear with the measurement
@@ -115,7 +125,8 @@ above-minimum = { $um } µm above minimum
 below-minimum = { $um } µm below minimum
 below-maximum = { $um } µm below maximum
 above-maximum = { $um } µm above maximum
-remove-to-limit = Remove { $um } µm to the nearest limit
+remove-amount = Remove { $um } µm
+remove-to-limit = to the nearest limit
 remove-to-middle = { $um } µm to the middle of the zone
 remove-per-side = on the diameter; { $um } µm per side
 position-in = Centre in position

@@ -15,6 +15,10 @@ theme = Weergave
 theme-system = Systeem volgen
 theme-light = Licht
 theme-dark = Donker
+density = Grootte van de knoppen
+density-by-use = Volgt het gebruik
+density-mouse = Muis
+density-touch = Aanraking
 limits-from = Grenzen uit
 source-choice-iso286 = ISO 286, elke klasse tot 3150 mm
 source-choice-control = De tabellen van de besturing, 47 klassen tot 400 mm
@@ -79,6 +83,12 @@ side-rework = nabewerking
 side-scrap = afkeur
 zone = tolerantie
 
+last-values = Laatste waarden
+last-values-empty = Hier verschijnen de laatste waarden bij deze grensmaten
+last-values-describe = { $count ->
+    [one] De laatste waarde, nieuwste achteraan:
+   *[other] De laatste { $count } waarden, nieuwste achteraan:
+}
 contacts = Meetpunten
 contacts-factor = afwijkingen × { $factor }
 contacts-empty = De meetpunten verschijnen met de meting
@@ -115,7 +125,8 @@ above-minimum = { $um } µm boven minimaal
 below-minimum = { $um } µm onder minimaal
 below-maximum = { $um } µm onder maximaal
 above-maximum = { $um } µm boven maximaal
-remove-to-limit = Verspaan { $um } µm tot de grens
+remove-amount = Verspaan { $um } µm
+remove-to-limit = tot de grens
 remove-to-middle = { $um } µm tot het midden
 remove-per-side = op de diameter; { $um } µm per zijde
 position-in = Midden in positie

@@ -2,8 +2,8 @@
 
 use eframe::egui::{CollapsingHeader, Ui, vec2};
 
-use crate::gui::theme::{sizes, space};
-use crate::gui::verdict_card::{Card, card_ui, chip_ui, half_um, status_id};
+use crate::gui::theme::{control, space};
+use crate::gui::verdict_card::{Card, card_ui, chip_ui, half_um, lines_below_ui, remove, status_id};
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::length::Length;
@@ -21,22 +21,32 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         return question_ui(ui, view, question);
     }
     let record = view.session.check().shown().map(|shown| shown.record.as_ref());
-    let lines = record.map(|record| lines(view.words, record)).unwrap_or_default();
-    let status = record.map(|record| record.verdict.status());
-    let is_simulated = record.is_some_and(|record| record.measurement.origin.is_simulated());
-    card_ui(ui, view, &Card { status, is_simulated, word: view.text(status_id(status)), lines: &lines });
-    if let Some(record) = record {
-        why_ui(ui, view, record);
+    let card = record.map_or_else(
+        || Card { word: view.text(status_id(None)), ..Card::default() },
+        |record| card(view.words, record),
+    );
+    card_ui(ui, view, &card);
+}
+
+/// The reasons for the verdict.
+pub(super) fn reasons_ui(ui: &mut Ui, view: &View<'_>) {
+    if let Some(shown) = view.session.check().shown() {
+        lines_below_ui(ui, &card(view.words, &shown.record));
+        why_ui(ui, view, &shown.record);
     }
 }
 
 /// What is asked about a typed value before it is judged.
 fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question) {
-    let measured = format!("{} mm", view.words.mm(question.measured, 3));
-    let lines = [measured, view.words.told(&question.doubt), view.text("question-enter")];
-    card_ui(ui, view, &Card { status: None, is_simulated: false, word: view.text("word-question"), lines: &lines });
+    let card = Card {
+        word: view.text("word-question"),
+        value: Some(format!("{} mm", view.words.mm(question.measured, 3))),
+        lines: vec![view.words.told(&question.doubt), view.text("question-enter")],
+        ..Card::default()
+    };
+    card_ui(ui, view, &card);
     ui.add_space(space(1.0));
-    let size = vec2(ui.available_width(), sizes().touch);
+    let size = vec2(ui.available_width(), control(ui));
     if question.doubt.meant().is_some() {
         view.main_button(ui, Action::TakeMeant, size);
     }
@@ -79,18 +89,20 @@ fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
     ui.add_space(space(1.0));
 }
 
-/// The lines below the word: the value, the distances, what to remove, the position.
-fn lines(words: &Words, record: &Record) -> Vec<String> {
+/// The card of a record: the word, the value, what to remove, the distances, the position.
+fn card(words: &Words, record: &Record) -> Card {
     let size = &record.verdict.size;
     let digits = Digits::of(record);
-    let mut lines = vec![format!("{} mm", digits.mm(words, record.measurement.diameter, 3))];
+    let status = record.verdict.status();
+    let mut lines = Vec::new();
     let distance = |id: (&'static str, &'static str), distance: Length| {
         let id = if distance < Length::ZERO { id.1 } else { id.0 };
         words.say(&Message::new(id).text("um", digits.um(words, distance.abs())))
     };
-    if let Some(removal) = size.removal {
-        let um = |length: Length| digits.um(words, length);
-        lines.push(words.say(&Message::new("remove-to-limit").text("um", um(removal.to_limit))));
+    let um = |length: Length| digits.um(words, length);
+    // A centre out of position cannot be machined back, whatever the size says.
+    let removal = size.removal.filter(|_| status == size.status);
+    if let Some(removal) = removal {
         lines.push(words.say(&Message::new("remove-to-middle").text("um", um(removal.to_middle))));
         let half = match digits {
             Digits::Exact => words.number(&half_um(removal.to_limit)),
@@ -104,12 +116,19 @@ fn lines(words: &Words, record: &Record) -> Vec<String> {
     if let Some(position) = record.verdict.position.filter(PositionVerdict::is_monitored) {
         lines.push(words.get(if position.is_out() { "position-out" } else { "position-in" }));
     }
-    if record.verdict.status() != size.status {
+    if status != size.status {
         let id = status_id(Some(size.status));
         lines.push(words.say(&Message::new("diameter-alone").text("status", words.get(id))));
     }
     lines.extend(record.doubt.map(|doubt| words.told(&doubt)));
-    lines
+    Card {
+        status: Some(status),
+        is_simulated: record.measurement.origin.is_simulated(),
+        word: words.told(&status),
+        value: Some(format!("{} mm", digits.mm(words, record.measurement.diameter, 3))),
+        instruction: removal.map(|removal| remove(words, &um(removal.to_limit))),
+        lines,
+    }
 }
 
 fn why_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {

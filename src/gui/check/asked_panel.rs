@@ -5,7 +5,7 @@ use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
 use crate::gui::field::{self, Look, Pairs, error_ui, field_ui};
 use crate::gui::limits::{self, feature_id};
-use crate::gui::theme::{self, sizes, space};
+use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::session::{Action, CheckCommand, CheckField, MeasureBy};
@@ -94,8 +94,8 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.button_as(ui, Action::Keypad, keypad);
     });
     ui.horizontal(|ui| {
-        view.main_button(ui, Action::Measure, vec2(width * 0.6, sizes().touch));
-        let clear = view.named(Action::ClearResult).min_size(vec2(0.0, sizes().touch));
+        view.main_button(ui, Action::Measure, vec2(width * 0.6, control(ui)));
+        let clear = view.named(Action::ClearResult).min_size(vec2(0.0, control(ui)));
         view.button_as(ui, Action::ClearResult, clear);
     });
 }

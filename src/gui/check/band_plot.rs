@@ -223,20 +223,34 @@ impl Drawing<'_> {
         }
     }
 
-    /// The distances to both limits as lines with their numbers.
+    /// The distances that matter, as lines with their numbers: to both limits inside the zone, to the limit that is
+    /// passed outside it.
     fn distances(&self, x: f32, record: &Record, body: Rect) {
         let stroke = Stroke::new(1.5, self.palette.text.0);
+        let size = &record.verdict.size;
+        let is_outside = size.above_minimum < Length::ZERO || size.below_maximum < Length::ZERO;
         for (limit, distance, share) in [
-            (self.x(self.band.lower_um), record.verdict.size.above_minimum, 0.68),
-            (self.x(self.band.upper_um), record.verdict.size.below_maximum, 0.86),
+            (self.x(self.band.lower_um), size.above_minimum, 0.68),
+            (self.x(self.band.upper_um), size.below_maximum, 0.86),
         ] {
+            if is_outside && Length::ZERO <= distance {
+                continue;
+            }
             let y = body.top() + body.height() * share;
             self.painter.hline(x.min(limit)..=x.max(limit), y, stroke);
             self.painter.circle_filled(pos2(limit, y), 3.0, stroke.color);
             let text = format!("{} µm", Digits::of(record).um(self.words, distance.abs()));
             let galley = self.painter.layout_no_wrap(text, theme::font(sizes().small), stroke.color);
-            if distance != Length::ZERO && galley.size().x + 8.0 < (x - limit).abs() {
-                let at = Align2::CENTER_CENTER.anchor_size(pos2(f32::midpoint(x, limit), y), galley.size());
+            let has_room = galley.size().x + 8.0 < (x - limit).abs();
+            if distance != Length::ZERO && (has_room || is_outside) {
+                // Outside the zone it stands on the zone's side of the limit where there is no room between.
+                let beside = if x < limit { Align2::LEFT_CENTER } else { Align2::RIGHT_CENTER };
+                let (anchor, at) = if has_room {
+                    (Align2::CENTER_CENTER, f32::midpoint(x, limit))
+                } else {
+                    (beside, limit + (limit - x).signum() * space(2.0))
+                };
+                let at = anchor.anchor_size(pos2(at, y), galley.size());
                 self.painter.rect_filled(at.expand2(vec2(3.0, 0.0)), 2.0, self.palette.panel.0);
                 self.painter.galley(at.min, galley, stroke.color);
             }

@@ -50,6 +50,18 @@ pub(super) fn contacts_ui(ui: &mut Ui, view: &View<'_>) {
     quiet(ui, remarks);
 }
 
+/// Whether contacts are known, so that there is something to draw.
+pub(super) fn has_picture(view: &View<'_>) -> bool {
+    view.session.check().shown().is_some_and(|shown| !shown.record.measurement.contacts.is_empty())
+}
+
+/// What the measurement cannot tell.
+pub(super) fn remarks_ui(ui: &mut Ui, view: &View<'_>) {
+    if let Some(shown) = view.session.check().shown() {
+        quiet(ui, remarks(view.words, &shown.record));
+    }
+}
+
 fn circle_text(words: &Words, record: &Record) -> String {
     let mut text = format!("Ø {}", Digits::of(record).mm(words, record.measurement.diameter, 4));
     if let Some(position) = record.verdict.position {

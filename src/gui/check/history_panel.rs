@@ -4,7 +4,7 @@ use eframe::egui::{Align, Button, Checkbox, Id, Layout, RichText, Sense, Ui, UiB
 use egui_extras::{Column, TableBuilder};
 
 use crate::gui::shapes;
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
@@ -85,7 +85,7 @@ fn table_ui(ui: &mut Ui, view: &mut View<'_>) {
         "head-status",
         "head-from",
     ];
-    let row_height = sizes().field;
+    let row_height = control(ui);
     let count = view.session.history().len();
     TableBuilder::new(ui)
         .id_salt("history")

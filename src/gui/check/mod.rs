@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `asked_panel` | left: callout, limits, measured value, probe position, simulated workpiece |
-//! | `band_plot`, `contacts_plot` | middle: what was seen |
+//! | `band_plot`, `contacts_plot`, `last_values` | middle: what was seen |
 //! | `answer_panel`, `status_panel` | right: the verdict, and the control's window |
 //! | `history_panel` | bottom: earlier checks |
 
@@ -12,46 +12,121 @@ mod asked_panel;
 mod band_plot;
 mod contacts_plot;
 mod history_panel;
+mod last_values;
 mod status_panel;
 
-use eframe::egui::{CentralPanel, Panel, ScrollArea, Ui};
+use eframe::egui::{Frame, Panel, Ui};
 pub(super) use status_panel::mask_chooser_ui;
 
+use super::columns::{Page, Shape, columns_ui, fill};
 use super::theme::space;
+use super::verdict_card::least_width;
 use super::view::View;
+
+/// From this width on there is room for the history beside everything else.
+const ULTRA_WIDE: f32 = 650.0;
+
+/// From this width on the columns are wider, and the history is a table whatever the height.
+const WIDE: f32 = 400.0;
 
 /// The check page: left what is asked, middle what was seen, right the answer, bottom the earlier checks.
 pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
-    let (narrow, low) = (size.x < 1200.0, size.y < 700.0);
-    let folded = narrow || low;
-    if folded && !history_panel::is_unfolded(ui) {
-        Panel::bottom("strip").exact_size(space(12.0)).show(ui, |ui| history_panel::strip_ui(ui, view));
-    } else {
-        let height = (size.y * if folded { 0.4 } else { 0.21 }).max(space(40.0));
-        Panel::bottom("history").exact_size(height).show(ui, |ui| history_panel::history_ui(ui, view, folded));
-    }
-    let side = if narrow { space(66.0) } else { space(74.0) };
-    Panel::left("asked").exact_size(side).show(ui, |ui| {
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            // The scroll bar floats: it must not cover the fields.
-            ui.set_max_width(ui.available_width() - space(2.5));
-            asked_panel::asked_panel_ui(ui, view);
-        });
-    });
-    let side = if narrow { space(82.0) } else { space(88.0).max(size.x * 0.26) };
-    Panel::right("answer").exact_size(side).show(ui, |ui| {
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            ui.set_max_width(ui.available_width() - space(2.5));
-            answer_panel::answer_ui(ui, view);
+    let is_wide = space(WIDE) <= size.x;
+    let page = Page {
+        name: "check",
+        left: if is_wide { space(85.0) } else { space(74.0) },
+        right: if is_wide { space(105.0) } else { space(88.0) },
+        head: None,
+        asked: asked_panel::asked_panel_ui,
+        seen: seen_ui,
+        seen_height: space(110.0),
+        verdict: |ui, view| answer_panel::answer_ui(ui, view),
+        answer: |ui, view| {
+            answer_panel::reasons_ui(ui, view);
             ui.add_space(space(2.0));
             status_panel::status_ui(ui, view);
+        },
+    };
+    if space(ULTRA_WIDE) <= size.x {
+        let panel = Panel::right("history-beside").resizable(true).default_size(size.x * 0.3);
+        panel.size_range(space(150.0)..=size.x * 0.45).show(ui, |ui| {
+            fill(ui);
+            history_panel::history_ui(ui, view, false);
         });
+    } else {
+        history_below_ui(ui, view, &page);
+    }
+    if size.x * 1.3 < size.y && Shape::of(ui, least_width(ui, view)) != Shape::One {
+        return tall_ui(ui, view, &page);
+    }
+    columns_ui(ui, view, &page);
+}
+
+/// The history over the width of the page: a table, or one line that unfolds where the window is small.
+fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
+    let size = ui.available_size();
+    let folded = (size.x < space(300.0) && size.y < size.x * 1.3) || size.y < space(175.0);
+    if folded && !history_panel::is_unfolded(ui) {
+        let frame = Frame::side_top_panel(ui.style());
+        Panel::bottom("strip").frame(frame).show(ui, |ui| history_panel::strip_ui(ui, view));
+        return;
+    }
+    let share = if folded || size.x * 1.3 < size.y || space(WIDE) <= size.x { 0.38 } else { 0.24 };
+    let panel = Panel::bottom((page.name, "history", folded)).resizable(true).default_size(size.y * share);
+    panel.size_range(space(32.0)..=size.y * 0.6).show(ui, |ui| {
+        fill(ui);
+        history_panel::history_ui(ui, view, folded);
     });
-    CentralPanel::default().show(ui, |ui| {
-        let height = ui.available_height();
-        band_plot::band_ui(ui, view, (height * 0.36).clamp(space(34.0), space(70.0)));
-        ui.separator();
+}
+
+/// A window on its side: the verdict beside the band, what is asked beside the rest.
+fn tall_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
+    let height = ui.available_height();
+    let top = Panel::top("check-tall").resizable(true).default_size(height * 0.4);
+    top.size_range(height * 0.25..=height * 0.6).show(ui, |ui| {
+        fill(ui);
+        let width = ui.available_width();
+        let answer = Panel::left("check-tall-answer").resizable(true).default_size(width * 0.5);
+        let least = least_width(ui, view);
+        answer.size_range(least.max(width * 0.35)..=least.max(width * 0.65)).show(ui, |ui| {
+            fill(ui);
+            (page.verdict)(ui, view);
+        });
+        eframe::egui::CentralPanel::default().show(ui, |ui| seen_ui(ui, view));
+    });
+    let width = ui.available_width();
+    let asked = Panel::left("check-tall-asked").resizable(true).default_size(width * 0.5);
+    asked.size_range(width * 0.35..=width * 0.65).show(ui, |ui| {
+        super::columns::column_ui(ui, "check-tall-asked", |ui| (page.asked)(ui, view));
+    });
+    eframe::egui::CentralPanel::default().show(ui, |ui| {
+        super::columns::column_ui(ui, "check-tall-rest", |ui| (page.answer)(ui, view));
+    });
+}
+
+/// The band; below it the contacts, or the last values where no contacts are known, or both where there is room.
+fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let (width, height) = (ui.available_width(), ui.available_height());
+    band_plot::band_ui(ui, view, (height * 0.36).clamp(space(34.0), space(70.0)));
+    ui.separator();
+    let has_contacts = contacts_plot::has_picture(view);
+    if has_contacts && space(160.0) < width {
+        let (height, gap) = (ui.available_height(), space(4.0));
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            let half = eframe::egui::vec2((width - gap) / 2.0, height);
+            ui.allocate_ui_with_layout(half, eframe::egui::Layout::top_down(eframe::egui::Align::Min), |ui| {
+                contacts_plot::contacts_ui(ui, view);
+            });
+            ui.allocate_ui_with_layout(half, eframe::egui::Layout::top_down(eframe::egui::Align::Min), |ui| {
+                last_values::last_values_ui(ui, view);
+            });
+        });
+    } else if has_contacts || view.session.check().shown().is_none() && view.session.history().is_empty() {
         contacts_plot::contacts_ui(ui, view);
-    });
+    } else {
+        last_values::last_values_ui(ui, view);
+        contacts_plot::remarks_ui(ui, view);
+    }
 }

@@ -5,7 +5,7 @@ use eframe::egui::{Align, Label, Layout, RichText, Ui, vec2};
 use crate::gui::check::mask_chooser_ui;
 use crate::gui::popup::popup_ui;
 use crate::gui::theme::{self, sizes, space};
-use crate::gui::verdict_card::{Card, card_ui, half_um, status_id};
+use crate::gui::verdict_card::{Card, card_ui, half_um, lines_below_ui, remove, status_id};
 use crate::gui::view::{Digits, View, heading, quiet, quiet_cut};
 use crate::length::{Length, Unit};
 use crate::message::Message;
@@ -13,11 +13,11 @@ use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Val
 use crate::session::{Action, CycleRun, RunLog};
 use crate::words::Words;
 
-/// The panel.
+/// Below the verdict: status window, results, remarks.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let run = session.cycles().run();
-    verdict_ui(ui, view, run);
+    lines_below_ui(ui, &run_card(view, run));
     if let Some(stop) = run.and_then(|run| run.found()?.stop.as_ref()) {
         ui.label(RichText::new(view.words.told(stop)).font(theme::bold(sizes().body)));
     }
@@ -36,51 +36,61 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&CycleRun>) {
-    let words = view.words;
-    let is_simulated = run.is_some_and(|run| run.is_simulated);
-    let (status, word, lines) = match run.map(|run| &run.result) {
-        None => (None, "word-none", Vec::new()),
-        Some(Err(problem)) => (None, "cycles-word-stopped", vec![words.say(problem)]),
-        Some(Ok(result)) => {
-            let status = result.status.filter(|_| !result.checks.is_empty());
-            let word = if status.is_some() { status_id(status) } else { "cycles-word-no-verdict" };
-            (status, word, lines(words, result))
-        }
-    };
-    card_ui(ui, view, &Card { status, is_simulated, word: view.text(word), lines: &lines });
+/// The verdict.
+pub(super) fn verdict_ui(ui: &mut Ui, view: &View<'_>) {
+    let run = view.session.cycles().run();
+    card_ui(ui, view, &run_card(view, run));
 }
 
-/// The lines below the word: the value, its distance from its limits, what to remove, what else is out.
-fn lines(words: &Words, result: &CycleResult) -> Vec<String> {
-    let Some(first) = result.checks.iter().find(|check| check.is_out()).or_else(|| result.checks.first()) else {
-        return main_value(words, result).into_iter().chain([words.get("cycles-no-limits")]).collect();
-    };
-    let mut lines = check_lines(words, first);
-    for other in result.checks.iter().filter(|other| *other != first && other.is_out()) {
-        lines.extend(check_lines(words, other));
+fn run_card(view: &View<'_>, run: Option<&CycleRun>) -> Card {
+    let words = view.words;
+    let is_simulated = run.is_some_and(|run| run.is_simulated);
+    match run.map(|run| &run.result) {
+        None => Card { word: view.text("word-none"), ..Card::default() },
+        Some(Err(problem)) => {
+            Card { word: view.text("cycles-word-stopped"), lines: vec![words.say(problem)], ..Card::default() }
+        }
+        Some(Ok(result)) => Card { is_simulated, ..card(words, result) },
     }
-    lines
+}
+
+/// The card of a result: the value, its distance from its limits, what to remove, what else is out.
+fn card(words: &Words, result: &CycleResult) -> Card {
+    let checks = &result.checks;
+    let Some(first) = checks.iter().find(|check| check.is_out()).or_else(|| checks.first()) else {
+        let (word, value) = (words.get("cycles-word-no-verdict"), main_value(words, result));
+        return Card { word, value, lines: vec![words.get("cycles-no-limits")], ..Card::default() };
+    };
+    let mut card = check_card(words, first);
+    card.status = result.status;
+    card.word = words.get(if result.status.is_some() { status_id(result.status) } else { "cycles-word-no-verdict" });
+    for other in checks.iter().filter(|other| *other != first && other.is_out()) {
+        let Card { value, instruction, lines, .. } = check_card(words, other);
+        let instruction = instruction.map(|(what, rest)| format!("{what} {rest}"));
+        card.lines.extend(value.into_iter().chain(instruction).chain(lines));
+    }
+    card
 }
 
 fn digits(check: &Check) -> Digits {
     Digits::of_distances(&[check.above_minimum(), check.below_maximum()])
 }
 
-fn check_lines(words: &Words, check: &Check) -> Vec<String> {
+/// What a card says of one value against its limits.
+fn check_card(words: &Words, check: &Check) -> Card {
     let digits = digits(check);
     let um = |length: Length| digits.um(words, length);
     let distance = |distance: Length, inside: &'static str, outside: &'static str| {
         let id = if distance < Length::ZERO { outside } else { inside };
         words.say(&Message::new(id).text("um", um(distance.abs())))
     };
-    let mut lines = vec![format!("{} mm", digits.mm(words, check.measured, 3)), words.told(&check.what)];
+    let mut lines = vec![words.told(&check.what)];
     let below = distance(check.below_maximum(), "below-maximum", "above-maximum");
     let above = distance(check.above_minimum(), "above-minimum", "below-minimum");
-    match check.removal() {
+    let removal = check.removal();
+    match removal {
         Some(removal) => {
             lines.push(if check.below_maximum() < Length::ZERO { below } else { above });
-            lines.push(words.say(&Message::new("remove-to-limit").text("um", um(removal.to_limit))));
             lines.push(words.say(&Message::new("remove-to-middle").text("um", um(removal.to_middle))));
             if check.what == FoundName::DIAMETER {
                 let half = match digits {
@@ -94,7 +104,9 @@ fn check_lines(words: &Words, check: &Check) -> Vec<String> {
         None if check.below_maximum() < Length::ZERO => lines.push(below),
         None => lines.extend([above, below]),
     }
-    lines
+    let value = Some(format!("{} mm", digits.mm(words, check.measured, 3)));
+    let instruction = removal.map(|removal| remove(words, &um(removal.to_limit)));
+    Card { value, instruction, lines, ..Card::default() }
 }
 
 /// The main value of the cycle: a diameter, a deviation along the normal, or else the first one.

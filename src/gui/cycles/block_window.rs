@@ -3,7 +3,7 @@
 use eframe::egui::{Align2, Button, Id, TextEdit, Ui, vec2};
 
 use crate::gui::dialogs::{fixed_window, just_opened};
-use crate::gui::theme::{self, sizes, space};
+use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, problem, quiet};
 use crate::session::{Action, CyclesCommand};
 
@@ -30,7 +30,7 @@ pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
             problem(ui, view.words.say(error));
         }
         ui.horizontal(|ui| {
-            let size = vec2(space(24.0), sizes().touch);
+            let size = vec2(space(24.0), control(ui));
             let fill = view.named(Action::TakeBlock).min_size(size);
             view.button_as(ui, Action::TakeBlock, fill);
             if ui.add(Button::new(view.text("dialog-cancel")).min_size(size)).clicked() {

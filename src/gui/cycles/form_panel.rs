@@ -3,27 +3,27 @@
 use eframe::egui::{CollapsingHeader, Id, Ui, vec2};
 
 use super::parameter_row::{figure_ui, parameter_ui};
-use super::{column_ui, keep_focus, opener_ui};
-use crate::gui::theme::{self, palette, sizes, space};
+use super::{keep_focus, opener_ui};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, list_ui, problem, quiet, quiet_cut};
 use crate::message::Message;
 use crate::probing::cycle::{Cycle, Key};
 use crate::probing::cycles::CYCLES;
 use crate::session::{Action, Axis, ContactsFrom, CycleField, CyclesCommand};
 
-/// The panel.
-pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
-    ui.spacing_mut().item_spacing.y = space(1.0);
+/// What stands above the form: the cycle, where contacts come from, and what runs it.
+pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     chooser_ui(ui, view);
     source_ui(ui, view);
     run_ui(ui, view);
-    ui.separator();
-    column_ui(ui, |ui| {
-        parameters_ui(ui, view);
-        position_ui(ui, view);
-        block_buttons_ui(ui, view);
-    });
+}
+
+/// The form.
+pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
+    parameters_ui(ui, view);
+    position_ui(ui, view);
+    block_buttons_ui(ui, view);
 }
 
 fn title(view: &View<'_>, cycle: &Cycle) -> String {
@@ -144,11 +144,11 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
         };
         let widths = [small(ui, "clear"), small(ui, "keypad")];
         let width = ui.available_width() - widths.iter().sum::<f32>() - space(5.0);
-        view.main_button(ui, Action::RunCycle, vec2(width, sizes().touch));
-        let clear = view.named(Action::ClearCycle).min_size(vec2(0.0, sizes().touch));
+        view.main_button(ui, Action::RunCycle, vec2(width, control(ui)));
+        let clear = view.named(Action::ClearCycle).min_size(vec2(0.0, control(ui)));
         view.button_as(ui, Action::ClearCycle, clear);
         let keypad = view.named(Action::Keypad).selected(view.session.has_keypad());
-        view.button_as(ui, Action::Keypad, keypad.min_size(vec2(0.0, sizes().touch)));
+        view.button_as(ui, Action::Keypad, keypad.min_size(vec2(0.0, control(ui))));
     });
 }
 

@@ -18,8 +18,9 @@ pub(super) mod picture;
 mod seen_panel;
 pub(super) mod workpiece_window;
 
-use eframe::egui::{CentralPanel, Id, Key, Memory, Panel, Response, ScrollArea, Ui};
+use eframe::egui::{Id, Key, Response, Ui};
 
+use super::columns::{Page, columns_ui};
 use super::dialogs::just_opened;
 use super::field;
 use super::theme::space;
@@ -33,15 +34,18 @@ pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     {
         ui.memory_mut(|memory| memory.request_focus(field::id(CycleField::Parameter(first.key))));
     }
-    let size = ui.available_size();
-    let narrow = size.x < 1200.0;
-    let side = if narrow { space(80.0) } else { space(94.0) };
-    Panel::left("cycles-form").exact_size(side).show(ui, |ui| form_panel::form_ui(ui, view));
-    let side = if narrow { space(74.0) } else { space(82.0).max(size.x * 0.25) };
-    Panel::right("cycles-answer").exact_size(side).show(ui, |ui| {
-        column_ui(ui, |ui| answer_panel::answer_ui(ui, view));
-    });
-    CentralPanel::default().show(ui, |ui| seen_panel::seen_ui(ui, view));
+    let page = Page {
+        name: "cycles",
+        left: space(94.0),
+        right: space(84.0),
+        head: Some(form_panel::head_ui),
+        asked: form_panel::form_ui,
+        seen: seen_panel::seen_ui,
+        seen_height: space(180.0),
+        verdict: |ui, view| answer_panel::verdict_ui(ui, view),
+        answer: answer_panel::answer_ui,
+    };
+    columns_ui(ui, view, &page);
     workpiece_window::workpiece_ui(ui, view);
     block_window::block_ui(ui, view);
     // After an attempt, a run that cannot begin leads to the field that is wrong.
@@ -64,27 +68,6 @@ fn wrong_field(ui: &Ui, view: &View<'_>) -> Option<CycleField> {
     let page = view.session.cycles();
     let last = form_panel::last_focused(ui).map(CycleField::Parameter);
     last.filter(|field| page.error(*field).is_some()).or_else(|| page.first_wrong())
-}
-
-/// A column that scrolls where the window is low; the floating bar never covers its content.
-fn column_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        ui.set_max_width(ui.available_width() - space(2.5));
-        ui.spacing_mut().item_spacing.y = space(1.0);
-        content(ui);
-        follow_focus(ui);
-    });
-}
-
-/// Scrolls to the widget that has just got the focus, if it was just drawn here.
-fn follow_focus(ui: &Ui) {
-    let focused = ui.memory(Memory::focused);
-    let last =
-        ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(ui.unique_id().with("focused")), focused));
-    let Some(rect) = focused.filter(|_| focused != last).and_then(|id| ui.ctx().read_response(id)) else { return };
-    if rect.layer_id == ui.layer_id() && ui.min_rect().contains(rect.rect.center()) {
-        ui.scroll_to_rect(rect.rect, None);
-    }
 }
 
 /// Keeps the focus on a list after a choice by key; after a choice by pointer, Enter runs the cycle as before.

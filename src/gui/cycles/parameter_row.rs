@@ -4,7 +4,7 @@ use eframe::egui::{Align, Event, Id, Layout, Response, RichText, Ui, vec2};
 
 use super::{keep_focus, wrong_field};
 use crate::gui::field::{Look, error_ui, field_ui, select_all};
-use crate::gui::theme::{palette, sizes, space};
+use crate::gui::theme::{control, palette, space};
 use crate::gui::view::{View, list_ui, quiet, quiet_cut};
 use crate::probing::cycle::{Meaning, Parameter, Range, Unset, Value};
 use crate::session::{CycleField, CyclesCommand, Field};
@@ -41,11 +41,10 @@ pub(super) fn row_ui(ui: &mut Ui, name: String, field: impl FnOnce(&mut Ui, Id))
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space(1.0);
         let width = (ui.available_width() - space(FIELD + UNIT + 2.0)).max(space(10.0));
-        let label =
-            ui.allocate_ui_with_layout(vec2(width, sizes().field), Layout::left_to_right(Align::Center), |ui| {
-                ui.set_min_width(width);
-                quiet_cut(ui, name)
-            });
+        let label = ui.allocate_ui_with_layout(vec2(width, control(ui)), Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(width);
+            quiet_cut(ui, name)
+        });
         field(ui, label.inner.id);
     });
 }

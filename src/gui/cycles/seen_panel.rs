@@ -3,8 +3,9 @@
 use eframe::egui::{Label, Slider, Ui, vec2};
 
 use super::form_panel::last_focused;
-use super::{column_ui, picture};
-use crate::gui::theme::{sizes, space};
+use super::picture;
+use crate::gui::columns::{column_ui, of_height};
+use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::probing::cycle::{Move, Parameter, Phase, Range, Unset, Value};
@@ -22,7 +23,7 @@ pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     // Path and contacts share the remaining height; criteria follow below.
     let height = ((ui.available_height() - space(40.0)) / 2.0).max(space(40.0));
-    column_ui(ui, |ui| match session.cycles().run() {
+    column_ui(ui, "cycles-seen", |ui| match session.cycles().run() {
         None => _ = quiet(ui, view.text("cycles-nothing-seen")),
         Some(run) => {
             path_ui(ui, view, run, height);
@@ -37,15 +38,6 @@ pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
                 picture::criteria_table(ui, view, evaluation);
             }
         }
-    });
-}
-
-/// A part of the column with a height of its own.
-fn of_height(ui: &mut Ui, height: f32, content: impl FnOnce(&mut Ui)) {
-    let size = vec2(ui.available_width(), height);
-    ui.allocate_ui(size, |ui| {
-        ui.set_max_height(height);
-        content(ui);
     });
 }
 
@@ -114,7 +106,7 @@ fn steps_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space(1.0);
         for step in Step::PATH.map(Action::StepPath) {
-            let button = view.named(step).min_size(vec2(space(14.0), sizes().touch));
+            let button = view.named(step).min_size(vec2(space(14.0), control(ui)));
             view.button_as(ui, step, button);
         }
         let mut number = step + 1;

@@ -2,10 +2,10 @@
 
 use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, vec2};
 
-use super::follow_focus;
 use super::parameter_row::figure_ui;
+use crate::gui::columns::follow_focus;
 use crate::gui::dialogs::{fixed_window, just_opened};
-use crate::gui::theme::{sizes, space};
+use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::Shape;
@@ -92,7 +92,7 @@ fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[WorkpieceField]) {
 
 fn buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
-        let size = vec2(space(20.0), sizes().touch);
+        let size = vec2(space(20.0), control(ui));
         for action in [Action::SuitWorkpiece, Action::OpenWorkpiece, Action::SaveWorkpiece] {
             let button = view.named(action).min_size(size);
             view.button_as(ui, action, button);

@@ -4,9 +4,10 @@ use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{Align, Button, Frame, Grid, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use crate::gui::class_chooser::feature_picture;
+use crate::gui::columns::{is_low, is_tiny};
 use crate::gui::limits::{self, feature_id};
 use crate::gui::shapes;
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, live, problem, quiet};
@@ -19,11 +20,13 @@ use crate::tolerance::fit::{Fit, Kind, basis};
 use crate::verdict::Status;
 use crate::verdict::fit::{Actual, Possible};
 
-/// The panel's content.
+/// Below the kind of fit: what it is for, the parts, limits, the equivalent fit.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
-    let Some(fit) = session.fit().fit() else { return card_ui(ui, view, None) };
-    card_ui(ui, view, Some(fit));
+    let Some(fit) = session.fit().fit() else { return };
+    if is_tiny(ui) {
+        figures_ui(ui, view, fit);
+    }
     said_of_ui(ui, view);
     if let Some(parts) = session.fit().parts() {
         ui.separator();
@@ -55,7 +58,8 @@ fn range(view: &View<'_>, minimum: Length, maximum: Length) -> String {
 }
 
 /// The kind of fit. It is not a verdict, so it does not have the colour of one.
-fn card_ui(ui: &mut Ui, view: &View<'_>, fit: Option<&Fit>) {
+pub(super) fn kind_ui(ui: &mut Ui, view: &View<'_>) {
+    let fit = view.session.fit().fit();
     let palette = palette(ui.ctx());
     let (fill, colour) = (palette.background.0, palette.text.0);
     let word = view.text(fit.map_or("fit-word-none", |fit| kind_id(fit.kind())));
@@ -67,9 +71,11 @@ fn card_ui(ui: &mut Ui, view: &View<'_>, fit: Option<&Fit>) {
                 quiet(ui, &word);
                 return;
             };
-            let (rect, _) = ui.allocate_exact_size(vec2(space(16.0), space(16.0)), Sense::hover());
-            shapes::fit_kind(ui.painter(), rect, fit.kind(), colour, fill);
-            let wanted = ui.available_width() * 0.12;
+            if !is_low(ui) {
+                let (rect, _) = ui.allocate_exact_size(vec2(space(16.0), space(16.0)), Sense::hover());
+                shapes::fit_kind(ui.painter(), rect, fit.kind(), colour, fill);
+            }
+            let wanted = (ui.available_width() * 0.12).min(ui.ctx().content_rect().height() * 0.1);
             let galley = ui.painter().layout_no_wrap(word.clone(), theme::bold(wanted), colour);
             let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0));
             ui.label(RichText::new(&word).font(theme::bold(size.floor())).color(colour));
@@ -78,7 +84,9 @@ fn card_ui(ui: &mut Ui, view: &View<'_>, fit: Option<&Fit>) {
             ui.label(RichText::new(&line).font(theme::bold(sizes().value)).color(colour));
             said.push(line);
         });
-        if let Some(fit) = fit {
+        if let Some(fit) = fit
+            && !is_tiny(ui)
+        {
             said.extend(figures_ui(ui, view, fit));
         }
     });
@@ -144,7 +152,7 @@ fn equivalent_ui(ui: &mut Ui, view: &mut View<'_>, equivalent: &Equivalent) {
     ui.horizontal(|ui| {
         let name = heading(ui, view.text("fit-equivalent"));
         let Equivalent { hole, shaft, difference } = equivalent;
-        let button = Button::new(format!("{hole}/{shaft}")).min_size(vec2(space(20.0), sizes().field));
+        let button = Button::new(format!("{hole}/{shaft}")).min_size(vec2(space(20.0), control(ui)));
         if ui.add_enabled(difference.is_ok(), button).labelled_by(name.id).clicked() {
             view.send(FitCommand::TakePair(*hole, *shaft));
         }

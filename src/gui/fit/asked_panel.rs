@@ -3,7 +3,7 @@
 use eframe::egui::{Button, Grid, Id, Ui, vec2};
 
 use crate::gui::field::{Look, error_ui, field_ui};
-use crate::gui::theme::{sizes, space};
+use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, list_ui, quiet};
 use crate::session::{FitCommand, FitField};
 use crate::tolerance::ToleranceClass;
@@ -53,7 +53,7 @@ fn preferred_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
                 for (hole, shaft) in list.fits() {
                     let of_list = chosen.filter(|(hole, shaft)| preference(*hole, *shaft) == Some(list));
                     let button = Button::selectable(of_list == Some((hole, shaft)), format!("{hole}/{shaft}"));
-                    let button = button.min_size(vec2(space(19.0), sizes().field));
+                    let button = button.min_size(vec2(space(19.0), control(ui)));
                     if ui.add_enabled(view.session.fit().is_defined(hole, shaft), button).clicked() {
                         view.send(FitCommand::TakePair(hole, shaft));
                         ui.close();
@@ -77,7 +77,7 @@ fn function_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
                 for fit in function.fits() {
                     let is = chosen == Some((fit.hole, fit.shaft));
                     let button = Button::selectable(is, format!("{}/{}", fit.hole, fit.shaft));
-                    let button = button.min_size(vec2(space(22.0), sizes().field));
+                    let button = button.min_size(vec2(space(22.0), control(ui)));
                     if ui.add_enabled(view.session.fit().is_defined(fit.hole, fit.shaft), button).clicked() {
                         view.send(FitCommand::TakePair(fit.hole, fit.shaft));
                         ui.close();

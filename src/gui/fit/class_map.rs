@@ -10,7 +10,7 @@ use eframe::egui::{
 
 use super::staircase::staircase_ui;
 use crate::gui::class_chooser::feature_classes_id;
-use crate::gui::theme::{self, Palette, palette, sizes, space};
+use crate::gui::theme::{self, Palette, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::session::{Action, ClassMap, FitCommand, MapCell};
@@ -55,7 +55,7 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
         for feature in [Feature::Hole, Feature::Shaft] {
             let show = Action::ShowClasses(feature);
             let button = Button::selectable(side == feature, show.text(session, view.words));
-            view.button_as(ui, show, button.min_size(vec2(0.0, sizes().field)));
+            view.button_as(ui, show, button.min_size(vec2(0.0, control(ui))));
         }
     });
     let Some(map) = session.fit().map(side) else {

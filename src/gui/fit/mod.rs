@@ -17,10 +17,11 @@ mod picture;
 mod search_panel;
 mod staircase;
 
-use eframe::egui::{CentralPanel, Id, Panel, ScrollArea, Ui};
+use eframe::egui::{Id, Ui};
 
 pub(super) use class_map::map_id;
 
+use super::columns::{Page, column_ui, columns_ui};
 use super::dialogs::just_opened;
 use super::field;
 use super::theme::space;
@@ -32,11 +33,12 @@ pub(super) fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("fit-page")) {
         ui.memory_mut(|memory| memory.request_focus(field::id(FitField::Callout)));
     }
-    let size = ui.available_size();
-    let narrow = size.x < 1200.0;
-    let side = if narrow { space(66.0) } else { space(74.0) };
-    Panel::left("fit-asked").exact_size(side).show(ui, |ui| {
-        column_ui(ui, |ui| {
+    let page = Page {
+        name: "fit",
+        left: space(74.0),
+        right: space(82.0),
+        head: None,
+        asked: |ui, view| {
             asked_panel::callout_ui(ui, view);
             ui.separator();
             parts_panel::parts_ui(ui, view);
@@ -44,25 +46,18 @@ pub(super) fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
             parts_panel::temperature_ui(ui, view);
             ui.separator();
             search_panel::search_ui(ui, view);
-        });
-    });
-    let side = if narrow { space(72.0) } else { space(80.0).max(size.x * 0.25) };
-    Panel::right("fit-answer").exact_size(side).show(ui, |ui| column_ui(ui, |ui| answer_panel::answer_ui(ui, view)));
-    CentralPanel::default().show(ui, |ui| {
-        let height = ui.available_height();
-        column_ui(ui, |ui| {
-            picture::picture_ui(ui, view, (height * 0.31).max(space(50.0)));
-            ui.separator();
-            class_map::class_map_ui(ui, view, height);
-        });
-    });
-}
-
-/// A column that scrolls where the window is low; the floating bar never covers its content.
-fn column_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        ui.set_max_width(ui.available_width() - space(2.5));
-        ui.spacing_mut().item_spacing.y = space(1.0);
-        content(ui);
-    });
+        },
+        seen: |ui, view| {
+            let height = ui.available_height();
+            column_ui(ui, "fit-seen", |ui| {
+                picture::picture_ui(ui, view, (height * 0.31).max(space(50.0)));
+                ui.separator();
+                class_map::class_map_ui(ui, view, height);
+            });
+        },
+        seen_height: space(190.0),
+        verdict: |ui, view| answer_panel::kind_ui(ui, view),
+        answer: answer_panel::answer_ui,
+    };
+    columns_ui(ui, view, &page);
 }

@@ -4,7 +4,7 @@ use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{Atom, AtomExt as _, Button, RichText, ScrollArea, Ui, vec2};
 
 use super::parts_panel::pair_ui;
-use crate::gui::theme::{self, Hex, palette, sizes, space};
+use crate::gui::theme::{self, Hex, control, palette, sizes, space};
 use crate::gui::view::{View, heading, list_ui, problem, quiet};
 use crate::length::Length;
 use crate::message::Message;
@@ -70,10 +70,10 @@ fn found_ui(ui: &mut Ui, view: &mut View<'_>, found: &Found) {
     }
     quiet(ui, text);
     ui.spacing_mut().item_spacing.y = space(0.5);
-    let height = (sizes().field + space(0.5)) * ROWS;
+    let height = (control(ui) + space(0.5)) * ROWS;
     ScrollArea::vertical().id_salt("fit-found").max_height(height).auto_shrink([false, true]).show_rows(
         ui,
-        sizes().field,
+        control(ui),
         shown,
         |ui, rows| {
             ui.set_max_width(ui.available_width() - space(2.5));
@@ -106,7 +106,7 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, candidate: &Candidate) {
     let remark = RichText::new(remark).size(sizes().small).color(palette.quiet.0).atom_shrink(true);
     let chosen = (view.session.fit().class(Feature::Hole), view.session.fit().class(Feature::Shaft));
     let button = Button::new((job, Atom::grow(), remark)).truncate().selected(chosen == (Some(hole), Some(shaft)));
-    let size = vec2(ui.available_width(), sizes().field);
+    let size = vec2(ui.available_width(), control(ui));
     if ui.add_sized(size, button).accessible_name(name).clicked() {
         view.send(FitCommand::TakePair(hole, shaft));
     }

@@ -5,7 +5,7 @@ use eframe::egui::{Button, CollapsingHeader, Frame, Label, Margin, RichText, Sen
 
 use crate::gui::popup;
 use crate::gui::shapes;
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
 use crate::gui::view::{View, heading, live, quiet};
 use crate::message::Message;
@@ -18,11 +18,9 @@ use crate::words::Words;
 /// The most windows and cycles that are drawn; the last ones count.
 const MOST: usize = 20;
 
-/// The panel's content: the verdict first.
+/// Below the verdict: windows, what was measured, files.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let run = view.session.program().run();
-    verdict_ui(ui, view, run);
-    let Some(run) = run else {
+    let Some(run) = view.session.program().run() else {
         quiet(ui, view.text("program-page-no-windows"));
         return;
     };
@@ -38,7 +36,8 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 /// The verdict in one line, so that the program's own window stays in sight.
-fn verdict_ui(ui: &mut Ui, view: &View<'_>, run: Option<&Run>) {
+pub(super) fn verdict_ui(ui: &mut Ui, view: &View<'_>) {
+    let run = view.session.program().run();
     let status = run.and_then(Run::status);
     let measured = run.and_then(|run| run.cycles().last()).and_then(|cycle| main_value(view.words, cycle));
     let word = view.text(status_id(status));
@@ -109,7 +108,7 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
             let word = view.text(status_id(status));
             let value = main_value(view.words, cycle).unwrap_or_default();
             let text = format!("{}  {word}  {value}", cycle.cycle.code);
-            let button = Button::new(text).frame(false).min_size(vec2(0.0, sizes().field));
+            let button = Button::new(text).frame(false).min_size(vec2(0.0, control(ui)));
             if ui.add(button).on_hover_text(view.text("program-page-show-block")).clicked() {
                 view.send(ProgramCommand::GoTo(cycle.place.clone()));
             }

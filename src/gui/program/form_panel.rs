@@ -6,7 +6,7 @@ use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
 use crate::gui::field::{Pairs, pairs_ui};
 use crate::gui::limits::source_ui;
 use crate::gui::shapes;
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, list_ui, live, problem, quiet};
 use crate::message::Message;
@@ -159,7 +159,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
             fields_ui(ui, view, &centre);
         }
         WorkpieceFrom::Simulated => {
-            let button = Button::new(view.text("program-page-edit-workpiece")).min_size(vec2(0.0, sizes().field));
+            let button = Button::new(view.text("program-page-edit-workpiece")).min_size(vec2(0.0, control(ui)));
             view.button_as(ui, Action::EditWorkpiece, button);
             if let Some(error) = view.session.workpiece().problem() {
                 problem(ui, view.words.say(&error));
@@ -170,7 +170,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
                 let message = Message::new("program-page-recorded").text("name", &recorded.name);
                 quiet(ui, view.words.say(&message.count("count", recorded.contacts.len())));
             }
-            let button = Button::new(view.text("program-page-open-contacts")).min_size(vec2(0.0, sizes().field));
+            let button = Button::new(view.text("program-page-open-contacts")).min_size(vec2(0.0, control(ui)));
             view.button_as(ui, Action::OpenContacts, button);
         }
     }

@@ -22,9 +22,10 @@ mod watch_panel;
 
 use std::time::Duration;
 
-use eframe::egui::{CentralPanel, Frame, Id, Panel, ScrollArea, Ui};
+use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
 pub(super) use listing::id as listing_id;
 
+use super::columns::{column_ui, fill, of_height};
 use super::cycles::workpiece_window;
 use super::dialogs::just_opened;
 use super::field;
@@ -41,25 +42,49 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     // Where the window is low, the path of the probe is below the inputs.
     let (narrow, low) = (size.x < 1200.0, size.y < 640.0);
     Panel::top("program-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
-    let side = if narrow { space(64.0) } else { space(74.0) };
-    Panel::left("program-inputs").exact_size(side).show(ui, |ui| {
-        column_ui(ui, "program-inputs", |ui| {
-            form_panel::form_ui(ui, view);
-            if low && path_panel::has_path(view) {
+    let inputs = |ui: &mut Ui, view: &mut View<'_>| {
+        form_panel::form_ui(ui, view);
+        if low && path_panel::has_path(view) {
+            ui.separator();
+            path_panel::path_ui(ui, view);
+        }
+    };
+    if size.x < space(225.0) {
+        // Beside the program everything else in one column, the verdict above it.
+        let side = Panel::left("program-side").resizable(true).default_size(size.x * 0.42);
+        side.size_range(size.x * 0.3..=size.x * 0.7).show(ui, |ui| {
+            fill(ui);
+            answer_panel::verdict_ui(ui, view);
+            column_ui(ui, "program-side", |ui| {
+                inputs(ui, view);
                 ui.separator();
-                path_panel::path_ui(ui, view);
-            }
+                answer_panel::answer_ui(ui, view);
+                ui.separator();
+                of_height(ui, space(80.0), |ui| watch_panel::watch_ui(ui, view));
+            });
         });
-    });
-    let side = if narrow { space(78.0) } else { space(90.0).max(size.x * 0.26) };
-    Panel::right("program-answer").exact_size(side).show(ui, |ui| {
-        // The parameters keep a share of the height whatever is above them.
-        let height = (ui.available_height() * 0.4).max(space(44.0));
-        Panel::bottom("program-watch").exact_size(height).show(ui, |ui| watch_panel::watch_ui(ui, view));
-        CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
-            column_ui(ui, "program-answers", |ui| answer_panel::answer_ui(ui, view));
+    } else {
+        let side = if narrow { space(64.0) } else { space(74.0) };
+        let panel = Panel::left("program-inputs").resizable(true).default_size(side);
+        panel.size_range(space(56.0)..=size.x * 0.4).show(ui, |ui| {
+            column_ui(ui, "program-inputs", |ui| inputs(ui, view));
         });
-    });
+        let side = if narrow { space(78.0) } else { space(90.0) };
+        let panel = Panel::right("program-answer").resizable(true).default_size(side);
+        panel.size_range(space(66.0)..=size.x * 0.4).show(ui, |ui| {
+            answer_panel::verdict_ui(ui, view);
+            // The parameters keep a share of the height whatever is above them.
+            let height = ui.available_height();
+            let watch = Panel::bottom("program-watch").resizable(true).default_size((height * 0.4).max(space(44.0)));
+            watch.size_range(space(32.0)..=height * 0.8).show(ui, |ui| {
+                fill(ui);
+                watch_panel::watch_ui(ui, view);
+            });
+            CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
+                column_ui(ui, "program-answers", |ui| answer_panel::answer_ui(ui, view));
+            });
+        });
+    }
     let frame = Frame::new().fill(palette(ui.ctx()).panel.0);
     CentralPanel::default().frame(frame).show(ui, |ui| {
         notes_panel::notes_ui(ui, view);
@@ -79,15 +104,6 @@ fn focus_first(ui: &Ui, view: &View<'_>) {
         let first = input.map_or_else(listing::id, |input| field::id(ProgramField::Input(input)));
         ui.memory_mut(|memory| memory.request_focus(first));
     }
-}
-
-/// A column that scrolls where the window is low; the floating bar never covers its content.
-fn column_ui(ui: &mut Ui, id: &str, content: impl FnOnce(&mut Ui)) {
-    ScrollArea::vertical().id_salt(id).auto_shrink(false).show(ui, |ui| {
-        ui.set_max_width(ui.available_width() - space(2.5));
-        ui.spacing_mut().item_spacing.y = space(1.0);
-        content(ui);
-    });
 }
 
 /// Asks for the next slice when it is due; without a run that goes on, nothing is repainted.

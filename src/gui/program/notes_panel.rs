@@ -3,7 +3,7 @@
 use eframe::egui::{Button, Panel, RichText, ScrollArea, Sense, Ui, vec2};
 
 use crate::gui::shapes;
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::session::ProgramCommand;
@@ -20,7 +20,7 @@ pub(super) fn notes_ui(ui: &mut Ui, view: &mut View<'_>) {
     if count == 0 {
         return;
     }
-    let row = sizes().field;
+    let row = control(ui);
     let lines = f32::from(u8::try_from(count).unwrap_or(LINES).min(LINES));
     let height = row * (lines + 1.0) + space(4.0);
     Panel::bottom("program-problems").exact_size(height).show(ui, |ui| {
@@ -53,7 +53,7 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, number: usize) {
         let font = if is_error { theme::bold(sizes().small) } else { theme::font(sizes().small) };
         let colour = if is_error { palette.error.0 } else { palette.text.0 };
         let text = RichText::new(&said).font(font).color(colour);
-        let button = Button::new(text).frame(false).truncate().min_size(vec2(0.0, sizes().field));
+        let button = Button::new(text).frame(false).truncate().min_size(vec2(0.0, control(ui)));
         if ui.add(button).on_hover_text(said).clicked() {
             view.send(ProgramCommand::GoTo(note.place));
         }

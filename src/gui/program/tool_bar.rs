@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, RichText, Sense, Ui, vec2};
 
 use super::paint;
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_height, list_ui, live};
 use crate::nc::machine::Shipped;
 use crate::session::program::{Document, EntryKind, Origin, Run, Speed, State, Switch};
@@ -20,7 +20,7 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         run_ui(ui, view);
     });
     ui.horizontal_wrapped(|ui| {
-        ui.set_min_height(sizes().field);
+        ui.set_min_height(control(ui));
         state_ui(ui, view);
         calls_ui(ui, view);
         ui.separator();
@@ -59,7 +59,7 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
     if view.session.program().is_running() {
         view.field_button(ui, Action::PauseProgram);
     } else {
-        view.main_button(ui, Action::RunProgram, vec2(space(20.0), sizes().field));
+        view.main_button(ui, Action::RunProgram, vec2(space(20.0), control(ui)));
     }
     for action in
         [Action::StepProgram, Action::StepOver, Action::RunToSelected, Action::ToggleBreakpoint, Action::ResetProgram]
@@ -143,12 +143,12 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.set_min_width(space(70.0));
         // Only the entries in sight: there may be thousands.
         let area = eframe::egui::ScrollArea::vertical().max_height(height).id_salt("outline");
-        area.show_rows(ui, sizes().field, outline.len(), |ui, rows| {
+        area.show_rows(ui, control(ui), outline.len(), |ui, rows| {
             for (number, entry) in rows.clone().zip(outline.get(rows).unwrap_or_default()) {
                 let depth = entry.depth.saturating_sub(1) + usize::from(entry.kind == EntryKind::Label);
                 let text = format!("{}{}", "    ".repeat(depth.min(8)), entry.text);
                 let button = Button::selectable(under == Some(number), text).truncate();
-                if ui.add(button.min_size(vec2(0.0, sizes().field))).clicked() {
+                if ui.add(button.min_size(vec2(0.0, control(ui)))).clicked() {
                     let program = document.path().clone();
                     let place = crate::nc::machine::BlockPlace { program, block: entry.block };
                     view.send(ProgramCommand::GoTo(place));

@@ -5,7 +5,7 @@ use eframe::egui::{Align2, Button, Rect, RichText, ScrollArea, Sense, Ui, Widget
 
 use crate::control::variables::Value;
 use crate::gui::field::{Look, error_ui, field_ui};
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::nc::machine::shown;
@@ -53,7 +53,7 @@ fn given_ui(ui: &mut Ui, view: &mut View<'_>) {
         let id = value.id;
         value.widget_info(|| WidgetInfo::labeled(Role::Label, true, view.text("program-page-value")));
         field_ui(ui, view, ProgramField::Value, id, small(width));
-        let button = Button::new(give).min_size(vec2(0.0, sizes().field));
+        let button = Button::new(give).min_size(vec2(0.0, control(ui)));
         view.button_as(ui, Action::GiveValue, button);
     });
     error_ui(ui, view, ProgramField::Name);

@@ -5,7 +5,7 @@ use eframe::egui::{Align, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText,
 
 use super::grid;
 use crate::gui::field::{Look, error_ui, field_ui};
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, live, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
@@ -69,9 +69,9 @@ fn figures_ui(ui: &mut Ui, view: &mut View<'_>, selected: &Selected<'_>) {
             value_ui(ui, view, field, name.id);
             let is = selected.standard.map(part);
             let is_text = is.map_or_else(|| "–".to_owned(), |is| view.words.signed_um(is));
-            right_ui(ui, sizes().field, |ui| ui.label(is_text));
+            right_ui(ui, control(ui), |ui| ui.label(is_text));
             let by = selected.cell.map(part).zip(is).map(|(has, is)| has.saturating_sub(is));
-            right_ui(ui, sizes().field, |ui| match by {
+            right_ui(ui, control(ui), |ui| match by {
                 Some(by) if by != Length::ZERO => {
                     let text = RichText::new(view.words.signed_um(by)).font(theme::bold(sizes().body));
                     ui.label(text.color(palette(ui.ctx()).error.0))

@@ -25,7 +25,8 @@ pub(super) fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     Panel::top("table-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
     let side = if size.x < 1200.0 { space(72.0) } else { space(80.0) };
-    Panel::right("table-cell").exact_size(side).show(ui, |ui| {
+    let panel = Panel::right("table-cell").resizable(true).default_size(side.min(size.x * 0.45));
+    panel.size_range(space(50.0)..=size.x * 0.6).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             // The scroll bar floats: it must not cover the fields.
             ui.set_max_width(ui.available_width() - space(2.5));

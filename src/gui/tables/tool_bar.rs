@@ -7,7 +7,7 @@ use super::paint;
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::gui::field::{Look, field_ui};
 use crate::gui::shapes;
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_ui, live, quiet};
 use crate::message::Message;
 use crate::session::tables::{Origin, TableChoice};
@@ -32,7 +32,7 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.field_button(ui, Action::UseTable);
     });
     ui.horizontal_wrapped(|ui| {
-        ui.set_min_height(sizes().field);
+        ui.set_min_height(control(ui));
         filter_ui(ui, view);
         ui.separator();
         summary_ui(ui, view);

@@ -19,7 +19,7 @@ use super::cycles::CyclesCommand;
 use super::program::{ProgramField, Switch};
 use super::tables::{self, TablesField};
 use super::workpiece::WorkpieceCommand;
-use super::{Command, Field, MeasureBy, Page, Session, Step, Theme};
+use super::{Command, Density, Field, MeasureBy, Page, Session, Step, Theme};
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::length::Length;
 use crate::message::Message;
@@ -123,6 +123,8 @@ actions! {
     ExportStatus;
     /// Chooses light, dark, or the system's setting.
     UseTheme(Theme): [Theme::System, Theme::Light, Theme::Dark];
+    /// Chooses how high everything is that is pressed.
+    UseDensity(Density): Density::ALL;
     /// Looks limits up in a source of the list.
     UseSource(Base): Base::ALL;
     /// Rounds the halves of js, or not.

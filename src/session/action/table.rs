@@ -8,7 +8,7 @@ use crate::session::fit::FitCommand;
 use crate::session::program::{ProgramCommand, Run, Switch};
 use crate::session::tables::{self, TablesCommand, TablesField};
 use crate::session::workpiece::WorkpieceCommand;
-use crate::session::{Command, CycleFile, Lot, MeasureBy, Page, Purpose, Session, Step, Theme};
+use crate::session::{Command, CycleFile, Density, Lot, MeasureBy, Page, Purpose, Session, Step, Theme};
 use crate::tolerance::iso286::{Edition, JsHalves, Options};
 use crate::tolerance::{Deviations, Feature, ToleranceClass};
 
@@ -119,6 +119,14 @@ pub(super) fn row(action: Action) -> Row {
             };
             everywhere(text, Command::SetTheme(theme))
         }
+        Action::UseDensity(density) => {
+            let text = match density {
+                Density::ByUse => "density-by-use",
+                Density::Mouse => "density-mouse",
+                Density::Touch => "density-touch",
+            };
+            everywhere(text, Command::SetDensity(density))
+        }
         Action::UseSource(base) => everywhere(base.text(), Command::UseSource(base)),
         Action::RoundJs => switch("standard-js-rounded", |session| {
             let options = session.sources().options();
@@ -169,8 +177,10 @@ pub(super) fn row(action: Action) -> Row {
         Action::MoveFile(step) => in_dialog("dialog-move", FilesCommand::Move(step))
             .key(keys(step))
             .when(|session| free_dialog(session).is_some_and(|dialog| !dialog.list.is_empty())),
-        Action::ReplaceFile => Row::new(Place::Dialog, "dialog-replace", Sends::Always(FilesCommand::Replace(true).into()))
-            .when(asks_to_replace),
+        Action::ReplaceFile => {
+            Row::new(Place::Dialog, "dialog-replace", Sends::Always(FilesCommand::Replace(true).into()))
+                .when(asks_to_replace)
+        }
         Action::KeepFile => Row::new(Place::Dialog, "dialog-keep", Sends::Always(FilesCommand::Replace(false).into()))
             .when(asks_to_replace),
 
@@ -337,6 +347,7 @@ pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
     Some(match action {
         Action::Open(page) => session.page() == page,
         Action::UseTheme(theme) => session.theme() == theme,
+        Action::UseDensity(density) => session.density() == density,
         Action::UseSource(base) => session.sources().base() == base,
         Action::RoundJs => rounds_js(session.sources().options()),
         Action::Edition1988 => is_of_1988(session.sources().options()),
