@@ -242,7 +242,12 @@ fn a_proposed_name_has_only_what_every_system_allows() {
 fn a_name_without_an_ending_gets_the_one_of_its_kind() {
     let mut session = session();
     check(&mut session, "25 H7", "25.012");
-    for (typed, path) in [("mine", "/home/mia/mine.csv"), ("mine.txt", "/home/mia/mine.txt")] {
+    for (typed, path) in [
+        ("mine", "/home/mia/mine.csv"),
+        ("mine.txt", "/home/mia/mine.txt"),
+        ("bore 12.5", "/home/mia/bore 12.5.csv"),
+        ("sub/mine", "/home/mia/sub/mine.csv"),
+    ] {
         send(&mut session, Command::OpenDialog(csv()));
         send(&mut session, Command::TypePath(typed.into()));
         let effects = send(&mut session, Command::Confirm);
@@ -250,6 +255,21 @@ fn a_name_without_an_ending_gets_the_one_of_its_kind() {
         assert_eq!(saved, Path::new(path));
         send(&mut session, Command::Close);
     }
+}
+
+#[test]
+fn a_name_taken_from_the_list_goes_along_to_another_folder() {
+    let mut session = session();
+    check(&mut session, "25 H7", "25.012");
+    send(&mut session, Command::OpenDialog(csv()));
+    send(&mut session, listed("/home/mia", &["old/", "a.csv"]));
+    send(&mut session, FilesCommand::Select(1));
+    assert_eq!(dialog(&session).path, "a.csv");
+    send(&mut session, FilesCommand::Select(0));
+    assert_eq!(dialog(&session).path, "a.csv");
+    let effects = send(&mut session, Command::Confirm);
+    let [Effect::Save(path, _)] = effects.as_slice() else { panic!("{effects:?}") };
+    assert_eq!(path, Path::new("/home/mia/old/a.csv"));
 }
 
 /// An export whose file exists, before the user has answered.

@@ -1,5 +1,6 @@
 //! The file dialog: a typed path, a list of the folder, and the question whether a file may be replaced.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::command::FilesCommand;
@@ -146,8 +147,12 @@ impl Dialog {
             (_, _, Some(folder)) => folder.join(typed),
             _ => typed.to_owned(),
         };
-        if !self.purpose.is_reading() && path.extension().is_none() && path.file_name().is_some() {
-            path.set_extension(ending(self.purpose));
+        // What follows the point of `bore 12.5` is no ending.
+        let is_ending = |text: &OsStr| text.to_string_lossy().chars().any(char::is_alphabetic);
+        let has_ending = self.purpose.is_reading() || path.extension().is_some_and(is_ending);
+        if let Some(mut name) = path.file_name().filter(|_| !has_ending).map(OsStr::to_owned) {
+            name.push(format!(".{}", ending(self.purpose)));
+            path.set_file_name(name);
         }
         Some(path)
     }
@@ -160,8 +165,12 @@ impl Dialog {
         self.problem = None;
         if self.wants_folder() {
             self.choose(folder.clone(), folder.display().to_string());
-        } else if self.purpose.is_reading() {
-            (self.path, self.chosen) = (String::new(), None);
+        } else {
+            // A name that is written goes along to the other folder.
+            self.chosen = None;
+            if self.purpose.is_reading() {
+                self.path.clear();
+            }
         }
         self.list.ask(folder);
     }
