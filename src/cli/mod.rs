@@ -3,7 +3,7 @@
 //! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage. A closed pipe ends the
 //! program quietly. Nothing here needs a display.
 //!
-//! A new subcommand is a file with its `Args` and a line in the table `subcommands!`. The subcommands share:
+//! A new subcommand is a file with its `Args`, a `mod` line and a line in the table `subcommands!`. They share:
 //!
 //! | file | what |
 //! |---|---|

@@ -28,8 +28,7 @@ pub(super) struct Args {
     #[arg(long = "check", value_name = "[NAME:] CALLOUT=MM")]
     checks: Vec<String>,
 
-    /// File to write, in the format of its ending: .html, .htm, .csv or .json; "-" is standard output
-    #[arg(short, long, value_name = "FILE", value_parser = output)]
+    #[arg(short, long, value_name = "FILE", value_parser = output, help = output_help())]
     output: Output,
 
     /// Format of standard output; for a file its ending gives the format
@@ -100,6 +99,13 @@ enum Output {
     Standard,
     /// A file, in the format of its ending.
     File(PathBuf, &'static Rendering),
+}
+
+/// The help of `--output`: `.html, .htm, .csv or .json`.
+fn output_help() -> String {
+    let endings = report::endings().replace(' ', ", ");
+    let (first, last) = endings.rsplit_once(", ").unwrap_or_default();
+    format!("File to write, in the format of its ending: {first} or {last}; \"-\" is standard output")
 }
 
 /// Reads `--output`: a wrong ending is wrong usage.

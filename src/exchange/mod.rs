@@ -12,7 +12,7 @@
 //! | `tables` | tables of deviations for controls and other tools |
 //! | `delimited` | rows and cells, with their lines |
 //!
-//! A new format is one file here and one line in [`FORMATS`]; command line, dialogs and README follow from the list.
+//! A new format is one file here, its `mod` line and one in [`FORMATS`]; command line, dialogs and README follow from the list.
 //! Nothing here opens a file: a name, bytes, tables and the time come in as arguments.
 
 mod columns;

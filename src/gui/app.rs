@@ -9,7 +9,7 @@ use super::effects::{Errands, Runner};
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{check, cycles, dialogs, field, fit, keypad, keys, program, tables, top_bar};
+use super::{check, cycles, dialogs, field, fit, keys, program, tables, top_bar};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Saved, Session, Theme};
 use crate::words::{Language, Words};
 
@@ -209,6 +209,5 @@ fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
         Page::Tables => tables::tables_ui(ui, view),
         Page::Program => program::program_ui(ui, view),
     }
-    keypad::keypad_ui(ui, view);
     dialogs::dialogs_ui(ui, view);
 }

@@ -4,8 +4,8 @@
 
 use eframe::egui::{Frame, Margin, Memory, Panel, ScrollArea, Ui, vec2};
 
+use super::keypad::{self, keypad_ui};
 use super::theme::space;
-use super::verdict_card::least_width;
 use super::view::View;
 
 /// The least width of the left column.
@@ -32,6 +32,8 @@ pub(super) struct Page {
     pub seen_height: f32,
     /// The verdict, above the right column.
     pub verdict: Draw,
+    /// The least width that the verdict needs, so that its word is never set smaller.
+    pub least: f32,
     /// The right column.
     pub answer: Draw,
 }
@@ -70,7 +72,7 @@ pub(super) fn is_tiny(ui: &Ui) -> bool {
 
 /// The page in the shape that the window has room for.
 pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
-    let least = least_width(ui, view);
+    let least = page.least;
     match Shape::of(ui, least) {
         Shape::One => one_ui(ui, view, page),
         Shape::Two => two_ui(ui, view, page, least),
@@ -79,12 +81,15 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
 }
 
 fn three_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
+    let (is_narrow, all) = (ui.available_width() < space(300.0), ui.available_width());
+    let [left, right] = [page.left, page.right].map(|width| if is_narrow { width * 0.88 } else { width });
     // The middle keeps a fifth of the page, however wide the others are drawn.
-    let most = (ui.available_width() * 0.8 - least).max(LEAST_ASKED);
-    let left = Panel::left((page.name, "asked")).resizable(true).default_size(page.left.min(most));
-    left.size_range(LEAST_ASKED..=most).show(ui, |ui| asked_ui(ui, view, page));
+    let least_asked = LEAST_ASKED.max(keypad::width(view));
+    let most = (all * 0.8 - least).max(least_asked);
+    let left = Panel::left((page.name, "asked", is_narrow)).resizable(true).default_size(left.min(most));
+    left.size_range(least_asked..=most).show(ui, |ui| asked_ui(ui, view, page));
     let most = (ui.available_width() - space(40.0)).max(least);
-    let right = Panel::right((page.name, "answer")).resizable(true).default_size(page.right.clamp(least, most));
+    let right = Panel::right((page.name, "answer", is_narrow)).resizable(true).default_size(right.clamp(least, most));
     right.size_range(least..=most).show(ui, |ui| answer_ui(ui, view, page, false));
     ui.scope(|ui| {
         let frame = Frame::central_panel(ui.style());
@@ -94,8 +99,9 @@ fn three_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
 
 fn two_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
     let most = (ui.available_width() - least).max(LEAST_ASKED);
+    let least_asked = LEAST_ASKED.max(keypad::width(view)).min(most);
     let panel = Panel::left((page.name, "asked", 2)).resizable(true).default_size(page.left.min(most));
-    panel.size_range(LEAST_ASKED..=most).show(ui, |ui| asked_ui(ui, view, page));
+    panel.size_range(least_asked..=most).show(ui, |ui| asked_ui(ui, view, page));
     eframe::egui::CentralPanel::default().show(ui, |ui| answer_ui(ui, view, page, true));
 }
 
@@ -103,6 +109,7 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let margin = Frame::side_top_panel(ui.style()).inner_margin(Margin::same(4));
     let top = Panel::top((page.name, "verdict")).frame(margin).resizable(false);
     top.show(ui, |ui| (page.verdict)(ui, view));
+    keypad_ui(ui, view);
     eframe::egui::CentralPanel::default().show(ui, |ui| {
         column_ui(ui, (page.name, "all"), |ui| {
             for part in page.head.iter().chain([&page.asked]) {
@@ -117,6 +124,7 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
 }
 
 fn asked_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
+    keypad_ui(ui, view);
     if let Some(head) = page.head {
         ui.spacing_mut().item_spacing.y = space(1.0);
         head(ui, view);

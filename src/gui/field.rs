@@ -81,7 +81,7 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>
         }
         response.request_focus();
     }
-    if entered || (response.gained_focus() && !response.is_pointer_button_down_on()) {
+    if entered || is_entered(ui, &response) {
         select_all(ui.ctx(), id, &text);
     }
     if let Some(error) = view.session.error(field) {
@@ -92,6 +92,28 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>
         });
     }
     response
+}
+
+/// Whether a field has just been entered: by key, or by a click that gave it the focus, once the button is released, so
+/// that neither a short nor a long press leaves a cursor in the middle. A drag selects what it was drawn over.
+fn is_entered(ui: &Ui, response: &Response) -> bool {
+    let pressed = response.id.with("pressed");
+    if response.gained_focus() {
+        if keypad::has_given_focus(ui.ctx(), response.id) {
+            return false;
+        }
+        let by_pointer = response.is_pointer_button_down_on() || ui.input(|input| input.pointer.any_pressed());
+        ui.data_mut(|data| data.insert_temp(pressed, by_pointer));
+        // A press and its release in one frame: a touch, or a loaded machine.
+        return !by_pointer || response.clicked();
+    }
+    let was_pressed = ui.data_mut(|data| data.get_temp(pressed)).unwrap_or(false);
+    if was_pressed && !ui.input(|input| input.pointer.any_down()) {
+        ui.data_mut(|data| data.insert_temp(pressed, false));
+        let range = TextEditState::load(ui.ctx(), response.id).and_then(|state| state.cursor.char_range());
+        return response.has_focus() && range.is_none_or(|range| range.is_empty());
+    }
+    false
 }
 
 /// The layout of the columns of [`pairs_ui`].

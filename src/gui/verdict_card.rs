@@ -61,11 +61,11 @@ pub(super) fn lines_below_ui(ui: &mut Ui, card: &Card) {
     }
 }
 
-/// The width of a word; of several words, which go below each other, that of the longest.
+/// The width of a word; of several words or parts, which go below each other, that of the longest.
 fn word_width(ui: &Ui, word: &str, size: f32) -> f32 {
     let width =
         |part: &str| ui.painter().layout_no_wrap(part.to_owned(), theme::bold(size), Color32::PLACEHOLDER).size().x;
-    word.split_whitespace().map(width).fold(0.0, f32::max)
+    word.split_inclusive(['-', ' ']).map(|part| width(part.trim_end())).fold(0.0, f32::max)
 }
 
 /// The card, which is also a live region: a screen reader says the word and the lines.

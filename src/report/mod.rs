@@ -10,7 +10,7 @@
 //! | `text` | sentences about status, source of the limits, size and position |
 //!
 //! A report is made from records and nothing else: no clock, no window, no table. The same report always gives the same
-//! bytes. A new rendering is a file here and a line in [`RENDERINGS`]; the command line's formats and the window's file
+//! bytes. A new rendering is a file here, its `mod` line and one in [`RENDERINGS`]; the command line's formats and the window's file
 //! filters follow from that list. Templates are in `assets/report`.
 
 pub mod band;

@@ -12,13 +12,13 @@ use std::sync::Arc;
 
 use super::callout::{Callout, Tolerance};
 use super::class::{Feature, ToleranceClass};
-use super::iso286::{self, Undefined};
-use super::iso2768::{self, GeneralError};
+use super::iso286;
+use super::iso2768;
 use super::limits::{Deviations, Limits, Source};
 use super::ranges;
 use super::table::DeviationTable;
 use crate::length::Length;
-use crate::message::Say;
+use crate::message::{Message, Say};
 
 /// Where limits are looked up: the user's own tables first, then one source of the list.
 ///
@@ -38,9 +38,9 @@ pub struct Sources {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "limits", error)]
 pub enum LimitsError {
-    /// ISO 286 does not define it.
+    /// The standard does not define it, in its own words.
     #[say(transparent)]
-    Undefined(#[from] Undefined),
+    Standard(Message),
     /// No table has the class.
     UnknownClass {
         /// The class that was asked for.
@@ -86,9 +86,6 @@ pub enum LimitsError {
         #[say(skip)]
         defined: Vec<(Length, Length)>,
     },
-    /// ISO 2768-1 does not define it.
-    #[say(transparent)]
-    General(#[from] GeneralError),
     /// A callout without letters does not name hole or shaft, and a fit names both.
     NoFeature {
         /// What was asked for.
@@ -237,7 +234,8 @@ impl Sources {
                 None => Err(LimitsError::NoFeature { callout: *callout }),
             },
             Tolerance::General(class) => {
-                let iso2768::GeneralCell { deviations, over, to } = iso2768::deviations(class, nominal)?;
+                let iso2768::GeneralCell { deviations, over, to } =
+                    iso2768::deviations(class, nominal).map_err(|why| LimitsError::Standard(why.message()))?;
                 Ok((deviations, Source::Iso2768 { class, over, to }))
             }
             Tolerance::Deviations(deviations) => Ok((deviations, Source::Callout)),

@@ -45,12 +45,12 @@ impl Words {
         self.bundle.find(id)
     }
 
-    /// A sentence in this language.
+    /// A sentence in this language; [`Words::told`] takes what has one.
     pub fn say(&self, message: &Message) -> String {
         self.bundle.say(message, &|plain| self.number(plain))
     }
 
-    /// The text of an error or a warning in this language.
+    /// The text of an error or a warning in this language; [`Words::say`] takes a message that was made by hand.
     pub fn told(&self, what: &impl Say) -> String {
         self.say(&what.message())
     }

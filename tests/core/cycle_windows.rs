@@ -1,10 +1,10 @@
 //! The status window of a measuring cycle, drawn with the mask that the cycle declares or with the user's own.
 
-use fitcheck::control::cycle_status::cycle_window;
+use fitcheck::control::cycle_status::{cycle_mask, cycle_window};
 use fitcheck::control::mask::Mask;
 use fitcheck::control::status::status_word;
-use fitcheck::probing::cycle::{Cycle, CycleResult, Inputs};
-use fitcheck::probing::cycles::cycle_named;
+use fitcheck::probing::cycle::{Cycle, CycleResult, Inputs, Window};
+use fitcheck::probing::cycles::{CYCLES, cycle_named};
 use fitcheck::probing::{Contact, Recorded};
 use fitcheck::verdict::Status;
 use fitcheck::words::Dialogue;
@@ -77,6 +77,22 @@ fn a_coordinate_and_a_point_have_masks_of_their_own() {
         ),
     );
     check(&measured("444", &point, &[[0.0, 0.0, -0.2]]), Dialogue::En, None);
+}
+
+#[test]
+fn every_mask_that_a_cycle_declares_is_there_in_every_language() {
+    let mut missing = Vec::new();
+    for (cycle, language) in CYCLES.iter().flat_map(|cycle| Dialogue::ALL.map(|language| (cycle, language))) {
+        let name = match cycle.window {
+            Window::None => continue,
+            Window::Diameter => "82552",
+            Window::Own(name) => name,
+        };
+        if cycle_mask(cycle, language).is_none() {
+            missing.push(format!("cycle {} declares assets/masks/{name}_{language}.a, which is missing", cycle.code));
+        }
+    }
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
 }
 
 #[test]

@@ -1,6 +1,9 @@
-//! ARCHITECTURE.md and TERMS.md keep their promises: what they name exists.
+//! The documents keep their promises: what they name exists, and the README's list of cycles is the program's.
 
 use std::path::{Path, PathBuf};
+
+use fitcheck::probing::cycle::{Control, Cycle};
+use fitcheck::probing::cycles::{CYCLES, cycles_of};
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -79,5 +82,41 @@ fn every_link_of_the_documents_leads_to_a_file() {
             let is_local = !target.is_empty() && !target.contains("://");
             assert!(!is_local || path.parent().unwrap().join(target).exists(), "{document} links to {target}");
         }
+    }
+}
+
+/// Cycles as the README lists them: `421 to 427, 444 and G785`, with a word before the last.
+fn cycles(all: impl IntoIterator<Item = &'static Cycle>, word: &str) -> String {
+    let mut runs: Vec<(&str, &str, Option<u16>)> = Vec::new();
+    for cycle in all {
+        let number = cycle.code.parse::<u16>().ok();
+        match runs.last_mut() {
+            Some((_, last, next)) if next.is_some() && *next == number => {
+                (*last, *next) = (cycle.code, number.map(|number| number + 1));
+            }
+            _ => runs.push((cycle.code, cycle.code, number.map(|number| number + 1))),
+        }
+    }
+    let text = |&(first, last, _): &(&str, &str, _)| {
+        if first == last { first.to_owned() } else { format!("{first} to {last}") }
+    };
+    let all: Vec<String> = runs.iter().map(text).collect();
+    let (last, others) = all.split_last().unwrap();
+    format!("{} {word} {last}", others.join(", "))
+}
+
+#[test]
+fn the_list_of_cycles_in_the_readme_is_the_program_s() {
+    let text = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let all = || CYCLES.iter().copied();
+    let (and, or) = (cycles(all(), "and"), cycles(all(), "or"));
+    for sentence in [
+        format!("**Measuring cycles.** {and} with"),
+        format!("`fitcheck cycle` runs {and} on"),
+        format!("Choose one of {or}:"),
+        format!("probing cycles {}, against", cycles(cycles_of(Control::Milling), "and")),
+    ] {
+        assert!(text.contains(&sentence), "README.md does not say: {sentence}");
     }
 }

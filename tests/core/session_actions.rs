@@ -46,11 +46,14 @@ fn every_action_has_its_texts_in_every_language() {
         for action in Action::all() {
             let text = action.text(&session, &words);
             // A missing text is shown as its name.
-            if text.contains('{') || text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-') {
-                missing.push(format!("{language}: {action:?} is called {text:?}"));
+            if text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-') {
+                missing.push(format!("assets/locales/{language} has no text {text}: the name of {action:?}"));
+            }
+            if text.contains('{') {
+                missing.push(format!("assets/locales/{language} asks for more than {action:?} gives: {text}"));
             }
             if let Some(hint) = action.hint().filter(|id| words.find(id).is_none()) {
-                missing.push(format!("{language}: {action:?} has no hint {hint:?}"));
+                missing.push(format!("assets/locales/{language} has no text {hint}: the hint of {action:?}"));
             }
         }
     }

@@ -266,7 +266,10 @@ fn a_slot_and_a_boss_are_run_and_read_back() {
     fill(&mut window, &[("Q284", "59,9"), ("Q285", "59,8")]);
     key(&mut window, Modifiers::NONE, Key::F5);
     let said = simulated(&window);
-    assert!(said.starts_with("REWORK. 60.0000 mm. measured length, 1st side. 100.0 µm above maximum"), "{said}");
+    assert!(
+        said.starts_with("REWORK. 60.0000 mm. Remove 100.0 µm to the nearest limit. measured length, 1st side"),
+        "{said}"
+    );
     assert_eq!((result(&window, "Q155"), result(&window, "Q181")), ("40".to_owned(), "1".to_owned()));
 }
 
@@ -276,7 +279,7 @@ fn rework_says_how_much_stops_and_shows_the_control_s_window() {
     key(&mut window, Modifiers::NONE, Key::Enter);
     assert_eq!(
         simulated(&window),
-        "REWORK. 75.0000 mm. measured diameter. 100.0 µm above maximum. Remove 100.0 µm to the nearest limit. \
+        "REWORK. 75.0000 mm. Remove 100.0 µm to the nearest limit. measured diameter. 100.0 µm above maximum. \
          150.0 µm to the middle of the zone. on the diameter; 50.0 µm per side"
     );
     window.get_by_label("program stop by Q309 = 1: measured diameter 75 mm is above its maximum 74.9 mm: REWORK");

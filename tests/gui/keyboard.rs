@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, ViewportId};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, TouchDeviceId, TouchId, TouchPhase, ViewportId, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Store};
@@ -100,14 +100,114 @@ fn a_check_works_by_touch_alone() {
     };
     press(&mut window, &["Key 2", "Key 5"]);
     assert_eq!(window.state().session().text(CheckField::Callout), "25", "the callout had the focus");
+    window.get_by_role_and_label(Role::ComboBox, "Class").scroll_to_me();
+    window.run();
     window.get_by_role_and_label(Role::ComboBox, "Class").click();
     window.run();
     press(&mut window, &["H7"]);
+    window.get_by_role_and_label(Role::TextInput, "Measured value").scroll_to_me();
+    window.run();
     window.get_by_role_and_label(Role::TextInput, "Measured value").click();
     window.run();
     press(&mut window, &["Key 2", "Key 5", "Decimal sign", "Key 0", "Key 3", "Key 3"]);
     press(&mut window, &["Delete last", "Key 0", "Measure with Enter"]);
     assert!(verdict(&window).starts_with("SCRAP. 25.030 mm"), "{}", verdict(&window));
+}
+
+/// Presses the pointer at a widget and releases it after some frames.
+fn click_for(window: &mut Harness<'_, App>, name: &str, frames: usize) {
+    let at = window.get_by_role_and_label(Role::TextInput, name).rect().center();
+    let button =
+        |pressed| Event::PointerButton { pos: at, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE };
+    window.event(Event::PointerMoved(at));
+    window.step();
+    window.event(button(true));
+    window.run_steps(frames);
+    window.event(button(false));
+    window.run_steps(2);
+}
+
+#[test]
+fn a_click_selects_the_text_however_long_it_is() {
+    for frames in [1, 4, 36] {
+        let mut window = window();
+        type_into(&mut window, "Callout", "25 H7");
+        type_into(&mut window, "Measured value", "25.012");
+        type_into(&mut window, "Callout", "25 H7");
+        click_for(&mut window, "Measured value", frames);
+        window.get_by_role_and_label(Role::TextInput, "Measured value").type_text("25.03");
+        window.run();
+        assert_eq!(window.state().session().text(CheckField::Measured), "25.03", "{frames} frames");
+    }
+}
+
+#[test]
+fn the_keypad_replaces_what_is_selected_and_keeps_the_focus_on_the_field() {
+    let mut window = window();
+    type_into(&mut window, "Callout", "25 H7");
+    type_into(&mut window, "Measured value", "25.012");
+    window.get_by_role_and_label(Role::Button, "Keypad").click();
+    window.run();
+    click_for(&mut window, "Callout", 4);
+    click_for(&mut window, "Measured value", 4);
+    let mut press = |key: &str| {
+        window.get_by_role_and_label(Role::Button, key).click();
+        window.run();
+        assert_eq!(focused(&window), "Measured value", "after {key}");
+        window.state().session().text(CheckField::Measured).to_owned()
+    };
+    let said = ["Key 2", "Key 5", "Decimal sign", "Decimal sign", "Key 0", "Decimal sign", "Key 3"].map(&mut press);
+    assert_eq!(said, ["2", "25", "25.", "25.", "25.0", "25.0", "25.03"]);
+    press("Measure with Enter");
+    assert_eq!(press("Key 9"), "9", "after Enter the next value replaces the last one");
+}
+
+#[test]
+fn the_keypad_has_letters_for_classes() {
+    let mut window = window();
+    window.get_by_role_and_label(Role::Button, "Keypad").click();
+    window.run();
+    click_for(&mut window, "Callout", 4);
+    for key in ["Key 2", "Key 5", "Letters", "Space", "Key H", "Capital or small letters", "Figures", "Key 7"] {
+        window.get_by_role_and_label(Role::Button, key).click();
+        window.run();
+    }
+    assert_eq!(window.state().session().text(CheckField::Callout), "25 H7");
+}
+
+#[test]
+fn the_keypad_covers_neither_band_nor_verdict() {
+    for size in [(800.0, 600.0), (1024.0, 600.0), (1280.0, 800.0), (1920.0, 1080.0)] {
+        let mut window = Window { size: size.into(), ..Window::default() }.open();
+        check(&mut window, "25 H7", "25.012");
+        window.get_by_role_and_label(Role::Button, "Keypad").click();
+        window.run();
+        let keys = ["Key 7", "Measure with Enter"].map(|key| window.get_by_role_and_label(Role::Button, key).rect());
+        let keypad = keys[0].union(keys[1]);
+        let verdict = window.get_by_role(Role::Status).rect();
+        assert!(!keypad.intersects(verdict), "{size:?}: {keypad:?} {verdict:?}");
+        let band = window.query_by_role_and_label(Role::Figure, "Limit band").map(|band| band.rect());
+        assert!(band.is_none_or(|band| !keypad.intersects(band)), "{size:?}: {keypad:?} {band:?}");
+        assert!(55.0 <= keys[0].width() && 55.0 <= keys[0].height(), "{size:?}: {:?}", keys[0]);
+        let screen = eframe::egui::Rect::from_min_size(eframe::egui::Pos2::ZERO, size.into());
+        assert!(screen.contains_rect(keypad), "{size:?}: {keypad:?}");
+    }
+}
+
+#[test]
+fn touch_makes_everything_higher_until_a_mouse_moves() {
+    let mut window = window();
+    let height = |window: &Harness<'_, App>| window.get_by_role_and_label(Role::Button, "Measure").rect().height();
+    assert!((height(&window) - 32.0).abs() < 1.0, "{}", height(&window));
+    let touch =
+        |phase| Event::Touch { device_id: TouchDeviceId(1), id: TouchId(1), phase, pos: pos2(5.0, 5.0), force: None };
+    window.event(touch(TouchPhase::Start));
+    window.event(touch(TouchPhase::End));
+    window.run();
+    assert!((height(&window) - 44.0).abs() < 1.0, "{}", height(&window));
+    window.event(Event::PointerMoved(pos2(6.0, 6.0)));
+    window.run();
+    assert!((height(&window) - 32.0).abs() < 1.0, "{}", height(&window));
 }
 
 #[test]

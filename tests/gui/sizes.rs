@@ -8,8 +8,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::session::{
-    Axis, CheckCommand, CheckField, Command, CycleField, CyclesCommand, Field, FitField, MeasureBy, Page,
-    ProgramCommand,
+    CheckCommand, CheckField, Command, CyclesCommand, Field, FitField, MeasureBy, Page, ProgramCommand,
 };
 use fitcheck::words::Language;
 
@@ -123,11 +122,9 @@ fn the_other_pages_at_every_size() {
                     typed(&mut window, FitField::HoleMeasured, "25.012");
                 }
                 Page::Cycles => {
-                    let block =
-                        "TCH PROBE 421 ~\nQ273=50~\nQ274=20~\nQ262=25~\nQ261=-5~\nQ260=50~\nQ275=25.02~\nQ276=25";
+                    let block = "TCH PROBE 421 ~\nQ273=50~\nQ274=20~\nQ262=25~\nQ275=25.02~\nQ276=25";
                     send(&mut window, CyclesCommand::TypeBlock(block.to_owned()));
                     send(&mut window, CyclesCommand::TakeBlock);
-                    typed(&mut window, CycleField::Position(Axis::X), "0");
                     send(&mut window, CyclesCommand::Run);
                 }
                 Page::Program => {

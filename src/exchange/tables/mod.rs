@@ -6,7 +6,7 @@
 //! | `csv` | plain CSV, one line per cell |
 //! | `pcdmis` | the CSV that PC-DMIS reads for ISO tolerances |
 //!
-//! A new format is one file here and one line in [`TABLE_FORMATS`]; command line and dialogs follow from the list.
+//! A new format is one file here, its `mod` line and one in [`TABLE_FORMATS`]; command line and dialogs follow from the list.
 
 mod control;
 mod csv;

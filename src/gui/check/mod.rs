@@ -42,6 +42,7 @@ pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
         seen: seen_ui,
         seen_height: space(110.0),
         verdict: |ui, view| answer_panel::answer_ui(ui, view),
+        least: least_width(ui, view),
         answer: |ui, view| {
             answer_panel::reasons_ui(ui, view);
             ui.add_space(space(2.0));
@@ -57,7 +58,7 @@ pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
     } else {
         history_below_ui(ui, view, &page);
     }
-    if size.x * 1.3 < size.y && Shape::of(ui, least_width(ui, view)) != Shape::One {
+    if size.x * 1.3 < size.y && Shape::of(ui, page.least) != Shape::One {
         return tall_ui(ui, view, &page);
     }
     columns_ui(ui, view, &page);
@@ -66,7 +67,8 @@ pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The history over the width of the page: a table, or one line that unfolds where the window is small.
 fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let size = ui.available_size();
-    let folded = (size.x < space(300.0) && size.y < size.x * 1.3) || size.y < space(175.0);
+    let has_keypad = view.session.has_keypad() && size.y < space(230.0);
+    let folded = has_keypad || (size.x < space(300.0) && size.y < size.x * 1.3) || size.y < space(175.0);
     if folded && !history_panel::is_unfolded(ui) {
         let frame = Frame::side_top_panel(ui.style());
         Panel::bottom("strip").frame(frame).show(ui, |ui| history_panel::strip_ui(ui, view));
@@ -88,8 +90,7 @@ fn tall_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
         fill(ui);
         let width = ui.available_width();
         let answer = Panel::left("check-tall-answer").resizable(true).default_size(width * 0.5);
-        let least = least_width(ui, view);
-        answer.size_range(least.max(width * 0.35)..=least.max(width * 0.65)).show(ui, |ui| {
+        answer.size_range(page.least.max(width * 0.35)..=page.least.max(width * 0.65)).show(ui, |ui| {
             fill(ui);
             (page.verdict)(ui, view);
         });
@@ -98,6 +99,7 @@ fn tall_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let width = ui.available_width();
     let asked = Panel::left("check-tall-asked").resizable(true).default_size(width * 0.5);
     asked.size_range(width * 0.35..=width * 0.65).show(ui, |ui| {
+        super::keypad::keypad_ui(ui, view);
         super::columns::column_ui(ui, "check-tall-asked", |ui| (page.asked)(ui, view));
     });
     eframe::egui::CentralPanel::default().show(ui, |ui| {

@@ -24,6 +24,7 @@ use super::columns::{Page, columns_ui};
 use super::dialogs::just_opened;
 use super::field;
 use super::theme::space;
+use super::verdict_card::least_width;
 use super::view::View;
 use crate::session::{Action, Command, CycleField, CyclesCommand};
 
@@ -43,6 +44,7 @@ pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
         seen: seen_panel::seen_ui,
         seen_height: space(180.0),
         verdict: |ui, view| answer_panel::verdict_ui(ui, view),
+        least: least_width(ui, view),
         answer: answer_panel::answer_ui,
     };
     columns_ui(ui, view, &page);

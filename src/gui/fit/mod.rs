@@ -57,6 +57,7 @@ pub(super) fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
         },
         seen_height: space(190.0),
         verdict: |ui, view| answer_panel::kind_ui(ui, view),
+        least: space(64.0),
         answer: answer_panel::answer_ui,
     };
     columns_ui(ui, view, &page);

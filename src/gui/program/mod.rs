@@ -29,6 +29,7 @@ use super::columns::{column_ui, fill, of_height};
 use super::cycles::workpiece_window;
 use super::dialogs::just_opened;
 use super::field;
+use super::keypad::keypad_ui;
 use super::theme::{palette, space};
 use super::view::View;
 use crate::session::program::Speed;
@@ -55,6 +56,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
         side.size_range(size.x * 0.3..=size.x * 0.7).show(ui, |ui| {
             fill(ui);
             answer_panel::verdict_ui(ui, view);
+            keypad_ui(ui, view);
             column_ui(ui, "program-side", |ui| {
                 inputs(ui, view);
                 ui.separator();
@@ -67,6 +69,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
         let side = if narrow { space(64.0) } else { space(74.0) };
         let panel = Panel::left("program-inputs").resizable(true).default_size(side);
         panel.size_range(space(56.0)..=size.x * 0.4).show(ui, |ui| {
+            keypad_ui(ui, view);
             column_ui(ui, "program-inputs", |ui| inputs(ui, view));
         });
         let side = if narrow { space(78.0) } else { space(90.0) };

@@ -17,6 +17,7 @@ mod tool_bar;
 use eframe::egui::{CentralPanel, Frame, Panel, ScrollArea, Ui};
 pub(super) use grid::id as grid_id;
 
+use super::keypad::keypad_ui;
 use super::theme::{palette, space};
 use super::view::View;
 
@@ -27,6 +28,7 @@ pub(super) fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
     let side = if size.x < 1200.0 { space(72.0) } else { space(80.0) };
     let panel = Panel::right("table-cell").resizable(true).default_size(side.min(size.x * 0.45));
     panel.size_range(space(50.0)..=size.x * 0.6).show(ui, |ui| {
+        keypad_ui(ui, view);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             // The scroll bar floats: it must not cover the fields.
             ui.set_max_width(ui.available_width() - space(2.5));

@@ -1,4 +1,4 @@
-//! The measuring cycles. A new one is a file here and a line in [`CYCLES`].
+//! The measuring cycles. A new one is a file here, its `mod` line and a line in [`CYCLES`].
 //!
 //! | file | cycle |
 //! |---|---|

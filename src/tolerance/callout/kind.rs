@@ -171,16 +171,36 @@ impl Part {
 }
 
 impl CalloutErrorKind {
-    /// Whether the reason alone does not show the place.
+    /// Whether the reason alone does not show the place. Without a wildcard, so that a new reason is decided here.
     pub(super) const fn needs_place(&self) -> bool {
-        !matches!(
-            self,
+        match self {
             Self::Empty
-                | Self::NoNominal { .. }
-                | Self::Nominal(_)
-                | Self::NotPositive { .. }
-                | Self::NoTolerance
-                | Self::TooLong { .. }
-        )
+            | Self::NoNominal { .. }
+            | Self::Nominal(_)
+            | Self::NotPositive { .. }
+            | Self::NoTolerance
+            | Self::TooLong { .. } => false,
+            Self::Class(_)
+            | Self::GeneralCapital { .. }
+            | Self::FitOrder { .. }
+            | Self::FitSide { .. }
+            | Self::Number { .. }
+            | Self::NotA { .. }
+            | Self::Missing { .. }
+            | Self::NoSign { .. }
+            | Self::NoUnit { .. }
+            | Self::DeviationOrder { .. }
+            | Self::LimitsOrder { .. }
+            | Self::LimitsApart { .. }
+            | Self::LimitsOrDeviation { .. }
+            | Self::LimitsMeant { .. }
+            | Self::MinimumNotPositive { .. }
+            | Self::TooLarge { .. }
+            | Self::MixedDecimals { .. }
+            | Self::CycleSign { .. }
+            | Self::NotInCycleText { .. }
+            | Self::TooMuch { .. }
+            | Self::BandOrder => true,
+        }
     }
 }

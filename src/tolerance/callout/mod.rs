@@ -161,6 +161,8 @@ impl Callout {
         Ok(callout)
     }
 
+    /// An error in values has no place. A text's reader gives it that of the class or deviation (`Reader::placed`);
+    /// `CalloutErrorKind::needs_place` says whether the message names it.
     fn above_zero(nominal: Length, tolerance: Tolerance) -> Result<Self, CalloutError> {
         if nominal <= Length::ZERO {
             return Err(CalloutErrorKind::NotPositive { nominal }.into());

@@ -1,7 +1,7 @@
 //! The list of sources that are asked after the user's own tables.
 //!
-//! A new source is a file in `bases/` with its declaration, its lines in this file, and its texts. The command line,
-//! the window's menu, the state file and every look-up follow from that.
+//! A new source is a file in `bases/` with its declaration, its lines in this file (`mod`, variant, `ALL` and
+//! `declaration`), and its texts. The command line, the window's menu, the state file and every look-up follow.
 
 mod control_tables;
 mod iso286;

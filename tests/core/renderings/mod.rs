@@ -19,7 +19,7 @@ use fitcheck::journal::Record;
 use fitcheck::length::Length;
 use fitcheck::message::Message;
 use fitcheck::probing::{Circle, Contact, Measurement, Origin};
-use fitcheck::report::{Report, rendering_for};
+use fitcheck::report::{RENDERINGS, Report, rendering_for};
 use fitcheck::tolerance::{Callout, Deviations, Feature, Limits, Source};
 use fitcheck::verdict::{AxisPosition, PositionVerdict};
 use fitcheck::words::{Language, Words};
@@ -102,6 +102,8 @@ fn the_ending_chooses_the_rendering() {
     assert_eq!(name("b.v2.csv"), Ok("csv"));
     assert_eq!(name("b.json"), Ok("json"));
     let said = |path| name(path).unwrap_err().to_string();
-    assert_eq!(said("b.pdf"), ".pdf is not a format of the report: use one of .html .htm .csv .json");
-    assert_eq!(said("b"), "b has no ending that gives the report's format: use one of .html .htm .csv .json");
+    let endings: Vec<_> = RENDERINGS.iter().flat_map(|to| to.endings).map(|ending| format!(".{ending}")).collect();
+    let endings = endings.join(" ");
+    assert_eq!(said("b.pdf"), format!(".pdf is not a format of the report: use one of {endings}"));
+    assert_eq!(said("b"), format!("b has no ending that gives the report's format: use one of {endings}"));
 }

@@ -2,7 +2,7 @@
 
 use super::{Declaration, Standard};
 use crate::length::Length;
-use crate::message::Message;
+use crate::message::{Message, Say as _};
 use crate::tolerance::ToleranceClass;
 use crate::tolerance::iso286::{self, Cell, Options};
 use crate::tolerance::limits::{Deviations, Source};
@@ -21,7 +21,8 @@ pub(super) const DECLARATION: Declaration = Declaration {
 };
 
 fn deviations(class: ToleranceClass, nominal: Length, options: Options) -> Result<(Deviations, Source), LimitsError> {
-    let Cell { deviations, over, to, remark } = iso286::deviations(class, nominal, options)?;
+    let cell = iso286::deviations(class, nominal, options).map_err(|why| LimitsError::Standard(why.message()))?;
+    let Cell { deviations, over, to, remark } = cell;
     let said = match remark {
         None => Message::new("source-iso286"),
         Some(remark) => Message::new("source-iso286-remark").with("remark", &remark),
