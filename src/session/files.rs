@@ -104,9 +104,9 @@ impl Session {
         vec![Effect::Browse { purpose: dialog.purpose, folder, name }]
     }
 
-    pub(super) fn picked(&mut self, path: Option<PathBuf>, now: DateTime) -> Vec<Effect> {
+    pub(super) fn picked(&mut self, path: Option<&Path>, now: DateTime) -> Vec<Effect> {
         let Some(dialog) = &mut self.shared.dialog else { return Vec::new() };
-        dialog.picked(path.as_deref());
+        dialog.picked(path);
         if path.is_some() { self.confirm(now) } else { Vec::new() }
     }
 

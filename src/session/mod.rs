@@ -150,7 +150,7 @@ impl Session {
             self.tables.follow(&news, shared);
             self.program.follow(&news, shared);
         }
-        let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.to_read());
+        let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));
         effects
     }
@@ -185,7 +185,7 @@ impl Session {
                 }
             }
             Command::Browse => return self.browse(),
-            Command::Picked(path) => return self.picked(path, now),
+            Command::Picked(path) => return self.picked(path.as_deref(), now),
             Command::Confirm => return self.confirm(now),
             Command::Close => self.close(),
             Command::AskToLeave if self.tables.unsaved().next().is_none() => return vec![Effect::Leave],

@@ -329,7 +329,7 @@ fn the_dialog_fits_every_window_and_asks_for_no_repaint() {
         for language in fitcheck::words::Language::all() {
             let home = Some(folder.path().to_owned());
             let size = eframe::egui::vec2(width, height);
-            let mut window = Window { size, home, language, ..Window::default() }.open();
+            let mut window = Window { size, language, home, ..Window::default() }.open();
             open_import(&mut window);
             let words = fitcheck::words::Words::new(language);
             for button in ["dialog-open", "dialog-browse", "dialog-cancel"] {

@@ -102,7 +102,7 @@ impl FolderList {
     }
 
     /// The folder that somebody has to read, once.
-    pub(in crate::session) fn to_read(&mut self) -> Option<PathBuf> {
+    pub(in crate::session) fn take_unread(&mut self) -> Option<PathBuf> {
         std::mem::take(&mut self.is_new).then(|| self.asked.clone()).flatten()
     }
 
