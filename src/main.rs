@@ -10,8 +10,8 @@ use fitcheck::session::{HEAD, Purpose};
 fn main() -> ExitCode {
     match Cli::start() {
         Start::Subcommand(cli) => cli.run_here(),
-        Start::Window(paths) => match paths.into_iter().map(purpose).collect() {
-            Ok(files) => open_window(files),
+        Start::Window(paths) => match paths.into_iter().map(purpose).collect::<Result<Vec<_>, _>>() {
+            Ok(files) => open_window(&files),
             Err(exit) => exit,
         },
     }
@@ -29,17 +29,16 @@ fn purpose(path: PathBuf) -> Result<(Purpose, PathBuf), ExitCode> {
 }
 
 #[cfg(feature = "gui")]
-fn open_window(files: Vec<(Purpose, PathBuf)>) -> ExitCode {
+fn open_window(files: &[(Purpose, PathBuf)]) -> ExitCode {
     env_logger::init();
-    match fitcheck::gui::run(&files) {
+    match fitcheck::gui::run(files) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => tell(&error.to_string()),
     }
 }
 
 #[cfg(not(feature = "gui"))]
-fn open_window(files: Vec<(Purpose, PathBuf)>) -> ExitCode {
-    drop(files);
+fn open_window(_files: &[(Purpose, PathBuf)]) -> ExitCode {
     tell("this program was built without the window: name a subcommand, see fitcheck --help")
 }
 
