@@ -125,11 +125,30 @@ fn save(path: PathBuf, bytes: &[u8], replace: bool) -> Vec<Command> {
 
 /// Starts the system's program for a file, or the one that shows folders.
 fn launch(path: &Path, how: Launch) -> Result<(), String> {
-    let launched = match how {
-        Launch::Open => opener::open(path),
-        Launch::ShowInFolder => opener::reveal(path),
-    };
-    launched.map_err(|error| error.to_string())
+    match how {
+        Launch::Open => open(path),
+        Launch::ShowInFolder => opener::reveal(path).map_err(|error| error.to_string()),
+    }
+}
+
+/// Opens a file, and waits for the answer of the system's opener: the crate does not, and would never learn that there
+/// is no program for the file.
+#[cfg(all(unix, not(target_os = "macos")))]
+fn open(path: &Path) -> Result<(), String> {
+    use std::process::{Command as Process, Stdio};
+    const OPENER: &str = "xdg-open";
+    let mut process = Process::new(OPENER);
+    process.arg(path).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    match process.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{OPENER}: {status}")),
+        Err(error) => Err(format!("{OPENER}: {error}")),
+    }
+}
+
+#[cfg(not(all(unix, not(target_os = "macos"))))]
+fn open(path: &Path) -> Result<(), String> {
+    opener::open(path).map_err(|error| error.to_string())
 }
 
 /// Whether an answer brings what a file holds.
