@@ -15,6 +15,8 @@ fn setup() -> Setup {
         language: Language::En,
         errands: Errands::AtOnce,
         clock: || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
+        home: None,
+        files: Vec::new(),
     }
 }
 

@@ -4,14 +4,16 @@
 
 mod folder;
 mod folders;
+mod listing;
 mod tables;
 
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use folder::{beside, persist};
-pub use folder::{make_folder, write_folder, write_new};
+pub use folder::{make_folder, save, write_folder, write_new};
 pub use folders::Folders;
+pub use listing::{Entry, Listing, MOST_ENTRIES, list};
 pub use tables::{OwnTables, OwnTablesError, read_tables};
 
 use crate::message::Say;
@@ -79,6 +81,14 @@ pub fn read(path: &Path) -> Result<Vec<u8>, FileError> {
     if LARGEST < bytes.len().try_into().unwrap_or(u64::MAX) {
         return Err(FileError::TooLarge { path: path.to_owned() });
     }
+    Ok(bytes)
+}
+
+/// The first bytes of a file, at most this many.
+pub fn read_head(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
+    let file = std::fs::File::open(path).map_err(|error| system(path, &error))?;
+    let mut bytes = Vec::new();
+    file.take(most.try_into().unwrap_or(LARGEST)).read_to_end(&mut bytes).map_err(|error| system(path, &error))?;
     Ok(bytes)
 }
 

@@ -1,29 +1,44 @@
 //! Reads arguments, opens the window or runs a subcommand, and maps errors to exit codes.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::Parser as _;
-use fitcheck::cli::Cli;
+use fitcheck::cli::{Cli, Start};
+use fitcheck::files;
+use fitcheck::session::{HEAD, Purpose};
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
-    if cli.has_subcommand() {
-        return cli.run_here();
+    match Cli::start() {
+        Start::Subcommand(cli) => cli.run_here(),
+        Start::Window(paths) => match paths.into_iter().map(purpose).collect::<Result<Vec<_>, _>>() {
+            Ok(files) => open_window(&files),
+            Err(exit) => exit,
+        },
     }
-    open_window()
+}
+
+/// What a file is opened for. A file that the window does not open is wrong usage, and ends the program.
+fn purpose(path: PathBuf) -> Result<(Purpose, PathBuf), ExitCode> {
+    let head = files::read_head(&path, HEAD).map_err(|error| tell(&error.to_string()))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    match Purpose::of_file(&name, &head) {
+        // The window has no folder of its own that a path could begin from.
+        Ok(purpose) => Ok((purpose, std::path::absolute(&path).unwrap_or(path))),
+        Err(error) => Cli::wrong_usage(&error),
+    }
 }
 
 #[cfg(feature = "gui")]
-fn open_window() -> ExitCode {
+fn open_window(files: &[(Purpose, PathBuf)]) -> ExitCode {
     env_logger::init();
-    match fitcheck::gui::run() {
+    match fitcheck::gui::run(files) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => tell(&error.to_string()),
     }
 }
 
 #[cfg(not(feature = "gui"))]
-fn open_window() -> ExitCode {
+fn open_window(_files: &[(Purpose, PathBuf)]) -> ExitCode {
     tell("this program was built without the window: name a subcommand, see fitcheck --help")
 }
 

@@ -12,6 +12,7 @@
 //! | `answers` | callouts answered one by one as text, CSV or JSON |
 //! | `error` | why a subcommand could not do its work |
 //! | `said` | remarks and warnings beside an answer |
+//! | `start` | a subcommand, the window, or files that it opens |
 
 /// The table of subcommands: one file and one line each.
 macro_rules! subcommands {
@@ -45,6 +46,7 @@ mod nc;
 mod report;
 mod run;
 mod said;
+mod start;
 mod table;
 
 use std::process::ExitCode;
@@ -59,12 +61,14 @@ use error::{CliError, Refused, What};
 pub use io::Io;
 use io::{diameter, heard_or_not, now, read_contacts, read_input, read_table, save, tame};
 use said::{CliRemark, CliWarning};
+pub use start::Start;
 
 /// Good, rework or scrap: limits and fits, measured.
 ///
-/// Without a subcommand the window opens.
+/// Without a subcommand the window opens; with the names of files instead, it opens them.
 #[derive(Debug, Parser)]
 #[command(name = "fitcheck", version, max_term_width = 100, after_help = EXIT_CODES)]
+#[command(override_usage = "fitcheck [COMMAND]\n       fitcheck FILE...")]
 pub struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -142,11 +146,6 @@ impl Outcome {
 }
 
 impl Cli {
-    /// Whether a subcommand was named; without one the window opens.
-    pub const fn has_subcommand(&self) -> bool {
-        self.command.is_some()
-    }
-
     /// Runs the subcommand on the given streams and returns the exit code.
     pub fn run(&self, io: &mut Io<'_>) -> u8 {
         let result = self.command.as_ref().map_or(Ok(Outcome::Done), |command| command.run(io));

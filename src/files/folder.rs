@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::{FileError, folder_of, system};
+use super::{FileError, folder_of, system, write};
 
 /// Writes whole files into a folder and returns their paths. A missing folder is made; its parent must exist.
 ///
@@ -30,11 +30,23 @@ pub fn write_folder(folder: &Path, files: &[(&str, &[u8])], overwrite: bool) -> 
 /// # Errors
 /// [`FileError::Exists`] where the path already exists.
 pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
-    if path.exists() {
+    // A link that leads nowhere is something, too.
+    if path.symlink_metadata().is_ok() {
         return Err(FileError::Exists { path: path.to_owned() });
     }
     let beside = beside(folder_of(path), bytes).map_err(|error| system(path, &error))?;
     persist(beside, path, false)
+}
+
+/// Writes a file whole or not at all; another one of its name is only replaced by leave (`replace`).
+///
+/// # Errors
+/// [`FileError::IsFolder`] where the path is a folder, [`FileError::Exists`] where there is a file to be asked about.
+pub fn save(path: &Path, bytes: &[u8], replace: bool) -> Result<(), FileError> {
+    if path.is_dir() {
+        return Err(FileError::IsFolder { path: path.to_owned() });
+    }
+    if replace { write(path, bytes) } else { write_new(path, bytes) }
 }
 
 /// Makes a folder where there is none; its parent must exist.
@@ -119,6 +131,11 @@ pub(super) fn persist(beside: NamedTempFile, path: &Path, overwrite: bool) -> Re
         Err(error) if error.error.kind() == std::io::ErrorKind::AlreadyExists => {
             Err(FileError::Exists { path: path.to_owned() })
         }
+        // Some network folders know no move that refuses to replace. Nothing was there a moment ago.
+        Err(error) if !overwrite && path.symlink_metadata().is_err() => match error.file.persist(path) {
+            Ok(_file) => Ok(()),
+            Err(error) => Err(system(path, &error.error)),
+        },
         Err(error) => Err(system(path, &error.error)),
     }
 }

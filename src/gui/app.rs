@@ -1,5 +1,7 @@
 //! One frame: draw the panels, apply their commands, run the effects.
 
+use std::path::PathBuf;
+
 use eframe::egui::{Context, Event, ThemePreference, Ui, ViewportCommand};
 use jiff::civil::DateTime;
 
@@ -8,7 +10,7 @@ use super::store::Store;
 use super::theme;
 use super::view::View;
 use super::{check, cycles, dialogs, field, fit, keys, program, tables, top_bar};
-use crate::session::{CheckField, Command, Effect, Page, Saved, Session, Theme};
+use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Saved, Session, Theme};
 use crate::words::{Language, Words};
 
 /// The settings that the window starts with.
@@ -22,13 +24,24 @@ pub struct Setup {
     pub errands: Errands,
     /// The local date and time.
     pub clock: fn() -> DateTime,
+    /// The folder in which dialogs begin until another one was used.
+    pub home: Option<PathBuf>,
+    /// Files that are opened at once, and what for.
+    pub files: Vec<(Purpose, PathBuf)>,
 }
 
 impl Setup {
     /// The settings for a user.
     pub fn for_user() -> Self {
         let language = sys_locale::get_locale().and_then(|locale| Language::from_code(&locale)).unwrap_or_default();
-        Self { store: Store::of_user(), language, errands: Errands::OnThread, clock: || jiff::Zoned::now().datetime() }
+        Self {
+            store: Store::of_user(),
+            language,
+            errands: Errands::OnThread,
+            clock: || jiff::Zoned::now().datetime(),
+            home: etcetera::home_dir().ok(),
+            files: Vec::new(),
+        }
     }
 }
 
@@ -63,7 +76,10 @@ impl App {
             Some(Err(told)) => session.tell(told),
             None => {}
         }
-        let app = Self {
+        if let Some(home) = setup.home {
+            session.use_home(home);
+        }
+        let mut app = Self {
             words: Words::new(session.language()),
             runner: Runner::new(setup.errands),
             saved: session.saved(),
@@ -77,6 +93,8 @@ impl App {
         for effect in effects {
             app.run(&cc.egui_ctx, effect);
         }
+        let files = setup.files.into_iter().map(|(purpose, path)| FilesCommand::Open(purpose, path).into());
+        app.apply(&cc.egui_ctx, files.collect());
         app
     }
 

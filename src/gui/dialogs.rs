@@ -1,26 +1,27 @@
-//! The file dialog with its typed path, and notices.
+//! The file dialog with its typed path and its question, and notices.
 
 use std::path::Path;
 
 use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
 
 use super::field::select_all;
+use super::folder_list::{folder_list_ui, has_room};
 use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use crate::message::Message;
-use crate::session::{Action, Command, CycleFile, Dialog, Notice, Page, Purpose};
+use crate::session::{Action, Command, CycleFile, Dialog, FilesCommand, Notice, Page, Purpose};
 
 /// Files dropped on the window are read, each as the open page uses it.
 fn dropped(ui: &Ui, view: &mut View<'_>) {
     let dropped = ui.input(|input| input.raw.dropped_files.clone());
     for file in dropped {
-        view.send(Command::OpenDialog(match view.session.page() {
+        let purpose = match view.session.page() {
             Page::Tables => Purpose::OpenTable,
             Page::Cycles => Purpose::OpenCycleFile(cycle_file(file.path())),
             Page::Program => program_file(file.path()),
             Page::Check | Page::Fit => Purpose::Import,
-        }));
-        view.send(Command::Picked(Some(file.path().to_owned())));
+        };
+        view.send(FilesCommand::Open(purpose, file.path().to_owned()));
     }
 }
 
@@ -48,10 +49,11 @@ fn cycle_file(path: &Path) -> CycleFile {
 /// Draws the open dialog, or the oldest notice.
 pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
     dropped(ui, view);
+    let session = view.session;
     if view.session.is_leaving() {
         Modal::new(Id::unique("leaving")).show(ui, |ui| leaving_ui(ui, view));
-    } else if let Some(dialog) = view.session.dialog().cloned() {
-        Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, &dialog));
+    } else if let Some(dialog) = session.dialog() {
+        Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, dialog));
     } else if let Some(notice) = view.session.notices().first().cloned() {
         let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
         fixed_window("notice", title, Align2::CENTER_BOTTOM, -space(46.0)).show(ui, |ui| notice_ui(ui, view, &notice));
@@ -79,7 +81,8 @@ fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
-const fn title_id(purpose: Purpose) -> &'static str {
+/// What a file is asked for, or was read for.
+pub(super) const fn title_id(purpose: Purpose) -> &'static str {
     match purpose {
         Purpose::Import => "dialog-import",
         Purpose::LoadMask => "dialog-mask",
@@ -98,43 +101,98 @@ const fn title_id(purpose: Purpose) -> &'static str {
 }
 
 fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
-    ui.set_width(space(140.0));
-    heading(ui, view.text(title_id(dialog.purpose)));
+    let screen = ui.ctx().content_rect().size();
+    ui.set_width(space(160.0).min(screen.x - space(10.0)));
+    let mut content_ui = |ui: &mut Ui| {
+        heading(ui, view.text(title_id(dialog.purpose)));
+        ui.add_enabled_ui(dialog.exists.is_none(), |ui| {
+            path_ui(ui, view, dialog);
+            folder_list_ui(ui, view, dialog);
+        });
+    };
+    if has_room(ui) {
+        content_ui(ui);
+    } else {
+        // The list scrolls away, and the buttons stay.
+        let height = screen.y - control(ui) - space(20.0);
+        ScrollArea::vertical().id_salt("file-dialog").max_height(height).show(ui, content_ui);
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.set_min_height(control(ui));
+        match &dialog.exists {
+            Some(path) => replace_ui(ui, view, path),
+            None => buttons_ui(ui, view, dialog),
+        }
+    });
+}
+
+/// The typed path, and what is wrong with it.
+fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let name = quiet(ui, view.text(if dialog.purpose == Purpose::LoadTables { "folder-path" } else { "file-path" }));
     let mut path = dialog.path.clone();
     let id = Id::unique("dialog-path");
     let field = ui
         .add(TextEdit::singleline(&mut path).id(id).desired_width(f32::INFINITY).min_size(vec2(0.0, control(ui))))
         .labelled_by(name.id);
-    // The dialog asks for the path: the field has the focus at first, and typing replaces a proposed name.
-    if just_opened(ui, id) {
+    // The dialog asks for the path: the field has the focus at first and after a question, and typing replaces a
+    // proposed name.
+    let asked = ui.data_mut(|data| {
+        std::mem::replace(data.get_temp_mut_or_default::<bool>(id.with("asked")), dialog.exists.is_some())
+    });
+    if just_opened(ui, id) || (asked && dialog.exists.is_none()) {
         field.request_focus();
         select_all(ui.ctx(), id, &path);
     }
-    if field.changed() {
+    // There is nothing to delete: the key goes back.
+    if field.has_focus() && dialog.path.is_empty() && ui.input(|input| input.key_pressed(Key::Backspace)) {
+        view.act(Action::FolderUp);
+    } else if field.changed() {
         view.send(Command::TypePath(path.clone()));
     }
-    let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-    if let Some(text) = &dialog.problem {
-        problem(ui, view.words.say(text));
+    if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) && !dialog.is_waiting() {
+        view.send(Command::Confirm);
+        field.request_focus();
     }
-    if dialog.busy {
-        quiet(ui, view.text("dialog-busy"));
-    }
-    ui.horizontal(|ui| {
-        let confirm = if dialog.purpose.is_reading() { "dialog-open" } else { "dialog-save" };
-        let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(24.0), control(ui)));
-        let (confirm, browse, cancel) = (button(confirm), button("dialog-browse"), button("dialog-cancel"));
-        if ui.add_enabled(!dialog.busy, confirm).clicked() || entered {
-            view.send(Command::Confirm);
-        }
-        if ui.add_enabled(!dialog.busy, browse).clicked() {
-            view.send(Command::Browse);
-        }
-        if ui.add(cancel).clicked() {
-            view.send(Command::Close);
+    // The line is there in any case, so that the list stays in its place.
+    ui.vertical(|ui| {
+        ui.set_min_height(space(5.0));
+        if let Some(text) = &dialog.problem {
+            problem(ui, view.words.say(text));
+        } else if dialog.busy {
+            quiet(ui, view.text("dialog-busy"));
+        } else if dialog.nothing_picked {
+            quiet(ui, view.text("dialog-nothing-picked"));
         }
     });
+}
+
+fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
+    let confirm = if dialog.purpose.is_reading() { "dialog-open" } else { "dialog-save" };
+    let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(24.0), control(ui)));
+    let (confirm, cancel) = (button(confirm), button("dialog-cancel"));
+    if ui.add_enabled(!dialog.busy, confirm).clicked() {
+        view.send(Command::Confirm);
+    }
+    let browse = view.named(Action::Browse).min_size(vec2(space(24.0), control(ui)));
+    view.button_as(ui, Action::Browse, browse);
+    if ui.add(cancel).clicked() {
+        view.send(Command::Close);
+    }
+}
+
+/// Asks whether a file may be replaced. Enter keeps it.
+fn replace_ui(ui: &mut Ui, view: &mut View<'_>, path: &Path) {
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+    let question = view.words.say(&Message::new("dialog-exists").text("name", name));
+    problem(ui, question);
+    let size = vec2(space(24.0), control(ui));
+    let keep = view.named(Action::KeepFile).min_size(size);
+    let keep = view.button_as(ui, Action::KeepFile, keep);
+    if just_opened(ui, Id::unique("replace")) {
+        keep.request_focus();
+    }
+    let replace = view.named(Action::ReplaceFile).min_size(size);
+    view.button_as(ui, Action::ReplaceFile, replace);
 }
 
 /// A window that cannot be moved, at a distance below its anchor.
@@ -170,6 +228,11 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
             },
         );
     }
-    let close = view.named(Action::Close).min_size(vec2(space(24.0), control(ui)));
-    view.button_as(ui, Action::Close, close);
+    ui.horizontal_wrapped(|ui| {
+        let of_file = [Action::OpenWritten, Action::ShowWritten].into_iter().filter(|_| notice.file.is_some());
+        for action in of_file.chain([Action::Close]) {
+            let button = view.named(action).min_size(vec2(space(24.0), control(ui)));
+            view.button_as(ui, action, button);
+        }
+    });
 }

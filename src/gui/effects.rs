@@ -22,7 +22,8 @@ use crate::probing::simulated::Simulation;
 use crate::report::RENDERINGS;
 use crate::session::program::Document;
 use crate::session::{
-    CheckCommand, Command, CycleFile, CyclesCommand, Effect, ProgramCommand, Purpose, TablesCommand, WorkpieceCommand,
+    CheckCommand, Command, CycleFile, CyclesCommand, Effect, Fate, FilesCommand, Launch, ProgramCommand, Purpose,
+    TablesCommand, WorkpieceCommand,
 };
 use crate::tolerance::{DeviationTable, Sources};
 
@@ -31,7 +32,7 @@ use crate::tolerance::{DeviationTable, Sources};
 pub enum Errands {
     /// On a thread: the window stays responsive.
     OnThread,
-    /// At once: for tests. File dialogs answer that nothing was picked.
+    /// At once: for tests. File dialogs answer that nothing was picked, and no program is started.
     AtOnce,
 }
 
@@ -64,9 +65,10 @@ impl Runner {
         let (sender, ctx, sources) = (self.sender.clone(), ctx.clone(), Arc::clone(sources));
         let errands = self.errands;
         let errand = move || {
-            let command = answer(effect, errands, &sources, now);
-            // A closed window hears no answer; that is not an error.
-            let _closed = sender.send(command);
+            for command in answers(effect, errands, &sources, now) {
+                // A closed window hears no answer; that is not an error.
+                let _closed = sender.send(command);
+            }
             ctx.request_repaint();
         };
         match errands {
@@ -80,15 +82,87 @@ impl Runner {
     }
 }
 
-fn answer(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) -> Command {
+fn answers(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) -> Vec<Command> {
     match effect {
-        Effect::Browse(purpose) => Command::Picked((errands == Errands::OnThread).then(|| pick(purpose)).flatten()),
-        Effect::Read(purpose, path) => read(purpose, path, sources, now),
-        Effect::Save(path, bytes) => {
-            let result = files::write(&path, &bytes);
-            Command::Saved { path, result }
+        Effect::Browse { purpose, folder, name } => {
+            let picked = (errands == Errands::OnThread).then(|| pick(purpose, folder.as_deref(), &name)).flatten();
+            vec![Command::Picked(picked)]
         }
-        Effect::Copy(_) | Effect::Focus(_) | Effect::Leave => Command::Picked(None),
+        Effect::List(folder) => {
+            let result = files::list(&folder).map(Box::new);
+            vec![FilesCommand::Listed { folder, result }.into()]
+        }
+        Effect::Read(purpose, path) if purpose != Purpose::LoadTables && path.is_dir() => {
+            vec![FilesCommand::IsFolder(path).into()]
+        }
+        Effect::Read(purpose, path) => {
+            let command = read(purpose, path.clone(), sources, now);
+            let fate = match &command {
+                _ if matches!(path.try_exists(), Ok(false)) => Fate::Gone,
+                command if is_read(command) => Fate::Read,
+                _ => Fate::Refused,
+            };
+            vec![FilesCommand::Seen { purpose, path, fate }.into(), command]
+        }
+        Effect::Save(path, bytes) => save(path, &bytes, false),
+        Effect::Replace(path, bytes) => save(path, &bytes, true),
+        Effect::Launch(path, how) => {
+            let result = match errands {
+                Errands::OnThread => launch(&path, how),
+                Errands::AtOnce => Err("no program is started at once".to_owned()),
+            };
+            let failed = |reason: String| Message::new("launch-failed").text("reason", reason);
+            vec![FilesCommand::Launched(result.map_err(failed)).into()]
+        }
+        Effect::Copy(_) | Effect::Focus(_) | Effect::Leave => Vec::new(),
+    }
+}
+
+fn save(path: PathBuf, bytes: &[u8], replace: bool) -> Vec<Command> {
+    let result = files::save(&path, bytes, replace);
+    vec![Command::Saved { path, result }]
+}
+
+/// Starts the system's program for a file, or the one that shows folders.
+fn launch(path: &Path, how: Launch) -> Result<(), String> {
+    match how {
+        Launch::Open => open(path),
+        Launch::ShowInFolder => opener::reveal(path).map_err(|error| error.to_string()),
+    }
+}
+
+/// Opens a file, and waits for the answer of the system's opener: the crate does not, and would never learn that there
+/// is no program for the file.
+#[cfg(all(unix, not(target_os = "macos")))]
+fn open(path: &Path) -> Result<(), String> {
+    use std::process::{Command as Process, Stdio};
+    const OPENER: &str = "xdg-open";
+    let mut process = Process::new(OPENER);
+    process.arg(path).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    match process.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{OPENER}: {status}")),
+        Err(error) => Err(format!("{OPENER}: {error}")),
+    }
+}
+
+#[cfg(not(all(unix, not(target_os = "macos"))))]
+fn open(path: &Path) -> Result<(), String> {
+    opener::open(path).map_err(|error| error.to_string())
+}
+
+/// Whether an answer brings what a file holds.
+const fn is_read(command: &Command) -> bool {
+    match command {
+        Command::Check(CheckCommand::Imported { result, .. }) => result.is_ok(),
+        Command::MaskRead { result, .. } => result.is_ok(),
+        Command::TablesRead { result, .. } => result.is_ok(),
+        Command::Tables(TablesCommand::Read { result, .. }) => result.is_ok(),
+        Command::Program(ProgramCommand::Read { result, .. }) => result.is_ok(),
+        Command::Workpiece(WorkpieceCommand::ContactsRead { result, .. }) => result.is_ok(),
+        Command::Workpiece(WorkpieceCommand::Read(result)) => result.is_ok(),
+        Command::Cycles(CyclesCommand::ProbesRead { result, .. }) => result.is_ok(),
+        _ => false,
     }
 }
 
@@ -168,42 +242,41 @@ fn read_probes(path: &Path) -> Result<ProbeTable, Message> {
     ProbeTable::read(&bytes, &name(path)).map_err(|error| error.message())
 }
 
-/// The system's own dialog. `None` when it was cancelled, or when there is none: the path can still be typed.
-fn pick(purpose: Purpose) -> Option<PathBuf> {
-    let dialog = rfd::FileDialog::new();
+/// The system's own dialog. `None` when it was cancelled, and also when none can be shown: rfd 0.17 tells neither from
+/// the other. On Linux it asks the desktop portal, then `zenity`; where both are missing it only writes to the log. So
+/// the dialog of the window says that nothing came, and its own list is there in either case.
+fn pick(purpose: Purpose, folder: Option<&Path>, name: &str) -> Option<PathBuf> {
     // Patterns are literal: both cases are listed.
-    let both = |endings: &[&str]| -> Vec<String> {
-        endings.iter().flat_map(|ending| [ending.to_lowercase(), ending.to_uppercase()]).collect()
-    };
-    let open = |name: &str, endings: &[&str]| {
-        rfd::FileDialog::new().add_filter(name, &both(endings)).add_filter("*", &["*"]).pick_file()
-    };
+    let endings: Vec<String> =
+        purpose.endings().iter().flat_map(|ending| [ending.to_lowercase(), ending.to_uppercase()]).collect();
+    let mut dialog = rfd::FileDialog::new();
+    if let Some(folder) = folder {
+        dialog = dialog.set_directory(folder);
+    }
+    if purpose == Purpose::LoadTables {
+        return dialog.pick_folder();
+    }
+    let dialog = dialog.add_filter(filter_name(purpose), &endings);
+    if purpose.is_reading() {
+        dialog.add_filter("*", &["*"]).pick_file()
+    } else {
+        dialog.set_file_name(name).save_file()
+    }
+}
+
+/// What the system's dialog calls the kind of file.
+fn filter_name(purpose: Purpose) -> &'static str {
     match purpose {
-        Purpose::Import => open("Measurements", &exchange::endings()),
-        Purpose::LoadMask => open("Mask", &["a"]),
-        Purpose::LoadTables => dialog.pick_folder(),
-        Purpose::OpenTable => open("TAB", &["tab"]),
-        Purpose::OpenProgram => open("NC", &["h"]),
-        Purpose::OpenCycleFile(CycleFile::Contacts) => open("Contacts", &["csv", "txt"]),
-        Purpose::OpenCycleFile(CycleFile::Workpiece) => open("TOML", &["toml"]),
-        Purpose::OpenCycleFile(CycleFile::Probes) => open("TP", &["tp"]),
-        Purpose::SaveWorkpiece => {
-            dialog.add_filter("TOML", &both(&["toml"])).set_file_name("workpiece.toml").save_file()
-        }
-        Purpose::SaveCycleLog => {
-            // The endings that the control uses: text, and HTML for cycle 444.
-            dialog.add_filter("Log", &both(&["txt", "html"])).save_file()
-        }
-        Purpose::SaveTable(number) => {
-            let format = TABLE_FORMATS.get(number)?;
-            dialog.add_filter(format.name, &both(format.endings)).save_file()
-        }
-        Purpose::ExportStatus => dialog.set_file_name("fitcheck-status.txt").save_file(),
-        Purpose::Export(number) => {
-            let rendering = RENDERINGS.get(number)?;
-            let ending = rendering.endings.first()?;
-            let name = format!("fitcheck.{ending}");
-            dialog.add_filter(rendering.name, &both(rendering.endings)).set_file_name(name).save_file()
-        }
+        Purpose::Import => "Measurements",
+        Purpose::LoadMask => "Mask",
+        Purpose::OpenTable | Purpose::LoadTables => "TAB",
+        Purpose::OpenProgram => "NC",
+        Purpose::OpenCycleFile(CycleFile::Contacts) => "Contacts",
+        Purpose::OpenCycleFile(CycleFile::Workpiece) | Purpose::SaveWorkpiece => "TOML",
+        Purpose::OpenCycleFile(CycleFile::Probes) => "TP",
+        Purpose::SaveCycleLog => "Log",
+        Purpose::ExportStatus => "Text",
+        Purpose::SaveTable(number) => TABLE_FORMATS.get(number).map_or("TAB", |format| format.name),
+        Purpose::Export(number) => RENDERINGS.get(number).map_or("Report", |rendering| rendering.name),
     }
 }

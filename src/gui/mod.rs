@@ -7,7 +7,7 @@
 //! | `store` | the state file |
 //! | `theme` | colours, sizes, fonts |
 //! | `check`, `fit`, `cycles`, `tables`, `program` | the pages |
-//! | `top_bar`, `dialogs` | what belongs to every page |
+//! | `top_bar`, `dialogs`, `folder_list` | what belongs to every page |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
 //! | `columns` | three columns, and how they fold |
 //! | `class_chooser`, `field`, `keypad`, `limits`, `popup`, `shapes`, `verdict_card` | widgets of our own |
@@ -23,6 +23,7 @@ mod dialogs;
 mod effects;
 mod field;
 mod fit;
+mod folder_list;
 mod keypad;
 mod keys;
 mod limits;
@@ -41,14 +42,19 @@ pub use effects::Errands;
 pub use store::Store;
 pub use theme::install as install_theme;
 
+use std::path::PathBuf;
+
 use eframe::egui::{Vec2, ViewportBuilder};
 
 use crate::message::Say;
+use crate::session::Purpose;
 
 /// Why the window could not be opened.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "window", error)]
 pub enum WindowError {
+    /// There is no display to open a window on.
+    NoDisplay,
     /// No renderer could open a window.
     NotOpened {
         /// The system's message.
@@ -56,9 +62,20 @@ pub enum WindowError {
     },
 }
 
-/// Opens the window and runs it until it is closed: with OpenGL, or, with the feature `wgpu`, by wgpu where OpenGL
-/// fails.
-pub fn run() -> Result<(), WindowError> {
+/// Whether this system names its display in variables, and none of them is set: the first cause, before any message of
+/// a renderer.
+fn has_no_display() -> bool {
+    let is_named_so = cfg!(all(unix, not(any(target_os = "macos", target_os = "ios", target_os = "android"))));
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    is_named_so && !["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].into_iter().any(is_set)
+}
+
+/// Opens the window with these files and runs it until it is closed: with OpenGL, or, with the feature `wgpu`, by wgpu
+/// where OpenGL fails.
+pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
+    if has_no_display() {
+        return Err(WindowError::NoDisplay);
+    }
     let open = |renderer| {
         let viewport = ViewportBuilder::default()
             .with_app_id("fitcheck")
@@ -66,7 +83,8 @@ pub fn run() -> Result<(), WindowError> {
             .with_inner_size(Vec2::new(1280.0, 800.0))
             .with_min_inner_size(Vec2::new(480.0, 320.0));
         let options = eframe::NativeOptions { viewport, renderer, ..Default::default() };
-        eframe::run_native("fitcheck", options, Box::new(|cc| Ok(Box::new(App::new(cc, Setup::for_user())))))
+        let setup = Setup { files: files.to_owned(), ..Setup::for_user() };
+        eframe::run_native("fitcheck", options, Box::new(|cc| Ok(Box::new(App::new(cc, setup)))))
     };
     let opened = open(eframe::Renderer::Glow);
     #[cfg(feature = "wgpu")]

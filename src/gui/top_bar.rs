@@ -2,11 +2,12 @@
 
 use eframe::egui::{Button, Id, Panel, RichText, Ui};
 
+use super::dialogs::title_id;
 use super::theme::{self, control, sizes, space};
 use super::view::{View, quiet};
 use crate::message::Message;
 use crate::report::RENDERINGS;
-use crate::session::{Action, Command, Density, Page, Theme};
+use crate::session::{Action, Command, Density, FilesCommand, Page, Theme};
 use crate::tolerance::Base;
 use crate::words::Language;
 
@@ -87,6 +88,8 @@ fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
+    recent_ui(ui, view);
+    ui.separator();
     ui.menu_button(view.text("language"), |ui| {
         for language in Language::all() {
             if ui.radio(view.session.language() == language, language.name()).clicked() {
@@ -113,6 +116,29 @@ fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
     for action in [Action::Undo, Action::ClearHistory] {
         view.menu_item(ui, action);
     }
+}
+
+/// The files that were read last, each with its folder.
+fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let recent = view.session.recent_files();
+    ui.add_enabled_ui(!recent.is_empty(), |ui| {
+        ui.menu_button(view.text("recent-files"), |ui| {
+            for (number, file) in recent.iter().enumerate() {
+                let name = file.path.file_name().unwrap_or(file.path.as_os_str()).to_string_lossy();
+                let folder = file.path.parent().map(|folder| folder.display().to_string()).unwrap_or_default();
+                let told = Message::new("recent-file")
+                    .text("name", name)
+                    .text("what", view.text(title_id(file.purpose)))
+                    .text("folder", folder);
+                if ui.button(view.words.say(&told)).clicked() {
+                    view.send(FilesCommand::OpenRecent(number));
+                    ui.close();
+                }
+            }
+            ui.separator();
+            view.menu_item(ui, Action::ForgetRecent);
+        });
+    });
 }
 
 /// Choices that close their menu.

@@ -54,7 +54,7 @@ impl View<'_> {
     /// Draws an action as a button of another look. Its keys show under the pointer.
     pub fn button_as(&mut self, ui: &mut Ui, action: Action, button: Button<'_>) -> Response {
         let mut response = ui.add_enabled(self.session.can(action), button);
-        let keys = action.shortcut_on(self.session.page()).map(|keys| told(ui, keys));
+        let keys = action.shortcut_shown(self.session.page()).map(|keys| told(ui, keys));
         let hint: Vec<String> = action.hint().map(|id| self.text(id)).into_iter().chain(keys).collect();
         if !hint.is_empty() {
             response = response.on_hover_text(hint.join("\n"));

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use super::check::CheckCommand;
 use super::cycles::CyclesCommand;
 use super::field::Field;
+use super::files::{FilesCommand, Launch};
 use super::fit::FitCommand;
 use super::history::ListCommand;
 use super::program::ProgramCommand;
@@ -33,6 +34,8 @@ pub enum Command {
     Program(ProgramCommand),
     /// Does something with the simulated workpiece or recorded contacts.
     Workpiece(WorkpieceCommand),
+    /// Does something with the file dialog, recent files or a file that was written.
+    Files(FilesCommand),
     /// Opens a page.
     OpenPage(Page),
     /// Goes to a field and selects its text.
@@ -101,7 +104,7 @@ impl From<ListCommand> for Command {
     }
 }
 
-from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand));
+from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand), Files(FilesCommand));
 
 /// What a file dialog is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -215,12 +218,26 @@ impl Density {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
     /// Show the system's file dialog and send [`Command::Picked`].
-    Browse(Purpose),
+    Browse {
+        /// What is asked for.
+        purpose: Purpose,
+        /// The folder that it begins with.
+        folder: Option<PathBuf>,
+        /// The proposed name of a file that is written.
+        name: String,
+    },
+    /// Read what lies in a folder and send [`FilesCommand::Listed`].
+    List(PathBuf),
     /// Read what a dialog of this purpose asks for, and send the command that takes it: [`CheckCommand::Imported`],
-    /// [`Command::MaskRead`], [`Command::TablesRead`], or the one of a page that reads such files.
+    /// [`Command::MaskRead`], [`Command::TablesRead`], or the one of a page that reads such files. Before it comes
+    /// [`FilesCommand::Seen`]; a folder in place of a file is only told by [`FilesCommand::IsFolder`].
     Read(Purpose, PathBuf),
-    /// Write a file and send [`Command::Saved`].
+    /// Write a file that does not exist yet and send [`Command::Saved`].
     Save(PathBuf, Vec<u8>),
+    /// Write a file over another one and send [`Command::Saved`].
+    Replace(PathBuf, Vec<u8>),
+    /// Start the program for a file and send [`FilesCommand::Launched`].
+    Launch(PathBuf, Launch),
     /// Close the window.
     Leave,
     /// Put a text on the clipboard.

@@ -1,13 +1,36 @@
 //! Dialogs, and what comes back from files: every answer is reported, in the dialog or as a notice.
+//!
+//! | file | what |
+//! |---|---|
+//! | `command` | what can be done |
+//! | `dialog` | the open dialog: its path, its list, its question |
+//! | `folder_list` | the list of a folder |
+//! | `kinds` | kinds of files, their endings, and what a file is opened for |
+//! | `names` | proposed names |
+//! | `places` | last folders and recent files |
+
+mod command;
+mod dialog;
+mod folder_list;
+mod kinds;
+mod names;
+mod places;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
+pub use command::{Fate, FilesCommand, Launch};
+pub use dialog::Dialog;
+pub use folder_list::FolderList;
+pub use kinds::{HEAD, OpenError};
+pub(super) use places::Places;
+pub use places::RecentFile;
+
 use super::Session;
 use super::command::{Effect, Purpose};
-use super::shared::{MaskChoice, News};
+use super::shared::{MaskChoice, News, Notice};
 use crate::control::mask::Mask;
 use crate::files::FileError;
 use crate::journal::Record;
@@ -17,39 +40,119 @@ use crate::tolerance::DeviationTable;
 use crate::words::Words;
 
 impl Session {
-    pub(super) fn open_dialog(&mut self, purpose: Purpose) {
-        let path = match purpose {
-            Purpose::Export(format) => {
-                let ending = RENDERINGS.get(format).and_then(|rendering| rendering.endings.first());
-                ending.map(|ending| format!("fitcheck.{ending}")).unwrap_or_default()
+    /// Does something about files.
+    pub(super) fn apply_files(&mut self, command: FilesCommand, now: DateTime) -> Vec<Effect> {
+        let places = &self.shared.places;
+        match command {
+            FilesCommand::Open(purpose, path) => return self.open_file(purpose, path, now),
+            FilesCommand::OpenRecent(number) => {
+                let Some(file) = places.recent().get(number).cloned() else { return Vec::new() };
+                return self.open_file(file.purpose, file.path, now);
             }
-            Purpose::ExportStatus => "fitcheck-status.txt".to_owned(),
+            FilesCommand::ForgetRecent => self.shared.places.forget(),
+            FilesCommand::Seen { purpose, path, fate } => self.shared.places.seen(purpose, path, fate),
+            FilesCommand::Launch(how) => {
+                let written = self.shared.notices.first().and_then(|notice| notice.file.clone());
+                return written.map(|path| Effect::Launch(path, how)).into_iter().collect();
+            }
+            FilesCommand::Launched(Ok(())) => {}
+            FilesCommand::Launched(Err(problem)) => self.shared.tell_first(problem),
+            FilesCommand::IsFolder(path) if !self.shared.dialog_waits() => {
+                self.shared.tell(FileError::IsFolder { path }.message());
+            }
+            FilesCommand::Take(number) => {
+                if let Some(dialog) = &mut self.shared.dialog {
+                    dialog.list.select(number);
+                }
+                return self.confirm(now);
+            }
+            FilesCommand::Replace(true) => return self.replace(now),
+            command => {
+                let home = places.home.clone();
+                if let Some(dialog) = &mut self.shared.dialog {
+                    dialog.apply(command, home);
+                }
+            }
+        }
+        Vec::new()
+    }
+
+    pub(super) fn open_dialog(&mut self, purpose: Purpose, now: DateTime) {
+        let path = match purpose {
+            Purpose::Export(_) => {
+                let several = Words::new(self.shared.language).get("file-name-checks");
+                let records = self.shared.history.for_report().map(Arc::as_ref);
+                names::of_records(records, &several, now, ending(purpose))
+            }
+            Purpose::ExportStatus => {
+                let part = self.check.shown().map(|shown| names::of_record(&shown.record)).unwrap_or_default();
+                names::dated(&names::allowed(&format!("{part}-status")), now, ending(purpose))
+            }
+            // A control knows a table and a log by these names.
             Purpose::SaveTable(format) => self.tables.file_name(format),
-            Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
+            Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             _ => String::new(),
         };
         self.shared.open_dialog(purpose, path);
     }
 
-    pub(super) fn picked(&mut self, path: Option<PathBuf>, now: DateTime) -> Vec<Effect> {
-        let (Some(dialog), Some(path)) = (&mut self.shared.dialog, path) else { return Vec::new() };
-        dialog.path = path.display().to_string();
-        self.confirm(now)
+    pub(super) fn browse(&self) -> Vec<Effect> {
+        let Some(dialog) = &self.shared.dialog else { return Vec::new() };
+        let folder = dialog.list.folder().map(Path::to_owned);
+        let name = if dialog.purpose.is_reading() { String::new() } else { dialog.path.clone() };
+        vec![Effect::Browse { purpose: dialog.purpose, folder, name }]
+    }
+
+    pub(super) fn picked(&mut self, path: Option<&Path>, now: DateTime) -> Vec<Effect> {
+        let Some(dialog) = &mut self.shared.dialog else { return Vec::new() };
+        dialog.picked(path);
+        if path.is_some() { self.confirm(now) } else { Vec::new() }
     }
 
     pub(super) fn confirm(&mut self, now: DateTime) -> Vec<Effect> {
-        let Some(dialog) = self.shared.dialog.as_ref().filter(|dialog| !dialog.busy) else { return Vec::new() };
-        let (purpose, path) = (dialog.purpose, PathBuf::from(dialog.path.trim()));
+        let home = self.shared.places.home.as_deref();
+        let Some(dialog) = self.shared.dialog.as_mut().filter(|dialog| !dialog.is_waiting()) else { return Vec::new() };
+        // A selected folder is gone into.
+        let Some(path) = dialog.asked_for(home) else { return Vec::new() };
+        self.send(path, false, now)
+    }
+
+    /// The user was asked and writes over the file.
+    fn replace(&mut self, now: DateTime) -> Vec<Effect> {
+        let path = self.shared.dialog.as_mut().and_then(|dialog| dialog.exists.take());
+        path.map(|path| self.send(path, true, now)).unwrap_or_default()
+    }
+
+    /// Sends the dialog's file to work, or says in the dialog why not.
+    fn send(&mut self, path: PathBuf, replaces: bool, now: DateTime) -> Vec<Effect> {
+        let Some(purpose) = self.shared.dialog.as_ref().map(|dialog| dialog.purpose) else { return Vec::new() };
         match self.errand(purpose, path, now) {
             Ok(effect) => {
                 if let Some(dialog) = &mut self.shared.dialog {
-                    (dialog.busy, dialog.problem) = (true, None);
+                    dialog.begin();
                 }
-                vec![effect]
+                vec![match effect {
+                    Effect::Save(path, bytes) if replaces => Effect::Replace(path, bytes),
+                    effect => effect,
+                }]
             }
             Err(problem) => {
                 self.shared.refuse_dialog(problem);
+                Vec::new()
+            }
+        }
+    }
+
+    /// Reads a file without a dialog, on the page that shows it.
+    fn open_file(&mut self, purpose: Purpose, path: PathBuf, now: DateTime) -> Vec<Effect> {
+        if let Some(page) = purpose.page(self.shared.page) {
+            self.shared.open(page);
+        }
+        match self.errand(purpose, path, now) {
+            Ok(effect) => vec![effect],
+            Err(problem) => {
+                self.shared.tell(problem);
                 Vec::new()
             }
         }
@@ -89,7 +192,10 @@ impl Session {
     }
 
     pub(super) fn close(&mut self) {
-        if self.shared.dialog.take().is_none() && !self.shared.notices.is_empty() {
+        if self.shared.dialog.as_ref().is_some_and(|dialog| dialog.exists.is_some()) {
+            // The question is answered with "keep"; the dialog asks for another name.
+            _ = self.shared.dialog.as_mut().and_then(|dialog| dialog.exists.take());
+        } else if self.shared.dialog.take().is_none() && !self.shared.notices.is_empty() {
             self.shared.notices.remove(0);
         }
     }
@@ -121,9 +227,31 @@ impl Session {
     }
 
     pub(super) fn saved_file(&mut self, path: &Path, result: Result<(), FileError>) {
-        if self.shared.file_answered(result.map_err(|error| error.message())).is_some() {
-            self.tables.saved(path);
-            self.shared.note(Message::new("file-written").text("path", path.display()), Vec::new());
+        let purpose = self.shared.dialog.as_ref().filter(|dialog| dialog.busy).map(|dialog| dialog.purpose);
+        let result = match (result, self.shared.dialog.as_mut().filter(|dialog| dialog.busy)) {
+            // The user is asked, or taken to the folder whose name was typed.
+            (Err(FileError::Exists { path }), Some(dialog)) => return dialog.ask(path),
+            (Err(FileError::IsFolder { path }), Some(dialog)) => return dialog.go_to(path),
+            (result, _) => result.map_err(|error| error.message()),
+        };
+        if self.shared.file_answered(result).is_none() {
+            return;
         }
+        self.tables.saved(path);
+        if let Some(purpose) = purpose {
+            self.shared.places.used(purpose, path);
+        }
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        let message = match path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+            Some(folder) => Message::new("file-written").text("name", name).text("folder", folder.display()),
+            None => Message::new("file-written-here").text("name", name),
+        };
+        let file = Some(path.to_owned());
+        self.shared.notices.push(Notice { message, details: Vec::new(), is_problem: false, file });
     }
+}
+
+/// The ending that a name gets which has none.
+fn ending(purpose: Purpose) -> &'static str {
+    purpose.endings().first().copied().unwrap_or("txt")
 }

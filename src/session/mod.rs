@@ -58,17 +58,19 @@ pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, WorkpieceField, WorkpieceForm,
 };
 pub use field::Field;
+pub use files::{Dialog, Fate, FilesCommand, FolderList, HEAD, Launch, OpenError, RecentFile};
 pub use fit::{
     ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
 };
 pub use history::{History, ListCommand, status_text};
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
-pub use saved::{Saved, SavedCycles, SavedError, SavedInputs};
-pub use shared::{Dialog, MaskChoice, Notice};
+pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs};
+pub use shared::{MaskChoice, Notice};
 pub use step::Step;
 pub use tables::{TablesCommand, TablesField, TablesPage};
 pub use workpiece::{RecordedContacts, WorkpieceCommand};
 
+use self::files::Places;
 use self::shared::{PageState as _, Shared};
 use crate::control::shipped_tables;
 use crate::message::Message;
@@ -96,6 +98,7 @@ impl Session {
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let mut shared = Shared::new(saved.language, saved.theme);
         shared.keypad = saved.keypad;
+        shared.places = Places::restore(saved.files);
         shared.density = saved.density;
         let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
         shared.sources = Arc::new(sources);
@@ -118,11 +121,13 @@ impl Session {
             theme: self.shared.theme,
             keypad: self.shared.keypad,
             density: self.shared.density,
-            tables_folder: self.shared.tables_folder.clone(),
+            // A path that is not text cannot be written.
+            tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
             source: self.shared.sources.base(),
             standard: self.shared.sources.options(),
             inputs: SavedInputs { texts: texts.collect(), by: self.check.by(), feature: self.check.feature() },
             cycles: self.cycles.saved(),
+            files: self.shared.places.saved(),
             ..Saved::default()
         }
     }
@@ -130,7 +135,7 @@ impl Session {
     /// Applies a command at a local date and time, and returns what the outside world has to do.
     pub fn apply(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         let shared = &mut self.shared;
-        let effects = match command {
+        let mut effects = match command {
             Command::Check(command) => self.check.apply(command, shared, now),
             Command::Fit(command) => self.fit.apply(command, shared, now),
             Command::Cycles(command) => self.cycles.apply(command, shared, now),
@@ -146,6 +151,8 @@ impl Session {
             self.tables.follow(&news, shared);
             self.program.follow(&news, shared);
         }
+        let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
+        effects.extend(to_read.map(Effect::List));
         effects
     }
 
@@ -171,14 +178,15 @@ impl Session {
             Command::SetMask(language) => {
                 shared.set_mask(language.map_or(MaskChoice::OfLanguage, MaskChoice::Shipped));
             }
-            Command::OpenDialog(purpose) => self.open_dialog(purpose),
+            Command::Files(command) => return self.apply_files(command, now),
+            Command::OpenDialog(purpose) => self.open_dialog(purpose, now),
             Command::TypePath(path) => {
                 if let Some(dialog) = &mut shared.dialog {
-                    (dialog.path, dialog.problem) = (path, None);
+                    dialog.type_path(path);
                 }
             }
-            Command::Browse => return shared.dialog.iter().map(|dialog| Effect::Browse(dialog.purpose)).collect(),
-            Command::Picked(path) => return self.picked(path, now),
+            Command::Browse => return self.browse(),
+            Command::Picked(path) => return self.picked(path.as_deref(), now),
             Command::Confirm => return self.confirm(now),
             Command::Close => self.close(),
             Command::AskToLeave if self.tables.unsaved().next().is_none() => return vec![Effect::Leave],

@@ -1,12 +1,13 @@
 //! Readers of the state that belongs to every page.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::command::{Density, Page, Theme};
 use super::cycles::WorkpieceForm;
+use super::files::{Dialog, RecentFile};
 use super::history::History;
-use super::shared::{Dialog, MaskChoice, Notice};
+use super::shared::{MaskChoice, Notice};
 use super::workpiece::RecordedContacts;
 use super::{Session, tables};
 use crate::control::mask::Mask;
@@ -108,6 +109,26 @@ impl Session {
     /// The open file dialog.
     pub const fn dialog(&self) -> Option<&Dialog> {
         self.shared.dialog.as_ref()
+    }
+
+    /// The files that were read last, the latest first.
+    pub fn recent_files(&self) -> &[RecentFile] {
+        self.shared.places.recent()
+    }
+
+    /// The folders that were used last, each once.
+    pub fn recent_folders(&self) -> Vec<&Path> {
+        self.shared.places.folders()
+    }
+
+    /// The user's own folder, where there is one.
+    pub fn home(&self) -> Option<&Path> {
+        self.shared.places.home.as_deref()
+    }
+
+    /// Sets the folder in which dialogs begin until another one was used.
+    pub fn use_home(&mut self, home: PathBuf) {
+        self.shared.places.home = Some(home);
     }
 
     /// The notices, oldest first.

@@ -1,4 +1,4 @@
-//! What survives a restart: last inputs, language, theme, the folder of tables.
+//! What survives a restart: last inputs, language, theme, the folder of tables, last folders, recent files.
 //!
 //! A TOML text with a version number. Reading and writing files is done elsewhere.
 
@@ -39,6 +39,30 @@ pub struct Saved {
     pub inputs: SavedInputs,
     /// The cycles page.
     pub cycles: SavedCycles,
+    /// Folders and recent files.
+    pub files: SavedFiles,
+}
+
+/// What is kept of files.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SavedFiles {
+    /// The folder that was used last.
+    pub last_folder: Option<PathBuf>,
+    /// The last folder of each kind of thing.
+    pub folders: BTreeMap<String, PathBuf>,
+    /// The files that were read last, the latest first.
+    pub recent: Vec<SavedFile>,
+}
+
+/// A file that was read.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SavedFile {
+    /// The kind of thing that it was read as; an unknown one is left out.
+    pub kind: String,
+    /// Its path.
+    pub path: PathBuf,
 }
 
 /// What is kept of the text fields.
@@ -76,6 +100,7 @@ impl Default for Saved {
             standard: iso286::Options::default(),
             inputs: SavedInputs::default(),
             cycles: SavedCycles::default(),
+            files: SavedFiles::default(),
         }
     }
 }

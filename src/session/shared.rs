@@ -10,6 +10,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::command::{Density, Effect, Page, Purpose, Theme};
+use super::files::{Dialog, Places};
 use super::history::History;
 use super::workpiece::SimulatedWorkpiece;
 use crate::control::mask::Mask;
@@ -35,19 +36,6 @@ pub enum MaskChoice {
     },
 }
 
-/// An open file dialog; a path can always be typed instead.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Dialog {
-    /// Its purpose.
-    pub purpose: Purpose,
-    /// The typed path.
-    pub path: String,
-    /// What went wrong the last time.
-    pub problem: Option<Message>,
-    /// Whether a file is being read or written.
-    pub busy: bool,
-}
-
 /// A notice, shown until it is closed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Notice {
@@ -57,6 +45,8 @@ pub struct Notice {
     pub details: Vec<Message>,
     /// Whether something failed.
     pub is_problem: bool,
+    /// The file that was written.
+    pub file: Option<PathBuf>,
 }
 
 /// A change by a page, or for all of them, that other pages follow.
@@ -112,6 +102,7 @@ pub(super) struct Shared {
     pub history: History,
     pub workpiece: SimulatedWorkpiece,
     pub dialog: Option<Dialog>,
+    pub places: Places,
     pub notices: Vec<Notice>,
     /// Whether the user wants to close the window and something is unsaved.
     pub leaving: bool,
@@ -165,12 +156,17 @@ impl Shared {
 
     /// Tells the user what failed.
     pub fn tell(&mut self, message: Message) {
-        self.notices.push(Notice { message, details: Vec::new(), is_problem: true });
+        self.notices.push(Notice { message, details: Vec::new(), is_problem: true, file: None });
+    }
+
+    /// Tells the user what failed, before the notice that asked for it.
+    pub fn tell_first(&mut self, message: Message) {
+        self.notices.insert(0, Notice { message, details: Vec::new(), is_problem: true, file: None });
     }
 
     /// Tells the user what was done.
     pub fn note(&mut self, message: Message, details: Vec<Message>) {
-        self.notices.push(Notice { message, details, is_problem: false });
+        self.notices.push(Notice { message, details, is_problem: false, file: None });
     }
 
     /// Tells the user what was done, where there are details.
@@ -181,7 +177,7 @@ impl Shared {
     }
 
     pub fn open_dialog(&mut self, purpose: Purpose, path: String) {
-        self.dialog = Some(Dialog { purpose, path, problem: None, busy: false });
+        self.dialog = Some(Dialog::new(purpose, path, self.places.folder(purpose)));
     }
 
     pub fn refuse_dialog(&mut self, problem: Message) {
@@ -191,7 +187,7 @@ impl Shared {
     }
 
     /// Whether the dialog that sent a file to work is still open; it may have been closed, and another one opened.
-    fn dialog_waits(&self) -> bool {
+    pub fn dialog_waits(&self) -> bool {
         self.dialog.as_ref().is_some_and(|dialog| dialog.busy)
     }
 

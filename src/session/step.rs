@@ -32,6 +32,8 @@ impl Step {
     pub const PATH: [Self; 4] = [Self::First, Self::Left, Self::Right, Self::Last];
     /// The steps among blocks.
     pub const BLOCKS: [Self; 6] = [Self::Up, Self::Down, Self::PageUp, Self::PageDown, Self::First, Self::Last];
+    /// The steps among the entries of a folder.
+    pub const ENTRIES: [Self; 4] = [Self::Up, Self::Down, Self::PageUp, Self::PageDown];
     /// The steps among cells: every one.
     pub const CELLS: [Self; 10] = [
         Self::Left,

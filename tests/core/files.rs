@@ -2,7 +2,10 @@
 
 use std::path::Path;
 
-use fitcheck::files::{FileError, LARGEST, make_folder, read, set_aside, write, write_folder, write_new};
+use fitcheck::files::{
+    FileError, LARGEST, MOST_ENTRIES, list, make_folder, read, read_head, save, set_aside, write, write_folder,
+    write_new,
+};
 
 #[test]
 fn a_written_file_is_whole_and_leaves_nothing_beside_it() {
@@ -97,4 +100,73 @@ fn a_new_file_never_takes_the_place_of_another() {
     assert_eq!(write_new(&path, b"two"), Err(FileError::Exists { path: path.clone() }));
     assert_eq!(std::fs::read(&path).unwrap(), b"one");
     assert_eq!(write_folder(&path, &FILES, true), Err(FileError::Exists { path }));
+}
+
+#[test]
+fn a_file_is_only_replaced_by_leave() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("report.csv");
+    save(&path, b"one", false).unwrap();
+    assert_eq!(save(&path, b"two", false), Err(FileError::Exists { path: path.clone() }));
+    assert_eq!(read(&path).unwrap(), b"one");
+    save(&path, b"two", true).unwrap();
+    assert_eq!(read(&path).unwrap(), b"two");
+    assert_eq!(names(folder.path()), ["report.csv"]);
+    for replace in [false, true] {
+        let refused = save(folder.path(), b"three", replace);
+        assert_eq!(refused, Err(FileError::IsFolder { path: folder.path().to_owned() }), "nobody asks for a folder");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_nowhere_is_not_replaced_unasked() {
+    let folder = tempfile::tempdir().unwrap();
+    let link = folder.path().join("report.csv");
+    std::os::unix::fs::symlink(folder.path().join("none"), &link).unwrap();
+    assert_eq!(save(&link, b"one", false), Err(FileError::Exists { path: link.clone() }));
+    assert!(link.symlink_metadata().unwrap().is_symlink());
+}
+
+#[test]
+fn a_folder_is_listed_with_folders_first_and_sizes() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["b.csv", "A.TAB", ".hidden"] {
+        write(&folder.path().join(name), b"12345").unwrap();
+    }
+    make_folder(&folder.path().join("zones")).unwrap();
+    let listing = list(folder.path()).unwrap();
+    let told: Vec<_> = listing.entries.iter().map(|one| (one.name.as_str(), one.is_folder)).collect();
+    assert_eq!(told, [("zones", true), (".hidden", false), ("A.TAB", false), ("b.csv", false)]);
+    let [_, hidden, table, csv] = listing.entries.as_slice() else { panic!() };
+    assert_eq!((hidden.is_hidden(), table.is_hidden(), csv.bytes), (true, false, 5));
+    assert!(table.ends_with(&["tab"]) && !csv.ends_with(&["tab"]) && !hidden.ends_with(&["hidden"]));
+    assert!(csv.changed.is_some());
+    assert_eq!((listing.folder.as_path(), listing.has_more), (folder.path(), false));
+    let above = list(&folder.path().join("zones").join("..")).unwrap();
+    assert_eq!(above.folder, folder.path().canonicalize().unwrap());
+    let missing = folder.path().join("none");
+    assert_eq!(list(&missing), Err(FileError::Missing { path: missing }));
+    assert!(matches!(list(&folder.path().join("b.csv")), Err(FileError::System { .. })));
+}
+
+#[test]
+fn a_huge_folder_is_read_up_to_a_bound() {
+    let folder = tempfile::tempdir().unwrap();
+    for number in 0..=MOST_ENTRIES {
+        std::fs::File::create(folder.path().join(format!("{number}.csv"))).unwrap();
+    }
+    let listing = list(folder.path()).unwrap();
+    assert_eq!((listing.entries.len(), listing.has_more), (MOST_ENTRIES, true));
+    std::fs::remove_file(&listing.entries[0].path).unwrap();
+    let listing = list(folder.path()).unwrap();
+    assert_eq!((listing.entries.len(), listing.has_more), (MOST_ENTRIES, false));
+}
+
+#[test]
+fn the_beginning_of_a_file_is_enough_to_know_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("part.csv");
+    write(&path, b"id,callout").unwrap();
+    assert_eq!((read_head(&path, 2).unwrap(), read_head(&path, 99).unwrap()), (b"id".to_vec(), b"id,callout".to_vec()));
 }

@@ -415,7 +415,7 @@ fn only_chosen_checks_are_exported() {
         run(&mut session, [Command::Check(CheckCommand::Choose(RecordId(1), true)), dialog, Command::Confirm]);
     let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
     let text = String::from_utf8(bytes.clone()).unwrap();
-    assert_eq!((path.to_str(), text.lines().count()), (Some("fitcheck.csv"), 2));
+    assert_eq!((path.to_str(), text.lines().count()), (Some("25H7-2026-11-21.csv"), 2));
     assert!(text.contains("24.998") && !text.contains("25.012"));
     run(&mut session, [Command::Saved { path: path.clone(), result: Ok(()) }]);
     assert_eq!((session.dialog(), session.notices().len()), (None, 1));

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use fitcheck::session::action::{Action, Key, Place, Shortcut};
 use fitcheck::session::{
-    CheckCommand, CheckField, Command, CyclesCommand, Field, FitField, Page, ProgramCommand, ProgramField, Session,
-    TablesCommand, TablesField,
+    CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField, Page, ProgramCommand,
+    ProgramField, Session, TablesCommand, TablesField,
 };
 use fitcheck::words::{Language, Words};
 use jiff::civil::DateTime;
@@ -70,7 +70,7 @@ fn every_action_is_listed_once() {
 /// How near a place is: where a nearer one has the same keys, that one counts.
 fn nearness(place: Place) -> u8 {
     match place {
-        Place::Part(_) => 0,
+        Place::Part(_) | Place::Dialog => 0,
         Place::Page(_) | Place::Workpiece => 1,
         Place::Everywhere => 2,
     }
@@ -160,11 +160,20 @@ fn what_is_possible_can_be_done_on_every_page() {
 }
 
 #[test]
-fn a_dialog_hears_only_what_closes_it() {
+fn a_dialog_hears_only_its_own_keys_and_what_closes_it() {
     let mut session = busy(Page::Program);
     session.apply(Command::OpenDialog(fitcheck::session::Purpose::Import), now());
     let keys: Vec<_> = session.keys(None, false).into_iter().map(|(_, action)| action).collect();
-    assert_eq!(keys, [Action::Close]);
+    assert_eq!(keys, [Action::Close], "there is no folder to move in");
+    session.apply(FilesCommand::Show("/shop".into()).into(), now());
+    let keys: Vec<_> = session.keys(None, false).into_iter().map(|(_, action)| action).collect();
+    assert_eq!(keys, [Action::FolderUp, Action::Close]);
+    assert!(session.can(Action::AllFiles) && session.can(Action::Browse));
+    for page in Page::ALL {
+        let busy = busy(page);
+        let dialog = |action: &Action| action.place() == Place::Dialog;
+        assert!(Action::all().filter(dialog).all(|action| !busy.can(action)), "without a dialog");
+    }
 }
 
 #[test]

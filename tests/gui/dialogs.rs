@@ -1,14 +1,15 @@
 //! Reading and writing files by a typed path.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{By, Queryable as _};
 use fitcheck::gui::App;
+use fitcheck::session::Purpose;
 
-use crate::harness::{check, verdict, window};
+use crate::harness::{Window, check, verdict, window};
 
 fn put(path: &Path, text: &str) {
     use std::io::Write as _;
@@ -59,13 +60,18 @@ fn bad_rows_are_listed_and_good_rows_are_kept() {
 }
 
 #[test]
-fn a_folder_or_a_missing_file_is_refused_in_the_dialog() {
+fn a_typed_folder_is_listed_and_a_missing_file_is_refused_in_the_dialog() {
     let folder = tempfile::tempdir().unwrap();
+    put(&folder.path().join("parts.csv"), "id,callout,measured\n");
     let mut window = window();
     window.get_by_role_and_label(Role::Button, "Import…").click();
     window.run();
+    type_path(&mut window, "File", &folder.path().join("none.csv"));
+    window.get_by_label_contains("no such file or folder");
+    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::A);
     type_path(&mut window, "File", folder.path());
-    window.get_by_label_contains("this is a folder");
+    window.get(part(Role::ListBoxOption, "parts.csv"));
+    assert!(window.query_by_label_contains("no such file or folder").is_none());
     window.get_by_role_and_label(Role::Button, "Cancel").click();
     window.run();
     assert!(window.query_by_role_and_label(Role::TextInput, "File").is_none());
@@ -191,4 +197,260 @@ fn import_and_report_open_by_key() {
     window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::S);
     window.run();
     window.get_by_role_and_label(Role::Button, "Save");
+}
+
+/// A window whose dialogs begin in this folder.
+fn at_home(folder: &Path) -> Harness<'static, App> {
+    Window { home: Some(folder.to_owned()), ..Window::default() }.open()
+}
+
+/// A folder with one good part in `logs/parts.csv`, and files of other kinds.
+fn shop() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("logs")).unwrap();
+    put(&folder.path().join("logs/parts.csv"), "id,callout,measured\nA1,25 H7,25.012\n");
+    put(&folder.path().join("logs/notes.pdf"), "%PDF");
+    put(&folder.path().join("more.csv"), "id,callout,measured\nA2,25 H7,24.998\n");
+    folder
+}
+
+fn press(window: &mut Harness<'_, App>, keys: &[Key]) {
+    for key in keys {
+        window.key_press(*key);
+        window.run();
+    }
+}
+
+/// Something whose name has this part.
+fn part(role: Role, label: &str) -> By<'_> {
+    By::new().role(role).label_contains(label)
+}
+
+fn click(window: &mut Harness<'_, App>, role: Role, label: &str) {
+    window.get(part(role, label)).click();
+    window.run();
+}
+
+fn open_import(window: &mut Harness<'_, App>) {
+    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::O);
+    window.run();
+}
+
+fn rows(window: &Harness<'_, App>) -> usize {
+    window.query_all_by_role(Role::ListBoxOption).count()
+}
+
+#[test]
+fn a_file_is_found_and_read_by_keys_alone() {
+    let folder = shop();
+    let mut window = at_home(folder.path());
+    open_import(&mut window);
+    if let Ok(pictures) = std::env::var("PICTURES") {
+        window.render().unwrap().save(Path::new(&pictures).join("dialog.png")).unwrap();
+    }
+    window.get(part(Role::ListBoxOption, "logs, Folder"));
+    window.get(part(Role::ListBoxOption, "more.csv, 36 B"));
+    press(&mut window, &[Key::ArrowDown, Key::Enter]);
+    assert_eq!(rows(&window), 1, "notes.pdf holds no measurements");
+    press(&mut window, &[Key::Backspace]);
+    assert_eq!(rows(&window), 2);
+    press(&mut window, &[Key::ArrowDown, Key::Enter, Key::ArrowDown, Key::Enter]);
+    assert!(verdict(&window).starts_with("GOOD. 25.012 mm"), "{}", verdict(&window));
+    assert!(window.query_by_role_and_label(Role::TextInput, "File").is_none());
+}
+
+#[test]
+fn a_file_is_found_and_read_by_touch_alone() {
+    let folder = shop();
+    let mut window = at_home(folder.path());
+    window.get_by_role_and_label(Role::Button, "Import…").click();
+    window.run();
+    click(&mut window, Role::ListBoxOption, "logs");
+    window.get_by_label("1 entry is not shown");
+    window.get_by_role_and_label(Role::CheckBox, "All files").click();
+    window.run();
+    assert_eq!(rows(&window), 2);
+    click(&mut window, Role::Button, "Folder above");
+    click(&mut window, Role::ListBoxOption, "more.csv");
+    window.get_by_role_and_label(Role::Button, "Open").click();
+    window.run();
+    assert!(verdict(&window).starts_with("REWORK. 24.998 mm"), "{}", verdict(&window));
+}
+
+#[test]
+fn typing_filters_the_list_and_alt_with_an_arrow_goes_up() {
+    let folder = shop();
+    let mut window = at_home(folder.path());
+    open_import(&mut window);
+    window.get_by_role_and_label(Role::TextInput, "File").type_text("mor");
+    window.run();
+    assert_eq!(rows(&window), 1);
+    press(&mut window, &[Key::ArrowDown]);
+    assert_eq!(window.get_by_role_and_label(Role::TextInput, "File").value(), Some("more.csv".to_owned()));
+    let parent = folder.path().parent().unwrap().display().to_string();
+    window.key_press_modifiers(eframe::egui::Modifiers::ALT, Key::ArrowUp);
+    window.run();
+    window.get_by_label(&format!("Folder {parent}"));
+    window.key_press_modifiers(eframe::egui::Modifiers::ALT, Key::Home);
+    window.run();
+    assert_eq!(rows(&window), 2);
+}
+
+#[test]
+fn a_folder_that_is_gone_is_told_and_the_home_folder_helps() {
+    let folder = shop();
+    let mut window = at_home(&folder.path().join("none"));
+    open_import(&mut window);
+    window.get_by_label_contains("no such file or folder");
+    click(&mut window, Role::Button, "Folder above");
+    assert_eq!(rows(&window), 2);
+}
+
+#[test]
+fn a_long_list_follows_the_arrows_and_says_where_it_ends() {
+    let folder = tempfile::tempdir().unwrap();
+    for number in 0..=fitcheck::files::MOST_ENTRIES {
+        put(&folder.path().join(format!("{number:05}.csv")), "");
+    }
+    let mut window = at_home(folder.path());
+    open_import(&mut window);
+    window.get_by_label_contains("Only the first 5000 entries are listed");
+    assert!(rows(&window) < 20, "only what is in sight is drawn");
+    press(&mut window, &[Key::ArrowUp]);
+    window.run();
+    let last = window.get_by_role_and_label(Role::TextInput, "File").value().unwrap();
+    window.get(part(Role::ListBoxOption, &last));
+}
+
+#[test]
+fn the_dialog_fits_every_window_and_asks_for_no_repaint() {
+    let folder = shop();
+    for (width, height) in [(427.0, 267.0), (533.0, 400.0), (800.0, 600.0), (1024.0, 600.0), (1280.0, 800.0)] {
+        for language in fitcheck::words::Language::all() {
+            let home = Some(folder.path().to_owned());
+            let size = eframe::egui::vec2(width, height);
+            let mut window = Window { size, language, home, ..Window::default() }.open();
+            open_import(&mut window);
+            let words = fitcheck::words::Words::new(language);
+            for button in ["dialog-open", "dialog-browse", "dialog-cancel"] {
+                let rect = window.get_by_role_and_label(Role::Button, &words.get(button)).rect();
+                let what = format!("{width}x{height} {} {button}: {rect}", language.code());
+                assert!(0.0 <= rect.top() && rect.bottom() <= height && rect.right() <= width, "{what}");
+            }
+            if 600.0 <= height {
+                assert_eq!(rows(&window), 2, "{width}x{height}");
+                let all = window.get_by_role_and_label(Role::CheckBox, &words.get("dialog-all-files")).rect();
+                let open = window.get_by_role_and_label(Role::Button, &words.get("dialog-open")).rect();
+                assert!(all.bottom() <= open.top(), "{width}x{height}: nothing scrolls");
+            }
+            let viewport = &window.output().viewport_output[&eframe::egui::ViewportId::ROOT];
+            assert_eq!(viewport.repaint_delay, std::time::Duration::MAX);
+        }
+    }
+}
+
+#[test]
+fn where_the_system_shows_no_dialog_the_list_is_there() {
+    let folder = shop();
+    let mut window = at_home(folder.path());
+    open_import(&mut window);
+    click(&mut window, Role::Button, "Browse…");
+    window.get_by_label_contains("The system's dialog gave no file");
+    assert_eq!(rows(&window), 2);
+}
+
+/// Exports the history as CSV to a file, up to the answer.
+fn export(window: &mut Harness<'_, App>, path: &Path) {
+    choose(window, "Export", "History as CSV…");
+    type_path(window, "File", path);
+}
+
+#[test]
+fn a_file_that_exists_is_asked_about_and_kept_by_enter() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("history.csv");
+    put(&path, "mine");
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    for keep in [Key::Enter, Key::Escape] {
+        export(&mut window, &path);
+        window.get_by_label("history.csv exists. Replace it?");
+        press(&mut window, &[keep]);
+        assert!(window.query_by_label_contains("Replace it?").is_none());
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");
+        assert!(window.get_by_role_and_label(Role::TextInput, "File").is_focused(), "another name can be typed");
+        press(&mut window, &[Key::Escape]);
+    }
+    export(&mut window, &path);
+    click(&mut window, Role::Button, "Replace");
+    assert!(std::fs::read_to_string(&path).unwrap().contains("25.012"));
+    window.get_by_label_contains("history.csv was written to");
+}
+
+#[test]
+fn a_proposed_name_is_written_in_the_last_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at_home(folder.path());
+    check(&mut window, "25 H7", "25.012");
+    choose(&mut window, "Export", "History as CSV…");
+    press(&mut window, &[Key::Enter]);
+    let folder = folder.path().display();
+    window.get_by_label(&format!("25H7-2026-11-21.csv was written to {folder}"));
+}
+
+#[test]
+fn a_written_file_can_be_opened_and_shown_and_a_failure_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    export(&mut window, &folder.path().join("history.csv"));
+    for button in ["Open", "Show in folder"] {
+        window.get_by_role_and_label(Role::Button, button).click();
+        window.run();
+        window.get_by_label_contains("the file cannot be opened");
+        press(&mut window, &[Key::Escape]);
+        window.get_by_label_contains("history.csv was written to");
+    }
+}
+
+fn open_recent(window: &mut Harness<'_, App>) {
+    for button in ["Menu", "Recent files"] {
+        click(window, Role::Button, button);
+    }
+}
+
+#[test]
+fn a_recent_file_is_read_again_and_one_that_is_gone_is_told() {
+    let folder = shop();
+    let path = folder.path().join("more.csv");
+    let store = fitcheck::gui::Store::at(&folder.path().join("state.toml"));
+    let mut first = Window { store: store.clone(), ..Window::default() }.open();
+    open_import(&mut first);
+    type_path(&mut first, "File", &path);
+    store.save(&first.state().session().saved());
+    let mut window = Window { store, ..Window::default() }.open();
+    open_recent(&mut window);
+    click(&mut window, Role::Button, "more.csv");
+    assert!(verdict(&window).starts_with("REWORK. 24.998 mm"), "{}", verdict(&window));
+    press(&mut window, &[Key::Escape]);
+    std::fs::remove_file(&path).unwrap();
+    open_recent(&mut window);
+    click(&mut window, Role::Button, "more.csv");
+    window.get_by_label_contains("no such file or folder");
+    press(&mut window, &[Key::Escape]);
+    assert!(window.state().session().recent_files().is_empty());
+}
+
+#[test]
+fn the_window_is_started_with_files() {
+    let folder = shop();
+    let program = folder.path().join("bore.h");
+    put(&program, "0 BEGIN PGM BORE MM\n1 END PGM BORE MM\n");
+    let files: Vec<(Purpose, PathBuf)> =
+        vec![(Purpose::Import, folder.path().join("more.csv")), (Purpose::OpenProgram, program)];
+    let mut window = Window { files, ..Window::default() }.open();
+    window.get_by_label_contains("BEGIN PGM BORE MM");
+    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::Num1);
+    window.run();
+    assert!(verdict(&window).starts_with("REWORK. 24.998 mm"), "{}", verdict(&window));
 }

@@ -1,11 +1,13 @@
 //! The one place where a window for tests is built, and where image thresholds are decided.
 
+use std::path::PathBuf;
+
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::{App, Errands, Setup, Store};
-use fitcheck::session::Command;
+use fitcheck::session::{Command, Purpose};
 use fitcheck::words::Language;
 
 /// The size that most tests look at.
@@ -22,13 +24,25 @@ pub struct Window {
     pub theme: Theme,
     pub language: Language,
     pub store: Store,
+    /// The folder in which dialogs begin.
+    pub home: Option<PathBuf>,
+    /// The files that the window is started with.
+    pub files: Vec<(Purpose, PathBuf)>,
     /// Pixels per point.
     pub zoom: f32,
 }
 
 impl Default for Window {
     fn default() -> Self {
-        Self { size: DESK, theme: Theme::Light, language: Language::En, store: Store::nowhere(), zoom: 1.0 }
+        Self {
+            size: DESK,
+            theme: Theme::Light,
+            language: Language::En,
+            store: Store::nowhere(),
+            home: None,
+            files: Vec::new(),
+            zoom: 1.0,
+        }
     }
 }
 
@@ -39,6 +53,8 @@ impl Window {
             language: self.language,
             errands: Errands::AtOnce,
             clock: || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
+            home: self.home,
+            files: self.files,
         };
         let mut harness = Harness::builder()
             .with_size(self.size)

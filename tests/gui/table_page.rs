@@ -270,7 +270,7 @@ fn a_changed_table_is_saved_and_reads_back_in_every_generation() {
         page.run();
         let path = folder.path().join(name);
         type_path(&mut page, &path);
-        page.get_by_label_contains("Written");
+        page.get_by_label_contains("was written to");
         press(&mut page, "Close");
         let saved = read(&path);
         let h7 = saved.columns()[0].cells[4].unwrap();

@@ -118,3 +118,7 @@ cli-verify-nothing = { $name }: { $classes ->
        *[other] { $ranges } size ranges
     }, { $cells } cells compared: nothing to compare with ISO 286
 cli-verify-own = { $table }; not compared, not ISO 286 classes: { $own }
+
+## Start
+start-missing = no such file: { $path }; name an existing file to open it in the window, or a subcommand
+start-folder = this is a folder, not a file: { $path }; only files open in the window

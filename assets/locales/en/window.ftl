@@ -221,10 +221,41 @@ dialog-cancel = Cancel
 dialog-busy = Working…
 dialog-no-path = A path is missing
 dialog-no-status = There is no status window to save
+dialog-browse-hint = Shows the system's file dialog
+dialog-up = Folder above
+dialog-home = Home folder
+dialog-all-files = All files
+dialog-move = Go to another entry
+dialog-recent-folders = Recent folders
+dialog-exists = { $name } exists. Replace it?
+dialog-replace = Replace
+dialog-keep = Keep
+dialog-nothing-picked = The system's dialog gave no file. Choose one in the list, or type a path.
+dialog-list = Folder { $folder }
+dialog-list-none = No folder is open: type a path
+dialog-list-reading = Reading the folder…
+dialog-list-empty = Nothing to choose in this folder
+dialog-list-more = Only the first { $most } entries are listed: type the name of another one
+dialog-is-folder = Folder
+file-name-checks = checks
+open-written = Open
+show-in-folder = Show in folder
+launch-failed = the file cannot be opened: { $reason }
+recent-files = Recent files
+forget-recent = Clear the list
+recent-file = { $name } · { $what } · { $folder }
+dialog-list-left-out = { $count ->
+    [one] 1 entry is not shown
+   *[other] { $count } entries are not shown
+}
+file-bytes = { $count } B
+file-kilobytes = { $count } kB
+file-megabytes = { $count } MB
 notice = Note
 notice-problem = Error
 close = Close
-file-written = Written: { $path }
+file-written = { $name } was written to { $folder }
+file-written-here = { $name } was written
 tables-loaded = { $count ->
     [one] 1 table is used from { $folder }
    *[other] { $count } tables are used from { $folder }
@@ -517,4 +548,6 @@ cycle-picture-uncertainty = Scatter s of a contact gives { $diameter } s in the 
 # The saved state, and the window itself
 saved-broken = the saved state cannot be read: { $reason }
 saved-newer = the saved state has version { $version }, this program knows versions up to { $known }
+window-no-display = no display: DISPLAY and WAYLAND_DISPLAY are not set. Log in on a desktop, connect with ssh -X, or use the command line, which needs no display: fitcheck check "25 H7" --measured 25.012; see fitcheck --help
+open-unknown = { $name } is not a file that the window opens; it opens measurements, measuring logs and contacts (.csv, .tsv, .txt, .html), NC programs (.h), tables (.tab), simulated workpieces (.toml), touch-probe tables (.tp) and masks (.a)
 window-not-opened = the window cannot be opened: { $reason }; the command line works without a display, see fitcheck --help

@@ -118,3 +118,7 @@ cli-verify-nothing = { $name }: { $classes ->
        *[other] { $ranges } maatbereiken
     }, { $cells } cellen vergeleken: niets te vergelijken met ISO 286
 cli-verify-own = { $table }; niet vergeleken, geen klassen van ISO 286: { $own }
+
+## Start
+start-missing = bestand bestaat niet: { $path }; noem een bestaand bestand om het in het venster te openen, of een subopdracht
+start-folder = dit is een map, geen bestand: { $path }; alleen bestanden gaan open in het venster

@@ -221,10 +221,41 @@ dialog-cancel = Annuleren
 dialog-busy = Bezig…
 dialog-no-path = Er ontbreekt een pad
 dialog-no-status = Er is geen statusvenster om op te slaan
+dialog-browse-hint = Toont het bestandsvenster van het systeem
+dialog-up = Bovenliggende map
+dialog-home = Thuismap
+dialog-all-files = Alle bestanden
+dialog-move = Naar een ander item gaan
+dialog-recent-folders = Recente mappen
+dialog-exists = { $name } bestaat al. Vervangen?
+dialog-replace = Vervangen
+dialog-keep = Behouden
+dialog-nothing-picked = Het bestandsvenster van het systeem heeft geen bestand opgeleverd. Kies er een in de lijst of typ een pad.
+dialog-list = Map { $folder }
+dialog-list-none = Er is geen map geopend: typ een pad
+dialog-list-reading = De map wordt gelezen…
+dialog-list-empty = Er is niets te kiezen in deze map
+dialog-list-more = Alleen de eerste { $most } items worden getoond: typ de naam van een ander item
+dialog-is-folder = Map
+file-name-checks = controles
+open-written = Openen
+show-in-folder = Tonen in map
+launch-failed = het bestand kan niet worden geopend: { $reason }
+recent-files = Recente bestanden
+forget-recent = Lijst wissen
+recent-file = { $name } · { $what } · { $folder }
+dialog-list-left-out = { $count ->
+    [one] 1 item wordt niet getoond
+   *[other] { $count } items worden niet getoond
+}
+file-bytes = { $count } B
+file-kilobytes = { $count } kB
+file-megabytes = { $count } MB
 notice = Melding
 notice-problem = Fout
 close = Sluiten
-file-written = Geschreven: { $path }
+file-written = { $name } is geschreven in { $folder }
+file-written-here = { $name } is geschreven
 tables-loaded = { $count ->
     [one] 1 tabel wordt gebruikt uit { $folder }
    *[other] { $count } tabellen worden gebruikt uit { $folder }
@@ -517,4 +548,6 @@ cycle-picture-uncertainty = Spreiding s van een meetpunt geeft { $diameter } s i
 # De bewaarde toestand, en het venster zelf
 saved-broken = de bewaarde toestand is onleesbaar: { $reason }
 saved-newer = de bewaarde toestand heeft versie { $version }, dit programma kent versies tot en met { $known }
+window-no-display = geen beeldscherm: DISPLAY en WAYLAND_DISPLAY zijn niet ingesteld. Aanmelden op een bureaublad, verbinden met ssh -X, of de opdrachtregel gebruiken, die geen beeldscherm nodig heeft: fitcheck check "25 H7" --measured 25.012; zie fitcheck --help
+open-unknown = { $name } is geen bestand dat het venster opent; het opent metingen, meetprotocollen en meetpunten (.csv, .tsv, .txt, .html), NC-programma's (.h), tabellen (.tab), gesimuleerde werkstukken (.toml), tastsysteemtabellen (.tp) en maskers (.a)
 window-not-opened = het venster kan niet worden geopend: { $reason }; de opdrachtregel werkt zonder beeldscherm, zie fitcheck --help

@@ -40,6 +40,8 @@ pub enum Place {
     Page(Page),
     /// In the focused part of a page.
     Part(Part),
+    /// In the file dialog, over any page.
+    Dialog,
 }
 
 /// A part of a page that takes the focus as a whole.
@@ -78,13 +80,14 @@ impl Place {
             Self::Workpiece => matches!(page, Page::Cycles | Page::Program),
             Self::Page(of) => of == page,
             Self::Part(part) => part.page() == page,
+            Self::Dialog => false,
         }
     }
 
     /// The nearer place goes first: where two places use the same keys, the smaller one takes them.
     const fn rank(self) -> u8 {
         match self {
-            Self::Part(_) => 0,
+            Self::Part(_) | Self::Dialog => 0,
             Self::Page(_) => 1,
             Self::Workpiece => 2,
             Self::Everywhere => 3,
@@ -151,6 +154,27 @@ actions! {
     Keypad;
     /// Closes what lies over the page: a dialog, a window, the oldest notice.
     Close;
+    /// Opens the file that was written in its own program.
+    OpenWritten;
+    /// Shows the file that was written in its folder.
+    ShowWritten;
+    /// Empties the list of recent files.
+    ForgetRecent;
+
+    /// Shows the system's file dialog.
+    Browse;
+    /// Shows the folder above.
+    FolderUp;
+    /// Shows the user's own folder.
+    HomeFolder;
+    /// Shows all files of the folder, or only those of the kind that is asked for.
+    AllFiles;
+    /// Goes to another entry of the folder.
+    MoveFile(Step): Step::ENTRIES;
+    /// Writes over the file that exists.
+    ReplaceFile;
+    /// Keeps the file that exists.
+    KeepFile;
 
     /// Measures and judges.
     Measure;
@@ -295,6 +319,11 @@ impl Action {
         self.row().keys.into_iter().flatten()
     }
 
+    /// The keys that are shown beside it: in the file dialog its own, else those of the page.
+    pub fn shortcut_shown(self, page: Page) -> Option<Shortcut> {
+        if self.place() == Place::Dialog { self.shortcuts().next() } else { self.shortcut_on(page) }
+    }
+
     /// The keys that are shown on a page; `None` where it has none, or where another action of the page takes them.
     pub fn shortcut_on(self, page: Page) -> Option<Shortcut> {
         let first = self.shortcuts().next().filter(|_| self.place().is_on(page))?;
@@ -416,11 +445,12 @@ impl Session {
             Place::Everywhere => true,
             // The workpiece's window lies over the listing, and takes Escape.
             Place::Page(Page::Program) if self.workpiece_is_open() => false,
+            Place::Dialog => false,
             Place::Part(of) => part == Some(of) && of.page() == self.page(),
             place => place.is_on(self.page()),
         };
-        let heard =
-            Action::all().filter(|action| if is_covered { *action == Action::Close } else { is_heard(*action) });
+        let is_of_cover = |action: Action| action == Action::Close || action.place() == Place::Dialog;
+        let heard = Action::all().filter(|action| if is_covered { is_of_cover(*action) } else { is_heard(*action) });
         let mut keys: Vec<_> = heard
             .flat_map(|action| action.shortcuts().map(move |shortcut| (shortcut, action)))
             .filter(|(shortcut, action)| !(is_typing && shortcut.is_of_text()) && self.can(*action))

@@ -4,6 +4,7 @@ use super::{Action, Held, Key, Part, Place, Shortcut};
 use crate::journal::query::Column;
 use crate::session::check::{CheckCommand, CheckField};
 use crate::session::cycles::CyclesCommand;
+use crate::session::files::{Dialog, FilesCommand, Launch};
 use crate::session::fit::FitCommand;
 use crate::session::program::{ProgramCommand, Run, Switch};
 use crate::session::tables::{self, TablesCommand, TablesField};
@@ -82,6 +83,11 @@ fn within(part: Part, text: &'static str, command: impl Into<Command>) -> Row {
     Row::new(Place::Part(part), text, Sends::Always(command.into()))
 }
 
+/// In the file dialog, while it waits for nothing.
+fn in_dialog(text: &'static str, command: impl Into<Command>) -> Row {
+    Row::new(Place::Dialog, text, Sends::Always(command.into())).when(|session| free_dialog(session).is_some())
+}
+
 const fn open(purpose: Purpose) -> Command {
     Command::OpenDialog(purpose)
 }
@@ -150,6 +156,39 @@ pub(super) fn row(action: Action) -> Row {
             let row = switch("close", |session| session.uppermost().unwrap_or(Command::Close));
             row.key(Shortcut::plain(Key::Escape)).when(|session| session.uppermost().is_some())
         }
+        Action::OpenWritten => {
+            everywhere("open-written", FilesCommand::Launch(Launch::Open).into()).when(tells_of_file)
+        }
+        Action::ShowWritten => {
+            everywhere("show-in-folder", FilesCommand::Launch(Launch::ShowInFolder).into()).when(tells_of_file)
+        }
+        Action::ForgetRecent => everywhere("forget-recent", FilesCommand::ForgetRecent.into())
+            .when(|session| !session.recent_files().is_empty()),
+
+        Action::Browse => in_dialog("dialog-browse", Command::Browse).hint("dialog-browse-hint"),
+        Action::FolderUp => in_dialog("dialog-up", FilesCommand::Up)
+            .key(Shortcut { held: Held::Alt, key: Key::Up })
+            .when(|session| free_dialog(session).is_some_and(|dialog| dialog.list.parent().is_some())),
+        Action::HomeFolder => in_dialog("dialog-home", FilesCommand::Home)
+            .key(Shortcut { held: Held::Alt, key: Key::Home })
+            .when(|session| free_dialog(session).is_some() && session.home().is_some()),
+        Action::AllFiles => Row::new(
+            Place::Dialog,
+            "dialog-all-files",
+            Sends::FromState(|session| {
+                FilesCommand::ShowAll(!free_dialog(session).is_some_and(|dialog| dialog.list.shows_all())).into()
+            }),
+        )
+        .when(|session| free_dialog(session).is_some()),
+        Action::MoveFile(step) => in_dialog("dialog-move", FilesCommand::Move(step))
+            .key(keys(step))
+            .when(|session| free_dialog(session).is_some_and(|dialog| !dialog.list.is_empty())),
+        Action::ReplaceFile => {
+            Row::new(Place::Dialog, "dialog-replace", Sends::Always(FilesCommand::Replace(true).into()))
+                .when(asks_to_replace)
+        }
+        Action::KeepFile => Row::new(Place::Dialog, "dialog-keep", Sends::Always(FilesCommand::Replace(false).into()))
+            .when(asks_to_replace),
 
         Action::Measure => on(Page::Check, "measure", CheckCommand::Measure),
         Action::JudgeAnyway => {
@@ -367,6 +406,7 @@ pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
         Action::Edition1988 => is_of_1988(session.sources().options()),
         Action::Keypad => session.has_keypad(),
         Action::OnlyBad => session.history().listed().query().only_bad,
+        Action::AllFiles => session.dialog().is_some_and(|dialog| dialog.list.shows_all()),
         Action::MeasureBy(by) => session.check().by() == by,
         Action::ShowClasses(feature) => session.fit().side() == feature,
         Action::Switch(switch) => session.program().is_on(switch),
@@ -413,6 +453,20 @@ fn rounds_js(options: Options) -> bool {
 
 fn is_of_1988(options: Options) -> bool {
     options.edition == Edition::Of1988
+}
+
+/// The file dialog, while it waits neither for a file nor for an answer.
+fn free_dialog(session: &Session) -> Option<&Dialog> {
+    session.dialog().filter(|dialog| !dialog.is_waiting())
+}
+
+fn asks_to_replace(session: &Session) -> bool {
+    session.dialog().is_some_and(|dialog| dialog.exists.is_some())
+}
+
+/// Whether the notice that is shown is about a file that was written.
+fn tells_of_file(session: &Session) -> bool {
+    session.dialog().is_none() && session.notices().first().is_some_and(|notice| notice.file.is_some())
 }
 
 fn has_history(session: &Session) -> bool {

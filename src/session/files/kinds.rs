@@ -1,0 +1,139 @@
+//! Kinds of files: what each is kept under, which endings it has, and what a file given from outside is opened for.
+
+use std::path::Path;
+
+use crate::control::log::is_log;
+use crate::control::text::decode;
+use crate::exchange::{self, tables::TABLE_FORMATS};
+use crate::message::Say;
+use crate::report::RENDERINGS;
+use crate::session::command::{CycleFile, Page, Purpose};
+
+/// How much of a file is looked at to find out what it is.
+pub const HEAD: usize = 64 << 10;
+
+/// Why a file given from outside is not opened.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "open", error)]
+pub enum OpenError {
+    /// Nothing that the window reads.
+    Unknown {
+        /// Its name.
+        name: String,
+    },
+}
+
+impl Purpose {
+    /// Everything that reads a file or a folder.
+    const READERS: [Self; 8] = [
+        Self::Import,
+        Self::LoadMask,
+        Self::LoadTables,
+        Self::OpenTable,
+        Self::OpenProgram,
+        Self::OpenCycleFile(CycleFile::Contacts),
+        Self::OpenCycleFile(CycleFile::Workpiece),
+        Self::OpenCycleFile(CycleFile::Probes),
+    ];
+
+    /// The name of the kind of thing in the state file. What is read and written alike has one folder.
+    pub(in crate::session) const fn kind(self) -> &'static str {
+        match self {
+            Self::Import => "measurements",
+            Self::LoadMask => "mask",
+            Self::LoadTables => "own-tables",
+            Self::Export(_) => "report",
+            Self::ExportStatus => "status",
+            Self::OpenTable | Self::SaveTable(_) => "table",
+            Self::OpenCycleFile(CycleFile::Contacts) => "contacts",
+            Self::OpenCycleFile(CycleFile::Workpiece) | Self::SaveWorkpiece => "workpiece",
+            Self::OpenCycleFile(CycleFile::Probes) => "probes",
+            Self::SaveCycleLog => "log",
+            Self::OpenProgram => "program",
+        }
+    }
+
+    /// What reads a kind.
+    pub(in crate::session) fn reading(kind: &str) -> Option<Self> {
+        Self::READERS.into_iter().find(|purpose| purpose.kind() == kind)
+    }
+
+    /// The endings of its files in lower case, without the point; none where any will do. The first one is what a name
+    /// without an ending gets.
+    pub fn endings(self) -> Vec<&'static str> {
+        match self {
+            Self::Import => exchange::endings(),
+            Self::LoadMask => vec!["a"],
+            Self::LoadTables | Self::OpenTable => vec!["tab"],
+            Self::Export(number) => RENDERINGS.get(number).map(|format| format.endings.to_vec()).unwrap_or_default(),
+            Self::SaveTable(number) => {
+                TABLE_FORMATS.get(number).map(|format| format.endings.to_vec()).unwrap_or_default()
+            }
+            Self::ExportStatus => vec!["txt"],
+            Self::OpenCycleFile(CycleFile::Contacts) => vec!["csv", "txt"],
+            Self::OpenCycleFile(CycleFile::Workpiece) | Self::SaveWorkpiece => vec!["toml"],
+            Self::OpenCycleFile(CycleFile::Probes) => vec!["tp"],
+            // The endings that the control uses: text, and a page.
+            Self::SaveCycleLog => vec!["txt", "html"],
+            Self::OpenProgram => vec!["h"],
+        }
+    }
+
+    /// The page that shows what is read, when another one is open: `None` where every page uses it.
+    pub(in crate::session) fn page(self, open: Page) -> Option<Page> {
+        let shows = match self {
+            Self::Import => Page::Check,
+            Self::OpenTable => Page::Tables,
+            Self::OpenProgram => Page::Program,
+            // Both pages measure the workpiece and the contacts.
+            Self::OpenCycleFile(CycleFile::Contacts | CycleFile::Workpiece) if open == Page::Program => open,
+            Self::OpenCycleFile(_) => Page::Cycles,
+            _ => return None,
+        };
+        (shows != open).then_some(shows)
+    }
+
+    /// What a file is opened for, by its name and its first [`HEAD`] bytes.
+    ///
+    /// ```
+    /// use fitcheck::session::Purpose;
+    ///
+    /// assert_eq!(Purpose::of_file("part.csv", b"id,callout,measured\n"), Ok(Purpose::Import));
+    /// assert_eq!(Purpose::of_file("bore.h", b"0 BEGIN PGM BORE MM\n"), Ok(Purpose::OpenProgram));
+    /// ```
+    pub fn of_file(name: &str, head: &[u8]) -> Result<Self, OpenError> {
+        let ending = Path::new(name).extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        let purpose = match ending.as_deref().unwrap_or_default() {
+            "h" => Some(Self::OpenProgram),
+            "tab" => Some(Self::OpenTable),
+            "toml" => Some(Self::OpenCycleFile(CycleFile::Workpiece)),
+            "tp" => Some(Self::OpenCycleFile(CycleFile::Probes)),
+            "a" => Some(Self::LoadMask),
+            ending if exchange::endings().contains(&ending) => {
+                exchange::FORMATS.iter().any(|format| format.recognises(head, name)).then_some(Self::Import)
+            }
+            _ => by_content(head),
+        };
+        purpose.ok_or_else(|| OpenError::Unknown { name: name.to_owned() })
+    }
+}
+
+/// What a file with another ending, or none, is: by marks that only one kind has. A table of measurements has none.
+fn by_content(head: &[u8]) -> Option<Purpose> {
+    let text = decode(head);
+    if is_log(&text) {
+        return Some(Purpose::Import);
+    }
+    let first = text.lines().find(|line| !line.trim().is_empty())?.to_uppercase();
+    let first = first.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace() || c == '\u{feff}');
+    let begins = first.strip_prefix("BEGIN ")?;
+    if begins.starts_with("PGM ") {
+        Some(Purpose::OpenProgram)
+    } else if begins.contains(".TAB") {
+        Some(Purpose::OpenTable)
+    } else if begins.contains(".TP") {
+        Some(Purpose::OpenCycleFile(CycleFile::Probes))
+    } else {
+        None
+    }
+}
