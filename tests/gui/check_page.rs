@@ -202,11 +202,11 @@ fn simulating_measures_with_contacts_and_fills_the_history() {
     assert!(said.starts_with("4 contacts seen from above"), "{said}");
     window.get_by_label_contains("no form beyond ovality");
     window.get_by_label("1 check");
-    let first = window.state().session().history()[0].measurement.contacts.clone();
+    let first = window.state().session().history().iter().next().unwrap().measurement.contacts.clone();
     window.get_by_role_and_label(Role::Button, "Measure").click();
     window.run();
     window.get_by_label("2 checks");
-    assert_ne!(first, window.state().session().history()[1].measurement.contacts);
+    assert_ne!(first, window.state().session().history().iter().nth(1).unwrap().measurement.contacts);
 }
 
 #[test]
@@ -326,6 +326,6 @@ fn one_part_of_a_fit_is_checked() {
     window.run();
     check(&mut window, "25 H7/g6", "24.99");
     assert!(verdict(&window).starts_with("GOOD. 24.990 mm"), "{}", verdict(&window));
-    let record = &window.state().session().history()[0];
+    let record = window.state().session().history().iter().next().unwrap();
     assert_eq!(record.callout.map(|callout| callout.to_string()), Some("25 g6".to_owned()));
 }

@@ -26,7 +26,20 @@ load-tables = Own tables…
 no-own-tables = No own tables
 load-mask = Own mask…
 undo = Undo
+undo-what = Undo: { $what }
+undo-add = { $count ->
+    [one] add 1 check
+   *[other] add { $count } checks
+}
+undo-clear = clear history
+undone = Undone: { $what }
 clear-history = Clear history
+choose-bad = { $count ->
+    [0] Choose the bad checks
+    [one] Choose 1 bad check
+   *[other] Choose { $count } bad checks
+}
+choose-none = Choose none
 
 callout = Callout
 callout-hint = Type a nominal size and a class, such as 25 H7
@@ -96,6 +109,7 @@ centre-is = centre { $x } / { $y }
 word-none = No result
 word-question = Is this right?
 simulated = SIMULATED
+status-simulated = { simulated } { $status }
 judge-anyway = Judge { $measured } mm as it is
 take-meant = Take { $meant } mm
 question-enter = Enter judges the value as it is; typing replaces it
@@ -152,17 +166,46 @@ history-count = { $count ->
    *[other] { $count } checks
 }
 history-chosen = { $count } chosen for export
+history-hidden = { $hidden } of them not listed
+history-shown = { $shown } of { $count ->
+    [one] 1 check
+   *[other] { $count } checks
+}
+history-exported = { $count ->
+    [0] There is nothing to export
+    [one] 1 check will be exported
+   *[other] All { $count } checks will be exported
+}
+history-cleared = { $count ->
+    [one] 1 check removed from the history. Undo (Ctrl+Z) brings it back.
+   *[other] { $count } checks removed from the history. Undo (Ctrl+Z) brings them back.
+}
+history-none-found = No check matches the filter
+history-filter = Filter
+history-filter-hint = Words that a check must have: part, callout, value, date, status, file
+history-only-bad = Only bad
+history-only-bad-hint = Rework, re-measure and scrap
+history-sort-hint = Sorts by this column; again the other way round, then newest first
+history-ascending = { $column }, sorted ascending
+history-descending = { $column }, sorted descending
+history-list = Checks in the history
+history-row = { $time }, { $callout }, { $measured } mm, { $deviation }, { $status }, { $from }
+history-row-part = { $time }, { $part }, { $callout }, { $measured } mm, { $deviation }, { $status }, { $from }
+history-row-chosen = { $row }, chosen for export
+history-move = Go to another check
+history-show = Show the check
+history-choose = Choose for export
+choose-all = Choose all listed
+copy-checks = Copy for a spreadsheet
 history-empty = Checks appear here, the newest first
-head-chosen = ✓
-head-time = Time
+head-time = Date and time
 head-part = Part
 head-callout = Callout
 head-measured = Measured
 head-deviation = Deviation
 head-status = Status
 head-from = From
-choose-check = Choose { $callout } of { $time } for export
-show-check = Show { $time } { $callout } { $status }
+choose-check = Choose { $check } of { $time } for export
 
 dialog-import = Import measurements
 dialog-mask = Own mask

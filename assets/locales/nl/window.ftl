@@ -26,7 +26,20 @@ load-tables = Eigen tabellen…
 no-own-tables = Geen eigen tabellen
 load-mask = Eigen masker…
 undo = Ongedaan maken
+undo-what = Ongedaan maken: { $what }
+undo-add = { $count ->
+    [one] 1 controle toevoegen
+   *[other] { $count } controles toevoegen
+}
+undo-clear = geschiedenis wissen
+undone = Ongedaan gemaakt: { $what }
 clear-history = Geschiedenis wissen
+choose-bad = { $count ->
+    [0] Niet goede controles kiezen
+    [one] 1 niet goede controle kiezen
+   *[other] { $count } niet goede controles kiezen
+}
+choose-none = Niets kiezen
 
 callout = Passing
 callout-hint = Typ een nominale maat en een klasse, bijvoorbeeld 25 H7
@@ -96,6 +109,7 @@ centre-is = midden { $x } / { $y }
 word-none = Geen resultaat
 word-question = Klopt dit?
 simulated = GESIMULEERD
+status-simulated = { simulated } { $status }
 judge-anyway = { $measured } mm toch beoordelen
 take-meant = { $meant } mm nemen
 question-enter = Enter beoordeelt de waarde zoals die is; typen vervangt de waarde
@@ -152,17 +166,46 @@ history-count = { $count ->
    *[other] { $count } controles
 }
 history-chosen = { $count } gekozen voor export
+history-hidden = waarvan { $hidden } niet getoond
+history-shown = { $shown } van { $count ->
+    [one] 1 controle
+   *[other] { $count } controles
+}
+history-exported = { $count ->
+    [0] Er is niets te exporteren
+    [one] 1 controle wordt geëxporteerd
+   *[other] Alle { $count } controles worden geëxporteerd
+}
+history-cleared = { $count ->
+    [one] 1 controle uit de geschiedenis verwijderd. Met Ongedaan maken (Ctrl+Z) komt die terug.
+   *[other] { $count } controles uit de geschiedenis verwijderd. Met Ongedaan maken (Ctrl+Z) komen ze terug.
+}
+history-none-found = Geen controle voldoet aan het filter
+history-filter = Filter
+history-filter-hint = Woorden die een controle moet bevatten: deel, passing, waarde, datum, status, bestand
+history-only-bad = Alleen niet goed
+history-only-bad-hint = Nabewerking, opnieuw meten en afgekeurd
+history-sort-hint = Sorteert op deze kolom; nog een keer andersom, daarna de nieuwste bovenaan
+history-ascending = { $column }, oplopend gesorteerd
+history-descending = { $column }, aflopend gesorteerd
+history-list = Controles in de geschiedenis
+history-row = { $time }, { $callout }, { $measured } mm, { $deviation }, { $status }, { $from }
+history-row-part = { $time }, { $part }, { $callout }, { $measured } mm, { $deviation }, { $status }, { $from }
+history-row-chosen = { $row }, gekozen voor export
+history-move = Naar een andere controle
+history-show = Controle tonen
+history-choose = Kiezen voor export
+choose-all = Alle getoonde kiezen
+copy-checks = Kopiëren voor een spreadsheet
 history-empty = Hier verschijnen de controles, de nieuwste bovenaan
-head-chosen = ✓
-head-time = Tijd
+head-time = Datum en tijd
 head-part = Onderdeel
 head-callout = Passing
 head-measured = Gemeten
 head-deviation = Afwijking
 head-status = Status
 head-from = Herkomst
-choose-check = { $callout } van { $time } kiezen voor export
-show-check = { $time } { $callout } { $status } tonen
+choose-check = { $check } van { $time } kiezen voor export
 
 dialog-import = Metingen importeren
 dialog-mask = Eigen masker

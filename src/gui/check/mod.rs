@@ -5,17 +5,19 @@
 //! | `asked_panel` | left: callout, limits, measured value, probe position, simulated workpiece |
 //! | `band_plot`, `contacts_plot`, `last_values` | middle: what was seen |
 //! | `answer_panel`, `status_panel` | right: the verdict, and the control's window |
-//! | `history_panel` | bottom: earlier checks |
+//! | `history_panel`, `history_list` | bottom: earlier checks |
 
 mod answer_panel;
 mod asked_panel;
 mod band_plot;
 mod contacts_plot;
+mod history_list;
 mod history_panel;
 mod last_values;
 mod status_panel;
 
 use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
+pub(super) use history_list::id as history_id;
 pub(super) use status_panel::mask_chooser_ui;
 
 use super::columns::{Page, Shape, Side, column_ui, columns_ui, panel_ui};
