@@ -182,10 +182,10 @@ history-cleared = { $count ->
 }
 history-none-found = Geen controle voldoet aan het filter
 history-filter = Filter
-history-filter-hint = Woorden die een controle moet bevatten: deel, passing, waarde, datum, status, bestand
+history-filter-hint = Woorden die een controle moet bevatten: onderdeel, passing, waarde, datum, status, bestand
 history-only-bad = Alleen niet goed
 history-only-bad-hint = Nabewerking, opnieuw meten en afgekeurd
-history-sort-hint = Sorteert op deze kolom; nog een keer andersom, daarna de nieuwste bovenaan
+history-sort-hint = Sorteert op deze kolom; nogmaals keert de volgorde om, daarna de nieuwste bovenaan
 history-ascending = { $column }, oplopend gesorteerd
 history-descending = { $column }, aflopend gesorteerd
 history-list = Controles in de geschiedenis
