@@ -9,6 +9,7 @@ use super::cycles::CyclesCommand;
 use super::field::Field;
 use super::files::{FilesCommand, Launch};
 use super::fit::FitCommand;
+use super::history::ListCommand;
 use super::program::ProgramCommand;
 use super::tables::TablesCommand;
 use super::workpiece::WorkpieceCommand;
@@ -97,6 +98,12 @@ pub enum Command {
 }
 
 from_variants!(Command: Check(CheckCommand), Fit(FitCommand), Cycles(CyclesCommand), Tables(TablesCommand));
+impl From<ListCommand> for Command {
+    fn from(command: ListCommand) -> Self {
+        Self::Check(CheckCommand::List(command))
+    }
+}
+
 from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand), Files(FilesCommand));
 
 /// What a file dialog is for.
