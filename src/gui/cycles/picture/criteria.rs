@@ -23,7 +23,7 @@ const HEADS: [&str; 4] = [
 /// The table, the uncertainties and the warnings, below one another.
 pub(in crate::gui) fn criteria_table(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
     let words = view.words;
-    Grid::new("cycle-criteria").num_columns(5).min_row_height(space(6.0)).spacing([space(5.0), 0.0]).show(ui, |ui| {
+    Grid::new("cycle-criteria").num_columns(5).min_row_height(space(5.0)).spacing([space(5.0), 0.0]).show(ui, |ui| {
         quiet(ui, view.text("cycle-picture-head-criterion"));
         for head in HEADS {
             quiet(ui, view.text(head));
