@@ -74,7 +74,7 @@ fn required_mark(ui: &Ui, field: Rect) {
 /// What a screen reader says of a field in which nothing is typed, beside its name.
 fn describe(ui: &Ui, view: &View<'_>, field: CycleField, standing: &Standing, response: &Response) {
     // An error has been said already.
-    if *standing == Standing::Given || view.session.error(field.into()).is_some() {
+    if *standing == Standing::Given || view.session.error(field).is_some() {
         return;
     }
     let said = standing_text(view, standing);

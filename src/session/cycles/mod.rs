@@ -54,7 +54,7 @@ impl ContactsFrom {
 }
 
 /// Where the value of a parameter comes from.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Standing {
     /// It was typed.
     Given,
