@@ -14,7 +14,7 @@ use crate::session::{Action, CycleRun, CyclesCommand, Step};
 use crate::words::Words;
 
 /// From this width things stand beside each other.
-const WIDE: f32 = 120.0;
+const WIDE: f32 = 100.0;
 
 /// The height of what stands above the picture of the path.
 const PATH: f32 = 20.0;
@@ -53,7 +53,7 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
     };
     if space(WIDE) < ui.available_width() {
         let height = left.max(space(40.0));
-        let width = (ui.available_width() - space(3.0)) * 0.55;
+        let width = (ui.available_width() - space(3.0)) * 0.56;
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = space(3.0);
             ui.allocate_ui(vec2(width, height), |ui| path_picture(ui, view, run, height));
@@ -77,8 +77,9 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
 /// What the parameter is, drawn and in words: question, range, default.
 fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
     let cycle = view.session.cycles().cycle();
+    let is_wide = space(WIDE) < ui.available_width();
     ui.horizontal_top(|ui| {
-        picture::parameter_picture(ui, view, cycle, parameter.key);
+        picture::parameter_picture(ui, view, cycle, parameter.key, is_wide);
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             heading(ui, parameter.key.to_string());
@@ -87,6 +88,10 @@ fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
             quiet(ui, standing_text(view, &view.session.cycles().unset(parameter)));
             if parameter.may_be_predef {
                 quiet(ui, view.text("cycles-may-be-predef"));
+            }
+            if is_wide {
+                ui.add_space(space(1.0));
+                picture::parameter_sentence(ui, view, parameter);
             }
         });
     });

@@ -1,7 +1,7 @@
 //! Above: which program; run, pause, single block, breakpoints, speed; what the run does, in words.
 
 use eframe::egui::accesskit::Live;
-use eframe::egui::{Button, RichText, ScrollArea, Sense, Ui, vec2};
+use eframe::egui::{Align, Button, Layout, RichText, ScrollArea, Sense, Ui, vec2};
 
 use super::paint;
 use crate::gui::theme::{self, control, palette, sizes, space};
@@ -9,6 +9,12 @@ use crate::gui::view::{View, list_height, list_ui, live};
 use crate::nc::machine::Shipped;
 use crate::session::program::{Document, EntryKind, Origin, Run, Speed, State, Switch};
 use crate::session::{Action, Command, ProgramCommand, Purpose};
+
+/// The width of the list of places to go to.
+const OUTLINE: f32 = 52.0;
+
+/// The width of the list of speeds.
+const LIST: f32 = 32.0;
 
 /// From this width what the run does stands beside the choices.
 const WIDE: f32 = 190.0;
@@ -26,7 +32,7 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     let is_wide = space(WIDE) < ui.available_width();
     ui.horizontal(|ui| {
         outline_ui(ui, view);
-        speed_ui(ui, view);
+        of_width(ui, LIST, |ui| speed_ui(ui, view));
         options_ui(ui, view);
         if is_wide {
             ui.separator();
@@ -37,6 +43,16 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         progress_ui(ui, view);
     }
     ui.add_space(space(1.0));
+}
+
+/// A list that keeps its width whatever it shows.
+fn of_width<R>(ui: &mut Ui, steps: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
+    let size = vec2(space(steps), control(ui));
+    ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_width(size.x);
+        content(ui)
+    })
+    .inner
 }
 
 /// What the run does and which programs called one another, in one line that scrolls: nothing below it moves.
@@ -97,7 +113,7 @@ const fn speed_id(speed: Speed) -> &'static str {
 fn speed_ui(ui: &mut Ui, view: &mut View<'_>) {
     let speed = view.session.program().speed();
     let name = view.text("program-page-speed");
-    let list = list_ui(ui, "program-speed", view.text(speed_id(speed)), space(26.0), |ui| {
+    let list = list_ui(ui, "program-speed", view.text(speed_id(speed)), space(LIST - 2.0), |ui| {
         for choice in Speed::ALL {
             if ui.selectable_label(choice == speed, view.text(speed_id(choice))).clicked() {
                 view.send(ProgramCommand::SetSpeed(choice));
@@ -157,23 +173,25 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
     let text = under.and_then(|number| outline.get(number)).map(|entry| entry.text.clone());
     let text = text.unwrap_or_else(|| view.text("program-page-outline-none"));
     let height = list_height(ui);
-    let list = list_ui(ui, "program-outline", text, space(46.0), |ui| {
-        ui.set_min_width(space(70.0));
-        // Only the entries in sight: there may be thousands.
-        let area = ScrollArea::vertical().max_height(height).id_salt("outline");
-        area.show_rows(ui, control(ui), outline.len(), |ui, rows| {
-            for (number, entry) in rows.clone().zip(outline.get(rows).unwrap_or_default()) {
-                let depth = entry.depth.saturating_sub(1) + usize::from(entry.kind == EntryKind::Label);
-                let text = format!("{}{}", "    ".repeat(depth.min(8)), entry.text);
-                let button = Button::selectable(under == Some(number), text).truncate();
-                if ui.add(button.min_size(vec2(0.0, control(ui)))).clicked() {
-                    let program = document.path().clone();
-                    let place = crate::nc::machine::BlockPlace { program, block: entry.block };
-                    view.send(ProgramCommand::GoTo(place));
-                    ui.close();
+    let list = of_width(ui, OUTLINE, |ui| {
+        list_ui(ui, "program-outline", text, space(OUTLINE - 2.0), |ui| {
+            ui.set_min_width(space(70.0));
+            // Only the entries in sight: there may be thousands.
+            let area = ScrollArea::vertical().max_height(height).id_salt("outline");
+            area.show_rows(ui, control(ui), outline.len(), |ui, rows| {
+                for (number, entry) in rows.clone().zip(outline.get(rows).unwrap_or_default()) {
+                    let depth = entry.depth.saturating_sub(1) + usize::from(entry.kind == EntryKind::Label);
+                    let text = format!("{}{}", "    ".repeat(depth.min(8)), entry.text);
+                    let button = Button::selectable(under == Some(number), text).truncate();
+                    if ui.add(button.min_size(vec2(0.0, control(ui)))).clicked() {
+                        let program = document.path().clone();
+                        let place = crate::nc::machine::BlockPlace { program, block: entry.block };
+                        view.send(ProgramCommand::GoTo(place));
+                        ui.close();
+                    }
                 }
-            }
-        });
+            });
+        })
     });
     list.labelled_by(name.id);
 }
