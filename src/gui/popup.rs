@@ -24,7 +24,7 @@ pub(super) fn popup_ui(
     frame_ui(ui, view.text(title), |ui| {
         // As high as the window of a mask: what stands below it does not move when one comes.
         let line = ui.fonts_mut(|fonts| fonts.row_height(&theme::mono(sizes().mono)));
-        ui.set_min_height((line * LINES).max(space(24.0)));
+        ui.set_min_height((line * LINES).ceil().max(space(24.0)));
         match shown {
             Some(Ok(text)) => text_ui(ui, text, "popup"),
             Some(Err(error)) => _ = problem(ui, view.words.say(error)),

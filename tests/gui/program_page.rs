@@ -235,7 +235,7 @@ fn the_simulated_workpiece_is_that_of_the_cycles_page() {
 fn a_class_that_neither_knows_is_refused_by_both() {
     let mut page = page();
     type_into(&mut page, "QS1 Class", "I7");
-    page.get_by(|node| node.role() == Role::Label && node.value().is_some_and(|value| value.contains("I7")));
+    page.get_by(|node| node.role() == Role::Label && node.value().is_some_and(|value| value.starts_with("I7 is not")));
     press(&mut page, Key::F5);
     says(&page, "Stopped with an error");
     says(&page, "Neither the program nor Fitcheck gives an answer");

@@ -113,7 +113,7 @@ const fn speed_id(speed: Speed) -> &'static str {
 fn speed_ui(ui: &mut Ui, view: &mut View<'_>) {
     let speed = view.session.program().speed();
     let name = view.text("program-page-speed");
-    let list = list_ui(ui, "program-speed", view.text(speed_id(speed)), space(LIST - 2.0), |ui| {
+    let list = list_ui(ui, "program-speed", view.text(speed_id(speed)), space(LIST), |ui| {
         for choice in Speed::ALL {
             if ui.selectable_label(choice == speed, view.text(speed_id(choice))).clicked() {
                 view.send(ProgramCommand::SetSpeed(choice));
@@ -174,7 +174,7 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
     let text = text.unwrap_or_else(|| view.text("program-page-outline-none"));
     let height = list_height(ui);
     let list = of_width(ui, OUTLINE, |ui| {
-        list_ui(ui, "program-outline", text, space(OUTLINE - 2.0), |ui| {
+        list_ui(ui, "program-outline", text, space(OUTLINE), |ui| {
             ui.set_min_width(space(70.0));
             // Only the entries in sight: there may be thousands.
             let area = ScrollArea::vertical().max_height(height).id_salt("outline");
