@@ -2,7 +2,18 @@
 //!
 //! A record holds the whole way from callout to verdict, so that a report made next year says the same as the screen
 //! today.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | a record |
+//! | `query` | which records are listed, and in which order; where records are kept, as a trait |
+//! | `memory` | records in memory |
+//! | `natural` | texts in the order in which people count |
+//! | `window` | the status window of a record |
 
+pub mod memory;
+pub mod natural;
+pub mod query;
 mod window;
 
 use jiff::civil::DateTime;

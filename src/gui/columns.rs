@@ -2,10 +2,15 @@
 //!
 //! The verdict never scrolls and never gives way: it stands above its column, or above the whole page.
 
-use eframe::egui::{Frame, Margin, Memory, Panel, ScrollArea, Ui, vec2};
+use std::ops::RangeInclusive;
+
+use eframe::egui::accesskit::{Action, ActionRequest, TreeId};
+use eframe::egui::{
+    AsIdSalt, CentralPanel, Event, EventFilter, Frame, Id, Key, Margin, Memory, Panel, Rect, ScrollArea, Ui, vec2,
+};
 
 use super::keypad::{self, keypad_ui};
-use super::theme::space;
+use super::theme::{palette, space};
 use super::view::View;
 
 /// The least width of the left column.
@@ -86,23 +91,25 @@ fn three_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
     // The middle keeps a fifth of the page, however wide the others are drawn.
     let least_asked = LEAST_ASKED.max(keypad::width(view));
     let most = (all * 0.8 - least).max(least_asked);
-    let left = Panel::left((page.name, "asked", is_narrow)).resizable(true).default_size(left.min(most));
-    left.size_range(least_asked..=most).show(ui, |ui| asked_ui(ui, view, page));
+    let sizes = (left.clamp(least_asked, most), least_asked..=most);
+    let salt = (page.name, "asked", is_narrow);
+    panel_ui(ui, view, Side::Left, salt, sizes, |ui, view| asked_ui(ui, view, page));
     let most = (ui.available_width() - space(40.0)).max(least);
-    let right = Panel::right((page.name, "answer", is_narrow)).resizable(true).default_size(right.clamp(least, most));
-    right.size_range(least..=most).show(ui, |ui| answer_ui(ui, view, page, false));
+    let sizes = (right.clamp(least, most), least..=most);
+    let salt = (page.name, "answer", is_narrow);
+    panel_ui(ui, view, Side::Right, salt, sizes, |ui, view| answer_ui(ui, view, page, false));
     ui.scope(|ui| {
         let frame = Frame::central_panel(ui.style());
-        eframe::egui::CentralPanel::default().frame(frame).show(ui, |ui| (page.seen)(ui, view));
+        CentralPanel::default().frame(frame).show(ui, |ui| (page.seen)(ui, view));
     });
 }
 
 fn two_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
     let most = (ui.available_width() - least).max(LEAST_ASKED);
     let least_asked = LEAST_ASKED.max(keypad::width(view)).min(most);
-    let panel = Panel::left((page.name, "asked", 2)).resizable(true).default_size(page.left.min(most));
-    panel.size_range(least_asked..=most).show(ui, |ui| asked_ui(ui, view, page));
-    eframe::egui::CentralPanel::default().show(ui, |ui| answer_ui(ui, view, page, true));
+    let sizes = (page.left.clamp(least_asked, most), least_asked..=most);
+    panel_ui(ui, view, Side::Left, (page.name, "asked", 2), sizes, |ui, view| asked_ui(ui, view, page));
+    CentralPanel::default().show(ui, |ui| answer_ui(ui, view, page, true));
 }
 
 fn one_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
@@ -110,7 +117,7 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let top = Panel::top((page.name, "verdict")).frame(margin).resizable(false);
     top.show(ui, |ui| (page.verdict)(ui, view));
     keypad_ui(ui, view);
-    eframe::egui::CentralPanel::default().show(ui, |ui| {
+    CentralPanel::default().show(ui, |ui| {
         column_ui(ui, (page.name, "all"), |ui| {
             for part in page.head.iter().chain([&page.asked]) {
                 part(ui, view);
@@ -144,9 +151,77 @@ fn answer_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, with_seen: bool) {
     });
 }
 
-/// Takes the whole of a panel that can be resized: it is as large as what is in it.
-pub(super) fn fill(ui: &mut Ui) {
-    ui.set_min_size(ui.available_size());
+/// The side of a page that a panel stands at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    Left,
+    Right,
+    Top,
+    Bottom,
+}
+
+impl Side {
+    /// The arrows that make its panel larger and smaller.
+    const fn arrows(self) -> [Key; 2] {
+        match self {
+            Self::Left => [Key::ArrowRight, Key::ArrowLeft],
+            Self::Right => [Key::ArrowLeft, Key::ArrowRight],
+            Self::Top => [Key::ArrowDown, Key::ArrowUp],
+            Self::Bottom => [Key::ArrowUp, Key::ArrowDown],
+        }
+    }
+}
+
+/// A panel whose edge is drawn with the pointer, or moved with the arrow keys once it has the focus; it stays so, also
+/// after a restart.
+pub(super) fn panel_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    side: Side,
+    salt: impl AsIdSalt + Copy,
+    (size, range): (f32, RangeInclusive<f32>),
+    content: impl FnOnce(&mut Ui, &mut View<'_>),
+) {
+    // As egui names the handle of a panel.
+    let handle = ui.scope_id().with(salt).with("__resize");
+    arrows(ui, handle, side.arrows());
+    let panel = match side {
+        Side::Left => Panel::left(salt),
+        Side::Right => Panel::right(salt),
+        Side::Top => Panel::top(salt),
+        Side::Bottom => Panel::bottom(salt),
+    };
+    panel.resizable(true).default_size(size).size_range(range).show(ui, |ui| {
+        // A panel is as large as what is in it.
+        ui.set_min_size(ui.available_size());
+        content(ui, view);
+    });
+    ui.ctx().accesskit_node_builder(handle, |node| node.set_label(view.text("edge")));
+    if let Some(edge) = ui.ctx().read_response(handle).filter(|_| ui.memory(|memory| memory.has_focus(handle))) {
+        let rect = edge.rect.shrink2(edge.rect.size() * vec2(0.3, 0.0));
+        let thin = Rect::from_center_size(rect.center(), rect.size().max(vec2(3.0, 3.0)));
+        let line = if thin.width() < thin.height() { vec2(3.0, thin.height()) } else { vec2(thin.width(), 3.0) };
+        let line = Rect::from_center_size(thin.center(), line);
+        ui.ctx().debug_painter().rect_filled(line, 1.0, palette(ui.ctx()).accent.0);
+    }
+}
+
+/// Passes arrow keys on to the handle of a panel, as a screen reader would move it.
+fn arrows(ui: &Ui, handle: Id, [larger, smaller]: [Key; 2]) {
+    if !ui.memory(|memory| memory.has_focus(handle)) {
+        return;
+    }
+    let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(handle, filter));
+    ui.input_mut(|input| {
+        for (key, action) in [(larger, Action::Increment), (smaller, Action::Decrement)] {
+            let (target_node, target_tree) = (handle.accesskit_id(), TreeId::ROOT);
+            for _ in 0..input.num_presses(key) {
+                let request = ActionRequest { action, target_tree, target_node, data: None };
+                input.events.push(Event::AccessKitActionRequest(request));
+            }
+        }
+    });
 }
 
 /// A part of a column with a height of its own.

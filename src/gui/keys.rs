@@ -5,13 +5,13 @@
 use eframe::egui::{self, Event, EventFilter, Id, KeyboardShortcut, Modifiers, Ui};
 
 use super::view::View;
-use super::{fit, program, tables};
+use super::{check, fit, program, tables};
 use crate::session::action::{Held, Key, Part, Shortcut};
 
 /// Does what was pressed in this frame, before anything is drawn: a key that an action takes reaches no widget.
 pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
     let part = focused_part(ui, view);
-    let is_press = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
+    let is_press = |event: &Event| pressed_key(event).is_some();
     if !ui.input(|input| input.events.iter().any(is_press)) {
         return;
     }
@@ -19,9 +19,9 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
     let mut pressed = Vec::new();
     ui.input_mut(|input| {
         input.events.retain(|event| {
-            let Event::Key { key, modifiers, pressed: true, .. } = event else { return true };
+            let Some((key, modifiers)) = pressed_key(event) else { return true };
             let is_it =
-                |shortcut: &Shortcut| modifiers.matches_exact(held(shortcut.held)) && *key == of_window(shortcut.key);
+                |shortcut: &Shortcut| modifiers.matches_exact(held(shortcut.held)) && key == of_window(shortcut.key);
             let Some((shortcut, action)) = keys.iter().find(|(shortcut, _)| is_it(shortcut)) else { return true };
             pressed.push(*action);
             // An open list closes with the same Escape.
@@ -33,12 +33,21 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
     }
 }
 
+/// The key that an event presses. The system turns Ctrl+C into an event of its own.
+const fn pressed_key(event: &Event) -> Option<(egui::Key, Modifiers)> {
+    match event {
+        Event::Key { key, modifiers, pressed: true, .. } => Some((*key, *modifiers)),
+        Event::Copy => Some((egui::Key::C, Modifiers::COMMAND)),
+        _ => None,
+    }
+}
+
 /// The part of the page that has the focus as a whole. Arrows stay in it.
 fn focused_part(ui: &Ui, view: &View<'_>) -> Option<Part> {
     let part = Part::ALL.into_iter().find(|part| part.page() == view.session.page())?;
     let id = id(part, view);
-    let arrows =
-        EventFilter { tab: false, horizontal_arrows: part != Part::Listing, vertical_arrows: true, escape: false };
+    let horizontal_arrows = matches!(part, Part::Classes | Part::Cells);
+    let arrows = EventFilter { tab: false, horizontal_arrows, vertical_arrows: true, escape: false };
     ui.memory_mut(|memory| {
         memory.set_focus_lock_filter(id, arrows);
         memory.has_focus(id).then_some(part)
@@ -50,6 +59,7 @@ fn id(part: Part, view: &View<'_>) -> Id {
         Part::Classes => fit::map_id(view.session.fit().side()),
         Part::Cells => tables::grid_id(),
         Part::Listing => program::listing_id(),
+        Part::History => check::history_id(),
     }
 }
 
@@ -87,5 +97,6 @@ fn of_window(key: Key) -> egui::Key {
         Key::Enter => egui::Key::Enter,
         Key::Escape => egui::Key::Escape,
         Key::Delete => egui::Key::Delete,
+        Key::Space => egui::Key::Space,
     }
 }

@@ -3,7 +3,8 @@
 use eframe::egui::{Button, Id, Panel, RichText, Ui};
 
 use super::theme::{self, control, sizes, space};
-use super::view::View;
+use super::view::{View, quiet};
+use crate::message::Message;
 use crate::report::RENDERINGS;
 use crate::session::{Action, Command, Density, Page, Theme};
 use crate::tolerance::Base;
@@ -71,6 +72,18 @@ fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.menu_item(ui, Action::Export(number));
     }
     view.menu_item(ui, Action::ExportStatus);
+    ui.separator();
+    // What will be exported is said before it is.
+    let (chosen, count) = (view.session.history().chosen_count(), view.session.history().len());
+    let said = if 0 < chosen {
+        Message::new("history-chosen").count("count", chosen)
+    } else {
+        Message::new("history-exported").count("count", count)
+    };
+    quiet(ui, view.words.say(&said));
+    for action in [Action::ChooseBad, Action::ChooseAll, Action::ChooseNone, Action::CopyChecks] {
+        view.menu_item(ui, action);
+    }
 }
 
 fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {

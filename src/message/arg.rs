@@ -16,6 +16,13 @@ pub enum Arg {
     Number(String),
     /// A sentence within the sentence.
     Message(Message),
+    /// A name that a control has in several languages.
+    Name {
+        /// Where the language has none.
+        plain: &'static str,
+        /// By the code of a language.
+        by_code: Vec<(&'static str, &'static str)>,
+    },
 }
 
 /// How a value goes into a text.
@@ -48,7 +55,14 @@ macro_rules! as_text {
 }
 pub(crate) use as_text;
 
-as_text!(str, &str, String, Arc<str>, char, f64, i8, i16, i32, i64, u64);
+as_text!(str, &str, String, Arc<str>, char, i8, i16, i32, i64, u64);
+
+/// A computed value, as each language prints it.
+impl IntoArg for f64 {
+    fn arg(&self) -> Arg {
+        Arg::Number(self.to_string())
+    }
+}
 
 /// Small numbers choose plural forms.
 macro_rules! as_count {

@@ -65,6 +65,9 @@ impl Bundle {
                 Arg::Count(count) => (*count).into(),
                 Arg::Number(plain) => number(plain).into(),
                 Arg::Message(message) => self.say(message, number).into(),
+                Arg::Name { plain, by_code } => {
+                    by_code.iter().find(|(code, _)| *code == self.code).map_or(*plain, |(_, name)| *name).into()
+                }
             };
             args.set(*name, value);
         }

@@ -58,10 +58,10 @@ impl Message {
         self.with(name, &count)
     }
 
-    /// A copy with one more decimal number: a length in millimetres.
+    /// A copy with one more decimal number: a length in millimetres, or an angle with its sign.
     #[must_use]
-    pub fn mm(mut self, name: &'static str, length: impl fmt::Display) -> Self {
-        self.args.push((name, Arg::Number(length.to_string())));
+    pub fn mm(mut self, name: &'static str, number: impl fmt::Display) -> Self {
+        self.args.push((name, Arg::Number(number.to_string())));
         self
     }
 

@@ -73,7 +73,7 @@ fn contacts(row: &Row) -> Option<String> {
 
 /// A text that no spreadsheet computes. Blanks and control characters in front do not hide a formula, and the wide
 /// signs of East Asian keyboards are formulas to some spreadsheets, too.
-fn harmless(text: &str) -> String {
+pub(crate) fn harmless(text: &str) -> String {
     let first = text.trim_start_matches(|c: char| c.is_whitespace() || c.is_control()).chars().next();
     let formula = first.is_some_and(|c| "=+-@\u{ff1d}\u{ff0b}\u{ff0d}\u{ff20}".contains(c));
     if formula { format!("'{text}") } else { text.to_owned() }

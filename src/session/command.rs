@@ -8,6 +8,7 @@ use super::check::CheckCommand;
 use super::cycles::CyclesCommand;
 use super::field::Field;
 use super::fit::FitCommand;
+use super::history::ListCommand;
 use super::program::ProgramCommand;
 use super::tables::TablesCommand;
 use super::workpiece::WorkpieceCommand;
@@ -94,6 +95,12 @@ pub enum Command {
 }
 
 from_variants!(Command: Check(CheckCommand), Fit(FitCommand), Cycles(CyclesCommand), Tables(TablesCommand));
+impl From<ListCommand> for Command {
+    fn from(command: ListCommand) -> Self {
+        Self::Check(CheckCommand::List(command))
+    }
+}
+
 from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand));
 
 /// What a file dialog is for.

@@ -1,86 +1,201 @@
-//! All checks of the session, which of them are chosen for a report, and how to undo a change.
+//! All checks of the session: which of them are listed and in which order, which are chosen for a report, and how to undo
+//! a change.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the checks, the row of the list at which the keys are, undo |
+//! | `command` | what can be done with the list, and doing it |
+//! | `filter` | what the words of a filter mean in the user's language |
+//! | `copy` | rows as a spreadsheet takes them |
 
-use std::collections::BTreeSet;
+mod command;
+mod copy;
+mod filter;
+
+use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 
+pub use command::ListCommand;
+pub use copy::status_text;
+
 use crate::journal::Record;
+use crate::journal::memory::{Memory, Removed};
+use crate::journal::query::{Query, RecordId, Records};
+use crate::message::Message;
 
 /// How many steps back undo remembers.
 const UNDO_STEPS: usize = 50;
 
 /// The checks.
 #[derive(Debug, Default)]
-pub(super) struct History {
-    now: Snapshot,
-    undo: Vec<Snapshot>,
+pub struct History {
+    records: Memory,
+    chosen: BTreeSet<RecordId>,
+    /// How many of the chosen ones the list does not show.
+    hidden: usize,
+    /// The row of the list at which the keys are.
+    cursor: Option<RecordId>,
+    /// Goes up whenever the cursor has to come into sight.
+    look: u64,
+    undo: VecDeque<Change>,
 }
 
-/// The state that undo returns to.
-#[derive(Debug, Clone, Default)]
-struct Snapshot {
-    records: Vec<Arc<Record>>,
-    chosen: BTreeSet<usize>,
+/// What undo takes back: only what was added or removed, never a copy of everything.
+#[derive(Debug)]
+enum Change {
+    /// Records were added from this one on.
+    Added { first: RecordId, count: usize },
+    /// Records were removed; some of them were chosen.
+    Cleared { removed: Removed, chosen: BTreeSet<RecordId>, cursor: Option<RecordId> },
+}
+
+impl Change {
+    /// What it was, as undo names it.
+    fn message(&self) -> Message {
+        match self {
+            Self::Added { count, .. } => Message::new("undo-add").count("count", *count),
+            Self::Cleared { .. } => Message::new("undo-clear"),
+        }
+    }
 }
 
 impl History {
-    /// All checks, oldest first.
-    pub fn records(&self) -> &[Arc<Record>] {
-        &self.now.records
+    /// How many checks there are, listed or not.
+    pub fn len(&self) -> usize {
+        self.records.len()
     }
 
-    pub fn is_chosen(&self, number: usize) -> bool {
-        self.now.chosen.contains(&number)
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.records.is_empty()
     }
 
+    /// Every check, oldest first.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = &Arc<Record>> {
+        self.records.all().map(|(_, record)| record)
+    }
+
+    /// A check.
+    pub fn get(&self, id: RecordId) -> Option<Arc<Record>> {
+        self.records.get(id)
+    }
+
+    /// What the list shows: the answer to the filter, in the chosen order.
+    pub const fn listed(&self) -> &dyn Records {
+        &self.records
+    }
+
+    /// Whether a check is chosen for a report.
+    pub fn is_chosen(&self, id: RecordId) -> bool {
+        self.chosen.contains(&id)
+    }
+
+    /// How many checks are chosen.
     pub fn chosen_count(&self) -> usize {
-        self.now.chosen.len()
+        self.chosen.len()
     }
 
-    /// The chosen checks, or all of them where none is chosen.
-    pub fn for_report(&self) -> impl Iterator<Item = &Arc<Record>> {
-        let chosen = &self.now.chosen;
-        let all = self.now.records.iter().enumerate();
-        all.filter(|(number, _)| chosen.is_empty() || chosen.contains(number)).map(|(_, record)| record)
+    /// How many of the chosen checks the list does not show.
+    pub const fn hidden_count(&self) -> usize {
+        self.hidden
     }
 
-    pub const fn can_undo(&self) -> bool {
-        !self.undo.is_empty()
+    /// The row of the list at which the keys are; it may have been filtered out.
+    pub const fn cursor(&self) -> Option<RecordId> {
+        self.cursor
     }
 
-    pub fn add(&mut self, records: Vec<Arc<Record>>) {
-        self.remember();
-        self.now.records.extend(records);
+    /// Where to look: a number that goes up whenever a row has to come into sight, and its place.
+    pub fn look(&self) -> (u64, Option<usize>) {
+        (self.look, self.cursor.and_then(|id| self.records.place_of(id)))
     }
 
-    pub fn choose(&mut self, number: usize, is_chosen: bool) {
-        if is_chosen && number < self.now.records.len() {
-            self.now.chosen.insert(number);
+    /// The chosen checks, or all of them where none is chosen, oldest first.
+    pub(super) fn for_report(&self) -> impl Iterator<Item = &Arc<Record>> {
+        let all = self.records.all();
+        all.filter(|(id, _)| self.chosen.is_empty() || self.chosen.contains(id)).map(|(_, record)| record)
+    }
+
+    /// What undo would take back.
+    pub fn undoes(&self) -> Option<Message> {
+        self.undo.back().map(Change::message)
+    }
+
+    /// The number that the next check will get.
+    pub(super) const fn next(&self) -> RecordId {
+        self.records.next()
+    }
+
+    /// Adds checks as one step; returns the number of the last one.
+    pub(super) fn add(&mut self, records: Vec<Arc<Record>>) -> RecordId {
+        let (first, count) = (self.records.next(), records.len());
+        self.remember(Change::Added { first, count });
+        self.records.add(records);
+        RecordId(self.records.next().0.saturating_sub(1))
+    }
+
+    pub(super) fn choose(&mut self, id: RecordId, is_chosen: bool) {
+        if is_chosen && self.records.get(id).is_some() {
+            self.chosen.insert(id);
         } else {
-            self.now.chosen.remove(&number);
+            self.chosen.remove(&id);
         }
+        self.count_hidden();
     }
 
-    /// Empties it. `false` where it is empty already.
-    pub fn clear(&mut self) -> bool {
-        if self.now.records.is_empty() {
-            return false;
+    /// Asks for another list.
+    fn ask(&mut self, query: Query) {
+        self.records.ask(query);
+        self.count_hidden();
+        self.look += 1;
+    }
+
+    fn count_hidden(&mut self) {
+        self.hidden = self.chosen.iter().filter(|id| self.records.place_of(**id).is_none()).count();
+    }
+
+    /// Puts the cursor on a check, which comes into sight.
+    pub(super) const fn go_to(&mut self, id: RecordId) {
+        self.cursor = Some(id);
+        self.look += 1;
+    }
+
+    /// Empties it; returns how many checks it had.
+    pub(super) fn clear(&mut self) -> usize {
+        let removed = self.records.remove_from(RecordId::default());
+        let count = removed.len();
+        if 0 < count {
+            let (chosen, cursor) = (std::mem::take(&mut self.chosen), self.cursor.take());
+            self.hidden = 0;
+            self.remember(Change::Cleared { removed, chosen, cursor });
         }
-        self.remember();
-        self.now = Snapshot::default();
-        true
+        count
     }
 
-    /// Undoes the last change. `false` where there is none.
-    pub fn take_back(&mut self) -> bool {
-        let Some(before) = self.undo.pop() else { return false };
-        self.now = before;
-        true
+    /// Undoes the last change; returns what it was. `None` where there is none.
+    pub(super) fn take_back(&mut self) -> Option<Message> {
+        let change = self.undo.pop_back()?;
+        let message = change.message();
+        match change {
+            Change::Added { first, .. } => {
+                self.records.remove_from(first);
+                self.chosen.split_off(&first);
+                self.cursor = self.cursor.filter(|id| *id < first);
+            }
+            Change::Cleared { removed, chosen, cursor } => {
+                self.records.put_back(removed);
+                (self.chosen, self.cursor) = (chosen, cursor);
+            }
+        }
+        self.count_hidden();
+        self.look += 1;
+        Some(message)
     }
 
-    fn remember(&mut self) {
+    fn remember(&mut self, change: Change) {
         if UNDO_STEPS <= self.undo.len() {
-            self.undo.remove(0);
+            self.undo.pop_front();
         }
-        self.undo.push(self.now.clone());
+        self.undo.push_back(change);
     }
 }

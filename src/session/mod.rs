@@ -62,6 +62,7 @@ pub use field::Field;
 pub use fit::{
     ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
 };
+pub use history::{History, ListCommand, status_text};
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
 pub use saved::{Saved, SavedCycles, SavedError, SavedInputs};
 pub use shared::{Dialog, MaskChoice, Notice};

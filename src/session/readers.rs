@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use super::command::{Density, Page, Theme};
 use super::cycles::WorkpieceForm;
+use super::history::History;
 use super::shared::{Dialog, MaskChoice, Notice};
 use super::workpiece::RecordedContacts;
 use super::{Session, tables};
 use crate::control::mask::Mask;
-use crate::journal::Record;
 use crate::message::Message;
 use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::{DeviationTable, Sources};
@@ -75,24 +75,9 @@ impl Session {
         self.shared.keypad
     }
 
-    /// All checks, oldest first.
-    pub fn history(&self) -> &[Arc<Record>] {
-        self.shared.history.records()
-    }
-
-    /// Whether a record is chosen for the report.
-    pub fn is_chosen(&self, number: usize) -> bool {
-        self.shared.history.is_chosen(number)
-    }
-
-    /// How many records are chosen.
-    pub fn chosen_count(&self) -> usize {
-        self.shared.history.chosen_count()
-    }
-
-    /// Whether there is something to undo.
-    pub const fn can_undo(&self) -> bool {
-        self.shared.history.can_undo()
+    /// All checks, how they are listed, and which are chosen.
+    pub const fn history(&self) -> &History {
+        &self.shared.history
     }
 
     /// The simulated workpiece that the cycles page and the program page measure.

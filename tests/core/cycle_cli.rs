@@ -226,7 +226,7 @@ fn what_cannot_be_used_is_refused_with_its_reason() {
     refused(&["427", "--inputs", "-"], "[1]", 1, "standard input: ");
     refused(&["427", "--inputs", "-"], "{\"Q263\": true}", 1, "Q263 = true: expected a number or a text");
     refused(&["427", "--inputs", "-"], "{\"Q263\": 1, \"q263\": 2}", 1, "q263 is given twice");
-    refused(&["427", "--predef", "Q288=1"], "", 1, "Q288 is not a parameter that can be PREDEF");
+    refused(&["427", "--predef", "Q288=1"], "", 1, "PREDEF is not allowed for parameter Q288");
     refused(&["G785", "--position", "1,2", "--set", "K=2", "RC=60"], "", 1, "expected three numbers X,Y,Z in mm");
     refused(&["421", "--set", "Q273=0", "Q274=0", "Q262=0"], "", 1, "a circle needs a diameter above 0");
     let outside = [&["427", "--set"][..], &BLOCK_427[..5], &["Q267=0"]].concat();

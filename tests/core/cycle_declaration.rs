@@ -1,7 +1,7 @@
 //! Compares the declarations of all cycles with the control's manuals, and tests the range errors made from them.
 
 use fitcheck::length::Length;
-use fitcheck::message::Say;
+use fitcheck::message::{Arg, Say};
 use fitcheck::probing::cycle::{
     Angle, Cycle, CycleError, Inputs, Key, Meaning, Parameter, Range, Remark, Unset, Value,
 };
@@ -154,8 +154,8 @@ fn every_parameter_is_accepted_and_refused_alike_when_it_is_typed() {
                         said,
                         CycleError::OutOfRange {
                             key: parameter.key,
-                            name: parameter.name,
-                            given: value.with_unit(),
+                            name: parameter.called(),
+                            given: Arg::Number(value.with_unit()),
                             range: parameter.range,
                         }
                     );
@@ -441,7 +441,7 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         let dutch = Words::new(Language::Nl).told(what);
         assert!(dutch != english && dutch != what.message().id, "{dutch}");
     }
-    let (key, name) = (Key::Q(320), "SET-UP CLEARANCE");
+    let (key, name) = (Key::Q(320), cycle(427).unwrap().parameter(320).unwrap().called());
     let mm = |text: &str| text.parse::<Length>().unwrap();
     let far = Length::from_mm_f64(2e9).unwrap_err();
     for error in [

@@ -156,7 +156,7 @@ fn one_part_alone_is_judged_and_leaves_a_range() {
         })
     );
     let (_, err, code) = fit(&["25 H7/g6", "--shaft", "0.984"], "");
-    let doubt = "warning: shaft: measured value is the nominal size over 25.4: is it in inch?\n";
+    let doubt = "warning: shaft: measured value is the nominal size divided by 25.4: is it in inch?\n";
     assert_eq!((err.as_str(), code), (doubt, 11));
 }
 

@@ -99,7 +99,7 @@ fn what_is_not_judged_is_never_good() {
 fn values_of_another_quantity_are_warned_of() {
     for (measured, doubt) in [
         ("635", "measured value is 25.4 times the nominal size: was it converted from inch twice?"),
-        ("0.984", "measured value is the nominal size over 25.4: is it in inch?"),
+        ("0.984", "measured value is the nominal size divided by 25.4: is it in inch?"),
         ("50", "measured value is twice the nominal size: was a diameter taken for a radius?"),
         ("12.5", "measured value is half the nominal size: is it a radius?"),
     ] {
@@ -166,7 +166,7 @@ fn problems_have_file_line_and_column_on_standard_error() {
         "m.csv:1: warning: columns skipped: 4 (remark)\n\
          m.csv:2:3: measured: 25.0l2 is not a number\n\
          m.csv:3: expected 4 cells, found 2\n\
-         m.csv:4: warning: measured value is the nominal size over 25.4: is it in inch?\n"
+         m.csv:4: warning: measured value is the nominal size divided by 25.4: is it in inch?\n"
     );
     assert_eq!(
         answer.out,

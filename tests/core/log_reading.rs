@@ -210,11 +210,7 @@ fn contradictions_name_the_line() {
         "! line 24: 1.012,0259 is ambiguous: write one decimal sign and no thousands separator column 11",
     );
     with("INCH): 0", "INCH): 2", "! line 6: type of dimension 2 is neither 0 (mm) nor 1 (inch) column 40");
-    with(
-        "Center in minor axis: 65.0000\n",
-        "Center in minor axis:\n65.0000\n7.0\n",
-        "! line 12: 7.0 has no label before it",
-    );
+    with("Center in minor axis: 65.0000\n", "Center in minor axis:\n65.0000\n7.0\n", "! line 12: no label before 7.0");
     let text_logs = CYCLES.iter().filter(|cycle| matches!(cycle.log, cycle::Log::Text(_)));
     let codes = text_logs.map(|cycle| cycle.code).collect::<Vec<_>>().join(", ");
     with("cycle 421", "cycle 430", &format!("! line 1: logs of cycle 430 are not read, only those of {codes}"));

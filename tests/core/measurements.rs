@@ -222,7 +222,7 @@ fn other_columns_are_named_and_times_are_used() {
 
 #[test]
 fn values_of_another_quantity_are_doubted() {
-    let inch = "measured value is the nominal size over 25.4: is it in inch?";
+    let inch = "measured value is the nominal size divided by 25.4: is it in inch?";
     check("callout;measured\n25 H7;0.984\n", &[&format!("2 : 25 H7 is 0.984 REWORK; {inch}")]);
     check("callout;measured [inch]\n25 H7;0.985\n", &["2 : 25 H7 is 25.019 GOOD"]);
 }

@@ -159,7 +159,7 @@ fn a_report_says_everything_about_each_check() {
             "2026-118",
             "J. de Vries",
             "2026-11-21 11:00:00",
-            "no check could be used, so no report was written",
+            "no check was usable, so no report was written",
             // counts
             "<th scope=\"col\">GOOD</th><th scope=\"col\">REWORK</th><th scope=\"col\">SCRAP</th>",
             "<td>1</td><td>1</td><td>2</td><td>4</td>",

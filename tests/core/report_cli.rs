@@ -170,7 +170,7 @@ fn nothing_is_written_without_a_check() {
     assert_eq!(
         err,
         "fitcheck: 0 H7=1: nominal size 0 mm is not above 0\n\
-         fitcheck: no check could be used, so no report was written\n"
+         fitcheck: no check was usable, so no report was written\n"
     );
     assert!(!path.exists());
 }

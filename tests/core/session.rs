@@ -8,9 +8,10 @@ use std::sync::Arc;
 use assert_cmd::cargo::cargo_bin_cmd;
 use fitcheck::exchange::import;
 use fitcheck::files::FileError;
+use fitcheck::journal::query::RecordId;
 use fitcheck::message::{Message, Say as _};
 use fitcheck::report::RENDERINGS;
-use fitcheck::session::{CheckCommand, CheckField, Command, Effect, Field, MeasureBy, Purpose, Session};
+use fitcheck::session::{Action, CheckCommand, CheckField, Command, Effect, Field, MeasureBy, Purpose, Session};
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
 use fitcheck::words::{Dialogue, Language, Words};
@@ -47,6 +48,10 @@ fn measure(session: &mut Session, callout: &str, measured: &str) {
 
 fn status(session: &Session) -> Option<Status> {
     session.check().shown().map(|shown| shown.record.verdict.status())
+}
+
+fn can_undo(session: &Session) -> bool {
+    session.can(Action::Undo)
 }
 
 fn window(session: &Session) -> &str {
@@ -140,7 +145,7 @@ fn what_cannot_be_measured_is_told_beside_its_field_and_changes_nothing() {
     }
     measure(&mut session, "25 Q7", "25");
     assert!(told(&session, CheckField::Callout).unwrap().starts_with("Q7 is not an ISO 286 tolerance class"));
-    assert_eq!((session.history().len(), status(&session), session.can_undo()), (0, None, false));
+    assert_eq!((session.history().len(), status(&session), can_undo(&session)), (0, None, false));
 }
 
 #[test]
@@ -191,14 +196,17 @@ fn a_check_from_the_history_brings_its_callout_back() {
     let mut session = session();
     measure(&mut session, "25 H7", "25.012");
     measure(&mut session, "40 g6", "39.9");
-    run(&mut session, [Command::Check(CheckCommand::Show(0))]);
+    run(&mut session, [Command::Check(CheckCommand::Show(RecordId(0)))]);
     assert_eq!(session.text(CheckField::Callout), "25 H7");
     assert_eq!((session.text(CheckField::Nominal), limits(&session)), ("25", Some(mm("25", "25.021"))));
     assert_eq!(status(&session), Some(Status::Good));
-    run(&mut session, [Command::Check(CheckCommand::Show(1))]);
+    run(&mut session, [Command::Check(CheckCommand::Show(RecordId(1)))]);
     assert_eq!((status(&session), limits(&session)), (Some(Status::Scrap), Some(mm("39.975", "39.991"))));
-    run(&mut session, [Command::Check(CheckCommand::Show(2)), Command::Check(CheckCommand::Choose(2, true))]);
-    assert_eq!((status(&session), session.chosen_count()), (Some(Status::Scrap), 0));
+    run(
+        &mut session,
+        [Command::Check(CheckCommand::Show(RecordId(2))), Command::Check(CheckCommand::Choose(RecordId(2), true))],
+    );
+    assert_eq!((status(&session), session.history().chosen_count()), (Some(Status::Scrap), 0));
 }
 
 #[test]
@@ -214,7 +222,7 @@ fn limits_of_a_log_stay_until_there_are_others() {
     for change in
         [typed(CheckField::Part, "Bore A"), typed(CheckField::Measured, "9.9"), typed(CheckField::CentreX, "1")]
     {
-        run(&mut session, [Command::Check(CheckCommand::Show(1)), change]);
+        run(&mut session, [Command::Check(CheckCommand::Show(RecordId(1))), change]);
         assert!(session.check().shown().is_none(), "the verdict was made with other inputs");
         assert_eq!(session.check().asked().limits(), Some(&record.limits));
     }
@@ -222,9 +230,9 @@ fn limits_of_a_log_stay_until_there_are_others() {
     run(&mut session, [typed(CheckField::Measured, "25.001"), Command::Check(CheckCommand::Measure)]);
     assert_eq!((session.history().len(), session.text(CheckField::Measured)), (3, "25.001"));
     assert_eq!(session.check().shown().unwrap().record.limits, record.limits);
-    run(&mut session, [Command::Check(CheckCommand::Show(0))]);
+    run(&mut session, [Command::Check(CheckCommand::Show(RecordId(0)))]);
     assert_eq!((session.text(CheckField::Callout), limits(&session)), ("25 H7", Some(mm("25", "25.021"))));
-    run(&mut session, [Command::Check(CheckCommand::Show(1)), Command::Check(CheckCommand::Clear)]);
+    run(&mut session, [Command::Check(CheckCommand::Show(RecordId(1))), Command::Check(CheckCommand::Clear)]);
     assert_eq!((status(&session), limits(&session)), (None, None));
 }
 
@@ -233,17 +241,23 @@ fn clearing_the_history_can_be_taken_back() {
     let mut session = session();
     measure(&mut session, "25 H7", "25.012");
     measure(&mut session, "25 H7", "24.998");
-    run(&mut session, [Command::Check(CheckCommand::Choose(1, true)), Command::Check(CheckCommand::ClearHistory)]);
-    assert_eq!((session.history().len(), session.chosen_count(), status(&session)), (0, 0, None));
+    run(
+        &mut session,
+        [Command::Check(CheckCommand::Choose(RecordId(1), true)), Command::Check(CheckCommand::ClearHistory)],
+    );
+    assert_eq!((session.history().len(), session.history().chosen_count(), status(&session)), (0, 0, None));
     run(&mut session, [Command::Check(CheckCommand::Undo)]);
-    assert_eq!((session.history().len(), session.is_chosen(0), session.is_chosen(1)), (2, false, true));
+    assert_eq!(
+        (session.history().len(), session.history().is_chosen(RecordId(0)), session.history().is_chosen(RecordId(1))),
+        (2, false, true)
+    );
     run(
         &mut session,
         [Command::Check(CheckCommand::Undo), Command::Check(CheckCommand::Undo), Command::Check(CheckCommand::Undo)],
     );
-    assert_eq!((session.history().len(), session.can_undo()), (0, false));
+    assert_eq!((session.history().len(), can_undo(&session)), (0, false));
     run(&mut session, [Command::Check(CheckCommand::ClearHistory)]);
-    assert!(!session.can_undo(), "an empty history is nothing to take back");
+    assert!(!can_undo(&session), "an empty history is nothing to take back");
 }
 
 #[test]
@@ -366,7 +380,7 @@ fn another_language_redraws_the_status_window() {
     assert!(window(&session).starts_with("STATUS VAN DE PASSING: Nabewerking\n"));
     let text = window(&session).to_owned();
     assert_eq!(run(&mut session, [Command::Check(CheckCommand::CopyStatus)]), [Effect::Copy(text)]);
-    assert_eq!((session.history().len(), session.can_undo()), (1, true));
+    assert_eq!((session.history().len(), can_undo(&session)), (1, true));
 }
 
 #[test]
@@ -397,7 +411,8 @@ fn only_chosen_checks_are_exported() {
     measure(&mut session, "25 H7", "24.998");
     let csv = RENDERINGS.iter().position(|rendering| rendering.name == "csv").unwrap();
     let dialog = Command::OpenDialog(Purpose::Export(csv));
-    let effects = run(&mut session, [Command::Check(CheckCommand::Choose(1, true)), dialog, Command::Confirm]);
+    let effects =
+        run(&mut session, [Command::Check(CheckCommand::Choose(RecordId(1), true)), dialog, Command::Confirm]);
     let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
     let text = String::from_utf8(bytes.clone()).unwrap();
     assert_eq!((path.to_str(), text.lines().count()), (Some("fitcheck.csv"), 2));
@@ -429,7 +444,7 @@ fn the_other_part_of_a_fit_can_be_chosen_after_a_verdict() {
         [
             typed(CheckField::Measured, "24.99"),
             Command::Check(CheckCommand::Measure),
-            Command::Check(CheckCommand::Show(0)),
+            Command::Check(CheckCommand::Show(RecordId(0))),
         ],
     );
     assert_eq!((session.text(CheckField::Callout), session.check().asked().needs_feature()), ("25 H7", false));

@@ -110,8 +110,8 @@ fn errors_stand_beside_their_field_as_soon_as_typed() {
     };
     for (setting, said) in [
         ("Q263=x", "Q263 1ST POINT 1ST AXIS: x is not a number"),
-        ("Q263=100000", "Q263 1ST POINT 1ST AXIS = 100000 mm: at least -99999.9999 mm, at most 99999.9999 mm"),
-        ("Q320=-0.0001", "Q320 SET-UP CLEARANCE = -0.0001 mm: at least 0 mm, at most 99999.9999 mm"),
+        ("Q263=100000", "Q263 1ST POINT 1ST AXIS = 100000 mm: at least −99999.9999 mm, at most 99999.9999 mm"),
+        ("Q320=-0.0001", "Q320 SET-UP CLEARANCE = −0.0001 mm: at least 0 mm, at most 99999.9999 mm"),
         ("Q272=4", "Q272 MEASURING AXIS = 4: not one of 1, 2, 3"),
     ] {
         let name = setting.split_once('=').unwrap().0;
@@ -268,7 +268,7 @@ fn recorded_contacts_are_measured_in_their_order() {
     let mut session = with(421, &["Q273=0", "Q274=0", "Q262=25", "Q275=25.021", "Q276=25"]);
     send(&mut session, CyclesCommand::From(ContactsFrom::Recorded));
     send(&mut session, CyclesCommand::Run);
-    assert_eq!(problem(&session), "no file of contacts was opened yet");
+    assert_eq!(problem(&session), "no file of contacts has been opened yet");
     let places = [[12.5, 0.0, 0.0], [0.0, 12.502, 0.0], [-12.5, 0.0, 0.0], [0.0, -12.502, 0.0], [1.0, 1.0, 1.0]];
     let contacts = places.map(Contact::at).to_vec();
     send(&mut session, WorkpieceCommand::ContactsRead { name: "bore.csv".into(), result: Ok((contacts, Vec::new())) });

@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use fitcheck::exchange::import;
 use fitcheck::files::FileError;
+use fitcheck::journal::query::{Column, RecordId};
 use fitcheck::length::Length;
 use fitcheck::message::Say as _;
 use fitcheck::probing::Origin;
 use fitcheck::session::program::{Input, WorkpieceFrom};
 use fitcheck::session::{
-    CheckCommand, CheckField, Command, ContactsFrom, CycleField, CyclesCommand, FitCommand, FitField, MeasureBy, Page,
-    ProgramCommand, ProgramField, Session, Step, WorkpieceCommand,
+    CheckCommand, CheckField, Command, ContactsFrom, CycleField, CyclesCommand, FitCommand, FitField, ListCommand,
+    MeasureBy, Page, ProgramCommand, ProgramField, Session, Step, WorkpieceCommand,
 };
 use fitcheck::tolerance::{Base, Feature};
 use fitcheck::verdict::{Status, judge};
@@ -89,12 +90,15 @@ fn check_act() -> impl Strategy<Value = Act> {
         CheckCommand::ChooseFeature(Feature::Shaft).into(),
         CheckCommand::ChooseClass("H8".parse().unwrap()).into(),
         CheckCommand::Clear.into(),
-        CheckCommand::Show(0).into(),
-        CheckCommand::Show(2).into(),
+        CheckCommand::Show(RecordId(0)).into(),
+        CheckCommand::Show(RecordId(2)).into(),
         CheckCommand::ShowInLot(Step::Right).into(),
         CheckCommand::ShowInLot(Step::Last).into(),
         CheckCommand::ClearHistory.into(),
         CheckCommand::Undo.into(),
+        ListCommand::Move(Step::Down).into(),
+        ListCommand::OnlyBad(true).into(),
+        ListCommand::SortBy(Column::Measured).into(),
         CheckCommand::Imported {
             name: "none.csv".to_owned(),
             result: Err(FileError::Missing { path: "none.csv".into() }.message()),

@@ -405,7 +405,7 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
     let before = result(&window, "Q153");
     click(&mut window, Role::Button, "Workpiece…");
     type_into(&mut window, "True diameter", "-1");
-    window.get_by_label("diameter = -1: at least 0.001, at most 100000");
+    window.get_by_label("diameter = −1: at least 0.001, at most 100000");
     type_into(&mut window, "True diameter", "25.012");
     click(&mut window, Role::Button, "Save…");
     type_into(&mut window, "File", &path.display().to_string());

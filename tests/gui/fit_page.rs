@@ -423,3 +423,12 @@ fn an_interference_fit_with_parts_in_light() {
 fn a_clearance_fit_in_dark() {
     picture("fit_clearance_dark", Theme::Dark, vec2(1024.0, 600.0), "25 H7/g6", ["25.012", "24.900"]);
 }
+
+#[test]
+fn a_measured_part_that_may_be_another_quantity_is_doubted() {
+    let mut window = fit("25 H7/g6");
+    type_into(&mut window, "Measured hole", "250.12");
+    window.get_by_label_contains("is it 25.012 mm?");
+    type_into(&mut window, "Measured hole", "25.012");
+    assert!(window.query_by_label_contains("is it 25.012 mm?").is_none());
+}

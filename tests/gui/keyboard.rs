@@ -7,7 +7,7 @@ use eframe::egui::{Event, Key, Modifiers, PointerButton, TouchDeviceId, TouchId,
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Store};
-use fitcheck::session::CheckField;
+use fitcheck::session::{CheckField, Command, Page};
 
 use crate::harness::{Window, check, type_into, verdict, window};
 
@@ -191,6 +191,57 @@ fn the_keypad_covers_neither_band_nor_verdict() {
         assert!(55.0 <= keys[0].width() && 55.0 <= keys[0].height(), "{size:?}: {:?}", keys[0]);
         let screen = eframe::egui::Rect::from_min_size(eframe::egui::Pos2::ZERO, size.into());
         assert!(screen.contains_rect(keypad), "{size:?}: {keypad:?}");
+    }
+}
+
+#[test]
+fn the_edges_of_columns_are_moved_by_arrow_keys_and_stay() {
+    let mut window = window();
+    let left = |window: &Harness<'_, App>| window.get_by_role_and_label(Role::TextInput, "Callout").rect().width();
+    let before = left(&window);
+    let edge = |window: &Harness<'_, App>| {
+        let edges = window.get_all_by_label("Edge of the panel: arrow keys move it");
+        edges.map(|edge| edge.rect().center().x).fold(f32::INFINITY, f32::min)
+    };
+    let at = edge(&window);
+    let first = window
+        .get_all_by_label("Edge of the panel: arrow keys move it")
+        .min_by(|one, other| one.rect().center().x.total_cmp(&other.rect().center().x));
+    first.unwrap().focus();
+    window.run();
+    for (key, is_wider) in [(Key::ArrowRight, true), (Key::ArrowLeft, false)] {
+        let (width, was) = (left(&window), edge(&window));
+        window.key_press(key);
+        window.run();
+        assert_eq!((width < left(&window), was < edge(&window)), (is_wider, is_wider), "{key:?}");
+    }
+    assert!((left(&window) - before).abs() < 1.0 && (edge(&window) - at).abs() < 1.0);
+    assert_eq!(focused(&window), "Edge of the panel: arrow keys move it", "arrows stay on the edge");
+    window.key_press(Key::ArrowRight);
+    window.run();
+    let width = left(&window);
+    check(&mut window, "25 H7", "25.012");
+    assert!((left(&window) - width).abs() < 1.0, "it stays so");
+}
+
+#[test]
+fn every_stop_of_the_focus_has_a_name_and_does_something() {
+    for page in [Page::Check, Page::Fit, Page::Cycles, Page::Tables, Page::Program] {
+        let mut window = window();
+        let ctx = window.ctx.clone();
+        window.state_mut().send(&ctx, Command::OpenPage(page));
+        window.run();
+        let mut walked = Vec::new();
+        for _ in 0..80 {
+            window.key_press(Key::Tab);
+            window.run();
+            let name = focused(&window);
+            assert!(!name.is_empty(), "{page:?} after {walked:?}");
+            walked.push(name);
+        }
+        for name in ["Check", "Import…", "Menu"] {
+            assert!(walked.iter().any(|walked| walked == name), "{page:?} never leads to {name}: {walked:?}");
+        }
     }
 }
 

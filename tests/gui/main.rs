@@ -8,6 +8,7 @@ mod cycle_page;
 mod dialogs;
 mod fit_page;
 mod harness;
+mod history;
 mod keyboard;
 mod pictures;
 mod program_page;

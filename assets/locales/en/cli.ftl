@@ -43,13 +43,13 @@ cli-table-ending = { $path }: the name of a control table ends in .tab
 cli-format-ending = { $path }: a file of format { $format } ends in .{ $endings }
 cli-several-tables = a control table is one file: name one table, or classes of one feature
 cli-report-format = --format { $format } does not fit the ending of { $file }: leave one of them out
-cli-report-empty = no check could be used, so no report was written
+cli-report-empty = no check was usable, so no report was written
 cli-not-an-object = inputs are a JSON object such as {"{"}"Q263": 35{"}"}: { $error }
 cli-not-an-input = { $name } = { $value }: expected a number or a text
 cli-given-twice = { $name } is given twice
 cli-set-twice = { $name } is set twice
 cli-other-cycle = this is cycle { $given }, not { $wanted }
-cli-not-predef = { $name } is not a parameter that can be PREDEF
+cli-not-predef = PREDEF is not allowed for parameter { $name }
 cli-no-probe = the touch-probe table has no probe { $number }
 cli-not-a-pair = { $text }: write a parameter as NAME=VALUE
 cli-not-a-position = position { $text }: expected three numbers X,Y,Z in mm

@@ -40,7 +40,7 @@ machine-not-text = { $parameter } holds a number: expected a text
 machine-division-by-zero = division by zero
 machine-negative-root = the square root of { $value } is not defined
 machine-no-result = { $function } { $value } is not defined
-machine-beyond-range = { $value } is beyond the range of values, 10^10 either way
+machine-beyond-range = { $value } is beyond the range of values, -10^10 to 10^10
 machine-not-whole = { $what } = { $value }: expected a whole number from 0
 machine-behind-text = the text has { $length } characters: position { $from } is past its end
 machine-no-number-in-text = { $parameter } = "{ $text }" is not a number

@@ -18,6 +18,8 @@ class-malformed = { $text } is not a tolerance class: write letters and a grade,
 
 ## Deviations and limits
 deviations-order = upper deviation { $upper } mm is below lower deviation { $lower } mm
+source-choice-iso286 = ISO 286, every class to 3150 mm
+source-choice-control = The control's tables, 47 classes to 400 mm
 source-iso286 = ISO 286, over { $over } up to { $to } mm
 source-iso286-remark = ISO 286, over { $over } up to { $to } mm; { $remark }
 source-shipped-table = built-in table { $name }, over { $over } up to { $to } mm
@@ -54,7 +56,7 @@ status-re-measure = RE-MEASURE
 status-scrap = SCRAP
 rule-simple = no guard band, limits belong to the zone
 doubt-times-inch = measured value is 25.4 times the nominal size: was it converted from inch twice?
-doubt-inches = measured value is the nominal size over 25.4: is it in inch?
+doubt-inches = measured value is the nominal size divided by 25.4: is it in inch?
 doubt-double = measured value is twice the nominal size: was a diameter taken for a radius?
 doubt-half = measured value is half the nominal size: is it a radius?
 doubt-decimal-sign = measured value is about the nominal size with its decimal sign elsewhere: is it { $meant } mm?
@@ -73,7 +75,7 @@ iso286-no-letter = { $class } is not an ISO 286 tolerance class: there is no let
 iso286-too-large = nominal size { $nominal } mm is beyond ISO 286, which ends at 3150 mm
 iso286-not-here = { $class } is not defined at { $nominal } mm in ISO 286; { $where }
 iso286-js-rounded = JS rounded as in 1988
-iso286-contested-ef = contested: ef is 28 µm here, other transcriptions have 25 µm
+iso286-contested-ef = contested: ef is 28 µm here, other sources have 25 µm
 iso286-older-it5 = for trial use; older catalogues have a smaller IT5 here
 iso286-trial-use = for trial use
 

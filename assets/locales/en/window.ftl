@@ -20,15 +20,26 @@ density-by-use = Follow use
 density-mouse = Mouse
 density-touch = Touch
 limits-from = Limits from
-source-choice-iso286 = ISO 286, every class to 3150 mm
-source-choice-control = The control's tables, 47 classes to 400 mm
 standard-js-rounded = Round JS half-micrometres down, as in 1988
 standard-1988 = cd, ef, fg to 10 mm only, as in 1988
 load-tables = Own tables…
 no-own-tables = No own tables
 load-mask = Own mask…
 undo = Undo
+undo-what = Undo: { $what }
+undo-add = { $count ->
+    [one] add 1 check
+   *[other] add { $count } checks
+}
+undo-clear = clear history
+undone = Undone: { $what }
 clear-history = Clear history
+choose-bad = { $count ->
+    [0] Choose the bad checks
+    [one] Choose 1 bad check
+   *[other] Choose { $count } bad checks
+}
+choose-none = Choose none
 
 callout = Callout
 callout-hint = Type a nominal size and a class, such as 25 H7
@@ -98,6 +109,7 @@ centre-is = centre { $x } / { $y }
 word-none = No result
 word-question = Is this right?
 simulated = SIMULATED
+status-simulated = { simulated } { $status }
 judge-anyway = Judge { $measured } mm as it is
 take-meant = Take { $meant } mm
 question-enter = Enter judges the value as it is; typing replaces it
@@ -154,17 +166,46 @@ history-count = { $count ->
    *[other] { $count } checks
 }
 history-chosen = { $count } chosen for export
+history-hidden = { $hidden } of them not listed
+history-shown = { $shown } of { $count ->
+    [one] 1 check
+   *[other] { $count } checks
+}
+history-exported = { $count ->
+    [0] There is nothing to export
+    [one] 1 check will be exported
+   *[other] All { $count } checks will be exported
+}
+history-cleared = { $count ->
+    [one] 1 check removed from the history. Undo (Ctrl+Z) brings it back.
+   *[other] { $count } checks removed from the history. Undo (Ctrl+Z) brings them back.
+}
+history-none-found = No check matches the filter
+history-filter = Filter
+history-filter-hint = Words that a check must have: part, callout, value, date, status, file
+history-only-bad = Only bad
+history-only-bad-hint = Rework, re-measure and scrap
+history-sort-hint = Sorts by this column; again the other way round, then newest first
+history-ascending = { $column }, sorted ascending
+history-descending = { $column }, sorted descending
+history-list = Checks in the history
+history-row = { $time }, { $callout }, { $measured } mm, { $deviation }, { $status }, { $from }
+history-row-part = { $time }, { $part }, { $callout }, { $measured } mm, { $deviation }, { $status }, { $from }
+history-row-chosen = { $row }, chosen for export
+history-move = Go to another check
+history-show = Show the check
+history-choose = Choose for export
+choose-all = Choose all listed
+copy-checks = Copy for a spreadsheet
 history-empty = Checks appear here, the newest first
-head-chosen = ✓
-head-time = Time
+head-time = Date and time
 head-part = Part
 head-callout = Callout
 head-measured = Measured
 head-deviation = Deviation
 head-status = Status
 head-from = From
-choose-check = Choose { $callout } of { $time } for export
-show-check = Show { $time } { $callout } { $status }
+choose-check = Choose { $check } of { $time } for export
 
 dialog-import = Import measurements
 dialog-mask = Own mask
@@ -206,6 +247,7 @@ key = Key
 key-blank = Space
 key-decimal = Decimal sign
 key-minus = Minus
+edge = Edge of the panel: arrow keys move it
 key-letters = Letters
 key-figures = Figures
 key-shift = Capital or small letters
@@ -404,7 +446,7 @@ cycle-picture-diameter = nominal diameter
 cycle-picture-maximum-size = largest permitted diameter
 cycle-picture-minimum-size = smallest permitted diameter
 cycle-picture-start-diameter = diameter of the circle on which the probe stands before each contact
-cycle-picture-first-angle = angle of the first contact, counted from the first axis
+cycle-picture-first-angle = angle of the first contact, measured from the first axis
 cycle-picture-step = angle from contact to contact; minus turns clockwise
 cycle-picture-longest-path = longest probing path; plus leads away from the centre, minus towards it
 cycle-picture-difference = each contact is probed twice: largest permitted difference
@@ -420,9 +462,9 @@ cycle-picture-normal-1 = component of the surface normal in the first axis; the 
 cycle-picture-normal-2 = component of the surface normal in the second axis; the normal points out of the material
 cycle-picture-normal-3 = component of the surface normal in the third axis; the normal points out of the material
 cycle-picture-band = permitted deviation along the normal: oversize plus, undersize minus
-cycle-picture-retract = way back from the contact, against the probing direction
-cycle-picture-move-to-clearance = way between contacts: 0 at measuring height, 1 over the clearance height
-cycle-picture-traverse = way to the next contact: 0 straight line, 1 arc
+cycle-picture-retract = path back from the contact, against the probing direction
+cycle-picture-move-to-clearance = path between contacts: 0 at measuring height, 1 over the clearance height
+cycle-picture-traverse = path to the next contact: 0 straight line, 1 arc
 cycle-picture-contact-count = number of contacts, 3 or 4
 cycle-picture-plane = plane of the circle: 0 X/Y, 1 Z/X, 2 Y/Z
 cycle-picture-side = 0 probes inside, 1 outside

@@ -9,23 +9,23 @@ cli-remark = opmerking: { $what }
 # Waar een fout over gaat
 cli-what-callout = passing
 cli-what-measured-value = gemeten waarde
-cli-what-hole = gat
+cli-what-hole = boring
 cli-what-shaft = as
-cli-what-measured-hole = gemeten gat
+cli-what-measured-hole = gemeten boring
 cli-what-measured-shaft = gemeten as
-cli-what-hole-material = materiaal van het gat
+cli-what-hole-material = materiaal van de boring
 cli-what-shaft-material = materiaal van de as
 cli-what-temperature = temperatuur
 cli-what-smallest-clearance = kleinste speling
 cli-what-largest-clearance = grootste speling
 cli-what-nominal-size = nominale maat { $text }
-cli-what-true-diameter = ware diameter
+cli-what-true-diameter = werkelijke diameter
 cli-what-simulated-workpiece = gesimuleerd werkstuk
 cli-what-simulated-measurement = gesimuleerde meting
 cli-what-perfect-workpiece = werkstuk op nominale maat
 cli-what-size = maat
 cli-what-cycle = cyclus { $code }
-cli-what-log = protocol
+cli-what-log = meetprotocol
 cli-what-option = --{ $name }
 cli-what-set = --set { $name }={ $value }
 
@@ -33,35 +33,35 @@ cli-what-set = --set { $name }={ $value }
 cli-not-above-zero = { $diameter } mm is niet groter dan 0
 cli-line-too-long = de regel is langer dan { $limit } bytes
 cli-not-a-table = { $name } is geen tabel met afwijkingen
-cli-add-feature = { $error }: voeg --feature hole of --feature shaft toe
-cli-rework-or-scrap = { $asked }: { $measured } mm ligt buiten { $minimum } tot { $maximum } mm; of dat nabewerken of afkeur is, hangt af van gat of as: voeg --feature hole of --feature shaft toe
-cli-parts-of-several = gemeten delen horen bij één passing: geef één passing
-cli-search-with-parts = zoeken gaat zonder gemeten delen, materialen of temperaturen
-cli-search-without-size = zoeken vraagt om één nominale maat, zoals 25
-cli-search-without-clearance = zoeken vraagt om --min-clearance en --max-clearance
+cli-add-feature = { $error }: geef --feature hole of --feature shaft op
+cli-rework-or-scrap = { $asked }: { $measured } mm ligt buiten { $minimum } tot { $maximum } mm; of dat nabewerking of afkeur is, hangt af van boring of as: geef --feature hole of --feature shaft op
+cli-parts-of-several = gemeten onderdelen horen bij één passing: geef één passing op
+cli-search-with-parts = bij het zoeken kunnen geen gemeten onderdelen, materialen of temperaturen worden opgegeven
+cli-search-without-size = voor het zoeken is één nominale maat nodig, bijvoorbeeld 25
+cli-search-without-clearance = voor het zoeken zijn --min-clearance en --max-clearance nodig
 cli-table-ending = { $path }: de naam van een besturingstabel eindigt op .tab
 cli-format-ending = { $path }: een bestand in formaat { $format } eindigt op .{ $endings }
-cli-several-tables = een besturingstabel is één bestand: noem één tabel, of klassen voor alleen gaten of alleen assen
+cli-several-tables = een besturingstabel is één bestand: noem één tabel, of klassen voor alleen boringen of alleen assen
 cli-report-format = --format { $format } past niet bij de extensie van { $file }: laat een van beide weg
-cli-report-empty = geen enkele controle kon worden gebruikt, dus er is geen rapport geschreven
-cli-not-an-object = invoer is een JSON-object zoals {"{"}"Q263": 35{"}"}: { $error }
-cli-not-an-input = { $name } = { $value }: hier hoort een getal of een tekst
-cli-given-twice = { $name } staat er twee keer
-cli-set-twice = { $name } is twee keer gezet
+cli-report-empty = geen enkele controle was bruikbaar, dus er is geen rapport geschreven
+cli-not-an-object = de invoer is een JSON-object zoals {"{"}"Q263": 35{"}"}: { $error }
+cli-not-an-input = { $name } = { $value }: een getal of een tekst verwacht
+cli-given-twice = { $name } is twee keer opgegeven
+cli-set-twice = { $name } is twee keer ingesteld
 cli-other-cycle = dit is cyclus { $given }, niet { $wanted }
-cli-not-predef = { $name } is geen parameter die PREDEF mag zijn
+cli-not-predef = voor parameter { $name } is PREDEF niet toegestaan
 cli-no-probe = de tastertabel heeft geen taster { $number }
-cli-not-a-pair = { $text }: een parameter wordt gegeven als NAAM=WAARDE
-cli-not-a-position = positie { $text }: drie getallen X,Y,Z in mm zijn nodig
+cli-not-a-pair = { $text }: schrijf een parameter als NAAM=WAARDE
+cli-not-a-position = positie { $text }: drie getallen X,Y,Z in mm verwacht
 cli-not-a-number = dit is geen getal
-cli-no-folder = map bestaat niet: { $path }
-cli-no-program = { $error }; ingebouwde programma's zijn { $names }
-cli-option-beside-plan = --{ $option } is voor één losse passing: een plan heeft er een kolom voor
-cli-option-missing = --{ $option } ontbreekt: een losse passing vraagt om --x, --y en --z
+cli-no-folder = de map bestaat niet: { $path }
+cli-no-program = { $error }; de ingebouwde programma's zijn { $names }
+cli-option-beside-plan = --{ $option } is voor één losse passing: een plan heeft daar een kolom voor
+cli-option-missing = --{ $option } ontbreekt: voor een losse passing zijn --x, --y en --z nodig
 cli-use-force = { $error }; --force overschrijft
 
 # Een --check van een rapport
-cli-check-no-measured = { $text } heeft geen gemeten waarde: schrijf een passing, = en millimeters, bijvoorbeeld 25 H7=25.012
+cli-check-no-measured = { $text } heeft geen gemeten waarde: schrijf een passing, = en millimeters, bijvoorbeeld 25 H7=25,012
 cli-check-measured = gemeten waarde: { $value }
 cli-check-not-positive = gemeten waarde { $measured } mm is niet groter dan 0
 
@@ -69,20 +69,20 @@ cli-check-not-positive = gemeten waarde { $measured } mm is niet groter dan 0
 cli-remark-wrote = { $path } geschreven
 cli-remark-wrote-files = { $path } geschreven ({ $count } bestanden)
 cli-remark-simulated = gesimuleerd: er is niets gemeten
-cli-remark-remove = verwijder { $limit } mm tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van de tolerantie
+cli-remark-remove = { $limit } mm verspanen tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van het tolerantieveld
 cli-remark-refused = { $refused } van { $asked } passingen geweigerd
-cli-remark-no-pair = geen enkel paar past; het dichtst erbij is { $nearest }
-cli-remark-clearance-height = de veilige hoogte is { $height } mm: --clearance-height geeft een andere
+cli-remark-no-pair = geen enkele passing voldoet; het dichtst erbij komt { $nearest }
+cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die met --clearance-height
 
 # Waarschuwingen
-cli-warning-column-not-used = kolom { $column } wordt niet gebruikt
+cli-warning-column-not-used = kolom { $column } is overgeslagen
 cli-warning-own-table = tabel { $name } wijkt af van ISO 286, die { $upper } en { $lower } mm heeft
-cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft niet één waarde voor het hele bereik
-cli-warning-contacts-left = de cyclus nam { $used } van { $count } tastpunten
-cli-warning-log-unknown = er wordt geen protocol gemaakt: dat van cyclus { $code } is niet bekend
-cli-warning-log-off = er wordt geen protocol geschreven: Q281 = 0
-cli-warning-log-none = er wordt geen protocol geschreven: de cyclus heeft er geen
-cli-warning-log-on-screen = er wordt geen protocol geschreven: Q281 = 2 toont het op het scherm
+cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft geen waarde die voor het hele bereik geldt
+cli-warning-contacts-left = de cyclus heeft { $used } van de { $count } meetpunten gebruikt
+cli-warning-log-unknown = er wordt geen meetprotocol geschreven: dat van cyclus { $code } is niet bekend
+cli-warning-log-off = er wordt geen meetprotocol geschreven: Q281 = 0
+cli-warning-log-none = er wordt geen meetprotocol geschreven: de cyclus heeft er geen
+cli-warning-log-on-screen = er wordt geen meetprotocol geschreven: Q281 = 2 toont het op het scherm
 
 # Tabellen tegen ISO 286
 cli-verify-off = { $place }: { $class } boven { $over } tot en met { $to } mm: { $table }, ISO 286 heeft { $standard }: { $by }
@@ -106,7 +106,7 @@ cli-verify-table = { $name }: { $classes ->
         [one] { $cells } cel
        *[other] { $cells } cellen
     } vergeleken: { $differ ->
-        [0] alles volgens ISO 286
+        [0] alle komen overeen met ISO 286
         [one] { $differ } wijkt af van ISO 286
        *[other] { $differ } wijken af van ISO 286
     }
@@ -117,4 +117,4 @@ cli-verify-nothing = { $name }: { $classes ->
         [one] { $ranges } maatbereik
        *[other] { $ranges } maatbereiken
     }, { $cells } cellen vergeleken: niets te vergelijken met ISO 286
-cli-verify-own = { $table }; niet vergeleken, geen klasse van ISO 286: { $own }
+cli-verify-own = { $table }; niet vergeleken, geen klassen van ISO 286: { $own }

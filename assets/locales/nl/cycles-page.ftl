@@ -3,17 +3,17 @@
 page-cycles = Cycli
 
 cycles-cycle = Cyclus
-cycles-contacts-from = Contacten van
+cycles-contacts-from = Meetpunten van
 cycles-perfect = Perfect werkstuk
 cycles-simulated = Gesimuleerd
 cycles-recorded = Uit bestand
 cycles-workpiece = Werkstuk…
-cycles-suit = Passend bij de cyclus
-cycles-open-contacts = Contacten…
+cycles-suit = Werkstuk aan cyclus aanpassen
+cycles-open-contacts = Meetpunten…
 cycles-no-file = nog geen bestand
 cycles-contacts-of = { $count ->
-    [one] { $count } contact
-   *[other] { $count } contacten
+    [one] { $count } meetpunt
+   *[other] { $count } meetpunten
     }, { $file }
 cycles-probe = Taster
 cycles-probe-is = SET_UP { $set-up } mm, DIST { $dist } mm
@@ -23,22 +23,22 @@ cycles-run = Uitvoeren
 cycles-needed = verplicht
 cycles-none = geen
 cycles-predef = PREDEF staat voor
-cycles-predef-missing = PREDEF: typ de waarde die GLOBAL DEF geeft
-cycles-without-effect = Aanvaard zonder werking
+cycles-predef-missing = PREDEF: typ de waarde uit GLOBAL DEF
+cycles-without-effect = Toegestaan, zonder werking
 cycles-position = Waar de kogel staat
 cycles-ball-stands = Kogel staat op
-cycles-paste-block = NC-blok…
-cycles-copy-block = Als NC-blok kopiëren
-cycles-block = NC-blok
-cycles-block-hint = Plak een blok zoals TCH PROBE 427 … Q263=+35 ;TEKST ~ of G785 R0 BR0 K2: het vervangt het formulier
+cycles-paste-block = NC-regel…
+cycles-copy-block = Als NC-regel kopiëren
+cycles-block = NC-regel
+cycles-block-hint = Plak een NC-regel zoals TCH PROBE 427 … Q263=+35 ;TEKST ~ of G785 R0 BR0 K2: die vervangt het formulier
 cycles-fill = Formulier invullen
 
-cycles-nothing-seen = Weg en contacten verschijnen met de meting: Enter of F5
+cycles-nothing-seen = Weg en meetpunten verschijnen na een meting: druk op Enter of F5
 cycles-allowed = Toegestaan: { $range } { $unit }
-cycles-must-be-given = Moet worden opgegeven
-cycles-may-be-left-out = Mag worden weggelaten
-cycles-default = { $value } als er niets wordt getypt
-cycles-may-be-predef = PREDEF mag worden getypt
+cycles-must-be-given = Verplicht
+cycles-may-be-left-out = Optioneel
+cycles-default = { $value } als niets wordt ingevuld
+cycles-may-be-predef = PREDEF is toegestaan
 cycles-path = Weg van de kogel
 cycles-first = Eerste
 cycles-back = Terug
@@ -47,11 +47,11 @@ cycles-last = Laatste
 cycles-move = Beweging
 cycles-phase-pre-position = voorpositioneren
 cycles-phase-approach = naderen
-cycles-phase-contact = contact
+cycles-phase-contact = meetpunt
 cycles-phase-retract = terugtrekken
-cycles-phase-leave = wegrijden
-cycles-move-contact = { $number } van { $count }: { $phase }, aanraking { $touch }, op { $to }
-cycles-move-of-touch = { $number } van { $count }: { $phase }, aanraking { $touch }, van { $from } naar { $to }
+cycles-phase-leave = vrijzetten
+cycles-move-contact = { $number } van { $count }: { $phase } { $touch }, op { $to }
+cycles-move-of-touch = { $number } van { $count }: { $phase }, meetpunt { $touch }, van { $from } naar { $to }
 cycles-move-of-none = { $number } van { $count }: { $phase }, van { $from } naar { $to }
 cycles-criteria = Criteria naast elkaar
 
@@ -61,43 +61,43 @@ cycles-no-limits = er zijn geen grenzen opgegeven
 cycles-no-window = Geen grensmaten: de besturing toont geen statusvenster
 cycles-results = Resultaatparameters
 cycles-log-file = De besturing schrijft { $name }
-cycles-log-screen = De besturing stopt en toont het protocol op het scherm
+cycles-log-screen = De besturing stopt en toont het meetprotocol op het scherm
 cycles-log-shown = De besturing toont het resultaat op het scherm
-cycles-save-log = Protocol opslaan…
-cycles-dialog-save-log = Het meetprotocol opslaan
-cycles-no-log = er is geen protocol om op te slaan
+cycles-save-log = Meetprotocol opslaan…
+cycles-dialog-save-log = Meetprotocol opslaan
+cycles-no-log = er is geen meetprotocol om op te slaan
 cycles-from-perfect = Gemeten op een perfect werkstuk op nominale maat, met een punt als taster
-cycles-from-simulated = Gemeten op het gesimuleerde werkstuk, toevalsgetal { $seed }
-cycles-from-recorded = Contacten uit { $file }
+cycles-from-simulated = Gemeten op het gesimuleerde werkstuk, startgetal { $seed }
+cycles-from-recorded = Meetpunten uit { $file }
 cycles-unused = De cyclus heeft { $count ->
-    [one] één contact
-   *[other] { $count } contacten
+    [one] één meetpunt
+   *[other] { $count } meetpunten
     } van het bestand niet gebruikt
 
 cycles-fields-wrong = { $count ->
-    [one] een veld is
+    [one] één veld is
    *[other] { $count } velden zijn
     } niet bruikbaar: zie het formulier
 cycles-no-workpiece = het gesimuleerde werkstuk is niet volledig
 cycles-workpiece-wrong = gesimuleerd werkstuk: { $problem }
 cycles-workpiece-field = { $name }: { $problem }
-cycles-no-contacts = er is nog geen bestand met contacten geopend
+cycles-no-contacts = er is nog geen bestand met meetpunten geopend
 cycles-cannot-suit = Nog geen passend werkstuk: { $problem }
 cycles-not-written = het werkstuk kan niet worden geschreven: { $reason }
-cycles-contacts-loaded = Contacten van { $name } worden gebruikt
-cycles-column-ignored = kolom { $column } wordt niet gebruikt
+cycles-contacts-loaded = Meetpunten uit { $name } worden gebruikt
+cycles-column-ignored = kolom { $column } is overgeslagen
 cycles-probes-loaded = Tastertabel { $name } wordt gebruikt
-cycles-dialog-contacts = Opgenomen contacten openen
+cycles-dialog-contacts = Opgenomen meetpunten openen
 cycles-dialog-workpiece = Gesimuleerd werkstuk openen
 cycles-dialog-probes = Tastertabel openen
 cycles-dialog-save-workpiece = Gesimuleerd werkstuk opslaan
 
 cycles-open-workpiece = Openen…
 cycles-save-workpiece = Opslaan…
-cycles-shape-bore = Gat
+cycles-shape-bore = Boring
 cycles-shape-stud = As
 cycles-shape-face = Vlak
-cycles-shape-point = Punt van een vrij oppervlak
+cycles-shape-point = Punt op een vrij oppervlak
 cycles-shape-slot = Sleuf
 cycles-shape-ridge = Dam
 cycles-shape-pocket = Kamer
@@ -105,8 +105,8 @@ cycles-shape-boss = Rechthoekige tap
 cycles-plane = Vlak van de cirkel
 workpiece-probe = Taster
 workpiece-machine = Spreiding en temperatuur
-workpiece-centre-1 = Middelpunt, 1e as
-workpiece-centre-2 = Middelpunt, 2e as
+workpiece-centre-1 = Midden, 1e as
+workpiece-centre-2 = Midden, 2e as
 workpiece-ovality-angle = Hoek van de ovaliteit
 workpiece-lobe-angle = Hoek van de lobben
 workpiece-point-x = Punt X
@@ -129,8 +129,8 @@ workpiece-angle = Hoek van de wanden
 workpiece-ball = Kogelradius
 workpiece-trigger = Schakelspreiding 1σ
 workpiece-calibration = Kalibratiefout
-workpiece-offset-x = Verzet van de kogel X
-workpiece-offset-y = Verzet van de kogel Y
+workpiece-offset-x = Verschuiving van de kogel X
+workpiece-offset-y = Verschuiving van de kogel Y
 workpiece-lobing-count = Lobben van de schakelweg
 workpiece-lobing = Amplitude van de schakelweg
 workpiece-lobing-angle = Hoek van de schakelweg
@@ -139,17 +139,17 @@ workpiece-expansion = Uitzetting
 
 cycles-choice-move-to-clearance-0 = op meethoogte
 cycles-choice-move-to-clearance-1 = op veilige hoogte
-cycles-choice-traverse-0 = recht
+cycles-choice-traverse-0 = rechte lijn
 cycles-choice-traverse-1 = over een boog
-cycles-choice-contact-count-3 = contacten
-cycles-choice-contact-count-4 = contacten
-cycles-choice-log-0 = geen protocol
-cycles-choice-log-1 = protocol in een bestand
-cycles-choice-log-2 = stop, protocol op scherm
+cycles-choice-contact-count-3 = meetpunten
+cycles-choice-contact-count-4 = meetpunten
+cycles-choice-log-0 = geen meetprotocol
+cycles-choice-log-1 = meetprotocol in een bestand
+cycles-choice-log-2 = stop, meetprotocol op het scherm
 cycles-choice-stop-0 = geen stop
-cycles-choice-stop-1 = stop bij overschrijding
+cycles-choice-stop-1 = stop buiten de tolerantie
 cycles-choice-stop-on-undersize-0 = geen stop
-cycles-choice-stop-on-undersize-1 = stop bij overschrijding
+cycles-choice-stop-on-undersize-1 = stop buiten de tolerantie
 cycles-choice-stop-on-undersize-2 = stop alleen bij ondermaat
 cycles-choice-measured-axis-1 = hoofdas X
 cycles-choice-measured-axis-2 = nevenas Y

@@ -5,14 +5,14 @@ origin-contacts = meetpunten uit { $file }
 origin-imported = geïmporteerd uit { $file }
 origin-imported-simulation = geïmporteerd uit { $file }, gesimuleerd
 origin-typed = getypt
-caveat-only-a-diameter = slechts één diameter: over vorm en positie is niets bekend
-caveat-only-a-circle = alleen diameter en middelpunt: over de vorm is niets bekend
+caveat-only-a-diameter = alleen een diameter: vorm en positie zijn onbekend
+caveat-only-a-circle = alleen diameter en midden: de vorm is onbekend
 caveat-three-contacts = 3 meetpunten: de vorm is niet te meten
-caveat-four-contacts = 4 meetpunten: geen vorm te zien behalve ovaliteit
+caveat-four-contacts = 4 meetpunten: behalve ovaliteit is geen vorm te zien
 caveat-few-contacts = { $contacts } meetpunten: de vorm ertussen is niet te zien
-caveat-short-arc = de meetpunten beslaan slechts { $arc }°: spreiding wordt vergroot in diameter en midden
-contact-missed = aanraking { $number }: geen contact op de meetweg
-contact-used-up = aanraking { $number }: het bestand heeft maar { $available ->
+caveat-short-arc = de meetpunten beslaan maar { $arc }°: spreiding werkt versterkt door in diameter en midden
+contact-missed = meetpunt { $number }: de taster heeft op de tastweg niets geraakt
+contact-used-up = meetpunt { $number }: het bestand heeft maar { $available ->
     [one] { $available } meetpunt
    *[other] { $available } meetpunten
     }
@@ -21,47 +21,47 @@ cycle-out-of-range = { $key } { $name } = { $given }: { $allowed }
 cycle-length-range = minstens { $least } mm, hoogstens { $most } mm
 cycle-angle-range = hoogstens { $most } in beide richtingen
 cycle-angle-size-range = minstens { $smallest } groot, hoogstens { $most }
-cycle-one-of = geen van { $allowed }
+cycle-one-of = alleen { $allowed } is toegestaan
 cycle-tool-range = een gereedschap is een nummer van 0 tot 99999,9 of een naam van hoogstens 255 tekens
 cycle-not-a-value = { $key } { $name }: { $error }
-cycle-no-diameter = { $key } { $name } = 0 mm: een cirkel heeft een diameter boven 0 nodig
+cycle-no-diameter = { $key } { $name } = 0 mm: een cirkel heeft een diameter groter dan 0 nodig
 cycle-missing = { $key } { $name } ontbreekt
-cycle-no-such-parameter = cyclus { $cycle } heeft geen parameter { $parameter }: hij heeft { $known }
+cycle-no-such-parameter = cyclus { $cycle } heeft geen parameter { $parameter }: de parameters zijn { $known }
 cycle-limits-swapped = { $minimum-key } = { $minimum } mm is groter dan { $maximum-key } = { $maximum } mm: de minimale maat is groter dan de maximale
 cycle-too-large = de gemeten cirkel is te groot: { $error }
 workpiece-cannot-be = { $what } = { $given }: minstens { $least }, hoogstens { $most }
 # Where a measurement comes from, and what it cannot tell.
 
 # Touches.
-contact-in-material = tasting { $number }: de tastweg begint in het materiaal
+contact-in-material = meetpunt { $number }: de tastweg begint in het materiaal
 
 # Circle evaluation.
-circle-too-few = een cirkel heeft minstens 3 tastpunten nodig, gegeven: { $contacts }
-circle-coinciding = tastpunten { $first } en { $second } vallen samen op x = { $x }, y = { $y }: een cirkel heeft 3 verschillende punten nodig
-circle-collinear = alle { $contacts } tastpunten liggen op één rechte lijn: daar gaat geen cirkel door
-circle-straight = de { $contacts } tastpunten passen beter op een rechte lijn dan op welke cirkel ook
-circle-not-finite = tastpunt { $contact }: { $axis } = { $value } is geen eindig getal
+circle-too-few = een cirkel heeft minstens 3 meetpunten nodig, gevonden: { $contacts }
+circle-coinciding = meetpunten { $first } en { $second } vallen samen op x = { $x }, y = { $y }: een cirkel heeft 3 verschillende punten nodig
+circle-collinear = alle { $contacts } meetpunten liggen op één rechte lijn: daar gaat geen cirkel door
+circle-straight = de { $contacts } meetpunten passen beter op een rechte lijn dan op welke cirkel ook
+circle-not-finite = meetpunt { $contact }: { $axis } = { $value } is geen eindig getal
 circle-too-large = { $what } = { $value } mm is te groot: hoogstens { $most } mm in beide richtingen
-circle-three-contacts = 3 tastpunten: vorm is niet te meten, de restafwijking is altijd nul
-circle-four-contacts = 4 tastpunten: vier lobben blijven onzichtbaar en veranderen de diameter
-circle-short-arc = de tastpunten beslaan maar { $arc }° van de cirkel: de spreiding in de diameter is { $factor } keer die van 3 tastpunten op 120°
+circle-three-contacts = 3 meetpunten: de vorm is niet te meten, de restafwijking is altijd nul
+circle-four-contacts = 4 meetpunten: vier lobben blijven onzichtbaar en veranderen de diameter
+circle-short-arc = de meetpunten beslaan maar { $arc }° van de cirkel: de spreiding in de diameter is { $factor } keer die van 3 meetpunten op 120°
 circle-circumscribed-of-short-arc = de kleinste omgeschreven cirkel van een korte boog is niet de maat van het element
-circle-counts-twice = tastpunten { $first } en { $second } vallen samen: deze plaats telt dubbel
-circle-no-inscribed = er is geen grootste ingeschreven cirkel: de tastpunten omsluiten er geen
+circle-counts-twice = meetpunten { $first } en { $second } vallen samen: deze plaats telt dubbel
+circle-no-inscribed = er is geen grootste ingeschreven cirkel: de meetpunten omsluiten er geen
 circle-no-zone = er is geen minimale zone: een rechte strook is smaller dan elke ring
-circle-too-many-contacts = grootste ingeschreven cirkel en minimale zone worden niet berekend voor { $contacts } tastpunten: hoogstens { $most }
-circle-short-chord = tastpunten { $first } en { $second } liggen tegenover elkaar naast het middelpunt: deze maat is { $short } µm te klein
+circle-too-many-contacts = grootste ingeschreven cirkel en minimale zone worden voor { $contacts } meetpunten niet berekend: hoogstens { $most }
+circle-short-chord = meetpunten { $first } en { $second } liggen tegenover elkaar, maar naast het midden: deze maat is { $short } µm te klein
 circle-more-of-a-kind = hetzelfde geldt voor nog { $more }
-circle-apart = tastpunt { $contact } ligt { $apart } mm naast de cirkel, veel verder dan de andere: vuil of een valse tasting?
+circle-apart = meetpunt { $contact } ligt { $apart } mm naast de cirkel, veel verder dan de andere: vuil of een valse tasting?
 
 ## Measuring cycles: errors, results, remarks
-contact-out-of-reach = tasting { $number }: geen contact binnen de tastweg van { $longest } mm
+contact-out-of-reach = meetpunt { $number }: de taster heeft binnen de tastweg van { $longest } mm niets geraakt
 cycle-number-range = een getal, hoogstens { $most } in beide richtingen
-cycle-band-range = een tolerantie schrijft u als 0.4-0.1, 0.4 of -0.1, en 0 is geen tolerantie
-cycle-no-global = { $key } { $name } = PREDEF: geen GLOBAL DEF heeft een waarde gegeven
-cycle-no-path = { $key } { $name } = 0 mm: een tastweg heeft een lengte nodig, het teken is de richting
-cycle-no-normal = { $first }, { $second } en { $third } zijn alle 0: een normaal heeft een richting nodig
-cycle-apart = tastpunt { $contact }: de twee tastingen liggen { $difference } mm uit elkaar, { $key } staat { $most } mm toe
+cycle-band-range = schrijf een tolerantie als 0,4-0,1, 0,4 of -0,1; 0 is geen tolerantie
+cycle-no-global = { $key } { $name } = PREDEF: geen GLOBAL DEF geeft een waarde
+cycle-no-path = { $key } { $name } = 0 mm: een tastweg heeft een lengte nodig; het teken geeft de richting
+cycle-no-normal = { $first }, { $second } en { $third } zijn alle drie 0: een normaal heeft een richting nodig
+cycle-apart = meetpunt { $contact }: de twee tastingen liggen { $difference } mm uit elkaar, { $key } staat { $most } mm toe
 cycle-too-far = de gemeten coördinaat is te groot: { $error }
 cycle-stop = programmastop door Q309 = { $setting }: { $out }
 check-within = { $what } { $measured } mm ligt binnen { $minimum } tot { $maximum } mm
@@ -92,16 +92,16 @@ found-width-deviation = afwijking van de breedte
 found-good = binnen tolerantie
 found-rework = nabewerking
 found-scrap = afkeur
-found-status = status: -1 onbekend, 0 goed, 1 nabewerking, 2 afkeur
-remark-without-effect = { $key } wordt aanvaard en heeft geen effect
-remark-tool-left-alone = Q330 = { $tool }: de besturing zou dit gereedschap corrigeren; hier wordt geen gereedschap gecorrigeerd
-remark-outside-dimension = een buitenmaat wordt aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
-remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grenzen: een TNC7 weigert dat
-remark-nominal-width-outside-limits = nominale breedte { $nominal } mm ligt niet tussen de grenzen: een TNC7 weigert dat
-remark-variable-holds-diameter = #i99 bevat één waarde, aangenomen is de diameter: het handboek zegt niet welke
-remark-no-tolerance = { $key } zoals opgegeven is geen tolerantie: er wordt niets beoordeeld
+found-status = status: -1 niet gedefinieerd, 0 goed, 1 nabewerking, 2 afkeur
+remark-without-effect = { $key } is toegestaan en heeft geen werking
+remark-tool-left-alone = Q330 = { $tool }: de besturing zou dit gereedschap corrigeren; Fitcheck corrigeert geen gereedschap
+remark-outside-dimension = een buitenmaat is aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
+remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat
+remark-nominal-width-outside-limits = nominale breedte { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat
+remark-variable-holds-diameter = #i99 is als diameter gelezen: het handboek zegt niet welke waarde erin staat
+remark-no-tolerance = { $key } is geen tolerantie: er wordt niets beoordeeld
 
 ## The simulated machine
 workpiece-file-toml = regel { $line }: { $said }
-workpiece-file-not-one = het bestand heeft { $found } van { $tables }: er moet er precies één zijn
+workpiece-file-not-one = het bestand heeft { $found } van { $tables }: precies één is nodig
 workpiece-file-cannot-be = regel { $line }: { $error }

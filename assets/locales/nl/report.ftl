@@ -1,9 +1,9 @@
 # report
 
 ## Errors
-report-error-writer = het rapport als { $format } kon niet worden gemaakt: { $reason }
-report-ending-missing = { $file } heeft geen extensie waaruit de soort rapport blijkt: gebruik een van { $endings }
-report-ending-unknown = .{ $ending } is geen soort rapport: gebruik een van { $endings }
+report-error-writer = het rapport in formaat { $format } kon niet worden gemaakt: { $reason }
+report-ending-missing = { $file } heeft geen extensie waaruit het formaat van het rapport blijkt: gebruik een van { $endings }
+report-ending-unknown = .{ $ending } is geen formaat van het rapport: gebruik een van { $endings }
 
 ## Sentences about one check
 report-feature-hole = boring
@@ -17,10 +17,10 @@ report-source-instead = { $source }; ISO 286 geeft hier { $upper } en { $lower }
 report-too-small = { $um } µm te klein
 report-too-large = { $um } µm te groot
 report-inside = binnen de grensmaten
-report-above-minimum = { $um } µm boven minimaal
-report-below-minimum = { $um } µm onder minimaal
-report-below-maximum = { $um } µm onder maximaal
-report-above-maximum = { $um } µm boven maximaal
+report-above-minimum = { $um } µm boven minimum
+report-below-minimum = { $um } µm onder minimum
+report-below-maximum = { $um } µm onder maximum
+report-above-maximum = { $um } µm boven maximum
 report-position-unknown = niet gemeten
 report-position-unmonitored = niet bewaakt
 report-position-in = BINNEN
@@ -36,42 +36,42 @@ report-band-title = Grensband, gemeten { $value }: { $distances }
 
 ## The page
 report-title = Meetrapport
-report-part = Werkstuk
+report-part = Onderdeel
 report-order = Order
-report-inspector = Gemeten door
+report-inspector = Controleur
 report-created = Opgesteld
 report-program = Programma
-report-notes = Overgeslagen regels en waarschuwingen
+report-notes = Overgeslagen rijen en waarschuwingen
 report-no-checks = Dit rapport bevat geen controles.
 report-total = Totaal
 report-check = Controle
 report-id = Naam
 report-callout = Passing
-report-heading-without-callout = { $nominal } mm, grensmaten zonder passing
+report-heading-without-callout = { $nominal } mm, grensmaten zonder klasse
 report-verdict = Oordeel
 report-nominal = Nominale maat
-report-maximum = Maximaal
-report-minimum = Minimaal
+report-maximum = Maximum
+report-minimum = Minimum
 report-measured = Gemeten
 report-deviation = Afwijking
 report-remove = Verspanen
 report-on-diameter = op diameter
 report-per-side = per zijde
-report-remove-to-limit = tot de naaste grensmaat
-report-remove-to-middle = tot het midden van het veld
+report-remove-to-limit = tot de dichtstbijzijnde grensmaat
+report-remove-to-middle = tot het midden van het tolerantieveld
 report-position = Positie
 report-limits-from = Grensmaten uit
 report-measured-from = Gemeten waarde
 report-verdict-from = Beslisregel
-report-cannot-tell = Grenzen van deze meting
+report-cannot-tell = Beperkingen van deze meting
 report-contacts = Meetpunten
-report-contacts-at-end = achter in het rapport
+report-contacts-at-end = aan het einde van het rapport
 report-contact = Nr.
 report-radial = radiale afwijking
 report-sign-name = Naam
 report-sign-date = Datum
 report-sign-signature = Handtekening
-report-footer = Elk oordeel is geveld met de grensmaten en de beslisregel die erbij staan, op onafgeronde waarden.
+report-footer = Elk oordeel is geveld met de grensmaten en de beslisregel die ernaast staan, op onafgeronde waarden.
 
 ## Notes
 report-note = { $place }: { $what }

@@ -1,43 +1,45 @@
 # tolerance
 
 ## Lengtes
-length-empty = er is geen lengte ingevuld
+length-empty = een lengte ontbreekt
 length-not-a-number = { $text } is geen getal
 length-ambiguous = { $text } is dubbelzinnig: schrijf één decimaalteken en geen scheidingsteken voor duizendtallen
 length-too-fine = { $text } is fijner dan een nanometer
 length-too-large = { $text } is te groot: hoogstens { $max } mm naar beide kanten
 
 ## Maataanduidingen en tolerantieklassen
-callout-empty = er is geen maat met passing ingevuld: schrijf een nominale maat en een tolerantieklasse, zoals 25 H7
+callout-empty = een passing ontbreekt: schrijf een nominale maat en een tolerantieklasse, zoals 25 H7
 callout-no-nominal = { $text } begint niet met een nominale maat: schrijf die erbij, zoals 25 H7
 callout-nominal = nominale maat: { $error }
 callout-not-positive = nominale maat { $nominal } mm is niet groter dan 0
-class-missing = de tolerantieklasse ontbreekt, zoals H7 voor een gat of h7 voor een as
-class-mixed-case = { $text } mengt hoofdletters en kleine letters: schrijf { $upper } voor een gat of { $lower } voor een as
+class-missing = een tolerantieklasse ontbreekt, zoals H7 voor een boring of h7 voor een as
+class-mixed-case = { $text } heeft hoofdletters en kleine letters door elkaar: schrijf { $upper } voor een boring of { $lower } voor een as
 class-malformed = { $text } is geen tolerantieklasse: schrijf letters en een graad, zoals H7 of js13
 
 ## Afwijkingen en grensmaten
 deviations-order = bovenafwijking { $upper } mm ligt onder onderafwijking { $lower } mm
+source-choice-iso286 = ISO 286, elke klasse tot 3150 mm
+source-choice-control = De tabellen van de besturing, 47 klassen tot 400 mm
 source-iso286 = ISO 286, boven { $over } tot en met { $to } mm
 source-iso286-remark = ISO 286, boven { $over } tot en met { $to } mm; { $remark }
 source-shipped-table = ingebouwde tabel { $name }, boven { $over } tot en met { $to } mm
 source-table = tabel { $name }, boven { $over } tot en met { $to } mm
 source-file = bestand { $name }
 source-iso2768 = ISO 2768-1 klasse { $class }, boven { $over } tot en met { $to } mm
-source-callout = de opgave zelf
+source-callout = de passing zelf
 limits-no-feature = { $callout } zegt niet of de boring of de as bedoeld is
 limits-other-feature = { $feature ->
-    [hole] { $class } is een boringklasse en geen asklasse
-   *[shaft] { $class } is een asklasse en geen boringklasse
+    [hole] { $class } is een klasse voor boringen, niet voor assen
+   *[shaft] { $class } is een klasse voor assen, niet voor boringen
 }
 limits-other-case = { $feature ->
-    [hole] { $class } is een klasse voor gaten en staat niet in tabel { $table }; de klasse voor assen is { $other }
-   *[shaft] { $class } is een klasse voor assen en staat niet in tabel { $table }; de klasse voor gaten is { $other }
+    [hole] { $class } is een klasse voor boringen en staat niet in tabel { $table }; de klasse voor assen is { $other }
+   *[shaft] { $class } is een klasse voor assen en staat niet in tabel { $table }; de klasse voor boringen is { $other }
 }
-limits-unknown-class = { $class } staat niet in tabel { $table }; daarin staan { $known }
-limits-beyond-last-range = nominale maat { $nominal } mm valt buiten tabel { $table }; het laatste bereik daarvan is boven { $over } tot en met { $to } mm
+limits-unknown-class = { $class } staat niet in tabel { $table }; die heeft { $known }
+limits-beyond-last-range = nominale maat { $nominal } mm valt buiten tabel { $table }; het laatste maatbereik is boven { $over } tot en met { $to } mm
 limits-not-defined = { $class } is niet gedefinieerd boven { $over } tot en met { $to } mm in tabel { $table }; { $where }
-limits-defined-nowhere = ook in geen ander bereik
+limits-defined-nowhere = ook niet bij een andere maat
 limits-defined = wel { $ranges }
 limits-range = boven { $over } tot en met { $to } mm
 limits-ranges = { $first }, { $rest }
@@ -55,25 +57,25 @@ status-scrap = AFGEKEURD
 rule-simple = geen veiligheidsmarge, de grensmaten horen bij het tolerantieveld
 doubt-times-inch = de gemeten waarde is 25,4 keer de nominale maat: twee keer uit inch omgerekend?
 doubt-inches = de gemeten waarde is de nominale maat gedeeld door 25,4: staat die in inch?
-doubt-double = de gemeten waarde is twee keer de nominale maat: is een diameter voor een straal aangezien?
-doubt-half = de gemeten waarde is de helft van de nominale maat: is het een straal?
+doubt-double = de gemeten waarde is twee keer de nominale maat: is een diameter voor een radius aangezien?
+doubt-half = de gemeten waarde is de helft van de nominale maat: is het een radius?
 doubt-decimal-sign = de gemeten waarde is ongeveer de nominale maat met het decimaalteken op een andere plaats: is het { $meant } mm?
-doubt-far = de gemeten waarde ligt { $distance } mm buiten de grensmaten: is het dit deel, in millimeters?
+doubt-far = de gemeten waarde ligt { $distance } mm buiten de grensmaten: is het dit onderdeel, in millimeters?
 
 ## Bestanden
 file-is-folder = dit is een map, geen bestand: { $path }
 file-missing = bestand of map bestaat niet: { $path }
-file-exists = bestand of map bestaat al: { $path }
+file-exists = er bestaat al een bestand of map met deze naam: { $path }
 file-too-large = het bestand is groter dan { $limit } MiB: { $path }
 file-system = { $reason }: { $path }
 
 ## ISO 286
-iso286-no-grade = { $class } is geen klasse van ISO 286: de graden zijn { $grades }
-iso286-no-letter = { $class } is geen klasse van ISO 286: de letter { $letters } bestaat niet, wel { $known }
-iso286-too-large = nominale maat { $nominal } mm ligt buiten ISO 286, die bij 3150 mm ophoudt
+iso286-no-grade = { $class } is geen tolerantieklasse van ISO 286: de graden zijn { $grades }
+iso286-no-letter = { $class } is geen tolerantieklasse van ISO 286: de letter { $letters } bestaat niet, alleen { $known }
+iso286-too-large = nominale maat { $nominal } mm valt buiten ISO 286, die bij 3150 mm ophoudt
 iso286-not-here = { $class } is bij { $nominal } mm niet gedefinieerd in ISO 286; { $where }
 iso286-js-rounded = JS afgerond als in 1988
-iso286-contested-ef = omstreden: ef is hier 28 µm, andere overschriften hebben 25 µm
+iso286-contested-ef = omstreden: ef is hier 28 µm, andere bronnen geven 25 µm
 iso286-older-it5 = op proef; oudere catalogi hebben hier een kleinere IT5
 iso286-trial-use = op proef
 
@@ -96,13 +98,13 @@ fit-function-locational-transition-tighter = plaatsbepalend, overgang, strakker
 fit-function-locational-interference = plaatsbepalend met overmaat
 fit-function-medium-drive = licht klemmend
 fit-function-force = zwaar klemmend
-fit-one-sided = { $callout } is geen passing: schrijf een maat, een klasse voor het gat en een voor de as, zoals 25 H7/g6
-fit-not-a-hole = { $minimum } tot { $maximum } mm zijn de grensmaten van een as, terwijl die van een gat nodig zijn
-fit-not-a-shaft = { $minimum } tot { $maximum } mm zijn de grensmaten van een gat, terwijl die van een as nodig zijn
-fit-nominal-sizes = een passing heeft één nominale maat: het gat heeft { $hole } mm, de as { $shaft } mm
+fit-one-sided = { $callout } is geen passing van boring en as: schrijf een maat, een klasse voor de boring en een voor de as, zoals 25 H7/g6
+fit-not-a-hole = { $minimum } tot { $maximum } mm zijn de grensmaten van een as: die van een boring verwacht
+fit-not-a-shaft = { $minimum } tot { $maximum } mm zijn de grensmaten van een boring: die van een as verwacht
+fit-nominal-sizes = een passing heeft één nominale maat: de boring heeft { $hole } mm, de as { $shaft } mm
 fit-too-large = de speling is te groot
 fit-search-order = kleinste speling { $minimum } mm ligt boven grootste speling { $maximum } mm
-fit-search-no-classes = de tabellen hebben bij { $nominal } mm geen klassen voor zowel gat als as
+fit-search-no-classes = de tabellen hebben bij { $nominal } mm geen klassen voor zowel boring als as
 fit-thermal-too-fine = { $text } heeft meer dan drie decimalen
 fit-thermal-temperature = een temperatuur van { $text } °C valt buiten het bereik: van -273,15 tot 1000 °C
 fit-thermal-expansion = een uitzetting van { $text } valt buiten het bereik: van -20 tot 500, in miljoensten per kelvin, zoals 11,5 voor staal
@@ -112,47 +114,47 @@ material-published = gepubliceerde waarde
 material-verify = gangbare waarde, nog te controleren
 material-own = eigen waarde
 material-toml = { $reason }
-material-version = versie { $found } van een materialenbestand is onbekend, alleen versie { $known } wordt gelezen
+material-version = versie { $found } van een materialenbestand wordt niet ondersteund: versie { $known } verwacht
 material-too-many = er zijn { $count } materialen: hoogstens { $most }
 material-too-large = een materialenbestand heeft hoogstens { $most } bytes
 material-name = de naam van een materiaal heeft 1 tot { $longest } tekens en geen stuurtekens
-material-twice = er zijn twee materialen met de naam { $name }
-material-unknown = geen materiaal heet { $name }; er zijn { $known }, of geef de uitzetting zelf op, zoals 11,5
+material-twice = materiaal { $name } is twee keer gedefinieerd
+material-unknown = onbekend materiaal { $name }: kies een van { $known }, of geef de uitzetting zelf op, zoals 11,5
 ## Maataanduidingen: afwijkingen, grensmaten, passingen en algemene toleranties
 callout-at = { $reason } (teken { $at })
-callout-no-tolerance = de tolerantie ontbreekt, zoals H7, h7, H7/g6, m, +0.1 -0.2 of ±0.1
-callout-general-capital = { $capital } heeft geen graad: schrijf { $offer } voor de algemene tolerantie van ISO 2768-1, of een graad, zoals { $capital }7
-callout-fit-order = de as staat voor het gat: schrijf { $offer }
-callout-fit-side = { $first } en { $second } zijn geen gat en as: een passing heeft hoofdletters en dan kleine letters, zoals 25 H7/g6
+callout-no-tolerance = de tolerantie ontbreekt, zoals H7, h7, H7/g6, m, +0,1 -0,2 of ±0,1
+callout-general-capital = { $capital } heeft geen graad: schrijf { $offer } voor de algemene tolerantie van ISO 2768-1, of voeg een graad toe, zoals { $capital }7
+callout-fit-order = de as staat voor de boring: schrijf { $offer }
+callout-fit-side = { $first } en { $second } zijn geen boring en as: een passing heeft eerst hoofdletters, dan kleine letters, zoals 25 H7/g6
 callout-number = { $part }: { $error }
 callout-not-a = { $found } is geen { $part }: { $how }
 callout-missing = er ontbreekt een { $part }: { $how }
 callout-part-deviation = afwijking
 callout-part-limit = grensmaat
-callout-part-actual = waarde achter @
-callout-how-deviation = schrijf een teken en een getal, zoals +0.1 of -0.1
-callout-how-limit = schrijf twee maten, de grootste eerst, zoals 12.01/11.985
-callout-how-actual = schrijf een getal, zoals 10H7@10.004
+callout-part-actual = waarde na @
+callout-how-deviation = schrijf een teken en een getal, zoals +0,1 of -0,1
+callout-how-limit = schrijf twee maten, de grootste eerst, zoals 12,01/11,985
+callout-how-actual = schrijf een getal, zoals 10H7@10,004
 callout-no-sign = { $number } heeft geen teken: schrijf +{ $number } of -{ $number } voor een afwijking, en geen spatie binnen een getal
 callout-no-unit = { $number } heeft geen eenheid en de andere afwijking staat in µm: schrijf de eenheid achter beide
 callout-deviation-order = de onderafwijking staat voor de bovenafwijking: schrijf { $offer }
 callout-limits-order = de kleinste grensmaat staat voor de grootste: schrijf { $offer }
-callout-limits-apart = { $larger } mm is meer dan twee keer { $smaller } mm, dus dit zijn nauwelijks grensmaten: schrijf afwijkingen, zoals 12 +0.2 0
+callout-limits-apart = { $larger } mm is meer dan twee keer { $smaller } mm, dus dit zijn waarschijnlijk geen grensmaten: schrijf afwijkingen, zoals 12 +0,2 0
 callout-limits-or-deviation = dit is dubbelzinnig: schrijf { $limits } voor grensmaten of { $deviation } voor een onderafwijking
 callout-limits-meant = zo'n afwijking laat niets over: schrijf { $limits } voor grensmaten
-callout-minimum-not-positive = ondergrens { $minimum } mm is niet groter dan 0
-callout-mixed-decimals = { $number } heeft een ander decimaalteken dan het getal ervoor: schrijf er één soort
-callout-cycle-sign = { $sign } hoort bij de teksten van de cycli 14xx en niet bij een maataanduiding
-callout-not-in-cycle-text = { $found } kan niet in een tekst van de cycli 14xx staan: schrijf een klasse, een algemene klasse of afwijkingen
-callout-too-much = { $found } is te veel: de tekst houdt daarvoor op
+callout-minimum-not-positive = minimale grensmaat { $minimum } mm is niet groter dan 0
+callout-mixed-decimals = { $number } heeft een ander decimaalteken dan het getal ervoor: gebruik één soort
+callout-cycle-sign = { $sign } hoort in de teksten van de cycli 14xx, niet in een passing
+callout-not-in-cycle-text = { $found } is in een tekst van de cycli 14xx niet toegestaan: schrijf een klasse, een algemene klasse of afwijkingen
+callout-too-much = { $found } wordt hier niet verwacht: de tekst houdt ervoor op
 callout-too-long = de tekst is te lang: hoogstens { $most } tekens
-callout-band-order = de onderafwijking staat voor de bovenafwijking: QS400 schrijf je als 0.4-0.1
+callout-band-order = de onderafwijking staat voor de bovenafwijking: schrijf QS400 als 0,4-0,1
 general-too-small = nominale maat { $nominal } mm ligt onder { $first } mm, waar ISO 2768-1 begint: schrijf de afwijkingen bij de maat
-general-too-large = nominale maat { $nominal } mm valt buiten ISO 2768-1, dat tot en met { $last } mm gaat
+general-too-large = nominale maat { $nominal } mm valt buiten ISO 2768-1, die tot en met { $last } mm gaat
 general-not-defined = ISO 2768-1 heeft geen klasse { $class } { $range }; wel { $defined }
 general-range-from = van { $over } tot en met { $to } mm
 
 ## Tables made of the standard
-make-no-class = er is geen klasse genoemd: noem er een of meer, zoals H7 H8 JS9
-make-both-features = { $hole } en { $shaft } kunnen niet in één tabel staan: alleen de hoofdletter onderscheidt ze, maak dus een tabel voor boringen en een voor assen
+make-no-class = er is geen tolerantieklasse opgegeven: noem er een of meer, zoals H7 H8 JS9
+make-both-features = { $hole } en { $shaft } kunnen niet in één tabel staan: alleen hoofdletters en kleine letters onderscheiden ze, maak dus een tabel voor boringen en een voor assen
 make-last-size = de laatste maat is { $to } mm: die moet groter dan 0 en hoogstens 3150 mm zijn

@@ -15,28 +15,39 @@ theme = Weergave
 theme-system = Systeem volgen
 theme-light = Licht
 theme-dark = Donker
-density = Grootte van de knoppen
-density-by-use = Volgt het gebruik
+density = Grootte van de bediening
+density-by-use = Gebruik volgen
 density-mouse = Muis
 density-touch = Aanraking
-limits-from = Grenzen uit
-source-choice-iso286 = ISO 286, elke klasse tot 3150 mm
-source-choice-control = De tabellen van de besturing, 47 klassen tot 400 mm
+limits-from = Grensmaten uit
 standard-js-rounded = Halve micrometers van JS naar beneden afronden, zoals in 1988
 standard-1988 = cd, ef, fg alleen tot 10 mm, zoals in 1988
 load-tables = Eigen tabellen…
 no-own-tables = Geen eigen tabellen
 load-mask = Eigen masker…
 undo = Ongedaan maken
+undo-what = Ongedaan maken: { $what }
+undo-add = { $count ->
+    [one] 1 controle toevoegen
+   *[other] { $count } controles toevoegen
+}
+undo-clear = geschiedenis wissen
+undone = Ongedaan gemaakt: { $what }
 clear-history = Geschiedenis wissen
+choose-bad = { $count ->
+    [0] Niet goede controles kiezen
+    [one] 1 niet goede controle kiezen
+   *[other] { $count } niet goede controles kiezen
+}
+choose-none = Niets kiezen
 
 callout = Passing
 callout-hint = Typ een nominale maat en een klasse, bijvoorbeeld 25 H7
 feature-hole = Boring
 feature-shaft = As
 nominal-is = nominale maat { $nominal } mm
-maximum = Maximaal
-minimum = Minimaal
+maximum = Maximum
+minimum = Minimum
 from-source = uit { $source }
 source-overrides = Eigen tabel: ISO 286 heeft { $upper } / { $lower } µm, dus een verschil van { $by-upper } / { $by-lower } µm
 measured-value = Gemeten waarde
@@ -49,9 +60,9 @@ tolerance-class = Klasse
 class-none = Kiezen
 classes-hole = Klassen voor boringen
 classes-shaft = Klassen voor assen
-part-name = Deel of kenmerk
+part-name = Onderdeel of element
 
-probe-position = Meetpositie
+probe-position = Tastpositie
 centre-x = Midden X
 centre-y = Midden Y
 height-z = Hoogte Z
@@ -59,8 +70,8 @@ first-contact = Eerste meetpunt
 clearance = Veiligheidsafstand
 centre-tolerance = Tolerantie midden ±
 simulated-workpiece = Gesimuleerd werkstuk
-simulated-hint = Een lege diameter is het midden van het tolerantieveld. Het startgetal telt bij elke meting door; hetzelfde startgetal geeft dezelfde meetpunten.
-true-diameter = Ware diameter
+simulated-hint = Een lege diameter is het midden van het tolerantieveld. Het startgetal loopt na elke meting op; hetzelfde startgetal geeft dezelfde meetpunten.
+true-diameter = Werkelijke diameter
 seed = Startgetal
 offset-x = Verschuiving X
 offset-y = Verschuiving Y
@@ -78,7 +89,7 @@ field-not-whole = { $given } is geen geheel getal
 limit-band = Grensband
 band-empty = De grensband verschijnt met de grensmaten
 band-describe = Afwijking van de nominale maat in micrometer: tolerantieveld van { $lower } tot { $upper }, { $left } daaronder, { $right } daarboven.
-band-describe-measured = Gemeten { $deviation }, { $above } boven de minimale maat, { $below } onder de maximale maat.
+band-describe-measured = Gemeten { $deviation }, { $above } boven het minimum, { $below } onder het maximum.
 side-rework = nabewerking
 side-scrap = afkeur
 zone = tolerantie
@@ -98,17 +109,18 @@ centre-is = midden { $x } / { $y }
 word-none = Geen resultaat
 word-question = Klopt dit?
 simulated = GESIMULEERD
+status-simulated = { simulated } { $status }
 judge-anyway = { $measured } mm toch beoordelen
 take-meant = { $meant } mm nemen
-question-enter = Enter beoordeelt de waarde zoals ze is; typen vervangt ze
+question-enter = Enter beoordeelt de waarde zoals die is; typen vervangt de waarde
 lot-title = { $rows ->
-    [one] { $name }: 1 regel
-   *[other] { $name }: { $rows } regels
+    [one] { $name }: 1 rij
+   *[other] { $name }: { $rows } rijen
 }
 lot-unjudged = { $count } niet beoordeeld
 lot-refused = { $count ->
-    [one] 1 regel geweigerd
-   *[other] { $count } regels geweigerd
+    [one] 1 rij geweigerd
+   *[other] { $count } rijen geweigerd
 }
 lot-doubted = { $count ->
     [one] 1 waarde is misschien een andere grootheid
@@ -121,22 +133,22 @@ lot-worse = Slechter
 lot-better = Beter
 lot-best = Beste
 lot-count = { $status } { $count }
-above-minimum = { $um } µm boven minimaal
-below-minimum = { $um } µm onder minimaal
-below-maximum = { $um } µm onder maximaal
-above-maximum = { $um } µm boven maximaal
-remove-amount = Verspaan { $um } µm
-remove-to-limit = tot de grens
+above-minimum = { $um } µm boven minimum
+below-minimum = { $um } µm onder minimum
+below-maximum = { $um } µm onder maximum
+above-maximum = { $um } µm boven maximum
+remove-amount = { $um } µm verspanen
+remove-to-limit = tot de grensmaat
 remove-to-middle = { $um } µm tot het midden
 remove-per-side = op de diameter; { $um } µm per zijde
 position-in = Midden in positie
-position-out = Midden uit positie
+position-out = Midden buiten positie
 diameter-alone = Alleen de diameter: { $status }
 why = Waarom?
 why-limits = Grensmaten uit { $what }
 why-measured = Gemeten waarde: { $what }
 why-rule = Regel: { $what }
-why-caveat = Grens van deze meting: { $what }
+why-caveat = Beperking van deze meting: { $what }
 
 popup-title = Statusvenster
 popup-title-simulated = Statusvenster, GESIMULEERD
@@ -154,17 +166,46 @@ history-count = { $count ->
    *[other] { $count } controles
 }
 history-chosen = { $count } gekozen voor export
+history-hidden = waarvan { $hidden } niet getoond
+history-shown = { $shown } van { $count ->
+    [one] 1 controle
+   *[other] { $count } controles
+}
+history-exported = { $count ->
+    [0] Er is niets te exporteren
+    [one] 1 controle wordt geëxporteerd
+   *[other] Alle { $count } controles worden geëxporteerd
+}
+history-cleared = { $count ->
+    [one] 1 controle uit de geschiedenis verwijderd. Met Ongedaan maken (Ctrl+Z) komt die terug.
+   *[other] { $count } controles uit de geschiedenis verwijderd. Met Ongedaan maken (Ctrl+Z) komen ze terug.
+}
+history-none-found = Geen controle voldoet aan het filter
+history-filter = Filter
+history-filter-hint = Woorden die een controle moet bevatten: deel, passing, waarde, datum, status, bestand
+history-only-bad = Alleen niet goed
+history-only-bad-hint = Nabewerking, opnieuw meten en afgekeurd
+history-sort-hint = Sorteert op deze kolom; nog een keer andersom, daarna de nieuwste bovenaan
+history-ascending = { $column }, oplopend gesorteerd
+history-descending = { $column }, aflopend gesorteerd
+history-list = Controles in de geschiedenis
+history-row = { $time }, { $callout }, { $measured } mm, { $deviation }, { $status }, { $from }
+history-row-part = { $time }, { $part }, { $callout }, { $measured } mm, { $deviation }, { $status }, { $from }
+history-row-chosen = { $row }, gekozen voor export
+history-move = Naar een andere controle
+history-show = Controle tonen
+history-choose = Kiezen voor export
+choose-all = Alle getoonde kiezen
+copy-checks = Kopiëren voor een spreadsheet
 history-empty = Hier verschijnen de controles, de nieuwste bovenaan
-head-chosen = ✓
-head-time = Tijd
-head-part = Deel
+head-time = Datum en tijd
+head-part = Onderdeel
 head-callout = Passing
 head-measured = Gemeten
 head-deviation = Afwijking
 head-status = Status
 head-from = Herkomst
-choose-check = { $callout } van { $time } kiezen voor export
-show-check = { $time } { $callout } { $status } tonen
+choose-check = { $check } van { $time } kiezen voor export
 
 dialog-import = Metingen importeren
 dialog-mask = Eigen masker
@@ -178,7 +219,7 @@ dialog-save = Opslaan
 dialog-browse = Bladeren…
 dialog-cancel = Annuleren
 dialog-busy = Bezig…
-dialog-no-path = Een pad ontbreekt
+dialog-no-path = Er ontbreekt een pad
 dialog-no-status = Er is geen statusvenster om op te slaan
 notice = Melding
 notice-problem = Fout
@@ -189,28 +230,29 @@ tables-loaded = { $count ->
    *[other] { $count } tabellen worden gebruikt uit { $folder }
 }
 mask-loaded-with-warnings = { $name } is gelezen met waarschuwingen
-state-set-aside = De laatste toestand kon niet worden gelezen. Zij is bewaard als { $path }; het venster begint met de standaardinstellingen.
+state-set-aside = De laatste toestand kon niet worden gelezen en is bewaard als { $path }; het venster begint met de standaardinstellingen.
 import-notice = { $name }: { $good ->
     [0] geen controle
     [one] 1 controle
    *[other] { $good } controles
 }, { $bad ->
-    [0] geen regel geweigerd
-    [one] 1 regel geweigerd
-   *[other] { $bad } regels geweigerd
+    [0] geen rij geweigerd
+    [one] 1 rij geweigerd
+   *[other] { $bad } rijen geweigerd
 }
 measured-needs-limits = Er zijn geen grensmaten om aan te toetsen: typ eerst een passing
 
-keypad = Toetsen
+keypad = Toetsenblok
 key = Toets
 key-blank = Spatie
 key-decimal = Decimaalteken
 key-minus = Min
+edge = Rand van het paneel: verplaatsen met de pijltjestoetsen
 key-letters = Letters
 key-figures = Cijfers
 key-shift = Hoofdletters of kleine letters
 key-back = Laatste wissen
-key-clear = Leeg
+key-clear = Leegmaken
 key-measure = Meten met Enter
 
 ## Table page
@@ -225,7 +267,7 @@ tables-open = Openen…
 tables-save = Opslaan als
 tables-redo = Opnieuw
 tables-use = Voor grensmaten gebruiken
-tables-in-use = Geldt voor grensmaten
+tables-in-use = Gebruikt voor grensmaten
 tables-filter = Filter
 tables-filter-hint = Klassen zoals H7 g6, letters, graden of een maat in mm
 tables-shown = { $count ->
@@ -234,8 +276,8 @@ tables-shown = { $count ->
 }
 tables-unmatched = niets gevonden voor { $words }
 tables-agrees = { $count ->
-    [one] komt in zijn ene cel overeen met ISO 286
-   *[other] komt in alle { $count } cellen overeen met ISO 286
+    [one] de enige cel komt overeen met ISO 286
+   *[other] alle { $count } cellen komen overeen met ISO 286
 }
 tables-differs = { $count ->
     [one] 1 van { $compared } cellen wijkt af van ISO 286
@@ -250,7 +292,7 @@ tables-own-class = eigen
 tables-previous = Vorig verschil
 tables-next = Volgend verschil
 tables-not-saved = Wijzigingen zijn niet opgeslagen
-tables-keys = Pijltjestoetsen verplaatsen, Enter wijzigt, Delete leegt, F8 gaat naar het volgende verschil, Ctrl+F naar het filter
+tables-keys = Pijltjestoetsen verplaatsen, Enter wijzigt, Delete maakt leeg, F8 gaat naar het volgende verschil, Ctrl+F naar het filter
 tables-move = Naar een andere cel
 tables-edit-cell = Cel wijzigen
 tables-grid = Afwijkingen van { $name } in µm
@@ -264,14 +306,14 @@ tables-upper = Boven
 tables-lower = Onder
 tables-head-table = Tabel, µm
 tables-head-standard = ISO 286
-tables-head-by = scheelt
+tables-head-by = verschil
 tables-cell-agrees = Zoals in ISO 286
-tables-cell-off = ISO 286 heeft { $upper } / { $lower } µm; de tabel scheelt { $upper-by } / { $lower-by } µm
+tables-cell-off = ISO 286 heeft { $upper } / { $lower } µm; de tabel wijkt { $upper-by } / { $lower-by } µm af
 tables-more-differences = en nog { $count }
 tables-cell-missing = Hier leeg; ISO 286 heeft { $upper } / { $lower } µm
 tables-cell-empty = Hier leeg, en in ISO 286 niet gedefinieerd
 tables-defined = In ISO 286 is de klasse gedefinieerd { $ranges }
-tables-shipped-hint = Een ingebouwde tabel blijft zoals hij is: een wijziging maakt een kopie en toont die.
+tables-shipped-hint = Een ingebouwde tabel blijft ongewijzigd: bij een wijziging ontstaat een kopie, en die wordt getoond.
 tables-set = Invullen
 tables-take-standard = ISO 286 overnemen
 tables-empty-cell = Leegmaken
@@ -282,14 +324,14 @@ tables-add-columns = Aan deze tabel toevoegen
 tables-up-to = Maten tot en met
 tables-make = Nieuwe tabel
 tables-order = bovenafwijking { $upper } µm ligt onder onderafwijking { $lower } µm
-tables-used = Grensmaten komen eerst uit { $name }, tot het venster wordt gesloten. Sla de tabel op in de map met eigen tabellen om hem te houden.
+tables-used = Grensmaten komen eerst uit { $name }, tot het venster wordt gesloten. Sla de tabel op in de map met eigen tabellen om die te houden.
 tables-read-with-warnings = { $name } is gelezen met waarschuwingen
 tables-nothing-read = Het bestand bevat geen tabel met afwijkingen
 tables-nothing-to-save = Er is geen tabel om op te slaan
-tables-cell-unreadable = De velden van de gekozen cel zijn niet te lezen: verbeter ze eerst
+tables-cell-unreadable = De velden van de gekozen cel zijn onleesbaar: verbeter ze eerst
 tables-too-many = { $count } tabellen zijn open met wijzigingen: sla er eerst een op
-tables-dialog-open = Een tabel openen
-tables-dialog-save = De tabel opslaan
+tables-dialog-open = Tabel openen
+tables-dialog-save = Tabel opslaan
 ## Fit page
 fit-callout = Passing van boring en as
 fit-callout-hint = Typ een nominale maat en beide klassen, bijvoorbeeld 25 H7/g6
@@ -300,7 +342,7 @@ fit-preferred = Voorkeurspassing
 fit-function = Functie
 fit-list-hole-basis = Eenheidsboring
 fit-list-shaft-basis = Eenheidsas
-fit-parts = Werkelijke delen
+fit-parts = Werkelijke onderdelen
 fit-hole-measured = Gemeten boring
 fit-shaft-measured = Gemeten as
 fit-temperature = Temperatuur
@@ -310,19 +352,19 @@ fit-shaft-material = Materiaal as
 fit-shaft-expansion = As, µm/(m K)
 fit-own-value = Eigen waarde
 fit-search = Zoeken op speling
-fit-wanted-minimum = Kleinste
-fit-wanted-maximum = Grootste
+fit-wanted-minimum = Minimum
+fit-wanted-maximum = Maximum
 fit-scope = In
 fit-scope-all = Alle klassen
 fit-scope-basis = Eenheidsboring en eenheidsas
 fit-scope-preferred = Voorkeurs- en benoemde passingen
-fit-search-hint = De kleinste en de grootste speling; een negatieve is een overmaat. 7 µm wordt ook gelezen
-fit-search-size = Het zoeken heeft hierboven een nominale maat nodig
+fit-search-hint = De kleinste en de grootste speling; een negatieve waarde is een overmaat. 7 µm typen kan ook
+fit-search-size = Voor het zoeken is een nominale maat nodig: typ die hierboven
 fit-found = { $count ->
     [one] 1 passing
    *[other] { $count } passingen
 }
-fit-found-first = de beste { $count } staan hier
+fit-found-first = de beste { $count } staan in de lijst
 fit-found-none = Geen passing. De dichtstbijzijnde
 fit-missed-by = { $below } µm te weinig, { $above } µm te veel
 fit-is-preferred = voorkeur
@@ -366,8 +408,8 @@ fit-conforms-not = Buiten wat de passing toestaat
 fit-with-good-shaft = Speling met een goede as
 fit-with-good-hole = Speling met een goede boring
 fit-at-temperature = Bij { $degrees } °C
-fit-temperature-change = speling verandert { $um } µm
-fit-these-parts = Deze delen: { $clearance }
+fit-temperature-change = de speling verandert met { $um } µm
+fit-these-parts = Deze onderdelen: { $clearance }
 
 ## Own materials
 materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, { $reason }
@@ -381,8 +423,8 @@ leave-anyway = Afsluiten zonder opslaan
 ## Cycle pictures
 cycle-picture-centre-1 = nominaal midden in de eerste as
 cycle-picture-centre-2 = nominaal midden in de tweede as
-cycle-picture-centre-tolerance-1 = toegestane afwijking van het middelpunt in de eerste as, naar beide kanten; 0 bewaakt niets
-cycle-picture-centre-tolerance-2 = toegestane afwijking van het middelpunt in de tweede as, naar beide kanten; 0 bewaakt niets
+cycle-picture-centre-tolerance-1 = toegestane afwijking van het midden in de eerste as, naar beide kanten; 0 bewaakt niets
+cycle-picture-centre-tolerance-2 = toegestane afwijking van het midden in de tweede as, naar beide kanten; 0 bewaakt niets
 cycle-picture-side-length-1 = nominale lengte van de rechthoek langs de eerste as
 cycle-picture-side-length-2 = nominale lengte van de rechthoek langs de tweede as
 cycle-picture-maximum-side-1 = grootste toegestane lengte langs de eerste as
@@ -394,7 +436,7 @@ cycle-picture-maximum-width = grootste toegestane breedte
 cycle-picture-minimum-width = kleinste toegestane breedte
 cycle-picture-start-1 = punt in de sleuf waar de taster begint, eerste as
 cycle-picture-start-2 = punt in de sleuf waar de taster begint, tweede as
-cycle-picture-shift = verschuiving van het tweede contact langs de wanden; bij 0 ligt het tegenover het eerste
+cycle-picture-shift = verschuiving van het tweede meetpunt langs de wanden; bij 0 ligt het tegenover het eerste
 cycle-picture-first-point-1 = eerste punt, op de wand aan de pluskant: eerste as
 cycle-picture-first-point-2 = eerste punt, op de wand aan de pluskant: tweede as
 cycle-picture-second-point-1 = tweede punt, op de wand aan de minkant: eerste as
@@ -403,53 +445,53 @@ cycle-picture-axis-of-plane = gemeten as: 1 eerste as, 2 tweede as
 cycle-picture-diameter = nominale diameter
 cycle-picture-maximum-size = grootste toegestane diameter
 cycle-picture-minimum-size = kleinste toegestane diameter
-cycle-picture-start-diameter = diameter van de cirkel waarop de taster voor elke aanraking staat
-cycle-picture-first-angle = hoek van het eerste contact, geteld vanaf de eerste as
-cycle-picture-step = hoek van contact tot contact; min draait met de klok mee
-cycle-picture-longest-path = langste tastweg; plus voert van het middelpunt weg, min ernaartoe
-cycle-picture-difference = elk contact wordt twee keer aangetast; zoveel mogen de twee verschillen
-cycle-picture-measuring-height = hoogte van het midden van de tastkogel tijdens het aantasten
-cycle-picture-set-up-clearance = afstand voor het aantasten, boven op SET_UP uit de tastertabel
-cycle-picture-clearance-height = hoogte waarop niets in de weg staat
-cycle-picture-point-1 = aan te tasten punt, eerste as
-cycle-picture-point-2 = aan te tasten punt, tweede as
-cycle-picture-point-3 = aan te tasten punt, derde as
+cycle-picture-start-diameter = diameter van de cirkel waarop de taster vóór elke tasting staat
+cycle-picture-first-angle = hoek van het eerste meetpunt, gerekend vanaf de eerste as
+cycle-picture-step = hoek van meetpunt tot meetpunt; min draait met de klok mee
+cycle-picture-longest-path = langste tastweg; plus leidt van het midden af, min ernaartoe
+cycle-picture-difference = elk meetpunt wordt twee keer getast: grootste toegestane verschil
+cycle-picture-measuring-height = hoogte van het midden van de kogel bij het meetpunt
+cycle-picture-set-up-clearance = afstand vóór het meetpunt, opgeteld bij SET_UP uit de tastertabel
+cycle-picture-clearance-height = hoogte waarop de taster vrij kan bewegen
+cycle-picture-point-1 = te tasten punt, eerste as
+cycle-picture-point-2 = te tasten punt, tweede as
+cycle-picture-point-3 = te tasten punt, derde as
 cycle-picture-maximum-coordinate = grootste toegestane coördinaat
 cycle-picture-minimum-coordinate = kleinste toegestane coördinaat
 cycle-picture-normal-1 = component van de oppervlaktenormaal in de eerste as; de normaal wijst uit het materiaal
 cycle-picture-normal-2 = component van de oppervlaktenormaal in de tweede as; de normaal wijst uit het materiaal
 cycle-picture-normal-3 = component van de oppervlaktenormaal in de derde as; de normaal wijst uit het materiaal
 cycle-picture-band = toegestane afwijking langs de normaal: overmaat plus, ondermaat min
-cycle-picture-retract = weg terug vanaf het contact, tegen de tastrichting in
-cycle-picture-move-to-clearance = weg tussen contacten: 0 op meethoogte, 1 over de veilige hoogte
-cycle-picture-traverse = weg naar het volgende contact: 0 rechte lijn, 1 boog
-cycle-picture-contact-count = aantal contacten, 3 of 4
+cycle-picture-retract = weg terug vanaf het meetpunt, tegen de tastrichting in
+cycle-picture-move-to-clearance = weg tussen meetpunten: 0 op meethoogte, 1 over de veilige hoogte
+cycle-picture-traverse = weg naar het volgende meetpunt: 0 rechte lijn, 1 boog
+cycle-picture-contact-count = aantal meetpunten, 3 of 4
 cycle-picture-plane = vlak van de cirkel: 0 X/Y, 1 Z/X, 2 Y/Z
-cycle-picture-side = 0 tast binnen aan, 1 buiten
-cycle-picture-measured-axis = gemeten as: 1 eerste as, 2 tweede as, 3 tastas
-cycle-picture-direction = richting van het aantasten: −1 tegen de as in, +1 met de as mee
+cycle-picture-side = 0 tast binnen, 1 buiten
+cycle-picture-measured-axis = gemeten as: 1 eerste as, 2 tweede as, 3 tasteras
+cycle-picture-direction = tastrichting: −1 tegen de as in, +1 met de as mee
 cycle-picture-log = meetprotocol: 0 geen, 1 bestand, 2 op het scherm en het programma stopt
 cycle-picture-stop = buiten tolerantie: 0 het programma gaat door, 1 het stopt met een melding
 cycle-picture-stop-on-undersize = buiten tolerantie: 0 het programma gaat door, 1 het stopt, 2 het stopt alleen bij ondermaat
-cycle-picture-tool = te bewaken gereedschap, op nummer of naam; 0 is geen
+cycle-picture-tool = te bewaken gereedschap, met nummer of naam; 0 is geen
 cycle-picture-any-length = { $name } Een lengte
 cycle-picture-any-angle = { $name } Een hoek
 cycle-picture-any-choice = { $name } Een van { $of }
 cycle-picture-any-number = { $name } Een getal
 cycle-picture-path = Weg van de taster, { $step } van { $moves } verplaatsingen gedaan, { $contacts ->
-    [one] 1 contact
-   *[other] { $contacts } contacten
+    [one] 1 meetpunt
+   *[other] { $contacts } meetpunten
 }. Kogel op X { $x }, Y { $y }, Z { $z } mm.
-cycle-picture-path-touch = { $phase }, contact { $touch }
-cycle-picture-no-path = De weg verschijnt als de cyclus gelopen heeft
+cycle-picture-path-touch = { $phase }, meetpunt { $touch }
+cycle-picture-no-path = De weg verschijnt na het uitvoeren van de cyclus
 cycle-picture-phase-pre-position = voorpositioneren
-cycle-picture-phase-approach = aantasten
-cycle-picture-phase-contact = contact
+cycle-picture-phase-approach = naderen
+cycle-picture-phase-contact = meetpunt
 cycle-picture-phase-retract = terugtrekken
-cycle-picture-phase-leave = wegrijden
+cycle-picture-phase-leave = vrijzetten
 cycle-picture-from-above = { $first }/{ $second } van boven
 cycle-picture-from-side = { $first }/{ $second } van opzij
-cycle-picture-contacts = { $count } contacten om hun kleinste-kwadratencirkel Ø { $diameter } mm, { $factor }: { $residuals }.
+cycle-picture-contacts = { $count } meetpunten om hun kleinste-kwadratencirkel Ø { $diameter } mm, { $factor }: { $residuals }.
 cycle-picture-nominal = Nominale cirkel Ø { $diameter } mm.
 cycle-picture-legend-fitted = kleinste kwadraten
 cycle-picture-legend-nominal = nominaal
@@ -469,10 +511,10 @@ cycle-picture-two-point = Tweepuntsmaat
 cycle-picture-two-point-of = Tweepuntsmaat { $first }–{ $second }
 cycle-picture-two-point-least = Kleinste tweepuntsmaat, { $first }–{ $second }
 cycle-picture-two-point-most = Grootste tweepuntsmaat, { $first }–{ $second }
-cycle-picture-no-opposed = geen twee contacten liggen tegenover elkaar
-cycle-picture-uncertainty = Spreiding s van een aanraking geeft { $diameter } s in de diameter, { $against } keer die van 3 contacten op 120°, en { $across } s tot { $along } s in het midden
+cycle-picture-no-opposed = geen twee meetpunten liggen tegenover elkaar
+cycle-picture-uncertainty = Spreiding s van een meetpunt geeft { $diameter } s in de diameter, { $against } keer die van 3 meetpunten op 120°, en { $across } s tot { $along } s in het midden
 
 # De bewaarde toestand, en het venster zelf
-saved-broken = de bewaarde toestand is niet te lezen: { $reason }
+saved-broken = de bewaarde toestand is onleesbaar: { $reason }
 saved-newer = de bewaarde toestand heeft versie { $version }, dit programma kent versies tot en met { $known }
-window-not-opened = het venster kan niet worden geopend: { $reason }; de opdrachtregel werkt zonder scherm, zie fitcheck --help
+window-not-opened = het venster kan niet worden geopend: { $reason }; de opdrachtregel werkt zonder beeldscherm, zie fitcheck --help

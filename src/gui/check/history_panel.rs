@@ -1,23 +1,35 @@
-//! Bottom: earlier checks, newest first. Only the rows in sight are drawn.
+//! Bottom: earlier checks. A title row with the filter, and the list below it; on a small window a strip with the last
+//! ones.
 
-use eframe::egui::{Align, Button, Checkbox, Id, Layout, RichText, Sense, Ui, UiBuilder, vec2};
-use egui_extras::{Column, TableBuilder};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Button, Frame, Id, Key, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
+use super::history_list::{self, list_ui};
+use crate::gui::field::{self, Look, field_ui};
 use crate::gui::shapes;
-use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::verdict_card::status_id;
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::verdict_card::colours;
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
-use crate::message::{Message, Say as _};
-use crate::session::CheckCommand;
-use crate::words::Words;
+use crate::journal::query::callout;
+use crate::message::Message;
+use crate::session::{Action, CheckField, Field, status_text};
+
+/// How many checks the strip shows.
+const LAST: usize = 4;
+
+/// The room that one of them and the number of checks need: a measured one, and a simulated one, which says so.
+const LEAST: [f32; 2] = [56.0, 84.0];
 
 fn unfolded_id() -> Id {
     Id::unique("history-unfolded")
 }
 
-/// Whether the user opened the table on a small window.
+/// Whether the user opened the list on a small window. Going to its filter opens it.
 pub(super) fn is_unfolded(ui: &Ui) -> bool {
+    if ui.memory(|memory| memory.has_focus(field::id(CheckField::HistoryFilter))) {
+        ui.data_mut(|data| data.insert_temp(unfolded_id(), true));
+    }
     ui.data(|data| data.get_temp(unfolded_id())).unwrap_or(false)
 }
 
@@ -35,148 +47,96 @@ fn title_ui(ui: &mut Ui, view: &View<'_>, can_fold: bool) {
     }
 }
 
-/// Title row and table.
+/// Title row and list.
 pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         title_ui(ui, view, can_fold);
-        let count = view.session.history().len();
-        quiet(ui, view.words.say(&Message::new("history-count").count("count", count)));
-        if 0 < view.session.chosen_count() {
-            let chosen = Message::new("history-chosen").count("count", view.session.chosen_count());
-            quiet(ui, view.words.say(&chosen));
+        count_ui(ui, view);
+        if !view.session.history().is_empty() {
+            ui.separator();
+            filter_ui(ui, view);
+            view.checkbox(ui, Action::OnlyBad);
+            chosen_ui(ui, view);
         }
     });
     if view.session.history().is_empty() {
         quiet(ui, view.text("history-empty"));
-        return;
+    } else {
+        list_ui(ui, view);
     }
-    table_ui(ui, view);
 }
 
-/// One line instead of the table, where there is no room for it.
+/// How many checks there are, and how many of them are listed.
+fn count_ui(ui: &mut Ui, view: &View<'_>) {
+    let history = view.session.history();
+    let (shown, count) = (history.listed().count(), history.len());
+    let said = if shown == count { "history-count" } else { "history-shown" };
+    quiet(ui, view.words.say(&Message::new(said).count("shown", shown).count("count", count)));
+}
+
+/// How many are chosen for export, and whether some of them are not in sight.
+fn chosen_ui(ui: &mut Ui, view: &View<'_>) {
+    let history = view.session.history();
+    if history.chosen_count() == 0 {
+        return;
+    }
+    let mut said = view.words.say(&Message::new("history-chosen").count("count", history.chosen_count()));
+    if 0 < history.hidden_count() {
+        let hidden = Message::new("history-hidden").count("hidden", history.hidden_count());
+        said = format!("{said}, {}", view.words.say(&hidden));
+    }
+    quiet(ui, said);
+}
+
+/// The filter; Escape empties it and goes to the list.
+fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = ui.label(view.text("history-filter"));
+    let look = Look { font: theme::font(sizes().body), ..Look::large(space(40.0)) };
+    let filter = field_ui(ui, view, CheckField::HistoryFilter, name.id, look);
+    let left = filter.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
+    // A notice over the page takes Escape first.
+    if left && !view.session.can(Action::Close) {
+        view.send(Field::from(CheckField::HistoryFilter).typed(String::new()));
+        ui.memory_mut(|memory| memory.request_focus(history_list::id()));
+    }
+    filter.on_hover_text(view.text("history-filter-hint"));
+}
+
+/// One line instead of the list, where there is no room for it.
 pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
     ui.horizontal(|ui| {
         title_ui(ui, view, true);
-        for record in view.session.history().iter().rev().take(4) {
-            let (rect, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
-            let status = record.verdict.status();
-            shapes::status(ui.painter(), rect, Some(status), palette(ui.ctx()).text.0);
-            let said =
-                format!("{}  {}", callout(record), Digits::of(record).mm(view.words, record.measurement.diameter, 3));
-            ui.label(said).on_hover_text(view.text(status_id(Some(status))));
+        for record in view.session.history().iter().rev().take(LAST) {
+            let [measured, simulated] = LEAST.map(space);
+            let is_simulated = record.measurement.origin.is_simulated();
+            if (if is_simulated { simulated } else { measured }) <= ui.available_width() {
+                last_ui(ui, view, record);
+            }
         }
         let count = view.session.history().len();
         quiet(ui, view.words.say(&Message::new("history-count").count("count", count)));
     });
 }
 
-fn callout(record: &Record) -> String {
-    record.callout.map_or_else(|| format!("Ø {}", record.limits.nominal), |callout| callout.to_string())
-}
-
-fn table_ui(ui: &mut Ui, view: &mut View<'_>) {
-    const HEADS: [&str; 8] = [
-        "head-chosen",
-        "head-time",
-        "head-part",
-        "head-callout",
-        "head-measured",
-        "head-deviation",
-        "head-status",
-        "head-from",
-    ];
-    let row_height = control(ui);
-    let count = view.session.history().len();
-    TableBuilder::new(ui)
-        .id_salt("history")
-        .striped(true)
-        .min_scrolled_height(0.0)
-        .auto_shrink(false)
-        .cell_layout(Layout::left_to_right(Align::Center))
-        .column(Column::exact(space(10.0)))
-        .columns(Column::initial(space(26.0)).at_least(space(20.0)).clip(true), 5)
-        .column(Column::initial(space(38.0)).at_least(space(20.0)).clip(true))
-        .column(Column::remainder().clip(true))
-        .header(sizes().body + 6.0, |mut header| {
-            for head in HEADS {
-                header.col(|ui| _ = quiet(ui, view.text(head)));
-            }
-        })
-        .body(|body| {
-            body.rows(row_height, count, |mut row| {
-                let number = count - 1 - row.index();
-                let Some(record) = view.session.history().get(number).cloned() else { return };
-                let cells = Cells::of(view.words, &record);
-                row.col(|ui| choose_ui(ui, view, number, &cells));
-                row.col(|ui| show_ui(ui, view, number, &cells));
-                for text in [&cells.part, &cells.callout, &cells.measured, &cells.deviation] {
-                    row.col(|ui| _ = ui.label(text));
-                }
-                row.col(|ui| status_ui(ui, &record, &cells.status));
-                row.col(|ui| _ = ui.label(&cells.from));
-            });
-        });
-}
-
-fn choose_ui(ui: &mut Ui, view: &mut View<'_>, number: usize, cells: &Cells) {
-    let mut chosen = view.session.is_chosen(number);
-    let name = Message::new("choose-check").text("callout", &cells.callout).text("time", &cells.time);
-    let response = ui.add(Checkbox::without_text(&mut chosen)).accessible_name(view.words.say(&name));
-    if response.changed() {
-        view.send(CheckCommand::Choose(number, chosen));
+/// One of the last checks: shape, callout and value; a simulated one is pale, framed by dashes, and says so.
+fn last_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
+    let (status, is_simulated) = (record.verdict.status(), record.measurement.origin.is_simulated());
+    let (fill, colour) = colours(palette(ui.ctx()), Some(status), is_simulated);
+    let value = Digits::of(record).mm(view.words, record.measurement.diameter, 3);
+    let mut shown = format!("{}  {value}", callout(record));
+    if is_simulated {
+        shown = format!("{}  {shown}", view.text("simulated"));
     }
-}
-
-fn show_ui(ui: &mut Ui, view: &mut View<'_>, number: usize, cells: &Cells) {
-    let shown = view.session.check().shown().is_some_and(|shown| {
-        view.session.history().get(number).is_some_and(|record| std::sync::Arc::ptr_eq(&shown.record, record))
+    let frame = Frame::new().fill(fill).corner_radius(3.0).inner_margin(Margin::symmetric(6, 2));
+    let chip = frame.show(ui, |ui| {
+        let (rect, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
+        shapes::status(ui.painter(), rect, Some(status), colour);
+        let label = ui.label(RichText::new(shown).color(colour));
+        let said = format!("{}, {}, {value} mm", status_text(record, view.words), callout(record));
+        label.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
     });
-    let name = Message::new("show-check")
-        .text("time", &cells.time)
-        .text("callout", &cells.callout)
-        .text("status", &cells.status);
-    let response = ui.selectable_label(shown, &cells.time).accessible_name(view.words.say(&name));
-    if response.clicked() {
-        view.send(CheckCommand::Show(number));
+    if is_simulated {
+        shapes::dashed_frame(ui.painter(), chip.response.rect, colour);
     }
-}
-
-fn status_ui(ui: &mut Ui, record: &Record, word: &str) {
-    let status = record.verdict.status();
-    let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
-    let (rect, _) = ui.allocate_exact_size(vec2(space(36.0).min(ui.available_width()), space(6.0)), Sense::hover());
-    ui.painter().rect_filled(rect, 3.0, fill);
-    let (shape, text) = rect.split_left_right_at_x(rect.left() + rect.height());
-    shapes::status(ui.painter(), shape.shrink(3.0), Some(status), colour);
-    let text = text.shrink2(vec2(2.0, 0.0));
-    let id = Id::unique(("history-status", std::ptr::from_ref(record).addr()));
-    ui.scope_builder(UiBuilder::new().id_salt(id).max_rect(text).layout(Layout::left_to_right(Align::Center)), |ui| {
-        ui.add(eframe::egui::Label::new(RichText::new(word).font(theme::bold(sizes().small)).color(colour)).truncate());
-    });
-}
-
-/// The texts of a row.
-struct Cells {
-    time: String,
-    part: String,
-    callout: String,
-    measured: String,
-    deviation: String,
-    status: String,
-    from: String,
-}
-
-impl Cells {
-    fn of(words: &Words, record: &Record) -> Self {
-        let digits = Digits::of(record);
-        Self {
-            time: record.time.strftime("%H:%M:%S").to_string(),
-            part: record.id.clone(),
-            callout: callout(record),
-            measured: digits.mm(words, record.measurement.diameter, 4),
-            deviation: format!("{} µm", digits.signed_um(words, record.verdict.size.deviation)),
-            status: words.get(status_id(Some(record.verdict.status()))),
-            from: words.say(&record.measurement.origin.message()),
-        }
-    }
+    chip.response.on_hover_text(status_text(record, view.words));
 }

@@ -5,20 +5,23 @@
 //! | `asked_panel` | left: callout, limits, measured value, probe position, simulated workpiece |
 //! | `band_plot`, `contacts_plot`, `last_values` | middle: what was seen |
 //! | `answer_panel`, `status_panel` | right: the verdict, and the control's window |
-//! | `history_panel` | bottom: earlier checks |
+//! | `history_panel`, `history_list` | bottom: earlier checks |
 
 mod answer_panel;
 mod asked_panel;
 mod band_plot;
 mod contacts_plot;
+mod history_list;
 mod history_panel;
 mod last_values;
 mod status_panel;
 
-use eframe::egui::{Frame, Panel, Ui};
+use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
+pub(super) use history_list::id as history_id;
 pub(super) use status_panel::mask_chooser_ui;
 
-use super::columns::{Page, Shape, columns_ui, fill};
+use super::columns::{Page, Shape, Side, column_ui, columns_ui, panel_ui};
+use super::keypad::keypad_ui;
 use super::theme::space;
 use super::verdict_card::least_width;
 use super::view::View;
@@ -50,9 +53,8 @@ pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
         },
     };
     if space(ULTRA_WIDE) <= size.x {
-        let panel = Panel::right("history-beside").resizable(true).default_size(size.x * 0.3);
-        panel.size_range(space(150.0)..=size.x * 0.45).show(ui, |ui| {
-            fill(ui);
+        let sizes = (size.x * 0.3, space(150.0)..=size.x * 0.45);
+        panel_ui(ui, view, Side::Right, "history-beside", sizes, |ui, view| {
             history_panel::history_ui(ui, view, false);
         });
     } else {
@@ -75,9 +77,8 @@ fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
         return;
     }
     let share = if folded || size.x * 1.3 < size.y || space(WIDE) <= size.x { 0.38 } else { 0.24 };
-    let panel = Panel::bottom((page.name, "history", folded)).resizable(true).default_size(size.y * share);
-    panel.size_range(space(32.0)..=size.y * 0.6).show(ui, |ui| {
-        fill(ui);
+    let sizes = (size.y * share, space(32.0)..=(size.y * 0.6).max(space(32.0)));
+    panel_ui(ui, view, Side::Bottom, (page.name, "history", folded), sizes, |ui, view| {
         history_panel::history_ui(ui, view, folded);
     });
 }
@@ -85,25 +86,20 @@ fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
 /// A window on its side: the verdict beside the band, what is asked beside the rest.
 fn tall_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let height = ui.available_height();
-    let top = Panel::top("check-tall").resizable(true).default_size(height * 0.4);
-    top.size_range(height * 0.25..=height * 0.6).show(ui, |ui| {
-        fill(ui);
+    let sizes = (height * 0.4, height * 0.25..=height * 0.6);
+    panel_ui(ui, view, Side::Top, "check-tall", sizes, |ui, view| {
         let width = ui.available_width();
-        let answer = Panel::left("check-tall-answer").resizable(true).default_size(width * 0.5);
-        answer.size_range(page.least.max(width * 0.35)..=page.least.max(width * 0.65)).show(ui, |ui| {
-            fill(ui);
-            (page.verdict)(ui, view);
-        });
-        eframe::egui::CentralPanel::default().show(ui, |ui| seen_ui(ui, view));
+        let sizes = (page.least.max(width * 0.5), page.least.max(width * 0.35)..=page.least.max(width * 0.65));
+        panel_ui(ui, view, Side::Left, "check-tall-answer", sizes, |ui, view| (page.verdict)(ui, view));
+        CentralPanel::default().show(ui, |ui| seen_ui(ui, view));
     });
     let width = ui.available_width();
-    let asked = Panel::left("check-tall-asked").resizable(true).default_size(width * 0.5);
-    asked.size_range(width * 0.35..=width * 0.65).show(ui, |ui| {
-        super::keypad::keypad_ui(ui, view);
-        super::columns::column_ui(ui, "check-tall-asked", |ui| (page.asked)(ui, view));
+    panel_ui(ui, view, Side::Left, "check-tall-asked", (width * 0.5, width * 0.35..=width * 0.65), |ui, view| {
+        keypad_ui(ui, view);
+        column_ui(ui, "check-tall-asked", |ui| (page.asked)(ui, view));
     });
-    eframe::egui::CentralPanel::default().show(ui, |ui| {
-        super::columns::column_ui(ui, "check-tall-rest", |ui| (page.answer)(ui, view));
+    CentralPanel::default().show(ui, |ui| {
+        column_ui(ui, "check-tall-rest", |ui| (page.answer)(ui, view));
     });
 }
 
@@ -117,11 +113,11 @@ fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
         let (height, gap) = (ui.available_height(), space(4.0));
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = gap;
-            let half = eframe::egui::vec2((width - gap) / 2.0, height);
-            ui.allocate_ui_with_layout(half, eframe::egui::Layout::top_down(eframe::egui::Align::Min), |ui| {
+            let half = vec2((width - gap) / 2.0, height);
+            ui.allocate_ui_with_layout(half, Layout::top_down(Align::Min), |ui| {
                 contacts_plot::contacts_ui(ui, view);
             });
-            ui.allocate_ui_with_layout(half, eframe::egui::Layout::top_down(eframe::egui::Align::Min), |ui| {
+            ui.allocate_ui_with_layout(half, Layout::top_down(Align::Min), |ui| {
                 last_values::last_values_ui(ui, view);
             });
         });

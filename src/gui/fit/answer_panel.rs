@@ -202,8 +202,8 @@ fn one_ui(ui: &mut Ui, view: &View<'_>, possible: &Possible) {
 }
 
 /// A measured part and its own verdict: word, shape and colour.
-fn part_ui(ui: &mut Ui, view: &View<'_>, part: Feature, measured: Length, status: Status) {
-    let part = view.text(feature_id(part));
+fn part_ui(ui: &mut Ui, view: &View<'_>, feature: Feature, measured: Length, status: Status) {
+    let part = view.text(feature_id(feature));
     let word = view.text(status_id(Some(status)));
     let said = format!("{part} {word}");
     ui.horizontal(|ui| {
@@ -213,6 +213,9 @@ fn part_ui(ui: &mut Ui, view: &View<'_>, part: Feature, measured: Length, status
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
         ui.label(format!("{part} {} mm", view.words.mm(measured, 3)));
     });
+    if let Some(doubt) = view.session.fit().doubt(feature) {
+        problem(ui, view.words.told(&doubt));
+    }
 }
 
 fn warm_ui(ui: &mut Ui, view: &View<'_>, warm: &WarmFit) {

@@ -25,11 +25,11 @@ use std::time::Duration;
 use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
 pub(super) use listing::id as listing_id;
 
-use super::columns::{column_ui, fill, of_height};
+use super::columns::{Side, column_ui, of_height, panel_ui};
 use super::cycles::workpiece_window;
 use super::dialogs::just_opened;
 use super::field;
-use super::keypad::keypad_ui;
+use super::keypad::{self, keypad_ui};
 use super::theme::{palette, space};
 use super::view::View;
 use crate::session::program::Speed;
@@ -52,9 +52,8 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     };
     if size.x < space(225.0) {
         // Beside the program everything else in one column, the verdict above it.
-        let side = Panel::left("program-side").resizable(true).default_size(size.x * 0.42);
-        side.size_range(size.x * 0.3..=size.x * 0.7).show(ui, |ui| {
-            fill(ui);
+        let sizes = (size.x * 0.42, size.x * 0.3..=size.x * 0.7);
+        panel_ui(ui, view, Side::Left, "program-side", sizes, |ui, view| {
             answer_panel::verdict_ui(ui, view);
             keypad_ui(ui, view);
             column_ui(ui, "program-side", |ui| {
@@ -66,23 +65,21 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
             });
         });
     } else {
+        let least = space(56.0).max(keypad::width(view));
         let side = if narrow { space(64.0) } else { space(74.0) };
-        let panel = Panel::left("program-inputs").resizable(true).default_size(side);
-        panel.size_range(space(56.0)..=size.x * 0.4).show(ui, |ui| {
+        let sizes = (side.max(least), least..=least.max(size.x * 0.4));
+        panel_ui(ui, view, Side::Left, "program-inputs", sizes, |ui, view| {
             keypad_ui(ui, view);
             column_ui(ui, "program-inputs", |ui| inputs(ui, view));
         });
         let side = if narrow { space(78.0) } else { space(90.0) };
-        let panel = Panel::right("program-answer").resizable(true).default_size(side);
-        panel.size_range(space(66.0)..=size.x * 0.4).show(ui, |ui| {
+        let sizes = (side, space(66.0)..=(size.x * 0.4).max(space(66.0)));
+        panel_ui(ui, view, Side::Right, "program-answer", sizes, |ui, view| {
             answer_panel::verdict_ui(ui, view);
             // The parameters keep a share of the height whatever is above them.
             let height = ui.available_height();
-            let watch = Panel::bottom("program-watch").resizable(true).default_size((height * 0.4).max(space(44.0)));
-            watch.size_range(space(32.0)..=height * 0.8).show(ui, |ui| {
-                fill(ui);
-                watch_panel::watch_ui(ui, view);
-            });
+            let sizes = ((height * 0.4).max(space(44.0)), space(32.0)..=(height * 0.8).max(space(44.0)));
+            panel_ui(ui, view, Side::Bottom, "program-watch", sizes, |ui, view| watch_panel::watch_ui(ui, view));
             CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
                 column_ui(ui, "program-answers", |ui| answer_panel::answer_ui(ui, view));
             });

@@ -17,7 +17,8 @@ mod tool_bar;
 use eframe::egui::{CentralPanel, Frame, Panel, ScrollArea, Ui};
 pub(super) use grid::id as grid_id;
 
-use super::keypad::keypad_ui;
+use super::columns::{Side, panel_ui};
+use super::keypad::{self, keypad_ui};
 use super::theme::{palette, space};
 use super::view::View;
 
@@ -26,8 +27,9 @@ pub(super) fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     Panel::top("table-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
     let side = if size.x < 1200.0 { space(72.0) } else { space(80.0) };
-    let panel = Panel::right("table-cell").resizable(true).default_size(side.min(size.x * 0.45));
-    panel.size_range(space(50.0)..=size.x * 0.6).show(ui, |ui| {
+    let most = (size.x * 0.6).max(space(50.0));
+    let sizes = (side.min(most).max(keypad::width(view)), space(50.0)..=most);
+    panel_ui(ui, view, Side::Right, "table-cell", sizes, |ui, view| {
         keypad_ui(ui, view);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             // The scroll bar floats: it must not cover the fields.

@@ -1,9 +1,10 @@
 //! Why a cycle did not run, or did not finish.
 
 use super::key::Key;
+use super::name::ParameterName;
 use super::parameter::Range;
 use crate::length::{Length, LengthError};
-use crate::message::{Message, Say};
+use crate::message::{Arg, Message, Say};
 use crate::probing::circle::CircleError;
 use crate::probing::contact::NoContact;
 
@@ -16,9 +17,9 @@ pub enum CycleError {
         /// The parameter.
         key: Key,
         /// Its name.
-        name: &'static str,
+        name: ParameterName,
         /// What was given.
-        given: String,
+        given: Arg,
         /// What is allowed.
         #[say(name = "allowed")]
         range: Range,
@@ -28,7 +29,7 @@ pub enum CycleError {
         /// The parameter.
         key: Key,
         /// Its name.
-        name: &'static str,
+        name: ParameterName,
         /// What is wrong with the text, as the room that reads such texts puts it.
         error: Message,
     },
@@ -37,14 +38,14 @@ pub enum CycleError {
         /// The parameter.
         key: Key,
         /// Its name.
-        name: &'static str,
+        name: ParameterName,
     },
     /// PREDEF without a GLOBAL DEF before it.
     NoGlobal {
         /// The parameter.
         key: Key,
         /// Its name.
-        name: &'static str,
+        name: ParameterName,
     },
     /// A parameter that the cycle does not have.
     NoSuchParameter {
@@ -71,14 +72,14 @@ pub enum CycleError {
         /// The parameter.
         key: Key,
         /// Its name.
-        name: &'static str,
+        name: ParameterName,
     },
     /// A probing path of zero.
     NoPath {
         /// The parameter.
         key: Key,
         /// Its name.
-        name: &'static str,
+        name: ParameterName,
     },
     /// A normal without a direction.
     NoNormal {

@@ -7,6 +7,7 @@
 //! | file | what |
 //! |---|---|
 //! | `key` | what programs call a parameter or a result |
+//! | `name` | a parameter's name as errors say it |
 //! | `parameter` | one parameter: key, name, question, range, default |
 //! | `meaning` | what a parameter means: its drawing and its sentence |
 //! | `shared` | parameters that several cycles have |
@@ -22,6 +23,7 @@ mod error;
 mod inputs;
 mod key;
 mod meaning;
+mod name;
 mod parameter;
 mod result;
 pub(in crate::probing) mod shared;
@@ -34,6 +36,7 @@ pub use error::CycleError;
 pub use inputs::Inputs;
 pub use key::Key;
 pub use meaning::{Axis, Meaning};
+pub use name::ParameterName;
 use parameter::in_language;
 pub(crate) use parameter::number;
 pub use parameter::{Parameter, Range, Texts, Unset, UnsetWhere};
@@ -211,7 +214,7 @@ impl Cycle {
         let mut checked = inputs.clone();
         checked.filled.clear();
         for parameter in self.parameters {
-            let (key, name) = (parameter.key, parameter.name);
+            let (key, name) = (parameter.key, parameter.called());
             let value = match inputs.given.get(&key) {
                 Some(Value::Predef) if parameter.may_be_predef => {
                     Some(inputs.globals.get(&key).cloned().ok_or(CycleError::NoGlobal { key, name })?)

@@ -4,9 +4,10 @@ use super::error::CycleError;
 use super::inputs::Inputs;
 use super::key::Key;
 use super::meaning::Meaning;
+use super::name::ParameterName;
 use super::value::{Angle, PREDEF, Value};
 use crate::length::{Length, LengthError};
-use crate::message::{Message, Say, display};
+use crate::message::{Arg, Message, Say, display};
 use crate::tolerance::callout::qs400;
 use crate::words::Dialogue;
 
@@ -20,9 +21,9 @@ pub struct Parameter {
     pub key: Key,
     /// Its name in English NC programs, after the semicolon of a block.
     pub name: &'static str,
-    /// The same in other dialogue languages, where a source has it.
+    /// The same in other dialogue languages, where there is one.
     pub names: Texts,
-    /// The question that the control asks, where it is known.
+    /// The question that the control asks, where it is known or worded here (docs/SOURCES.md).
     pub questions: Texts,
     /// The values that are allowed.
     pub range: Range,
@@ -102,12 +103,12 @@ display!(Range);
 impl Say for Range {
     fn message(&self) -> Message {
         match self {
-            Self::Length { least, most } => Message::new("cycle-length-range").text("least", least).text("most", most),
+            Self::Length { least, most } => Message::new("cycle-length-range").mm("least", least).mm("most", most),
             Self::Angle { most, smallest } if *smallest == Angle::default() => {
-                Message::new("cycle-angle-range").text("most", most)
+                Message::new("cycle-angle-range").mm("most", most)
             }
             Self::Angle { most, smallest } => {
-                Message::new("cycle-angle-size-range").text("smallest", smallest).text("most", most)
+                Message::new("cycle-angle-size-range").mm("smallest", smallest).mm("most", most)
             }
             Self::OneOf(allowed) => Message::new("cycle-one-of").text("allowed", listed(allowed)),
             Self::Number { most } => Message::new("cycle-number-range").text("most", most),
@@ -248,6 +249,11 @@ impl Parameter {
         in_language(self.names, language).unwrap_or(self.name)
     }
 
+    /// The name as errors say it.
+    pub const fn called(&self) -> ParameterName {
+        ParameterName::new(self.name, self.names)
+    }
+
     /// The control's question in a dialogue language; else in English, else the name.
     pub fn question(&self, language: Dialogue) -> &'static str {
         in_language(self.questions, language)
@@ -316,8 +322,8 @@ impl Parameter {
             Range::OneOf(_) => match (whole(text), number(text)) {
                 (Some(whole), _) => Ok(Value::Whole(whole)),
                 (None, Some(_)) => {
-                    let (given, range) = (text.trim().to_owned(), self.range);
-                    return Err(CycleError::OutOfRange { key: self.key, name: self.name, given, range });
+                    let (given, range) = (Arg::Number(text.trim().to_owned()), self.range);
+                    return Err(CycleError::OutOfRange { key: self.key, name: self.called(), given, range });
                 }
                 (None, None) => Err(no_number(text).message()),
             },
@@ -329,7 +335,7 @@ impl Parameter {
             }
             Range::Band => qs400(text).map(Value::Band).map_err(|error| error.message()),
         };
-        read.map_err(|error| CycleError::NotAValue { key: self.key, name: self.name, error })
+        read.map_err(|error| CycleError::NotAValue { key: self.key, name: self.called(), error })
     }
 
     /// Reads a value and checks it against the range.
@@ -343,7 +349,10 @@ impl Parameter {
 
     /// The error for a value outside the range.
     pub(super) fn out_of_range(&self, value: &Value) -> CycleError {
-        CycleError::OutOfRange { key: self.key, name: self.name, given: value.with_unit(), range: self.range }
+        // A tool's name is quoted as it is; a figure is printed as each language prints it.
+        let given =
+            if let Value::Text(name) = value { Arg::Text(name.clone()) } else { Arg::Number(value.with_unit()) };
+        CycleError::OutOfRange { key: self.key, name: self.called(), given, range: self.range }
     }
 }
 

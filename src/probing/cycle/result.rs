@@ -273,9 +273,9 @@ impl Say for Check {
         };
         Message::new(id)
             .message("what", self.what.message())
-            .text("measured", self.measured)
-            .text("minimum", self.minimum)
-            .text("maximum", self.maximum)
+            .mm("measured", self.measured)
+            .mm("minimum", self.minimum)
+            .mm("maximum", self.maximum)
             .with("status", &self.status)
     }
 }

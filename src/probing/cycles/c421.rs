@@ -8,9 +8,9 @@ use crate::words::Dialogue::{En, Nl};
 const SIDE: Side = Side {
     feature: Feature::Hole,
     maximum: 275,
-    maximum_question: &[(En, "Maximum limit of size for hole?")],
+    maximum_question: &[(En, "Maximum limit of size for hole?"), (Nl, "Maximale grensmaat boring?")],
     minimum: 276,
-    minimum_question: &[(En, "Minimum limit of size for hole?")],
+    minimum_question: &[(En, "Minimum limit of size for hole?"), (Nl, "Minimale grensmaat boring?")],
 };
 
 /// The declaration. The Dutch name is that of NC-Solution 8255 (7/2020).

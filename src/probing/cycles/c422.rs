@@ -8,9 +8,9 @@ use crate::words::Dialogue::{En, Nl};
 const SIDE: Side = Side {
     feature: Feature::Shaft,
     maximum: 277,
-    maximum_question: &[(En, "Maximum limit of size for stud?")],
+    maximum_question: &[(En, "Maximum limit of size for stud?"), (Nl, "Maximale grensmaat tap?")],
     minimum: 278,
-    minimum_question: &[(En, "Minimum limit of size for stud?")],
+    minimum_question: &[(En, "Minimum limit of size for stud?"), (Nl, "Minimale grensmaat tap?")],
 };
 
 /// The declaration. The Dutch name is that of NC-Solution 8255 (7/2020).

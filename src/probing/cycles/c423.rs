@@ -3,14 +3,14 @@
 use super::rectangle_cycle::{FIGURES, PARAMETERS, run, subject, surface};
 use crate::probing::cycle::{Control, Cycle, Log, TextLog, Window};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::En;
+use crate::words::Dialogue::{En, Nl};
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 423,
     code: "423",
     control: Control::Milling,
-    names: &[(En, "MEAS. RECTAN. INSIDE")],
+    names: &[(En, "MEAS. RECTAN. INSIDE"), (Nl, "MET. RECHTH. BINNEN")],
     parameters: &PARAMETERS,
     surface: |inputs| surface(Feature::Hole, inputs),
     run: |inputs, course| run(Feature::Hole, inputs, course),

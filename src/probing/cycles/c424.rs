@@ -3,14 +3,14 @@
 use super::rectangle_cycle::{FIGURES, PARAMETERS, run, subject, surface};
 use crate::probing::cycle::{Control, Cycle, Log, TextLog, Window};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::En;
+use crate::words::Dialogue::{En, Nl};
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 424,
     code: "424",
     control: Control::Milling,
-    names: &[(En, "MEAS. RECTAN. OUTS.")],
+    names: &[(En, "MEAS. RECTAN. OUTS."), (Nl, "MET. RECHTH. BUITEN")],
     parameters: &PARAMETERS,
     surface: |inputs| surface(Feature::Shaft, inputs),
     run: |inputs, course| run(Feature::Shaft, inputs, course),

@@ -16,18 +16,28 @@ use crate::probing::cycle::{
 };
 use crate::probing::vector::{along, dot};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::En;
+use crate::words::Dialogue::{En, Nl};
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 425,
     code: "425",
     control: Control::Milling,
-    names: &[(En, "MEASURE INSIDE WIDTH")],
+    names: &[(En, "MEASURE INSIDE WIDTH"), (Nl, "METEN BREEDTE BINNEN")],
     parameters: &[
-        Parameter::coordinate(Key::Q(328), "STARTNG PNT 1ST AXIS").means(Meaning::Start(Axis::First)),
-        Parameter::coordinate(Key::Q(329), "STARTNG PNT 2ND AXIS").means(Meaning::Start(Axis::Second)),
-        Parameter::coordinate(Key::Q(310), "OFFS. 2ND MEASUREMNT").or(0).means(Meaning::Shift),
+        Parameter::coordinate(Key::Q(328), "STARTNG PNT 1ST AXIS")
+            .named(&[(Nl, "STARTPUNT 1E AS")])
+            .asked(&[(Nl, "Startpunt 1e as?")])
+            .means(Meaning::Start(Axis::First)),
+        Parameter::coordinate(Key::Q(329), "STARTNG PNT 2ND AXIS")
+            .named(&[(Nl, "STARTPUNT 2E AS")])
+            .asked(&[(Nl, "Startpunt 2e as?")])
+            .means(Meaning::Start(Axis::Second)),
+        Parameter::coordinate(Key::Q(310), "OFFS. 2ND MEASUREMNT")
+            .named(&[(Nl, "VERSCHUIVING 2E MET.")])
+            .asked(&[(Nl, "Verschuiving 2e meting?")])
+            .or(0)
+            .means(Meaning::Shift),
         AXIS,
         MEASURING_HEIGHT,
         CLEARANCE_HEIGHT,

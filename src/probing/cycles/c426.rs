@@ -14,19 +14,25 @@ use crate::probing::cycle::{
     Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, limits,
 };
 use crate::tolerance::Feature;
-use crate::words::Dialogue::En;
+use crate::words::Dialogue::{En, Nl};
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 426,
     code: "426",
     control: Control::Milling,
-    names: &[(En, "MEASURE RIDGE WIDTH")],
+    names: &[(En, "MEASURE RIDGE WIDTH"), (Nl, "METEN DAMBREEDTE")],
     parameters: &[
         POINT_1.means(Meaning::FirstPoint(Axis::First)),
         POINT_2.means(Meaning::FirstPoint(Axis::Second)),
-        Parameter::coordinate(Key::Q(265), "2ND POINT 1ST AXIS").means(Meaning::SecondPoint(Axis::First)),
-        Parameter::coordinate(Key::Q(266), "2ND POINT 2ND AXIS").means(Meaning::SecondPoint(Axis::Second)),
+        Parameter::coordinate(Key::Q(265), "2ND POINT 1ST AXIS")
+            .named(&[(Nl, "2E PUNT 1E AS")])
+            .asked(&[(Nl, "2e meetpunt 1e as?")])
+            .means(Meaning::SecondPoint(Axis::First)),
+        Parameter::coordinate(Key::Q(266), "2ND POINT 2ND AXIS")
+            .named(&[(Nl, "2E PUNT 2E AS")])
+            .asked(&[(Nl, "2e meetpunt 2e as?")])
+            .means(Meaning::SecondPoint(Axis::Second)),
         AXIS,
         MEASURING_HEIGHT,
         SET_UP_CLEARANCE,

@@ -17,37 +17,45 @@ use crate::probing::cycle::{
 };
 use crate::probing::simulated::{Face, Surface};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, It};
+use crate::words::Dialogue::{En, It, Nl};
 
 /// The declaration, in the order of the manual's example.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 427,
     code: "427",
     control: Control::Milling,
-    names: &[(En, "MEASURE COORDINATE"), (It, "MISURAZ. COORDINATA")],
+    names: &[(En, "MEASURE COORDINATE"), (Nl, "METEN COORDINAAT"), (It, "MISURAZ. COORDINATA")],
     parameters: &[
         POINT_1,
         POINT_2,
         MEASURING_HEIGHT,
         SET_UP_CLEARANCE,
         Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2, 3])
-            .named(&[(It, "ASSE MISURATO")])
-            .asked(&[(En, "Meas. axis (1...3: 1=ref. axis)?"), (It, "Asse mis. (1..3: 1=asse princ.)?")])
+            .named(&[(Nl, "MEETAS"), (It, "ASSE MISURATO")])
+            .asked(&[
+                (En, "Meas. axis (1...3: 1=ref. axis)?"),
+                (Nl, "Meetas (1..3: 1=hoofdas)?"),
+                (It, "Asse mis. (1..3: 1=asse princ.)?"),
+            ])
             .means(Meaning::MeasuredAxis),
         Parameter::choice(Key::Q(267), "TRAVERSE DIRECTION", &[-1, 1])
-            .named(&[(It, "DIREZIONE ATTRAVERS.")])
-            .asked(&[(En, "Trav. direction 1 (+1=+ / -1=-)?"), (It, "Direz. attravers. 1 (+1=+/-1=-)?")])
+            .named(&[(Nl, "TASTRICHTING"), (It, "DIREZIONE ATTRAVERS.")])
+            .asked(&[
+                (En, "Trav. direction 1 (+1=+ / -1=-)?"),
+                (Nl, "Tastrichting 1 (+1=+ / -1=-)?"),
+                (It, "Direz. attravers. 1 (+1=+/-1=-)?"),
+            ])
             .means(Meaning::Direction),
         CLEARANCE_HEIGHT,
         MEASURING_LOG,
         Parameter::coordinate(Key::Q(288), "MAXIMUM LIMIT")
-            .named(&[(It, "LIMITE MASSIMO")])
-            .asked(&[(En, "Maximum limit of size?"), (It, "Limite max dimensione?")])
+            .named(&[(Nl, "MAXIMALE MAAT"), (It, "LIMITE MASSIMO")])
+            .asked(&[(En, "Maximum limit of size?"), (Nl, "Maximale grensmaat?"), (It, "Limite max dimensione?")])
             .or(0)
             .means(Meaning::MaximumCoordinate),
         Parameter::coordinate(Key::Q(289), "MINIMUM LIMIT")
-            .named(&[(It, "LIMITE MINIMO")])
-            .asked(&[(En, "Minimum limit of size?"), (It, "Limite minimo dimensione?")])
+            .named(&[(Nl, "MINIMALE MAAT"), (It, "LIMITE MINIMO")])
+            .asked(&[(En, "Minimum limit of size?"), (Nl, "Minimale grensmaat?"), (It, "Limite minimo dimensione?")])
             .or(0)
             .means(Meaning::MinimumCoordinate),
         STOP_IF_ERROR,

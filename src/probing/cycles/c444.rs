@@ -35,19 +35,34 @@ pub(super) const CYCLE: Cycle = Cycle {
         POINT_1,
         POINT_2,
         Parameter::coordinate(Key::Q(294), "1ST POINT 3RD AXIS")
-            .asked(&[(En, "1st meas. point 3rd axis?")])
+            .named(&[(Nl, "1E PUNT 3E AS")])
+            .asked(&[(En, "1st meas. point 3rd axis?"), (Nl, "1e meetpunt 3e as?")])
             .means(Meaning::Point(Axis::Third)),
-        component(581, "SURFACE NORMAL 1ST AXIS", Axis::First).asked(&[(En, "Surface-normal in ref. axis?")]),
-        component(582, "SURFACE NORMAL 2ND AXIS", Axis::Second).asked(&[(En, "Surface-normal in minor axis?")]),
-        component(583, "SURFACE NORMAL 3RD AXIS", Axis::Third).asked(&[(En, "Surface-normal in tool axis?")]),
+        component(581, "SURFACE NORMAL 1ST AXIS", Axis::First)
+            .named(&[(Nl, "NORMAAL 1E AS")])
+            .asked(&[(En, "Surface-normal in ref. axis?"), (Nl, "Oppervlaktenormaal in hoofdas?")]),
+        component(582, "SURFACE NORMAL 2ND AXIS", Axis::Second)
+            .named(&[(Nl, "NORMAAL 2E AS")])
+            .asked(&[(En, "Surface-normal in minor axis?"), (Nl, "Oppervlaktenormaal in nevenas?")]),
+        component(583, "SURFACE NORMAL 3RD AXIS", Axis::Third)
+            .named(&[(Nl, "NORMAAL 3E AS")])
+            .asked(&[(En, "Surface-normal in tool axis?"), (Nl, "Oppervlaktenormaal in gereedschapsas?")]),
         SET_UP_CLEARANCE,
         CLEARANCE_HEIGHT,
-        Parameter::new(TOLERANCE, "TOLERANCE", Range::Band).asked(&[(En, "Tolerance value?")]).or_nothing(),
+        Parameter::new(TOLERANCE, "TOLERANCE", Range::Band)
+            .named(&[(Nl, "TOLERANTIE")])
+            .asked(&[(En, "Tolerance value?"), (Nl, "Tolerantiewaarde?")])
+            .or_nothing(),
         Parameter::choice(Key::Q(309), "ERROR REACTION", &[0, 1, 2])
-            .asked(&[(En, "Reaction to tolerance error?")])
+            .named(&[(Nl, "REACTIE BIJ FOUT")])
+            .asked(&[(En, "Reaction to tolerance error?"), (Nl, "Reactie bij tolerantiefout?")])
             .or(0)
             .means(Meaning::StopOnUndersize),
-        Parameter::size(RETRACT, "RETRACTION").or_nothing().means(Meaning::Retract),
+        Parameter::size(RETRACT, "RETRACTION")
+            .named(&[(Nl, "TERUGTREKAFSTAND")])
+            .asked(&[(Nl, "Terugtrekafstand?")])
+            .or_nothing()
+            .means(Meaning::Retract),
     ],
     // A normal without a direction is an error of the cycle itself.
     surface: |inputs| Surface::Point(FreePoint::flat(point(inputs), normal(inputs).unwrap_or_default())),

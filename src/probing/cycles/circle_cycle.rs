@@ -12,14 +12,15 @@ use crate::probing::cycle::shared::{
 };
 use crate::probing::cycle::{
     Angle, Axis, CircleFound, Course, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning,
-    Measured, Parameter, Plane, QUARTER_TURN, Remark, Texts, limits,
+    Measured, Parameter, ParameterName, Plane, QUARTER_TURN, Remark, Texts, limits,
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::En;
+use crate::words::Dialogue::{En, Nl};
 
 /// The name of Q262.
 const NOMINAL_DIAMETER: &str = "NOMINAL DIAMETER";
+const NOMINAL_DIAMETERS: Texts = &[(Nl, "NOMINALE DIAMETER")];
 
 /// The step between three contacts when Q247 is not given: with 90 degrees half the circle would be unmeasured.
 const STEP_OF_THREE: i64 = Angle::from_degrees(120).ten_thousandths();
@@ -45,13 +46,18 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
     [
         CENTRE_1,
         CENTRE_2,
-        Parameter::size(q(262), NOMINAL_DIAMETER).asked(&[(En, "Nominal diameter?")]).means(Meaning::Diameter),
+        Parameter::size(q(262), NOMINAL_DIAMETER)
+            .named(NOMINAL_DIAMETERS)
+            .asked(&[(En, "Nominal diameter?"), (Nl, "Nominale diameter?")])
+            .means(Meaning::Diameter),
         Parameter::angle(q(325), "STARTING ANGLE", 360, 0)
-            .asked(&[(En, "Starting angle?")])
+            .named(&[(Nl, "STARTHOEK")])
+            .asked(&[(En, "Starting angle?"), (Nl, "Starthoek?")])
             .or(0)
             .means(Meaning::FirstAngle),
         Parameter::angle(q(247), "STEPPING ANGLE", 120, 5)
-            .asked(&[(En, "Intermediate stepping angle?")])
+            .named(&[(Nl, "HOEKSTAP")])
+            .asked(&[(En, "Intermediate stepping angle?"), (Nl, "Hoekstap?")])
             .or(QUARTER_TURN)
             .or_where(q(423), 3, STEP_OF_THREE)
             .means(Meaning::Step),
@@ -60,10 +66,12 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
         CLEARANCE_HEIGHT,
         MOVE_TO_CLEARANCE,
         Parameter::size(q(side.maximum), "MAXIMUM DIMENSION")
+            .named(&[(Nl, "MAXIMALE MAAT")])
             .asked(side.maximum_question)
             .or(0)
             .means(Meaning::MaximumDiameter),
         Parameter::size(q(side.minimum), "MINIMUM DIMENSION")
+            .named(&[(Nl, "MINIMALE MAAT")])
             .asked(side.minimum_question)
             .or(0)
             .means(Meaning::MinimumDiameter),
@@ -73,11 +81,13 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
         STOP_IF_ERROR,
         TOOL,
         Parameter::choice(q(423), "NO. OF MEAS. POINTS", &[3, 4])
-            .asked(&[(En, "No. probe points in plane (4/3)?")])
+            .named(&[(Nl, "AANTAL MEETPUNTEN")])
+            .asked(&[(En, "No. probe points in plane (4/3)?"), (Nl, "Aantal meetpunten in vlak (4/3)?")])
             .or(4)
             .means(Meaning::ContactCount),
         Parameter::choice(q(365), "TYPE OF TRAVERSE", &[0, 1])
-            .asked(&[(En, "Type of traverse? Line=0/arc=1")])
+            .named(&[(Nl, "SOORT VERPLAATSING")])
+            .asked(&[(En, "Type of traverse? Line=0/arc=1"), (Nl, "Soort verplaatsing? Recht=0/boog=1")])
             .or(1)
             .means(Meaning::Traverse),
         REVERSED,
@@ -99,7 +109,10 @@ pub(super) fn run(side: &Side, inputs: &Inputs, course: &mut Course<'_>) -> Resu
     let limits = limits(inputs, side.minimum, side.maximum)?;
     let nominal = inputs.length(262);
     if nominal == Length::ZERO {
-        return Err(CycleError::NoDiameter { key: Key::Q(262), name: NOMINAL_DIAMETER });
+        return Err(CycleError::NoDiameter {
+            key: Key::Q(262),
+            name: ParameterName::new(NOMINAL_DIAMETER, NOMINAL_DIAMETERS),
+        });
     }
     let ball_radius = course.ball_radius();
     let height = inputs.mm(260);

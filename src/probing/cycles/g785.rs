@@ -11,17 +11,18 @@ use crate::length::Length;
 use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::{
     Angle, Axis, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Parameter,
-    Plane, Remark, Window, nearest,
+    ParameterName, Plane, Remark, Texts, Window, nearest,
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::probing::vector::{along, norm};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{De, En};
+use crate::words::Dialogue::{De, En, Nl};
 
 const PLANE: Key = Key::Word("R");
 const SIDE: Key = Key::Word("BR");
 const PATH: Key = Key::Word("K");
 const PATH_NAME: &str = "MEASURING PATH";
+const PATH_NAMES: Texts = &[(Nl, "TASTWEG")];
 const FIRST_ANGLE: Key = Key::Word("C");
 const STEP: Key = Key::Word("RC");
 const START_DIAMETER: Key = Key::Word("D");
@@ -38,40 +39,54 @@ pub(super) const CYCLE: Cycle = Cycle {
     number: 785,
     code: "G785",
     control: Control::Lathe,
-    names: &[(En, "CIRCLE MEASUREMENT"), (De, "KREISMESSUNG")],
+    names: &[(En, "CIRCLE MEASUREMENT"), (Nl, "METEN CIRKEL"), (De, "KREISMESSUNG")],
     parameters: &[
         Parameter::choice(PLANE, "PLANE", &[0, 1, 2])
-            .asked(&[(De, "Nullpunkt-Verschiebung Art")])
+            .named(&[(Nl, "VLAK")])
+            .asked(&[(De, "Nullpunkt-Verschiebung Art"), (Nl, "Vlak (0=X/Y, 1=Z/X, 2=Y/Z)")])
             .or(0)
             .means(Meaning::Plane),
         Parameter::choice(SIDE, "INSIDE / OUTSIDE", &[0, 1])
-            .asked(&[(De, "Innen / Aussen")])
+            .named(&[(Nl, "BINNEN / BUITEN")])
+            .asked(&[(De, "Innen / Aussen"), (Nl, "Binnen / buiten")])
             .or(0)
             .means(Meaning::InsideOutside),
-        Parameter::coordinate(PATH, PATH_NAME).asked(&[(De, "Messweg inkremental (Vorzeichen)")]).means(Meaning::Path),
+        Parameter::coordinate(PATH, PATH_NAME)
+            .named(PATH_NAMES)
+            .asked(&[(De, "Messweg inkremental (Vorzeichen)"), (Nl, "Tastweg incrementeel (met teken)")])
+            .means(Meaning::Path),
         Parameter::angle(FIRST_ANGLE, "ANGLE OF 1ST TOUCH", 360, 0)
-            .asked(&[(De, "Winkel 1. Messung")])
+            .named(&[(Nl, "HOEK 1E METING")])
+            .asked(&[(De, "Winkel 1. Messung"), (Nl, "Hoek 1e meting")])
             .or(0)
             .means(Meaning::FirstAngle),
-        Parameter::angle(STEP, "ANGLE STEP", 360, 0).asked(&[(De, "Winkel inkremental")]).means(Meaning::Step),
+        Parameter::angle(STEP, "ANGLE STEP", 360, 0)
+            .named(&[(Nl, "HOEKSTAP")])
+            .asked(&[(De, "Winkel inkremental"), (Nl, "Hoekstap incrementeel")])
+            .means(Meaning::Step),
         Parameter::size(START_DIAMETER, "START DIAMETER")
-            .asked(&[(De, "Startdurchmesser")])
+            .named(&[(Nl, "STARTDIAMETER")])
+            .asked(&[(De, "Startdurchmesser"), (Nl, "Startdiameter")])
             .or_nothing()
             .means(Meaning::StartDiameter),
         Parameter::coordinate(HEIGHT, "MEASURING HEIGHT")
-            .asked(&[(De, "Position Zustellrichtung")])
+            .named(&[(Nl, "MEETHOOGTE")])
+            .asked(&[(De, "Position Zustellrichtung"), (Nl, "Meethoogte")])
             .or_nothing()
             .means(Meaning::MeasuringHeight),
         Parameter::coordinate(CENTRE_1, "CENTER IN 1ST AXIS")
-            .asked(&[(De, "Kreismittelpunkt Achse 1")])
+            .named(&[(Nl, "MIDDEN 1E AS")])
+            .asked(&[(De, "Kreismittelpunkt Achse 1"), (Nl, "Midden 1e as")])
             .or(0)
             .means(Meaning::Centre(Axis::First)),
         Parameter::coordinate(CENTRE_2, "CENTER IN 2ND AXIS")
-            .asked(&[(De, "Kreismittelpunkt Achse 2")])
+            .named(&[(Nl, "MIDDEN 2E AS")])
+            .asked(&[(De, "Kreismittelpunkt Achse 2"), (Nl, "Midden 2e as")])
             .or(0)
             .means(Meaning::Centre(Axis::Second)),
         Parameter::size(PERMITTED, "MAXIMUM DIFFERENCE")
-            .asked(&[(De, "Maximale Abweichung")])
+            .named(&[(Nl, "MAXIMAAL VERSCHIL")])
+            .asked(&[(De, "Maximale Abweichung"), (Nl, "Maximaal verschil")])
             .or_nothing()
             .means(Meaning::Difference),
         Parameter::coordinate(Key::Word("Q"), "Q").or(0).without_effect(),
@@ -138,7 +153,7 @@ fn touches(inputs: &Inputs) -> Vec<Touch> {
 /// Runs the cycle on checked inputs.
 fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
     if inputs.length(PATH) == Length::ZERO {
-        return Err(CycleError::NoPath { key: PATH, name: PATH_NAME });
+        return Err(CycleError::NoPath { key: PATH, name: ParameterName::new(PATH_NAME, PATH_NAMES) });
     }
     let plane = plane(inputs);
     let [first, second] = centre(inputs);

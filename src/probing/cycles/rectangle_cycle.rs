@@ -22,21 +22,44 @@ use crate::probing::cycle::{
 use crate::probing::simulated::{Surface, Walls};
 use crate::probing::vector::along;
 use crate::tolerance::Feature;
+use crate::words::Dialogue::Nl;
 
 /// The declaration, in the order of NC programs.
 pub(super) const PARAMETERS: [Parameter; 17] = [
     CENTRE_1,
     CENTRE_2,
-    Parameter::size(Key::Q(282), "FIRST SIDE LENGTH").means(Meaning::Side(Axis::First)),
-    Parameter::size(Key::Q(283), "2ND SIDE LENGTH").means(Meaning::Side(Axis::Second)),
+    Parameter::size(Key::Q(282), "FIRST SIDE LENGTH")
+        .named(&[(Nl, "LENGTE 1E ZIJDE")])
+        .asked(&[(Nl, "Lengte 1e zijde (nom. waarde)?")])
+        .means(Meaning::Side(Axis::First)),
+    Parameter::size(Key::Q(283), "2ND SIDE LENGTH")
+        .named(&[(Nl, "LENGTE 2E ZIJDE")])
+        .asked(&[(Nl, "Lengte 2e zijde (nom. waarde)?")])
+        .means(Meaning::Side(Axis::Second)),
     MEASURING_HEIGHT,
     SET_UP_CLEARANCE,
     CLEARANCE_HEIGHT,
     MOVE_TO_CLEARANCE,
-    Parameter::size(Key::Q(284), "MAX. LIMIT 1ST SIDE").or(0).means(Meaning::MaximumSide(Axis::First)),
-    Parameter::size(Key::Q(285), "MIN. LIMIT 1ST SIDE").or(0).means(Meaning::MinimumSide(Axis::First)),
-    Parameter::size(Key::Q(286), "MAX. LIMIT 2ND SIDE").or(0).means(Meaning::MaximumSide(Axis::Second)),
-    Parameter::size(Key::Q(287), "MIN. LIMIT 2ND SIDE").or(0).means(Meaning::MinimumSide(Axis::Second)),
+    Parameter::size(Key::Q(284), "MAX. LIMIT 1ST SIDE")
+        .named(&[(Nl, "MAX. MAAT 1E ZIJDE")])
+        .asked(&[(Nl, "Maximale grensmaat 1e zijde?")])
+        .or(0)
+        .means(Meaning::MaximumSide(Axis::First)),
+    Parameter::size(Key::Q(285), "MIN. LIMIT 1ST SIDE")
+        .named(&[(Nl, "MIN. MAAT 1E ZIJDE")])
+        .asked(&[(Nl, "Minimale grensmaat 1e zijde?")])
+        .or(0)
+        .means(Meaning::MinimumSide(Axis::First)),
+    Parameter::size(Key::Q(286), "MAX. LIMIT 2ND SIDE")
+        .named(&[(Nl, "MAX. MAAT 2E ZIJDE")])
+        .asked(&[(Nl, "Maximale grensmaat 2e zijde?")])
+        .or(0)
+        .means(Meaning::MaximumSide(Axis::Second)),
+    Parameter::size(Key::Q(287), "MIN. LIMIT 2ND SIDE")
+        .named(&[(Nl, "MIN. MAAT 2E ZIJDE")])
+        .asked(&[(Nl, "Minimale grensmaat 2e zijde?")])
+        .or(0)
+        .means(Meaning::MinimumSide(Axis::Second)),
     CENTRE_TOLERANCE_1,
     CENTRE_TOLERANCE_2,
     MEASURING_LOG,

@@ -12,25 +12,28 @@ use crate::probing::cycle::{
 };
 use crate::probing::simulated::{Surface, Walls};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, It};
+use crate::words::Dialogue::{En, It, Nl};
 
 /// The measured axis, one of the two of the plane.
 pub(super) const AXIS: Parameter = Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2])
-    .named(&[(It, "ASSE MISURATO")])
-    .asked(&[(En, "Meas. axis (1...2: 1=ref. axis)?")])
+    .named(&[(Nl, "MEETAS"), (It, "ASSE MISURATO")])
+    .asked(&[(En, "Meas. axis (1...2: 1=ref. axis)?"), (Nl, "Meetas (1..2: 1=hoofdas)?")])
     .means(Meaning::AxisOfPlane);
 /// The nominal width.
-pub(super) const WIDTH: Parameter = Parameter::size(Key::Q(311), "NOMINAL LENGTH").means(Meaning::Width);
+pub(super) const WIDTH: Parameter = Parameter::size(Key::Q(311), "NOMINAL LENGTH")
+    .named(&[(Nl, "NOMINALE BREEDTE")])
+    .asked(&[(Nl, "Nominale breedte?")])
+    .means(Meaning::Width);
 /// The largest permitted width.
 pub(super) const MAXIMUM: Parameter = Parameter::size(Key::Q(288), "MAXIMUM LIMIT")
-    .named(&[(It, "LIMITE MASSIMO")])
-    .asked(&[(En, "Maximum limit of size?"), (It, "Limite max dimensione?")])
+    .named(&[(Nl, "MAXIMALE MAAT"), (It, "LIMITE MASSIMO")])
+    .asked(&[(En, "Maximum limit of size?"), (Nl, "Maximale grensmaat?"), (It, "Limite max dimensione?")])
     .or(0)
     .means(Meaning::MaximumWidth);
 /// The smallest permitted width.
 pub(super) const MINIMUM: Parameter = Parameter::size(Key::Q(289), "MINIMUM LIMIT")
-    .named(&[(It, "LIMITE MINIMO")])
-    .asked(&[(En, "Minimum limit of size?"), (It, "Limite minimo dimensione?")])
+    .named(&[(Nl, "MINIMALE MAAT"), (It, "LIMITE MINIMO")])
+    .asked(&[(En, "Minimum limit of size?"), (Nl, "Minimale grensmaat?"), (It, "Limite minimo dimensione?")])
     .or(0)
     .means(Meaning::MinimumWidth);
 

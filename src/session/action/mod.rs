@@ -19,12 +19,14 @@ use super::cycles::CyclesCommand;
 use super::program::{ProgramField, Switch};
 use super::tables::{self, TablesField};
 use super::workpiece::WorkpieceCommand;
-use super::{Command, Density, Field, MeasureBy, Page, Session, Step, Theme};
+use super::{CheckField, Command, Density, Field, MeasureBy, Page, Session, Step, Theme};
 use crate::exchange::tables::TABLE_FORMATS;
+use crate::journal::query::Column;
 use crate::length::Length;
 use crate::message::Message;
 use crate::report::RENDERINGS;
 use crate::tolerance::{Base, Feature};
+use crate::verdict::Status;
 use crate::words::Words;
 
 /// Where an action applies.
@@ -49,11 +51,13 @@ pub enum Part {
     Cells,
     /// The listing of the program page.
     Listing,
+    /// The list of checks on the check page.
+    History,
 }
 
 impl Part {
     /// The parts of all pages.
-    pub const ALL: [Self; 3] = [Self::Classes, Self::Cells, Self::Listing];
+    pub const ALL: [Self; 4] = [Self::Classes, Self::Cells, Self::Listing, Self::History];
 
     /// The page that it belongs to.
     pub const fn page(self) -> Page {
@@ -61,6 +65,7 @@ impl Part {
             Self::Classes => Page::Fit,
             Self::Cells => Page::Tables,
             Self::Listing => Page::Program,
+            Self::History => Page::Check,
         }
     }
 }
@@ -138,6 +143,10 @@ actions! {
     Undo;
     /// Empties the history.
     ClearHistory;
+    /// Chooses every listed check that is not good for export.
+    ChooseBad;
+    /// Chooses none.
+    ChooseNone;
     /// Shows or hides the keypad.
     Keypad;
     /// Closes what lies over the page: a dialog, a window, the oldest notice.
@@ -157,6 +166,22 @@ actions! {
     MeasureBy(MeasureBy): [MeasureBy::Typing, MeasureBy::Simulating];
     /// Puts the status window's text on the clipboard.
     CopyStatus;
+    /// Goes to the filter of the history.
+    FindInHistory;
+    /// Leaves the good checks out of the list.
+    OnlyBad;
+    /// Sorts the list by a column.
+    SortHistory(Column): Column::ALL;
+    /// Goes to another check of the list.
+    MoveCheck(Step): Step::BLOCKS;
+    /// Shows the check again.
+    ShowCheck;
+    /// Chooses the check for export, or not.
+    ChooseCheck;
+    /// Chooses every check of the list.
+    ChooseAll;
+    /// Puts the chosen checks, or the one at which the keys are, on the clipboard.
+    CopyChecks;
 
     /// Goes to another class of the map.
     MoveClass(Step): Step::CLASSES;
@@ -272,20 +297,26 @@ impl Action {
 
     /// The keys that are shown on a page; `None` where it has none, or where another action of the page takes them.
     pub fn shortcut_on(self, page: Page) -> Option<Shortcut> {
-        let place = self.place();
-        let first = self.shortcuts().next().filter(|_| place.is_on(page))?;
-        let is_taken = |other: Self| {
-            let of_other = other.place();
-            of_other.is_on(page) && of_other.rank() < place.rank() && other.shortcuts().any(|other| other == first)
+        let first = self.shortcuts().next().filter(|_| self.place().is_on(page))?;
+        (!self.leaves_to_another(first, page)).then_some(first)
+    }
+
+    /// Whether another action of the page takes these keys, also while it is not possible: Ctrl+Z on the table page never
+    /// undoes what is not in sight.
+    fn leaves_to_another(self, keys: Shortcut, page: Page) -> bool {
+        let rank = self.place().rank();
+        let takes = |other: Self| {
+            let place = other.place();
+            place.is_on(page) && place.rank() < rank && other.shortcuts().any(|other| other == keys)
         };
         // Escape belongs to whatever can use it: a run that goes on, or what lies over the page.
-        (first.key == Key::Escape || !Self::all().any(is_taken)).then_some(first)
+        keys.key != Key::Escape && Self::all().any(takes)
     }
 
     /// What Enter does in a text field of a page.
     pub const fn on_enter(field: Field, page: Page) -> Option<Self> {
         match (field, page) {
-            (Field::Program(ProgramField::Filter), _) => None,
+            (Field::Program(ProgramField::Filter) | Field::Check(CheckField::HistoryFilter), _) => None,
             (Field::Program(ProgramField::Name | ProgramField::Value), _) => Some(Self::GiveValue),
             (Field::Tables(TablesField::CellUpper | TablesField::CellLower), _) => Some(Self::SetCell),
             (Field::Tables(TablesField::To), _) => Some(Self::MakeTable),
@@ -319,6 +350,14 @@ impl Action {
                     .text("meant", mm(question.and_then(|question| question.doubt.meant())));
                 words.say(&message)
             }
+            Self::Undo => {
+                let what = session.history().undoes();
+                what.map_or_else(
+                    || words.get("undo"),
+                    |what| words.say(&Message::new("undo-what").message("what", what)),
+                )
+            }
+            Self::ChooseBad => words.say(&Message::new("choose-bad").count("count", session.bad_count())),
             Self::UseTable if session.tables().is_used(session.sources()) => words.get("tables-in-use"),
             _ => words.get(self.row().text),
         }
@@ -345,6 +384,12 @@ impl Session {
     /// Whether something can be done now.
     pub fn can(&self, action: Action) -> bool {
         (action.row().possible)(self)
+    }
+
+    /// How many listed checks are not good.
+    fn bad_count(&self) -> usize {
+        let counts = Status::ALL.into_iter().zip(self.history().listed().counts());
+        counts.filter(|(status, _)| *status != Status::Good).map(|(_, count)| count).sum()
     }
 
     /// The command that closes the topmost thing over the page.
@@ -379,6 +424,7 @@ impl Session {
         let mut keys: Vec<_> = heard
             .flat_map(|action| action.shortcuts().map(move |shortcut| (shortcut, action)))
             .filter(|(shortcut, action)| !(is_typing && shortcut.is_of_text()) && self.can(*action))
+            .filter(|(shortcut, action)| !action.leaves_to_another(*shortcut, self.page()))
             .collect();
         keys.sort_by_key(|(_, action)| action.place().rank());
         keys

@@ -55,6 +55,8 @@ pub enum Key {
     Escape,
     /// Delete.
     Delete,
+    /// The space bar.
+    Space,
 }
 
 impl Shortcut {
@@ -92,6 +94,7 @@ impl fmt::Display for Key {
             Self::Enter => f.write_str("Enter"),
             Self::Escape => f.write_str("Esc"),
             Self::Delete => f.write_str("Delete"),
+            Self::Space => f.write_str("Space"),
         }
     }
 }

@@ -1,13 +1,14 @@
 //! A row for every action. Menus, buttons, tooltips and keys are made from it.
 
 use super::{Action, Held, Key, Part, Place, Shortcut};
-use crate::session::check::CheckCommand;
+use crate::journal::query::Column;
+use crate::session::check::{CheckCommand, CheckField};
 use crate::session::cycles::CyclesCommand;
 use crate::session::fit::FitCommand;
 use crate::session::program::{ProgramCommand, Run, Switch};
 use crate::session::tables::{self, TablesCommand, TablesField};
 use crate::session::workpiece::WorkpieceCommand;
-use crate::session::{Command, CycleFile, Density, Lot, MeasureBy, Page, Purpose, Session, Step, Theme};
+use crate::session::{Command, CycleFile, Density, ListCommand, Lot, MeasureBy, Page, Purpose, Session, Step, Theme};
 use crate::tolerance::iso286::{Edition, JsHalves, Options};
 use crate::tolerance::{Deviations, Feature, ToleranceClass};
 
@@ -137,8 +138,13 @@ pub(super) fn row(action: Action) -> Row {
             everywhere("no-own-tables", Command::NoOwnTables).when(|session| !session.sources().own().is_empty())
         }
         Action::LoadMask => everywhere("load-mask", open(Purpose::LoadMask)),
-        Action::Undo => everywhere("undo", CheckCommand::Undo.into()).when(Session::can_undo),
+        Action::Undo => everywhere("undo", CheckCommand::Undo.into())
+            .key(Shortcut::ctrl('Z'))
+            .when(|session| session.history().undoes().is_some()),
         Action::ClearHistory => everywhere("clear-history", CheckCommand::ClearHistory.into()).when(has_history),
+        Action::ChooseBad => everywhere("choose-bad", ListCommand::ChooseBad.into()).when(has_bad),
+        Action::ChooseNone => everywhere("choose-none", ListCommand::ChooseNone.into())
+            .when(|session| 0 < session.history().chosen_count()),
         Action::Keypad => switch("keypad", |session| Command::ShowKeypad(!session.has_keypad())),
         Action::Close => {
             let row = switch("close", |session| session.uppermost().unwrap_or(Command::Close));
@@ -170,6 +176,53 @@ pub(super) fn row(action: Action) -> Row {
             on(Page::Check, text, CheckCommand::MeasureBy(by))
         }
         Action::CopyStatus => on(Page::Check, "copy", CheckCommand::CopyStatus).when(has_status),
+        Action::FindInHistory => on(Page::Check, "history-filter", Command::GoTo(CheckField::HistoryFilter.into()))
+            .key(Shortcut::ctrl('F'))
+            .when(has_history),
+        Action::OnlyBad => Row::new(
+            Place::Page(Page::Check),
+            "history-only-bad",
+            Sends::FromState(|session| ListCommand::OnlyBad(!session.history().listed().query().only_bad).into()),
+        )
+        .hint("history-only-bad-hint"),
+        Action::SortHistory(column) => {
+            let text = match column {
+                Column::Time => "head-time",
+                Column::Part => "head-part",
+                Column::Callout => "head-callout",
+                Column::Measured => "head-measured",
+                Column::Deviation => "head-deviation",
+                Column::Status => "head-status",
+                Column::From => "head-from",
+            };
+            on(Page::Check, text, ListCommand::SortBy(column)).hint("history-sort-hint")
+        }
+        Action::MoveCheck(step) => {
+            within(Part::History, "history-move", ListCommand::Move(step)).key(keys(step)).when(has_listed)
+        }
+        Action::ShowCheck => Row::new(
+            Place::Part(Part::History),
+            "history-show",
+            Sends::FromState(|session| CheckCommand::Show(session.history().cursor().unwrap_or_default()).into()),
+        )
+        .key(Shortcut::plain(Key::Enter))
+        .when(has_cursor),
+        Action::ChooseCheck => Row::new(
+            Place::Part(Part::History),
+            "history-choose",
+            Sends::FromState(|session| {
+                let id = session.history().cursor().unwrap_or_default();
+                CheckCommand::Choose(id, !session.history().is_chosen(id)).into()
+            }),
+        )
+        .key(Shortcut::plain(Key::Space))
+        .when(has_cursor),
+        Action::ChooseAll => {
+            within(Part::History, "choose-all", ListCommand::ChooseAll).key(Shortcut::ctrl('A')).when(has_listed)
+        }
+        Action::CopyChecks => within(Part::History, "copy-checks", ListCommand::Copy)
+            .key(Shortcut::ctrl('C'))
+            .when(|session| 0 < session.history().chosen_count() || has_cursor(session)),
 
         Action::MoveClass(step) => within(Part::Classes, "fit-move", FitCommand::Move(step)).key(keys(step)),
         Action::ShowClasses(feature) => {
@@ -313,6 +366,7 @@ pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
         Action::RoundJs => rounds_js(session.sources().options()),
         Action::Edition1988 => is_of_1988(session.sources().options()),
         Action::Keypad => session.has_keypad(),
+        Action::OnlyBad => session.history().listed().query().only_bad,
         Action::MeasureBy(by) => session.check().by() == by,
         Action::ShowClasses(feature) => session.fit().side() == feature,
         Action::Switch(switch) => session.program().is_on(switch),
@@ -363,6 +417,19 @@ fn is_of_1988(options: Options) -> bool {
 
 fn has_history(session: &Session) -> bool {
     !session.history().is_empty()
+}
+
+fn has_listed(session: &Session) -> bool {
+    0 < session.history().listed().count()
+}
+
+fn has_bad(session: &Session) -> bool {
+    0 < session.bad_count()
+}
+
+/// Whether the keys are at a row of the list.
+fn has_cursor(session: &Session) -> bool {
+    session.history().look().1.is_some()
 }
 
 fn has_status(session: &Session) -> bool {

@@ -8,18 +8,28 @@ use super::{
     Asked, CheckCommand, CheckField, CheckPage, Lot, MeasureBy, Question, Shown, class_text, measuring, nominal_text,
 };
 use crate::exchange::Imported;
+use crate::journal::query::RecordId;
 use crate::journal::{Record, status_window};
 use crate::message::{Message, Say as _};
 use crate::probing::Origin;
-use crate::session::command::Effect;
+use crate::session::ListCommand;
+use crate::session::command::{Effect, Page};
 use crate::session::shared::{News, PageState, Shared};
 use crate::tolerance::Sources;
+use crate::words::Words;
+
+/// The notice that says what was removed, and how it comes back.
+const CLEARED: &str = "history-cleared";
 
 impl PageState for CheckPage {
     type Command = CheckCommand;
 
     fn apply(&mut self, command: CheckCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         match command {
+            CheckCommand::Type(CheckField::HistoryFilter, text) => {
+                self.texts.set(CheckField::HistoryFilter, text);
+                self.filter(shared);
+            }
             CheckCommand::Type(field, text) => self.type_text(field, text, &shared.sources),
             CheckCommand::ChooseClass(class) => {
                 let nominal = nominal_text(self.text(CheckField::Callout));
@@ -50,11 +60,11 @@ impl PageState for CheckPage {
             CheckCommand::CopyStatus => {
                 return self.status_text().map(|text| Effect::Copy(text.to_owned())).into_iter().collect();
             }
-            CheckCommand::Show(number) => {
-                if !self.lot.as_mut().is_some_and(|lot| lot.go_to(number)) {
+            CheckCommand::Show(id) => {
+                if !self.lot.as_mut().is_some_and(|lot| lot.go_to(id)) {
                     self.lot = None;
                 }
-                self.show(number, shared);
+                self.show(id, shared);
             }
             CheckCommand::ShowInLot(step) => {
                 if let Some(lot) = &mut self.lot {
@@ -62,17 +72,20 @@ impl PageState for CheckPage {
                     self.show_of_lot(shared);
                 }
             }
-            CheckCommand::Choose(number, is_chosen) => shared.history.choose(number, is_chosen),
+            CheckCommand::Choose(id, is_chosen) => shared.history.choose(id, is_chosen),
+            CheckCommand::List(ListCommand::Copy) => {
+                let copied = shared.history.copied(&Words::new(shared.language));
+                return copied.map(Effect::Copy).into_iter().collect();
+            }
+            CheckCommand::List(command) => shared.history.apply(command),
             CheckCommand::ClearHistory => {
-                if shared.history.clear() {
+                let count = shared.history.clear();
+                if 0 < count {
                     self.clear(&shared.sources);
+                    shared.note(Message::new(CLEARED).count("count", count), Vec::new());
                 }
             }
-            CheckCommand::Undo => {
-                if shared.history.take_back() {
-                    self.clear(&shared.sources);
-                }
-            }
+            CheckCommand::Undo => self.undo(shared),
             CheckCommand::Imported { name, result } => self.imported(&name, result, shared, now),
         }
         Vec::new()
@@ -83,6 +96,7 @@ impl PageState for CheckPage {
             // No verdict stays beside limits that it was not made with.
             News::Sources => self.callout_changed(true, &shared.sources),
             News::StatusWindow => {
+                self.filter(shared);
                 if let Some(shown) = self.shown.take() {
                     self.draw(shown.record, shared);
                 }
@@ -94,6 +108,21 @@ impl PageState for CheckPage {
 }
 
 impl CheckPage {
+    /// Lists what the filter says in the language of the window.
+    fn filter(&self, shared: &mut Shared) {
+        shared.history.filter(self.text(CheckField::HistoryFilter), &Words::new(shared.language));
+    }
+
+    /// Undoes the last change of the history. Where the list is not in sight, a notice says what was undone.
+    fn undo(&mut self, shared: &mut Shared) {
+        let Some(undone) = shared.history.take_back() else { return };
+        self.clear(&shared.sources);
+        shared.notices.retain(|notice| notice.message.id != CLEARED);
+        if shared.page != Page::Check {
+            shared.note(Message::new("undone").message("what", undone), Vec::new());
+        }
+    }
+
     fn type_text(&mut self, field: CheckField, text: String, sources: &Sources) {
         self.texts.set(field, text);
         match field {
@@ -183,13 +212,14 @@ impl CheckPage {
             let next = self.asked.seed.unwrap_or_default().wrapping_add(1);
             self.texts.set(CheckField::Seed, next.to_string());
         }
-        let number = add(vec![Arc::new(record)], shared);
-        self.show(number, shared);
+        let id = shared.history.add(vec![Arc::new(record)]);
+        self.show(id, shared);
     }
 
     /// Shows a record of the history; what made it stands in the fields.
-    fn show(&mut self, number: usize, shared: &Shared) {
-        let Some(record) = shared.history.records().get(number).cloned() else { return };
+    fn show(&mut self, id: RecordId, shared: &mut Shared) {
+        let Some(record) = shared.history.get(id) else { return };
+        shared.history.go_to(id);
         // The limits on screen follow the record, never the other way round.
         let lot = self.lot.take();
         match record.callout {
@@ -239,8 +269,8 @@ impl CheckPage {
             match measuring::judge_contacts(name, &contacts, &self.asked, now) {
                 Ok(record) => {
                     self.edited(&shared.sources);
-                    let number = add(vec![Arc::new(record)], shared);
-                    self.show(number, shared);
+                    let id = shared.history.add(vec![Arc::new(record)]);
+                    self.show(id, shared);
                 }
                 Err(problem) => shared.tell(problem),
             }
@@ -252,11 +282,11 @@ impl CheckPage {
             return;
         }
         let lot = |first| Lot::new(name, &imported, &records, first);
-        let first = shared.history.records().len();
+        let first = shared.history.next();
         self.clear(&shared.sources);
         self.lot = is_lot.then(|| lot(first));
         if !records.is_empty() {
-            add(records, shared);
+            shared.history.add(records);
         }
         if is_lot {
             self.show_of_lot(shared);
@@ -266,15 +296,9 @@ impl CheckPage {
     }
 
     /// Shows the row of the lot that is chosen.
-    fn show_of_lot(&mut self, shared: &Shared) {
-        if let Some(number) = self.lot.as_ref().and_then(Lot::number) {
-            self.show(number, shared);
+    fn show_of_lot(&mut self, shared: &mut Shared) {
+        if let Some(id) = self.lot.as_ref().and_then(Lot::record) {
+            self.show(id, shared);
         }
     }
-}
-
-/// Adds records to the history; returns the number of the last one.
-fn add(records: Vec<Arc<Record>>, shared: &mut Shared) -> usize {
-    shared.history.add(records);
-    shared.history.records().len().saturating_sub(1)
 }

@@ -2,8 +2,9 @@
 
 use super::{CheckField, MeasureBy};
 use crate::exchange::Imported;
+use crate::journal::query::RecordId;
 use crate::message::Message;
-use crate::session::Step;
+use crate::session::{ListCommand, Step};
 use crate::tolerance::{Feature, ToleranceClass};
 
 /// What can be done on the check page.
@@ -25,12 +26,14 @@ pub enum CheckCommand {
     Clear,
     /// Puts the status window's text on the clipboard.
     CopyStatus,
-    /// Shows a record of the history again, by its number.
-    Show(usize),
+    /// Shows a record of the history again.
+    Show(RecordId),
     /// Shows another row of the imported file: the first is the worst.
     ShowInLot(Step),
     /// Marks a record for the report, or takes the mark off.
-    Choose(usize, bool),
+    Choose(RecordId, bool),
+    /// Does something with the list of the history.
+    List(ListCommand),
     /// Empties the history.
     ClearHistory,
     /// Undoes the last change of the history.

@@ -44,4 +44,6 @@ kept_fields! {
     ProbeScatter: "probe-scatter", "0.0005";
     /// Seed of the scatter; counts up with every simulated measurement.
     Seed: "seed", "1";
+    /// Words that the listed checks of the history must have.
+    HistoryFilter: "history-filter", "";
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::exchange::Imported;
 use crate::journal::Record;
+use crate::journal::query::RecordId;
 use crate::session::Step;
 use crate::verdict::Status;
 
@@ -16,18 +17,18 @@ pub struct Lot {
     unjudged: usize,
     refused: usize,
     doubted: usize,
-    /// Number in the history and line in the file of every row that was judged, worst first.
-    order: Vec<(usize, usize)>,
+    /// Record in the history and line in the file of every row that was judged, worst first.
+    order: Vec<(RecordId, usize)>,
     /// Which of them is shown.
     at: usize,
 }
 
 impl Lot {
     /// The lot of a file whose records are in the history from `first` on.
-    pub(super) fn new(name: &str, imported: &Imported, records: &[Arc<Record>], first: usize) -> Self {
+    pub(super) fn new(name: &str, imported: &Imported, records: &[Arc<Record>], first: RecordId) -> Self {
         let status = |record: &Record| record.verdict.status();
         let count = |wanted: Status| records.iter().filter(|record| status(record) == wanted).count();
-        let mut order: Vec<_> = records.iter().zip(&imported.lines).zip(first..).collect();
+        let mut order: Vec<_> = records.iter().zip(&imported.lines).zip((first.0..).map(RecordId)).collect();
         // Worst first: by the word, then by how far the value is beyond a limit or from the nearer one; as in the file
         // where both are the same.
         order.sort_by_key(|((record, _), _)| {
@@ -41,7 +42,7 @@ impl Lot {
             unjudged: imported.unjudged.len(),
             refused: imported.errors.len(),
             doubted: records.iter().filter(|record| record.doubt.is_some()).count(),
-            order: order.into_iter().map(|((_, line), number)| (number, *line)).collect(),
+            order: order.into_iter().map(|((_, line), id)| (id, *line)).collect(),
             at: 0,
         }
     }
@@ -86,9 +87,9 @@ impl Lot {
         self.order.get(self.at).map(|(_, line)| (self.at + 1, *line))
     }
 
-    /// The number in the history of the row that is shown.
-    pub(super) fn number(&self) -> Option<usize> {
-        self.order.get(self.at).map(|(number, _)| *number)
+    /// The record in the history of the row that is shown.
+    pub(super) fn record(&self) -> Option<RecordId> {
+        self.order.get(self.at).map(|(id, _)| *id)
     }
 
     /// Goes to another row.
@@ -102,9 +103,9 @@ impl Lot {
         };
     }
 
-    /// Goes to a record by its number in the history; `false` where it is not of this lot.
-    pub(super) fn go_to(&mut self, number: usize) -> bool {
-        let found = self.order.iter().position(|(of_row, _)| *of_row == number);
+    /// Goes to a record of the history; `false` where it is not of this lot.
+    pub(super) fn go_to(&mut self, id: RecordId) -> bool {
+        let found = self.order.iter().position(|(of_row, _)| *of_row == id);
         self.at = found.unwrap_or(self.at);
         found.is_some()
     }

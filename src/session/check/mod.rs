@@ -27,7 +27,7 @@ pub use command::CheckCommand;
 pub use field::CheckField;
 pub use lot::Lot;
 
-use super::field::Texts;
+use super::field::{KeptField as _, Texts};
 use super::saved::SavedInputs;
 use crate::journal::Record;
 use crate::length::Length;
@@ -103,8 +103,10 @@ impl CheckPage {
         }
     }
 
+    /// The texts that are kept. A forgotten filter would hide checks after the next start.
     pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
-        self.texts.saved()
+        let (filter, _) = CheckField::HistoryFilter.declared();
+        self.texts.saved().filter(move |(key, _)| key != filter)
     }
 
     /// The text of a field.

@@ -133,7 +133,7 @@ impl CyclesPage {
         self.read();
         let missing: Vec<_> = self.missing().collect();
         for parameter in &missing {
-            let (key, name) = (parameter.key, parameter.name);
+            let (key, name) = (parameter.key, parameter.called());
             self.errors.insert(CycleField::Parameter(key), CycleError::Missing { key, name }.message());
         }
         let run = match self.errors.len() {

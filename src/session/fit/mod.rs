@@ -32,6 +32,7 @@ use crate::tolerance::fit::thermal::{Expansion, Temperature, clearance_change};
 use crate::tolerance::fit::{Fit, Kind};
 use crate::tolerance::{Feature, Sources, ToleranceClass};
 use crate::verdict::fit::{Actual, Possible};
+use crate::verdict::{Doubt, doubt};
 
 pub use class_map::{ClassMap, MapCell};
 pub use command::FitCommand;
@@ -200,6 +201,16 @@ impl FitPage {
             (None, Some(shaft)) => Some(Parts::One(Possible::of(fit, Feature::Shaft, shaft))),
             (None, None) => None,
         }
+    }
+
+    /// What is strange about a measured part: it may be another quantity, or another part's.
+    pub fn doubt(&self, part: Feature) -> Option<Doubt> {
+        let fit = self.fit.as_ref()?;
+        let (limits, field) = match part {
+            Feature::Hole => (fit.hole(), FitField::HoleMeasured),
+            Feature::Shaft => (fit.shaft(), FitField::ShaftMeasured),
+        };
+        doubt(limits, self.length(field)?)
     }
 
     /// The clearance of both measured parts.

@@ -81,7 +81,7 @@ fn a_block_that_is_not_understood_tells_why() {
     check_block("1 Q2000 = 5", "line 2, column 3: not understood: Q2000 is not a parameter: Q goes from 0 to 1999");
     check_block("1 Q1 = QL500", "line 2, column 8: not understood: QL500 is not a parameter: QL goes from 0 to 499");
     check_block("1 LBL 65536", "line 2, column 7: not understood: 65536 is too large: at most 65535");
-    check_block("1 LBL QS5", "line 2, column 7: not understood: QS5 cannot name the label that begins here");
+    check_block("1 LBL QS5", "line 2, column 7: not understood: QS5 cannot be the name of the label that begins here");
     check_block("1 LBL LOOP", "line 2, column 7: not understood: expected a label, found LOOP");
     check_block("1 CALL LBL 5 REP 65535", "line 2, column 18: not understood: 65535 is too large: at most 65534");
     check_block("1 CALL LBL 5 REP", "line 2, column 17: not understood: a number is missing");

@@ -44,7 +44,7 @@ fn a_truncated_table_is_refused() {
     check(
         &SOUND[..SOUND.find("3           +0     -").unwrap()],
         &[
-            "! the number of rows is odd, 3: each size range takes two: upper deviation, lower deviation: own.tab, line 5, column 1",
+            "! the number of rows is odd (3): each size range takes two, first the upper deviation, then the lower deviation: own.tab, line 5, column 1",
         ],
     );
     check(

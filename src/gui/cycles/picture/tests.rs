@@ -259,7 +259,7 @@ fn one_point_says_its_value_between_its_limits() {
     let said = |height| contacts_label(&top(height).0, None, Language::En);
     assert_eq!(said(5.0), "measured coordinate 5 mm is within 4.95 to 5.1 mm");
     assert_eq!(said(5.100_001), "measured coordinate 5.100001 mm is above its maximum 5.1 mm: REWORK");
-    assert_eq!(said(-30.0), "measured coordinate -30 mm is below its minimum 4.95 mm: SCRAP");
+    assert_eq!(said(-30.0), "measured coordinate −30 mm is below its minimum 4.95 mm: SCRAP");
     let slope = Face { point: [10.0, 0.0, 5.02], normal: [0.0, 0.0, 1.0], wave: None, surface_scatter: 0.0 };
     let (free, _) = run("444", "Q263=10 Q264=0 Q294=5 Q581=0 Q582=0 Q583=1", Surface::Face(slope), 3.0);
     assert_eq!(contacts_label(&free, None, Language::En), "deviation along the normal 0.02 mm, without a tolerance");

@@ -1,0 +1,266 @@
+//! A list of records is what a slow look at all of them gives, whatever is added, removed and asked.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use fitcheck::exchange::import;
+use fitcheck::journal::Record;
+use fitcheck::journal::memory::{Memory, Removed};
+use fitcheck::journal::query::{Column, Query, RecordId, Records, Searched, Sort, Wanted};
+use fitcheck::probing::Origin;
+use fitcheck::tolerance::Sources;
+use fitcheck::verdict::Status;
+use jiff::ToSpan as _;
+use jiff::civil::{DateTime, date};
+use proptest::prelude::*;
+use proptest::sample::select;
+
+fn now() -> DateTime {
+    date(2026, 11, 21).at(10, 42, 7, 0)
+}
+
+/// Records by their numbers.
+type Rows = Vec<(RecordId, Arc<Record>)>;
+
+/// Names of parts and callouts, in the order in which a person sorts them.
+const PARTS: [&str; 7] = ["", "1", "2", "10", "A2", "A10", "b1"];
+const CALLOUTS: [&str; 4] = ["8 H7", "25 h6", "25 H7", "100 g6"];
+const ORIGINS: usize = 5;
+
+fn origin(number: usize) -> Origin {
+    match number {
+        0 => Origin::Typed,
+        1 => Origin::Imported { file: "lot 2.csv".into() },
+        2 => Origin::Imported { file: "lot 10.csv".into() },
+        3 => Origin::Contacts { file: "a.csv".into() },
+        _ => Origin::Simulated { cycle: 421, seed: 7 },
+    }
+}
+
+/// A record by the numbers of its part, callout and origin, its value, µm off the nominal size, and its age in seconds.
+fn record((part, callout, origin_number, um, age): (usize, usize, usize, i32, i32)) -> Arc<Record> {
+    let callout = CALLOUTS[callout];
+    let nominal: f64 = callout.split(' ').next().unwrap().parse().unwrap();
+    let row = format!("id,callout,measured\n{},{callout},{:.3}\n", PARTS[part], nominal + f64::from(um) / 1000.0);
+    let mut record = import("one.csv", row.as_bytes(), &Sources::default(), now()).records.remove(0);
+    record.time = now() - age.seconds();
+    record.measurement.origin = origin(origin_number);
+    Arc::new(record)
+}
+
+fn any_record() -> impl Strategy<Value = Arc<Record>> {
+    (0..PARTS.len(), 0..CALLOUTS.len(), 0..ORIGINS, -30..40_i32, 0..5_i32).prop_map(record)
+}
+
+fn any_query() -> impl Strategy<Value = Query> {
+    let word = select(["a", "H7", "h7", "25", "lot", "2.csv", "07", "25,01"].as_slice()).prop_map(|text| {
+        let mut word = Wanted::new(text);
+        word.statuses = [Status::Scrap].into_iter().filter(|_| text == "a").collect();
+        word.typed = text == "lot";
+        word
+    });
+    let sort =
+        (select(Column::ALL.as_slice()), any::<bool>()).prop_map(|(column, ascending)| Sort { column, ascending });
+    let words = prop_oneof![3 => Just(Vec::new()), 2 => proptest::collection::vec(word, 1..3)];
+    (words, any::<bool>(), proptest::option::weighted(0.8, sort)).prop_map(|(words, only_bad, sort)| Query {
+        words,
+        only_bad,
+        sort,
+    })
+}
+
+/// What happens to the records.
+#[derive(Debug, Clone)]
+enum Act {
+    Add(Vec<Arc<Record>>),
+    /// Takes out everything from a record on; the number is counted round.
+    Remove(u64),
+    PutBack,
+    Ask(Query),
+}
+
+fn any_act() -> impl Strategy<Value = Act> {
+    prop_oneof![
+        3 => proptest::collection::vec(any_record(), 1..4).prop_map(Act::Add),
+        1 => proptest::collection::vec(any_record(), 66..70).prop_map(Act::Add),
+        1 => any::<u64>().prop_map(Act::Remove),
+        1 => Just(Act::PutBack),
+        4 => any_query().prop_map(Act::Ask),
+    ]
+}
+
+/// Records that are looked at and sorted anew for every answer, by rules of their own.
+#[derive(Default)]
+struct Naive {
+    rows: Rows,
+    query: Query,
+}
+
+impl Naive {
+    fn found(&self) -> Rows {
+        let finds = |record: &Record| self.query.finds(record, &Searched::of(record));
+        let mut found: Vec<_> = self.rows.iter().filter(|(_, record)| finds(record)).cloned().collect();
+        let Some(Sort { column, ascending }) = self.query.sort else {
+            found.reverse();
+            return found;
+        };
+        let place = |all: &[&str], text: &str| all.iter().position(|known| *known == text).unwrap();
+        found.sort_by(|(one_id, one), (other_id, other)| {
+            let order = match column {
+                Column::Time => one.time.cmp(&other.time),
+                Column::Part => place(&PARTS, &one.id).cmp(&place(&PARTS, &other.id)),
+                Column::Callout => {
+                    let of = |record: &Record| place(&CALLOUTS, &record.callout.unwrap().to_string());
+                    of(one).cmp(&of(other))
+                }
+                Column::Measured => one.measurement.diameter.cmp(&other.measurement.diameter),
+                Column::Deviation => one.verdict.size.deviation.cmp(&other.verdict.size.deviation),
+                Column::Status => one.verdict.status().cmp(&other.verdict.status()),
+                Column::From => {
+                    let of = |record: &Record| (0..ORIGINS).position(|n| origin(n) == record.measurement.origin);
+                    of(one).cmp(&of(other))
+                }
+            };
+            order.then(one_id.cmp(other_id))
+        });
+        if !ascending {
+            found.reverse();
+        }
+        found
+    }
+}
+
+impl Records for Naive {
+    fn ask(&mut self, query: Query) {
+        self.query = query;
+    }
+
+    fn query(&self) -> &Query {
+        &self.query
+    }
+
+    fn count(&self) -> usize {
+        self.found().len()
+    }
+
+    fn counts(&self) -> [usize; Status::ALL.len()] {
+        let found = self.found();
+        Status::ALL.map(|status| found.iter().filter(|(_, record)| record.verdict.status() == status).count())
+    }
+
+    fn page(&self, places: Range<usize>) -> Rows {
+        self.found().into_iter().skip(places.start).take(places.len()).collect()
+    }
+
+    fn place_of(&self, id: RecordId) -> Option<usize> {
+        self.found().iter().position(|(found, _)| *found == id)
+    }
+
+    fn get(&self, id: RecordId) -> Option<Arc<Record>> {
+        self.rows.iter().find(|(known, _)| *known == id).map(|(_, record)| Arc::clone(record))
+    }
+
+    fn len(&self) -> usize {
+        self.rows.len()
+    }
+}
+
+/// Both answer the same.
+fn check_same(memory: &dyn Records, naive: &dyn Records, most: u64) {
+    assert_eq!((memory.query(), memory.len(), memory.count()), (naive.query(), naive.len(), naive.count()));
+    assert_eq!(memory.counts(), naive.counts());
+    let all = naive.page(0..usize::MAX);
+    assert_eq!(memory.page(0..usize::MAX), all);
+    for step in [1, 7] {
+        let pages = (0..memory.count()).step_by(step).flat_map(|first| memory.page(first..first + step));
+        assert_eq!(pages.collect::<Vec<_>>(), all, "in pages of {step} every record comes once");
+    }
+    for id in (0..=most).map(RecordId) {
+        assert_eq!(memory.place_of(id), all.iter().position(|(found, _)| *found == id), "{id:?}");
+        assert_eq!(memory.get(id), naive.get(id), "{id:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn a_kept_order_answers_like_a_fresh_look(acts in proptest::collection::vec(any_act(), 1..12)) {
+        let (mut memory, mut naive) = (Memory::default(), Naive::default());
+        let mut removed: Vec<(Removed, Rows)> = Vec::new();
+        for act in acts {
+            match act {
+                Act::Add(records) => {
+                    let first = memory.next();
+                    naive.rows.extend((first.0..).map(RecordId).zip(records.iter().cloned()));
+                    memory.add(records);
+                }
+                Act::Remove(number) => {
+                    let first = RecordId(number % (memory.next().0 + 1));
+                    let of_naive = naive.rows.split_off(naive.rows.partition_point(|(id, _)| *id < first));
+                    let of_memory = memory.remove_from(first);
+                    assert_eq!((of_memory.len(), of_memory.is_empty()), (of_naive.len(), of_naive.is_empty()));
+                    removed.push((of_memory, of_naive));
+                }
+                Act::PutBack => {
+                    if let Some((of_memory, of_naive)) = removed.pop() {
+                        memory.put_back(of_memory);
+                        naive.rows.extend(of_naive);
+                        naive.rows.sort_by_key(|(id, _)| *id);
+                    }
+                }
+                Act::Ask(query) => {
+                    memory.ask(query.clone());
+                    naive.ask(query);
+                }
+            }
+            check_same(&memory, &naive, memory.next().0);
+        }
+    }
+}
+
+/// The measured values that a query's words find, of five records.
+fn found(words: &[&str]) -> Vec<usize> {
+    let records =
+        [record((4, 2, 0, 12, 0)), record((5, 1, 1, -2, 0)), record((0, 0, 2, -7, 0)), record((6, 3, 4, 0, 0))];
+    let query = Query { words: words.iter().map(|word| Wanted::new(word)).collect(), ..Query::default() };
+    let finds = |record: &Arc<Record>| query.finds(record, &Searched::of(record));
+    (0..).zip(&records).filter(|(_, record)| finds(record)).map(|(number, _)| number).collect()
+}
+
+#[test]
+fn every_word_of_a_filter_must_be_somewhere_in_the_record() {
+    for (words, expected) in [
+        (vec![], vec![0, 1, 2, 3]),
+        (vec!["a2"], vec![0]),
+        (vec!["A"], vec![0, 1]),
+        // A capital letter of a callout means a hole; small letters find both.
+        (vec!["H7"], vec![0, 2]),
+        (vec!["h6"], vec![1]),
+        (vec!["h"], vec![0, 1, 2]),
+        (vec!["25", "H7"], vec![0]),
+        (vec!["25.012"], vec![0]),
+        (vec!["25,012"], vec![0]),
+        (vec!["+12"], vec![0]),
+        (vec!["-7"], vec![2]),
+        (vec!["\u{2212}7"], vec![2]),
+        (vec!["2026-11-21"], vec![0, 1, 2, 3]),
+        (vec!["10:42"], vec![0, 1, 2, 3]),
+        (vec!["lot", "10.csv"], vec![2]),
+        (vec!["lot", "a10"], vec![1]),
+        (vec!["nothing"], vec![]),
+    ] {
+        assert_eq!(found(&words), expected, "{words:?}");
+    }
+}
+
+#[test]
+fn a_number_is_never_given_twice() {
+    let mut memory = Memory::default();
+    memory.add(vec![record((0, 0, 0, 1, 0)), record((0, 0, 0, 2, 0))]);
+    memory.remove_from(RecordId(1));
+    memory.add(vec![record((0, 0, 0, 3, 0))]);
+    let ids: Vec<_> = memory.all().map(|(id, _)| id.0).collect();
+    assert_eq!(ids, [0, 2]);
+    assert_eq!(memory.get(RecordId(1)), None);
+}
