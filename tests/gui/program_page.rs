@@ -573,8 +573,10 @@ fn run_and_pause_are_one_button_in_one_place() {
 fn places(page: &Harnessed) -> Vec<(Role, String, Rect)> {
     let roles = [Role::Button, Role::ComboBox, Role::TextInput, Role::ListItem, Role::List];
     let nodes = roles.into_iter().flat_map(|role| page.query_all_by_role(role).collect::<Vec<_>>());
+    let words = fitcheck::words::Words::new(page.state().session().language());
     // A line says that it is the next block.
-    let label = |label: String| label.trim_end_matches(", next block").trim_end_matches(", error here").to_owned();
+    let next = format!(", {}", words.get("program-page-is-current"));
+    let label = |label: String| label.trim_end_matches(next.as_str()).to_owned();
     nodes
         .map(|node| {
             (node.accesskit_node().role(), label(node.accesskit_node().label().unwrap_or_default()), node.rect())

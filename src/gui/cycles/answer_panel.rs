@@ -46,7 +46,10 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &View<'_>) {
     let top = ui.cursor().top();
     card_ui(ui, view, &run_card(view, run));
     // What stands below it does not move when a result comes.
-    let left = space(CARD) - (ui.cursor().top() - top);
+    // A wide column sets the word larger.
+    let room = (ui.available_width() * 0.2).min(ui.ctx().content_rect().height() * 0.14);
+    let larger = (room - sizes().status).max(0.0) * 1.5;
+    let left = space(CARD) + larger - (ui.cursor().top() - top);
     if !is_low(ui) && 0.0 < left {
         ui.add_space(left);
     }
