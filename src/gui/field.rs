@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use eframe::egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, Stroke, TextBuffer, TextEdit, Ui, vec2};
+use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, RichText, Stroke, TextBuffer, TextEdit, Ui, vec2};
 
 use super::keypad;
 use super::theme::{self, control, space};
@@ -21,19 +21,19 @@ pub(super) struct Look {
     pub width: f32,
     /// Where the text is aligned.
     pub align: Align,
-    /// What counts while nothing is typed.
-    pub hint: String,
+    /// What counts while nothing is typed, or that something must be.
+    pub hint: RichText,
 }
 
 impl Look {
     /// A small field for a number, right-aligned.
     pub fn number(width: f32) -> Self {
-        Self { font: theme::font(theme::sizes().body), width, align: Align::RIGHT, hint: String::new() }
+        Self { font: theme::font(theme::sizes().body), width, align: Align::RIGHT, hint: RichText::default() }
     }
 
     /// A large field of a given width.
     pub fn large(width: f32) -> Self {
-        Self { font: theme::font(theme::sizes().value), width, align: Align::LEFT, hint: String::new() }
+        Self { font: theme::font(theme::sizes().value), width, align: Align::LEFT, hint: RichText::default() }
     }
 }
 

@@ -9,6 +9,9 @@ use super::theme::{self, palette, sizes, space};
 use super::view::{View, problem, quiet};
 use crate::message::Message;
 
+/// How many lines a mask usually prints.
+const LINES: f32 = 5.0;
+
 /// The pop-up with its text, with the reason why there is none, or with `empty` while there is nothing.
 pub(super) fn popup_ui(
     ui: &mut Ui,
@@ -19,7 +22,9 @@ pub(super) fn popup_ui(
 ) {
     let title = if is_simulated && shown.is_some() { "popup-title-simulated" } else { "popup-title" };
     frame_ui(ui, view.text(title), |ui| {
-        ui.set_min_height(space(24.0));
+        // As high as the window of a mask: what stands below it does not move when one comes.
+        let line = ui.fonts_mut(|fonts| fonts.row_height(&theme::mono(sizes().mono)));
+        ui.set_min_height((line * LINES).ceil().max(space(24.0)));
         match shown {
             Some(Ok(text)) => text_ui(ui, text, "popup"),
             Some(Err(error)) => _ = problem(ui, view.words.say(error)),

@@ -79,6 +79,17 @@ impl View<'_> {
         self.button_as(ui, action, Button::new(text).fill(palette.accent.0).min_size(size));
     }
 
+    /// The width of a main button that has room for each of these actions, so that it stays where it is when its
+    /// word changes.
+    pub fn width_of(&self, ui: &Ui, actions: &[Action]) -> f32 {
+        let width = |action: &Action| {
+            let (text, font) = (action.text(self.session, self.words), theme::bold(theme::sizes().body));
+            ui.painter().layout_no_wrap(text, font, egui::Color32::PLACEHOLDER).size().x
+        };
+        let widest = actions.iter().map(width).fold(0.0, f32::max);
+        (widest + 2.0 * ui.spacing().button_padding.x).ceil()
+    }
+
     /// Draws an action as an entry of a menu, followed by its keys.
     pub fn menu_item(&mut self, ui: &mut Ui, action: Action) {
         let name = action.text(self.session, self.words);
@@ -176,6 +187,23 @@ pub(super) fn quiet(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
 pub(super) fn quiet_cut(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     let colour = theme::palette(ui.ctx()).quiet.0;
     ui.add(egui::Label::new(RichText::new(text).color(colour).size(theme::sizes().small)).truncate())
+}
+
+/// Secondary text of a given width, whole: it goes on in another line where one is too short.
+pub(super) fn quiet_within(ui: &mut Ui, text: impl Into<String>, width: f32) -> egui::Response {
+    let colour = theme::palette(ui.ctx()).quiet.0;
+    let row = vec2(width, ui.available_height());
+    let within = ui.allocate_ui_with_layout(row, egui::Layout::left_to_right(egui::Align::Center), |ui| {
+        ui.set_min_width(width);
+        ui.add(egui::Label::new(RichText::new(text).color(colour).size(theme::sizes().small)).wrap())
+    });
+    within.inner
+}
+
+/// The height of such a text.
+pub(super) fn quiet_height(ui: &Ui, text: &str, width: f32) -> f32 {
+    let font = theme::font(theme::sizes().small);
+    ui.painter().layout(text.to_owned(), font, egui::Color32::PLACEHOLDER, width).size().y
 }
 
 /// Text that says what is wrong.

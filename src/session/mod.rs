@@ -55,7 +55,8 @@ pub use action::Action;
 pub use check::{Asked, CheckCommand, CheckField, CheckPage, Lot, MeasureBy, Question, Shown};
 pub use command::{Command, CycleFile, Density, Effect, Page, Purpose, Theme};
 pub use cycles::{
-    Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, WorkpieceField, WorkpieceForm,
+    Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Standing, WorkpieceField,
+    WorkpieceForm,
 };
 pub use field::Field;
 pub use files::{Dialog, Fate, FilesCommand, FolderList, HEAD, Launch, OpenError, RecentFile};

@@ -377,6 +377,98 @@ fn only_plain_values_before_the_first_call_are_inputs() {
     assert_eq!(found, [(Input::Size, "25"), (Input::Class, "H7"), (Input::Height, "-5.5")]);
 }
 
+fn give(session: &mut Session, name: &str, value: &str) {
+    type_text(session, ProgramField::Name, name);
+    type_text(session, ProgramField::Value, value);
+    send(session, ProgramCommand::SetValue);
+}
+
+/// What the next run starts with.
+fn given(session: &Session) -> Vec<String> {
+    let given = session.program().given();
+    given.map(|(parameter, value)| format!("{parameter} = {}", fitcheck::nc::machine::shown(value))).collect()
+}
+
+#[test]
+fn a_program_without_a_class_may_begin_with_a_q1_of_zero() {
+    let mut session = opened("Q1 = 0\nQ11 = 99999999\nQ2 = Q1 + 7");
+    let program = session.program();
+    assert!(!program.has_inputs());
+    assert_eq!(program.inputs().collect::<Vec<_>>(), [], "nothing is asked of a Q1 that is no nominal size");
+    for input in Input::ALL {
+        assert_eq!(program.error(ProgramField::Input(input)), None, "{input:?}");
+    }
+    send(&mut session, ProgramCommand::Run);
+    assert_eq!(state(&session), "Ended after 5 blocks");
+    assert_eq!(number(&session, Parameter::q(2)), Some(7.0));
+    // Nor of a value that the user gives it.
+    give(&mut session, "Q1", "-3");
+    assert_eq!(given(&session), ["Q1 = -3"]);
+    send(&mut session, ProgramCommand::Run);
+    assert_eq!(number(&session, Parameter::q(2)), Some(4.0));
+}
+
+#[test]
+fn what_is_given_to_an_input_is_in_its_field_its_workpiece_and_its_block() {
+    let mut session = session();
+    for (name, value) in [("Q1", "30"), ("qs1", "g6"), ("Q11", "45,5")] {
+        give(&mut session, name, value);
+    }
+    let text = |session: &Session, input| session.program().text(ProgramField::Input(input)).to_owned();
+    assert_eq!([Input::Size, Input::Class, Input::CentreX].map(|input| text(&session, input)), ["30", "g6", "45,5"]);
+    let limits = session.program().limits(session.sources()).unwrap().unwrap();
+    assert_eq!((limits.minimum().to_string(), limits.maximum().to_string()), ("29.98".into(), "29.993".into()));
+    send(&mut session, ProgramCommand::Run);
+    assert_eq!(number(&session, Parameter::q(1)), Some(30.0));
+    assert_eq!(number(&session, Parameter::q(151)).map(|x| (x * 1e6).round() / 1e6), Some(45.5));
+    let (measured, verdict) = session.program().verdict(session.sources()).unwrap();
+    assert_eq!((measured.to_string(), verdict.status), ("29.9865".to_owned(), Status::Good), "the middle of 30 g6");
+    assert_eq!(session.program().agreement(session.sources()), Some(Agreement::Agrees));
+}
+
+#[test]
+fn form_and_given_values_are_one_truth() {
+    let mut session = session();
+    type_text(&mut session, ProgramField::Input(Input::Size), "30");
+    give(&mut session, "Q5", "2");
+    assert_eq!(given(&session), ["Q1 = 30", "Q5 = 2"]);
+    // The program's own value is not given, however it is written.
+    type_text(&mut session, ProgramField::Input(Input::Size), "25.0");
+    assert_eq!(given(&session), ["Q5 = 2"]);
+    give(&mut session, "Q1", "40");
+    assert_eq!(session.program().text(ProgramField::Input(Input::Size)), "40");
+    send(&mut session, ProgramCommand::DropValue(Parameter::q(1)));
+    assert_eq!(session.program().text(ProgramField::Input(Input::Size)), "25");
+    assert_eq!(given(&session), ["Q5 = 2"]);
+    // What the input does not allow is refused where it is typed, and nothing changes.
+    give(&mut session, "Q1", "0");
+    let error = session.program().error(ProgramField::Value).map(said).unwrap_or_default();
+    assert!(error.contains("is not above 0"), "{error}");
+    assert_eq!(session.program().text(ProgramField::Input(Input::Size)), "25");
+    // Another program begins with its own values.
+    give(&mut session, "Q1", "40");
+    send(&mut session, ProgramCommand::OpenShipped("8255_de.h"));
+    assert_eq!((session.program().text(ProgramField::Input(Input::Size)), given(&session)), ("25", Vec::new()));
+}
+
+#[test]
+fn a_called_program_gets_the_form_once_size_and_class_are_given() {
+    let mut session = opened("Q2 = Q1 + 1");
+    give(&mut session, "Q1", "25");
+    assert!(!session.program().has_inputs());
+    give(&mut session, "QS1", "H7");
+    assert_eq!(session.program().inputs().collect::<Vec<_>>(), [Input::Size, Input::Class]);
+    assert!(session.program().limits(session.sources()).unwrap().is_ok());
+    type_text(&mut session, ProgramField::Input(Input::Size), "26,,");
+    send(&mut session, ProgramCommand::Run);
+    assert_eq!(state(&session), "An input cannot be read");
+    // Without the form its unreadable text goes too: nothing stays that cannot be seen.
+    send(&mut session, ProgramCommand::DropValue(Parameter::qs(1)));
+    assert_eq!((session.program().has_inputs(), given(&session)), (false, Vec::new()));
+    send(&mut session, ProgramCommand::Run);
+    assert_eq!(run(&session).state(), State::Faulted, "{}", state(&session));
+}
+
 #[test]
 fn parameters_are_named_as_on_the_control() {
     #[track_caller]

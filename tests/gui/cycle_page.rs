@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, OutputCommand, Theme, Vec2, ViewportId, vec2};
+use eframe::egui::{Color32, FontId, Key, Modifiers, OutputCommand, Rect, TextStyle, Theme, Vec2, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
@@ -647,4 +647,110 @@ fn result_parameters_show_all_their_digits_with_the_decimal_signs_below_each_oth
     let said = simulated(&window);
     let figure = said.split_once(". ").and_then(|(_, rest)| rest.split_once(" mm")).map(|(figure, _)| figure).unwrap();
     assert_eq!(figure.split_once('.').map(|(_, decimals)| decimals.len()), Some(4), "{said}");
+}
+
+/// Whether a quiet text is drawn whole: as high as its words are in its width. One that was cut is too low.
+#[track_caller]
+fn assert_whole(window: &Harness<'_, App>, text: &str, rects: &[Rect]) {
+    let size = window.ctx.global_style().text_styles[&TextStyle::Small].size;
+    let font = FontId::proportional(size);
+    let needed = |width| {
+        let text = text.to_owned();
+        window.ctx.fonts_mut(|fonts| fonts.layout(text, font.clone(), Color32::PLACEHOLDER, width).size())
+    };
+    for rect in rects {
+        let within = needed(rect.width() + 1.0);
+        assert!(within.y <= rect.height() + 1.0, "{text} is cut: {rect:?}, needs {within:?}");
+    }
+}
+
+#[test]
+fn the_names_of_questions_and_results_are_whole_in_every_language() {
+    for language in [Language::En, Language::Nl] {
+        let mut window = page_with_421(Window { language, ..Window::default() });
+        key(&mut window, Modifiers::NONE, Key::Enter);
+        let words = fitcheck::words::Words::new(language);
+        for found in &window.state().session().cycles().run().unwrap().found().unwrap().results {
+            // The verdict may say it, too, in larger type.
+            let name = words.told(&found.name);
+            let rects: Vec<_> = window.get_all_by_label(&name).map(|node| node.rect()).collect();
+            assert_whole(&window, &name, &rects);
+        }
+        let cycle = window.state().session().cycles().cycle();
+        for parameter in cycle.parameters.iter().filter(|parameter| parameter.has_effect) {
+            let name = name(&window, &parameter.key.to_string());
+            let field = window
+                .get_by(|node| {
+                    [Role::TextInput, Role::ComboBox].contains(&node.role()) && node.label() == Some(name.clone())
+                })
+                .rect();
+            let label = window.get_by(|node| node.role() == Role::Label && node.value() == Some(name.clone())).rect();
+            assert_whole(&window, &name, &[label]);
+            assert!(label.right() <= field.left(), "{name}: {label:?} {field:?}");
+            assert!(label.top() <= field.center().y && field.center().y <= label.bottom(), "{name}: beside its field");
+        }
+    }
+}
+
+#[test]
+fn required_default_and_given_values_are_told_apart() {
+    let mut window = page();
+    let said = |window: &Harness<'_, App>, key: &str| {
+        let name = name(window, key);
+        let node = window.get_by_role_and_label(Role::TextInput, &name);
+        let node = node.accesskit_node();
+        let placeholder = node.placeholder().unwrap_or_default().to_owned();
+        (placeholder, node.data().description().unwrap_or_default().to_owned(), node.is_required())
+    };
+    assert_eq!(said(&window, "Q273"), ("required".into(), "Required".into(), true));
+    assert_eq!(said(&window, "Q325"), ("0".into(), "0° when nothing is typed".into(), false));
+    fill(&mut window, &[("Q273", "50"), ("Q325", "0")]);
+    for key in ["Q273", "Q325"] {
+        assert_eq!(said(&window, key), (String::new(), String::new(), false), "{key}");
+    }
+    // An error is said in place of it.
+    fill(&mut window, &[("Q325", "x")]);
+    assert!(said(&window, "Q325").1.contains("x is not a number"));
+}
+
+#[test]
+fn the_criteria_are_in_sight_after_a_run_without_scrolling() {
+    for language in [Language::En, Language::Nl] {
+        let mut window = page_with_421(Window { language, ..Window::default() });
+        key(&mut window, Modifiers::NONE, Key::Enter);
+        let words = fitcheck::words::Words::new(language);
+        for id in ["contacts", "cycles-criteria", "cycle-picture-least-squares", "cycle-picture-zone"] {
+            let rect = window.get_by_label(&words.get(id)).rect();
+            assert!(0.0 <= rect.top() && rect.bottom() <= DESK.y, "{language:?} {id}: {rect:?}");
+        }
+        let last = window.get_all_by_label_contains("2–4").map(|node| node.rect().bottom()).fold(0.0, f32::max);
+        assert!(0.0 < last && last <= DESK.y, "{language:?}: {last}");
+    }
+}
+
+/// Cycle 421 on a perfect part, in any language.
+fn page_with_421(window: Window) -> Harness<'static, App> {
+    let mut window = open(window);
+    let block = [("Q273", "50"), ("Q274", "20"), ("Q262", "25"), ("Q261", "-5"), ("Q275", "25.021"), ("Q276", "25")];
+    fill(&mut window, &block);
+    window
+}
+
+#[test]
+fn no_button_moves_when_a_result_comes() {
+    for language in [Language::En, Language::Nl] {
+        let mut window = page_with_421(Window { language, ..Window::default() });
+        let places = |window: &Harness<'_, App>| -> Vec<_> {
+            let nodes = [Role::Button, Role::ComboBox, Role::RadioButton, Role::TextInput]
+                .into_iter()
+                .flat_map(|role| window.get_all_by_role(role).collect::<Vec<_>>());
+            nodes.map(|node| (node.accesskit_node().label().unwrap_or_default(), node.rect())).collect()
+        };
+        let before = places(&window);
+        key(&mut window, Modifiers::NONE, Key::Enter);
+        let after = places(&window);
+        for place in before {
+            assert!(after.contains(&place), "{language:?}: {place:?} has moved, {after:#?}");
+        }
+    }
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Theme, Vec2, ViewportId, vec2};
+use eframe::egui::{Color32, FontId, Key, Modifiers, Rect, TextStyle, Theme, Vec2, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
@@ -235,7 +235,7 @@ fn the_simulated_workpiece_is_that_of_the_cycles_page() {
 fn a_class_that_neither_knows_is_refused_by_both() {
     let mut page = page();
     type_into(&mut page, "QS1 Class", "I7");
-    page.get_by_label_contains("I7");
+    page.get_by(|node| node.role() == Role::Label && node.value().is_some_and(|value| value.starts_with("I7 is not")));
     press(&mut page, Key::F5);
     says(&page, "Stopped with an error");
     says(&page, "Neither the program nor Fitcheck gives an answer");
@@ -507,4 +507,130 @@ fn picture_of_an_error_in_light() {
         open_file(page, &path);
         press(page, Key::F5);
     });
+}
+
+#[test]
+fn a_program_without_a_class_may_begin_with_a_q1_of_zero() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = program(folder.path(), "count.h", "Q1 = 0\nQ2 = Q1 + 1");
+    let mut page = page();
+    open_file(&mut page, &path);
+    assert!(page.query_by_role_and_label(Role::TextInput, "Q1 Nominal size").is_none());
+    press(&mut page, Key::F5);
+    says(&page, "Ended after 4 blocks");
+    page.get_by_label("Q2  = 1, changed");
+}
+
+#[test]
+fn what_is_given_to_an_input_is_in_its_field_and_in_both_answers() {
+    let mut page = page();
+    for (name, value) in [("Q1", "30"), ("QS1", "g6")] {
+        type_into(&mut page, "Start with", name);
+        type_into(&mut page, "Value", value);
+        press(&mut page, Key::Enter);
+    }
+    for (name, value) in [("Q1 Nominal size", "30"), ("QS1 Class", "g6")] {
+        let field = page.get_by_role_and_label(Role::TextInput, name);
+        assert_eq!(field.accesskit_node().value().as_deref(), Some(value), "{name}");
+    }
+    press(&mut page, Key::F5);
+    says(&page, "GOOD. 29.9865 mm");
+    says(&page, "The program agrees with Fitcheck");
+    page.get_by_label_contains("CHECKED FIT: 30 g6");
+    // Removed there, it is the program's own again here.
+    click(&mut page, Role::Button, "Q1 = 30, remove");
+    let field = page.get_by_role_and_label(Role::TextInput, "Q1 Nominal size");
+    assert_eq!(field.accesskit_node().value().as_deref(), Some("25"));
+}
+
+#[test]
+fn run_and_pause_are_one_button_in_one_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = program(folder.path(), "loop.h", "LBL 1\nQ1 = 1\nFN 9: IF +0 EQU +0 GOTO LBL 1");
+    for language in [Language::En, Language::Nl] {
+        let words = fitcheck::words::Words::new(language);
+        let mut page = open(Window { language, ..Window::default() });
+        press(&mut page, Key::Escape);
+        key(&mut page, Modifiers::COMMAND, Key::O);
+        let file = words.get("file-path");
+        page.get_by_role_and_label(Role::TextInput, &file).type_text(&path.display().to_string());
+        page.run();
+        press(&mut page, Key::Enter);
+        let place = |page: &Harnessed, id: &str| page.get_by_role_and_label(Role::Button, &words.get(id)).rect();
+        let names = ["program-page-step", "program-page-reset", "program-page-options"];
+        let before = names.map(|id| place(&page, id));
+        let run = place(&page, "program-page-run");
+        page.key_press(Key::F5);
+        page.run_steps(5);
+        assert_eq!(place(&page, "program-page-pause"), run, "{language:?}");
+        assert_eq!(names.map(|id| place(&page, id)), before, "{language:?}");
+        page.key_press(Key::Escape);
+        page.run_steps(3);
+    }
+}
+
+/// Where everything is that can be pressed, the lines of the listing included.
+fn places(page: &Harnessed) -> Vec<(Role, String, Rect)> {
+    let roles = [Role::Button, Role::ComboBox, Role::TextInput, Role::ListItem, Role::List];
+    let nodes = roles.into_iter().flat_map(|role| page.query_all_by_role(role).collect::<Vec<_>>());
+    let words = fitcheck::words::Words::new(page.state().session().language());
+    // A line says that it is the next block.
+    let next = format!(", {}", words.get("program-page-is-current"));
+    let label = |label: String| label.trim_end_matches(next.as_str()).to_owned();
+    nodes
+        .map(|node| {
+            (node.accesskit_node().role(), label(node.accesskit_node().label().unwrap_or_default()), node.rect())
+        })
+        .collect()
+}
+
+#[test]
+fn nothing_moves_when_a_path_a_result_or_an_error_comes() {
+    for language in [Language::En, Language::Nl] {
+        for class in ["H7", "I7"] {
+            let mut page = open(Window { language, ..Window::default() });
+            let words = fitcheck::words::Words::new(language);
+            let name = format!("QS1 {}", words.get("tolerance-class"));
+            type_into(&mut page, &name, class);
+            let before = places(&page);
+            press(&mut page, Key::F5);
+            assert!(run(&page).has_path() || class == "I7");
+            let title = page.state().session().program().main().unwrap().title().to_owned();
+            if page.state().session().program().shown().unwrap().title() != title {
+                // An error leads to the called program: its own lines are shown.
+                continue;
+            }
+            let after = places(&page);
+            for place in before {
+                assert!(after.contains(&place), "{language:?} {class}: {place:?} has moved");
+            }
+        }
+    }
+}
+
+#[test]
+fn errors_are_shown_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = program(
+        folder.path(),
+        "fault.h",
+        "Q1 = 5\nQ2 = 0\nFN 14: ERROR = 1000\nCALL PGM a_program_with_a_long_name_that_is_not_there_at_all.h",
+    );
+    for size in [DESK, vec2(1024.0, 600.0), vec2(800.0, 600.0)] {
+        let mut page = open(Window { size, ..Window::default() });
+        open_file(&mut page, &path);
+        press(&mut page, Key::F5);
+        says(&page, "Stopped with an error");
+        let message = page.state().session().program().note(0).unwrap().message;
+        let said = fitcheck::words::Words::new(Language::En).say(&message);
+        let note = page.get_by_role_and_label(Role::Button, &said).rect();
+        let size_of_text = page.ctx.global_style().text_styles[&TextStyle::Small].size;
+        let font = FontId::proportional(size_of_text);
+        let needed = |width| {
+            let (said, font) = (said.clone(), font.clone());
+            page.ctx.fonts_mut(|fonts| fonts.layout(said, font, Color32::PLACEHOLDER, width).size())
+        };
+        assert!(needed(note.width()).y <= note.height() + 1.0, "{size:?}: {said} is cut: {note:?}");
+        assert!(note.right() <= size.x && note.bottom() <= size.y, "{size:?}: {note:?}");
+    }
 }

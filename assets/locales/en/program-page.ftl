@@ -81,6 +81,7 @@ program-page-recorded = { $count ->
    *[other] { $count } contacts
   } from { $name }
 program-page-path = Path of the probe
+program-page-no-path = No path yet
 
 program-page-no-windows = The program has opened no window
 program-page-window = FN 16, { $mask }

@@ -81,6 +81,7 @@ program-page-recorded = { $count ->
    *[other] { $count } meetpunten
   } uit { $name }
 program-page-path = Weg van de taster
+program-page-no-path = Nog geen weg
 
 program-page-no-windows = Het programma heeft geen venster geopend
 program-page-window = FN 16, { $mask }

@@ -1,17 +1,21 @@
 //! Right: the verdict, the status window, the result parameters as the control lists them, and what is worth knowing.
 
-use eframe::egui::{Align, Label, Layout, RichText, Ui, vec2};
+use eframe::egui::{Align, Color32, Label, Layout, RichText, Ui, vec2};
 
 use crate::gui::check::mask_chooser_ui;
+use crate::gui::columns::is_low;
 use crate::gui::popup::popup_ui;
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::verdict_card::{Card, card_ui, half_um, lines_below_ui, remove, status_id};
-use crate::gui::view::{Digits, View, heading, quiet, quiet_cut};
+use crate::gui::view::{Digits, View, heading, quiet, quiet_height, quiet_within};
 use crate::length::{Length, Unit};
 use crate::message::Message;
 use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
 use crate::session::{Action, CycleRun, RunLog};
 use crate::words::Words;
+
+/// The height that a simulated good result takes.
+const CARD: f32 = 84.0;
 
 /// Below the verdict: status window, results, remarks.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -39,7 +43,16 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The verdict.
 pub(super) fn verdict_ui(ui: &mut Ui, view: &View<'_>) {
     let run = view.session.cycles().run();
+    let top = ui.cursor().top();
     card_ui(ui, view, &run_card(view, run));
+    // What stands below it does not move when a result comes.
+    // A wide column sets the word larger.
+    let room = (ui.available_width() * 0.2).min(ui.ctx().content_rect().height() * 0.14);
+    let larger = (room - sizes().status).max(0.0) * 1.5;
+    let left = space(CARD) + larger - (ui.cursor().top() - top);
+    if !is_low(ui) && 0.0 < left {
+        ui.add_space(left);
+    }
 }
 
 fn run_card(view: &View<'_>, run: Option<&CycleRun>) -> Card {
@@ -150,19 +163,29 @@ fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
         });
     });
     let decimals = decimals(result);
-    for found in &result.results {
-        let text = RichText::new(value(view.words, &found.value, decimals)).font(theme::font(sizes().body));
-        let row = vec2(ui.available_width(), sizes().body + space(1.0));
+    let shown: Vec<_> = result.results.iter().map(|found| value(view.words, &found.value, decimals)).collect();
+    let width = |text: &String| {
+        let font = theme::font(sizes().body);
+        ui.painter().layout_no_wrap(text.clone(), font, Color32::PLACEHOLDER).size().x
+    };
+    // Names take what the widest value leaves them, in as many lines as they need.
+    let widest = shown.iter().map(width).fold(0.0, f32::max);
+    let width = (ui.available_width() - space(11.0) - widest - ui.spacing().item_spacing.x * 2.0).max(space(10.0));
+    for (found, text) in result.results.iter().zip(shown) {
+        let text = RichText::new(text).font(theme::font(sizes().body));
+        let name = view.words.told(&found.name);
+        let height = quiet_height(ui, &name, width).max(sizes().body + space(1.0));
+        let row = vec2(ui.available_width(), height);
         ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_height(height);
             let text_of_key = RichText::new(found.key.to_string()).font(theme::bold(sizes().body));
             ui.allocate_ui_with_layout(vec2(space(11.0), row.y), Layout::left_to_right(Align::Center), |ui| {
                 ui.set_min_width(space(11.0));
                 ui.label(text_of_key);
             });
-            let name = view.words.told(&found.name);
+            quiet_within(ui, name, width);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.add(Label::new(text).selectable(true));
-                ui.with_layout(Layout::left_to_right(Align::Center), |ui| quiet_cut(ui, name));
             });
         });
     }

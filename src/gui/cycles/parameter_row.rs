@@ -1,13 +1,14 @@
 //! One parameter of a cycle: the control's question, a field or a choice, the unit, and an error below.
 
-use eframe::egui::{Align, Event, Id, Layout, Response, RichText, Ui, vec2};
+use eframe::egui::{Align, Event, Id, Layout, Rect, Response, RichText, Ui, vec2};
 
 use super::{keep_focus, wrong_field};
 use crate::gui::field::{Look, error_ui, field_ui, select_all};
-use crate::gui::theme::{control, palette, space};
-use crate::gui::view::{View, list_ui, quiet, quiet_cut};
-use crate::probing::cycle::{Meaning, Parameter, Range, Unset, Value};
-use crate::session::{CycleField, CyclesCommand, Field};
+use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::view::{View, list_ui, quiet, quiet_height, quiet_within};
+use crate::message::Message;
+use crate::probing::cycle::{Meaning, Parameter, Range, Value};
+use crate::session::{CycleField, CyclesCommand, Field, Standing};
 
 /// How wide a field is.
 const FIELD: f32 = 24.0;
@@ -23,40 +24,77 @@ pub(super) fn parameter_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static
     row_ui(ui, format!("{key}  {question}"), |ui, name| {
         has_focus = match parameter.range {
             Range::OneOf(allowed) => choice_ui(ui, view, (parameter, allowed), name),
-            _ => number_ui(ui, view, CycleField::Parameter(key), name, (parameter, &hint(view, parameter))),
+            _ => number_ui(ui, view, CycleField::Parameter(key), name, parameter),
         };
     });
     error_ui(ui, view, CycleField::Parameter(key));
     if view.session.cycles().is_predef(key) {
         row_ui(ui, format!("{key}  {}", view.text("cycles-predef")), |ui, name| {
-            has_focus |= number_ui(ui, view, CycleField::Global(key), name, (parameter, ""));
+            has_focus |= number_ui(ui, view, CycleField::Global(key), name, parameter);
         });
         error_ui(ui, view, CycleField::Global(key));
     }
     has_focus
 }
 
-/// A name on the left and its field at the right edge.
+/// A name on the left, whole, and its field at the right edge.
 pub(super) fn row_ui(ui: &mut Ui, name: String, field: impl FnOnce(&mut Ui, Id)) {
-    ui.horizontal(|ui| {
+    let width = (ui.available_width() - space(FIELD + UNIT + 2.0)).max(space(10.0));
+    let row = vec2(ui.available_width(), quiet_height(ui, &name, width).max(control(ui)));
+    ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_height(row.y);
         ui.spacing_mut().item_spacing.x = space(1.0);
-        let width = (ui.available_width() - space(FIELD + UNIT + 2.0)).max(space(10.0));
-        let label = ui.allocate_ui_with_layout(vec2(width, control(ui)), Layout::left_to_right(Align::Center), |ui| {
-            ui.set_min_width(width);
-            quiet_cut(ui, name)
-        });
-        field(ui, label.inner.id);
+        let name = quiet_within(ui, name, width);
+        field(ui, name.id);
     });
 }
 
-/// The default: what counts while nothing is typed.
-fn hint(view: &View<'_>, parameter: &Parameter) -> String {
-    match (parameter.default_with(view.session.cycles().inputs()), parameter.unset) {
-        (Some(value @ (Value::Length(_) | Value::Angle(_) | Value::Number(_))), _) => {
-            view.words.number(value.to_string().trim_end_matches('°'))
+/// What an empty field shows: a default in italics, so that it is not taken for something typed; what is missing in bold.
+fn hint(view: &View<'_>, standing: &Standing) -> RichText {
+    match standing {
+        Standing::Given => RichText::default(),
+        Standing::Required => required(view),
+        Standing::Default(value @ (Value::Length(_) | Value::Angle(_) | Value::Number(_))) => {
+            RichText::new(view.words.number(value.to_string().trim_end_matches('°'))).italics()
         }
-        (Some(_), _) | (None, Unset::Empty | Unset::Value(_)) => view.text("cycles-none"),
-        (None, Unset::Refused) => view.text("cycles-needed"),
+        Standing::Default(_) | Standing::Optional => RichText::new(view.text("cycles-none")).italics(),
+    }
+}
+
+fn required(view: &View<'_>) -> RichText {
+    RichText::new(view.text("cycles-needed")).font(theme::bold(sizes().body))
+}
+
+/// The mark of a field that must be filled in: a bar at its left edge.
+fn required_mark(ui: &Ui, field: Rect) {
+    let bar = Rect::from_min_size(field.min, vec2(space(1.0), field.height()));
+    ui.painter().rect_filled(bar, 2.0, palette(ui.ctx()).text.0);
+}
+
+/// What a screen reader says of a field in which nothing is typed, beside its name.
+fn describe(ui: &Ui, view: &View<'_>, field: CycleField, standing: &Standing, response: &Response) {
+    // An error has been said already.
+    if *standing == Standing::Given || view.session.error(field).is_some() {
+        return;
+    }
+    let said = standing_text(view, standing);
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_description(said.clone());
+        if *standing == Standing::Required {
+            node.set_required();
+        }
+    });
+}
+
+/// `50 mm when nothing is typed`, `Required`, `Optional`.
+pub(super) fn standing_text(view: &View<'_>, standing: &Standing) -> String {
+    match standing {
+        Standing::Required => view.text("cycles-must-be-given"),
+        Standing::Given | Standing::Optional => view.text("cycles-may-be-left-out"),
+        Standing::Default(value) => {
+            let value = view.words.number(&value.with_unit());
+            view.words.say(&Message::new("cycles-default").text("value", value))
+        }
     }
 }
 
@@ -68,15 +106,18 @@ fn lead_here(ui: &Ui, view: &View<'_>, field: Field, response: &Response) {
     }
 }
 
-fn number_ui(
-    ui: &mut Ui,
-    view: &mut View<'_>,
-    of: CycleField,
-    name: Id,
-    (parameter, hint): (&Parameter, &str),
-) -> bool {
-    let look = Look { hint: hint.to_owned(), ..Look::number(space(FIELD)) };
+fn number_ui(ui: &mut Ui, view: &mut View<'_>, of: CycleField, name: Id, parameter: &Parameter) -> bool {
+    // The value that PREDEF stands for has no default.
+    let standing = match of {
+        CycleField::Parameter(_) => view.session.cycles().standing(parameter),
+        _ => Standing::Given,
+    };
+    let look = Look { hint: hint(view, &standing), ..Look::number(space(FIELD)) };
     let response = field_ui(ui, view, of, name, look);
+    if standing == Standing::Required {
+        required_mark(ui, response.rect);
+    }
+    describe(ui, view, of, &standing, &response);
     quiet(ui, parameter.range.unit().unwrap_or_default());
     lead_here(ui, view, of.into(), &response);
     response.has_focus()
@@ -107,10 +148,11 @@ fn choice_ui(
         _ => None,
     };
     let quiet = palette(ui.ctx()).quiet.0;
+    let standing = view.session.cycles().standing(parameter);
     let shown = match chosen {
-        Some(number) if typed.is_empty() => RichText::new(said(number)).color(quiet),
+        Some(number) if typed.is_empty() => RichText::new(said(number)).color(quiet).italics(),
         Some(number) => RichText::new(said(number)),
-        None if typed.is_empty() => RichText::new(view.text("cycles-needed")).color(quiet),
+        None if typed.is_empty() => required(view).color(quiet),
         None => RichText::new(typed.clone()),
     };
     let mut choice = None;
@@ -129,6 +171,10 @@ fn choice_ui(
         }
     });
     let response = list.labelled_by(name);
+    if standing == Standing::Required {
+        required_mark(ui, response.rect);
+    }
+    describe(ui, view, CycleField::Parameter(key), &standing, &response);
     if choice.is_some() {
         keep_focus(ui, &response);
     } else if response.has_focus() {
@@ -159,7 +205,7 @@ pub(super) fn figure_ui(ui: &mut Ui, view: &mut View<'_>, of: impl Into<Field>, 
         Field::Workpiece(field) => field.is_optional(),
         _ => matches!(of, Field::Cycles(CycleField::Position(_))),
     };
-    let hint = if is_optional { view.text("cycles-none") } else { String::new() };
+    let hint = if is_optional { RichText::new(view.text("cycles-none")).italics() } else { RichText::default() };
     row_ui(ui, name, |ui, name| {
         let response = field_ui(ui, view, of, name, Look { hint, ..Look::number(space(FIELD)) });
         lead_here(ui, view, of, &response);

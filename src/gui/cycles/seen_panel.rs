@@ -3,14 +3,24 @@
 use eframe::egui::{Label, Slider, Ui, vec2};
 
 use super::form_panel::last_focused;
+use super::parameter_row::standing_text;
 use super::picture;
 use crate::gui::columns::{column_ui, of_height};
 use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
-use crate::probing::cycle::{Move, Parameter, Phase, Range, Unset, Value};
+use crate::probing::cycle::{Move, Parameter, Phase, Range};
 use crate::session::{Action, CycleRun, CyclesCommand, Step};
 use crate::words::Words;
+
+/// From this width things stand beside each other.
+const WIDE: f32 = 100.0;
+
+/// The height of what stands above the picture of the path.
+const PATH: f32 = 20.0;
+
+/// The height of the criteria of four contacts.
+const CRITERIA: f32 = 62.0;
 
 /// The panel.
 pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -21,39 +31,67 @@ pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.separator();
     }
     let session = view.session;
-    // Path and contacts share the remaining height; criteria follow below.
-    let height = ((ui.available_height() - space(40.0)) / 2.0).max(space(40.0));
+    let height = ui.available_height();
     column_ui(ui, "cycles-seen", |ui| match session.cycles().run() {
         None => _ = quiet(ui, view.text("cycles-nothing-seen")),
-        Some(run) => {
-            path_ui(ui, view, run, height);
-            if let Some(result) = run.found() {
-                ui.separator();
-                heading(ui, view.text("contacts"));
-                of_height(ui, height, |ui| picture::contacts_picture(ui, view, result, run.evaluation.as_ref()));
-            }
-            if let Some(evaluation) = &run.evaluation {
-                ui.separator();
-                heading(ui, view.text("cycles-criteria"));
-                picture::criteria_table(ui, view, evaluation);
-            }
-        }
+        Some(run) => run_ui(ui, view, run, height),
     });
+}
+
+/// What a run has to show, criteria in sight: path and contacts share the height that they leave, beside each other
+/// where there is room.
+fn run_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
+    let left = height - space(PATH) - if run.evaluation.is_some() { space(CRITERIA) } else { 0.0 };
+    let Some(result) = run.found() else {
+        path_ui(ui, view, run);
+        return path_picture(ui, view, run, left.max(space(40.0)));
+    };
+    path_ui(ui, view, run);
+    let contacts = |ui: &mut Ui, view: &View<'_>, height| {
+        heading(ui, view.text("contacts"));
+        of_height(ui, height, |ui| picture::contacts_picture(ui, view, result, run.evaluation.as_ref()));
+    };
+    if space(WIDE) < ui.available_width() {
+        let height = left.max(space(40.0));
+        let width = (ui.available_width() - space(3.0)) * 0.56;
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = space(3.0);
+            ui.allocate_ui(vec2(width, height), |ui| path_picture(ui, view, run, height));
+            ui.allocate_ui(vec2(ui.available_width(), height), |ui| {
+                ui.vertical(|ui| contacts(ui, view, height - space(6.0)));
+            });
+        });
+    } else {
+        let height = ((left - space(8.0)) / 2.0).max(space(40.0));
+        path_picture(ui, view, run, height);
+        ui.separator();
+        contacts(ui, view, height);
+    }
+    if let Some(evaluation) = &run.evaluation {
+        ui.separator();
+        heading(ui, view.text("cycles-criteria"));
+        picture::criteria_table(ui, view, evaluation);
+    }
 }
 
 /// What the parameter is, drawn and in words: question, range, default.
 fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
     let cycle = view.session.cycles().cycle();
+    let is_wide = space(WIDE) < ui.available_width();
     ui.horizontal_top(|ui| {
-        picture::parameter_picture(ui, view, cycle, parameter.key);
+        picture::parameter_picture(ui, view, cycle, parameter.key, is_wide);
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             heading(ui, parameter.key.to_string());
             ui.label(parameter.question(view.words.language().dialogue()));
             quiet(ui, allowed(view, parameter));
-            quiet(ui, default(view, parameter));
+            quiet(ui, standing_text(view, &view.session.cycles().unset(parameter)));
             if parameter.may_be_predef {
                 quiet(ui, view.text("cycles-may-be-predef"));
+            }
+            if is_wide {
+                ui.add_space(space(1.0));
+                picture::parameter_sentence(ui, view, parameter);
             }
         });
     });
@@ -69,25 +107,13 @@ fn allowed(view: &View<'_>, parameter: &Parameter) -> String {
     view.words.say(&Message::new("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
 }
 
-/// The default: what counts when nothing is typed.
-fn default(view: &View<'_>, parameter: &Parameter) -> String {
-    match (parameter.default_with(view.session.cycles().inputs()), parameter.unset) {
-        (None, Unset::Refused) => view.text("cycles-must-be-given"),
-        (None | Some(Value::Band(None)), _) => view.text("cycles-may-be-left-out"),
-        (Some(value), _) => {
-            let value = view.words.number(&value.with_unit());
-            view.words.say(&Message::new("cycles-default").text("value", value))
-        }
-    }
-}
-
-/// The path up to a move, the buttons that step along it, and the move in words.
-fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
+/// The buttons that step along the path, and the move in words.
+fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun) {
     let step = view.session.cycles().step();
     let Some(now) = run.path.get(step) else { return };
     let said = said(view.words, now, step, run.path.len());
     // Beside the heading where there is room for it.
-    let wide = space(120.0) < ui.available_width();
+    let wide = space(WIDE) < ui.available_width();
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
         heading(ui, view.text("cycles-path"));
@@ -99,6 +125,11 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
     if !wide {
         ui.label(said);
     }
+}
+
+/// The path up to a move.
+fn path_picture(ui: &mut Ui, view: &View<'_>, run: &CycleRun, height: f32) {
+    let step = view.session.cycles().step();
     of_height(ui, height, |ui| picture::path_picture(ui, view, &run.path, step + 1, run.nominal, run.ball_radius));
 }
 

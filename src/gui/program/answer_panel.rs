@@ -47,6 +47,11 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &View<'_>) {
     let size = if status.is_some() { sizes().status * 0.5 } else { sizes().value };
     let card = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::symmetric(12, 8)).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
+        // As high before the run as after it: nothing below moves.
+        let line = |size: f32| ui.fonts_mut(|fonts| fonts.row_height(&theme::bold(size)));
+        let above = if view.session.program().is_simulated() { line(sizes().limits) + space(1.0) } else { 0.0 };
+        ui.set_min_height(above + line(sizes().status * 0.5).max(space(9.0)));
+        ui.spacing_mut().item_spacing.y = space(1.0);
         if let Some(simulated) = &simulated {
             ui.label(RichText::new(simulated).font(theme::bold(sizes().limits)).color(colour));
         }

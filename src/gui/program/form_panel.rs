@@ -1,4 +1,4 @@
-//! Left: the inputs of 8255, what is measured, and program and native answer side by side.
+//! Left: the inputs of 8255, what is measured, and below them program and native answer side by side.
 
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
@@ -16,13 +16,17 @@ use crate::verdict::Status;
 
 /// The panel's content.
 pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if view.session.program().has_inputs() {
+    // What a run changes comes last: nothing below it can move.
+    let has_inputs = view.session.program().has_inputs();
+    if has_inputs {
         inputs_ui(ui, view);
-        ui.separator();
-        native_ui(ui, view);
         ui.separator();
     }
     workpiece_ui(ui, view);
+    if has_inputs {
+        ui.separator();
+        native_ui(ui, view);
+    }
 }
 
 const fn input_id(input: Input) -> &'static str {

@@ -9,7 +9,7 @@
 //! | `answer_panel` | right: windows, files, what was measured |
 //! | `watch_panel` | right, below: parameters |
 //! | `path_panel` | below the listing: the path of the probe |
-//! | `notes_panel` | below the listing: errors, warnings and remarks, each a link to its block |
+//! | `notes_panel` | below the listing, beside the path: errors, warnings and remarks, each a link to its block |
 
 mod answer_panel;
 mod form_panel;
@@ -45,7 +45,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     Panel::top("program-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
     let inputs = |ui: &mut Ui, view: &mut View<'_>| {
         form_panel::form_ui(ui, view);
-        if low && path_panel::has_path(view) {
+        if low && path_panel::has_room(view) {
             ui.separator();
             path_panel::path_ui(ui, view);
         }
@@ -87,10 +87,18 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let frame = Frame::new().fill(palette(ui.ctx()).panel.0);
     CentralPanel::default().frame(frame).show(ui, |ui| {
-        notes_panel::notes_ui(ui, view);
-        if !low && path_panel::has_path(view) {
+        if !low && path_panel::has_room(view) {
+            // Of one height whatever a run finds: notes stand beside the path, and the listing does not move.
             let height = ui.available_height() * 0.36;
-            Panel::bottom("program-path").exact_size(height).show(ui, |ui| path_panel::path_ui(ui, view));
+            Panel::bottom("program-path").exact_size(height).show(ui, |ui| {
+                if 0 < view.session.program().note_count() {
+                    let half = ui.available_width() * 0.5;
+                    Panel::left("program-notes").exact_size(half).show(ui, |ui| notes_panel::notes_ui(ui, view));
+                }
+                CentralPanel::default().show(ui, |ui| path_panel::path_ui(ui, view));
+            });
+        } else if let Some(height) = notes_panel::height(ui, view) {
+            Panel::bottom("program-notes-below").exact_size(height).show(ui, |ui| notes_panel::notes_ui(ui, view));
         }
         listing::listing_ui(ui, view);
     });

@@ -1,48 +1,80 @@
-//! Below the listing: errors, warnings and remarks, one per line; a click shows the block.
+//! Below the listing: errors, warnings and remarks, whole; a click shows the block.
 
-use eframe::egui::{Button, Panel, RichText, ScrollArea, Sense, Ui, vec2};
+use eframe::egui::{Button, Color32, FontId, RichText, ScrollArea, Sense, Ui, vec2};
 
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::session::ProgramCommand;
-use crate::session::program::{NoteKind, Run};
+use crate::session::program::{Note, NoteKind, Run};
 use crate::verdict::Status;
 
 /// How many lines are visible without scrolling.
-const LINES: u8 = 4;
+const LINES: f32 = 4.0;
 
-/// The panel, where there are notes.
+/// Up to this many notes take as many lines as they need. Of more, each takes one, and the one about the selected block
+/// is shown whole above them.
+const MOST_WHOLE: usize = 100;
+
+/// The height that the notes need where they are on their own; `None` where there are none.
+pub(super) fn height(ui: &Ui, view: &View<'_>) -> Option<f32> {
+    let program = view.session.program();
+    let count = program.note_count();
+    // The border of the panel, the mark and the scroll bar take their part.
+    let width = ui.available_width() - space(15.0);
+    let notes = (0..count.min(MOST_WHOLE)).filter_map(|number| program.note(number));
+    let lines: f32 = notes.map(|note| note_height(ui, view, &note, width).max(control(ui))).sum();
+    (0 < count).then(|| lines.min(control(ui) * LINES) + control(ui) + space(4.0))
+}
+
+fn note_height(ui: &Ui, view: &View<'_>, note: &Note, width: f32) -> f32 {
+    ui.painter().layout(view.words.say(&note.message), font(note), Color32::PLACEHOLDER, width).size().y
+}
+
+fn font(note: &Note) -> FontId {
+    if note.kind == NoteKind::Error { theme::bold(sizes().small) } else { theme::font(sizes().small) }
+}
+
+/// The notes in the room that is left.
 pub(super) fn notes_ui(ui: &mut Ui, view: &mut View<'_>) {
     let program = view.session.program();
     let count = program.note_count();
-    if count == 0 {
+    ui.spacing_mut().item_spacing.y = 0.0;
+    ui.horizontal_wrapped(|ui| {
+        heading(ui, view.words.say(&Message::new("program-page-problems").count("count", count)));
+        let unlisted = program.run().map_or(0, Run::unlisted_remarks);
+        if 0 < unlisted {
+            quiet(ui, view.words.say(&Message::new("program-page-unlisted").count("count", unlisted)));
+        }
+    });
+    let area = ScrollArea::vertical().id_salt("problems").auto_shrink(false).min_scrolled_height(0.0);
+    if count <= MOST_WHOLE {
+        area.show(ui, |ui| {
+            ui.set_max_width(ui.available_width() - space(2.5));
+            (0..count).filter_map(|number| program.note(number)).for_each(|note| row_ui(ui, view, note, true));
+        });
         return;
     }
-    let row = control(ui);
-    let lines = f32::from(u8::try_from(count).unwrap_or(LINES).min(LINES));
-    let height = row * (lines + 1.0) + space(4.0);
-    Panel::bottom("program-problems").exact_size(height).show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 0.0;
-        ui.horizontal(|ui| {
-            heading(ui, view.words.say(&Message::new("program-page-problems").count("count", count)));
-            let unlisted = program.run().map_or(0, Run::unlisted_remarks);
-            if 0 < unlisted {
-                quiet(ui, view.words.say(&Message::new("program-page-unlisted").count("count", unlisted)));
-            }
-        });
-        let area = ScrollArea::vertical().id_salt("problems").auto_shrink(false).min_scrolled_height(0.0);
-        area.show_rows(ui, row, count, |ui, rows| {
-            for number in rows {
-                row_ui(ui, view, number);
-            }
-        });
+    let document = program.shown();
+    let of_selected = |note: &Note| {
+        document
+            .is_some_and(|document| note.place.block == document.selected() && note.place.program == *document.path())
+    };
+    // Only as far as a frame can look.
+    let selected = (0..count.min(MOST_WHOLE * 10)).filter_map(|number| program.note(number)).find(of_selected);
+    if let Some(note) = selected {
+        row_ui(ui, view, note, true);
+        ui.separator();
+    }
+    area.show_rows(ui, control(ui), count, |ui, rows| {
+        for note in rows.filter_map(|number| program.note(number)) {
+            row_ui(ui, view, note, false);
+        }
     });
 }
 
-fn row_ui(ui: &mut Ui, view: &mut View<'_>, number: usize) {
-    let Some(note) = view.session.program().note(number) else { return };
+fn row_ui(ui: &mut Ui, view: &mut View<'_>, note: Note, is_whole: bool) {
     let palette = palette(ui.ctx());
     let is_error = note.kind == NoteKind::Error;
     ui.horizontal(|ui| {
@@ -50,10 +82,10 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, number: usize) {
         let (shape, colour) = if is_error { (Some(Status::Scrap), palette.error.0) } else { (None, palette.quiet.0) };
         shapes::status(ui.painter(), mark, shape, colour);
         let said = view.words.say(&note.message);
-        let font = if is_error { theme::bold(sizes().small) } else { theme::font(sizes().small) };
         let colour = if is_error { palette.error.0 } else { palette.text.0 };
-        let text = RichText::new(&said).font(font).color(colour);
-        let button = Button::new(text).frame(false).truncate().min_size(vec2(0.0, control(ui)));
+        let text = RichText::new(&said).font(font(&note)).color(colour);
+        let button = Button::new(text).frame(false).min_size(vec2(0.0, control(ui)));
+        let button = if is_whole { button.wrap() } else { button.truncate() };
         if ui.add(button).on_hover_text(said).clicked() {
             view.send(ProgramCommand::GoTo(note.place));
         }

@@ -1,7 +1,7 @@
 //! Above: which program; run, pause, single block, breakpoints, speed; what the run does, in words.
 
 use eframe::egui::accesskit::Live;
-use eframe::egui::{Button, RichText, Sense, Ui, vec2};
+use eframe::egui::{Align, Button, Layout, RichText, ScrollArea, Sense, Ui, vec2};
 
 use super::paint;
 use crate::gui::theme::{self, control, palette, sizes, space};
@@ -10,7 +10,16 @@ use crate::nc::machine::Shipped;
 use crate::session::program::{Document, EntryKind, Origin, Run, Speed, State, Switch};
 use crate::session::{Action, Command, ProgramCommand, Purpose};
 
-/// Two rows: what can be done with the program, and where the run is.
+/// The width of the list of places to go to.
+const OUTLINE: f32 = 52.0;
+
+/// The width of the list of speeds.
+const LIST: f32 = 32.0;
+
+/// From this width what the run does stands beside the choices.
+const WIDE: f32 = 190.0;
+
+/// Two rows, three in a narrow window: what can be done with the program, and where the run is.
 pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
@@ -19,16 +28,42 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.separator();
         run_ui(ui, view);
     });
-    ui.horizontal_wrapped(|ui| {
-        ui.set_min_height(control(ui));
-        state_ui(ui, view);
-        calls_ui(ui, view);
-        ui.separator();
+    // What changes in length comes last, and in a row of its own where it would soon be cut.
+    let is_wide = space(WIDE) < ui.available_width();
+    ui.horizontal(|ui| {
         outline_ui(ui, view);
-        speed_ui(ui, view);
+        of_width(ui, LIST, |ui| speed_ui(ui, view));
         options_ui(ui, view);
+        if is_wide {
+            ui.separator();
+            progress_ui(ui, view);
+        }
     });
+    if !is_wide {
+        progress_ui(ui, view);
+    }
     ui.add_space(space(1.0));
+}
+
+/// A list that keeps its width whatever it shows.
+fn of_width<R>(ui: &mut Ui, steps: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
+    let size = vec2(space(steps), control(ui));
+    ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_width(size.x);
+        content(ui)
+    })
+    .inner
+}
+
+/// What the run does and which programs called one another, in one line that scrolls: nothing below it moves.
+fn progress_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ScrollArea::horizontal().id_salt("program-progress").auto_shrink([false, true]).show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.set_min_height(control(ui));
+            state_ui(ui, view);
+            calls_ui(ui, view);
+        });
+    });
 }
 
 fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -56,11 +91,10 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if view.session.program().is_running() {
-        view.field_button(ui, Action::PauseProgram);
-    } else {
-        view.main_button(ui, Action::RunProgram, vec2(space(20.0), control(ui)));
-    }
+    let (run, pause) = (Action::RunProgram, Action::PauseProgram);
+    let width = view.width_of(ui, &[run, pause]).max(space(20.0));
+    let action = if view.session.program().is_running() { pause } else { run };
+    view.main_button(ui, action, vec2(width, control(ui)));
     for action in
         [Action::StepProgram, Action::StepOver, Action::RunToSelected, Action::ToggleBreakpoint, Action::ResetProgram]
     {
@@ -79,7 +113,7 @@ const fn speed_id(speed: Speed) -> &'static str {
 fn speed_ui(ui: &mut Ui, view: &mut View<'_>) {
     let speed = view.session.program().speed();
     let name = view.text("program-page-speed");
-    let list = list_ui(ui, "program-speed", view.text(speed_id(speed)), space(26.0), |ui| {
+    let list = list_ui(ui, "program-speed", view.text(speed_id(speed)), space(LIST), |ui| {
         for choice in Speed::ALL {
             if ui.selectable_label(choice == speed, view.text(speed_id(choice))).clicked() {
                 view.send(ProgramCommand::SetSpeed(choice));
@@ -139,23 +173,25 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
     let text = under.and_then(|number| outline.get(number)).map(|entry| entry.text.clone());
     let text = text.unwrap_or_else(|| view.text("program-page-outline-none"));
     let height = list_height(ui);
-    let list = list_ui(ui, "program-outline", text, space(46.0), |ui| {
-        ui.set_min_width(space(70.0));
-        // Only the entries in sight: there may be thousands.
-        let area = eframe::egui::ScrollArea::vertical().max_height(height).id_salt("outline");
-        area.show_rows(ui, control(ui), outline.len(), |ui, rows| {
-            for (number, entry) in rows.clone().zip(outline.get(rows).unwrap_or_default()) {
-                let depth = entry.depth.saturating_sub(1) + usize::from(entry.kind == EntryKind::Label);
-                let text = format!("{}{}", "    ".repeat(depth.min(8)), entry.text);
-                let button = Button::selectable(under == Some(number), text).truncate();
-                if ui.add(button.min_size(vec2(0.0, control(ui)))).clicked() {
-                    let program = document.path().clone();
-                    let place = crate::nc::machine::BlockPlace { program, block: entry.block };
-                    view.send(ProgramCommand::GoTo(place));
-                    ui.close();
+    let list = of_width(ui, OUTLINE, |ui| {
+        list_ui(ui, "program-outline", text, space(OUTLINE), |ui| {
+            ui.set_min_width(space(70.0));
+            // Only the entries in sight: there may be thousands.
+            let area = ScrollArea::vertical().max_height(height).id_salt("outline");
+            area.show_rows(ui, control(ui), outline.len(), |ui, rows| {
+                for (number, entry) in rows.clone().zip(outline.get(rows).unwrap_or_default()) {
+                    let depth = entry.depth.saturating_sub(1) + usize::from(entry.kind == EntryKind::Label);
+                    let text = format!("{}{}", "    ".repeat(depth.min(8)), entry.text);
+                    let button = Button::selectable(under == Some(number), text).truncate();
+                    if ui.add(button.min_size(vec2(0.0, control(ui)))).clicked() {
+                        let program = document.path().clone();
+                        let place = crate::nc::machine::BlockPlace { program, block: entry.block };
+                        view.send(ProgramCommand::GoTo(place));
+                        ui.close();
+                    }
                 }
-            }
-        });
+            });
+        })
     });
     list.labelled_by(name.id);
 }

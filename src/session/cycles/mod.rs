@@ -53,6 +53,19 @@ impl ContactsFrom {
     pub const ALL: [Self; 3] = [Self::Perfect, Self::Simulated, Self::Recorded];
 }
 
+/// Where the value of a parameter comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Standing {
+    /// It was typed.
+    Given,
+    /// Nothing was typed, and this counts.
+    Default(Value),
+    /// Nothing was typed, and it may be left out.
+    Optional,
+    /// Nothing was typed, and it must be given.
+    Required,
+}
+
 /// The state of the cycles page.
 #[derive(Debug)]
 pub struct CyclesPage {
@@ -126,6 +139,21 @@ impl CyclesPage {
     /// The value of a parameter: what was typed or its default, where that can be used.
     pub fn value(&self, parameter: &Parameter) -> Option<Value> {
         self.inputs.value(parameter.key).cloned().or_else(|| parameter.default_with(&self.inputs))
+    }
+
+    /// Where the value of a parameter comes from.
+    pub fn standing(&self, parameter: &Parameter) -> Standing {
+        let is_given = !self.text(CycleField::Parameter(parameter.key)).trim().is_empty();
+        if is_given { Standing::Given } else { self.unset(parameter) }
+    }
+
+    /// What counts for a parameter while nothing is typed.
+    pub fn unset(&self, parameter: &Parameter) -> Standing {
+        match (parameter.default_with(&self.inputs), parameter.unset) {
+            (None, Unset::Refused) => Standing::Required,
+            (None | Some(Value::Band(None)), _) => Standing::Optional,
+            (Some(value), _) => Standing::Default(value),
+        }
     }
 
     /// Whether PREDEF was typed for a parameter, so that its value must be given elsewhere.

@@ -42,10 +42,7 @@ impl PageState for ProgramPage {
             ProgramCommand::Pin(parameter, true) => _ = self.pinned.insert(parameter),
             ProgramCommand::Pin(parameter, false) => _ = self.pinned.remove(&parameter),
             ProgramCommand::SetValue => self.give_value(),
-            ProgramCommand::DropValue(parameter) => {
-                self.given.remove(&parameter);
-                self.reset();
-            }
+            ProgramCommand::DropValue(parameter) => self.drop_value(parameter),
         }
         Vec::new()
     }

@@ -18,6 +18,7 @@ pub struct Document {
     names: BTreeMap<Parameter, String>,
     /// The inputs of 8255 as the program assigns them.
     assigned: BTreeMap<Input, String>,
+    may_measure: bool,
     selected: usize,
     longest: usize,
 }
@@ -60,7 +61,9 @@ impl Document {
         let longest = (0..program.line_count()).map(|line| program.line(line).chars().count()).max().unwrap_or(0);
         let names = names(&program);
         let assigned = assigned(&program);
-        Self { path, program, outline, names, assigned, selected: 0, longest }
+        let measures = |body: &Body| matches!(body, Body::Probe(_) | Body::CallProgram(_));
+        let may_measure = program.blocks().iter().any(|block| measures(&block.body));
+        Self { path, program, outline, names, assigned, may_measure, selected: 0, longest }
     }
 
     /// Its path, as programs write it.
@@ -96,6 +99,11 @@ impl Document {
     /// The inputs of 8255 as the program assigns them.
     pub(super) const fn assigned(&self) -> &BTreeMap<Input, String> {
         &self.assigned
+    }
+
+    /// Whether a run of it may move the probe: it measures or calls a program.
+    pub const fn may_measure(&self) -> bool {
+        self.may_measure
     }
 
     /// The selected block.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Document, ProgramField, ProgramPage};
+use super::{ProgramField, ProgramPage};
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
@@ -50,6 +50,11 @@ impl Input {
         }
     }
 
+    /// The input that a parameter holds.
+    pub(super) fn of(parameter: Parameter) -> Option<Self> {
+        Self::ALL.into_iter().find(|input| input.parameter() == parameter)
+    }
+
     /// Its unit.
     pub const fn unit(self) -> &'static str {
         match self {
@@ -72,7 +77,7 @@ impl Input {
     }
 
     /// Reads a text as the value of the parameter.
-    fn read(self, text: &str) -> Result<Value, Message> {
+    pub(super) fn read(self, text: &str) -> Result<Value, Message> {
         let Some(meaning) = self.of_cycle() else {
             return match self {
                 Self::Class => Ok(Value::Text(text.trim().to_owned())),
@@ -113,7 +118,7 @@ pub(super) fn assigned(program: &Program) -> BTreeMap<Input, String> {
             | Body::Other => continue,
             _ => break,
         };
-        if let Some(input) = Input::ALL.into_iter().find(|input| input.parameter() == to) {
+        if let Some(input) = Input::of(to) {
             found.entry(input).or_insert(text);
         }
     }
@@ -141,15 +146,35 @@ pub enum Agreement {
 }
 
 impl ProgramPage {
-    /// Whether the open program has the inputs of 8255: at least size and class.
+    /// Whether the open program has the inputs of 8255: at least size and class, assigned or given. Without them Q1
+    /// means whatever the program wants: it is no nominal size, and nothing is asked of it.
     pub fn has_inputs(&self) -> bool {
-        let has = |input| self.main().is_some_and(|document| document.assigned().contains_key(&input));
-        has(Input::Size) && has(Input::Class)
+        self.has_input(Input::Size) && self.has_input(Input::Class)
     }
 
-    /// The inputs that the open program assigns.
+    fn has_input(&self, input: Input) -> bool {
+        self.own(input).is_some() || self.typed.contains_key(&input.parameter())
+    }
+
+    /// Whether the program has the inputs of 8255 once this one has been given.
+    pub(super) fn would_have_inputs(&self, given: Input) -> bool {
+        [Input::Size, Input::Class].into_iter().all(|input| input == given || self.has_input(input))
+    }
+
+    /// The inputs of 8255 that the open program assigns or that were given to it; none where it has another purpose.
     pub fn inputs(&self) -> impl Iterator<Item = Input> {
-        self.main().into_iter().flat_map(|document| document.assigned().keys().copied())
+        let has_inputs = self.has_inputs();
+        Input::ALL.into_iter().filter(move |input| has_inputs && self.has_input(*input))
+    }
+
+    /// What the open program itself assigns to an input.
+    fn own(&self, input: Input) -> Option<&str> {
+        self.main()?.assigned().get(&input).map(String::as_str)
+    }
+
+    /// The value of that.
+    pub(super) fn own_value(&self, input: Input) -> Option<Value> {
+        input.read(self.own(input)?).ok()
     }
 
     fn input(&self, input: Input) -> Option<Value> {
@@ -164,28 +189,23 @@ impl ProgramPage {
         }
     }
 
-    /// The changed inputs, as values for the start of a run.
-    pub(super) fn changed_inputs(&self) -> Vec<(Parameter, Value)> {
-        let assigned = self.main().into_iter().flat_map(Document::assigned);
-        let all = assigned.filter_map(|(&input, own)| {
-            let value = self.input(input)?;
-            (input.read(own).ok().as_ref() != Some(&value)).then(|| (input.parameter(), value))
-        });
-        all.collect()
+    /// Takes what was typed into an input's field.
+    pub(super) fn type_input(&mut self, input: Input, text: String) {
+        self.typed.insert(input.parameter(), text);
+        self.check_inputs();
     }
 
-    /// Reads the inputs anew.
+    /// Reads the inputs and all other given values anew.
     pub(super) fn check_inputs(&mut self) {
+        let asked: Vec<_> = self.inputs().collect();
         for input in Input::ALL {
             let field = ProgramField::Input(input);
             self.errors.remove(&field);
-            if !self.inputs().any(|assigned| assigned == input) {
-                continue;
-            }
-            if let Err(problem) = input.read(self.text(field)) {
+            if let Some(Err(problem)) = asked.contains(&input).then(|| input.read(self.text(field))) {
                 self.errors.insert(field, problem);
             }
         }
+        self.read_typed();
     }
 }
 

@@ -62,7 +62,9 @@ pub struct ProgramPage {
     texts: BTreeMap<ProgramField, String>,
     errors: BTreeMap<ProgramField, Message>,
     workpiece: WorkpieceFrom,
-    /// Values that are given before a run.
+    /// What the user typed for parameters, in the form or under "Start with": the only place for both.
+    typed: BTreeMap<Parameter, String>,
+    /// The values of these texts, for the start of a run.
     given: BTreeMap<Parameter, Value>,
     pinned: BTreeSet<Parameter>,
     breakpoints: BTreeSet<BlockPlace>,
@@ -103,9 +105,13 @@ impl ProgramPage {
         self.shown.as_ref().and_then(|path| self.documents.get_mut(path))
     }
 
-    /// The text of a field.
+    /// The text of a field. An input shows what the user gave its parameter, or else what the program assigns.
     pub fn text(&self, field: ProgramField) -> &str {
-        self.texts.get(&field).map_or("", String::as_str)
+        let typed = match field {
+            ProgramField::Input(input) => self.typed.get(&input.parameter()),
+            _ => None,
+        };
+        typed.or_else(|| self.texts.get(&field)).map_or("", String::as_str)
     }
 
     /// What is wrong with a field.

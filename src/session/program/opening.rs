@@ -56,7 +56,7 @@ impl ProgramPage {
             self.texts.insert(ProgramField::Input(*input), text);
         }
         self.breakpoints.clear();
-        self.given.clear();
+        self.typed.clear();
         self.documents.clear();
         self.documents.insert(path.clone(), document);
         (self.main, self.shown, self.origin) = (Some(path.clone()), Some(path), Some(origin));
@@ -67,18 +67,18 @@ impl ProgramPage {
     }
 
     pub(super) fn type_text(&mut self, field: ProgramField, text: String) {
+        if let ProgramField::Input(input) = field {
+            self.type_input(input, text);
+            return self.reset();
+        }
         self.texts.insert(field, text);
         match field {
-            ProgramField::Input(_) => {
-                self.check_inputs();
-                self.reset();
-            }
+            ProgramField::Input(_) | ProgramField::Filter => {}
             ProgramField::Diameter | ProgramField::WorkpieceX | ProgramField::WorkpieceY => {
                 self.workpiece = WorkpieceFrom::Given;
                 self.check_workpiece();
                 self.reset();
             }
-            ProgramField::Filter => {}
             ProgramField::Name | ProgramField::Value => _ = self.errors.remove(&field),
         }
     }

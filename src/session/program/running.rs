@@ -78,9 +78,6 @@ impl ProgramPage {
         settings.block_skip = self.is_on(Switch::BlockSkip);
         settings.optional_stop = self.is_on(Switch::OptionalStop);
         let mut machine = Machine::new(&path, program, folders, contacts, settings);
-        for (parameter, value) in self.changed_inputs() {
-            machine.set(parameter, value).map_err(|fault| fault.message())?;
-        }
         for (parameter, value) in &self.given {
             machine.set(*parameter, value.clone()).map_err(|fault| fault.message())?;
         }

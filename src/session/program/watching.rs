@@ -1,6 +1,8 @@
 //! Parameters with their names and changes, and values that are given before a run.
 
-use super::{ProgramField, ProgramPage};
+use std::collections::BTreeMap;
+
+use super::{Input, ProgramField, ProgramPage};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::length::Length;
 use crate::message::Message;
@@ -96,7 +98,7 @@ impl ProgramPage {
         own().map(Name::Control).or_else(|| comment.map(Name::Program))
     }
 
-    /// Values that are given to the next run.
+    /// Values that are given to the next run, under "Start with" or by an input that was changed.
     pub fn given(&self) -> impl Iterator<Item = (Parameter, &Value)> {
         self.given.iter().map(|(parameter, value)| (*parameter, value))
     }
@@ -121,13 +123,19 @@ fn parameter(text: &str) -> Option<Parameter> {
 }
 
 /// What is typed for a parameter, as its value: any text for QS, a number for all others.
-fn value_of(parameter: Parameter, text: &str) -> Option<Value> {
+fn value_of(parameter: Parameter, text: &str) -> Result<Value, Message> {
     if parameter.family == Family::Qs {
-        return Some(Value::Text(text.to_owned()));
+        return Ok(Value::Text(text.to_owned()));
     }
-    let number = text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite())?;
+    let number = text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite());
+    let number = number.ok_or_else(|| Message::new("program-page-no-number").text("given", text))?;
     // Up to six decimals are exact as a length.
-    Some(text.parse::<Length>().map_or(Value::Number(number), Value::Length))
+    Ok(text.parse::<Length>().map_or(Value::Number(number), Value::Length))
+}
+
+/// What is given to a parameter, as its value: as its input allows, where it is one of the form.
+fn read_given(parameter: Parameter, text: &str, input: Option<Input>) -> Result<Value, Message> {
+    input.map_or_else(|| value_of(parameter, text), |input| input.read(text))
 }
 
 impl ProgramPage {
@@ -143,14 +151,45 @@ impl ProgramPage {
             return;
         };
         let text = self.text(ProgramField::Value).trim().to_owned();
-        let Some(value) = value_of(parameter, &text) else {
-            let problem = Message::new("program-page-no-number").text("given", text);
+        if let Err(problem) = read_given(parameter, &text, self.input_given(parameter)) {
             self.errors.insert(ProgramField::Value, problem);
             return;
-        };
-        self.given.insert(parameter, value);
+        }
+        self.typed.insert(parameter, text);
         self.texts.remove(&ProgramField::Name);
         self.texts.remove(&ProgramField::Value);
+        self.check_inputs();
         self.reset();
+    }
+
+    /// Forgets what was given to a parameter: the program's own value counts again.
+    pub(super) fn drop_value(&mut self, parameter: Parameter) {
+        self.typed.remove(&parameter);
+        // Without its form, a text that only its field could show would be out of reach.
+        if !self.has_inputs() {
+            self.typed.retain(|parameter, text| value_of(*parameter, text).is_ok());
+        }
+        self.check_inputs();
+        self.reset();
+    }
+
+    /// The input of the form that a parameter is, once it has been given a value.
+    fn input_given(&self, parameter: Parameter) -> Option<Input> {
+        let input = Input::of(parameter)?;
+        self.would_have_inputs(input).then_some(input)
+    }
+
+    /// Reads anew what was typed for parameters; what an input repeats of its program is not given.
+    pub(super) fn read_typed(&mut self) {
+        let inputs: Vec<_> = self.inputs().collect();
+        let mut given = BTreeMap::new();
+        for (&parameter, text) in &self.typed {
+            let input = Input::of(parameter).filter(|input| inputs.contains(input));
+            let Ok(value) = read_given(parameter, text, input) else { continue };
+            if input.and_then(|input| self.own_value(input)).as_ref() != Some(&value) {
+                given.insert(parameter, value);
+            }
+        }
+        self.given = given;
     }
 }

@@ -12,6 +12,9 @@ use crate::words::Words;
 /// Up to this many two-point sizes are listed one by one; of more, the smallest and the largest.
 const MOST_PAIRS: usize = 4;
 
+/// Below this width the table is set in small type.
+const NARROW: f32 = 140.0;
+
 /// The heads of the columns.
 const HEADS: [&str; 4] = [
     "cycle-picture-head-centre-1",
@@ -23,14 +26,18 @@ const HEADS: [&str; 4] = [
 /// The table, the uncertainties and the warnings, below one another.
 pub(in crate::gui) fn criteria_table(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
     let words = view.words;
-    Grid::new("cycle-criteria").num_columns(5).min_row_height(space(6.0)).spacing([space(5.0), 0.0]).show(ui, |ui| {
+    // Where the column is narrow the table is set smaller, so that its last column is not cut.
+    let is_narrow = ui.available_width() < space(NARROW);
+    let (size, gap) = if is_narrow { (sizes().small, 2.0) } else { (sizes().body, 3.0) };
+    let grid = Grid::new("cycle-criteria").num_columns(5).min_row_height(space(5.0)).spacing([space(gap), 0.0]);
+    grid.show(ui, |ui| {
         quiet(ui, view.text("cycle-picture-head-criterion"));
         for head in HEADS {
             quiet(ui, view.text(head));
         }
         ui.end_row();
         for row in rows(words, evaluation) {
-            row.ui(ui, words);
+            row.ui(ui, words, size);
         }
     });
     quiet(ui, uncertainty(words, evaluation));
@@ -48,13 +55,13 @@ struct Row {
 }
 
 impl Row {
-    fn ui(self, ui: &mut Ui, words: &Words) {
-        ui.label(RichText::new(&self.name).font(theme::bold(sizes().body)));
+    fn ui(self, ui: &mut Ui, words: &Words, size: f32) {
+        ui.label(RichText::new(&self.name).font(theme::bold(size)));
         match self.cells {
             Ok(cells) => {
                 for (cell, head) in cells.into_iter().zip(HEADS) {
                     let said = format!("{}, {} {cell}", self.name, words.get(head));
-                    let response = ui.label(RichText::new(cell).font(theme::font(sizes().body)));
+                    let response = ui.label(RichText::new(cell).font(theme::font(size)));
                     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
                 }
             }

@@ -27,5 +27,5 @@ mod tests;
 
 pub(in crate::gui) use contacts::contacts_picture;
 pub(in crate::gui) use criteria::criteria_table;
-pub(in crate::gui) use parameter::parameter_picture;
+pub(in crate::gui) use parameter::{parameter_picture, parameter_sentence};
 pub(in crate::gui) use path::path_picture;

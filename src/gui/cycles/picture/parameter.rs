@@ -18,20 +18,32 @@ const STEPS: [f32; 2] = [65.0, 40.0];
 /// This many lines of the sentence have room, so that the panel below does not jump from drawing to drawing.
 const LINES: f32 = 3.0;
 
-/// The drawing of a parameter and its sentence; nothing for a key that the cycle does not have.
-pub(in crate::gui) fn parameter_picture(ui: &mut Ui, view: &View<'_>, cycle: &Cycle, key: Key) {
+/// The sentence of a parameter, where it stands beside the drawing. The drawing has said it already.
+pub(in crate::gui) fn parameter_sentence(ui: &mut Ui, view: &View<'_>, parameter: &Parameter) {
+    let (font, colour) = (theme::font(sizes().small), palette(ui.ctx()).text.0);
+    let galley = ui.painter().layout(sentence(view.words, parameter), font, colour, ui.available_width());
+    let (rect, _) = ui.allocate_exact_size(galley.size(), Sense::hover());
+    ui.painter().galley(rect.min, galley, colour);
+}
+
+/// The drawing of a parameter, with its sentence below it where that does not stand beside it; nothing for a key that the
+/// cycle does not have.
+pub(in crate::gui) fn parameter_picture(ui: &mut Ui, view: &View<'_>, cycle: &Cycle, key: Key, is_bare: bool) {
     let Some(parameter) = cycle.parameter(key) else { return };
     let said = sentence(view.words, parameter);
     let [width, height] = STEPS.map(space);
     let line = ui.text_style_height(&eframe::egui::TextStyle::Small);
-    let (whole, response) = ui.allocate_exact_size(vec2(width, height + line * LINES + space(1.0)), Sense::hover());
+    let below = if is_bare { 0.0 } else { line * LINES + space(1.0) };
+    let (whole, response) = ui.allocate_exact_size(vec2(width, height + below), Sense::hover());
     if ui.is_rect_visible(whole) {
         let palette = palette(ui.ctx());
         let rect = eframe::egui::Rect::from_min_size(whole.min, vec2(width, height));
         let canvas = Canvas::new(ui.painter(), palette, rect);
         draw(&canvas, Scene::of(cycle), parameter);
-        let galley = ui.painter().layout(said.clone(), theme::font(sizes().small), palette.text.0, width);
-        ui.painter().galley(rect.left_bottom() + vec2(0.0, space(1.0)), galley, palette.text.0);
+        if !is_bare {
+            let galley = ui.painter().layout(said.clone(), theme::font(sizes().small), palette.text.0, width);
+            ui.painter().galley(rect.left_bottom() + vec2(0.0, space(1.0)), galley, palette.text.0);
+        }
     }
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
 }

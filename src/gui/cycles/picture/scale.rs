@@ -298,16 +298,21 @@ fn stroke(canvas: &Canvas<'_>, points: &[Pos2], phase: Phase, is_done: bool) {
 /// A sample of each line with its word.
 pub(super) fn legend(canvas: &Canvas<'_>, rect: Rect, words: &Words) {
     let mut x = rect.left() + space(1.0);
+    // Shorter samples where the view is narrow.
+    let (sample, gap) = if rect.width() < space(NARROW) { (4.5, 2.0) } else { (8.0, 5.0) };
     for phase in [Phase::PrePosition, Phase::Approach, Phase::Retract, Phase::Leave] {
-        let (from, to) = (pos2(x, rect.center().y), pos2(x + space(8.0), rect.center().y));
+        let (from, to) = (pos2(x, rect.center().y), pos2(x + space(sample), rect.center().y));
         stroke(canvas, &[from, to], phase, true);
         let text = words.get(phase_id(phase));
         let font = crate::gui::theme::font(sizes().small);
         let placed =
-            canvas.label(pos2(to.x + space(1.5), to.y), Align2::LEFT_CENTER, &text, font, canvas.palette.quiet.0);
-        x = placed.right() + space(5.0);
+            canvas.label(pos2(to.x + space(1.0), to.y), Align2::LEFT_CENTER, &text, font, canvas.palette.quiet.0);
+        x = placed.right() + space(gap);
     }
 }
+
+/// Below this width the samples of the legend are shorter.
+const NARROW: f32 = 100.0;
 
 /// The largest of 1, 2 or 5 times a power of ten that is not above a length.
 fn round_below(mm: f64) -> f64 {

@@ -79,7 +79,8 @@ fn can_paint() -> bool {
 }
 
 fn label_of(cycle: &'static Cycle, key: Key, language: Language) -> String {
-    let harness = drawn([300.0, 260.0], Theme::Light, language, |ui, view| parameter_picture(ui, view, cycle, key));
+    let harness =
+        drawn([300.0, 260.0], Theme::Light, language, |ui, view| parameter_picture(ui, view, cycle, key, false));
     let label = harness.get_by_role(Role::Figure).accesskit_node().label();
     label.unwrap_or_default()
 }
@@ -156,7 +157,7 @@ fn what_has_no_effect_is_drawn_by_its_range_and_a_key_that_is_none_not_at_all() 
     assert_eq!(said("427", "Q531", Language::Nl), "Q531: ANGLE OF INCIDENCE Een hoek");
     assert_eq!(said("G785", "Q", Language::En), "Q: Q A length");
     let nothing = drawn([300.0, 260.0], Theme::Light, Language::En, |ui, view| {
-        parameter_picture(ui, view, cycle_named("425").unwrap(), Key::Q(1));
+        parameter_picture(ui, view, cycle_named("425").unwrap(), Key::Q(1), false);
     });
     assert!(nothing.query_by_role(Role::Figure).is_none());
 }
@@ -323,7 +324,7 @@ fn the_parameters_of_every_kind_of_picture_in_light() {
             ui.horizontal(|ui| {
                 for (number, name) in row {
                     let cycle = cycle(*number).unwrap();
-                    parameter_picture(ui, view, cycle, cycle.parameter_named(name).unwrap().key);
+                    parameter_picture(ui, view, cycle, cycle.parameter_named(name).unwrap().key, false);
                 }
             });
         }
