@@ -25,8 +25,9 @@ fn now() -> DateTime {
 
 /// A window with a history: below everything else, or beside it where the window is very wide.
 fn window(size: Vec2) -> Harness<'static, App> {
-    let setup = || Setup { store: Store::nowhere(), language: Language::En, errands: Errands::AtOnce, clock: now };
-    let mut window = Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup()));
+    let (store, errands) = (Store::nowhere(), Errands::AtOnce);
+    let setup = Setup { store, language: Language::En, errands, clock: now, home: None, files: Vec::new() };
+    let mut window = Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup));
     let rows: Vec<String> = (0..CHECKS).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
     let rows = rows.concat();
     let sources = fitcheck::tolerance::Sources::default();

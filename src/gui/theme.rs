@@ -192,7 +192,7 @@ pub fn control(ui: &Ui) -> f32 {
 /// Sets the height of everything that is pressed.
 pub fn set_density(ctx: &Context, is_touch: bool) {
     let height = if is_touch { TOKENS.sizes.touch } else { TOKENS.sizes.mouse };
-    if ctx.global_style().spacing.interact_size.y != height {
+    if 0.5 < (ctx.global_style().spacing.interact_size.y - height).abs() {
         ctx.all_styles_mut(|style| {
             style.spacing.interact_size.y = height;
             style.spacing.icon_width = if is_touch { space(7.0) } else { space(5.0) };

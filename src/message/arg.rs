@@ -37,6 +37,12 @@ impl<T: Say> IntoArg for T {
     }
 }
 
+impl IntoArg for Box<Arg> {
+    fn arg(&self) -> Arg {
+        Arg::clone(self)
+    }
+}
+
 impl IntoArg for Arg {
     fn arg(&self) -> Arg {
         self.clone()

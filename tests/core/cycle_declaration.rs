@@ -155,7 +155,7 @@ fn every_parameter_is_accepted_and_refused_alike_when_it_is_typed() {
                         CycleError::OutOfRange {
                             key: parameter.key,
                             name: parameter.called(),
-                            given: Arg::Number(value.with_unit()),
+                            given: Box::new(Arg::Number(value.with_unit())),
                             range: parameter.range,
                         }
                     );

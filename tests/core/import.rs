@@ -311,7 +311,9 @@ fn a_simulated_value_stays_simulated_through_a_file() {
     let mut command = Command::cargo_bin("fitcheck").unwrap();
     let asked = ["check", "25 H7", "--simulate", "--format", "csv"];
     let output = command.current_dir(folder.path()).args(asked).output().unwrap();
-    std::fs::write(folder.path().join("simulated.csv"), &output.stdout).unwrap();
+    std::fs::File::create(folder.path().join("simulated.csv"))
+        .and_then(|mut file| std::io::Write::write_all(&mut file, &output.stdout))
+        .unwrap();
     let answer = run(folder.path(), &["--format", "csv", "simulated.csv"]);
     assert!(answer.out.contains("simulated: nothing was measured"), "{}", answer.out);
 }

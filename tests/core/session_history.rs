@@ -1,7 +1,5 @@
 //! The history: filter, order, choice, copy, export, undo.
 
-use std::path::Path;
-
 use fitcheck::exchange::import;
 use fitcheck::journal::query::{Column, RecordId};
 use fitcheck::report::RENDERINGS;
@@ -239,7 +237,7 @@ fn every_rendering_exports_only_the_bad_once_they_are_chosen() {
         ];
         let effects = run(&mut session, export);
         let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
-        assert_eq!(path, Path::new("bad"));
+        assert_eq!(path.file_stem(), Some("bad".as_ref()), "{}", path.display());
         let text = String::from_utf8(bytes.clone()).unwrap();
         let has = ["24.998", "39.9", "25.012"].map(|measured| text.contains(measured));
         assert_eq!(has, [true, true, false], "{}", rendering.name);

@@ -210,15 +210,17 @@ fn the_other_pages_agree_with_themselves(session: &mut Session) {
 
 /// Whether an act changes what a verdict was made of, so that none may be left.
 fn takes_away(act: &Act) -> bool {
-    matches!(
-        act,
-        Act::Do(Command::Check(
+    let Act::Do(command) = act else { return false };
+    match command {
+        Command::Check(command) => matches!(
+            command,
             CheckCommand::Type(..)
                 | CheckCommand::ChooseFeature(_)
                 | CheckCommand::ChooseClass(_)
                 | CheckCommand::Clear
-        )) | Act::Do(Command::UseSource(_) | Command::NoOwnTables)
-    )
+        ),
+        other => matches!(other, Command::UseSource(_) | Command::NoOwnTables),
+    }
 }
 
 proptest! {

@@ -100,7 +100,7 @@ fn native(limits: &Limits, callout: Callout, simulation: Simulation, language: D
         id: String::new(),
         callout: Some(callout),
         verdict,
-        doubt: doubt(&limits, measurement.diameter),
+        doubt: doubt(limits, measurement.diameter),
         limits: limits.clone(),
         measurement,
     };

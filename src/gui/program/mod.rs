@@ -79,7 +79,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
             // The parameters keep a share of the height whatever is above them.
             let height = ui.available_height();
             let sizes = ((height * 0.4).max(space(44.0)), space(32.0)..=(height * 0.8).max(space(44.0)));
-            panel_ui(ui, view, Side::Bottom, "program-watch", sizes, |ui, view| watch_panel::watch_ui(ui, view));
+            panel_ui(ui, view, Side::Bottom, "program-watch", sizes, watch_panel::watch_ui);
             CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
                 column_ui(ui, "program-answers", |ui| answer_panel::answer_ui(ui, view));
             });

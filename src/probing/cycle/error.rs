@@ -19,7 +19,7 @@ pub enum CycleError {
         /// Its name.
         name: ParameterName,
         /// What was given.
-        given: Arg,
+        given: Box<Arg>,
         /// What is allowed.
         #[say(name = "allowed")]
         range: Range,

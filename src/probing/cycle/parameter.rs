@@ -323,7 +323,8 @@ impl Parameter {
                 (Some(whole), _) => Ok(Value::Whole(whole)),
                 (None, Some(_)) => {
                     let (given, range) = (Arg::Number(text.trim().to_owned()), self.range);
-                    return Err(CycleError::OutOfRange { key: self.key, name: self.called(), given, range });
+                    let (name, given) = (self.called(), Box::new(given));
+                    return Err(CycleError::OutOfRange { key: self.key, name, given, range });
                 }
                 (None, None) => Err(no_number(text).message()),
             },
@@ -352,7 +353,7 @@ impl Parameter {
         // A tool's name is quoted as it is; a figure is printed as each language prints it.
         let given =
             if let Value::Text(name) = value { Arg::Text(name.clone()) } else { Arg::Number(value.with_unit()) };
-        CycleError::OutOfRange { key: self.key, name: self.called(), given, range: self.range }
+        CycleError::OutOfRange { key: self.key, name: self.called(), given: Box::new(given), range: self.range }
     }
 }
 
