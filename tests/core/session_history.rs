@@ -251,7 +251,7 @@ fn copied_rows_are_a_table_for_a_spreadsheet() {
     assert_eq!(
         list(&mut session, ListCommand::Copy),
         [Effect::Copy(
-            "Datum en tijd\tDeel\tPassing\tGemeten (mm)\tAfwijking (µm)\tStatus\tHerkomst\n\
+            "Datum en tijd\tOnderdeel\tPassing\tGemeten (mm)\tAfwijking (µm)\tStatus\tHerkomst\n\
              2026-11-21 10:42:07\tA10\t25 H7\t25,012\t12\tGOED\tgetypt\n"
                 .to_owned()
         )]
