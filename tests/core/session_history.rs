@@ -265,7 +265,7 @@ fn copied_rows_are_a_table_for_a_spreadsheet() {
     let cells: Vec<Vec<&str>> = text.lines().map(|line| line.split('\t').collect()).collect();
     assert!(cells.iter().all(|cells| cells.len() == 7), "{text}");
     let part: Vec<_> = cells.iter().map(|cells| cells[1]).collect();
-    assert_eq!(part, ["Deel", "C", "A2", "A10", "B"]);
+    assert_eq!(part, ["Onderdeel", "C", "A2", "A10", "B"]);
     // A number keeps a sign that a spreadsheet reads.
     let deviation: Vec<_> = cells.iter().skip(2).map(|cells| cells[4]).collect();
     assert_eq!(deviation, ["-2", "12", "-100"]);

@@ -496,7 +496,7 @@ fn the_page_works_by_key_alone_and_in_dutch() {
     assert_eq!(simulated(&window), "Geen oordeel. 75,0000 mm. er zijn geen grenzen opgegeven");
     let chooser = window.get_by_role_and_label(Role::ComboBox, "Cyclus");
     assert_eq!(chooser.accesskit_node().value().as_deref(), Some("421  METEN BORING"));
-    window.get_by_label_contains("17 van 17: wegrijden");
+    window.get_by_label_contains("17 van 17: vrijzetten");
     // The settled page asks for no repaint.
     let delay = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(delay, Duration::MAX);
