@@ -37,7 +37,8 @@ pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     let is_wide = space(WIDE) <= size.x;
     let page = Page {
-        name: "check",
+        // Another size of window has widths and heights of its own.
+        name: if is_wide { "check-wide" } else { "check" },
         left: if is_wide { space(85.0) } else { space(74.0) },
         right: if is_wide { space(105.0) } else { space(88.0) },
         head: None,
