@@ -1,6 +1,9 @@
-//! A frame while a history of ten thousand checks scrolls: layout, shaping and tessellation, without the rasteriser.
+//! A frame while a history of ten thousand checks or a program of fifty thousand blocks scrolls, and while the mouse moves
+//! over a page: layout, shaping and tessellation, without the rasteriser.
 //!
 //! It may take 4 ms. An idle frame is measured in the same way, so that the figures can be read as ratios within one run.
+
+use std::path::PathBuf;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use eframe::egui::accesskit::Role;
@@ -9,12 +12,17 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::journal::query::Column;
-use fitcheck::session::{CheckCommand, CheckField, Command, Field, ListCommand};
+use fitcheck::message::Say as _;
+use fitcheck::session::program::Document;
+use fitcheck::session::{CheckCommand, CheckField, Command, Field, ListCommand, Page, ProgramCommand};
 use fitcheck::words::Language;
 use jiff::civil::DateTime;
 
 /// How many checks.
 const CHECKS: usize = 10_000;
+
+/// How many blocks.
+const BLOCKS: usize = 50_000;
 
 /// How many frames go down before they go up again.
 const FRAMES: usize = 200;
@@ -23,11 +31,16 @@ fn now() -> DateTime {
     jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0)
 }
 
-/// A window with a history: below everything else, or beside it where the window is very wide.
-fn window(size: Vec2) -> Harness<'static, App> {
+/// A window at the first start.
+fn empty(size: Vec2) -> Harness<'static, App> {
     let (store, errands) = (Store::nowhere(), Errands::AtOnce);
     let setup = Setup { store, language: Language::En, errands, clock: now, home: None, files: Vec::new() };
-    let mut window = Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup));
+    Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup))
+}
+
+/// A window with a history: below everything else, or beside it where the window is very wide.
+fn window(size: Vec2) -> Harness<'static, App> {
+    let mut window = empty(size);
     let rows: Vec<String> = (0..CHECKS).map(|row| format!("part {row},25 H7,25.0{:02}\n", row % 40)).collect();
     let rows = rows.concat();
     let sources = fitcheck::tolerance::Sources::default();
@@ -113,5 +126,41 @@ fn scrolling(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, scrolling, scrolling_beside);
+/// The listing of a long program.
+fn scrolling_a_program(criterion: &mut Criterion) {
+    let mut window = empty(vec2(1280.0, 800.0));
+    let blocks: Vec<_> = (0..BLOCKS).map(|block| format!("L X+{}.5 Y-{} FMAX\n", block % 300, block % 70)).collect();
+    let text = format!("BEGIN PGM x MM\n{}END PGM x MM\n", blocks.concat());
+    let result = Document::read("x.h", text.as_bytes()).map_err(|error| error.message());
+    let result = result.map(|(document, warnings)| (Box::new(document), warnings));
+    send(&mut window, Command::OpenPage(Page::Program));
+    send(&mut window, ProgramCommand::Read { path: PathBuf::from("x.h"), result }.into());
+    let shown = window.state().session().program().shown().map(|document| document.program().blocks().len());
+    assert_eq!(shown, Some(BLOCKS + 2));
+    criterion.bench_function("idle frame, 50 000 blocks", |bencher| bencher.iter(|| frame(&mut window)));
+    let over = window.get_by_role(Role::List).rect().center();
+    let mut number = 0;
+    criterion.bench_function("frame while scrolling 50 000 blocks", |bencher| {
+        bencher.iter(|| {
+            number += 1;
+            turn(&mut window, over, number)
+        });
+    });
+}
+
+/// The mouse over a page where it changes nothing.
+fn moving(criterion: &mut Criterion) {
+    let mut window = window(vec2(1280.0, 800.0));
+    let at = window.get_by_role_and_label(Role::Figure, "Limit band").rect().center();
+    let mut number = 0.0;
+    criterion.bench_function("frame while the mouse moves, 10 000 checks", |bencher| {
+        bencher.iter(|| {
+            number = if number < 20.0 { number + 1.0 } else { 0.0 };
+            window.input_mut().events.push(Event::PointerMoved(at + vec2(number, 0.0)));
+            frame(&mut window)
+        });
+    });
+}
+
+criterion_group!(benches, scrolling, scrolling_beside, scrolling_a_program, moving);
 criterion_main!(benches);
