@@ -207,6 +207,6 @@ mod tests {
         assert_eq!(said(&words, &step, 1, 5), "2 of 5: approach, contact 1, from X 35  Y 45  Z 20 to X 35  Y 45  Z 0");
         let contact = Move { phase: Phase::Contact, from: [0.5, -1.25, 3.0], to: [0.5, -1.25, 3.0], ..step };
         let words = Words::new(Language::Nl);
-        assert_eq!(said(&words, &contact, 2, 5), "3 van 5: contact, aanraking 1, op X 0,5  Y −1,25  Z 3");
+        assert_eq!(said(&words, &contact, 2, 5), "3 van 5: meetpunt 1, op X 0,5  Y −1,25  Z 3");
     }
 }
