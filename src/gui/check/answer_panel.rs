@@ -2,6 +2,7 @@
 
 use eframe::egui::{CollapsingHeader, Ui, vec2};
 
+use crate::gui::columns::is_low;
 use crate::gui::theme::{control, space};
 use crate::gui::verdict_card::{Card, card_ui, chip_ui, half_um, lines_below_ui, remove, status_id};
 use crate::gui::view::{Digits, View, heading, quiet};
@@ -12,9 +13,9 @@ use crate::session::{Action, Lot, Question, Step};
 use crate::verdict::{PositionVerdict, Status};
 use crate::words::Words;
 
-/// The imported lot, if there is one, the verdict card, and the reasons below it; or a question instead.
+/// The imported lot, if there is one and room for it, and the verdict card; or a question instead.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if let Some(lot) = view.session.check().lot() {
+    if let Some(lot) = view.session.check().lot().filter(|_| !is_low(ui)) {
         lot_ui(ui, view, lot);
     }
     if let Some(question) = view.session.check().question() {
@@ -28,8 +29,13 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     card_ui(ui, view, &card);
 }
 
-/// The reasons for the verdict.
-pub(super) fn reasons_ui(ui: &mut Ui, view: &View<'_>) {
+/// The reasons for the verdict; before them the lot where it would push the verdict off a low window.
+pub(super) fn reasons_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if is_low(ui)
+        && let Some(lot) = view.session.check().lot()
+    {
+        lot_ui(ui, view, lot);
+    }
     if let Some(shown) = view.session.check().shown() {
         lines_below_ui(ui, &card(view.words, &shown.record));
         why_ui(ui, view, &shown.record);
