@@ -101,7 +101,7 @@ fn the_check_page_at_every_size() {
             let least = if 500.0 <= points.x { 64.0 } else { 40.0 };
             assert!(label.is_some_and(|rect| least <= rect.height()), "{what}: {label:?}");
             let rows = b"id,callout,measured\nA1,25 H7,25.012\nA2,25 H7,25.030\nA3,25 H7,24.998\nA4,,25\n";
-            let sources = window.state().session().sources().clone();
+            let sources = std::sync::Arc::clone(window.state().session().sources());
             let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
             let lot = fitcheck::exchange::import("parts.csv", rows, &sources, now);
             send(&mut window, CheckCommand::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(lot)) });
