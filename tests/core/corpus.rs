@@ -253,13 +253,13 @@ impl Varying {
     }
 }
 
-/// The program's output for a call, as lines of the corpus.
-fn answer(call: &Call) -> Vec<String> {
+/// The program's output for a call, as lines of the corpus; `inputs` are the files of `corpus/inputs`.
+fn answer(call: &Call, inputs: &BTreeMap<String, Vec<u8>>) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
-    for (name, bytes) in tree(&data().join("corpus/inputs")) {
+    for (name, bytes) in inputs {
         let first = name.split('/').next().unwrap();
         if call.given.iter().any(|line| line.contains(first)) {
-            put(folder.path(), &name, &bytes);
+            put(folder.path(), name, bytes);
         }
     }
     for (name, bytes) in &call.files {
@@ -300,12 +300,13 @@ fn answer(call: &Call) -> Vec<String> {
 /// The answers to all calls, in their order.
 fn answers(calls: &[&Call]) -> Vec<Vec<String>> {
     let next = AtomicUsize::new(0);
+    let inputs = tree(&data().join("corpus/inputs"));
     let work = || {
         let mut done = Vec::new();
         loop {
             let index = next.fetch_add(1, Ordering::Relaxed);
             let Some(call) = calls.get(index) else { return done };
-            done.push((index, answer(call)));
+            done.push((index, answer(call, &inputs)));
         }
     };
     let threads = std::thread::available_parallelism().map_or(2, usize::from);

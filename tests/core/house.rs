@@ -26,7 +26,8 @@ fn code(path: &Path) -> String {
 fn files(wanted: impl Fn(&str) -> bool) -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let name = |path: &Path| path.strip_prefix(&root).unwrap().to_string_lossy().replace('\\', "/");
-    sources(&root).iter().map(|path| (name(path), code(path))).filter(|(name, _)| wanted(name)).collect()
+    let named = sources(&root).into_iter().map(|path| (name(&path), path));
+    named.filter(|(name, _)| wanted(name)).map(|(name, path)| (name, code(&path))).collect()
 }
 
 #[track_caller]
@@ -201,14 +202,15 @@ fn no_cycle_is_named_outside_its_own_file() {
     let others = |name: &str| {
         !name.ends_with("tests.rs") && !name.starts_with("probing/cycles/") && !name.starts_with("tolerance/")
     };
+    let cycles: Vec<String> = fitcheck::probing::cycles::CYCLES.iter().map(|cycle| cycle.number.to_string()).collect();
+    let is_cycle = |word: &&str| {
+        let word = word.trim_start_matches(['G', 'Q']).trim_end_matches("_u16");
+        cycles.iter().any(|cycle| cycle == word)
+    };
     let named = files(others).into_iter().flat_map(|(name, code)| {
-        let part_of_a_word = |c: char| c.is_ascii_alphanumeric() || "._-#".contains(c);
-        let words: Vec<String> = code.split(|c| !part_of_a_word(c)).map(str::to_owned).collect();
-        let is_cycle = |word: &&String| {
-            let word = word.trim_start_matches(['G', 'Q']).trim_end_matches("_u16");
-            fitcheck::probing::cycles::CYCLES.iter().any(|cycle| word == cycle.number.to_string())
-        };
-        let found: Vec<String> = words.iter().filter(is_cycle).map(|word| format!("{name} names {word}")).collect();
+        let is_between = |c: char| !c.is_ascii_alphanumeric() && !"._-#".contains(c);
+        let found: Vec<_> =
+            code.split(is_between).filter(is_cycle).map(|word| format!("{name} names {word}")).collect();
         found
     });
     let marks = ["control/point_log/stored.rs names 444"];

@@ -1,12 +1,13 @@
 //! A list of records is what a slow look at all of them gives, whatever is added, removed and asked.
 
-use std::ops::Range;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use fitcheck::exchange::import;
 use fitcheck::journal::Record;
 use fitcheck::journal::memory::{Memory, Removed};
 use fitcheck::journal::query::{Column, Query, RecordId, Records, Searched, Sort, Wanted};
+use fitcheck::length::Length;
 use fitcheck::probing::Origin;
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
@@ -89,6 +90,22 @@ fn any_act() -> impl Strategy<Value = Act> {
     ]
 }
 
+/// What a column sorts by: only its own entry is filled.
+type Key = (Option<DateTime>, Option<Length>, Option<Status>, Option<usize>);
+
+fn key(column: Column, record: &Record) -> Key {
+    let place = |all: &[&str], text: &str| (None, None, None, all.iter().position(|known| *known == text));
+    match column {
+        Column::Time => (Some(record.time), None, None, None),
+        Column::Part => place(&PARTS, &record.id),
+        Column::Callout => place(&CALLOUTS, &record.callout.unwrap().to_string()),
+        Column::Measured => (None, Some(record.measurement.diameter), None, None),
+        Column::Deviation => (None, Some(record.verdict.size.deviation), None, None),
+        Column::Status => (None, None, Some(record.verdict.status()), None),
+        Column::From => (None, None, None, (0..ORIGINS).position(|n| origin(n) == record.measurement.origin)),
+    }
+}
+
 /// Records that are looked at and sorted anew for every answer, by rules of their own.
 #[derive(Default)]
 struct Naive {
@@ -104,25 +121,7 @@ impl Naive {
             found.reverse();
             return found;
         };
-        let place = |all: &[&str], text: &str| all.iter().position(|known| *known == text).unwrap();
-        found.sort_by(|(one_id, one), (other_id, other)| {
-            let order = match column {
-                Column::Time => one.time.cmp(&other.time),
-                Column::Part => place(&PARTS, &one.id).cmp(&place(&PARTS, &other.id)),
-                Column::Callout => {
-                    let of = |record: &Record| place(&CALLOUTS, &record.callout.unwrap().to_string());
-                    of(one).cmp(&of(other))
-                }
-                Column::Measured => one.measurement.diameter.cmp(&other.measurement.diameter),
-                Column::Deviation => one.verdict.size.deviation.cmp(&other.verdict.size.deviation),
-                Column::Status => one.verdict.status().cmp(&other.verdict.status()),
-                Column::From => {
-                    let of = |record: &Record| (0..ORIGINS).position(|n| origin(n) == record.measurement.origin);
-                    of(one).cmp(&of(other))
-                }
-            };
-            order.then(one_id.cmp(other_id))
-        });
+        found.sort_by_cached_key(|(id, record)| (key(column, record), *id));
         if !ascending {
             found.reverse();
         }
@@ -130,54 +129,27 @@ impl Naive {
     }
 }
 
-impl Records for Naive {
-    fn ask(&mut self, query: Query) {
-        self.query = query;
-    }
-
-    fn query(&self) -> &Query {
-        &self.query
-    }
-
-    fn count(&self) -> usize {
-        self.found().len()
-    }
-
-    fn counts(&self) -> [usize; Status::ALL.len()] {
-        let found = self.found();
-        Status::ALL.map(|status| found.iter().filter(|(_, record)| record.verdict.status() == status).count())
-    }
-
-    fn page(&self, places: Range<usize>) -> Rows {
-        self.found().into_iter().skip(places.start).take(places.len()).collect()
-    }
-
-    fn place_of(&self, id: RecordId) -> Option<usize> {
-        self.found().iter().position(|(found, _)| *found == id)
-    }
-
-    fn get(&self, id: RecordId) -> Option<Arc<Record>> {
-        self.rows.iter().find(|(known, _)| *known == id).map(|(_, record)| Arc::clone(record))
-    }
-
-    fn len(&self) -> usize {
-        self.rows.len()
-    }
-}
-
-/// Both answer the same.
-fn check_same(memory: &dyn Records, naive: &dyn Records, most: u64) {
-    assert_eq!((memory.query(), memory.len(), memory.count()), (naive.query(), naive.len(), naive.count()));
-    assert_eq!(memory.counts(), naive.counts());
-    let all = naive.page(0..usize::MAX);
+/// The kept list answers what the naive one finds.
+fn check_same(memory: &Memory, naive: &Naive) {
+    let all = naive.found();
+    assert_eq!((memory.query(), memory.len(), memory.count()), (&naive.query, naive.rows.len(), all.len()));
+    let of_status = |status| all.iter().filter(|(_, record)| record.verdict.status() == status).count();
+    assert_eq!(memory.counts(), Status::ALL.map(of_status));
     assert_eq!(memory.page(0..usize::MAX), all);
     for step in [1, 7] {
         let pages = (0..memory.count()).step_by(step).flat_map(|first| memory.page(first..first + step));
-        assert_eq!(pages.collect::<Vec<_>>(), all, "in pages of {step} every record comes once");
+        let same = |(one, other): (&(RecordId, Arc<Record>), (RecordId, Arc<Record>))| {
+            one.0 == other.0 && Arc::ptr_eq(&one.1, &other.1)
+        };
+        let pages: Rows = pages.collect();
+        assert_eq!(pages.len(), all.len(), "in pages of {step} every record comes once");
+        assert!(all.iter().zip(pages).all(same), "in pages of {step} every record comes in its place");
     }
-    for id in (0..=most).map(RecordId) {
-        assert_eq!(memory.place_of(id), all.iter().position(|(found, _)| *found == id), "{id:?}");
-        assert_eq!(memory.get(id), naive.get(id), "{id:?}");
+    let places: BTreeMap<RecordId, usize> = all.iter().enumerate().map(|(place, (id, _))| (*id, place)).collect();
+    let records: BTreeMap<RecordId, &Arc<Record>> = naive.rows.iter().map(|(id, record)| (*id, record)).collect();
+    for id in (0..=memory.next().0).map(RecordId) {
+        assert_eq!(memory.place_of(id), places.get(&id).copied(), "{id:?}");
+        assert_eq!(memory.get(id).as_ref().map(Arc::as_ptr), records.get(&id).copied().map(Arc::as_ptr), "{id:?}");
     }
 }
 
@@ -211,10 +183,10 @@ proptest! {
                 }
                 Act::Ask(query) => {
                     memory.ask(query.clone());
-                    naive.ask(query);
+                    naive.query = query;
                 }
             }
-            check_same(&memory, &naive, memory.next().0);
+            check_same(&memory, &naive);
         }
     }
 }
