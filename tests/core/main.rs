@@ -50,6 +50,7 @@ mod probe_blocks;
 mod probe_tables;
 mod programs;
 mod promises;
+mod reader_language;
 mod renderings;
 mod report;
 mod report_cli;

@@ -42,6 +42,9 @@ circle-collinear = all { $contacts } contacts lie on one straight line: no circl
 circle-straight = the { $contacts } contacts fit a straight line better than any circle
 circle-not-finite = contact { $contact }: { $axis } = { $value } is not a finite number
 circle-too-large = { $what } = { $value } mm is too large: at most { $most } mm either way
+circle-part-contact = contact { $contact }: { $axis }
+circle-part-diameter = diameter
+circle-part-centre = centre { $axis }
 circle-three-contacts = 3 contacts: form cannot be measured, the residual is always zero
 circle-four-contacts = 4 contacts: four lobes are not detected and change the diameter
 circle-short-arc = the contacts cover only { $arc }° of arc: scatter in the diameter is { $factor } times that of 3 contacts at 120°
@@ -58,6 +61,12 @@ circle-apart = contact { $contact } lies { $apart } mm off the circle, far more 
 contact-out-of-reach = contact { $number }: the probe met nothing within the probing path of { $longest } mm
 cycle-number-range = a number, at most { $most } either way
 cycle-band-range = write a tolerance as 0.4-0.1, 0.4 or -0.1; 0 is no tolerance
+cycle-range = { $range }
+cycle-range-tool = 0 … { $highest }, or at most { $longest } characters
+cycle-range-band = 0.4-0.1, 0.4, -0.1 or nothing
+cycle-value = { $value }
+cycle-value-length = { $value } mm
+cycle-value-no-tolerance = no tolerance
 cycle-no-global = { $key } { $name } = PREDEF: no GLOBAL DEF gives a value
 cycle-no-path = { $key } { $name } = 0 mm: a probing path needs a length; its sign gives the direction
 cycle-no-normal = { $first }, { $second } and { $third } are all 0: a normal needs a direction
@@ -105,3 +114,36 @@ remark-no-tolerance = { $key } is not a tolerance: nothing is judged
 workpiece-file-toml = line { $line }: { $said }
 workpiece-file-not-one = the file has { $found } of { $tables }: it needs exactly one
 workpiece-file-cannot-be = line { $line }: { $error }
+
+# Figures of the simulated workpiece, as errors name them.
+figure-temperature = temperature
+figure-expansion = expansion
+figure-probe-scatter = probe scatter
+figure-ball-radius = ball radius
+figure-calibration-error = calibration error
+figure-offset = offset
+figure-lobing = pre-travel amplitude
+figure-lobing-angle = pre-travel angle
+figure-lobing-count = pre-travel lobes
+figure-centre-x = centre x
+figure-centre-y = centre y
+figure-diameter = diameter
+figure-surface-scatter = surface scatter
+figure-ovality = ovality
+figure-ovality-angle = ovality angle
+figure-ovality-count = ovality count
+figure-lobe-height = lobe height
+figure-lobe-angle = lobe angle
+figure-lobes = lobes
+figure-point = point
+figure-normal = normal
+figure-normal-length = length of the normal
+figure-wave-length = wave length
+figure-wave-amplitude = wave amplitude
+figure-wave-direction = wave direction
+figure-deviation = deviation
+figure-radius = radius
+figure-width = width
+figure-first-length = 1st length
+figure-second-length = 2nd length
+figure-angle = angle

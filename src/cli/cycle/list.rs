@@ -30,7 +30,7 @@ impl Row {
             name: parameter.name_in(language),
             question: parameter.question(language),
             unit: parameter.range.unit(),
-            range: parameter.range.short(),
+            range: parameter.range.short().to_string(),
             default: parameter.default_value().map(|value| value.to_string()),
             required: parameter.unset == Unset::Refused,
             predef: parameter.may_be_predef,

@@ -19,7 +19,7 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
     for parameter in shown {
         let question = parameter.question(run.language);
         let value = match result.inputs.value(parameter.key) {
-            Some(value) => value.with_unit(),
+            Some(value) => value.with_unit().to_string(),
             None => "–".to_owned(),
         };
         let is_default = !result.inputs.is_given(parameter.key) && matches!(parameter.unset, Unset::Value(_));
