@@ -91,6 +91,7 @@ no-parameter = { $given } is not a parameter: allowed are Q, QL, QR and QS with 
 
 ## Writing measuring logs
 log-write-cycle = cycle { $cycle } does not write these values
+log-write-no-title = the log of cycle { $cycle } has no title in { $file }
 log-write-unit = a log is in mm or inch, not in µm
 log-write-character = { $given } cannot be written: a log holds no character U+{ $code }
 log-write-program = { $given } would not be read back as the path of a program: write it as in TNC:\PART\CHECK.H

@@ -91,6 +91,7 @@ no-parameter = { $given } is geen parameter: toegestaan zijn Q, QL, QR en QS met
 
 ## Meetprotocollen schrijven
 log-write-cycle = cyclus { $cycle } schrijft deze waarden niet
+log-write-no-title = het meetprotocol van cyclus { $cycle } heeft geen titel in { $file }
 log-write-unit = een meetprotocol is in mm of inch, niet in µm
 log-write-character = { $given } kan niet worden geschreven: teken U+{ $code } mag niet in een meetprotocol staan
 log-write-program = { $given } wordt niet als pad van een programma teruggelezen: schrijf het zoals TNC:\PART\CHECK.H
