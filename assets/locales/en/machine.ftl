@@ -34,7 +34,7 @@ machine-broken = the program is broken: { $what } is missing
 machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is not a label
 machine-undefined = { $parameter } is undefined
-machine-no-parameter = there is no parameter { $parameter }: Q and QS go up to 1999, QL and QR up to 499
+machine-no-parameter = parameter { $parameter } does not exist: Q and QS go up to 1999, QL and QR up to 499
 machine-not-number = { $parameter } holds a text: expected a number
 machine-not-text = { $parameter } holds a number: expected a text
 machine-division-by-zero = division by zero

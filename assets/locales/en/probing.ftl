@@ -22,8 +22,8 @@ cycle-out-of-range = { $key } { $name } = { $given }: { $allowed }
 cycle-length-range = at least { $least } mm, at most { $most } mm
 cycle-angle-range = at most { $most } either way
 cycle-angle-size-range = at least { $smallest } in size, at most { $most }
-cycle-one-of = not one of { $allowed }
-cycle-tool-range = a tool is a number from 0 to 99999.9 or a name of at most 255 characters
+cycle-one-of = expected one of { $allowed }
+cycle-tool-range = a tool number from 0 to 99999.9, or a tool name of at most 255 characters
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-no-diameter = { $key } { $name } = 0 mm: a circle needs a diameter above 0
 cycle-missing = { $key } { $name } is missing
@@ -50,8 +50,8 @@ circle-four-contacts = 4 contacts: four lobes are not detected and change the di
 circle-short-arc = the contacts cover only { $arc }° of arc: scatter in the diameter is { $factor } times that of 3 contacts at 120°
 circle-circumscribed-of-short-arc = the minimum circumscribed circle of a short arc is not the size of the feature
 circle-counts-twice = contacts { $first } and { $second } coincide: this place counts twice
-circle-no-inscribed = there is no maximum inscribed circle: the contacts do not surround one
-circle-no-zone = there is no minimum zone: a straight strip is narrower than every ring
+circle-no-inscribed = no maximum inscribed circle: the contacts do not surround one
+circle-no-zone = no minimum zone: a straight strip is narrower than any ring
 circle-too-many-contacts = maximum inscribed circle and minimum zone are not computed for { $contacts } contacts: at most { $most }
 circle-short-chord = contacts { $first } and { $second } are opposite each other but off the centre: this size is { $short } µm too small
 circle-more-of-a-kind = the same holds for { $more } more
@@ -60,7 +60,7 @@ circle-apart = contact { $contact } lies { $apart } mm off the circle, far more 
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = contact { $number }: the probe met nothing within the probing path of { $longest } mm
 cycle-number-range = a number, at most { $most } either way
-cycle-band-range = write a tolerance as 0.4-0.1, 0.4 or -0.1; 0 is no tolerance
+cycle-band-range = a tolerance such as 0.4-0.1, 0.4 or -0.1; 0 means no tolerance
 cycle-range = { $range }
 cycle-range-tool = 0 … { $highest }, or at most { $longest } characters
 cycle-range-band = 0.4-0.1, 0.4, -0.1 or nothing
@@ -102,7 +102,7 @@ found-good = within tolerance
 found-rework = rework
 found-scrap = scrap
 found-status = status: -1 undefined, 0 good, 1 rework, 2 scrap
-remark-without-effect = { $key } is accepted and has no effect
+remark-without-effect = { $key } is accepted but has no effect
 remark-tool-left-alone = Q330 = { $tool }: the control would correct this tool; Fitcheck corrects no tool
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap
 remark-nominal-outside-limits = nominal diameter { $nominal } mm is not between the limits: a TNC7 refuses that

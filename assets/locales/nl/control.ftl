@@ -18,7 +18,7 @@ mask-number-as-text = { $name } is een getal: het formaat verwacht een tekst
 mask-not-finite = { $name } is geen eindig getal
 # Meetprotocollen
 log-empty = het bestand is leeg
-log-no-log = geen meetprotocol: er is geen titelregel met het nummer van een meetcyclus
+log-no-log = geen meetprotocol: geen titelregel met het nummer van een meetcyclus
 log-no-title = het meetprotocol heeft geen titelregel: de cyclus is onbekend
 log-other-cycle = meetprotocollen van cyclus { $cycle } worden niet gelezen, alleen die van { $known }
 log-unit = maateenheid { $given } is geen 0 (mm) en geen 1 (inch)

@@ -21,8 +21,8 @@ cycle-out-of-range = { $key } { $name } = { $given }: { $allowed }
 cycle-length-range = minstens { $least } mm, hoogstens { $most } mm
 cycle-angle-range = hoogstens { $most } in beide richtingen
 cycle-angle-size-range = minstens { $smallest } groot, hoogstens { $most }
-cycle-one-of = alleen { $allowed } is toegestaan
-cycle-tool-range = een gereedschap is een nummer van 0 tot 99999,9 of een naam van hoogstens 255 tekens
+cycle-one-of = een van { $allowed } verwacht
+cycle-tool-range = een gereedschapsnummer van 0 tot 99999,9, of een gereedschapsnaam van hoogstens 255 tekens
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-no-diameter = { $key } { $name } = 0 mm: een cirkel heeft een diameter groter dan 0 nodig
 cycle-missing = { $key } { $name } ontbreekt
@@ -50,8 +50,8 @@ circle-four-contacts = 4 meetpunten: vier lobben blijven onzichtbaar en verander
 circle-short-arc = de meetpunten beslaan maar { $arc }° van de cirkel: de spreiding in de diameter is { $factor } keer die van 3 meetpunten op 120°
 circle-circumscribed-of-short-arc = de kleinste omgeschreven cirkel van een korte boog is niet de maat van het element
 circle-counts-twice = meetpunten { $first } en { $second } vallen samen: deze plaats telt dubbel
-circle-no-inscribed = er is geen grootste ingeschreven cirkel: de meetpunten omsluiten er geen
-circle-no-zone = er is geen minimale zone: een rechte strook is smaller dan elke ring
+circle-no-inscribed = geen grootste ingeschreven cirkel: de meetpunten omsluiten er geen
+circle-no-zone = geen minimale zone: een rechte strook is smaller dan elke ring
 circle-too-many-contacts = grootste ingeschreven cirkel en minimale zone worden voor { $contacts } meetpunten niet berekend: hoogstens { $most }
 circle-short-chord = meetpunten { $first } en { $second } liggen tegenover elkaar, maar naast het midden: deze maat is { $short } µm te klein
 circle-more-of-a-kind = hetzelfde geldt voor nog { $more }
@@ -60,7 +60,7 @@ circle-apart = meetpunt { $contact } ligt { $apart } mm naast de cirkel, veel ve
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = meetpunt { $number }: de taster heeft binnen de tastweg van { $longest } mm niets geraakt
 cycle-number-range = een getal, hoogstens { $most } in beide richtingen
-cycle-band-range = schrijf een tolerantie als 0,4-0,1, 0,4 of -0,1; 0 is geen tolerantie
+cycle-band-range = een tolerantie zoals 0.4-0.1, 0.4 of -0.1; 0 betekent geen tolerantie
 cycle-range = { $range }
 cycle-range-tool = 0 … { $highest }, of hoogstens { $longest } tekens
 cycle-range-band = 0.4-0.1, 0.4, -0.1 of niets
@@ -102,7 +102,7 @@ found-good = binnen tolerantie
 found-rework = nabewerking
 found-scrap = afkeur
 found-status = status: -1 niet gedefinieerd, 0 goed, 1 nabewerking, 2 afkeur
-remark-without-effect = { $key } is toegestaan en heeft geen werking
+remark-without-effect = { $key } is toegestaan maar heeft geen werking
 remark-tool-left-alone = Q330 = { $tool }: de besturing zou dit gereedschap corrigeren; Fitcheck corrigeert geen gereedschap
 remark-outside-dimension = een buitenmaat is aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
 remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat

@@ -290,11 +290,7 @@ fn a_cell_of_the_criteria_says_its_row_and_column() {
     let harness = drawn([760.0, 320.0], Theme::Light, Language::En, |ui, view| {
         criteria_table(ui, view, &evaluated(&result));
     });
-    says(
-        &harness,
-        Role::Label,
-        "Maximum inscribed, there is no maximum inscribed circle: the contacts do not surround one",
-    );
+    says(&harness, Role::Label, "Maximum inscribed, no maximum inscribed circle: the contacts do not surround one");
     says(&harness, Role::Label, "Two-point size, no two contacts oppose each other");
     says(
         &harness,
