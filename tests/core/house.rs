@@ -186,7 +186,7 @@ fn a_cycle_gets_limits_and_never_a_tolerance_class() {
 
 #[test]
 fn colours_come_from_the_theme_file() {
-    let window = files(|name| name.starts_with("gui/") && name != "gui/theme.rs");
+    let window = files(|name| name.starts_with("gui/") && !name.starts_with("gui/theme/"));
     none_names(&window, &["from_rgb", "from_gray", "Color32::RED", "Color32::GREEN", "from_hex", "FontId::new"]);
 }
 
