@@ -355,7 +355,7 @@ fn where_the_system_shows_no_dialog_the_list_is_there() {
     let mut window = at_home(folder.path());
     open_import(&mut window);
     click(&mut window, Role::Button, "Browse…");
-    window.get_by_label_contains("The system's dialog gave no file");
+    window.get_by_label_contains("The system's dialog returned no file");
     assert_eq!(rows(&window), 2);
 }
 
