@@ -1,5 +1,8 @@
 //! The words that people use to name columns, in English, Dutch, German and Italian, and the units after them.
 
+use std::collections::{HashMap, HashSet};
+use std::sync::LazyLock;
+
 use super::error::Role;
 use crate::length::Unit;
 
@@ -42,13 +45,19 @@ const OTHER: &str = "deviation|dev|afwijking|abweichung|scostamento|error|fout|f
     temperature|temperatuur|temperatur|temperatura|position|positie|posizione|x|y|z|status|result|resultaat|ergebnis|\
     risultato|count|anzahl|aantal|plus|minus|um|form|rundheit|roundness|rondheid|type|typ|tipo";
 
-/// What a column with this name holds.
-pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
-    let name = bare(header);
-    let is = |list: &str| list.split('|').any(|word| word == name);
-    if name.is_empty() {
-        return None;
-    }
+/// The lists above, to be asked by a word.
+struct Known {
+    /// What a whole name says.
+    whole: HashMap<&'static str, (Role, Rank)>,
+    /// What a word within a longer name says; the first of these roles counts.
+    within: HashMap<&'static str, usize>,
+    other: HashSet<&'static str>,
+}
+
+/// The roles that one word within a longer name is enough for, the most telling first.
+const WITHIN: [(Role, &str); 3] = [(Role::Nominal, NOMINAL), (Role::Measured, MEASURED), (Role::Tolerance, TOLERANCE)];
+
+static KNOWN: LazyLock<Known> = LazyLock::new(|| {
     let exact = [
         (Role::Measured, MEASURED),
         (Role::Nominal, NOMINAL),
@@ -57,27 +66,38 @@ pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
         (Role::Simulated, SIMULATED),
         (Role::Id, ID),
     ];
-    if let Some((role, _)) = exact.into_iter().find(|(_, list)| is(list)) {
-        return Some((role, Rank::Exact));
+    let exact = exact.map(|(role, list)| (role, Rank::Exact, list));
+    let unsure = [(Role::Tolerance, Rank::Contained, CLASS), (Role::Measured, Rank::Weak, WEAK)];
+    let mut whole = HashMap::new();
+    for (role, rank, list) in exact.into_iter().chain(unsure) {
+        for name in list.split('|') {
+            whole.entry(name).or_insert((role, rank));
+        }
     }
-    if is(CLASS) {
-        return Some((Role::Tolerance, Rank::Contained));
+    let mut within = HashMap::new();
+    for (place, (_, list)) in WITHIN.iter().enumerate() {
+        for word in list.split('|') {
+            within.entry(word).or_insert(place);
+        }
     }
-    if is(WEAK) {
-        return Some((Role::Measured, Rank::Weak));
+    Known { whole, within, other: OTHER.split('|').collect() }
+});
+
+/// What a column with this name holds.
+pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
+    let name = bare(header);
+    if let Some(known) = KNOWN.whole.get(name.as_str()) {
+        return Some(*known);
     }
-    let has = |list: &str| name.split(' ').any(|part| list.split('|').any(|word| word == part));
-    if has(OTHER) {
+    if name.split(' ').any(|part| KNOWN.other.contains(part)) {
         return None;
     }
     let is_id = |part: &str| matches!(part, "id" | "nr" | "no" | "number" | "nummer" | "name" | "naam" | "nome");
     if name.split(' ').any(is_id) {
         return Some((Role::Id, Rank::Contained));
     }
-    [(Role::Nominal, NOMINAL), (Role::Measured, MEASURED), (Role::Tolerance, TOLERANCE)]
-        .into_iter()
-        .find(|(_, list)| has(list))
-        .map(|(role, _)| (role, Rank::Contained))
+    let place = name.split(' ').filter_map(|part| KNOWN.within.get(part)).min()?;
+    WITHIN.get(*place).map(|(role, _)| (*role, Rank::Contained))
 }
 
 /// The name in small letters, without its unit, with single blanks between words.
