@@ -58,7 +58,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         Parameter::coordinate(PATH, PATH_NAME)
             .named(PATH_NAMES)
             .asked(&[
-                (En, "Incremental measuring path (with sign)"),
+                (En, "Measuring path (with sign)"),
                 (De, "Messweg inkremental (Vorzeichen)"),
                 (Nl, "Tastweg incrementeel (met teken)"),
             ])
