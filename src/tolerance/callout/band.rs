@@ -99,7 +99,10 @@ impl<'a> Reader<'a> {
         }
         let Ok(limits) = Callout::with_limits(nominal.max(removed), nominal.min(removed)) else { return as_deviation };
         Err(match as_deviation {
-            Ok(deviation) => self.error(whole, Kind::LimitsOrDeviation { limits, deviation }),
+            Ok(deviation) => {
+                let (limits, deviation) = (Box::new(limits), Box::new(deviation));
+                self.error(whole, Kind::LimitsOrDeviation { limits, deviation })
+            }
             Err(_leaves_nothing) => self.error(whole, Kind::LimitsMeant { limits }),
         })
     }

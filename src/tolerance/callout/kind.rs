@@ -112,9 +112,9 @@ pub enum CalloutErrorKind {
     /// Either a minus between two sizes or a very large lower deviation.
     LimitsOrDeviation {
         /// The callout as limits.
-        limits: Callout,
+        limits: Box<Callout>,
         /// The callout as a deviation.
-        deviation: Callout,
+        deviation: Box<Callout>,
     },
     /// Two sizes with a minus between them.
     LimitsMeant {

@@ -220,6 +220,12 @@ impl IntoArg for Callout {
     }
 }
 
+impl IntoArg for Box<Callout> {
+    fn arg(&self) -> Arg {
+        self.as_ref().arg()
+    }
+}
+
 impl FromStr for Callout {
     type Err = CalloutError;
 
