@@ -218,6 +218,13 @@ fn no_cycle_is_named_outside_its_own_file() {
     assert_eq!(found, Vec::<String>::new());
 }
 
+/// What a person reads on a terminal goes through one writer, which tames it.
+#[test]
+fn nothing_is_written_around_the_writer_for_people() {
+    let others = files(|name| name != "cli/io.rs");
+    none_names(&others, &["io::stdout", "io::stderr", "println!", "eprint!", "print!("]);
+}
+
 /// Only the cycles declare the names of parameters.
 #[test]
 fn no_parameter_of_a_cycle_is_asked_for_by_its_number() {

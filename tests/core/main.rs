@@ -24,6 +24,7 @@ mod fit_cli;
 mod fit_geometry;
 mod fit_search;
 mod fits;
+mod hostile;
 mod house;
 mod import;
 mod iso286;
