@@ -37,7 +37,37 @@ fn main() -> io::Result<()> {
         }
         add(format_args!("];\n"))?;
     }
+    texts(&Path::new(&root).join("assets/locales"), &mut code)?;
     fs::write(Path::new(&out).join("shipped.rs"), code)
+}
+
+/// Lists the names of the texts of each language with their files, so that a start of the program parses only the
+/// files that it needs. A name begins its line; the rest of its text is indented.
+fn texts(locales: &Path, code: &mut String) -> io::Result<()> {
+    let mut add = |line: std::fmt::Arguments<'_>| code.write_fmt(line).map_err(io::Error::other);
+    let mut languages: Vec<PathBuf> =
+        fs::read_dir(locales)?.map(|entry| Ok(entry?.path())).collect::<io::Result<_>>()?;
+    languages.sort();
+    add(format_args!(
+        "/// The names of each language's texts in their order, each with the number of its file among the language's.\n\
+         pub static TEXTS: &[(&str, &[(&str, usize)])] = &[\n"
+    ))?;
+    for language in languages.iter().filter(|path| path.is_dir()) {
+        let mut files = Vec::new();
+        collect(language, &mut files)?;
+        files.sort();
+        let mut names = Vec::new();
+        for (number, file) in files.iter().enumerate() {
+            let text = fs::read_to_string(file)?;
+            let lines = text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_alphabetic()));
+            let found = lines.filter_map(|line| line.split_once('=')).map(|(name, _)| name.trim_end());
+            names.extend(found.map(|name| (name.to_owned(), number)));
+        }
+        names.sort();
+        let name = language.file_name().unwrap_or_default().to_string_lossy();
+        add(format_args!("    ({name:?}, &{names:?}),\n"))?;
+    }
+    add(format_args!("];\n"))
 }
 
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use folder::{beside, persist};
 pub use folder::{make_folder, save, write_folder, write_new};
 pub use folders::Folders;
-pub use listing::{Entry, Listing, MOST_ENTRIES, list};
+pub use listing::{Entry, Listing, MOST_ENTRIES, list, list_up_to};
 pub use tables::{OwnTables, OwnTablesError, read_tables};
 
 use crate::message::Say;

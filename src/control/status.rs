@@ -1,6 +1,6 @@
 //! What status windows are drawn with: the status words and the built-in masks.
 
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 use super::mask::Mask;
 use super::variables::Value;
@@ -28,14 +28,19 @@ pub(crate) fn micrometres(length: Length) -> Value {
 }
 
 /// The built-in mask with a name, such as a cycle's number, in a dialogue language: `427_nl.a`.
+///
+/// # Panics
+/// Never: a test reads every shipped mask.
 pub fn mask_named(name: &str, dialogue: Dialogue) -> Option<&'static Mask> {
-    static MASKS: LazyLock<Vec<(&str, Mask)>> = LazyLock::new(|| {
-        #[expect(clippy::expect_used, reason = "the files are part of the program and read by a test")]
-        let read = |bytes| Mask::read(bytes).expect("a shipped mask can be read").0;
-        shipped::MASKS.iter().map(|(file, bytes)| (*file, read(bytes))).collect()
-    });
+    /// A file and, once it was wanted, what it says.
+    type Shipped = (&'static str, &'static [u8], OnceLock<Mask>);
+    static MASKS: LazyLock<Vec<Shipped>> =
+        LazyLock::new(|| shipped::MASKS.iter().map(|(file, bytes)| (*file, *bytes, OnceLock::new())).collect());
+    #[expect(clippy::expect_used, reason = "the files are part of the program and read by a test")]
+    let read = |bytes| Mask::read(bytes).expect("a shipped mask can be read").0;
     let file = format!("{name}_{dialogue}.a");
-    MASKS.iter().find(|(known, _)| *known == file).map(|(_, mask)| mask)
+    let (_, bytes, mask) = MASKS.iter().find(|(known, ..)| *known == file)?;
+    Some(mask.get_or_init(|| read(bytes)))
 }
 
 /// The built-in mask of program 82551: `82552_nl.a` is that of NC-Solution 8255, byte for byte.

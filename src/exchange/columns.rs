@@ -16,6 +16,9 @@ const SAMPLE: usize = 200;
 /// How many lines may come before a header.
 const ABOVE_HEADER: usize = 20;
 
+/// How many columns a message names at most.
+const NAMED: usize = 8;
+
 /// A column with lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct LengthColumn {
@@ -53,6 +56,8 @@ pub(super) struct Sample {
     pub(super) separator: u8,
     rows: Vec<(usize, StringRecord)>,
     header: Option<usize>,
+    /// How many rows come before the measurements.
+    above: usize,
 }
 
 impl Sample {
@@ -62,7 +67,7 @@ impl Sample {
         let samples = tried.iter().map(|&separator| Self::split(text, first_line, separator));
         // The first of equals: the separators are in order of trust.
         let best = samples.reduce(|best, other| if best.sense() < other.sense() { other } else { best });
-        best.unwrap_or(Self { separator: b';', rows: Vec::new(), header: None })
+        best.unwrap_or(Self { separator: b';', rows: Vec::new(), header: None, above: 0 })
     }
 
     fn split(text: &str, first_line: usize, separator: u8) -> Self {
@@ -72,7 +77,10 @@ impl Sample {
         });
         let rows: Vec<_> = rows.take(SAMPLE).collect();
         let header = header(&rows);
-        Self { separator, rows, header }
+        // Unknown names are not a measurement either.
+        let unknown = rows.first().is_some_and(|(_, cells)| may_be_names(cells));
+        let above = header.map_or(usize::from(unknown), |header| header + 1);
+        Self { separator, rows, header, above }
     }
 
     /// How many columns the header names, how many rows hold a callout and a number, and how many rows have cells.
@@ -95,7 +103,7 @@ impl Sample {
             self.by_header(*line, cells)?
         } else {
             let mut columns = self.by_content()?;
-            columns.header = self.above().checked_sub(1).and_then(|at| self.rows.get(at)).map(|(line, _)| *line);
+            columns.header = self.above.checked_sub(1).and_then(|at| self.rows.get(at)).map(|(line, _)| *line);
             columns
         };
         columns.decimal_sign = self.decimal_sign(columns.measured.at);
@@ -103,16 +111,9 @@ impl Sample {
         Ok(columns)
     }
 
-    /// How many rows come before the measurements.
-    fn above(&self) -> usize {
-        // Unknown names are not a measurement either.
-        let unknown = self.rows.first().is_some_and(|(_, cells)| may_be_names(cells));
-        self.header.map_or(usize::from(unknown), |header| header + 1)
-    }
-
     /// The cells of a column below the header.
     fn cells(&self, at: usize) -> impl Iterator<Item = &str> {
-        let data = self.rows.iter().skip(self.above());
+        let data = self.rows.iter().skip(self.above);
         data.filter_map(move |(_, cells)| cells.get(at)).map(str::trim).filter(|cell| !cell.is_empty())
     }
 
@@ -232,7 +233,7 @@ impl Sample {
     }
 
     fn whole_numbers_behind(&self, at: usize) -> bool {
-        let data = self.rows.iter().skip(self.above());
+        let data = self.rows.iter().skip(self.above);
         let with_sign = data.filter(|(_, cells)| cells.get(at).is_some_and(|cell| cell.contains('.')));
         let (whole, all) = with_sign.fold((0, 0), |(whole, all), (_, cells)| {
             (whole + usize::from(cells.get(at + 1).is_some_and(is_whole)), all + 1)
@@ -340,7 +341,16 @@ pub(super) fn is_class(cell: &str) -> bool {
 
 fn several(role: Role, header: &StringRecord, columns: &[usize]) -> ImportErrorKind {
     let names: Vec<String> = columns.iter().map(|&at| name_of(at, header.get(at).unwrap_or_default())).collect();
-    ImportErrorKind::SeveralColumns { role, columns: names.join(", ") }
+    ImportErrorKind::SeveralColumns { role, columns: listed(&names) }
+}
+
+/// The first names of columns as one text, with an ellipsis where there are more.
+pub(super) fn listed(names: &[String]) -> String {
+    let mut list = names.get(..NAMED).unwrap_or(names).join(", ");
+    if NAMED < names.len() {
+        list.push_str(", …");
+    }
+    list
 }
 
 /// The number of a column, and its name where it has one.

@@ -92,7 +92,7 @@ impl Reader<'_> {
     fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
         if !self.columns.ignored.is_empty() {
-            let columns = self.columns.ignored.join(", ");
+            let columns = columns::listed(&self.columns.ignored);
             self.warn(line, ImportWarningKind::IgnoredColumns { columns });
         }
     }

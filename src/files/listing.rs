@@ -43,18 +43,29 @@ impl Entry {
 pub struct Listing {
     /// The folder, absolute.
     pub folder: PathBuf,
-    /// At most [`MOST_ENTRIES`] entries.
+    /// As many entries as were asked for at most.
     pub entries: Vec<Entry>,
     /// Whether there are more entries.
     pub has_more: bool,
 }
 
-/// Reads a folder.
+/// Reads a folder, up to [`MOST_ENTRIES`] entries.
+///
+/// # Errors
+/// The path and the reason, where the folder cannot be read.
 pub fn list(folder: &Path) -> Result<Listing, FileError> {
+    list_up_to(folder, MOST_ENTRIES)
+}
+
+/// Reads a folder, up to `most` entries.
+///
+/// # Errors
+/// The path and the reason, where the folder cannot be read.
+pub fn list_up_to(folder: &Path, most: usize) -> Result<Listing, FileError> {
     let mut listing = Listing { folder: absolute(folder)?, entries: Vec::new(), has_more: false };
     let entries = std::fs::read_dir(&listing.folder).map_err(|error| system(folder, &error))?;
     for entry in entries {
-        if listing.entries.len() == MOST_ENTRIES {
+        if listing.entries.len() == most {
             listing.has_more = true;
             break;
         }
@@ -66,7 +77,7 @@ pub fn list(folder: &Path) -> Result<Listing, FileError> {
         let changed = changed.and_then(|changed| jiff::Timestamp::try_from(changed).ok());
         listing.entries.push(Entry {
             name: entry.file_name().to_string_lossy().into_owned(),
-            is_folder: path.is_dir(),
+            is_folder: metadata.as_ref().is_some_and(std::fs::Metadata::is_dir),
             bytes: metadata.as_ref().map_or(0, std::fs::Metadata::len),
             changed: changed.map(|changed| changed.to_zoned(TimeZone::system()).datetime()),
             path,

@@ -1,6 +1,7 @@
 //! The texts of one language.
 
 use std::fmt;
+use std::sync::OnceLock;
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
@@ -11,7 +12,9 @@ use crate::shipped;
 /// The texts of one language: the folder of its code in `assets/locales`.
 pub struct Bundle {
     code: &'static str,
-    texts: FluentBundle<FluentResource>,
+    files: Vec<TextFile>,
+    /// The file that each text stands in, by name.
+    places: &'static [(&'static str, usize)],
 }
 
 impl fmt::Debug for Bundle {
@@ -20,40 +23,74 @@ impl fmt::Debug for Bundle {
     }
 }
 
-impl Bundle {
-    /// Loads the embedded texts of a language; nothing is read from disk.
-    pub fn of(code: &'static str) -> Self {
-        Self::from_files(code, shipped::LOCALES.iter().filter(|(name, _)| name.split('/').next() == Some(code)))
+/// One Fluent file, parsed when the first of its texts is wanted: a call on the command line needs two or three of
+/// them. A text can refer to others of its own file only.
+pub struct TextFile {
+    code: &'static str,
+    name: &'static str,
+    bytes: &'static [u8],
+    parsed: OnceLock<FluentBundle<FluentResource>>,
+}
+
+impl fmt::Debug for TextFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("TextFile").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+impl TextFile {
+    /// A built-in file of a language.
+    pub const fn new(code: &'static str, (name, bytes): (&'static str, &'static [u8])) -> Self {
+        Self { code, name, bytes, parsed: OnceLock::new() }
     }
 
-    /// The texts of some Fluent files of a language.
-    pub fn from_files(code: &'static str, files: impl Iterator<Item = &'static (&'static str, &'static [u8])>) -> Self {
-        let mut texts = FluentBundle::new_concurrent(vec![code.parse().unwrap_or_default()]);
-        // The marks U+2068 and U+2069 around every argument would show in reports and labels.
-        texts.set_use_isolating(false);
-        for (name, bytes) in files {
-            let resource = match FluentResource::try_new(String::from_utf8_lossy(bytes).into_owned()) {
+    fn parsed(&self) -> &FluentBundle<FluentResource> {
+        self.parsed.get_or_init(|| {
+            let mut texts = FluentBundle::new_concurrent(vec![self.code.parse().unwrap_or_default()]);
+            // The marks U+2068 and U+2069 around every argument would show in reports and labels.
+            texts.set_use_isolating(false);
+            let resource = match FluentResource::try_new(String::from_utf8_lossy(self.bytes).into_owned()) {
                 Ok(resource) => resource,
                 Err((resource, errors)) => {
-                    log::error!("locale {name}: {errors:?}");
+                    log::error!("locale {}: {errors:?}", self.name);
                     resource
                 }
             };
             if let Err(errors) = texts.add_resource(resource) {
-                log::error!("locale {name}: {errors:?}");
+                log::error!("locale {}: {errors:?}", self.name);
             }
+            texts
+        })
+    }
+
+    /// A text of the file, if it is there.
+    pub fn find(&self, id: &str, args: Option<&FluentArgs<'_>>) -> Option<String> {
+        let texts = self.parsed();
+        let mut errors = Vec::new();
+        let text = texts.format_pattern(texts.get_message(id)?.value()?, args, &mut errors).into_owned();
+        if !errors.is_empty() {
+            log::error!("locale {}, text {id}: {errors:?}", self.name);
         }
-        Self { code, texts }
+        Some(text)
+    }
+}
+
+impl Bundle {
+    /// The embedded texts of a language; nothing is read from disk.
+    pub fn of(code: &'static str) -> Self {
+        let files = shipped::LOCALES.iter().filter(|(name, _)| name.split('/').next() == Some(code));
+        let places = shipped::TEXTS.iter().find(|(known, _)| *known == code).map(|(_, places)| *places);
+        Self { code, files: files.map(|file| TextFile::new(code, *file)).collect(), places: places.unwrap_or_default() }
     }
 
     /// The text of a name without arguments, if there is one.
     pub fn find(&self, id: &str) -> Option<String> {
-        self.texts.has_message(id).then(|| self.format(id, None))
+        self.format(id, None)
     }
 
     /// The text of a name without arguments.
     pub fn get(&self, id: &str) -> String {
-        self.format(id, None)
+        self.format_or_name(id, None)
     }
 
     /// A sentence in this language; `number` prints decimal numbers in its way.
@@ -71,20 +108,19 @@ impl Bundle {
             };
             args.set(*name, value);
         }
-        self.format(message.id, Some(&args))
+        self.format_or_name(message.id, Some(&args))
+    }
+
+    fn format(&self, id: &str, args: Option<&FluentArgs<'_>>) -> Option<String> {
+        let at = self.places.binary_search_by_key(&id, |(name, _)| name).ok()?;
+        self.files.get(self.places.get(at)?.1)?.find(id, args)
     }
 
     /// An unknown name is shown as it is and logged: a missing text must never stop a measurement.
-    fn format(&self, id: &str, args: Option<&FluentArgs<'_>>) -> String {
-        let Some(pattern) = self.texts.get_message(id).and_then(|message| message.value()) else {
+    fn format_or_name(&self, id: &str, args: Option<&FluentArgs<'_>>) -> String {
+        self.format(id, args).unwrap_or_else(|| {
             log::error!("locale {}: no text {id}", self.code);
-            return id.to_owned();
-        };
-        let mut errors = Vec::new();
-        let text = self.texts.format_pattern(pattern, args, &mut errors).into_owned();
-        if !errors.is_empty() {
-            log::error!("locale {}, text {id}: {errors:?}", self.code);
-        }
-        text
+            id.to_owned()
+        })
     }
 }

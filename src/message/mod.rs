@@ -17,9 +17,9 @@ mod located;
 use std::fmt;
 use std::sync::LazyLock;
 
-pub(crate) use arg::as_text;
 pub use arg::{Arg, IntoArg};
-pub use bundle::Bundle;
+pub(crate) use arg::{as_text, printed};
+pub use bundle::{Bundle, TextFile};
 pub use fitcheck_derive::Say;
 pub use located::{Located, Place};
 

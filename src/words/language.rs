@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::Dialogue;
-use crate::message::Bundle;
+use crate::message::TextFile;
 use crate::shipped::{self, Files};
 
 /// A language of the window and of reports: the language of the person at Fitcheck.
@@ -38,10 +38,10 @@ struct Folder {
 /// The languages in a list of built-in texts, in its order. The default name is the code, the default sign the point.
 fn folders(locales: Files) -> Vec<Folder> {
     let own = locales.iter().filter_map(|file| Some((file.0.strip_suffix("/language.ftl")?, file)));
-    let folder = |(code, file)| {
-        let own = Bundle::from_files(code, std::iter::once(file));
-        let sign = own.find("language-decimal-sign").and_then(|sign| sign.chars().next());
-        let name = own.find("language-name").unwrap_or_else(|| code.to_owned());
+    let folder = |(code, file): (_, &(_, _))| {
+        let own = TextFile::new(code, *file);
+        let sign = own.find("language-decimal-sign", None).and_then(|sign| sign.chars().next());
+        let name = own.find("language-name", None).unwrap_or_else(|| code.to_owned());
         Folder { code, name, decimal_sign: sign.unwrap_or('.') }
     };
     own.map(folder).collect()

@@ -77,6 +77,23 @@ fn a_stream_of_more_than_the_bound_is_refused_in_bounded_memory() {
 }
 
 #[test]
+fn a_row_of_20_000_columns_is_read_at_once() {
+    let row = |cell: &dyn Fn(usize) -> String| (0..20_000).map(cell).collect::<Vec<_>>().join(";");
+    let numbers = row(&|_| "1.5".to_owned());
+    let names = row(&|at| format!("c{at}"));
+    for text in [format!("{names}\n{numbers}\n"), format!("{numbers}\n{numbers}\n"), format!("{names}\n{names}\n")] {
+        let (_folder, path) = file("wide.csv", text.as_bytes());
+        let (code, _, stderr) = run(&["import", "FILE"], &path);
+        assert_eq!(code, 1, "{stderr}");
+        assert!(stderr.len() < 500, "{stderr}");
+    }
+    let (_folder, path) = file("wide.csv", format!("callout;measured;{names}\n25 H7;25.01;{numbers}\n").as_bytes());
+    let (code, _, stderr) = run(&["import", "FILE"], &path);
+    assert_eq!(code, 0, "{stderr}");
+    assert!(stderr.contains("c0") && stderr.len() < 500, "{stderr}");
+}
+
+#[test]
 fn a_folder_is_no_file() {
     let folder = tempfile::tempdir().unwrap();
     for args in READERS {

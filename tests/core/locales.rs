@@ -168,6 +168,28 @@ fn every_file_parses_whole() {
     }
 }
 
+/// The names of other texts in a text: `{ simulated }`.
+fn references(text: &str) -> impl Iterator<Item = &str> {
+    let placeables = text.split('{').skip(1).filter_map(|rest| rest.split('}').next()).map(str::trim);
+    placeables.filter(|name| name.starts_with(|c: char| c.is_ascii_lowercase() || c == '-'))
+}
+
+#[test]
+fn a_text_refers_to_texts_of_its_own_file_only() {
+    let mut found = 0;
+    for language in Language::all() {
+        for (file, text) in locale(language) {
+            let mut own = Texts::new();
+            texts(&file, &text, &mut own);
+            for name in references(&text) {
+                found += 1;
+                assert!(own.contains_key(name), "{language}/{file} refers to {name}");
+            }
+        }
+    }
+    assert!(0 < found, "the search finds nothing");
+}
+
 #[test]
 fn every_file_is_embedded() {
     // A name that the program does not know is shown as it is.

@@ -191,8 +191,9 @@ fn a_run_on_a_workpiece_that_is_made_by_the_limits_does_not_outlive_their_source
         [(WorkpieceFrom::Perfect, false), (WorkpieceFrom::Given, false), (WorkpieceFrom::Simulated, true)]
     {
         let mut session = session();
-        send(&mut session, ProgramCommand::ChooseWorkpiece(workpiece));
+        // Typing a diameter chooses the workpiece of that diameter.
         type_text(&mut session, ProgramField::Diameter, "25.01");
+        send(&mut session, ProgramCommand::ChooseWorkpiece(workpiece));
         send(&mut session, ProgramCommand::Run);
         assert!(session.program().run().is_some(), "{workpiece:?}");
         send(&mut session, Command::UseSource(fitcheck::tolerance::Base::ControlTables));

@@ -553,7 +553,7 @@ fn contacts_that_are_not_judged_are_told_with_the_reason_and_as_no_check() {
     let [notice] = session.notices() else { panic!("{:?}", session.notices()) };
     assert_eq!(notice.message.to_string(), "The contacts in parts.csv were not judged");
     let details: Vec<_> = notice.details.iter().map(ToString::to_string).collect();
-    assert_eq!(details, ["There are no limits to judge by: type a callout first"]);
+    assert_eq!(details, ["No limits to judge by: type a callout first"]);
     assert!(notice.is_problem);
 }
 

@@ -10,6 +10,7 @@ use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say};
 use crate::session::{Action, Lot, Question, Step};
+use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
 use crate::words::Words;
 
@@ -133,6 +134,9 @@ fn card(words: &Words, record: &Record) -> Card {
         lines.push(words.say(&Message::new("diameter-alone").text("status", words.get(id))));
     }
     lines.extend(record.doubt.map(|doubt| words.told(&doubt)));
+    if matches!(record.limits.source, Source::WithoutOwn { .. }) {
+        lines.push(words.get("judged-without-own"));
+    }
     Card {
         status: Some(status),
         is_simulated: record.measurement.origin.is_simulated(),

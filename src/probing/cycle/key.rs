@@ -40,6 +40,18 @@ impl Key {
 
     /// Whether a text is this key and not the text form of its number.
     pub(super) fn is_exactly(self, text: &str) -> bool {
-        self.to_string().eq_ignore_ascii_case(text.trim())
+        let text = text.trim();
+        let (prefix, number) = match self {
+            Self::Q(number) => ("Q", number),
+            Self::Qs(number) => ("QS", number),
+            Self::Word(word) => return word.eq_ignore_ascii_case(text),
+        };
+        let digits = text.split_at_checked(prefix.len()).filter(|(letters, _)| letters.eq_ignore_ascii_case(prefix));
+        digits.is_some_and(|(_, digits)| {
+            // As the key is printed: no sign, no zero before the number.
+            digits.bytes().all(|byte| byte.is_ascii_digit())
+                && digits.parse() == Ok(number)
+                && (number == 0 && digits.len() == 1 || !digits.starts_with('0'))
+        })
     }
 }

@@ -10,7 +10,7 @@ use crate::length::{Length, LengthError};
 use crate::message::{Message, Say as _};
 use crate::probing::measure::{ProbePosition, cycle_number, measure as run_cycle};
 use crate::probing::measurement::measure_contacts;
-use crate::probing::simulated::{Lobes, Machine, Probe, Workpiece, WorkpieceError};
+use crate::probing::simulated::{Figure, Lobes, Machine, Probe, Workpiece, WorkpieceError};
 use crate::probing::{Contact, Measurement, Origin};
 use crate::session::field::KeptField as _;
 use crate::session::shared::Notice;
@@ -77,13 +77,13 @@ fn simulated(asked: &Asked, limits: &Limits) -> Result<(Measurement, Option<Posi
 /// The field of the figure that an error of the simulated machine names.
 fn figure(error: &WorkpieceError) -> CheckField {
     match error.what {
-        "centre x" => CheckField::OffsetX,
-        "centre y" => CheckField::OffsetY,
-        "ovality" => CheckField::Ovality,
-        "lobes" => CheckField::Lobes,
-        "lobe height" => CheckField::LobeHeight,
-        "surface scatter" => CheckField::SurfaceScatter,
-        "probe scatter" => CheckField::ProbeScatter,
+        Figure::CentreX => CheckField::OffsetX,
+        Figure::CentreY => CheckField::OffsetY,
+        Figure::Ovality => CheckField::Ovality,
+        Figure::Lobes => CheckField::Lobes,
+        Figure::LobeHeight => CheckField::LobeHeight,
+        Figure::SurfaceScatter => CheckField::SurfaceScatter,
+        Figure::ProbeScatter => CheckField::ProbeScatter,
         _ => CheckField::TrueDiameter,
     }
 }

@@ -119,7 +119,10 @@ letters! {
 impl Letter {
     /// From letters of either case; i, l, o, q, w do not exist.
     pub(super) fn from_letters(letters: &[u8]) -> Option<Self> {
-        Self::ALL.into_iter().find(|letter| letter.text().as_bytes().eq_ignore_ascii_case(letters))
+        let small = |byte: &u8| byte.to_ascii_lowercase();
+        // They stand in the order of the alphabet.
+        let order = |letter: &Self| letter.text().bytes().cmp(letters.iter().map(small));
+        Self::ALL.get(Self::ALL.binary_search_by(order).ok()?).copied()
     }
 }
 
