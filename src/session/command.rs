@@ -89,7 +89,7 @@ pub enum Command {
     /// Chooses where editions of ISO 286 differ.
     SetStandard(iso286::Options),
     /// The answer to what a dialog asked for: it closes that dialog or shows what is wrong, and leaves any other alone.
-    Answered(DialogId, Box<Command>),
+    Answered(DialogId, Box<Self>),
     /// A file was written, or not.
     Saved {
         /// Its path.
@@ -224,7 +224,7 @@ pub struct DialogId(pub(super) u64);
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
     /// Do this for a dialog and send every answer as [`Command::Answered`].
-    ForDialog(DialogId, Box<Effect>),
+    ForDialog(DialogId, Box<Self>),
     /// Show the system's file dialog and send [`Command::Picked`].
     Browse {
         /// What is asked for.

@@ -174,7 +174,7 @@ impl Session {
         match command {
             Command::Check(_) | Command::Fit(_) | Command::Cycles(_) | Command::Tables(_) | Command::Program(_) => {}
             // Its answer was taken out of it.
-            Command::Answered(..) => {}
+            Command::Answered(..) => return Vec::new(),
             Command::Workpiece(command) => {
                 let (cycles, program) = (&self.cycles, &self.program);
                 shared.apply_workpiece(command, |shared| match shared.page {

@@ -60,8 +60,8 @@ fn answer(session: &mut Session, answer: impl Into<Command>) -> Vec<Effect> {
 
 /// What the open dialog asks for, and nothing else is asked.
 #[track_caller]
-fn asked_for(session: &Session, effects: Vec<Effect>) -> Effect {
-    let [Effect::ForDialog(number, errand)] = effects.as_slice() else { panic!("{effects:?}") };
+fn asked_for(session: &Session, effects: &[Effect]) -> Effect {
+    let [Effect::ForDialog(number, errand)] = effects else { panic!("{effects:?}") };
     assert_eq!(*number, dialog(session).number);
     errand.as_ref().clone()
 }
@@ -110,7 +110,7 @@ fn typing_filters_and_arrows_and_enter_choose() {
     assert_eq!((dialog(&session).path.as_str(), dialog(&session).list.selected()), ("b.CSV", Some(0)));
     assert_eq!(shown(&session), ["b.CSV"], "the name of a selected file is no filter");
     let effects = send(&mut session, Command::Confirm);
-    assert_eq!(asked_for(&session, effects), Effect::Read(Purpose::Import, "/home/mia/b.CSV".into()));
+    assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, "/home/mia/b.CSV".into()));
     for step in [Step::Up, Step::Down, Step::PageDown] {
         send(&mut session, FilesCommand::Move(step));
         assert_eq!(dialog(&session).list.selected(), Some(0), "nothing moves while the file is read");
@@ -179,7 +179,7 @@ fn a_typed_path_begins_in_the_listed_folder_and_a_typed_folder_is_shown() {
         send(&mut session, FilesCommand::Show("/home/mia".into()));
         send(&mut session, Command::TypePath(typed.into()));
         let effects = send(&mut session, Command::Confirm);
-        assert_eq!(asked_for(&session, effects), Effect::Read(Purpose::Import, path.into()), "{typed}");
+        assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, path.into()), "{typed}");
     }
     let mut session = importing();
     send(&mut session, Command::TypePath("/tmp".into()));
@@ -201,7 +201,7 @@ fn a_folder_of_tables_is_the_one_that_is_listed() {
     send(&mut session, FilesCommand::Select(0));
     assert_eq!(dialog(&session).path, "/home/mia/tables");
     let effects = send(&mut session, Command::Confirm);
-    assert_eq!(asked_for(&session, effects), Effect::Read(Purpose::LoadTables, "/home/mia/tables".into()));
+    assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::LoadTables, "/home/mia/tables".into()));
 }
 
 #[test]
@@ -362,11 +362,11 @@ fn the_system_dialog_that_gives_nothing_is_told_and_the_list_stays() {
     let mut session = importing();
     let browse = Effect::Browse { purpose: Purpose::Import, folder: Some("/home/mia".into()), name: String::new() };
     let effects = send(&mut session, Command::Browse);
-    assert_eq!(asked_for(&session, effects), browse);
+    assert_eq!(asked_for(&session, &effects), browse);
     assert_eq!(answer(&mut session, Command::Picked(None)), []);
     assert!(dialog(&session).nothing_picked && shown(&session).len() == 3);
     let effects = answer(&mut session, Command::Picked(Some("/tmp/b.csv".into())));
-    assert_eq!(asked_for(&session, effects), Effect::Read(Purpose::Import, "/tmp/b.csv".into()));
+    assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, "/tmp/b.csv".into()));
     assert!(!dialog(&session).nothing_picked);
 }
 
@@ -377,7 +377,7 @@ fn a_name_that_is_no_text_is_read_as_it_is_and_kept_out_of_the_state_file() {
     let odd = Path::new("/tmp").join(std::ffi::OsStr::from_bytes(b"\xff.csv"));
     let mut session = importing();
     let effects = answer(&mut session, Command::Picked(Some(odd.clone())));
-    assert_eq!(asked_for(&session, effects), Effect::Read(Purpose::Import, odd.clone()));
+    assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, odd.clone()));
     send(&mut session, FilesCommand::Seen { purpose: Purpose::Import, path: odd, fate: Fate::Read });
     assert_eq!(session.recent_files().len(), 1);
     let saved = Saved::read(&session.saved().write()).unwrap();
@@ -498,7 +498,7 @@ fn a_folder_typed_for_a_file_that_is_written_opens_in_the_list() {
         assert_eq!((dialog(&session).path.as_str(), dialog(&session).busy), ("25H7-2026-11-21.csv", false), "{typed}");
     }
     let (session, effects) = saved_as("report");
-    let Effect::Save(path, _) = asked_for(&session, effects) else { panic!("a name is a file") };
+    let Effect::Save(path, _) = asked_for(&session, &effects) else { panic!("a name is a file") };
     assert_eq!(path, Path::new("/home/mia/report.csv"));
 }
 
