@@ -8,7 +8,7 @@ use fitcheck::files;
 use fitcheck::session::{HEAD, Purpose};
 
 fn main() -> ExitCode {
-    match Cli::start() {
+    match Cli::start(Purpose::knows_ending) {
         Start::Subcommand(cli) => cli.run_here(),
         Start::Window(paths) => match paths.into_iter().map(purpose).collect::<Result<Vec<_>, _>>() {
             Ok(files) => open_window(&files),

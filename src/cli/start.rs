@@ -29,17 +29,22 @@ enum StartError {
 }
 
 impl Cli {
-    /// Reads the process's arguments. Help and wrong usage end the program here.
-    pub fn start() -> Start {
+    /// Reads the process's arguments. Help and wrong usage end the program here. `knows_ending` says whether a path ends
+    /// as a file that the window may read.
+    pub fn start(knows_ending: fn(&Path) -> bool) -> Start {
         let given: Vec<OsString> = std::env::args_os().collect();
+        // What follows two hyphens is a file, whatever it is called.
+        let names_files = given.get(1).is_some_and(|first| first == "--");
         match Self::try_parse_from(&given) {
             Ok(cli) if cli.command.is_some() => Start::Subcommand(Box::new(cli)),
             Ok(_) => Start::Window(Vec::new()),
             // A subcommand of the name comes first; what is none may be a file.
-            Err(error) if error.kind() == ErrorKind::InvalidSubcommand => {
-                let paths: Vec<PathBuf> = given.into_iter().skip(1).map(PathBuf::from).collect();
+            Err(error) if names_files || error.kind() == ErrorKind::InvalidSubcommand => {
+                let names = given.into_iter().skip(1 + usize::from(names_files));
+                let paths: Vec<PathBuf> = names.map(PathBuf::from).collect();
+                let is_file = |path: &Path| names_files || path.is_file() || is_in_folder(path) || knows_ending(path);
                 match paths.first() {
-                    Some(first) if first.is_file() || is_like_a_file(first) => match unopenable(&paths) {
+                    Some(first) if is_file(first) => match unopenable(&paths) {
                         Some(error) => Self::wrong_usage(&error),
                         None => Start::Window(paths),
                     },
@@ -61,8 +66,7 @@ fn unopenable(paths: &[PathBuf]) -> Option<StartError> {
     Some(if path.is_dir() { StartError::Folder { path } } else { StartError::Missing { path } })
 }
 
-/// Whether somebody who typed this meant a file: it has a folder or an ending, as no subcommand has.
-fn is_like_a_file(path: &Path) -> bool {
-    let is_ending = |ending: &std::ffi::OsStr| ending.to_string_lossy().chars().any(char::is_alphabetic);
-    path.extension().is_some_and(is_ending) || 1 < path.components().count() || path.is_absolute()
+/// Whether a path has a folder, as no subcommand has.
+fn is_in_folder(path: &Path) -> bool {
+    1 < path.components().count() || path.is_absolute()
 }

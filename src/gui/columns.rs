@@ -172,8 +172,8 @@ impl Side {
     }
 }
 
-/// A panel whose edge is drawn with the pointer, or moved with the arrow keys once it has the focus; it stays so, also
-/// after a restart.
+/// A panel whose edge is dragged with the pointer, or moved with the arrow keys once it has the focus. It keeps its
+/// place, also after a restart.
 pub(super) fn panel_ui(
     ui: &mut Ui,
     view: &mut View<'_>,

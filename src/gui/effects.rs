@@ -1,10 +1,11 @@
-//! The outside world: files and dialogs on a named thread of their own, one at a time.
+//! The outside world, never on the frame's thread: files are read and written on a thread of their own, one after
+//! another as they were asked for; what may wait for a user or a network has a thread for itself.
 //!
 //! The answer comes back as a [`Command`] and asks for one frame. Tests run errands at once, on the frame's thread.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Receiver, SendError, Sender, channel};
 
 use eframe::egui::{Context, ViewportCommand};
 use jiff::civil::DateTime;
@@ -36,18 +37,27 @@ pub enum Errands {
     AtOnce,
 }
 
+/// Something to do outside.
+type Errand = Box<dyn FnOnce() + Send>;
+
 /// Runs effects and collects their answers.
 #[derive(Debug)]
 pub(super) struct Runner {
     errands: Errands,
     sender: Sender<Command>,
     receiver: Receiver<Command>,
+    /// To the thread that reads and writes files.
+    files: Sender<Errand>,
 }
 
 impl Runner {
     pub fn new(errands: Errands) -> Self {
         let (sender, receiver) = channel();
-        Self { errands, sender, receiver }
+        let (files, queue) = channel::<Errand>();
+        if errands == Errands::OnThread {
+            on_thread("files", Box::new(move || queue.into_iter().for_each(|errand| errand())));
+        }
+        Self { errands, sender, receiver, files }
     }
 
     /// The commands that came back since the last frame.
@@ -63,22 +73,32 @@ impl Runner {
             effect => effect,
         };
         let (sender, ctx, sources) = (self.sender.clone(), ctx.clone(), Arc::clone(sources));
-        let (errands, filters) = (self.errands, Filters::of(&effect, words));
-        let errand = move || {
+        let (errands, filters) = (self.errands, Filters::of(effect.errand(), words));
+        let may_wait = match effect.errand() {
+            Effect::Browse { .. } | Effect::List(_) | Effect::Launch(..) => true,
+            // What is judged waits for it, and nothing else has to.
+            Effect::Read(purpose, _) => *purpose == Purpose::LoadTables,
+            _ => false,
+        };
+        let errand: Errand = Box::new(move || {
             for command in answers(effect, (errands, filters), &sources, now) {
                 // A closed window hears no answer; that is not an error.
                 let _closed = sender.send(command);
             }
             ctx.request_repaint();
-        };
+        });
         match errands {
             Errands::AtOnce => errand(),
-            Errands::OnThread => {
-                if let Err(error) = std::thread::Builder::new().name("errand".to_owned()).spawn(errand) {
-                    log::error!("no thread for files: {error}");
-                }
-            }
+            Errands::OnThread if may_wait => on_thread("errand", errand),
+            // Without its thread a file is read at once: a window that stands still is better than no answer.
+            Errands::OnThread => self.files.send(errand).unwrap_or_else(|SendError(errand)| errand()),
         }
+    }
+}
+
+fn on_thread(name: &str, errand: Errand) {
+    if let Err(error) = std::thread::Builder::new().name(name.to_owned()).spawn(errand) {
+        log::error!("no thread for {name}: {error}");
     }
 }
 
@@ -103,6 +123,10 @@ fn answers(
     now: DateTime,
 ) -> Vec<Command> {
     match effect {
+        Effect::ForDialog(dialog, errand) => {
+            let answers = answers(*errand, (errands, filters), sources, now).into_iter();
+            answers.map(|answer| Command::Answered(dialog, Box::new(answer))).collect()
+        }
         Effect::Browse { purpose, folder, name } => {
             let filters = filters.filter(|_| errands == Errands::OnThread);
             let picked = filters.and_then(|filters| pick(purpose, folder.as_deref(), &name, &filters));
@@ -281,5 +305,29 @@ fn pick(purpose: Purpose, folder: Option<&Path>, name: &str, filters: &Filters) 
         dialog.add_filter(&filters.all, &["*"]).pick_file()
     } else {
         dialog.set_file_name(name).save_file()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_written_and_read_in_the_order_in_which_they_were_asked_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |number: usize| folder.path().join(format!("{number}.txt"));
+        let runner = Runner::new(Errands::OnThread);
+        let (ctx, words) = (Context::default(), Words::new(crate::words::Language::En));
+        // The first is the longest, so that any other would overtake it.
+        for number in 0..20 {
+            let bytes = vec![b'x'; if number == 0 { 4 << 20 } else { 1 }];
+            let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
+            runner.run(&ctx, Effect::Save(path(number), bytes), (&Arc::default(), &words), now);
+        }
+        let answers: Vec<Command> = runner.receiver.iter().take(20).collect();
+        for (number, answer) in answers.iter().enumerate() {
+            let Command::Saved { path: written, result: Ok(()) } = answer else { panic!("{answer:?}") };
+            assert_eq!(*written, path(number));
+        }
     }
 }

@@ -71,6 +71,7 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>
     if response.changed() {
         view.send(field.typed(text.clone()));
     }
+    keypad::see(ui, field);
     if response.has_focus() {
         keypad::aim(ui, field);
     }

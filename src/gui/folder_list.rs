@@ -1,4 +1,4 @@
-//! The list of a folder in the file dialog: one stop for Tab less, since arrows move in it while the path has the focus.
+//! The list of a folder in the file dialog. Tab passes over it: the arrow keys move in it while the path has the focus.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Frame, Id, ScrollArea, Sense, Ui, WidgetInfo, vec2};

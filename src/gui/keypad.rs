@@ -1,4 +1,5 @@
 //! A keypad for fingers and gloves: it types into the field that had the focus last, and gives the focus back to it.
+//! Where that field is not on screen, it types nothing.
 //!
 //! It stands below what is asked and covers nothing. Keys act when released, are 15 mm or more on a 10 inch panel, and
 //! need no gesture; figures and signs on one page, letters for classes and names on another.
@@ -7,7 +8,7 @@ use std::ops::Range;
 
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{Button, Context, Id, Panel, RichText, Ui, vec2};
+use eframe::egui::{Button, Context, Id, Panel, RichText, Ui, Vec2, vec2};
 
 use super::field;
 use super::theme::{self, sizes, space};
@@ -72,6 +73,23 @@ pub(super) fn aim(ui: &Ui, field: Field) {
     ui.data_mut(|data| data.insert_temp(target_id(), field));
 }
 
+/// Remembers that a field is on screen in this frame.
+pub(super) fn see(ui: &Ui, field: Field) {
+    let frame = ui.ctx().cumulative_frame_nr();
+    ui.data_mut(|data| data.insert_temp(field::id(field).with("seen"), frame));
+}
+
+/// The field that the keypad types into: the one that had the focus last, while it is on screen; else the measured
+/// value, while that is.
+fn target(ui: &Ui) -> Option<Field> {
+    let this = ui.ctx().cumulative_frame_nr();
+    let seen = |field: &Field| ui.data(|data| data.get_temp::<u64>(field::id(*field).with("seen")));
+    // The keypad is drawn before the fields.
+    let is_seen = |field: &Field| seen(field).is_some_and(|frame| this <= frame + 1);
+    let last = ui.data(|data| data.get_temp(target_id()));
+    last.filter(is_seen).or(Some(Field::Check(CheckField::Measured)).filter(is_seen))
+}
+
 /// The width that a column needs for the keypad; nothing where it is switched off.
 pub(super) fn width(view: &View<'_>) -> f32 {
     if view.session.has_keypad() { shapes_width(4) } else { 0.0 }
@@ -89,7 +107,7 @@ pub(super) fn keypad_ui(ui: &mut Ui, view: &mut View<'_>) {
     give_focus(ui.ctx());
     let room = ui.available_height() * 0.45;
     Panel::bottom("keypad").resizable(false).show(ui, |ui| {
-        let field = ui.data(|data| data.get_temp(target_id())).unwrap_or(Field::Check(CheckField::Measured));
+        let field = target(ui);
         let mut state: State = ui.data(|data| data.get_temp(state_id())).unwrap_or_default();
         ui.spacing_mut().item_spacing = vec2(space(1.0), space(1.0));
         let rows = rows(state, ui.available_width());
@@ -125,7 +143,7 @@ fn rows(state: State, width: f32) -> Vec<Vec<Key>> {
     }
 }
 
-fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, key: Key, state: &mut State, size: eframe::egui::Vec2) {
+fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Option<Field>, key: Key, state: &mut State, size: Vec2) {
     let decimal = view.words.language().decimal_sign();
     let (shown, name) = match key {
         Key::Type(' ') => (view.text("key-blank"), view.text("key-blank")),
@@ -140,19 +158,33 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, key: Key, state: &mut 
         Key::Enter => ("⏎".to_owned(), view.text("key-measure")),
     };
     let button = Button::new(RichText::new(shown).font(theme::bold(sizes().value))).min_size(size);
-    if !ui.add_sized(size, button).accessible_name(name).clicked() {
+    // Without a field only the keys that change the keypad itself do something.
+    let changes_keypad = matches!(key, Key::Letters | Key::Shift);
+    let response = ui.add_enabled_ui(changes_keypad || field.is_some(), |ui| ui.add_sized(size, button)).inner;
+    if !response.accessible_name(name).clicked() {
         return;
     }
+    match key {
+        Key::Letters => state.has_letters = !state.has_letters,
+        Key::Shift => state.is_small = !state.is_small,
+        key => {
+            if let Some(field) = field {
+                press(ui, view, field, key);
+            }
+        }
+    }
+}
+
+/// Does in a field what a key is for.
+fn press(ui: &Ui, view: &mut View<'_>, field: Field, key: Key) {
     let typed = match key {
-        Key::Type('.') => Some(decimal),
+        Key::Type('.') => Some(view.words.language().decimal_sign()),
         Key::Type(sign) => Some(sign),
-        Key::Back => None,
+        Key::Back | Key::Letters | Key::Shift => None,
         Key::Clear => {
             view.send(field.typed(String::new()));
             return focus(ui.ctx(), field, 0..0);
         }
-        Key::Letters => return state.has_letters = !state.has_letters,
-        Key::Shift => return state.is_small = !state.is_small,
         Key::Enter => {
             let page = view.session.page();
             let set = (page == Page::Tables).then_some(Action::SetCell);
@@ -164,7 +196,8 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, key: Key, state: &mut 
             return focus(ui.ctx(), field, all);
         }
     };
-    let (text, cursor) = edited(view.session.text(field), selected(ui.ctx(), view, field), typed);
+    let is_free = view.session.is_free_text(field);
+    let (text, cursor) = edited(view.session.text(field), selected(ui.ctx(), view, field), typed, is_free);
     view.send(field.typed(text));
     focus(ui.ctx(), field, cursor..cursor);
 }
@@ -188,7 +221,7 @@ fn focus_id() -> Id {
     Id::unique("keypad-focus")
 }
 
-/// Does what the last frame asked for.
+/// Gives the focus to the field for which a key of the last frame asked for it.
 fn give_focus(ctx: &Context) {
     let asked = ctx.data_mut(|data| data.get_temp_mut_or_default::<Option<(Field, Range<usize>)>>(focus_id()).take());
     let Some((field, selected)) = asked else { return };
@@ -211,8 +244,9 @@ pub(super) fn has_given_focus(ctx: &Context, field: Id) -> bool {
 }
 
 /// The text after a key, and where the cursor is then: a sign replaces what is selected; without one, what is selected
-/// is deleted, or the character before the cursor. A number has one decimal sign: a second one is not typed.
-fn edited(text: &str, selected: Range<usize>, typed: Option<char>) -> (String, usize) {
+/// is deleted, or the character before the cursor. A number has one decimal sign, so a second one is not typed; free
+/// text may have any.
+fn edited(text: &str, selected: Range<usize>, typed: Option<char>, is_free: bool) -> (String, usize) {
     let characters: Vec<char> = text.chars().collect();
     let (before, after) = (characters.get(..selected.start), characters.get(selected.end..));
     let (before, after) = (before.unwrap_or_default(), after.unwrap_or_default());
@@ -222,7 +256,7 @@ fn edited(text: &str, selected: Range<usize>, typed: Option<char>) -> (String, u
     let is_decimal = |c: &char| matches!(c, '.' | ',');
     let is_of_number = |c: &&char| c.is_ascii_digit() || is_decimal(c);
     match typed {
-        Some(sign) if is_decimal(&sign) => {
+        Some(sign) if is_decimal(&sign) && !is_free => {
             let around = before.iter().rev().take_while(is_of_number).chain(after.iter().take_while(is_of_number));
             let has_one = around.copied().any(|c| is_decimal(&c));
             let sign = (!has_one).then_some(sign);
@@ -255,10 +289,11 @@ mod tests {
             ("25", 1..1, Some('.'), "2.5", 2),
         ] {
             assert_eq!(
-                edited(text, selected.clone(), typed),
+                edited(text, selected.clone(), typed, false),
                 (after.to_owned(), cursor),
                 "{text} {selected:?} {typed:?}"
             );
         }
+        assert_eq!(edited("A1.2", 4..4, Some('.'), true), ("A1.2.".to_owned(), 5), "a part's number is no number");
     }
 }

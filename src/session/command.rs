@@ -88,6 +88,8 @@ pub enum Command {
     UseSource(Base),
     /// Chooses where editions of ISO 286 differ.
     SetStandard(iso286::Options),
+    /// The answer to what a dialog asked for: it closes that dialog or shows what is wrong, and leaves any other alone.
+    Answered(DialogId, Box<Self>),
     /// A file was written, or not.
     Saved {
         /// Its path.
@@ -214,9 +216,15 @@ impl Density {
     pub const ALL: [Self; 3] = [Self::ByUse, Self::Mouse, Self::Touch];
 }
 
+/// The number of a dialog among all that were opened.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub struct DialogId(pub(super) u64);
+
 /// What the state asks of the outside world; done at the edge, not on the frame's thread.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
+    /// Do this for a dialog and send every answer as [`Command::Answered`].
+    ForDialog(DialogId, Box<Self>),
     /// Show the system's file dialog and send [`Command::Picked`].
     Browse {
         /// What is asked for.
@@ -244,4 +252,14 @@ pub enum Effect {
     Copy(String),
     /// Give the focus to a field and select its text.
     Focus(Field),
+}
+
+impl Effect {
+    /// What is done, for whichever dialog.
+    pub fn errand(&self) -> &Self {
+        match self {
+            Self::ForDialog(_, errand) => errand.errand(),
+            errand => errand,
+        }
+    }
 }

@@ -36,7 +36,7 @@ use crate::files::FileError;
 use crate::journal::Record;
 use crate::message::{Message, Say as _};
 use crate::report::{RENDERINGS, Report};
-use crate::tolerance::DeviationTable;
+use crate::tolerance::{Absent, DeviationTable};
 use crate::words::Words;
 
 impl Session {
@@ -101,11 +101,12 @@ impl Session {
         let Some(dialog) = &self.shared.dialog else { return Vec::new() };
         let folder = dialog.list.folder().map(Path::to_owned);
         let name = if dialog.purpose.is_reading() { String::new() } else { dialog.path.clone() };
-        vec![Effect::Browse { purpose: dialog.purpose, folder, name }]
+        let browse = Effect::Browse { purpose: dialog.purpose, folder, name };
+        vec![Effect::ForDialog(dialog.number, Box::new(browse))]
     }
 
     pub(super) fn picked(&mut self, path: Option<&Path>, now: DateTime) -> Vec<Effect> {
-        let Some(dialog) = &mut self.shared.dialog else { return Vec::new() };
+        let Some(dialog) = self.shared.answered_dialog() else { return Vec::new() };
         dialog.picked(path);
         if path.is_some() { self.confirm(now) } else { Vec::new() }
     }
@@ -126,16 +127,18 @@ impl Session {
 
     /// Sends the dialog's file to work, or says in the dialog why not.
     fn send(&mut self, path: PathBuf, replaces: bool, now: DateTime) -> Vec<Effect> {
-        let Some(purpose) = self.shared.dialog.as_ref().map(|dialog| dialog.purpose) else { return Vec::new() };
+        let asking = self.shared.dialog.as_ref().map(|dialog| (dialog.number, dialog.purpose));
+        let Some((number, purpose)) = asking else { return Vec::new() };
         match self.errand(purpose, path, now) {
             Ok(effect) => {
                 if let Some(dialog) = &mut self.shared.dialog {
                     dialog.begin();
                 }
-                vec![match effect {
+                let effect = match effect {
                     Effect::Save(path, bytes) if replaces => Effect::Replace(path, bytes),
                     effect => effect,
-                }]
+                };
+                vec![Effect::ForDialog(number, Box::new(effect))]
             }
             Err(problem) => {
                 self.shared.refuse_dialog(problem);
@@ -212,23 +215,45 @@ impl Session {
         folder: PathBuf,
         result: Result<(Vec<DeviationTable>, Vec<Message>), Message>,
     ) {
+        if self.shared.answered.is_none() && self.shared.given_up.take_if(|given_up| *given_up == folder).is_some() {
+            return;
+        }
         if let Some((tables, details)) = self.shared.file_answered(result) {
             let message = Message::new("tables-loaded").count("count", tables.len()).text("folder", folder.display());
             self.shared.note(message, details);
             self.use_tables(tables, Some(folder));
+        } else if self.shared.awaits_tables() && self.shared.tables_folder == Some(folder) {
+            self.do_without_tables();
         }
     }
 
+    /// The tables that were used the last time cannot be read: limits come from the next source, and say so.
+    fn do_without_tables(&mut self) {
+        let sources = self.shared.sources.as_ref().clone();
+        let absent = match sources.absent() {
+            Some(Absent::Awaited(folder)) => Some(Absent::Unread(Arc::clone(folder))),
+            other => other.cloned(),
+        };
+        self.shared.use_sources(sources.with_absent(absent));
+    }
+
     pub(super) fn use_tables(&mut self, own: Vec<DeviationTable>, folder: Option<PathBuf>) {
+        if self.shared.awaits_tables() && self.shared.tables_folder != folder {
+            self.shared.given_up = self.shared.tables_folder.take();
+        }
         self.shared.tables_folder = folder;
-        let sources = self.shared.sources.as_ref().clone().with_own(own);
+        let sources = self.shared.sources.as_ref().clone().with_own(own).with_absent(None);
         self.shared.use_sources(sources);
         self.shared.spread(News::OwnTables);
     }
 
     pub(super) fn saved_file(&mut self, path: &Path, result: Result<(), FileError>) {
-        let purpose = self.shared.dialog.as_ref().filter(|dialog| dialog.busy).map(|dialog| dialog.purpose);
-        let result = match (result, self.shared.dialog.as_mut().filter(|dialog| dialog.busy)) {
+        let dialog = self.shared.answered_dialog().filter(|dialog| dialog.busy);
+        let purpose = dialog.as_ref().map(|dialog| dialog.purpose);
+        if result.is_err() {
+            self.tables.not_saved(path);
+        }
+        let result = match (result, dialog) {
             // The user is asked, or taken to the folder whose name was typed.
             (Err(FileError::Exists { path }), Some(dialog)) => return dialog.ask(path),
             (Err(FileError::IsFolder { path }), Some(dialog)) => return dialog.go_to(path),

@@ -179,7 +179,7 @@ impl History {
         match change {
             Change::Added { first, .. } => {
                 self.records.remove_from(first);
-                self.chosen.split_off(&first);
+                self.chosen.retain(|id| *id < first);
                 self.cursor = self.cursor.filter(|id| *id < first);
             }
             Change::Cleared { removed, chosen, cursor } => {

@@ -46,14 +46,14 @@ mod step;
 pub mod tables;
 mod workpiece;
 
-use std::ops::Range;
+use std::ops;
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
 pub use action::Action;
 pub use check::{Asked, CheckCommand, CheckField, CheckPage, Lot, MeasureBy, Question, Shown};
-pub use command::{Command, CycleFile, Density, Effect, Page, Purpose, Theme};
+pub use command::{Command, CycleFile, Density, DialogId, Effect, Page, Purpose, Theme};
 pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Standing, WorkpieceField,
     WorkpieceForm,
@@ -75,7 +75,8 @@ use self::files::Places;
 use self::shared::{PageState as _, Shared};
 use crate::control::shipped_tables;
 use crate::message::Message;
-use crate::tolerance::Sources;
+use crate::probing::cycle::Range;
+use crate::tolerance::{Absent, Sources};
 use crate::words::Language;
 
 /// The state of the application.
@@ -95,14 +96,18 @@ impl Session {
         Self::restore(Saved { language, ..Saved::default() }).0
     }
 
-    /// A session from what was saved. The tables' folder is read by the effect that comes with it.
+    /// A session from what was saved. The tables' folder is read by the effect that comes with it; until its answer
+    /// comes, nothing is judged by a class.
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let mut shared = Shared::new(saved.language, saved.theme);
         shared.keypad = saved.keypad;
         shared.places = Places::restore(saved.files);
         shared.density = saved.density;
+        let awaited = saved.tables_folder.as_ref().map(|folder| Absent::Awaited(folder.to_string_lossy().into()));
         let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
-        shared.sources = Arc::new(sources);
+        shared.sources = Arc::new(sources.with_absent(awaited));
+        // A folder that cannot be read now may be there the next time.
+        shared.tables_folder.clone_from(&saved.tables_folder);
         let session = Self {
             check: CheckPage::new(&saved.inputs, &shared.sources),
             fit: FitPage::new(&saved.inputs, &shared.sources),
@@ -135,6 +140,12 @@ impl Session {
 
     /// Applies a command at a local date and time, and returns what the outside world has to do.
     pub fn apply(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
+        if let Command::Answered(dialog, answer) = command {
+            self.shared.answered = Some(dialog);
+            let effects = self.apply(*answer, now);
+            self.shared.answered = None;
+            return effects;
+        }
         let shared = &mut self.shared;
         let mut effects = match command {
             Command::Check(command) => self.check.apply(command, shared, now),
@@ -154,7 +165,7 @@ impl Session {
         }
         let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));
-        effects
+        shared.in_order(effects)
     }
 
     /// Applies a command that belongs to no page.
@@ -162,6 +173,8 @@ impl Session {
         let shared = &mut self.shared;
         match command {
             Command::Check(_) | Command::Fit(_) | Command::Cycles(_) | Command::Tables(_) | Command::Program(_) => {}
+            // Its answer was taken out of it.
+            Command::Answered(..) => return Vec::new(),
             Command::Workpiece(command) => {
                 let (cycles, program) = (&self.cycles, &self.program);
                 shared.apply_workpiece(command, |shared| match shared.page {
@@ -234,8 +247,23 @@ impl Session {
         }
     }
 
+    /// Whether a field holds a name or words, and no figures: then a point is a sign like any other.
+    pub fn is_free_text(&self, field: impl Into<Field>) -> bool {
+        match field.into() {
+            Field::Check(field) => matches!(field, CheckField::Part | CheckField::HistoryFilter),
+            // A tool may be called by its name.
+            Field::Cycles(CycleField::Parameter(key)) => {
+                let parameter = self.cycles.cycle().parameter(key);
+                parameter.is_some_and(|parameter| parameter.range == Range::Tool)
+            }
+            Field::Tables(field) => field == TablesField::Filter,
+            Field::Program(field) => matches!(field, ProgramField::Filter | ProgramField::Name | ProgramField::Value),
+            Field::Cycles(_) | Field::Fit(_) | Field::Workpiece(_) => false,
+        }
+    }
+
     /// Where in a field's text an error shows: characters counted from 0.
-    pub fn culprit(&self, field: impl Into<Field>) -> Option<&Range<usize>> {
+    pub fn culprit(&self, field: impl Into<Field>) -> Option<&ops::Range<usize>> {
         match field.into() {
             Field::Check(field) => self.check.culprit(field),
             Field::Fit(field) => self.fit.culprit(field),

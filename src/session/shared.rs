@@ -9,14 +9,14 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::command::{Density, Effect, Page, Purpose, Theme};
+use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
 use super::files::{Dialog, Places};
 use super::history::History;
 use super::workpiece::SimulatedWorkpiece;
 use crate::control::mask::Mask;
 use crate::message::Message;
-use crate::tolerance::Sources;
 use crate::tolerance::fit::materials::Materials;
+use crate::tolerance::{Absent, Sources};
 use crate::words::{Dialogue, Language};
 
 /// The mask that the status window is drawn with.
@@ -98,10 +98,18 @@ pub(super) struct Shared {
     pub sources: Arc<Sources>,
     /// The folder of the user's own tables.
     pub tables_folder: Option<PathBuf>,
+    /// What waits until those are read: a file that is judged as it is read.
+    held: Vec<Effect>,
+    /// The folder that was still being read when the user chose other tables, or none: its answer comes too late.
+    pub given_up: Option<PathBuf>,
     pub materials: Materials,
     pub history: History,
     pub workpiece: SimulatedWorkpiece,
     pub dialog: Option<Dialog>,
+    /// How many dialogs were opened.
+    dialogs: u64,
+    /// The dialog whose answer is being applied.
+    pub answered: Option<DialogId>,
     pub places: Places,
     pub notices: Vec<Notice>,
     /// Whether the user wants to close the window and something is unsaved.
@@ -148,6 +156,23 @@ impl Shared {
         }
     }
 
+    /// Holds back files that are judged as they are read while the user's own tables are awaited, and lets them go
+    /// afterwards: nothing is judged by limits that are about to change.
+    pub fn in_order(&mut self, effects: Vec<Effect>) -> Vec<Effect> {
+        if !self.awaits_tables() {
+            return effects.into_iter().chain(std::mem::take(&mut self.held)).collect();
+        }
+        let is_judged = |effect: &Effect| matches!(effect.errand(), Effect::Read(Purpose::Import, _));
+        let (held, others): (Vec<_>, Vec<_>) = effects.into_iter().partition(is_judged);
+        self.held.extend(held);
+        others
+    }
+
+    /// Whether the user's own tables, which were used the last time, have not been read yet.
+    pub fn awaits_tables(&self) -> bool {
+        matches!(self.sources.absent(), Some(Absent::Awaited(_)))
+    }
+
     /// Looks limits up in other sources.
     pub fn use_sources(&mut self, sources: Sources) {
         self.sources = Arc::new(sources);
@@ -177,7 +202,8 @@ impl Shared {
     }
 
     pub fn open_dialog(&mut self, purpose: Purpose, path: String) {
-        self.dialog = Some(Dialog::new(purpose, path, self.places.folder(purpose)));
+        self.dialogs += 1;
+        self.dialog = Some(Dialog::new(DialogId(self.dialogs), purpose, path, self.places.folder(purpose)));
     }
 
     pub fn refuse_dialog(&mut self, problem: Message) {
@@ -186,9 +212,15 @@ impl Shared {
         }
     }
 
-    /// Whether the dialog that sent a file to work is still open; it may have been closed, and another one opened.
+    /// The dialog to which an answer belongs, while it is open; it may have been closed, and another one opened.
+    pub fn answered_dialog(&mut self) -> Option<&mut Dialog> {
+        let answered = self.answered;
+        self.dialog.as_mut().filter(|dialog| answered == Some(dialog.number))
+    }
+
+    /// Whether the dialog that sent a file to work is still open.
     pub fn dialog_waits(&self) -> bool {
-        self.dialog.as_ref().is_some_and(|dialog| dialog.busy)
+        self.dialog.as_ref().is_some_and(|dialog| dialog.busy && self.answered == Some(dialog.number))
     }
 
     /// The content of a file that a dialog asked for. The dialog closes, or shows what is wrong with the file; if it

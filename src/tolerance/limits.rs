@@ -100,6 +100,13 @@ pub enum Source {
     },
     /// The limits came with the measurement, from the named file.
     File(Arc<str>),
+    /// Another source answered, because the user's own tables could not be read.
+    WithoutOwn {
+        /// The folder of the own tables.
+        folder: Arc<str>,
+        /// The source that answered.
+        source: Box<Self>,
+    },
 }
 
 display!(Source);
@@ -117,6 +124,9 @@ impl Say for Source {
                 Message::new(id).with("name", name).with("over", over).with("to", to)
             }
             Self::File(name) => Message::new("source-file").with("name", name),
+            Self::WithoutOwn { folder, source } => {
+                Message::new("source-without-own").message("source", source.message()).with("folder", folder)
+            }
         }
     }
 }

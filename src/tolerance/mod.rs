@@ -31,5 +31,5 @@ pub use callout::{Callout, CalloutError, CalloutErrorKind, CycleText, Tolerance}
 pub use class::{ClassError, Feature, ToleranceClass};
 pub use iso2768::GeneralClass;
 pub use limits::{Deviations, DeviationsError, Limits, Source};
-pub use sources::{Base, LimitsError, Sources};
+pub use sources::{Absent, Base, LimitsError, Sources};
 pub use table::DeviationTable;

@@ -32,6 +32,16 @@ pub struct Sources {
     /// The control's, in the order in which they are asked; empty where a standard is the base.
     control: Vec<Arc<DeviationTable>>,
     options: iso286::Options,
+    absent: Option<Absent>,
+}
+
+/// A folder of own tables that limits should come from and do not.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Absent {
+    /// It is still being read: until then no class has limits, for they might be others a moment later.
+    Awaited(Arc<str>),
+    /// It could not be read: limits come from the next source, and say so.
+    Unread(Arc<str>),
 }
 
 /// Why a callout has no limits.
@@ -102,6 +112,11 @@ pub enum LimitsError {
         /// The size that was asked for.
         nominal: Length,
     },
+    /// The user's own tables, which come first, are still being read.
+    OwnAwaited {
+        /// Their folder.
+        folder: Arc<str>,
+    },
 }
 
 impl Sources {
@@ -127,6 +142,17 @@ impl Sources {
     pub const fn with_options(mut self, options: iso286::Options) -> Self {
         self.options = options;
         self
+    }
+
+    /// A copy that knows which own tables are absent, if any.
+    #[must_use]
+    pub fn with_absent(self, absent: Option<Absent>) -> Self {
+        Self { absent, ..self }
+    }
+
+    /// The own tables that limits should come from and do not.
+    pub const fn absent(&self) -> Option<&Absent> {
+        self.absent.as_ref()
     }
 
     /// The user's own tables.
@@ -175,7 +201,8 @@ impl Sources {
         feature: Feature,
         nominal: Length,
     ) -> impl Iterator<Item = (ToleranceClass, Deviations)> {
-        let standard = self.base.standard();
+        let is_awaited = matches!(self.absent, Some(Absent::Awaited(_)));
+        let standard = self.base.standard().filter(|_| !is_awaited);
         standard.into_iter().flat_map(move |standard| (standard.classes_at)(feature, nominal, self.options))
     }
 
@@ -248,6 +275,21 @@ impl Sources {
     }
 
     fn class_deviations(&self, class: ToleranceClass, nominal: Length) -> Result<(Deviations, Source), LimitsError> {
+        let is_own = |source: &Source| matches!(source, Source::Table { shipped: false, .. });
+        match &self.absent {
+            None => self.found_deviations(class, nominal),
+            Some(Absent::Awaited(folder)) => Err(LimitsError::OwnAwaited { folder: Arc::clone(folder) }),
+            Some(Absent::Unread(folder)) => match self.found_deviations(class, nominal)? {
+                (deviations, source) if !is_own(&source) => {
+                    let folder = Arc::clone(folder);
+                    Ok((deviations, Source::WithoutOwn { folder, source: Box::new(source) }))
+                }
+                own => Ok(own),
+            },
+        }
+    }
+
+    fn found_deviations(&self, class: ToleranceClass, nominal: Length) -> Result<(Deviations, Source), LimitsError> {
         let mut beyond = None;
         for table in self.tables() {
             let Some(column) = table.column(class) else { continue };

@@ -75,6 +75,11 @@ fn check_limits_belong_to_the_verdict(session: &Session) {
     }
 }
 
+/// The answer to what the open dialog asked for.
+fn answered(session: &Session, answer: Command) -> Command {
+    Command::Answered(session.dialog().unwrap().number, Box::new(answer))
+}
+
 fn told(session: &Session, field: CheckField) -> Option<String> {
     session.check().asked().error(field).map(|problem| Words::new(session.language()).say(problem))
 }
@@ -266,7 +271,9 @@ fn rows_of_a_file_fill_the_history_and_bad_ones_are_told() {
     let text = b"id,callout,measured\nA1,25 H7,25.012\nA2,25 Q9,25.0\nA3,25 H7,x\nA4,25 H7,24.998\n";
     let answer = imported(&session, "parts.csv", text);
     run(&mut session, [Command::OpenDialog(Purpose::Import), Command::TypePath("parts.csv".to_owned())]);
-    assert_eq!(run(&mut session, [Command::Confirm]), [Effect::Read(Purpose::Import, PathBuf::from("parts.csv"))]);
+    let effects = run(&mut session, [Command::Confirm]);
+    assert_eq!(effects[0].errand(), &Effect::Read(Purpose::Import, PathBuf::from("parts.csv")));
+    let answer = answered(&session, answer);
     run(&mut session, [answer]);
     let statuses: Vec<_> = session.history().iter().map(|record| record.verdict.status()).collect();
     assert_eq!((statuses, session.dialog()), (vec![Status::Good, Status::Rework], None));
@@ -326,21 +333,23 @@ fn a_dialog_says_what_is_wrong_and_stays() {
     run(&mut session, [Command::TypePath("none.csv".to_owned())]);
     assert_eq!(problem(&session), None);
     let confirmed = run(&mut session, [Command::Confirm]);
-    assert_eq!(confirmed, [Effect::Read(Purpose::Import, PathBuf::from("none.csv"))]);
+    assert_eq!(confirmed[0].errand(), &Effect::Read(Purpose::Import, PathBuf::from("none.csv")));
     assert!(session.dialog().unwrap().busy);
     // A second Enter does not read the file twice.
     assert_eq!(run(&mut session, [Command::Confirm]), []);
     let missing = FileError::Missing { path: "none.csv".into() }.message();
     let failed =
         || Command::Check(CheckCommand::Imported { name: "none.csv".to_owned(), result: Err(missing.clone()) });
-    run(&mut session, [failed()]);
+    let failed = answered(&session, failed());
+    run(&mut session, [failed]);
     assert_eq!((problem(&session), session.dialog().unwrap().busy), (Some("file-missing"), false));
     run(&mut session, [Command::Close]);
     assert_eq!((session.dialog(), session.notices().len()), (None, 0));
     // Without a status window there is nothing to write; without a choice there is nothing to do.
     run(&mut session, [Command::OpenDialog(Purpose::ExportStatus), Command::Confirm]);
     assert_eq!(problem(&session), Some("dialog-no-status"));
-    assert_eq!(run(&mut session, [Command::Picked(None)]), []);
+    let picked = answered(&session, Command::Picked(None));
+    assert_eq!(run(&mut session, [picked]), []);
     assert_eq!(run(&mut session, [Command::Check(CheckCommand::CopyStatus)]), []);
 }
 
@@ -395,7 +404,7 @@ fn a_script_of_commands_gives_the_same_report_as_the_command_line() {
     for (number, rendering) in RENDERINGS.iter().enumerate() {
         let path = Command::TypePath(format!("report.{}", rendering.name));
         let effects = run(&mut session, [Command::OpenDialog(Purpose::Export(number)), path, Command::Confirm]);
-        let [Effect::Save(_, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
+        let Some(Effect::Save(_, bytes)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
         let output = cargo_bin_cmd!("fitcheck").args(&arguments).arg(rendering.name).output().unwrap();
         assert_eq!(output.status.code(), Some(11));
         let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
@@ -413,11 +422,12 @@ fn only_chosen_checks_are_exported() {
     let dialog = Command::OpenDialog(Purpose::Export(csv));
     let effects =
         run(&mut session, [Command::Check(CheckCommand::Choose(RecordId(1), true)), dialog, Command::Confirm]);
-    let [Effect::Save(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
+    let Some(Effect::Save(path, bytes)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
     let text = String::from_utf8(bytes.clone()).unwrap();
     assert_eq!((path.to_str(), text.lines().count()), (Some("25H7-2026-11-21.csv"), 2));
     assert!(text.contains("24.998") && !text.contains("25.012"));
-    run(&mut session, [Command::Saved { path: path.clone(), result: Ok(()) }]);
+    let saved = answered(&session, Command::Saved { path: path.clone(), result: Ok(()) });
+    run(&mut session, [saved]);
     assert_eq!((session.dialog(), session.notices().len()), (None, 1));
     session.tell(Message::new("dialog-no-path"));
     run(&mut session, [Command::Close]);

@@ -52,6 +52,20 @@ fn listed(folder: &str, names: &[&str]) -> FilesCommand {
     FilesCommand::Listed { folder: folder.into(), result: Ok(Box::new(listing)) }
 }
 
+/// The answer to what the open dialog asked for.
+fn answer(session: &mut Session, answer: impl Into<Command>) -> Vec<Effect> {
+    let number = dialog(session).number;
+    send(session, Command::Answered(number, Box::new(answer.into())))
+}
+
+/// What the open dialog asks for, and nothing else is asked.
+#[track_caller]
+fn asked_for(session: &Session, effects: &[Effect]) -> Effect {
+    let [Effect::ForDialog(number, errand)] = effects else { panic!("{effects:?}") };
+    assert_eq!(*number, dialog(session).number);
+    errand.as_ref().clone()
+}
+
 fn dialog(session: &Session) -> &Dialog {
     session.dialog().unwrap()
 }
@@ -96,7 +110,7 @@ fn typing_filters_and_arrows_and_enter_choose() {
     assert_eq!((dialog(&session).path.as_str(), dialog(&session).list.selected()), ("b.CSV", Some(0)));
     assert_eq!(shown(&session), ["b.CSV"], "the name of a selected file is no filter");
     let effects = send(&mut session, Command::Confirm);
-    assert_eq!(effects, [Effect::Read(Purpose::Import, "/home/mia/b.CSV".into())]);
+    assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, "/home/mia/b.CSV".into()));
     for step in [Step::Up, Step::Down, Step::PageDown] {
         send(&mut session, FilesCommand::Move(step));
         assert_eq!(dialog(&session).list.selected(), Some(0), "nothing moves while the file is read");
@@ -165,12 +179,12 @@ fn a_typed_path_begins_in_the_listed_folder_and_a_typed_folder_is_shown() {
         send(&mut session, FilesCommand::Show("/home/mia".into()));
         send(&mut session, Command::TypePath(typed.into()));
         let effects = send(&mut session, Command::Confirm);
-        assert_eq!(effects, [Effect::Read(Purpose::Import, path.into())], "{typed}");
+        assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, path.into()), "{typed}");
     }
     let mut session = importing();
     send(&mut session, Command::TypePath("/tmp".into()));
     send(&mut session, Command::Confirm);
-    let effects = send(&mut session, FilesCommand::IsFolder("/tmp".into()));
+    let effects = answer(&mut session, FilesCommand::IsFolder("/tmp".into()));
     assert_eq!(effects, [Effect::List("/tmp".into())]);
     assert_eq!((dialog(&session).path.as_str(), dialog(&session).busy), ("", false));
     send(&mut session, Command::Close);
@@ -187,7 +201,7 @@ fn a_folder_of_tables_is_the_one_that_is_listed() {
     send(&mut session, FilesCommand::Select(0));
     assert_eq!(dialog(&session).path, "/home/mia/tables");
     let effects = send(&mut session, Command::Confirm);
-    assert_eq!(effects, [Effect::Read(Purpose::LoadTables, "/home/mia/tables".into())]);
+    assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::LoadTables, "/home/mia/tables".into()));
 }
 
 #[test]
@@ -245,13 +259,16 @@ fn a_name_without_an_ending_gets_the_one_of_its_kind() {
     for (typed, path) in [
         ("mine", "/home/mia/mine.csv"),
         ("mine.txt", "/home/mia/mine.txt"),
+        ("mine.HTML", "/home/mia/mine.HTML"),
         ("bore 12.5", "/home/mia/bore 12.5.csv"),
+        ("bore 12.5H7", "/home/mia/bore 12.5H7.csv"),
+        ("bore 12.5 mm", "/home/mia/bore 12.5 mm.csv"),
         ("sub/mine", "/home/mia/sub/mine.csv"),
     ] {
         send(&mut session, Command::OpenDialog(csv()));
         send(&mut session, Command::TypePath(typed.into()));
         let effects = send(&mut session, Command::Confirm);
-        let [Effect::Save(saved, _)] = effects.as_slice() else { panic!("{effects:?}") };
+        let Some(Effect::Save(saved, _)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
         assert_eq!(saved, Path::new(path));
         send(&mut session, Command::Close);
     }
@@ -268,7 +285,7 @@ fn a_name_taken_from_the_list_goes_along_to_another_folder() {
     send(&mut session, FilesCommand::Select(0));
     assert_eq!(dialog(&session).path, "a.csv");
     let effects = send(&mut session, Command::Confirm);
-    let [Effect::Save(path, _)] = effects.as_slice() else { panic!("{effects:?}") };
+    let Some(Effect::Save(path, _)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
     assert_eq!(path, Path::new("/home/mia/old/a.csv"));
 }
 
@@ -280,7 +297,7 @@ fn asked() -> Session {
     send(&mut session, Command::TypePath("/tmp/x.csv".into()));
     send(&mut session, Command::Confirm);
     let exists = FileError::Exists { path: "/tmp/x.csv".into() };
-    send(&mut session, Command::Saved { path: "/tmp/x.csv".into(), result: Err(exists) });
+    answer(&mut session, Command::Saved { path: "/tmp/x.csv".into(), result: Err(exists) });
     assert_eq!(dialog(&session).exists, Some(PathBuf::from("/tmp/x.csv")));
     session
 }
@@ -291,7 +308,7 @@ fn a_file_that_exists_is_only_replaced_when_the_user_says_so() {
     assert_eq!(send(&mut session, Command::Confirm), [], "the question comes first");
     assert!(!session.can(Action::Browse) && session.can(Action::KeepFile));
     let effects = send(&mut session, FilesCommand::Replace(true));
-    let [Effect::Replace(path, bytes)] = effects.as_slice() else { panic!("{effects:?}") };
+    let Some(Effect::Replace(path, bytes)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
     assert!(path == Path::new("/tmp/x.csv") && String::from_utf8_lossy(bytes).contains("25.012"));
     for keep in [Command::from(FilesCommand::Replace(false)), Command::Close] {
         let mut session = asked();
@@ -309,7 +326,7 @@ fn a_written_file_is_told_with_its_folder_and_can_be_opened() {
     send(&mut session, Command::OpenDialog(csv()));
     send(&mut session, Command::TypePath("/tmp/x.csv".into()));
     send(&mut session, Command::Confirm);
-    send(&mut session, Command::Saved { path: "/tmp/x.csv".into(), result: Ok(()) });
+    answer(&mut session, Command::Saved { path: "/tmp/x.csv".into(), result: Ok(()) });
     assert_eq!(Words::new(Language::En).say(&session.notices()[0].message), "x.csv was written to /tmp");
     for (action, how) in [(Action::OpenWritten, Launch::Open), (Action::ShowWritten, Launch::ShowInFolder)] {
         let command = action.command(&session).unwrap();
@@ -344,11 +361,12 @@ fn every_kind_begins_in_its_own_last_folder() {
 fn the_system_dialog_that_gives_nothing_is_told_and_the_list_stays() {
     let mut session = importing();
     let browse = Effect::Browse { purpose: Purpose::Import, folder: Some("/home/mia".into()), name: String::new() };
-    assert_eq!(send(&mut session, Command::Browse), [browse]);
-    assert_eq!(send(&mut session, Command::Picked(None)), []);
+    let effects = send(&mut session, Command::Browse);
+    assert_eq!(asked_for(&session, &effects), browse);
+    assert_eq!(answer(&mut session, Command::Picked(None)), []);
     assert!(dialog(&session).nothing_picked && shown(&session).len() == 3);
-    let effects = send(&mut session, Command::Picked(Some("/tmp/b.csv".into())));
-    assert_eq!(effects, [Effect::Read(Purpose::Import, "/tmp/b.csv".into())]);
+    let effects = answer(&mut session, Command::Picked(Some("/tmp/b.csv".into())));
+    assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, "/tmp/b.csv".into()));
     assert!(!dialog(&session).nothing_picked);
 }
 
@@ -358,8 +376,8 @@ fn a_name_that_is_no_text_is_read_as_it_is_and_kept_out_of_the_state_file() {
     use std::os::unix::ffi::OsStrExt as _;
     let odd = Path::new("/tmp").join(std::ffi::OsStr::from_bytes(b"\xff.csv"));
     let mut session = importing();
-    let effects = send(&mut session, Command::Picked(Some(odd.clone())));
-    assert_eq!(effects, [Effect::Read(Purpose::Import, odd.clone())]);
+    let effects = answer(&mut session, Command::Picked(Some(odd.clone())));
+    assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, odd.clone()));
     send(&mut session, FilesCommand::Seen { purpose: Purpose::Import, path: odd, fate: Fate::Read });
     assert_eq!(session.recent_files().len(), 1);
     let saved = Saved::read(&session.saved().write()).unwrap();
@@ -447,5 +465,105 @@ fn a_file_is_known_by_its_content_and_its_ending() {
     let log = include_bytes!("../data/samples/logs/en/TCHPR421.TXT");
     for name in ["TCHPR421.TXT", "log.old"] {
         assert_eq!(Purpose::of_file(name, log), Ok(Purpose::Import), "{name}");
+    }
+}
+
+/// What is done when this is typed into the dialog of a report.
+fn saved_as(typed: &str) -> (Session, Vec<Effect>) {
+    let mut session = session();
+    check(&mut session, "25 H7", "25.012");
+    send(&mut session, Command::OpenDialog(csv()));
+    send(&mut session, listed("/home/mia", &["reports/", "notes.txt"]));
+    send(&mut session, Command::TypePath(typed.into()));
+    let effects = send(&mut session, Command::Confirm);
+    (session, effects)
+}
+
+#[test]
+fn a_folder_typed_for_a_file_that_is_written_opens_in_the_list() {
+    for (typed, folder) in [
+        ("/tmp/reports/", "/tmp/reports"),
+        ("/", "/"),
+        ("~", "/home/mia"),
+        ("~/", "/home/mia"),
+        ("reports/", "/home/mia/reports"),
+        ("reports", "/home/mia/reports"),
+        ("~/reports", "/home/mia/reports"),
+        ("..", "/home/mia/.."),
+        ("reports/.", "/home/mia/reports"),
+    ] {
+        let (session, effects) = saved_as(typed);
+        assert_eq!(effects, [Effect::List(folder.into())], "{typed}");
+        // The proposed name is there again, for a file in that folder.
+        assert_eq!((dialog(&session).path.as_str(), dialog(&session).busy), ("25H7-2026-11-21.csv", false), "{typed}");
+    }
+    let (session, effects) = saved_as("report");
+    let Effect::Save(path, _) = asked_for(&session, &effects) else { panic!("a name is a file") };
+    assert_eq!(path, Path::new("/home/mia/report.csv"));
+}
+
+/// A report is being written, its dialog was closed, and the status window is about to be written from another one.
+/// The number is that of the first dialog.
+fn overtaken() -> (Session, fitcheck::session::DialogId) {
+    let mut session = session();
+    check(&mut session, "25 H7", "25.012");
+    send(&mut session, Command::OpenDialog(csv()));
+    let number = dialog(&session).number;
+    for path in ["/tmp/a.csv", "/tmp/b.txt"] {
+        send(&mut session, Command::TypePath(path.into()));
+        assert_eq!(send(&mut session, Command::Confirm).len(), 1);
+        if path == "/tmp/a.csv" {
+            send(&mut session, Command::Close);
+            send(&mut session, Command::OpenDialog(Purpose::ExportStatus));
+        }
+    }
+    assert!(dialog(&session).busy && dialog(&session).number != number);
+    (session, number)
+}
+
+#[test]
+fn a_late_answer_asks_closes_and_refuses_nothing_in_another_dialog() {
+    let path = || PathBuf::from("/tmp/a.csv");
+    let exists = || FileError::Exists { path: path() };
+    let answers: [Command; 5] = [
+        Command::Saved { path: path(), result: Ok(()) },
+        Command::Saved { path: path(), result: Err(exists()) },
+        Command::MaskRead { name: "a".into(), result: Err(exists().message()) },
+        FilesCommand::IsFolder(path()).into(),
+        Command::Picked(Some(path())),
+    ];
+    for late in answers {
+        for number in [true, false] {
+            let (mut session, first) = overtaken();
+            let before = dialog(&session).clone();
+            let late = late.clone();
+            let late = if number { Command::Answered(first, Box::new(late)) } else { late };
+            let is_told = !matches!(&late, Command::Picked(_))
+                && !matches!(&late, Command::Answered(_, late) if matches!(**late, Command::Picked(_)));
+            assert_eq!(send(&mut session, late.clone()), [], "{late:?}");
+            assert_eq!(dialog(&session), &before, "{late:?}");
+            assert_eq!(session.notices().len(), usize::from(is_told), "{late:?} is told beside the dialog");
+            assert_eq!(send(&mut session, FilesCommand::Replace(true)), [], "{late:?}");
+        }
+    }
+    let (mut session, _) = overtaken();
+    answer(&mut session, Command::Saved { path: "/tmp/b.txt".into(), result: Ok(()) });
+    assert!(session.dialog().is_none(), "its own answer closes it");
+}
+
+#[test]
+fn a_proposed_name_keeps_the_meaning_of_the_signs_in_a_callout() {
+    for (callout, measured, name) in [
+        ("12 ±0.02", "12.01", "12+0.02-0.02-2026-11-21.csv"),
+        ("12 +0.01 -0.015", "12", "12+0.01-0.015-2026-11-21.csv"),
+        ("12.01/11.985", "12", "12.01_11.985-2026-11-21.csv"),
+    ] {
+        let mut session = session();
+        send(&mut session, CheckCommand::Type(CheckField::Callout, callout.to_owned()));
+        send(&mut session, CheckCommand::ChooseFeature(fitcheck::tolerance::Feature::Hole));
+        send(&mut session, CheckCommand::Type(CheckField::Measured, measured.to_owned()));
+        send(&mut session, CheckCommand::Measure);
+        send(&mut session, Command::OpenDialog(csv()));
+        assert_eq!(dialog(&session).path, name, "{callout}");
     }
 }

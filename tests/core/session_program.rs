@@ -186,6 +186,22 @@ fn any_changed_input_clears_the_run() {
 }
 
 #[test]
+fn a_run_on_a_workpiece_that_is_made_by_the_limits_does_not_outlive_their_source() {
+    for (workpiece, stays) in
+        [(WorkpieceFrom::Perfect, false), (WorkpieceFrom::Given, false), (WorkpieceFrom::Simulated, true)]
+    {
+        let mut session = session();
+        // Typing a diameter chooses the workpiece of that diameter.
+        type_text(&mut session, ProgramField::Diameter, "25.01");
+        send(&mut session, ProgramCommand::ChooseWorkpiece(workpiece));
+        send(&mut session, ProgramCommand::Run);
+        assert!(session.program().run().is_some(), "{workpiece:?}");
+        send(&mut session, Command::UseSource(fitcheck::tolerance::Base::ControlTables));
+        assert_eq!(session.program().run().is_some(), stays, "{workpiece:?}");
+    }
+}
+
+#[test]
 fn an_unreadable_input_keeps_the_program_from_running() {
     let mut session = session();
     let field = ProgramField::Input(Input::Height);
@@ -350,10 +366,13 @@ fn the_outline_holds_headings_and_labels() {
 fn a_program_is_opened_by_the_dialog() {
     let mut session = session();
     session.apply(Command::OpenDialog(Purpose::OpenProgram), now());
-    let effects = session.apply(Command::Picked(Some(PathBuf::from("/parts/a.h"))), now());
-    assert_eq!(effects, [Effect::Read(Purpose::OpenProgram, PathBuf::from("/parts/a.h"))]);
+    let picked = Command::Picked(Some(PathBuf::from("/parts/a.h")));
+    let number = session.dialog().unwrap().number;
+    let effects = session.apply(Command::Answered(number, Box::new(picked)), now());
+    assert_eq!(effects[0].errand(), &Effect::Read(Purpose::OpenProgram, PathBuf::from("/parts/a.h")));
     let problem = Message::new("program-empty");
-    send(&mut session, ProgramCommand::Read { path: PathBuf::from("/parts/a.h"), result: Err(problem.clone()) });
+    let refused = ProgramCommand::Read { path: PathBuf::from("/parts/a.h"), result: Err(problem.clone()) };
+    session.apply(Command::Answered(number, Box::new(refused.into())), now());
     assert_eq!(session.dialog().unwrap().problem, Some(problem));
     assert_eq!(session.program().main().unwrap().title(), "8255_en.h");
     assert!(session.program().recent().is_empty());

@@ -2,9 +2,13 @@
 
 #![cfg(test)]
 
+use fitcheck::message::Message;
 use fitcheck::session::{
-    CheckCommand, CheckField, Command, Field, FitField, MeasureBy, Saved, SavedError, Session, TablesField, Theme,
+    Action, CheckCommand, CheckField, Command, Effect, Field, FilesCommand, FitField, MeasureBy, Purpose, Saved,
+    SavedError, Session, TablesField, Theme,
 };
+use fitcheck::tolerance::table::Column;
+use fitcheck::tolerance::{Base, DeviationTable, Deviations};
 use fitcheck::words::Language;
 use jiff::civil::{DateTime, date};
 
@@ -112,4 +116,126 @@ fn a_broken_or_newer_state_is_refused() {
     assert!(matches!(Saved::read(b"\xff\xff"), Err(SavedError::Broken { .. })));
     assert_eq!(Saved::read(b"version = 2"), Err(SavedError::Newer { version: 2 }));
     assert_eq!(Saved::read(b"").unwrap(), Saved::default());
+}
+
+/// A session that used own tables the last time, before they have been read.
+fn with_tables_to_read() -> Session {
+    let mut saved = Saved::default();
+    saved.tables_folder = Some("/shop".into());
+    let (session, effects) = Session::restore(saved);
+    assert_eq!(effects, [Effect::Read(Purpose::LoadTables, "/shop".into())]);
+    session
+}
+
+fn type_check(session: &mut Session, callout: &str, measured: &str) {
+    for (field, text) in [(CheckField::Callout, callout), (CheckField::Measured, measured)] {
+        session.apply(CheckCommand::Type(field, text.into()).into(), now());
+    }
+    session.apply(CheckCommand::Measure.into(), now());
+}
+
+/// How the checks of the session were judged.
+fn judged(session: &Session) -> Vec<String> {
+    session.history().iter().map(|check| format!("{} by {}", check.verdict.status(), check.limits.source)).collect()
+}
+
+/// The answer of the outside world: H7 ends at +10 µm in the only own table, or the folder cannot be read.
+fn tables_read(is_there: bool) -> Command {
+    let deviations = Deviations::new("0.01".parse().unwrap(), "0".parse().unwrap()).unwrap();
+    let column = Column { class: "H7".parse().unwrap(), cells: vec![Some(deviations)] };
+    let own = DeviationTable::new("own.tab", false, vec!["30".parse().unwrap()], vec![column]).unwrap();
+    let gone = || Message::new("file-missing").text("path", "/shop");
+    let result = if is_there { Ok((vec![own], Vec::new())) } else { Err(gone()) };
+    Command::TablesRead { folder: "/shop".into(), result }
+}
+
+#[test]
+fn a_file_waits_until_the_own_tables_of_the_last_time_are_read() {
+    for (name, settled) in
+        [("read", tables_read(true)), ("not there", tables_read(false)), ("given up", Command::NoOwnTables)]
+    {
+        let mut session = with_tables_to_read();
+        let open = FilesCommand::Open(Purpose::Import, "/parts/a.csv".into());
+        assert_eq!(session.apply(open.into(), now()), [], "{name}");
+        let dropped = FilesCommand::Open(Purpose::Import, "/parts/b.csv".into());
+        assert_eq!(session.apply(dropped.into(), now()), [], "{name}");
+        let read = |path: &str| Effect::Read(Purpose::Import, path.into());
+        assert_eq!(session.apply(settled, now()), [read("/parts/a.csv"), read("/parts/b.csv")], "{name}");
+        assert_eq!(session.apply(Command::SetTheme(Theme::Dark), now()), [], "{name}: once");
+    }
+}
+
+#[test]
+fn a_file_that_is_not_judged_is_read_while_the_own_tables_are_awaited() {
+    let mut session = with_tables_to_read();
+    let open = FilesCommand::Open(Purpose::OpenProgram, "/nc/a.h".into());
+    let read = Effect::Read(Purpose::OpenProgram, "/nc/a.h".into());
+    assert_eq!(session.apply(open.into(), now()), [read]);
+}
+
+#[test]
+fn no_class_is_judged_until_the_own_tables_of_the_last_time_are_read() {
+    let mut session = with_tables_to_read();
+    type_check(&mut session, "25 H7", "25.015");
+    assert_eq!(judged(&session), [""; 0]);
+    let why = session.error(CheckField::Callout).map(ToString::to_string);
+    assert_eq!(why.as_deref(), Some("The own tables in /shop are still being read"));
+    session.apply(Command::UseSource(Base::ControlTables), now());
+    type_check(&mut session, "25 H7", "25.015");
+    assert_eq!(judged(&session), [""; 0], "in whatever source");
+    session.apply(Field::from(FitField::Callout).typed("25 H7/g6".into()), now());
+    assert!(session.fit().fit().is_none());
+    session.apply(tables_read(true), now());
+    type_check(&mut session, "25 H7", "25.015");
+    assert_eq!(judged(&session), ["SCRAP by table own.tab, over 0 up to 30 mm"]);
+}
+
+#[test]
+fn limits_that_a_callout_states_itself_need_no_tables() {
+    let mut session = with_tables_to_read();
+    session.apply(CheckCommand::ChooseFeature(fitcheck::tolerance::Feature::Hole).into(), now());
+    type_check(&mut session, "25 +0.021 0", "25.015");
+    assert_eq!(judged(&session), ["GOOD by the callout itself"]);
+}
+
+#[test]
+fn what_is_judged_without_the_own_tables_says_so() {
+    let mut session = with_tables_to_read();
+    session.apply(tables_read(false), now());
+    assert!(session.notices()[0].is_problem);
+    type_check(&mut session, "25 H7", "25.015");
+    let why = "own tables in /shop could not be read";
+    assert_eq!(judged(&session), [format!("GOOD by ISO 286, over 18 up to 30 mm; {why}")]);
+    session.apply(Command::UseSource(Base::ControlTables), now());
+    type_check(&mut session, "25 H7", "25.015");
+    assert!(judged(&session)[1].ends_with(why), "{:?}", judged(&session));
+    // Whoever wants no own tables says so once.
+    let none = Action::NoOwnTables.command(&session).unwrap();
+    assert!(session.can(Action::NoOwnTables));
+    session.apply(none, now());
+    type_check(&mut session, "25 H7", "25.015");
+    assert!(!judged(&session)[2].contains(why) && !session.can(Action::NoOwnTables));
+    assert_eq!(session.saved().tables_folder, None);
+}
+
+#[test]
+fn own_tables_that_come_after_others_were_chosen_are_not_used() {
+    let mut session = with_tables_to_read();
+    session.apply(Command::NoOwnTables, now());
+    assert_eq!(session.apply(tables_read(true), now()), []);
+    type_check(&mut session, "25 H7", "25.015");
+    assert_eq!(judged(&session), ["GOOD by ISO 286, over 18 up to 30 mm"]);
+    assert_eq!((session.notices().len(), session.saved().tables_folder), (0, None));
+    // Read again because somebody asked for them, they are.
+    session.apply(tables_read(true), now());
+    type_check(&mut session, "25 H7", "25.015");
+    assert_eq!(judged(&session)[1], "SCRAP by table own.tab, over 0 up to 30 mm");
+}
+
+#[test]
+fn a_folder_of_tables_that_could_not_be_read_is_tried_again_after_a_restart() {
+    let mut session = with_tables_to_read();
+    assert_eq!(session.saved().tables_folder, Some("/shop".into()), "before the answer");
+    session.apply(tables_read(false), now());
+    assert_eq!(session.saved().tables_folder, Some("/shop".into()));
 }

@@ -271,9 +271,10 @@ fn save(session: &mut Session, format: usize, path: &str) -> Option<Vec<u8>> {
     session.apply(Command::OpenDialog(Purpose::SaveTable(format)), now());
     session.apply(Command::TypePath(path.to_owned()), now());
     let effects = session.apply(Command::Confirm, now());
-    let [Effect::Save(path, bytes)] = effects.as_slice() else { return None };
+    let Some(Effect::Save(path, bytes)) = effects.first().map(Effect::errand) else { return None };
     let (path, bytes): (PathBuf, Vec<u8>) = (path.clone(), bytes.clone());
-    session.apply(Command::Saved { path, result: Ok(()) }, now());
+    let number = session.dialog()?.number;
+    session.apply(Command::Answered(number, Box::new(Command::Saved { path, result: Ok(()) })), now());
     Some(bytes)
 }
 
@@ -424,7 +425,8 @@ fn a_file_is_not_opened_while_the_cell_cannot_be_read_and_one_that_was_read_is_s
     assert_eq!(session.apply(Command::Confirm, now()), []);
     assert!(session.dialog().unwrap().problem.is_some());
     send(&mut session, TablesCommand::RevertCell);
-    assert_eq!(session.apply(Command::Confirm, now()), [Effect::Read(Purpose::OpenTable, "/shop/own.tab".into())]);
+    let effects = session.apply(Command::Confirm, now());
+    assert_eq!(effects[0].errand(), &Effect::Read(Purpose::OpenTable, "/shop/own.tab".into()));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use fitcheck::exchange::import;
 use fitcheck::files::FileError;
+use fitcheck::journal::Record;
 use fitcheck::journal::query::{Column, RecordId};
 use fitcheck::length::Length;
 use fitcheck::message::Say as _;
@@ -65,8 +66,9 @@ fn one_of<T: Clone + std::fmt::Debug + 'static>(all: Vec<T>) -> impl Strategy<Va
 }
 
 fn typed_of_check() -> impl Strategy<Value = Command> {
-    const CALLOUTS: [&str; 8] = ["25 H7", "25 h6", "25 H7/g6", "12 +0.01 -0.015", "10m", "25 X", "", "40 g6"];
-    const MEASURED: [&str; 9] = ["25.012", "25.030", "24.998", "25.03O", "", "250.12", "12.005", "39.98", "12.506"];
+    const CALLOUTS: [&str; 9] = ["25 H7", "500 H7", "25 h6", "25 H7/g6", "12 +0.01 -0.015", "10m", "25 X", "", "40 g6"];
+    const MEASURED: [&str; 10] =
+        ["500.01", "25.012", "25.030", "24.998", "25.03O", "", "250.12", "12.005", "39.98", "12.506"];
     prop_oneof![
         4 => select(CALLOUTS.as_slice()).prop_map(|text| (CheckField::Callout, text)),
         4 => select(MEASURED.as_slice()).prop_map(|text| (CheckField::Measured, text)),
@@ -75,6 +77,9 @@ fn typed_of_check() -> impl Strategy<Value = Command> {
         1 => select(["0", "0.1", "x"].as_slice()).prop_map(|text| (CheckField::CentreX, text)),
         1 => select(["0", "0.001", "-1"].as_slice()).prop_map(|text| (CheckField::CentreTolerance, text)),
         1 => select(["", "25.03", "24.9"].as_slice()).prop_map(|text| (CheckField::TrueDiameter, text)),
+        1 => select(["0.003", "0.5", "100"].as_slice()).prop_map(|text| (CheckField::OffsetX, text)),
+        1 => select(["3", "5", "three"].as_slice()).prop_map(|text| (CheckField::Lobes, text)),
+        1 => select(["0", "0.002"].as_slice()).prop_map(|text| (CheckField::LobeHeight, text)),
         1 => select(["1", "7", "x"].as_slice()).prop_map(|text| (CheckField::Seed, text)),
     ]
     .prop_map(|(field, text)| CheckCommand::Type(field, text.to_owned()).into())
@@ -174,6 +179,8 @@ fn the_check_page_agrees_with_itself(session: &Session) {
     for field in [CheckField::Callout, CheckField::Measured] {
         assert_eq!(page.error(field), None, "{field:?}");
     }
+    assert_eq!((page.culprit(CheckField::Callout), page.refusal()), (None, None));
+    the_position_agrees(session, record);
     assert_eq!(page.text(CheckField::Part).trim(), record.id);
     let callout = page.asked().callout().map(|callout| callout.of_part(record.limits.feature));
     assert_eq!(callout, record.callout);
@@ -189,6 +196,53 @@ fn the_check_page_agrees_with_itself(session: &Session) {
     let word = fitcheck::control::status::status_word(record.verdict.status(), session.drawn_with().0);
     assert!(shown.window.as_ref().unwrap().contains(word));
 }
+
+/// The position that a verdict was made with stands in its fields, and a simulation of the fields gives the record again.
+fn the_position_agrees(session: &Session, record: &Record) {
+    let page = session.check();
+    if let (Some(position), Some(centre)) = (record.verdict.position, record.measurement.centre) {
+        let tolerance = page.asked().length(CheckField::CentreTolerance).unwrap();
+        let fields = [CheckField::CentreX, CheckField::CentreY];
+        for ((axis, is), field) in position.axes.iter().zip(centre).zip(fields) {
+            assert_eq!(axis.tolerance.unwrap_or(Length::ZERO), tolerance);
+            assert_eq!(is.saturating_sub(axis.deviation), page.asked().length(field).unwrap(), "{field:?}");
+        }
+    }
+    let Origin::Simulated { seed, .. } = record.measurement.origin else { return };
+    let mut again = Session::new(Language::En);
+    again.apply(Command::UseSource(session.sources().base()), now());
+    run(&mut again, [typed(CheckField::Callout, page.text(CheckField::Callout))]);
+    run(
+        &mut again,
+        [CheckCommand::ChooseFeature(record.limits.feature), CheckCommand::MeasureBy(MeasureBy::Simulating)],
+    );
+    for field in SIMULATION {
+        run(&mut again, [typed(field, page.text(field))]);
+    }
+    if again.check().asked().limits() == Some(&record.limits) {
+        run(&mut again, [typed(CheckField::Seed, &seed.to_string()), CheckCommand::Measure]);
+        let made = &again.check().shown().unwrap().record;
+        assert_eq!((&made.measurement, &made.verdict), (&record.measurement, &record.verdict));
+    }
+}
+
+/// Everything that a simulated measurement depends on, besides callout and seed.
+const SIMULATION: [CheckField; 14] = [
+    CheckField::CentreX,
+    CheckField::CentreY,
+    CheckField::Height,
+    CheckField::FirstAngle,
+    CheckField::Clearance,
+    CheckField::CentreTolerance,
+    CheckField::TrueDiameter,
+    CheckField::OffsetX,
+    CheckField::OffsetY,
+    CheckField::Ovality,
+    CheckField::Lobes,
+    CheckField::LobeHeight,
+    CheckField::SurfaceScatter,
+    CheckField::ProbeScatter,
+];
 
 /// What the other pages show is what they would show if everything were done once more.
 fn the_other_pages_agree_with_themselves(session: &mut Session) {
@@ -350,4 +404,186 @@ fn many_rows_make_a_lot_with_the_worst_first() {
 fn nothing_is_simulated_until_it_is_asked_for() {
     let session = Session::new(Language::En);
     assert_eq!(session.check().by(), MeasureBy::Typing);
+}
+
+/// A check of 500 H7 by ISO 286, which the control's tables do not reach, shown again once those are the source.
+fn shown_by_another_source() -> Session {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::Callout, "500 H7"), typed(CheckField::Measured, "500.01")]);
+    run(&mut session, [CheckCommand::Measure]);
+    session.apply(Command::UseSource(Base::ControlTables), now());
+    run(&mut session, [CheckCommand::Show(RecordId(0))]);
+    assert_eq!(status(&session), Some(Status::Good));
+    session
+}
+
+fn error(session: &Session, field: CheckField) -> Option<String> {
+    session.check().error(field).map(ToString::to_string)
+}
+
+#[test]
+fn a_check_shown_again_has_no_error_of_another_source_beside_it() {
+    let session = shown_by_another_source();
+    assert_eq!(error(&session, CheckField::Callout), None);
+    // An import that was judged before the source was changed.
+    let mut session = Session::new(Language::En);
+    let rows = b"id,callout,measured\nA1,500 H7,500.01\n";
+    let imported = import("parts.csv", rows, session.sources(), now());
+    session.apply(Command::UseSource(Base::ControlTables), now());
+    let imported = CheckCommand::Imported { name: "parts.csv".into(), result: Ok(Box::new(imported)) };
+    run(&mut session, [imported]);
+    assert_eq!((status(&session), error(&session, CheckField::Callout)), (Some(Status::Good), None));
+}
+
+#[test]
+fn a_new_value_is_judged_by_the_chosen_source_or_refused_with_its_reason() {
+    let mut session = shown_by_another_source();
+    run(&mut session, [typed(CheckField::Measured, "500.02"), CheckCommand::Measure]);
+    assert_eq!((status(&session), session.history().len()), (None, 1));
+    assert!(error(&session, CheckField::Callout).unwrap().contains("500 mm is beyond table"), "{session:?}");
+    // The value that is on screen is a new one at the second Enter.
+    let mut session = shown_by_another_source();
+    run(&mut session, [CheckCommand::Measure]);
+    assert_eq!((status(&session), session.history().len()), (None, 1));
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Measured, "25.01")]);
+    run(&mut session, [CheckCommand::Measure]);
+    session.apply(Command::UseSource(Base::ControlTables), now());
+    run(&mut session, [CheckCommand::Show(RecordId(0)), typed(CheckField::Measured, "25.02"), CheckCommand::Measure]);
+    let source = |session: &Session| session.check().shown().unwrap().record.limits.source.to_string();
+    assert!(source(&session).starts_with("built-in table"), "{}", source(&session));
+    run(&mut session, [CheckCommand::Show(RecordId(0))]);
+    assert!(source(&session).starts_with("ISO 286"), "the old check is as it was");
+    Act::Import(CONTACTS).run(&mut session);
+    assert!(source(&session).starts_with("built-in table"), "contacts are a new value too");
+}
+
+/// A hole whose centre is 0.5 mm off, simulated where 0.001 mm is permitted: scrap. Then the fields were changed.
+fn simulated_and_changed() -> Session {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::CentreTolerance, "0.001")]);
+    run(&mut session, [typed(CheckField::OffsetX, "0.5"), CheckCommand::MeasureBy(MeasureBy::Simulating)]);
+    run(&mut session, [CheckCommand::Measure]);
+    assert_eq!(status(&session), Some(Status::Scrap));
+    run(&mut session, [typed(CheckField::CentreTolerance, "0"), typed(CheckField::CentreX, "40")]);
+    assert_eq!(status(&session), None);
+    session
+}
+
+fn texts<const N: usize>(session: &Session, fields: [CheckField; N]) -> [&str; N] {
+    fields.map(|field| session.text(field))
+}
+
+#[test]
+fn a_simulated_check_shown_again_stands_beside_the_inputs_it_was_made_with() {
+    let fields = [CheckField::CentreTolerance, CheckField::CentreX, CheckField::OffsetX];
+    let mut session = simulated_and_changed();
+    run(&mut session, [CheckCommand::Show(RecordId(0))]);
+    assert_eq!((status(&session), texts(&session, fields)), (Some(Status::Scrap), ["0.001", "0", "0.5"]));
+    // They are not kept as the user's own, and give way to them.
+    let (restored, _) = Session::restore(session.saved());
+    assert_eq!(texts(&restored, fields), ["0", "40", "0.5"]);
+    run(&mut session, [typed(CheckField::Part, "B7")]);
+    assert_eq!((status(&session), texts(&session, fields)), (None, ["0", "40", "0.5"]));
+    // Typing into one of them changes that one.
+    run(&mut session, [CheckCommand::Show(RecordId(0)), typed(CheckField::CentreX, "41")]);
+    assert_eq!(texts(&session, fields), ["0", "41", "0.5"]);
+}
+
+#[test]
+fn measuring_beside_a_check_shown_again_takes_the_inputs_on_screen() {
+    let mut session = simulated_and_changed();
+    run(&mut session, [CheckCommand::Show(RecordId(0)), CheckCommand::Measure]);
+    assert_eq!(status(&session), Some(Status::Scrap));
+    assert_eq!(texts(&session, [CheckField::CentreTolerance, CheckField::CentreX]), ["0.001", "0"]);
+}
+
+#[test]
+fn the_name_of_a_check_shown_again_is_lent_and_a_typed_one_comes_back() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Measured, "25.012")]);
+    run(&mut session, [CheckCommand::Measure, typed(CheckField::Part, "B7"), CheckCommand::Show(RecordId(0))]);
+    assert_eq!(session.text(CheckField::Part), "");
+    run(&mut session, [typed(CheckField::Measured, "25.013")]);
+    assert_eq!(session.text(CheckField::Part), "B7");
+    run(&mut session, [CheckCommand::Measure]);
+    assert_eq!(session.check().shown().unwrap().record.id, "B7");
+}
+
+#[test]
+fn the_name_of_a_check_shown_again_is_not_the_next_part_s_after_a_restart() {
+    let mut before = Session::new(Language::En);
+    Act::Import(ONE).run(&mut before);
+    assert_eq!(before.text(CheckField::Part), "B1");
+    let (mut session, _) = Session::restore(before.saved());
+    assert_eq!(session.text(CheckField::Part), "");
+    run(&mut session, [typed(CheckField::Measured, "25.013"), CheckCommand::Measure]);
+    assert_eq!(session.check().shown().unwrap().record.id, "");
+}
+
+#[test]
+fn a_judged_value_does_not_outlive_its_callout_in_a_restart() {
+    let mut before = Session::new(Language::En);
+    run(&mut before, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Measured, "25.012")]);
+    let (not_judged, _) = Session::restore(before.saved());
+    assert_eq!(not_judged.text(CheckField::Measured), "25.012");
+    run(&mut before, [CheckCommand::Measure]);
+    let (mut session, _) = Session::restore(before.saved());
+    run(&mut session, [typed(CheckField::Callout, "30 H7")]);
+    assert_eq!(session.text(CheckField::Measured), "");
+}
+
+#[test]
+fn contacts_get_the_typed_name_and_not_a_lent_one() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Part, "A12")]);
+    Act::Import(CONTACTS).run(&mut session);
+    assert_eq!(session.check().shown().unwrap().record.id, "A12");
+    Act::Import(ONE).run(&mut session);
+    assert_eq!(session.text(CheckField::Part), "B1");
+    Act::Import(CONTACTS).run(&mut session);
+    assert_eq!(session.check().shown().unwrap().record.id, "A12");
+}
+
+#[test]
+fn contacts_that_are_not_judged_are_told_with_the_reason_and_as_no_check() {
+    let mut session = Session::new(Language::En);
+    Act::Import(CONTACTS).run(&mut session);
+    assert_eq!(session.history().len(), 0);
+    let [notice] = session.notices() else { panic!("{:?}", session.notices()) };
+    assert_eq!(notice.message.to_string(), "The contacts in parts.csv were not judged");
+    let details: Vec<_> = notice.details.iter().map(ToString::to_string).collect();
+    assert_eq!(details, ["No limits to judge by: type a callout first"]);
+    assert!(notice.is_problem);
+}
+
+#[test]
+fn a_refused_simulation_is_told_beside_the_field_that_caused_it() {
+    for (field, text) in [
+        (CheckField::OffsetX, "100"),
+        (CheckField::OffsetY, "-100"),
+        (CheckField::OffsetY, "99999"),
+        (CheckField::TrueDiameter, "5"),
+        (CheckField::Ovality, "20"),
+        (CheckField::LobeHeight, "30"),
+        (CheckField::Lobes, "1000000"),
+        (CheckField::Lobes, "three"),
+        (CheckField::SurfaceScatter, "50"),
+        (CheckField::ProbeScatter, "50"),
+        (CheckField::Seed, "x"),
+        (CheckField::CentreTolerance, "-1"),
+    ] {
+        let mut session = Session::new(Language::En);
+        run(&mut session, [typed(CheckField::Callout, "25 H7"), CheckCommand::MeasureBy(MeasureBy::Simulating)]);
+        run(&mut session, [typed(field, text)]);
+        let before = error(&session, field);
+        run(&mut session, [CheckCommand::Measure]);
+        let refusal = session.check().refusal().map(ToString::to_string);
+        assert_eq!((status(&session), session.history().len()), (None, 0), "{field:?} {text}");
+        assert!(refusal.is_some() && error(&session, field) == refusal, "{field:?} {text}: {refusal:?}");
+        // What was wrong with the text before is still what is wrong.
+        assert!(before.is_none() || before == refusal, "{field:?} {text}: {before:?}, then {refusal:?}");
+        run(&mut session, [typed(CheckField::Part, "A1")]);
+        assert_eq!(session.check().refusal(), None, "an edit is a new attempt");
+    }
 }

@@ -22,6 +22,10 @@ fn a_file_that_cannot_be_opened_is_wrong_usage_and_says_what_is_possible() {
     std::fs::create_dir(folder.path().join("parts")).unwrap();
     for (arguments, told) in [
         (vec!["none.csv"], "no such file: none.csv; name an existing file"),
+        // What follows two hyphens is a file, whatever it is called.
+        (vec!["--", "none.csv"], "no such file: none.csv"),
+        (vec!["--", "check"], "no such file: check"),
+        (vec!["--", "notes.pdf"], "notes.pdf is not a file that the window opens"),
         (vec!["part.csv", "none.csv"], "no such file: none.csv"),
         (vec!["./none"], "no such file: ./none"),
         (vec!["./parts"], "this is a folder, not a file: ./parts"),
@@ -43,6 +47,9 @@ fn a_mistyped_subcommand_gets_the_nearest_name() {
         assert_eq!(code, Some(2));
         assert!(text.contains("unrecognized subcommand") && text.contains(nearest), "{text}");
     }
+    // What follows the point of a size is no ending.
+    let (code, text) = start(&["12.5H7"], folder.path());
+    assert!(code == Some(2) && text.contains("unrecognized subcommand '12.5H7'"), "{text}");
     // A subcommand of the name comes before a file of the name.
     fitcheck::files::write(&folder.path().join("limits"), b"25 H7").unwrap();
     let (code, text) = start(&["limits"], folder.path());

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::{Live, Role};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use eframe::egui::{Key, Modifiers};
-use fitcheck::session::{CheckCommand, CheckField};
+use fitcheck::session::{CheckCommand, CheckField, MeasureBy};
 
 use crate::harness::{check, type_into, verdict, window};
 
@@ -207,6 +207,28 @@ fn simulating_measures_with_contacts_and_fills_the_history() {
     window.run();
     window.get_by_label("2 checks");
     assert_ne!(first, window.state().session().history().iter().nth(1).unwrap().measurement.contacts);
+}
+
+#[test]
+fn a_refused_simulation_says_why_in_the_verdict_s_place_and_beside_the_field() {
+    let mut window = window();
+    type_into(&mut window, "Callout", "25 H7");
+    let ctx = window.ctx.clone();
+    let offset = CheckCommand::Type(CheckField::OffsetX, "100".into());
+    for command in [offset, CheckCommand::MeasureBy(MeasureBy::Simulating)] {
+        window.state_mut().send(&ctx, command.into());
+    }
+    assert!(window.query_by_role_and_label(Role::TextInput, "Offset X").is_none(), "the workpiece is folded");
+    window.get_by_role_and_label(Role::TextInput, "Callout").focus();
+    window.run();
+    window.key_press(Key::Enter);
+    window.run();
+    let error = window.state().session().check().error(CheckField::OffsetX).map(ToString::to_string).unwrap();
+    assert_eq!(verdict(&window), format!("No result. Nothing was measured. {error}"));
+    window.get_by_role_and_label(Role::TextInput, "Offset X");
+    assert_eq!(window.get_all_by_label(&error).count(), 2, "in the card and below the field");
+    type_into(&mut window, "Offset X", "0");
+    assert_eq!(verdict(&window), "No result");
 }
 
 #[test]

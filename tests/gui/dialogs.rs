@@ -7,7 +7,7 @@ use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{By, Queryable as _};
 use fitcheck::gui::App;
-use fitcheck::session::Purpose;
+use fitcheck::session::{FilesCommand, Purpose};
 
 use crate::harness::{Window, check, verdict, window};
 
@@ -453,4 +453,53 @@ fn the_window_is_started_with_files() {
     window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::Num1);
     window.run();
     assert!(verdict(&window).starts_with("REWORK. 24.998 mm"), "{}", verdict(&window));
+}
+
+/// A window that used own tables the last time, in which H7 ends at +10 µm, and is started with these files.
+fn with_own_tables(folder: &Path, is_there: bool, files: Vec<(Purpose, PathBuf)>) -> Harness<'static, App> {
+    let tables = folder.join("own");
+    if is_there {
+        std::fs::create_dir(&tables).unwrap();
+        put(
+            &tables.join("own.tab"),
+            "BEGIN own.tab MM\r\nNR   BEREICH H7\r\n0    30      +10\r\n1            +0\r\n[END]\r\n",
+        );
+    }
+    let state = folder.join("state.toml");
+    put(&state, &format!("version = 1\nlanguage = \"en\"\ntables_folder = {:?}\n", tables.display().to_string()));
+    Window { store: fitcheck::gui::Store::at(&state), files, ..Window::default() }.open()
+}
+
+fn judged(window: &Harness<'_, App>) -> Vec<String> {
+    let checks = window.state().session().history().iter();
+    checks.map(|check| format!("{} by {}", check.verdict.status(), check.limits.source)).collect()
+}
+
+#[test]
+fn a_file_that_the_window_is_started_with_is_judged_by_the_own_tables() {
+    for is_at_start in [true, false] {
+        let folder = tempfile::tempdir().unwrap();
+        let part = folder.path().join("part.csv");
+        put(&part, "id,callout,measured\nA1,25 H7,25.015\n");
+        let files = if is_at_start { vec![(Purpose::Import, part.clone())] } else { Vec::new() };
+        let mut window = with_own_tables(folder.path(), true, files);
+        if !is_at_start {
+            let ctx = window.ctx.clone();
+            window.state_mut().send(&ctx, FilesCommand::Open(Purpose::Import, part).into());
+            window.run();
+        }
+        assert_eq!(judged(&window), ["SCRAP by table own.tab, over 0 up to 30 mm"], "at the start: {is_at_start}");
+    }
+}
+
+#[test]
+fn a_file_that_is_judged_without_the_own_tables_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let part = folder.path().join("part.csv");
+    put(&part, "id,callout,measured\nA1,25 H7,25.015\n");
+    let window = with_own_tables(folder.path(), false, vec![(Purpose::Import, part)]);
+    let judged = judged(&window);
+    assert!(judged.len() == 1 && judged[0].starts_with("GOOD by ISO 286") && judged[0].ends_with("could not be read"));
+    assert!(window.get_all_by_label_contains("own tables in").count() > 0, "the limits on screen say it too");
+    assert!(verdict(&window).ends_with("Judged without your own tables"), "{}", verdict(&window));
 }

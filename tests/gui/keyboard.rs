@@ -175,6 +175,48 @@ fn the_keypad_has_letters_for_classes() {
     assert_eq!(window.state().session().text(CheckField::Callout), "25 H7");
 }
 
+fn send(window: &mut Harness<'_, App>, command: Command) {
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, command);
+    window.run();
+}
+
+fn press(window: &mut Harness<'_, App>, key: &str) {
+    window.get_by_role_and_label(Role::Button, key).click();
+    window.run();
+}
+
+#[test]
+fn the_keypad_types_into_no_field_that_is_not_on_screen() {
+    for page in [Page::Fit, Page::Cycles, Page::Tables, Page::Program] {
+        let mut window = window();
+        check(&mut window, "25 H7", "25.012");
+        send(&mut window, Command::ShowKeypad(true));
+        send(&mut window, Command::OpenPage(page));
+        press(&mut window, "Key 7");
+        press(&mut window, "Delete last");
+        press(&mut window, "Measure with Enter");
+        let session = window.state().session();
+        assert_eq!(session.text(CheckField::Measured), "25.012", "{page:?}");
+        assert_eq!((session.check().shown().is_some(), session.history().len()), (true, 1), "{page:?}");
+        send(&mut window, Command::OpenPage(Page::Check));
+        press(&mut window, "Key 7");
+        assert_ne!(window.state().session().text(CheckField::Measured), "25.012", "there it types again");
+    }
+}
+
+#[test]
+fn the_keypad_types_points_into_a_name_and_one_into_a_number() {
+    let mut window = window();
+    send(&mut window, Command::ShowKeypad(true));
+    for (field, text, after) in [("Part or feature", "A1.2", "A1.2."), ("Measured value", "25.0", "25.0")] {
+        type_into(&mut window, field, text);
+        press(&mut window, "Decimal sign");
+        let field = if field == "Measured value" { CheckField::Measured } else { CheckField::Part };
+        assert_eq!(window.state().session().text(field), after);
+    }
+}
+
 #[test]
 fn the_keypad_covers_neither_band_nor_verdict() {
     for size in [(800.0, 600.0), (1024.0, 600.0), (1280.0, 800.0), (1920.0, 1080.0)] {

@@ -107,6 +107,8 @@ contacts-describe = { $count } contacts seen from above, deviations magnified { 
 centre-is = centre { $x } / { $y }
 
 word-none = No result
+nothing-measured = Nothing was measured
+judged-without-own = Judged without your own tables
 word-question = Is this right?
 simulated = SIMULATED
 status-simulated = { simulated } { $status }
@@ -273,6 +275,7 @@ tables-loaded = { $count ->
 }
 mask-loaded-with-warnings = { $name } was read with warnings
 state-set-aside = The saved state could not be read. It was kept as { $path }, and the window starts with default settings.
+import-contacts-not-judged = The contacts in { $name } were not judged
 import-notice = { $name }: { $good ->
     [0] no check
     [one] 1 check

@@ -107,6 +107,8 @@ contacts-describe = { $count } meetpunten van boven gezien, afwijkingen { $facto
 centre-is = midden { $x } / { $y }
 
 word-none = Geen resultaat
+nothing-measured = Er is niets gemeten
+judged-without-own = Beoordeeld zonder de eigen tabellen
 word-question = Klopt dit?
 simulated = GESIMULEERD
 status-simulated = { simulated } { $status }
@@ -273,6 +275,7 @@ tables-loaded = { $count ->
 }
 mask-loaded-with-warnings = { $name } is gelezen met waarschuwingen
 state-set-aside = De bewaarde toestand kon niet worden gelezen en is bewaard als { $path }; het venster begint met de standaardinstellingen.
+import-contacts-not-judged = De meetpunten in { $name } zijn niet beoordeeld
 import-notice = { $name }: { $good ->
     [0] geen controle
     [one] 1 controle

@@ -10,6 +10,7 @@ use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say};
 use crate::session::{Action, Lot, Question, Step};
+use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
 use crate::words::Words;
 
@@ -22,11 +23,15 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         return question_ui(ui, view, question);
     }
     let record = view.session.check().shown().map(|shown| shown.record.as_ref());
-    let card = record.map_or_else(
-        || Card { word: view.text(status_id(None)), ..Card::default() },
-        |record| card(view.words, record),
-    );
+    let card = record.map_or_else(|| no_card(view), |record| card(view.words, record));
     card_ui(ui, view, &card);
+}
+
+/// The card without a record: where a measurement was refused, that nothing was measured, and why.
+fn no_card(view: &View<'_>) -> Card {
+    let refused = |why: &Message| vec![view.text("nothing-measured"), view.words.say(why)];
+    let lines = view.session.check().refusal().map(refused).unwrap_or_default();
+    Card { word: view.text(status_id(None)), lines, ..Card::default() }
 }
 
 /// The reasons for the verdict; before them the lot where it would push the verdict off a low window.
@@ -39,6 +44,8 @@ pub(super) fn reasons_ui(ui: &mut Ui, view: &mut View<'_>) {
     if let Some(shown) = view.session.check().shown() {
         lines_below_ui(ui, &card(view.words, &shown.record));
         why_ui(ui, view, &shown.record);
+    } else if view.session.check().question().is_none() {
+        lines_below_ui(ui, &no_card(view));
     }
 }
 
@@ -127,6 +134,9 @@ fn card(words: &Words, record: &Record) -> Card {
         lines.push(words.say(&Message::new("diameter-alone").text("status", words.get(id))));
     }
     lines.extend(record.doubt.map(|doubt| words.told(&doubt)));
+    if matches!(record.limits.source, Source::WithoutOwn { .. }) {
+        lines.push(words.get("judged-without-own"));
+    }
     Card {
         status: Some(status),
         is_simulated: record.measurement.origin.is_simulated(),

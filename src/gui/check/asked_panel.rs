@@ -138,23 +138,23 @@ fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn simulation_ui(ui: &mut Ui, view: &mut View<'_>) {
-    CollapsingHeader::new(view.text("simulated-workpiece")).id_salt("simulated").show_unindented(ui, |ui| {
+    let fields = [
+        (CheckField::TrueDiameter, "true-diameter", "mm"),
+        (CheckField::Seed, "seed", ""),
+        (CheckField::OffsetX, "offset-x", "mm"),
+        (CheckField::OffsetY, "offset-y", "mm"),
+        (CheckField::Ovality, "ovality", "mm"),
+        (CheckField::Lobes, "lobes", ""),
+        (CheckField::LobeHeight, "lobe-height", "mm"),
+        (CheckField::SurfaceScatter, "surface-scatter", "mm"),
+        (CheckField::ProbeScatter, "probe-scatter", "mm"),
+    ];
+    // An error is never folded away.
+    let is_wrong = fields.iter().any(|(field, ..)| view.session.check().error(*field).is_some());
+    let header = CollapsingHeader::new(view.text("simulated-workpiece")).id_salt("simulated");
+    header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
         quiet(ui, view.text("simulated-hint"));
-        pairs_ui(
-            ui,
-            view,
-            &[
-                (CheckField::TrueDiameter, "true-diameter", "mm"),
-                (CheckField::Seed, "seed", ""),
-                (CheckField::OffsetX, "offset-x", "mm"),
-                (CheckField::OffsetY, "offset-y", "mm"),
-                (CheckField::Ovality, "ovality", "mm"),
-                (CheckField::Lobes, "lobes", ""),
-                (CheckField::LobeHeight, "lobe-height", "mm"),
-                (CheckField::SurfaceScatter, "surface-scatter", "mm"),
-                (CheckField::ProbeScatter, "probe-scatter", "mm"),
-            ],
-        );
+        pairs_ui(ui, view, &fields);
     });
 }
 

@@ -10,6 +10,7 @@ use crate::gui::shapes::magnification;
 use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
+use crate::length::{Length, Unit};
 use crate::message::{Message, Say as _};
 use crate::words::Words;
 
@@ -65,13 +66,17 @@ pub(super) fn remarks_ui(ui: &mut Ui, view: &View<'_>) {
 fn circle_text(words: &Words, record: &Record) -> String {
     let mut text = format!("Ø {}", Digits::of(record).mm(words, record.measurement.diameter, 4));
     if let Some(position) = record.verdict.position {
-        let [x, y] = position.axes.map(|axis| {
-            let sign = if crate::length::Length::ZERO < axis.deviation { "+" } else { "" };
-            format!("{sign}{}", words.number(&axis.deviation.rounded(crate::length::Unit::Millimetre, 4)))
-        });
+        let [x, y] = position.axes.map(|axis| words.number(&signed_mm(axis.deviation)));
         text = format!("{text}   {}", words.say(&Message::new("centre-is").text("x", x).text("y", y)));
     }
     text
+}
+
+/// A deviation in millimetres with four decimals. What they show as zero has no sign.
+fn signed_mm(deviation: Length) -> String {
+    let text = deviation.rounded(Unit::Millimetre, 4);
+    let is_zero = !text.contains(|c: char| ('1'..='9').contains(&c));
+    if Length::ZERO < deviation && !is_zero { format!("+{text}") } else { text }
 }
 
 fn remarks(words: &Words, record: &Record) -> String {
@@ -204,4 +209,23 @@ fn deviations(record: &Record) -> Vec<String> {
         if text == "+0.0" || text == "-0.0" { "0.0".to_owned() } else { text }
     };
     record.measurement.contacts.iter().map(deviation).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_deviation_has_a_sign_where_a_digit_shows() {
+        for (mm, shown) in [
+            ("0.00001", "0.0000"),
+            ("-0.00001", "0.0000"),
+            ("0", "0.0000"),
+            ("0.00005", "+0.0001"),
+            ("-0.00005", "-0.0001"),
+            ("0.0123", "+0.0123"),
+        ] {
+            assert_eq!(signed_mm(mm.parse().unwrap()), shown, "{mm}");
+        }
+    }
 }

@@ -74,9 +74,10 @@ fn ends(feature: Feature, asked: &[&Planned<'_>], sources: &Sources) -> Vec<Leng
 }
 
 /// The size range in which limits were found.
-const fn range(source: &Source) -> Option<(Length, Length)> {
-    match *source {
-        Source::Standard { over, to, .. } | Source::Table { over, to, .. } => Some((over, to)),
+fn range(source: &Source) -> Option<(Length, Length)> {
+    match source {
+        Source::Standard { over, to, .. } | Source::Table { over, to, .. } => Some((*over, *to)),
+        Source::WithoutOwn { source, .. } => range(source),
         Source::Iso2768 { .. } | Source::Callout | Source::File(_) => None,
     }
 }

@@ -72,7 +72,8 @@ pub(super) fn row(action: Action) -> Row {
         }),
         Action::LoadTables => everywhere("load-tables", open(Purpose::LoadTables)),
         Action::NoOwnTables => {
-            everywhere("no-own-tables", Command::NoOwnTables).when(|session| !session.sources().own().is_empty())
+            let row = everywhere("no-own-tables", Command::NoOwnTables);
+            row.when(|session| !session.sources().own().is_empty() || session.sources().absent().is_some())
         }
         Action::LoadMask => everywhere("load-mask", open(Purpose::LoadMask)),
         Action::Undo => everywhere("undo", CheckCommand::Undo.into())

@@ -12,7 +12,6 @@ use crate::journal::query::RecordId;
 use crate::journal::{Record, status_window};
 use crate::message::{Message, Say as _};
 use crate::probing::Origin;
-use crate::session::ListCommand;
 use crate::session::command::{Effect, Page};
 use crate::session::shared::{News, PageState, Shared};
 use crate::tolerance::Sources;
@@ -73,11 +72,10 @@ impl PageState for CheckPage {
                 }
             }
             CheckCommand::Choose(id, is_chosen) => shared.history.choose(id, is_chosen),
-            CheckCommand::List(ListCommand::Copy) => {
-                let copied = shared.history.copied(&Words::new(shared.language));
+            CheckCommand::List(command) => {
+                let copied = shared.history.apply(command, shared.language);
                 return copied.map(Effect::Copy).into_iter().collect();
             }
-            CheckCommand::List(command) => shared.history.apply(command),
             CheckCommand::ClearHistory => {
                 let count = shared.history.clear();
                 if 0 < count {
@@ -93,7 +91,6 @@ impl PageState for CheckPage {
 
     fn follow(&mut self, news: &News, shared: &mut Shared) {
         match news {
-            // No verdict stays beside limits that it was not made with.
             News::Sources => self.callout_changed(true, &shared.sources),
             News::StatusWindow => {
                 self.filter(shared);
@@ -124,6 +121,7 @@ impl CheckPage {
     }
 
     fn type_text(&mut self, field: CheckField, text: String, sources: &Sources) {
+        self.own.remove(&field);
         self.texts.set(field, text);
         match field {
             CheckField::Callout => return self.callout_changed(true, sources),
@@ -137,14 +135,12 @@ impl CheckPage {
                 self.by = MeasureBy::Typing;
                 self.measured_is_used = false;
             }
-            CheckField::Part => self.part_is_lent = false,
             _ => {}
         }
         self.edited(sources);
     }
 
-    /// Reads the fields anew. The limits stay those of the record that was shown last: it may come from a log without a
-    /// callout, or from tables that are no longer used.
+    /// Reads the fields anew. The limits are those of the record that lends them.
     fn read(&mut self, sources: &Sources) {
         self.asked = Asked::read(&self.texts, self.feature, sources);
         if let Some(record) = &self.lent {
@@ -174,11 +170,14 @@ impl CheckPage {
         }
     }
 
-    /// No verdict stays beside a value, a position or a name that it was not made with. The limits stay.
+    /// No verdict stays beside a value, a position or a name that it was not made with, and what it lent goes with it:
+    /// the next value is judged by the source that is chosen now. Only limits without a callout stay, for the fields
+    /// have no others.
     fn edited(&mut self, sources: &Sources) {
-        (self.shown, self.question, self.lot) = (None, None, None);
-        if std::mem::take(&mut self.part_is_lent) {
-            self.texts.set(CheckField::Part, "");
+        (self.shown, self.question, self.lot, self.refusal) = (None, None, None, None);
+        self.lent = self.lent.take().filter(|record| record.callout.is_none());
+        for (field, text) in std::mem::take(&mut self.own) {
+            self.texts.set(field, text);
         }
         self.read(sources);
     }
@@ -191,12 +190,16 @@ impl CheckPage {
 
     fn measure(&mut self, shared: &mut Shared, now: DateTime) {
         let asked_about = self.question.take();
-        // What stands in the field is the name that is meant.
-        self.part_is_lent = false;
+        // What stands in the fields is what is meant.
+        self.own.clear();
         self.edited(&shared.sources);
         let record = match measuring::measure(self, now) {
             Ok(record) => record,
-            Err((field, problem)) => return self.asked.refuse(field, problem),
+            Err((field, problem)) => {
+                // A typed value has its error beside it, in sight.
+                self.refusal = Some(problem.clone()).filter(|_| self.by == MeasureBy::Simulating);
+                return self.asked.refuse(field, problem);
+            }
         };
         if self.by == MeasureBy::Typing
             && let Some(doubt) = record.doubt
@@ -208,11 +211,12 @@ impl CheckPage {
             }
         }
         self.measured_is_used = self.by == MeasureBy::Typing;
+        let id = shared.history.add(vec![Arc::new(record)]);
         if self.by == MeasureBy::Simulating {
+            self.inputs.keep(id, &self.texts);
             let next = self.asked.seed.unwrap_or_default().wrapping_add(1);
             self.texts.set(CheckField::Seed, next.to_string());
         }
-        let id = shared.history.add(vec![Arc::new(record)]);
         self.show(id, shared);
     }
 
@@ -234,18 +238,24 @@ impl CheckPage {
         if record.callout.is_some_and(|callout| callout.feature().is_none()) {
             self.feature = Some(record.limits.feature);
         }
-        (self.lot, self.question) = (lot, None);
-        self.show_inputs(&record);
+        (self.lot, self.question, self.refusal) = (lot, None, None);
+        self.show_inputs(id, &record);
         self.lent = Some(Arc::clone(&record));
         self.read(&shared.sources);
         self.draw(record, shared);
     }
 
-    /// Puts the part's name and a typed value back into their fields: no other value stands beside the verdict.
-    fn show_inputs(&mut self, record: &Record) {
-        if self.text(CheckField::Part).trim() != record.id {
-            self.texts.set(CheckField::Part, record.id.clone());
-            self.part_is_lent = true;
+    /// Puts what a record was made with back into the fields: nothing else stands beside the verdict. The user's own
+    /// texts come back with the next edit.
+    fn show_inputs(&mut self, id: RecordId, record: &Record) {
+        for (field, text) in std::mem::take(&mut self.own) {
+            self.texts.set(field, text);
+        }
+        for (field, text) in self.inputs.of(id, record) {
+            if self.text(field).trim() != text {
+                self.own.insert(field, self.text(field).to_owned());
+                self.texts.set(field, text);
+            }
         }
         let is_typed = record.measurement.origin == Origin::Typed;
         let measured = self.asked.length(CheckField::Measured).filter(|_| is_typed);
@@ -264,18 +274,26 @@ impl CheckPage {
 
     fn imported(&mut self, name: &str, result: Result<Box<Imported>, Message>, shared: &mut Shared, now: DateTime) {
         let Some(mut imported) = shared.file_answered(result) else { return };
-        shared.notices.push(measuring::import_notice(name, &imported));
+        let mut notice = measuring::import_notice(name, &imported);
         if let Some(contacts) = imported.contacts.take() {
-            match measuring::judge_contacts(name, &contacts, &self.asked, now) {
+            // Contacts are judged by what the user asked for, not by what an older check lent.
+            self.edited(&shared.sources);
+            match measuring::judge_contacts(name, &contacts, self, now) {
                 Ok(record) => {
-                    self.edited(&shared.sources);
                     let id = shared.history.add(vec![Arc::new(record)]);
+                    self.inputs.keep(id, &self.texts);
                     self.show(id, shared);
                 }
-                Err(problem) => shared.tell(problem),
+                Err(why) => {
+                    notice.message = Message::new("import-contacts-not-judged").text("name", name);
+                    notice.details.insert(0, why);
+                    notice.is_problem = true;
+                }
             }
+            shared.notices.push(notice);
             return;
         }
+        shared.notices.push(notice);
         let records: Vec<_> = std::mem::take(&mut imported.records).into_iter().map(Arc::new).collect();
         let is_lot = 1 < imported.rows && !(records.is_empty() && imported.unjudged.is_empty());
         if !is_lot && records.is_empty() {

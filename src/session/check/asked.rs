@@ -159,12 +159,14 @@ impl Asked {
         self.errors.insert(field, problem);
     }
 
-    /// Shows the limits of a record, which may have come without a callout. A fit stays a fit: its other part can still
-    /// be chosen.
+    /// Shows the limits of a record, which may have come without a callout, and not what the chosen source says of it.
+    /// A fit stays a fit: its other part can still be chosen.
     pub(super) fn show_limits(&mut self, limits: Limits, callout: Option<Callout>) {
         if self.callout.map(|asked| asked.of_part(limits.feature)) != callout {
             self.callout = callout;
         }
         self.limits = Some(limits);
+        self.culprit = None;
+        self.errors.remove(&CheckField::Callout);
     }
 }

@@ -2,6 +2,7 @@
 
 use jiff::civil::DateTime;
 
+use super::inputs::SIMULATION;
 use super::{Asked, CheckField, CheckPage, MeasureBy};
 use crate::exchange::Imported;
 use crate::journal::Record;
@@ -9,10 +10,11 @@ use crate::length::{Length, LengthError};
 use crate::message::{Message, Say as _};
 use crate::probing::measure::{ProbePosition, cycle_number, measure as run_cycle};
 use crate::probing::measurement::measure_contacts;
-use crate::probing::simulated::{Lobes, Machine, Probe, Workpiece};
+use crate::probing::simulated::{Figure, Lobes, Machine, Probe, Workpiece, WorkpieceError};
 use crate::probing::{Contact, Measurement, Origin};
+use crate::session::field::KeptField as _;
 use crate::session::shared::Notice;
-use crate::tolerance::Limits;
+use crate::tolerance::{Limits, Sources};
 use crate::verdict::{AxisPosition, PositionVerdict};
 
 /// The field that measuring refused, and why.
@@ -28,7 +30,10 @@ pub(super) fn measure(page: &CheckPage, now: DateTime) -> Result<Record, Refusal
     };
     let (measurement, position) = match page.by {
         MeasureBy::Typing => (typed(asked)?, None),
-        MeasureBy::Simulating => simulated(asked, limits)?,
+        MeasureBy::Simulating => simulated(asked, limits).map_err(|(field, problem)| match field {
+            CheckField::TrueDiameter if asked.error(field).is_none() => (culprit(page, limits), problem),
+            field => (field, problem),
+        })?,
     };
     Ok(record(page.text(CheckField::Part), asked, limits, (measurement, position), now))
 }
@@ -62,12 +67,38 @@ fn simulated(asked: &Asked, limits: &Limits) -> Result<(Measurement, Option<Posi
     let position = probe_position(asked)?;
     let seed = needed(asked, CheckField::Seed, asked.seed)?;
     let (workpiece, probe) = workpiece(asked, limits, &position)?;
-    let refused = |message| (CheckField::TrueDiameter, message);
-    let mut machine = Machine::new(workpiece, probe, seed).map_err(|error| refused(error.message()))?;
+    let mut machine = Machine::new(workpiece, probe, seed).map_err(|error| (figure(&error), error.message()))?;
     let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed };
-    let (measurement, position) =
-        run_cycle(limits, &position, &mut machine, origin).map_err(|error| refused(error.message()))?;
+    let (measurement, position) = run_cycle(limits, &position, &mut machine, origin)
+        .map_err(|error| (CheckField::TrueDiameter, error.message()))?;
     Ok((measurement, Some(position)))
+}
+
+/// The field of the figure that an error of the simulated machine names.
+fn figure(error: &WorkpieceError) -> CheckField {
+    match error.what {
+        Figure::CentreX => CheckField::OffsetX,
+        Figure::CentreY => CheckField::OffsetY,
+        Figure::Ovality => CheckField::Ovality,
+        Figure::Lobes => CheckField::Lobes,
+        Figure::LobeHeight => CheckField::LobeHeight,
+        Figure::SurfaceScatter => CheckField::SurfaceScatter,
+        Figure::ProbeScatter => CheckField::ProbeScatter,
+        _ => CheckField::TrueDiameter,
+    }
+}
+
+/// The field because of which a cycle did not reach the workpiece: the one without whose text it does. Where that is
+/// none alone, the first that the user has changed.
+fn culprit(page: &CheckPage, limits: &Limits) -> CheckField {
+    let is_changed = |field: &CheckField| page.text(*field).trim() != field.declared().1;
+    let changed: Vec<_> = SIMULATION.into_iter().filter(is_changed).collect();
+    let is_it = |field: &&CheckField| {
+        let mut texts = page.texts.clone();
+        texts.set(**field, field.declared().1);
+        simulated(&Asked::read(&texts, page.feature, &Sources::default()), limits).is_ok()
+    };
+    changed.iter().find(is_it).or(changed.first()).copied().unwrap_or(CheckField::TrueDiameter)
 }
 
 fn probe_position(asked: &Asked) -> Result<ProbePosition, Refusal> {
@@ -87,7 +118,7 @@ fn workpiece(asked: &Asked, limits: &Limits, position: &ProbePosition) -> Result
         None => asked.length(CheckField::TrueDiameter).unwrap_or_else(|| limits.middle()),
     };
     let [x, y] = position.centre.map(Length::to_mm_f64);
-    let count = asked.lobes.ok_or_else(|| (CheckField::Lobes, LengthError::Empty.message()))?;
+    let count = needed(asked, CheckField::Lobes, asked.lobes)?;
     let workpiece = Workpiece {
         feature: limits.feature,
         centre: [x + mm(CheckField::OffsetX)?, y + mm(CheckField::OffsetY)?],
@@ -116,9 +147,10 @@ pub(super) fn import_notice(name: &str, imported: &Imported) -> Notice {
 pub(super) fn judge_contacts(
     name: &str,
     contacts: &[Contact],
-    asked: &Asked,
+    page: &CheckPage,
     now: DateTime,
 ) -> Result<Record, Message> {
+    let asked = &page.asked;
     let limits = asked.limits().ok_or_else(|| Message::new("measured-needs-limits"))?;
     let origin = Origin::Contacts { file: name.into() };
     let measurement = measure_contacts(contacts, origin).map_err(|error| error.message())?;
@@ -131,5 +163,5 @@ pub(super) fn judge_contacts(
         let axis = |is: Length, nominal| AxisPosition { deviation: is.saturating_sub(nominal), tolerance };
         PositionVerdict { axes: [axis(x, nominal_x), axis(y, nominal_y)] }
     });
-    Ok(record("", asked, limits, (measurement, position), now))
+    Ok(record(page.text(CheckField::Part), asked, limits, (measurement, position), now))
 }

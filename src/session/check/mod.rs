@@ -7,15 +7,18 @@
 //! | `command`, `apply` | what can be done, and doing it |
 //! | `asked` | what the texts mean: callout, limits, errors beside their fields |
 //! | `measuring` | from the fields to a measurement |
+//! | `inputs` | what a check was made with, besides callout and value |
 //! | `lot` | the rows of an imported file: how many are what, worst first |
 
 mod apply;
 mod asked;
 mod command;
 mod field;
+mod inputs;
 mod lot;
 mod measuring;
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -27,6 +30,7 @@ pub use command::CheckCommand;
 pub use field::CheckField;
 pub use lot::Lot;
 
+use self::inputs::Inputs;
 use super::field::{KeptField as _, Texts};
 use super::saved::SavedInputs;
 use crate::journal::Record;
@@ -73,11 +77,14 @@ pub struct CheckPage {
     feature: Option<Feature>,
     asked: Asked,
     shown: Option<Shown>,
-    /// The record whose limits are on screen, also after its verdict is gone: it may come from a log without a callout,
-    /// or from tables that are no longer used.
+    /// The record whose limits are on screen: it may come from tables that are no longer used, or from a log without a
+    /// callout. Limits of the latter stay after its verdict is gone.
     lent: Option<Arc<Record>>,
-    /// Whether the part's name came with a record that was shown again: it is not the next part's.
-    part_is_lent: bool,
+    /// The user's own texts of the fields that hold what a shown record was made with: they are the next part's.
+    own: BTreeMap<CheckField, String>,
+    inputs: Inputs,
+    /// Why the last simulation was refused, until something is changed.
+    refusal: Option<Message>,
     /// Whether the typed diameter was measured already: a new callout empties its field.
     measured_is_used: bool,
     question: Option<Question>,
@@ -96,17 +103,30 @@ impl CheckPage {
             asked,
             shown: None,
             lent: None,
-            part_is_lent: false,
+            own: BTreeMap::new(),
+            inputs: Inputs::default(),
+            refusal: None,
             measured_is_used: false,
             question: None,
             lot: None,
         }
     }
 
-    /// The texts that are kept. A forgotten filter would hide checks after the next start.
+    /// The texts that are kept: the user's own, without a value that was judged. A forgotten filter would hide checks
+    /// after the next start.
     pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
+        let mut texts = self.texts.clone();
+        for (field, text) in &self.own {
+            texts.set(*field, text.clone());
+        }
         let (filter, _) = CheckField::HistoryFilter.declared();
-        self.texts.saved().filter(move |(key, _)| key != filter)
+        let (measured, _) = CheckField::Measured.declared();
+        let is_judged = self.measured_is_used;
+        texts
+            .saved()
+            .filter(|(key, _)| key != filter && !(is_judged && key == measured))
+            .collect::<Vec<_>>()
+            .into_iter()
     }
 
     /// The text of a field.
@@ -142,6 +162,11 @@ impl CheckPage {
     /// The record that is shown, if any. It always belongs to what stands in the fields: any edit takes it away.
     pub const fn shown(&self) -> Option<&Shown> {
         self.shown.as_ref()
+    }
+
+    /// Why the last simulation was refused, until something is changed.
+    pub const fn refusal(&self) -> Option<&Message> {
+        self.refusal.as_ref()
     }
 
     /// What is asked about the typed value before it is judged.

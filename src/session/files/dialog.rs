@@ -7,11 +7,13 @@ use super::command::FilesCommand;
 use super::ending;
 use super::folder_list::FolderList;
 use crate::message::{Message, Say as _};
-use crate::session::command::Purpose;
+use crate::session::command::{DialogId, Purpose};
 
 /// An open file dialog. A path can be typed, or chosen in the list.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Dialog {
+    /// Its number: what it asked for comes back with it.
+    pub number: DialogId,
     /// Its purpose.
     pub purpose: Purpose,
     /// The typed path: from the listed folder on, where it does not begin at the root.
@@ -34,9 +36,10 @@ pub struct Dialog {
 
 impl Dialog {
     /// A dialog with a proposed name that begins with a folder.
-    pub(in crate::session) fn new(purpose: Purpose, path: String, folder: Option<&Path>) -> Self {
+    pub(in crate::session) fn new(number: DialogId, purpose: Purpose, path: String, folder: Option<&Path>) -> Self {
         let list = FolderList::new(purpose.endings(), purpose == Purpose::LoadTables);
         let mut dialog = Self {
+            number,
             purpose,
             proposed: path.clone(),
             path,
@@ -142,19 +145,30 @@ impl Dialog {
         if typed.as_os_str().is_empty() {
             return Some(PathBuf::new());
         }
+        let names_folder = self.names_folder();
         let mut path = match (typed.strip_prefix("~"), home, self.list.folder()) {
             (Ok(rest), Some(home), _) => home.join(rest),
             (_, _, Some(folder)) => folder.join(typed),
             _ => typed.to_owned(),
         };
-        // What follows the point of `bore 12.5` is no ending.
-        let is_ending = |text: &OsStr| text.to_string_lossy().chars().any(char::is_alphabetic);
-        let has_ending = self.purpose.is_reading() || path.extension().is_some_and(is_ending);
+        if names_folder || self.list.has_folder(&path) {
+            self.go_to(path);
+            return None;
+        }
+        // What follows the point of `bore 12.5H7` is no ending.
+        let has_ending = self.purpose.is_reading() || Purpose::knows_ending(&path);
         if let Some(mut name) = path.file_name().filter(|_| !has_ending).map(OsStr::to_owned) {
             name.push(format!(".{}", ending(self.purpose)));
             path.set_file_name(name);
         }
         Some(path)
+    }
+
+    /// Whether what is typed for a file that is written can only be a folder: its last part is no name, or is ended.
+    fn names_folder(&self) -> bool {
+        let typed = self.path.trim();
+        let last = typed.rsplit(std::path::is_separator).next().unwrap_or_default();
+        !self.purpose.is_reading() && (matches!(last, "" | "." | "..") || typed == "~")
     }
 
     fn wants_folder(&self) -> bool {

@@ -17,7 +17,7 @@ pub struct FolderList {
     /// Whether only folders can be chosen.
     wants_folder: bool,
     asked: Option<PathBuf>,
-    /// Whether nobody has begun to read it.
+    /// Whether the folder is still to be read.
     is_new: bool,
     read: Option<Box<Listing>>,
     problem: Option<Message>,
@@ -79,6 +79,12 @@ impl FolderList {
         self.read.as_ref()?.entries.get(*self.shown.get(number)?)
     }
 
+    /// Whether a path is a folder that the list has, shown or not.
+    pub(super) fn has_folder(&self, path: &Path) -> bool {
+        let entries = self.read.iter().flat_map(|listing| &listing.entries);
+        entries.into_iter().any(|entry| entry.is_folder && entry.path == path)
+    }
+
     /// The number of the selected one.
     pub const fn selected(&self) -> Option<usize> {
         self.selected
@@ -101,7 +107,7 @@ impl FolderList {
         self.shown.clear();
     }
 
-    /// The folder that somebody has to read, once.
+    /// The folder to read, once.
     pub(in crate::session) fn take_unread(&mut self) -> Option<PathBuf> {
         std::mem::take(&mut self.is_new).then(|| self.asked.clone()).flatten()
     }
@@ -119,7 +125,7 @@ impl FolderList {
     }
 
     pub(super) fn filter(&mut self, typed: &str) {
-        // A path is no part of a name.
+        // No name in the list contains a path.
         self.filter = if typed.contains(['/', '\\']) { String::new() } else { typed.trim().to_lowercase() };
         self.show();
     }
@@ -140,12 +146,13 @@ impl FolderList {
     pub(super) fn step(&mut self, step: Step) {
         let Some(last) = self.shown.len().checked_sub(1) else { return };
         let to = match (self.selected, step) {
-            (None, Step::Up | Step::PageUp) => last,
-            (None, _) => 0,
+            (None, Step::Up | Step::PageUp) | (_, Step::Last | Step::Bottom) => last,
+            (None, Step::Down | Step::PageDown) | (_, Step::First | Step::Top) => 0,
             (Some(at), Step::Up) => at.saturating_sub(1),
+            (Some(at), Step::Down) => at + 1,
             (Some(at), Step::PageUp) => at.saturating_sub(PAGE),
             (Some(at), Step::PageDown) => at + PAGE,
-            (Some(at), _) => at + 1,
+            (_, Step::Left | Step::Right) => return,
         };
         self.selected = Some(to.min(last));
     }

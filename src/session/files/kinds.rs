@@ -54,7 +54,7 @@ impl Purpose {
         }
     }
 
-    /// What reads a kind.
+    /// The purpose that reads files of a kind.
     pub(in crate::session) fn reading(kind: &str) -> Option<Self> {
         Self::READERS.into_iter().find(|purpose| purpose.kind() == kind)
     }
@@ -78,6 +78,16 @@ impl Purpose {
             Self::SaveCycleLog => vec!["txt", "html"],
             Self::OpenProgram => vec!["h"],
         }
+    }
+
+    /// Whether a path ends as some kind of file does that is read or written here: `bore.csv`, and not `bore 12.5H7`.
+    pub fn knows_ending(path: &Path) -> bool {
+        let Some(ending) = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()) else { return false };
+        let reports = (0..RENDERINGS.len()).map(Self::Export);
+        let written = [Self::ExportStatus, Self::SaveWorkpiece, Self::SaveCycleLog].into_iter();
+        let tables = (0..TABLE_FORMATS.len()).map(Self::SaveTable);
+        let kinds = Self::READERS.into_iter().chain(written).chain(reports).chain(tables);
+        kinds.flat_map(Self::endings).any(|known| ending == known)
     }
 
     /// The kind of file with its endings, as the system's dialog lists it: `Measurements (*.csv, *.txt)`.

@@ -23,9 +23,19 @@ pub(super) fn of_records<'a>(
 
 /// `A12-25H7`: what a record's part is called, and its callout.
 pub(super) fn of_record(record: &Record) -> String {
-    let callout = record.callout.as_ref().map(|callout| callout.to_string().replace(' ', ""));
+    let callout = record.callout.as_ref().map(|callout| in_name(&callout.to_string()));
     let parts = [allowed(&record.id), allowed(&callout.unwrap_or_default())];
     allowed(&parts.join("-"))
+}
+
+/// A callout without the signs that a name cannot have: `12+0.02-0.02` for ±0.02, and an underscore between two limits.
+/// A hyphen in their place would read as a minus.
+fn in_name(callout: &str) -> String {
+    let text = callout.replace(' ', "").replace('/', "_");
+    match text.split_once('±') {
+        Some((nominal, deviation)) => format!("{nominal}+{deviation}-{deviation}"),
+        None => text,
+    }
 }
 
 /// A name with the date, and an ending.

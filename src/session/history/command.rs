@@ -4,6 +4,7 @@ use super::History;
 use crate::journal::query::{Column, Query, Records as _, Sort};
 use crate::session::Step;
 use crate::verdict::Status;
+use crate::words::{Language, Words};
 
 /// How many rows make a page.
 const PAGE: usize = 10;
@@ -28,8 +29,8 @@ pub enum ListCommand {
 }
 
 impl History {
-    /// Does what changes the list or the choice.
-    pub(in crate::session) fn apply(&mut self, command: ListCommand) {
+    /// Does something with the list; returns the text for the clipboard where one is asked for.
+    pub(in crate::session) fn apply(&mut self, command: ListCommand, language: Language) -> Option<String> {
         match command {
             ListCommand::Move(step) => self.move_by(step),
             ListCommand::SortBy(column) => {
@@ -57,8 +58,9 @@ impl History {
                 self.chosen.clear();
                 self.hidden = 0;
             }
-            ListCommand::Copy => {}
+            ListCommand::Copy => return self.copied(&Words::new(language)),
         }
+        None
     }
 
     /// Moves the cursor. A cursor that is not in the list counts as before its first row.

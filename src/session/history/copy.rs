@@ -10,7 +10,7 @@ use crate::words::Words;
 
 impl History {
     /// The chosen rows in the order of the list, or the row at which the keys are; `None` where there is neither.
-    pub(in crate::session) fn copied(&self, words: &Words) -> Option<String> {
+    pub(super) fn copied(&self, words: &Words) -> Option<String> {
         let of_cursor = self.cursor.filter(|id| self.chosen.is_empty() && self.records.place_of(*id).is_some());
         let ids = self.chosen.iter().copied().chain(of_cursor);
         let mut rows: Vec<_> = ids.filter_map(|id| Some((id, self.records.get(id)?))).collect();

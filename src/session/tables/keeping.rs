@@ -71,6 +71,11 @@ impl TablesPage {
         }
     }
 
+    /// A file was not written: whatever is written under its name later is not this table.
+    pub(in crate::session) fn not_saved(&mut self, path: &Path) {
+        self.saving.take_if(|saving| saving.path == path);
+    }
+
     /// The shown table becomes the first of the user's own.
     pub(super) fn use_shown(&self, shared: &mut Shared) {
         let Some(document) = self.shown() else { return };
