@@ -18,9 +18,6 @@ use crate::session::shared::{News, PageState, Shared};
 use crate::tolerance::Sources;
 use crate::words::Words;
 
-/// The notice that says what was removed, and how it comes back.
-const CLEARED: &str = "history-cleared";
-
 impl PageState for CheckPage {
     type Command = CheckCommand;
 
@@ -82,7 +79,8 @@ impl PageState for CheckPage {
                 let count = shared.history.clear();
                 if 0 < count {
                     self.clear(&shared.sources);
-                    shared.note(Message::new(CLEARED).count("count", count), Vec::new());
+                    shared.note(Message::new("history-cleared").count("count", count), Vec::new());
+                    shared.note_change();
                 }
             }
             CheckCommand::Undo => self.undo(shared),
@@ -113,11 +111,13 @@ impl CheckPage {
         shared.history.filter(self.text(CheckField::HistoryFilter), &Words::new(shared.language));
     }
 
-    /// Undoes the last change of the history. Where the list is not in sight, a notice says what was undone.
+    /// Undoes the last change of the history, and closes the notice that tells of it. Where the list is not in sight, a
+    /// notice says what was undone.
     fn undo(&mut self, shared: &mut Shared) {
+        let change = shared.history.last_change();
         let Some(undone) = shared.history.take_back() else { return };
         self.clear(&shared.sources);
-        shared.notices.retain(|notice| notice.message.id != CLEARED);
+        shared.notices.retain(|notice| notice.change.is_none() || notice.change != change);
         if shared.page != Page::Check {
             shared.note(Message::new("undone").message("what", undone), Vec::new());
         }
@@ -270,6 +270,7 @@ impl CheckPage {
                 Ok(record) => {
                     self.edited(&shared.sources);
                     let id = shared.history.add(vec![Arc::new(record)]);
+                    shared.note_change();
                     self.show(id, shared);
                 }
                 Err(problem) => shared.tell(problem),
@@ -287,6 +288,7 @@ impl CheckPage {
         self.lot = is_lot.then(|| lot(first));
         if !records.is_empty() {
             shared.history.add(records);
+            shared.note_change();
         }
         if is_lot {
             self.show_of_lot(shared);
