@@ -19,7 +19,7 @@ use std::sync::LazyLock;
 
 pub(crate) use arg::as_text;
 pub use arg::{Arg, IntoArg};
-pub use bundle::{Bundle, TextFile};
+pub use bundle::{Bundle, TextFile, Transform};
 pub use fitcheck_derive::Say;
 pub use located::{Located, Place};
 
