@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use fitcheck::cli::{Cli, Start};
+use fitcheck::cli::{Cli, Start, tell};
 use fitcheck::files;
 use fitcheck::session::{HEAD, Purpose};
 
@@ -40,11 +40,4 @@ fn open_window(files: &[(Purpose, PathBuf)]) -> ExitCode {
 #[cfg(not(feature = "gui"))]
 fn open_window(_files: &[(Purpose, PathBuf)]) -> ExitCode {
     tell("this program was built without the window: name a subcommand, see fitcheck --help")
-}
-
-/// Prints on standard error why the program ends; if it is closed, nobody is left to tell.
-fn tell(message: &str) -> ExitCode {
-    use std::io::Write as _;
-    let _unheard = writeln!(std::io::stderr().lock(), "fitcheck: {message}");
-    ExitCode::FAILURE
 }

@@ -3,12 +3,13 @@
 mod lines;
 
 use std::fmt::Display;
-use std::io::{BufRead, Write};
+use std::io::Write;
 
 use serde::Serialize;
 
 use super::{CliError, CliRemark, Format, Io};
 use crate::control::text::decode;
+use crate::report::csv::cell;
 pub(super) use lines::LONGEST_LINE;
 use lines::{Found, Line};
 
@@ -61,7 +62,7 @@ impl Answers {
         let mut answers = Self { format, is_one, answered: 0, refused: 0 };
         match format {
             Format::Csv => csv_line(columns, io)?,
-            Format::Json if !is_one => io.out.write_all(b"[")?,
+            Format::Json if !is_one => io.data().write_all(b"[")?,
             Format::Json | Format::Text => {}
         }
         for callout in callouts {
@@ -79,7 +80,7 @@ impl Answers {
     fn lines<A: Answerer>(&mut self, answerer: &mut A, io: &mut Io<'_>) -> Result<(), CliError> {
         let mut line = Line::default();
         for number in 1_usize.. {
-            let (input, out): (&mut dyn BufRead, _) = (&mut *io.input, &mut *io.out);
+            let (input, out) = io.input_and_data();
             let found = line.read(input, || out.flush())?;
             let text = printable(&decode(&line.bytes));
             let asked = |callout| Asked { callout, line: Some(number) };
@@ -107,7 +108,7 @@ impl Answers {
         io: &mut Io<'_>,
     ) -> Result<(), CliError> {
         self.answered += 1;
-        Ok(write(&mut *io.out, self.answered == 1)?)
+        Ok(write(io.people(), self.answered == 1)?)
     }
 
     /// Prints why there is no answer.
@@ -123,12 +124,13 @@ impl Answers {
         }
         self.answered += 1;
         // On a screen, earlier answers must also come before it.
-        io.out.flush()?;
+        io.data().flush()?;
         match asked {
             Asked { callout: "", line: Some(line) } => io.tell(format_args!("line {line}: {error}")),
             Asked { callout: "", line: None } => io.tell(format_args!("\"\": {error}")),
             Asked { callout, .. } => io.tell(format_args!("{callout}: {error}")),
         }
+        Ok(())
     }
 
     /// A line of CSV or a JSON object.
@@ -137,35 +139,35 @@ impl Answers {
         match self.format {
             Format::Csv => return csv_line(figures.cells(), io),
             _ if self.is_one => {
-                serde_json::to_writer_pretty(&mut *io.out, figures)?;
-                writeln!(io.out)?;
+                serde_json::to_writer_pretty(io.data(), figures)?;
+                writeln!(io.data())?;
             }
             _ => {
-                io.out.write_all(if self.answered == 1 { b"\n  " } else { b",\n  " })?;
-                serde_json::to_writer(&mut *io.out, figures)?;
+                io.data().write_all(if self.answered == 1 { b"\n  " } else { b",\n  " })?;
+                serde_json::to_writer(io.data(), figures)?;
             }
         }
         Ok(())
     }
     fn finish(&self, io: &mut Io<'_>) -> Result<bool, CliError> {
         if self.format == Format::Json && !self.is_one {
-            io.out.write_all(if self.answered == 0 { b"]\n" } else { b"\n]\n" })?;
+            io.data().write_all(if self.answered == 0 { b"]\n" } else { b"\n]\n" })?;
         }
-        io.out.flush()?;
+        io.data().flush()?;
         if 0 < self.refused && !self.is_text() {
-            io.tell(CliRemark::Refused { refused: self.refused, asked: self.answered })?;
+            io.tell(CliRemark::Refused { refused: self.refused, asked: self.answered });
         }
         Ok(self.refused == 0)
     }
 }
 
-/// A line of CSV.
-pub(super) fn csv_line<T: AsRef<[u8]>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) -> Result<(), CliError> {
+/// A line of CSV; a text that a spreadsheet would compute gets an apostrophe, as in every CSV of Fitcheck.
+pub(super) fn csv_line<T: AsRef<str>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) -> Result<(), CliError> {
     // Into memory first: the writer's own flush would reach the stream at every line.
     let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
-    writer.write_record(cells)?;
+    writer.write_record(cells.into_iter().map(|text| cell(text.as_ref())))?;
     let line = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-    Ok(io.out.write_all(&line)?)
+    Ok(io.data().write_all(&line)?)
 }
 
 /// A text without control characters: it goes to a terminal, and one line of input stays one line of output.

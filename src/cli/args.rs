@@ -91,7 +91,7 @@ impl TableArgs {
         let Some(folder) = &self.tables else { return Ok(sources) };
         let own = files::read_tables(folder).said()?;
         for warning in &own.warnings {
-            io.warn(warning)?;
+            io.warn(warning);
         }
         Ok(sources.with_own(own.tables))
     }

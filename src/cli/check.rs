@@ -132,7 +132,7 @@ impl Args {
         }
         warn(&record, io)?;
         if record.measurement.origin.is_simulated() && matches!(self.format, Format::Text) {
-            io.tell(CliRemark::Simulated)?;
+            io.tell(CliRemark::Simulated);
         }
         match self.format {
             Format::Text => self.print_window(&record, io)?,
@@ -172,15 +172,15 @@ impl Args {
                 let name = path.display().to_string();
                 let (mask, warnings) = Mask::read(&files::read(path)?).about(&name)?;
                 for warning in warnings {
-                    io.warn_about(&name, &warning)?;
+                    io.warn_about(&name, &warning);
                 }
                 status_window(record, language, Some(&mask)).about(&name)?
             }
         };
-        heard_or_not(io.out.write_all(text.as_bytes()))?;
+        heard_or_not(io.people().write_all(text.as_bytes()))?;
         if let Some(removal) = record.verdict.size.removal {
             let (limit, middle) = (removal.to_limit, removal.to_middle);
-            io.tell(CliRemark::Remove { limit, middle })?;
+            io.tell(CliRemark::Remove { limit, middle });
         }
         Ok(())
     }
@@ -189,10 +189,10 @@ impl Args {
 /// Warns about the measured value; what the measurement cannot tell is in CSV and JSON.
 fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
     if let Some(doubt) = record.doubt {
-        io.warn(&doubt)?;
+        io.warn(&doubt);
     }
     if let Source::Table { instead_of: Some(shipped), name, .. } = &record.limits.source {
-        io.warn(&CliWarning::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() })?;
+        io.warn(&CliWarning::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() });
     }
     Ok(())
 }
@@ -209,5 +209,5 @@ fn print_json(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), Cl
 fn print_csv(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), CliError> {
     let render = if unstated { csv::render_without_feature } else { csv::render };
     let bytes = render(std::slice::from_ref(record)).said()?;
-    heard_or_not(io.out.write_all(&bytes))
+    heard_or_not(io.data().write_all(&bytes))
 }

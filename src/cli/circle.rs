@@ -73,7 +73,7 @@ impl Args {
         let evaluation = evaluate(&contacts).about(&name)?;
         if self.format != Format::Json {
             for warning in &evaluation.warnings {
-                io.warn(warning)?;
+                io.warn(warning);
             }
         }
         let Circle { x, y, diameter } = evaluation.least_squares;
@@ -103,19 +103,19 @@ impl Args {
 }
 
 fn print_csv(answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
-    writeln!(io.out, "criterion,x_mm,y_mm,diameter_mm,form_mm")?;
+    writeln!(io.data(), "criterion,x_mm,y_mm,diameter_mm,form_mm")?;
     let LeastSquares { x, y, diameter, form } = answer.least_squares;
-    writeln!(io.out, "least_squares,{x},{y},{diameter},{form}")?;
+    writeln!(io.data(), "least_squares,{x},{y},{diameter},{form}")?;
     let Circle { x, y, diameter } = answer.minimum_circumscribed;
-    writeln!(io.out, "minimum_circumscribed,{x},{y},{diameter},")?;
+    writeln!(io.data(), "minimum_circumscribed,{x},{y},{diameter},")?;
     if let Some(Circle { x, y, diameter }) = answer.maximum_inscribed {
-        writeln!(io.out, "maximum_inscribed,{x},{y},{diameter},")?;
+        writeln!(io.data(), "maximum_inscribed,{x},{y},{diameter},")?;
     }
     if let Some(Ring { x, y, width, .. }) = answer.minimum_zone {
-        writeln!(io.out, "minimum_zone,{x},{y},,{width}")?;
+        writeln!(io.data(), "minimum_zone,{x},{y},,{width}")?;
     }
     for Pair { size, .. } in &answer.two_point {
-        writeln!(io.out, "two_point,,,{size},")?;
+        writeln!(io.data(), "two_point,,,{size},")?;
     }
     Ok(())
 }
@@ -125,9 +125,9 @@ fn print_text(answer: &Answer<'_>, evaluation: &Evaluation, io: &mut Io<'_>) -> 
         let form = form.map(|form| format!("   form {form:.4}")).unwrap_or_default();
         match circle {
             Some(Circle { x, y, diameter }) => {
-                writeln!(io.out, "{name:<24}Ø {diameter:>12.6}   centre {x:>13.6} {y:>13.6}{form}")
+                writeln!(io.people(), "{name:<24}Ø {diameter:>12.6}   centre {x:>13.6} {y:>13.6}{form}")
             }
-            None => writeln!(io.out, "{name:<24}does not exist for these contacts"),
+            None => writeln!(io.people(), "{name:<24}does not exist for these contacts"),
         }
     };
     row("least squares", Some(evaluation.least_squares), Some(answer.least_squares.form))?;
@@ -136,13 +136,13 @@ fn print_text(answer: &Answer<'_>, evaluation: &Evaluation, io: &mut Io<'_>) -> 
     match &answer.minimum_zone {
         Some(Ring { x, y, width, .. }) => {
             let name = "minimum zone";
-            writeln!(io.out, "{name:<24}roundness {width:.6}   centre {x:.6} {y:.6}")?;
+            writeln!(io.people(), "{name:<24}roundness {width:.6}   centre {x:.6} {y:.6}")?;
         }
-        None => writeln!(io.out, "minimum zone            does not exist for these contacts")?,
+        None => writeln!(io.people(), "minimum zone            does not exist for these contacts")?,
     }
     for Pair { contacts: [one, other], size, direction_deg } in &answer.two_point {
-        writeln!(io.out, "two-point {one} - {other}   {size:.6}   at {direction_deg:.1}°")?;
+        writeln!(io.people(), "two-point {one} - {other}   {size:.6}   at {direction_deg:.1}°")?;
     }
-    writeln!(io.out, "{} contacts over {:.1}°, millimetres", answer.contacts, answer.arc_deg)?;
+    writeln!(io.people(), "{} contacts over {:.1}°, millimetres", answer.contacts, answer.arc_deg)?;
     Ok(())
 }

@@ -158,7 +158,7 @@ impl Answerer for Fits<'_> {
             [(What::Hole, fit.hole(), self.given.hole), (What::Shaft, fit.shaft(), self.given.shaft)]
         {
             if let Some(doubt) = measured.and_then(|measured| doubt(limits, measured)) {
-                io.warn_about(&name, &doubt)?;
+                io.warn_about(&name, &doubt);
             }
         }
         if !answers.is_text() {

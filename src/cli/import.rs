@@ -88,7 +88,7 @@ impl Args {
                     printer.file(row::rows(path, &imported).inspect(|row| tally.count(row)), io)?;
                 }
                 Err(error) => {
-                    io.fail(&error)?;
+                    io.fail(&error);
                     let row = Row::of_file(path, error.to_string());
                     tally.count(&row);
                     printer.file(std::iter::once(row), io)?;
@@ -108,7 +108,7 @@ impl Args {
 fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> Result<(), CliError> {
     for warning in imported.warnings.iter().filter(|warning| warning.what.row.is_none()) {
         let line = warning.place.line.unwrap_or(1);
-        io.tell(format_args!("{}:{line}: {}", path.display(), said::warning(&warning.what.kind)))?;
+        io.tell(format_args!("{}:{line}: {}", path.display(), said::warning(&warning.what.kind)));
     }
     Ok(())
 }

@@ -1,8 +1,9 @@
 //! The standard streams and files: what every subcommand reads and writes.
 
 use std::fmt::Display;
-use std::io::{BufRead, Read as _, Write};
+use std::io::{BufRead, BufWriter, Read as _, Write};
 use std::path::Path;
+use std::process::ExitCode;
 
 use super::said::{CliRemark, CliWarning, about, remark, warning};
 use super::{CliError, Refused as _, What};
@@ -15,52 +16,118 @@ use crate::probing::Contact;
 use crate::tolerance::DeviationTable;
 
 /// The standard streams, as arguments so that tests can bring their own.
+///
+/// Nothing is written around [`Io::people`], [`Io::data`] and [`Io::tell`]: what a person reads on a terminal is tamed.
 pub struct Io<'a> {
     /// Standard input.
-    pub input: &'a mut dyn BufRead,
-    /// Standard output, buffered.
-    pub out: &'a mut dyn Write,
-    /// Standard error.
-    pub err: &'a mut dyn Write,
+    pub(super) input: &'a mut dyn BufRead,
+    out: Tame<'a>,
+    err: &'a mut dyn Write,
 }
 
-impl Io<'_> {
-    /// Writes a line to standard error; it is not an error if nobody listens there, so that the rest is still done.
-    pub(super) fn tell(&mut self, line: impl Display) -> Result<(), CliError> {
-        heard_or_not(writeln!(self.err, "{}", tame(&line.to_string())))
+impl<'a> Io<'a> {
+    /// Standard input, standard output (buffered) and standard error.
+    pub fn new(input: &'a mut dyn BufRead, out: &'a mut dyn Write, err: &'a mut dyn Write) -> Self {
+        Self { input, out: Tame { out }, err }
+    }
+
+    /// Runs with the process's own streams.
+    pub(super) fn standard<T>(run: impl FnOnce(&mut Io<'_>) -> T) -> T {
+        let mut out = BufWriter::new(std::io::stdout().lock());
+        let mut err = std::io::stderr().lock();
+        let mut input = std::io::stdin().lock();
+        run(&mut Io::new(&mut input, &mut out, &mut err))
+    }
+
+    /// Standard output for an answer that a person reads.
+    pub(super) fn people(&mut self) -> &mut dyn Write {
+        &mut self.out
+    }
+
+    /// Standard output for JSON, CSV and files: byte for byte.
+    pub(super) fn data(&mut self) -> &mut dyn Write {
+        self.out.out
+    }
+
+    /// Standard input beside standard output, for an answer to each line.
+    pub(super) fn input_and_data(&mut self) -> (&mut dyn BufRead, &mut dyn Write) {
+        (self.input, self.out.out)
+    }
+
+    /// Writes a line to standard error. It is not an error if nobody listens there or nothing more fits: the answer and
+    /// the exit code stand without it.
+    pub(super) fn tell(&mut self, line: impl Display) {
+        let _unheard = writeln!(self.err, "{}", tame(&line.to_string()));
     }
 
     /// Prints an answer for programs.
     pub(super) fn json(&mut self, answer: &impl serde::Serialize) -> Result<(), CliError> {
         let text = serde_json::to_string_pretty(answer)?;
-        heard_or_not(writeln!(self.out, "{text}"))
+        heard_or_not(writeln!(self.data(), "{text}"))
     }
 
     /// Prints a warning.
-    pub(super) fn warn(&mut self, what: &impl Say) -> Result<(), CliError> {
+    pub(super) fn warn(&mut self, what: &impl Say) {
         self.tell(warning(what))
     }
 
     /// Prints a warning about something: a file, a part.
-    pub(super) fn warn_about(&mut self, name: &(impl IntoArg + ?Sized), what: &impl Say) -> Result<(), CliError> {
+    pub(super) fn warn_about(&mut self, name: &(impl IntoArg + ?Sized), what: &impl Say) {
         self.tell(warning(&about(name, what)))
     }
 
     /// Prints a remark.
-    pub(super) fn remark(&mut self, what: &impl Say) -> Result<(), CliError> {
+    pub(super) fn remark(&mut self, what: &impl Say) {
         self.tell(remark(what))
     }
 
     /// Prints what failed, while the rest continues.
-    pub(super) fn fail(&mut self, error: impl Display) -> Result<(), CliError> {
+    pub(super) fn fail(&mut self, error: impl Display) {
         self.tell(format_args!("fitcheck: {error}"))
     }
 }
 
-/// A text from a file, safe for a terminal: control characters, which could write a title or hide a line, become
-/// blanks.
-pub(super) fn tame(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() && c != '\n' && c != '\t' { ' ' } else { c }).collect()
+/// Standard output for people: every text that is written to it is tamed.
+struct Tame<'a> {
+    out: &'a mut dyn Write,
+}
+
+impl Write for Tame<'_> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.out.write_all(tame(&String::from_utf8_lossy(bytes)).as_bytes())?;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.out.flush()
+    }
+}
+
+/// A text from a file, a name or an argument, safe for a terminal: control characters, which could write a title or
+/// hide a line, and the marks that turn the direction of a text (Unicode's `Bidi_Control`), which could show
+/// `SCRAP` where something else is written, become blanks.
+fn tame(text: &str) -> String {
+    let is_wild = |c: char| {
+        c.is_control() && c != '\n' && c != '\t'
+            || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    text.chars().map(|c| if is_wild(c) { ' ' } else { c }).collect()
+}
+
+/// Prints help, or what is wrong with the arguments, and ends the program.
+pub(super) fn end(error: &clap::Error) -> ! {
+    if !error.use_stderr() {
+        error.exit();
+    }
+    // Without clap's colours: what it repeats was given by somebody, and is tamed with the rest.
+    let _unheard = std::io::stderr().lock().write_all(tame(&error.render().to_string()).as_bytes());
+    std::process::exit(error.exit_code())
+}
+
+/// Prints on standard error why the program ends; if it is closed, nobody is left to tell.
+pub fn tell(message: &str) -> ExitCode {
+    let _unheard = writeln!(std::io::stderr().lock(), "fitcheck: {}", tame(message));
+    ExitCode::FAILURE
 }
 
 /// A closed pipe is not an error, and must never end a subcommand before its verdict.
@@ -90,7 +157,7 @@ pub(super) fn read_contacts(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec
     let (name, bytes) = read_input(path, io)?;
     let read = contacts::read(&bytes).about(&name)?;
     for column in &read.ignored {
-        io.warn_about(&name, &CliWarning::ColumnNotUsed { column })?;
+        io.warn_about(&name, &CliWarning::ColumnNotUsed { column });
     }
     Ok((name, read.contacts))
 }
@@ -100,7 +167,7 @@ pub(super) fn read_table(path: &Path, io: &mut Io<'_>) -> Result<(DeviationTable
     let (name, bytes) = read_input(path, io)?;
     let (table, warnings) = deviations::read_table(&bytes, &name, &name, false).said()?;
     for warning in &warnings {
-        io.warn(warning)?;
+        io.warn(warning);
     }
     match table {
         Some(table) => Ok((table, name, bytes)),
@@ -117,7 +184,8 @@ pub(super) fn diameter(text: &str, what: What<'_>) -> Result<Length, CliError> {
 /// Writes an output file and prints its name on standard error.
 pub(super) fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), CliError> {
     files::write(path, bytes)?;
-    io.tell(CliRemark::Wrote { path: path.display().to_string() })
+    io.tell(CliRemark::Wrote { path: path.display().to_string() });
+    Ok(())
 }
 
 /// The local date and time to the second: what a person reads, and what every control prints.

@@ -58,8 +58,8 @@ use crate::report::columns::Cell;
 use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
 use error::{CliError, Refused, What};
-pub use io::Io;
-use io::{diameter, heard_or_not, now, read_contacts, read_input, read_table, save, tame};
+pub use io::{Io, tell};
+use io::{diameter, heard_or_not, now, read_contacts, read_input, read_table, save};
 use said::{CliRemark, CliWarning};
 pub use start::Start;
 
@@ -149,13 +149,12 @@ impl Cli {
     /// Runs the subcommand on the given streams and returns the exit code.
     pub fn run(&self, io: &mut Io<'_>) -> u8 {
         let result = self.command.as_ref().map_or(Ok(Outcome::Done), |command| command.run(io));
-        let result = result.and_then(|outcome| heard_or_not(io.out.flush()).map(|()| outcome));
+        let result = result.and_then(|outcome| heard_or_not(io.data().flush()).map(|()| outcome));
         match result {
             Ok(outcome) => outcome.code(),
             Err(CliError::Stream(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => 0,
             Err(error) => {
-                // Standard error may be closed as well; there is nobody left to tell.
-                let _unheard = io.fail(error);
+                io.fail(error);
                 Outcome::BadData.code()
             }
         }
@@ -163,9 +162,6 @@ impl Cli {
 
     /// Runs the subcommand on the process's own streams.
     pub fn run_here(&self) -> ExitCode {
-        let mut out = std::io::BufWriter::new(std::io::stdout().lock());
-        let mut err = std::io::stderr().lock();
-        let mut input = std::io::stdin().lock();
-        ExitCode::from(self.run(&mut Io { input: &mut input, out: &mut out, err: &mut err }))
+        ExitCode::from(Io::standard(|io| self.run(io)))
     }
 }

@@ -105,10 +105,10 @@ impl Args {
         let plan = self.plan(io)?;
         let set = self.named(NcSet::make(&plan, &target, &sources))?;
         for remark in &set.remarks {
-            io.remark(remark)?;
+            io.remark(remark);
         }
         if !self.is_plan() && self.position.clearance_height.is_none() {
-            io.remark(&CliRemark::ClearanceHeight { height: DEFAULT_CLEARANCE_HEIGHT })?;
+            io.remark(&CliRemark::ClearanceHeight { height: DEFAULT_CLEARANCE_HEIGHT });
         }
         self.save(&set, io)?;
         Ok(Outcome::Done)
@@ -157,12 +157,13 @@ impl Args {
             let write = if self.force { files::write } else { files::write_new };
             write(&self.output, &bytes).map_err(hint)?;
             let path = self.output.display().to_string();
-            return io.tell(CliRemark::WroteFiles { path, count: set.files.len() });
+            io.tell(CliRemark::WroteFiles { path, count: set.files.len() });
+            return Ok(());
         }
         let files: Vec<(&str, &[u8])> =
             set.files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
         for path in files::write_folder(&self.output, &files, self.force).map_err(hint)? {
-            io.tell(CliRemark::Wrote { path: path.display().to_string() })?;
+            io.tell(CliRemark::Wrote { path: path.display().to_string() });
         }
         Ok(())
     }

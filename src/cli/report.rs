@@ -154,7 +154,7 @@ impl Args {
         };
         let bytes = (rendering.render)(&report, &words).said()?;
         match &self.output {
-            Output::Standard => io.out.write_all(&bytes)?,
+            Output::Standard => io.data().write_all(&bytes)?,
             Output::File(path, _) => super::save(path, &bytes, io)?,
         }
         Ok(if bad { Outcome::BadData } else { Outcome::Judged(worst) })
@@ -205,7 +205,7 @@ impl Collected {
     /// Puts a sentence on the report, and in English on standard error.
     fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> Result<(), CliError> {
         let note = place.message("what", what);
-        io.fail(&note)?;
+        io.fail(&note);
         self.notes.push(note);
         Ok(())
     }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 
-use super::Cli;
+use super::{Cli, io};
 use crate::message::Say;
 
 /// What the program was started for.
@@ -43,16 +43,16 @@ impl Cli {
                         Some(error) => Self::wrong_usage(&error),
                         None => Start::Window(paths),
                     },
-                    _ => error.exit(),
+                    _ => io::end(&error),
                 }
             }
-            Err(error) => error.exit(),
+            Err(error) => io::end(&error),
         }
     }
 
     /// Ends the program: the arguments make no sense.
     pub fn wrong_usage(error: &impl std::fmt::Display) -> ! {
-        Self::command().error(ErrorKind::ValueValidation, error).exit()
+        io::end(&Self::command().error(ErrorKind::ValueValidation, error))
     }
 }
 

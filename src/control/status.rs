@@ -28,6 +28,9 @@ pub(crate) fn micrometres(length: Length) -> Value {
 }
 
 /// The built-in mask with a name, such as a cycle's number, in a dialogue language: `427_nl.a`.
+///
+/// # Panics
+/// Never: a test reads every shipped mask.
 pub fn mask_named(name: &str, dialogue: Dialogue) -> Option<&'static Mask> {
     /// A file and, once it was wanted, what it says.
     type Shipped = (&'static str, &'static [u8], OnceLock<Mask>);

@@ -126,7 +126,7 @@ impl App {
         if let Effect::Focus(field) = effect {
             return field::go_to(ctx, field, self.session.text(field));
         }
-        self.runner.run(ctx, effect, self.session.sources(), (self.clock)());
+        self.runner.run(ctx, effect, (self.session.sources(), &self.words), (self.clock)());
     }
 
     fn apply(&mut self, ctx: &Context, commands: Vec<Command>) {

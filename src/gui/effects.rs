@@ -13,19 +13,19 @@ use crate::control::deviations;
 use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
-use crate::exchange::{self, contacts, tables::TABLE_FORMATS};
+use crate::exchange::{self, contacts};
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::nc::program::ProgramWarning;
 use crate::probing::Contact;
 use crate::probing::simulated::Simulation;
-use crate::report::RENDERINGS;
 use crate::session::program::Document;
 use crate::session::{
     CheckCommand, Command, CycleFile, CyclesCommand, Effect, Fate, FilesCommand, Launch, ProgramCommand, Purpose,
     TablesCommand, WorkpieceCommand,
 };
 use crate::tolerance::{DeviationTable, Sources};
+use crate::words::Words;
 
 /// How errands are run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,16 +56,16 @@ impl Runner {
     }
 
     /// Runs an effect; the frame itself does the clipboard.
-    pub fn run(&self, ctx: &Context, effect: Effect, sources: &Arc<Sources>, now: DateTime) {
+    pub fn run(&self, ctx: &Context, effect: Effect, (sources, words): (&Arc<Sources>, &Words), now: DateTime) {
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
             Effect::Leave => return ctx.send_viewport_cmd(ViewportCommand::Close),
             effect => effect,
         };
         let (sender, ctx, sources) = (self.sender.clone(), ctx.clone(), Arc::clone(sources));
-        let errands = self.errands;
+        let (errands, filters) = (self.errands, Filters::of(&effect, words));
         let errand = move || {
-            for command in answers(effect, errands, &sources, now) {
+            for command in answers(effect, (errands, filters), &sources, now) {
                 // A closed window hears no answer; that is not an error.
                 let _closed = sender.send(command);
             }
@@ -82,10 +82,30 @@ impl Runner {
     }
 }
 
-fn answers(effect: Effect, errands: Errands, sources: &Sources, now: DateTime) -> Vec<Command> {
+/// What the system's dialog calls the files that it lists, in the language of the window.
+#[derive(Debug, Clone)]
+struct Filters {
+    kind: String,
+    all: String,
+}
+
+impl Filters {
+    fn of(effect: &Effect, words: &Words) -> Option<Self> {
+        let Effect::Browse { purpose, .. } = effect else { return None };
+        Some(Self { kind: purpose.filter_name(words), all: words.get("dialog-all-files") })
+    }
+}
+
+fn answers(
+    effect: Effect,
+    (errands, filters): (Errands, Option<Filters>),
+    sources: &Sources,
+    now: DateTime,
+) -> Vec<Command> {
     match effect {
         Effect::Browse { purpose, folder, name } => {
-            let picked = (errands == Errands::OnThread).then(|| pick(purpose, folder.as_deref(), &name)).flatten();
+            let filters = filters.filter(|_| errands == Errands::OnThread);
+            let picked = filters.and_then(|filters| pick(purpose, folder.as_deref(), &name, &filters));
             vec![Command::Picked(picked)]
         }
         Effect::List(folder) => {
@@ -245,7 +265,7 @@ fn read_probes(path: &Path) -> Result<ProbeTable, Message> {
 /// The system's own dialog. `None` when it was cancelled, and also when none can be shown: rfd 0.17 tells neither from
 /// the other. On Linux it asks the desktop portal, then `zenity`; where both are missing it only writes to the log. So
 /// the dialog of the window says that nothing came, and its own list is there in either case.
-fn pick(purpose: Purpose, folder: Option<&Path>, name: &str) -> Option<PathBuf> {
+fn pick(purpose: Purpose, folder: Option<&Path>, name: &str, filters: &Filters) -> Option<PathBuf> {
     // Patterns are literal: both cases are listed.
     let endings: Vec<String> =
         purpose.endings().iter().flat_map(|ending| [ending.to_lowercase(), ending.to_uppercase()]).collect();
@@ -256,27 +276,10 @@ fn pick(purpose: Purpose, folder: Option<&Path>, name: &str) -> Option<PathBuf> 
     if purpose == Purpose::LoadTables {
         return dialog.pick_folder();
     }
-    let dialog = dialog.add_filter(filter_name(purpose), &endings);
+    let dialog = dialog.add_filter(&filters.kind, &endings);
     if purpose.is_reading() {
-        dialog.add_filter("*", &["*"]).pick_file()
+        dialog.add_filter(&filters.all, &["*"]).pick_file()
     } else {
         dialog.set_file_name(name).save_file()
-    }
-}
-
-/// What the system's dialog calls the kind of file.
-fn filter_name(purpose: Purpose) -> &'static str {
-    match purpose {
-        Purpose::Import => "Measurements",
-        Purpose::LoadMask => "Mask",
-        Purpose::OpenTable | Purpose::LoadTables => "TAB",
-        Purpose::OpenProgram => "NC",
-        Purpose::OpenCycleFile(CycleFile::Contacts) => "Contacts",
-        Purpose::OpenCycleFile(CycleFile::Workpiece) | Purpose::SaveWorkpiece => "TOML",
-        Purpose::OpenCycleFile(CycleFile::Probes) => "TP",
-        Purpose::SaveCycleLog => "Log",
-        Purpose::ExportStatus => "Text",
-        Purpose::SaveTable(number) => TABLE_FORMATS.get(number).map_or("TAB", |format| format.name),
-        Purpose::Export(number) => RENDERINGS.get(number).map_or("Report", |rendering| rendering.name),
     }
 }

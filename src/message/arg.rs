@@ -1,5 +1,6 @@
 //! What can be put into a text, and how each type goes in.
 
+use std::fmt;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -68,6 +69,11 @@ impl IntoArg for f64 {
     fn arg(&self) -> Arg {
         Arg::Number(self.to_string())
     }
+}
+
+/// A number that was already printed, with a point and an ASCII minus; for `#[say(with = printed)]`.
+pub(crate) fn printed(plain: &impl fmt::Display) -> Arg {
+    Arg::Number(plain.to_string())
 }
 
 /// Small numbers choose plural forms.

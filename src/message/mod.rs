@@ -17,8 +17,8 @@ mod located;
 use std::fmt;
 use std::sync::LazyLock;
 
-pub(crate) use arg::as_text;
 pub use arg::{Arg, IntoArg};
+pub(crate) use arg::{as_text, printed};
 pub use bundle::{Bundle, TextFile, Transform};
 pub use fitcheck_derive::Say;
 pub use located::{Located, Place};

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::circle::{Circle, CircleError, least_squares};
+use super::circle::{Circle, CircleError, TooLarge, least_squares};
 use super::contact::Contact;
 use crate::length::Length;
 use crate::message::Say;
@@ -93,8 +93,8 @@ pub fn measure_contacts(contacts: &[Contact], origin: Origin) -> Result<Measurem
 }
 
 /// A geometric result, rounded to the nearest nanometre.
-fn rounded(what: &str, mm: f64) -> Result<Length, CircleError> {
-    Length::from_mm_f64(mm).map_err(|_range| CircleError::TooLarge { what: what.to_owned(), value: mm })
+fn rounded(what: TooLarge, mm: f64) -> Result<Length, CircleError> {
+    Length::from_mm_f64(mm).map_err(|_range| CircleError::TooLarge { what, value: mm })
 }
 
 impl Measurement {
@@ -103,8 +103,11 @@ impl Measurement {
     /// # Errors
     /// [`CircleError::TooLarge`] where a diameter or a centre is beyond [`Length::MAX`].
     pub fn of_circle(circle: Circle, contacts: Vec<Contact>, origin: Origin) -> Result<Self, CircleError> {
-        let diameter = rounded("diameter", circle.diameter)?;
-        let centre = Some([rounded("centre x", circle.x)?, rounded("centre y", circle.y)?]);
+        let diameter = rounded(TooLarge::Diameter, circle.diameter)?;
+        let centre = Some([
+            rounded(TooLarge::Centre { axis: 'x' }, circle.x)?,
+            rounded(TooLarge::Centre { axis: 'y' }, circle.y)?,
+        ]);
         Ok(Self { diameter, centre, contacts, circle: Some(circle), origin })
     }
 

@@ -71,6 +71,11 @@ fn contacts(row: &Row) -> Option<String> {
     (!row.contacts.is_empty()).then(|| all.to_string())
 }
 
+/// A cell of any CSV that Fitcheck writes: a number as it is, any other text so that no spreadsheet computes it.
+pub(crate) fn cell(text: &str) -> String {
+    if text.parse::<f64>().is_ok() { text.to_owned() } else { harmless(text) }
+}
+
 /// A text that no spreadsheet computes. Blanks and control characters in front do not hide a formula, and the wide
 /// signs of East Asian keyboards are formulas to some spreadsheets, too.
 pub(crate) fn harmless(text: &str) -> String {

@@ -60,7 +60,7 @@ fn reads_fits_hole_first() {
     check("25 H7/G6", &format!("! H7 and G6 {no_fit}"));
     check("25 h7-g6", &format!("! h7 and g6 {no_fit}"));
     check("25 H7/", "! a tolerance class is missing, such as H7 for a hole or h7 for a shaft (character 7)");
-    check("25 H7/g6/f5", "! /f5 is not expected here: the text ends before it (character 9)");
+    check("25 H7/g6/f5", "! /f5 is not expected here: the text is complete without it (character 9)");
     check("25 H7-0.1", "! 0.1 is not a tolerance class: write letters and a grade, such as H7 or js13 (character 7)");
 }
 
@@ -72,7 +72,7 @@ fn reads_general_tolerances_in_small_letters() {
         "10M",
         "! M has no grade: write 10m for the general tolerance of ISO 2768-1, or add a grade, such as M7 (character 3)",
     );
-    check("10m -0.1", "! -0.1 is not expected here: the text ends before it (character 5)");
+    check("10m -0.1", "! -0.1 is not expected here: the text is complete without it (character 5)");
     check("10 h", "! h is not a tolerance class: write letters and a grade, such as H7 or js13 (character 4)");
 }
 
@@ -98,7 +98,7 @@ fn refuses_deviations_that_may_mean_something_else() {
     check("8-2-1", &format!("! {swapped} 8 -1 -2 (character 2)"));
     check("12 -0.1 +0.1", &format!("! {swapped} 12 ±0.1 (character 4)"));
     check("12 0/+0.1", &format!("! {swapped} 12 +0.1 0 (character 4)"));
-    let no_sign = "for a deviation, and no blank within a number";
+    let no_sign = "for a deviation, without a space in the number";
     check("12 0.2", &format!("! 0.2 has no sign: write +0.2 or -0.2 {no_sign} (character 4)"));
     check("12 +0.2/0.1", &format!("! 0.1 has no sign: write +0.1 or -0.1 {no_sign} (character 9)"));
     check("1 250 H8", &format!("! 250 has no sign: write +250 or -250 {no_sign} (character 3)"));
@@ -123,8 +123,8 @@ fn refuses_what_is_no_deviation() {
     check("12 +0.1 ±0.1", &format!("! ±0.1 is not a deviation: {how} (character 9)"));
     check("12 +0.1.2", "! deviation: 0.1.2 is not a number (character 5)");
     check("12 +0.0001 µm", "! deviation: 0.0001 µm is finer than a nanometre (character 5)");
-    check("12 +0.1 -0.2 -0.3", "! -0.3 is not expected here: the text ends before it (character 14)");
-    check("12 ±0.1 H7", "! H7 is not expected here: the text ends before it (character 9)");
+    check("12 +0.1 -0.2 -0.3", "! -0.3 is not expected here: the text is complete without it (character 14)");
+    check("12 ±0.1 H7", "! H7 is not expected here: the text is complete without it (character 9)");
     check("12 -11 -12", "! minimum limit 0 mm is not above 0 (character 4)");
     check("12 ±13", "! minimum limit -1 mm is not above 0 (character 4)");
     check("1000000000 +0.000001", "! the limits of 1000000000 mm are too large (character 12)");
@@ -162,7 +162,7 @@ fn a_minus_between_two_sizes_is_no_deviation() {
     check("12 0 -6", "12 0 -6");
     check(
         "11.985-12.01",
-        "! a deviation of that size leaves nothing: write 12.01/11.985 for limits of size (character 1)",
+        "! such a deviation would leave nothing: write 12.01/11.985 for limits of size (character 1)",
     );
     check("12-30", "! minimum limit -18 mm is not above 0 (character 3)");
 }
@@ -182,7 +182,7 @@ fn refuses_what_is_no_callout() {
     for text in ["+0.2 -0.05", "+0.2/0.15", "+0.2 0", "+12 ±0.1"] {
         check(text, &format!("! {text} does not begin with a nominal size: write one, such as 25 H7"));
     }
-    check("25 H7 x", "! x is not expected here: the text ends before it (character 7)");
+    check("25 H7 x", "! x is not expected here: the text is complete without it (character 7)");
     for (text, sign, at) in [("?25 H7", '?', 1), ("25?", '?', 3), ("25 H7@25.01", '@', 6), ("10@1", '@', 3)] {
         let expected = format!("! {sign} is for the texts of cycles 14xx, not for a callout (character {at})");
         check(text, &expected);

@@ -316,7 +316,7 @@ fn exactly_one_source_is_asked_for() {
 #[test]
 fn a_callout_without_limits_is_refused_in_words() {
     for (callout, needle) in [
-        ("25 Q7", "25 Q7: Q7 is not an ISO 286 tolerance class: there is no letter Q"),
+        ("25 Q7", "25 Q7: Q7 is not an ISO 286 tolerance class: letter Q does not exist"),
         ("25 j8", "25 j8: j8 is not defined at 25 mm in ISO 286; it is defined over 0 up to 3 mm"),
         ("24 T7", "24 T7: T7 is not defined at 24 mm in ISO 286; it is defined over 24 up to 3150 mm"),
         ("0 H7", "0 H7: nominal size 0 mm is not above 0"),

@@ -66,8 +66,8 @@ fn every_warning_has_its_words() {
         &CircleWarning::Coinciding { first: 1, second: 4 },
         "contacts 1 and 4 coincide: this place counts twice",
     );
-    check_words(&CircleWarning::NoInscribed, "there is no maximum inscribed circle: the contacts do not surround one");
-    check_words(&CircleWarning::NoZone, "there is no minimum zone: a straight strip is narrower than every ring");
+    check_words(&CircleWarning::NoInscribed, "no maximum inscribed circle: the contacts do not surround one");
+    check_words(&CircleWarning::NoZone, "no minimum zone: a straight strip is narrower than any ring");
     check_words(
         &CircleWarning::TooManyContacts { contacts: 100_000 },
         "maximum inscribed circle and minimum zone are not computed for 100000 contacts: at most 3000",

@@ -337,7 +337,7 @@ fn three_contacts_on_a_short_arc_say_how_much_worse_they_are() {
             "3 contacts: form cannot be measured, the residual is always zero",
             "the contacts cover only 120.0° of arc: scatter in the diameter is 3.0 times that of 3 contacts at 120°",
             "the minimum circumscribed circle of a short arc is not the size of the feature",
-            "there is no maximum inscribed circle: the contacts do not surround one",
+            "no maximum inscribed circle: the contacts do not surround one",
         ]
     );
     assert!(found.form() < 1e-13);

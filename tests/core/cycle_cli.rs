@@ -230,7 +230,7 @@ fn what_cannot_be_used_is_refused_with_its_reason() {
     refused(&["G785", "--position", "1,2", "--set", "K=2", "RC=60"], "", 1, "expected three numbers X,Y,Z in mm");
     refused(&["421", "--set", "Q273=0", "Q274=0", "Q262=0"], "", 1, "a circle needs a diameter above 0");
     let outside = [&["427", "--set"][..], &BLOCK_427[..5], &["Q267=0"]].concat();
-    refused(&outside, "", 1, "Q267 TRAVERSE DIRECTION = 0: not one of -1, 1");
+    refused(&outside, "", 1, "Q267 TRAVERSE DIRECTION = 0: expected one of -1, 1");
     let both = [&["427", "--workpiece", "-", "--set"][..], &BLOCK_427].concat();
     refused(&both, "[bore]\ncentre = [0, 0]\ndiameter = -1\n", 1, "standard input: line 3: diameter = -1");
 }
@@ -242,12 +242,12 @@ fn inputs_that_are_no_object_of_values_are_refused() {
         assert_eq!((said.code, said.out.as_str()), (Some(1), ""), "{input}");
         assert!(said.err.contains(reason), "{input}: {}", said.err);
     };
-    refused("[]", "inputs are a JSON object such as {\"Q263\": 35}: invalid type: sequence, expected an object");
-    refused("{\"Q263\": 1", "inputs are a JSON object such as {\"Q263\": 35}: EOF while parsing");
+    refused("[]", "inputs must be a JSON object such as {\"Q263\": 35}: invalid type: sequence, expected an object");
+    refused("{\"Q263\": 1", "inputs must be a JSON object such as {\"Q263\": 35}: EOF while parsing");
     refused("{\"Q263\": 1e999}", "number out of range");
     // The same name twice, letter by letter.
     refused("{\"Q263\": 1, \"Q263\": 2}", "Q263 is given twice");
-    refused("{\"Q272\": 3.5}", "Q272 MEASURING AXIS = 3.5: not one of 1, 2, 3");
+    refused("{\"Q272\": 3.5}", "Q272 MEASURING AXIS = 3.5: expected one of 1, 2, 3");
     refused("{\"Q263\": \"NaN\"}", "Q263 1ST POINT 1ST AXIS: NaN is not a number");
     refused(
         "{\"Q999\": 1}",

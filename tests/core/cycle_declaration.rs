@@ -155,7 +155,7 @@ fn every_parameter_is_accepted_and_refused_alike_when_it_is_typed() {
                         CycleError::OutOfRange {
                             key: parameter.key,
                             name: parameter.called(),
-                            given: Box::new(Arg::Number(value.with_unit())),
+                            given: Box::new(Arg::Message(value.with_unit())),
                             range: parameter.range,
                         }
                     );
@@ -320,8 +320,11 @@ fn the_ranges_are_those_of_the_manuals() {
     ];
     for (code, expected) in documented {
         let cycle = cycle_named(code).unwrap();
-        let declared: Vec<_> =
-            cycle.parameters.iter().map(|p| (p.key.to_string(), p.range.short(), p.may_be_predef)).collect();
+        let declared: Vec<_> = cycle
+            .parameters
+            .iter()
+            .map(|p| (p.key.to_string(), p.range.short().to_string(), p.may_be_predef))
+            .collect();
         let expected: Vec<_> =
             expected.into_iter().map(|(key, range, predef)| (key.to_owned(), range.to_owned(), predef)).collect();
         assert_eq!(declared, expected, "{}", cycle.code);
@@ -429,6 +432,21 @@ fn what_has_no_effect_is_kept_and_said() {
             assert!(given.remarks.contains(&Remark::WithoutEffect { key: parameter.key }), "{}", parameter.key);
             assert_eq!(given.results, plain.results, "{}", parameter.key);
             assert_eq!(given.inputs.value(parameter.key), Some(&usual(parameter)));
+        }
+    }
+}
+
+#[test]
+fn every_parameter_has_a_question_in_every_language_of_its_cycle() {
+    for cycle in CYCLES {
+        for (language, _) in cycle.names {
+            // Q, P and H of G785 are only letters.
+            let without = cycle.parameters.iter().filter(|parameter| !parameter.names.is_empty());
+            let without: Vec<_> = without
+                .filter(|parameter| parameter.questions.iter().all(|(asked, _)| asked != language))
+                .map(|parameter| parameter.key.to_string())
+                .collect();
+            assert!(without.is_empty(), "cycle {}, {language}: no question for {without:?}", cycle.code);
         }
     }
 }

@@ -30,7 +30,7 @@ fn cycle_texts_may_say_less_and_more() {
     check("10H7@", &format!("! the value after @ is missing: {how} (character 6)"));
     check("10H7@x", &format!("! x is not a value after @: {how} (character 6)"));
     check("10H7@1.2.3", "! value after @: 1.2.3 is not a number (character 6)");
-    check("10H7@1?", "! ? is not expected here: the text ends before it (character 7)");
+    check("10H7@1?", "! ? is not expected here: the text is complete without it (character 7)");
 }
 
 #[track_caller]
@@ -56,7 +56,7 @@ fn texts_of_qs400_are_bands_without_a_size() {
         check_qs400(text, "");
     }
     check_qs400("-0.1+0.4", "! the lower deviation comes before the upper one: write QS400 as 0.4-0.1 (character 5)");
-    check_qs400("0.4-0.1-0.2", "! -0.2 is not expected here: the text ends before it (character 8)");
+    check_qs400("0.4-0.1-0.2", "! -0.2 is not expected here: the text is complete without it (character 8)");
     check_qs400("H7", "! H7 is not a deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
     check_qs400("±0.1", "! ±0.1 is not a deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
     check_qs400("0.1 mm", "! 0.1 mm is not a deviation: write a sign and a number, such as +0.1 or -0.1 (character 1)");
@@ -69,6 +69,6 @@ fn texts_of_qs400_are_bands_without_a_size() {
     check_qs400(&format!("0.4{}", " ".repeat(253)), "! the text is too long: at most 255 characters");
     check_qs400(
         "0.4 0.1",
-        "! 0.1 has no sign: write +0.1 or -0.1 for a deviation, and no blank within a number (character 5)",
+        "! 0.1 has no sign: write +0.1 or -0.1 for a deviation, without a space in the number (character 5)",
     );
 }

@@ -125,13 +125,13 @@ fn inputs_out_of_range_are_refused_with_the_declared_range() {
     refused("Q262=0", "Q262 NOMINAL DIAMETER = 0 mm: a circle needs a diameter above 0");
     refused("Q262=NaN", "Q262 NOMINAL DIAMETER: NaN is not a number");
     refused("Q273=-100000", "Q273 CENTER IN 1ST AXIS = -100000 mm: at least -99999.9999 mm, at most 99999.9999 mm");
-    refused("Q301=2", "Q301 MOVE TO CLEARANCE = 2: not one of 0, 1");
-    refused("Q423=5", "Q423 NO. OF MEAS. POINTS = 5: not one of 3, 4");
-    refused("Q423=3.5", "Q423 NO. OF MEAS. POINTS = 3.5: not one of 3, 4");
+    refused("Q301=2", "Q301 MOVE TO CLEARANCE = 2: expected one of 0, 1");
+    refused("Q423=5", "Q423 NO. OF MEAS. POINTS = 5: expected one of 3, 4");
+    refused("Q423=3.5", "Q423 NO. OF MEAS. POINTS = 3.5: expected one of 3, 4");
     refused("Q281=yes", "Q281 MEASURING LOG: yes is not a number");
     refused(
         "Q330=-1",
-        "Q330 TOOL NUMBER = -1: a tool is a number from 0 to 99999.9 or a name of at most 255 characters",
+        "Q330 TOOL NUMBER = -1: a tool number from 0 to 99999.9, or a tool name of at most 255 characters",
     );
     refused(
         "Q275=25 Q276=25.021",

@@ -186,7 +186,7 @@ fn a_cycle_gets_limits_and_never_a_tolerance_class() {
 
 #[test]
 fn colours_come_from_the_theme_file() {
-    let window = files(|name| name.starts_with("gui/") && name != "gui/theme.rs");
+    let window = files(|name| name.starts_with("gui/") && !name.starts_with("gui/theme/"));
     none_names(&window, &["from_rgb", "from_gray", "Color32::RED", "Color32::GREEN", "from_hex", "FontId::new"]);
 }
 
@@ -216,6 +216,13 @@ fn no_cycle_is_named_outside_its_own_file() {
     let marks = ["control/point_log/stored.rs names 444"];
     let found: Vec<_> = named.filter(|found| !marks.contains(&found.as_str())).collect();
     assert_eq!(found, Vec::<String>::new());
+}
+
+/// What a person reads on a terminal goes through one writer, which tames it.
+#[test]
+fn nothing_is_written_around_the_writer_for_people() {
+    let others = files(|name| name != "cli/io.rs");
+    none_names(&others, &["io::stdout", "io::stderr", "println!", "eprint!", "print!("]);
 }
 
 /// Only the cycles declare the names of parameters.

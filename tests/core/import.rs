@@ -84,13 +84,13 @@ fn the_exit_code_is_that_of_the_worst_verdict() {
 
 #[test]
 fn what_is_not_judged_is_never_good() {
-    check("id,measured\nb1,25.012\n", 1, &["m.csv,2,b1,,,,,25.012,,,,,,,not judged: there is no callout"]);
+    check("id,measured\nb1,25.012\n", 1, &["m.csv,2,b1,,,,,25.012,,,,,,,not judged: no callout given"]);
     check(
         "id;callout;measured\nb1;25 H7;25.012\nb2;;25.012\n",
         1,
         &[
             &format!("m.csv,2,b1,25 H7,25,25.000,25.021,25.012,12,GOOD,,,{H7},,"),
-            "m.csv,3,b2,,,,,25.012,,,,,,,not judged: there is no callout",
+            "m.csv,3,b2,,,,,25.012,,,,,,,not judged: no callout given",
         ],
     );
 }
@@ -142,7 +142,7 @@ fn broken_files_are_named_and_the_others_go_on() {
             "fitcheck: no such file or folder: missing.csv",
             "fitcheck: this is a folder, not a file: folder",
             "fitcheck: the file is larger than 64 MiB: huge.csv",
-            "TCHPR421.TXT:1: not a measuring log: there is no title line with the number of a measuring cycle",
+            "TCHPR421.TXT:1: not a measuring log: no title line with the number of a measuring cycle",
         ]
     );
     assert!(answer.out.contains("good.csv:2"), "{}", answer.out);

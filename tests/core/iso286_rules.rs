@@ -86,7 +86,7 @@ fn what_is_undefined_is_refused_with_where_it_is_defined() {
     check("H7", "0", "! nominal size 0 mm is not above 0");
     check("H7", "-5", "! nominal size -5 mm is not above 0");
     let letters = "A B C CD D E EF F FG G H J JS K M N P R S T U V X Y Z ZA ZB ZC";
-    check("Q7", "25", &format!("! Q7 is not an ISO 286 tolerance class: there is no letter Q, only {letters}"));
+    check("Q7", "25", &format!("! Q7 is not an ISO 286 tolerance class: letter Q does not exist, only {letters}"));
     let grades = "01 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18";
     check("H19", "25", &format!("! H19 is not an ISO 286 tolerance class: the grades are {grades}"));
     check("h07", "25", &format!("! h07 is not an ISO 286 tolerance class: the grades are {grades}"));

@@ -261,7 +261,7 @@ fn header_oddities_are_warned_of() {
 fn what_is_no_log_says_so() {
     check("", "! line 1: the file is empty");
     check(" \r\n", "! line 1: the file is empty");
-    check("Hello\n", "! line 1: not a measuring log: there is no title line with the number of a measuring cycle");
+    check("Hello\n", "! line 1: not a measuring log: no title line with the number of a measuring cycle");
     let garbage: Vec<u8> = (0..4096_u32).map(|n| n.wrapping_mul(2_654_435_761).to_le_bytes()[3]).collect();
     assert!(read(&garbage).iter().all(Result::is_err));
     assert!(!is_log("bore 421;25 H7;25.012\nbore 422;25 H7;25.013\n"));

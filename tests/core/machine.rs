@@ -474,7 +474,7 @@ fn what_tables_cannot_do_is_said() {
     );
     assert_eq!(
         table_fault(&format!("{open}FN 28: TABREAD Q1999 = 0/\"NR,H7\"")),
-        "there is no parameter Q2000: Q and QS go up to 1999, QL and QR up to 499"
+        "parameter Q2000 does not exist: Q and QS go up to 1999, QL and QR up to 499"
     );
 }
 

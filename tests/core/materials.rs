@@ -122,7 +122,7 @@ fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
     );
     let many: Vec<String> =
         (0..1001).map(|number| format!("[[material]]\nname = \"m{number}\"\nexpansion = 1\n")).collect();
-    check(&format!("version = 1\n{}", many.concat()), "there are 1001 materials: at most 1000");
+    check(&format!("version = 1\n{}", many.concat()), "1001 materials are too many: at most 1000");
     check(
         &steel.replace("11.5", "1150"),
         "line 5, column 13: an expansion of 1150 is out of range: from -20 to 500, in millionths per kelvin, such as 11.5 for steel",

@@ -111,7 +111,7 @@ fn bad_rows_are_listed_and_good_ones_kept() {
         "id;callout;measured\nb1;25 H7;25.012\nb2;25 H7;25.0l2\nb3;25 Z9;25.012\nb4;25 H7\nb5;25 H7;\nb6;25 Hh7;25\nb7;25 H7;1.234,5\nb8;40 H7;40.01\nb9;25 H7;25.01;9\nb10;25 H7;-25.01\nb11;25 H7;25,012\nb12;;25.012\n",
         &[
             "2 b1: 25 H7 is 25.012 GOOD",
-            "13 b12: 25.012 not judged: there is no callout",
+            "13 b12: 25.012 not judged: no callout given",
             "! line 3, column 3: measured: 25.0l2 is not a number <25.0l2>",
             "! line 4, column 2: Z9 is not in table hole.tab; it has H7 K7 <25 Z9>",
             "! line 5: expected 3 cells, found 2 <25 H7>",
@@ -183,7 +183,7 @@ fn what_could_be_two_columns_is_refused() {
     check("id;callout;measured [cm]\nb1;25 H7;2.5\n", &["! line 1: unknown unit cm: use mm, µm or inch <>"]);
     check(
         "nominal;callout;measured\n24;25 H7;25.01\n",
-        &["! line 2, column 2: callout 25 H7 does not have the nominal size 24 of its own column <25 H7>"],
+        &["! line 2, column 2: callout 25 H7 does not match nominal size 24 in its own column <25 H7>"],
     );
 }
 
@@ -216,7 +216,7 @@ fn other_columns_are_named_and_times_are_used() {
     assert_eq!(time("callout;measured;date\n25 H7;25.012;\n"), "2025-01-02T03:04:05");
     check(
         "callout;measured;date\n25 H7;25.012;03/04/2024\n",
-        &["2 : 25 H7 is 25.012 GOOD", "? line 2: 03/04/2024 is not a date and time: time of import used"],
+        &["2 : 25 H7 is 25.012 GOOD", "? line 2: 03/04/2024 is not a date and time: the time of import is used"],
     );
 }
 
@@ -229,7 +229,7 @@ fn values_of_another_quantity_are_doubted() {
 
 #[test]
 fn without_callouts_nothing_is_judged() {
-    check("id;measured\nb1;25.012\n", &["2 b1: 25.012 not judged: there is no callout"]);
+    check("id;measured\nb1;25.012\n", &["2 b1: 25.012 not judged: no callout given"]);
 }
 
 #[test]
@@ -246,8 +246,8 @@ fn encodings_of_spreadsheets_are_read() {
 fn what_is_no_measurement_says_so() {
     check("", &["! line 1: the file is empty <>"]);
     check("\u{feff}\r\n \r\n", &["! line 1: the file is empty <>"]);
-    check("id;callout;measured\n", &["! line 1: there is no row with a measurement <>"]);
-    check("# nothing\n", &["! line 1: there is no row with a measurement <>"]);
+    check("id;callout;measured\n", &["! line 1: no row holds a measurement <>"]);
+    check("# nothing\n", &["! line 1: no row holds a measurement <>"]);
     check(
         "Hello world\n",
         &["! line 1: no column of measured values: name it in the first line, such as id;callout;measured <>"],

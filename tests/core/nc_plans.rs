@@ -39,7 +39,7 @@ fn what_is_wrong_is_told_with_its_line() {
     check("callout,x,y,z,X\n", "line 1: column x occurs twice");
     check(
         "callout,x,y,z\n25 H7,40,5,30,-8\n",
-        "line 2: the row has 5 cells and the header 4: with a decimal comma, separate the columns by semicolons",
+        "line 2: the row has 5 cells and the header 4: with a decimal comma, separate the columns with semicolons",
     );
     check("callout,x,y,z\n25 H7,40,30\n", "line 2: z is missing");
     check("callout,x,y,z\n\n,1,2,3\n", "line 3: callout is missing");

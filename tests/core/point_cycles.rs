@@ -91,8 +91,8 @@ fn the_block_of_cycle_427_measures_a_height_between_its_limits() {
     assert_eq!(
         remarks,
         [
-            "Q498 is accepted and has no effect",
-            "Q531 is accepted and has no effect",
+            "Q498 is accepted but has no effect",
+            "Q531 is accepted but has no effect",
             "an outside dimension is assumed: above the maximum is rework, below the minimum is scrap",
         ]
     );

@@ -293,7 +293,7 @@ fn limits_without_a_class_have_a_heading_of_their_own() {
 
 #[test]
 fn no_checks_at_all_is_said() {
-    check_contains(&html(&report(Vec::new()), Language::En), &["There are no checks in this report."]);
+    check_contains(&html(&report(Vec::new()), Language::En), &["This report has no checks."]);
 }
 
 #[test]

@@ -277,7 +277,7 @@ fn wrong_usage_is_told_apart_from_bad_data() {
     );
     check_stopped(
         &[&main, "--set", "Q2000=1"],
-        "--set Q2000=1: there is no parameter Q2000: Q and QS go up to 1999, QL and QR up to 499",
+        "--set Q2000=1: parameter Q2000 does not exist: Q and QS go up to 1999, QL and QR up to 499",
     );
     check_stopped(&[&main, "--folder", "none"], "no such folder: none");
 }

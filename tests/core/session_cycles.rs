@@ -112,7 +112,7 @@ fn errors_stand_beside_their_field_as_soon_as_typed() {
         ("Q263=x", "Q263 1ST POINT 1ST AXIS: x is not a number"),
         ("Q263=100000", "Q263 1ST POINT 1ST AXIS = 100000 mm: at least −99999.9999 mm, at most 99999.9999 mm"),
         ("Q320=-0.0001", "Q320 SET-UP CLEARANCE = −0.0001 mm: at least 0 mm, at most 99999.9999 mm"),
-        ("Q272=4", "Q272 MEASURING AXIS = 4: not one of 1, 2, 3"),
+        ("Q272=4", "Q272 MEASURING AXIS = 4: expected one of 1, 2, 3"),
     ] {
         let name = setting.split_once('=').unwrap().0;
         let before = session.cycles().text(field(&session, name)).to_owned();

@@ -303,7 +303,7 @@ fn an_unknown_class_has_no_column() {
     // The program only looks at the first character: capitals, digits and nothing at all are holes to it.
     let mixed = "Js9 mixes upper and lower case: write JS9 for a hole or js9 for a shaft (character 4)";
     side_by_side("25", "Js9", &control("Js9"), mixed);
-    let digit = "7 has no sign: write +7 or -7 for a deviation, and no blank within a number (character 4)";
+    let digit = "7 has no sign: write +7 or -7 for a deviation, without a space in the number (character 4)";
     side_by_side("25", "7H", &control("7H"), digit);
     let missing = "a tolerance is missing, such as H7, h7, H7/g6, m, +0.1 -0.2 or ±0.1";
     side_by_side("25", "", &control(""), missing);

@@ -125,7 +125,7 @@ fn a_value_that_may_be_another_quantity_is_asked_about() {
     check(&mut window, "25 H7", "250.12");
     assert!(verdict(&window).starts_with("Is this right?. 250.120 mm"), "{}", verdict(&window));
     assert!(verdict(&window).contains(". The measured value is about the nominal size"), "{}", verdict(&window));
-    window.get_by_role_and_label(Role::Button, "Take 25.012 mm").click();
+    window.get_by_role_and_label(Role::Button, "Use 25.012 mm").click();
     window.run();
     assert!(verdict(&window).starts_with("GOOD. 25.012 mm"), "{}", verdict(&window));
     check(&mut window, "25 H7", "250.12");
@@ -180,7 +180,7 @@ fn the_status_window_keeps_the_controls_digits_with_the_exact_values_beside_it()
     let mut window = window();
     check(&mut window, "25 H7", "25.021001");
     window.get_by_label_contains("MEASURED DIAMETER:  25.0210");
-    window.get_by_label("The window rounds to four decimals. Exactly: Measured 25.021001 mm");
+    window.get_by_label("The window rounds to four decimals. Exact values: Measured 25.021001 mm");
     check(&mut window, "25 H7", "25.012");
     assert!(window.query_by_label_contains("The window rounds").is_none());
 }

@@ -39,10 +39,10 @@ fn a_log_of_the_control_is_imported_and_judged() {
     let log = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples/logs/de/TCHPR421.TXT");
     type_path(&mut window, "File", &log);
     assert!(verdict(&window).starts_with("REWORK. 9.9962 mm. Remove 3.8 µm"), "{}", verdict(&window));
-    window.get_by_label_contains("TCHPR421.TXT: 1 check, no row refused");
+    window.get_by_label_contains("TCHPR421.TXT: 1 check, no rows refused");
     window.get_by_role_and_label(Role::Button, "Close").click();
     window.run();
-    assert!(window.query_by_label_contains("no row refused").is_none());
+    assert!(window.query_by_label_contains("no rows refused").is_none());
 }
 
 #[test]
@@ -270,7 +270,7 @@ fn a_file_is_found_and_read_by_touch_alone() {
     window.get_by_role_and_label(Role::CheckBox, "All files").click();
     window.run();
     assert_eq!(rows(&window), 2);
-    click(&mut window, Role::Button, "Folder above");
+    click(&mut window, Role::Button, "Parent folder");
     click(&mut window, Role::ListBoxOption, "more.csv");
     window.get_by_role_and_label(Role::Button, "Open").click();
     window.run();
@@ -302,7 +302,7 @@ fn a_folder_that_is_gone_is_told_and_the_home_folder_helps() {
     let mut window = at_home(&folder.path().join("none"));
     open_import(&mut window);
     window.get_by_label_contains("no such file or folder");
-    click(&mut window, Role::Button, "Folder above");
+    click(&mut window, Role::Button, "Parent folder");
     assert_eq!(rows(&window), 2);
 }
 
@@ -355,7 +355,7 @@ fn where_the_system_shows_no_dialog_the_list_is_there() {
     let mut window = at_home(folder.path());
     open_import(&mut window);
     click(&mut window, Role::Button, "Browse…");
-    window.get_by_label_contains("The system's dialog gave no file");
+    window.get_by_label_contains("The system's dialog returned no file");
     assert_eq!(rows(&window), 2);
 }
 
@@ -374,7 +374,7 @@ fn a_file_that_exists_is_asked_about_and_kept_by_enter() {
     check(&mut window, "25 H7", "25.012");
     for keep in [Key::Enter, Key::Escape] {
         export(&mut window, &path);
-        window.get_by_label("history.csv exists. Replace it?");
+        window.get_by_label("history.csv already exists. Replace it?");
         press(&mut window, &[keep]);
         assert!(window.query_by_label_contains("Replace it?").is_none());
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");

@@ -104,15 +104,15 @@ fn measured_parts_have_a_clearance_and_a_verdict_each() {
     window.get_by_label("−32 … −16 µm");
     type_into(&mut window, "Measured shaft", "50.030");
     window.get_by_label("Interference 20 µm");
-    window.get_by_label("Within what the callout allows");
+    window.get_by_label("Within the limits of the callout");
     window.get_by_role_and_label(Role::Label, "Hole GOOD");
     window.get_by_role_and_label(Role::Label, "Shaft GOOD");
     // A nanometre past the border of the range and of the shaft.
     type_into(&mut window, "Measured hole", "50.000");
     type_into(&mut window, "Measured shaft", "50.042");
-    window.get_by_label("Within what the callout allows");
+    window.get_by_label("Within the limits of the callout");
     type_into(&mut window, "Measured shaft", "50.042001");
-    window.get_by_label("Outside what the callout allows");
+    window.get_by_label("Outside the limits of the callout");
     window.get_by_role_and_label(Role::Label, "Shaft REWORK");
 }
 
@@ -248,7 +248,7 @@ fn the_nearest_miss_is_offered_and_the_scope_narrows() {
     click(&mut window, Role::Button, "Preferred and named fits");
     window.get_by_role_and_label(Role::Button, "H7/g6  +7 … +41 µm  preferred");
     type_into(&mut window, "Minimum", "0.0405");
-    window.get_by_label("No fit. The nearest one");
+    window.get_by_label("No fit matches. The nearest one");
     window.get_by_label_contains("µm too little");
 }
 

@@ -110,7 +110,7 @@ fn a_check_works_by_touch_alone() {
     window.get_by_role_and_label(Role::TextInput, "Measured value").click();
     window.run();
     press(&mut window, &["Key 2", "Key 5", "Decimal sign", "Key 0", "Key 3", "Key 3"]);
-    press(&mut window, &["Delete last", "Key 0", "Measure with Enter"]);
+    press(&mut window, &["Delete last character", "Key 0", "Measure with Enter"]);
     assert!(verdict(&window).starts_with("SCRAP. 25.030 mm"), "{}", verdict(&window));
 }
 
@@ -168,7 +168,7 @@ fn the_keypad_has_letters_for_classes() {
     window.get_by_role_and_label(Role::Button, "Keypad").click();
     window.run();
     click_for(&mut window, "Callout", 4);
-    for key in ["Key 2", "Key 5", "Letters", "Space", "Key H", "Capital or small letters", "Figures", "Key 7"] {
+    for key in ["Key 2", "Key 5", "Letters", "Space", "Key H", "Upper or lower case", "Figures", "Key 7"] {
         window.get_by_role_and_label(Role::Button, key).click();
         window.run();
     }

@@ -131,7 +131,7 @@ fn a_differing_cell_is_marked_and_named_with_how_much() {
         page.get_by(|node| node.role() == Role::Status && node.label().is_some_and(|label| label.starts_with("Q1")));
     let said = said.accesskit_node().label().unwrap();
     assert!(
-        said.starts_with("Q1, over 18 up to 30 mm. Q1 is not an ISO 286 tolerance class: there is no letter Q"),
+        said.starts_with("Q1, over 18 up to 30 mm. Q1 is not an ISO 286 tolerance class: letter Q does not exist"),
         "{said}"
     );
 }
@@ -187,7 +187,7 @@ fn an_edit_of_a_built_in_table_makes_a_copy_and_can_be_taken_back() {
     page.get_by_label("H7, over 18 up to 30 mm, +22.5 / 0 µm, differs from ISO 286");
     press(&mut page, "Undo");
     press(&mut page, "Redo");
-    press(&mut page, "Take ISO 286");
+    press(&mut page, "Use ISO 286");
     page.get_by_label_contains("agrees with ISO 286 in all");
     page.get_by_role_and_label(Role::ComboBox, "Table").click();
     page.run();
@@ -258,7 +258,7 @@ fn a_changed_table_is_saved_and_reads_back_in_every_generation() {
     let folder = tempfile::tempdir().unwrap();
     let mut page = shop(folder.path());
     press(&mut page, "Next difference");
-    press(&mut page, "Take ISO 286");
+    press(&mut page, "Use ISO 286");
     page.get_by_label("Changes are not saved");
     for (entry, name) in [
         ("Control table for iTNC 530…", "own table.tab"),

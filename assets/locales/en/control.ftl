@@ -18,7 +18,7 @@ mask-number-as-text = { $name } is a number, the format needs a text
 mask-not-finite = { $name } is not a finite number
 # Measuring logs
 log-empty = the file is empty
-log-no-log = not a measuring log: there is no title line with the number of a measuring cycle
+log-no-log = not a measuring log: no title line with the number of a measuring cycle
 log-no-title = the log has no title line, so its cycle is unknown
 log-other-cycle = logs of cycle { $cycle } are not read, only those of { $known }
 log-unit = type of dimension { $given } is neither 0 (mm) nor 1 (inch)
@@ -54,9 +54,9 @@ table-second-block = the columns are described a second time
 table-unexpected = expected { $expected }, found { $found }
 table-not-a-size = { $key } is a whole number up to { $limit }, not { $text }
 table-no-columns = the line with the names of the columns is missing
-table-tab = tab character: separate columns with blanks only
+table-tab = tab character: separate columns with spaces only
 table-column-twice = column { $name } occurs twice
-table-short-row = the row ends before column { $name }: fill it with blanks, or write - for no value
+table-short-row = the row ends before column { $name }: fill it with spaces, or write - for no value
 table-truncated = the file ends within this row and without [END]: it may be cut off
 table-text-after-end = text after [END]: { $found }
 table-no-end = [END] is missing
@@ -80,7 +80,7 @@ deviations-no-range = the end of the size range is missing
 deviations-other-range = the size range up to { $end } mm has { $found } in its second row: repeat it or leave it blank
 deviations-column = column { $column }: { $error }
 deviations-half = column { $class } has only one of the two deviations for the size range up to { $end } mm
-deviations-touches = column { $column } and its neighbour run into each other: separate them with a blank
+deviations-touches = column { $column } and its neighbour run into each other: separate them with a space
 deviations-no-deviations = skipped, not a table of deviations (no column BEREICH): { $file }
 deviations-range-alias = BEREIK was read as BEREICH
 deviations-no-numbers = column { $name } holds no numbers and was skipped
@@ -91,6 +91,7 @@ no-parameter = { $given } is not a parameter: allowed are Q, QL, QR and QS with 
 
 ## Writing measuring logs
 log-write-cycle = cycle { $cycle } does not write these values
+log-write-no-title = the log of cycle { $cycle } has no title in { $file }
 log-write-unit = a log is in mm or inch, not in µm
 log-write-character = { $given } cannot be written: a log holds no character U+{ $code }
 log-write-program = { $given } would not be read back as the path of a program: write it as in TNC:\PART\CHECK.H

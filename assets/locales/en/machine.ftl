@@ -34,7 +34,7 @@ machine-broken = the program is broken: { $what } is missing
 machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is not a label
 machine-undefined = { $parameter } is undefined
-machine-no-parameter = there is no parameter { $parameter }: Q and QS go up to 1999, QL and QR up to 499
+machine-no-parameter = parameter { $parameter } does not exist: Q and QS go up to 1999, QL and QR up to 499
 machine-not-number = { $parameter } holds a text: expected a number
 machine-not-text = { $parameter } holds a number: expected a text
 machine-division-by-zero = division by zero
@@ -42,6 +42,8 @@ machine-negative-root = the square root of { $value } is not defined
 machine-no-result = { $function } { $value } is not defined
 machine-beyond-range = { $value } is beyond the range of values, -10^10 to 10^10
 machine-not-whole = { $what } = { $value }: expected a whole number from 0
+machine-counted-row = row
+machine-counted-word = { $word }
 machine-behind-text = the text has { $length } characters: position { $from } is past its end
 machine-no-number-in-text = { $parameter } = "{ $text }" is not a number
 machine-unknown-system-text = unknown system text ID{ $id } NR{ $number }: only date and time (ID10321) are supported

@@ -22,8 +22,8 @@ cycle-out-of-range = { $key } { $name } = { $given }: { $allowed }
 cycle-length-range = at least { $least } mm, at most { $most } mm
 cycle-angle-range = at most { $most } either way
 cycle-angle-size-range = at least { $smallest } in size, at most { $most }
-cycle-one-of = not one of { $allowed }
-cycle-tool-range = a tool is a number from 0 to 99999.9 or a name of at most 255 characters
+cycle-one-of = expected one of { $allowed }
+cycle-tool-range = a tool number from 0 to 99999.9, or a tool name of at most 255 characters
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-no-diameter = { $key } { $name } = 0 mm: a circle needs a diameter above 0
 cycle-missing = { $key } { $name } is missing
@@ -42,13 +42,16 @@ circle-collinear = all { $contacts } contacts lie on one straight line: no circl
 circle-straight = the { $contacts } contacts fit a straight line better than any circle
 circle-not-finite = contact { $contact }: { $axis } = { $value } is not a finite number
 circle-too-large = { $what } = { $value } mm is too large: at most { $most } mm either way
+circle-part-contact = contact { $contact }: { $axis }
+circle-part-diameter = diameter
+circle-part-centre = centre { $axis }
 circle-three-contacts = 3 contacts: form cannot be measured, the residual is always zero
 circle-four-contacts = 4 contacts: four lobes are not detected and change the diameter
 circle-short-arc = the contacts cover only { $arc }° of arc: scatter in the diameter is { $factor } times that of 3 contacts at 120°
 circle-circumscribed-of-short-arc = the minimum circumscribed circle of a short arc is not the size of the feature
 circle-counts-twice = contacts { $first } and { $second } coincide: this place counts twice
-circle-no-inscribed = there is no maximum inscribed circle: the contacts do not surround one
-circle-no-zone = there is no minimum zone: a straight strip is narrower than every ring
+circle-no-inscribed = no maximum inscribed circle: the contacts do not surround one
+circle-no-zone = no minimum zone: a straight strip is narrower than any ring
 circle-too-many-contacts = maximum inscribed circle and minimum zone are not computed for { $contacts } contacts: at most { $most }
 circle-short-chord = contacts { $first } and { $second } are opposite each other but off the centre: this size is { $short } µm too small
 circle-more-of-a-kind = the same holds for { $more } more
@@ -57,7 +60,13 @@ circle-apart = contact { $contact } lies { $apart } mm off the circle, far more 
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = contact { $number }: the probe met nothing within the probing path of { $longest } mm
 cycle-number-range = a number, at most { $most } either way
-cycle-band-range = write a tolerance as 0.4-0.1, 0.4 or -0.1; 0 is no tolerance
+cycle-band-range = a tolerance such as 0.4-0.1, 0.4 or -0.1; 0 means no tolerance
+cycle-range = { $range }
+cycle-range-tool = 0 … { $highest }, or at most { $longest } characters
+cycle-range-band = 0.4-0.1, 0.4, -0.1 or nothing
+cycle-value = { $value }
+cycle-value-length = { $value } mm
+cycle-value-no-tolerance = no tolerance
 cycle-no-global = { $key } { $name } = PREDEF: no GLOBAL DEF gives a value
 cycle-no-path = { $key } { $name } = 0 mm: a probing path needs a length; its sign gives the direction
 cycle-no-normal = { $first }, { $second } and { $third } are all 0: a normal needs a direction
@@ -93,7 +102,7 @@ found-good = within tolerance
 found-rework = rework
 found-scrap = scrap
 found-status = status: -1 undefined, 0 good, 1 rework, 2 scrap
-remark-without-effect = { $key } is accepted and has no effect
+remark-without-effect = { $key } is accepted but has no effect
 remark-tool-left-alone = Q330 = { $tool }: the control would correct this tool; Fitcheck corrects no tool
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap
 remark-nominal-outside-limits = nominal diameter { $nominal } mm is not between the limits: a TNC7 refuses that
@@ -105,3 +114,36 @@ remark-no-tolerance = { $key } is not a tolerance: nothing is judged
 workpiece-file-toml = line { $line }: { $said }
 workpiece-file-not-one = the file has { $found } of { $tables }: it needs exactly one
 workpiece-file-cannot-be = line { $line }: { $error }
+
+# Figures of the simulated workpiece, as errors name them.
+figure-temperature = temperature
+figure-expansion = expansion
+figure-probe-scatter = probe scatter
+figure-ball-radius = ball radius
+figure-calibration-error = calibration error
+figure-offset = offset
+figure-lobing = pre-travel amplitude
+figure-lobing-angle = pre-travel angle
+figure-lobing-count = pre-travel lobes
+figure-centre-x = centre x
+figure-centre-y = centre y
+figure-diameter = diameter
+figure-surface-scatter = surface scatter
+figure-ovality = ovality
+figure-ovality-angle = ovality angle
+figure-ovality-count = ovality count
+figure-lobe-height = lobe height
+figure-lobe-angle = lobe angle
+figure-lobes = lobes
+figure-point = point
+figure-normal = normal
+figure-normal-length = length of the normal
+figure-wave-length = wave length
+figure-wave-amplitude = wave amplitude
+figure-wave-direction = wave direction
+figure-deviation = deviation
+figure-radius = radius
+figure-width = width
+figure-first-length = 1st length
+figure-second-length = 2nd length
+figure-angle = angle

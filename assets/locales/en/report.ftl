@@ -42,7 +42,7 @@ report-inspector = Inspector
 report-created = Created
 report-program = Program
 report-notes = Skipped rows and warnings
-report-no-checks = There are no checks in this report.
+report-no-checks = This report has no checks.
 report-total = Total
 report-check = Check
 report-id = Name
@@ -71,7 +71,7 @@ report-radial = radial deviation
 report-sign-name = Name
 report-sign-date = Date
 report-sign-signature = Signature
-report-footer = Every verdict was made with the limits and the decision rule named beside it, on unrounded values.
+report-footer = Each verdict is based on unrounded values and on the limits and the decision rule stated beside it.
 
 ## Notes
 report-note = { $place }: { $what }

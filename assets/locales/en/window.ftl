@@ -16,7 +16,7 @@ theme-system = Follow system
 theme-light = Light
 theme-dark = Dark
 density = Size of controls
-density-by-use = Follow use
+density-by-use = Automatic
 density-mouse = Mouse
 density-touch = Touch
 limits-from = Limits from
@@ -70,7 +70,7 @@ first-contact = First contact
 clearance = Set-up clearance
 centre-tolerance = Centre tolerance ±
 simulated-workpiece = Simulated workpiece
-simulated-hint = An empty diameter is the middle of the zone. The seed increases after each measurement; the same seed gives the same contacts.
+simulated-hint = Leave the diameter empty for the middle of the zone. The seed increases after each measurement; the same seed gives the same contacts.
 true-diameter = True diameter
 seed = Seed
 offset-x = Offset X
@@ -111,7 +111,7 @@ word-question = Is this right?
 simulated = SIMULATED
 status-simulated = { simulated } { $status }
 judge-anyway = Judge { $measured } mm as it is
-take-meant = Take { $meant } mm
+take-meant = Use { $meant } mm
 question-enter = Enter judges the value as it is; typing replaces it
 doubt-sentence = The { $doubt }
 lot-title = { $rows ->
@@ -124,8 +124,8 @@ lot-refused = { $count ->
    *[other] { $count } rows refused
 }
 lot-doubted = { $count ->
-    [one] 1 value may be another quantity
-   *[other] { $count } values may be another quantity
+    [one] 1 doubtful value
+   *[other] { $count } doubtful values
 }
 lot-shown = Shown: { $place } of { $judged }, worst first; line { $line }
 lot-shown-part = Shown: { $place } of { $judged }, worst first; line { $line }, { $part }
@@ -153,7 +153,7 @@ why-caveat = Limit of this measurement: { $what }
 
 popup-title = Status window
 popup-title-simulated = Status window, SIMULATED
-popup-exact = The window rounds to four decimals. Exactly: { $values }
+popup-exact = The window rounds to four decimals. Exact values: { $values }
 popup-empty = No measurement yet
 copy = Copy
 mask-choice = Mask
@@ -173,7 +173,7 @@ history-shown = { $shown } of { $count ->
    *[other] { $count } checks
 }
 history-exported = { $count ->
-    [0] There is nothing to export
+    [0] Nothing to export
     [one] 1 check will be exported
    *[other] All { $count } checks will be exported
 }
@@ -183,10 +183,10 @@ history-cleared = { $count ->
 }
 history-none-found = No check matches the filter
 history-filter = Filter
-history-filter-hint = Words that a check must have: part, callout, value, date, status, file
+history-filter-hint = Lists the checks that contain these words: part, callout, value, date, status or file
 history-only-bad = Only bad
 history-only-bad-hint = Rework, re-measure and scrap
-history-sort-hint = Sorts by this column; again the other way round, then newest first
+history-sort-hint = Sorts by this column; press again to reverse the order, once more for newest first
 history-ascending = { $column }, sorted ascending
 history-descending = { $column }, sorted descending
 history-list = Checks in the history
@@ -221,17 +221,28 @@ dialog-browse = Browse…
 dialog-cancel = Cancel
 dialog-busy = Working…
 dialog-no-path = A path is missing
-dialog-no-status = There is no status window to save
+dialog-no-status = No status window to save
 dialog-browse-hint = Shows the system's file dialog
-dialog-up = Folder above
+dialog-up = Parent folder
 dialog-home = Home folder
 dialog-all-files = All files
+file-kind-measurements = Measurements
+file-kind-mask = Masks
+file-kind-own-tables = Folders of tables
+file-kind-report = Reports
+file-kind-status = Text
+file-kind-table = Tables
+file-kind-contacts = Contacts
+file-kind-workpiece = Simulated workpieces
+file-kind-probes = Touch-probe tables
+file-kind-log = Measuring logs
+file-kind-program = NC programs
 dialog-move = Go to another entry
 dialog-recent-folders = Recent folders
-dialog-exists = { $name } exists. Replace it?
+dialog-exists = { $name } already exists. Replace it?
 dialog-replace = Replace
 dialog-keep = Keep
-dialog-nothing-picked = The system's dialog gave no file. Choose one in the list, or type a path.
+dialog-nothing-picked = The system's dialog returned no file. Choose one in the list, or type a path.
 dialog-list = Folder { $folder }
 dialog-list-none = No folder is open: type a path
 dialog-list-reading = Reading the folder…
@@ -262,17 +273,17 @@ tables-loaded = { $count ->
    *[other] { $count } tables are used from { $folder }
 }
 mask-loaded-with-warnings = { $name } was read with warnings
-state-set-aside = The last state could not be read. It was kept as { $path }; the window starts with default settings.
+state-set-aside = The saved state could not be read. It was kept as { $path }, and the window starts with default settings.
 import-notice = { $name }: { $good ->
     [0] no check
     [one] 1 check
    *[other] { $good } checks
 }, { $bad ->
-    [0] no row refused
+    [0] no rows refused
     [one] 1 row refused
    *[other] { $bad } rows refused
 }
-measured-needs-limits = There are no limits to judge by: type a callout first
+measured-needs-limits = No limits to judge by: type a callout first
 
 keypad = Keypad
 key = Key
@@ -282,8 +293,8 @@ key-minus = Minus
 edge = Edge of the panel: arrow keys move it
 key-letters = Letters
 key-figures = Figures
-key-shift = Capital or small letters
-key-back = Delete last
+key-shift = Upper or lower case
+key-back = Delete last character
 key-clear = Empty
 key-measure = Measure with Enter
 
@@ -338,7 +349,7 @@ tables-upper = Upper
 tables-lower = Lower
 tables-head-table = Table, µm
 tables-head-standard = ISO 286
-tables-head-by = by
+tables-head-by = off by
 tables-cell-agrees = As in ISO 286
 tables-cell-off = ISO 286 has { $upper } / { $lower } µm; the table is off by { $upper-by } / { $lower-by } µm
 tables-more-differences = and { $count } more
@@ -347,7 +358,7 @@ tables-cell-empty = Empty here, and not defined in ISO 286
 tables-defined = In ISO 286 the class is defined { $ranges }
 tables-shipped-hint = A built-in table is never changed: an edit makes a copy and shows the copy.
 tables-set = Set
-tables-take-standard = Take ISO 286
+tables-take-standard = Use ISO 286
 tables-empty-cell = Empty
 tables-remove-column = Remove { $class }
 tables-from-standard = From ISO 286
@@ -356,12 +367,12 @@ tables-add-columns = Add to this table
 tables-up-to = Sizes up to
 tables-make = New table
 tables-order = upper deviation { $upper } µm is below lower deviation { $lower } µm
-tables-used = Limits are looked up in { $name } first, until the window is closed. Save it in the folder of own tables to keep it.
+tables-used = Limits are looked up in { $name } first, until the window is closed. To keep using it, save it in the folder of own tables.
 tables-read-with-warnings = { $name } was read with warnings
 tables-nothing-read = The file holds no table of deviations
-tables-nothing-to-save = There is no table to save
-tables-cell-unreadable = The selected cell's fields cannot be read: correct them first
-tables-too-many = { $count } tables are open with changes: save one first
+tables-nothing-to-save = No table is open
+tables-cell-unreadable = The values of the selected cell cannot be read: correct them first
+tables-too-many = { $count } tables with unsaved changes are open: save one first
 tables-dialog-open = Open a table
 tables-dialog-save = Save the table
 ## Fit page
@@ -390,14 +401,14 @@ fit-scope = Among
 fit-scope-all = All classes
 fit-scope-basis = Hole and shaft basis
 fit-scope-preferred = Preferred and named fits
-fit-search-hint = The smallest and the largest clearance; a negative value is an interference. You can also type 7 µm
+fit-search-hint = The smallest and the largest clearance; a negative value is an interference. A unit is possible: 7 µm
 fit-search-size = The search needs a nominal size: type one above
 fit-found = { $count ->
     [one] 1 fit
    *[other] { $count } fits
 }
 fit-found-first = the best { $count } are listed
-fit-found-none = No fit. The nearest one
+fit-found-none = No fit matches. The nearest one
 fit-missed-by = { $below } µm too little, { $above } µm too much
 fit-is-preferred = preferred
 
@@ -435,8 +446,8 @@ fit-check-shaft = Check the shaft
 fit-move = Go to another class
 fit-actual-clearance = Clearance { $um } µm
 fit-actual-interference = Interference { $um } µm
-fit-conforms = Within what the callout allows
-fit-conforms-not = Outside what the callout allows
+fit-conforms = Within the limits of the callout
+fit-conforms-not = Outside the limits of the callout
 fit-with-good-shaft = Clearance with a good shaft
 fit-with-good-hole = Clearance with a good hole
 fit-at-temperature = At { $degrees } °C

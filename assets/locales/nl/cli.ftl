@@ -44,7 +44,7 @@ cli-format-ending = { $path }: een bestand in formaat { $format } eindigt op .{ 
 cli-several-tables = een besturingstabel is één bestand: noem één tabel, of klassen voor alleen boringen of alleen assen
 cli-report-format = --format { $format } past niet bij de extensie van { $file }: laat een van beide weg
 cli-report-empty = geen enkele controle was bruikbaar, dus er is geen rapport geschreven
-cli-not-an-object = de invoer is een JSON-object zoals {"{"}"Q263": 35{"}"}: { $error }
+cli-not-an-object = de invoer moet een JSON-object zijn, zoals {"{"}"Q263": 35{"}"}: { $error }
 cli-not-an-input = { $name } = { $value }: een getal of een tekst verwacht
 cli-given-twice = { $name } is twee keer opgegeven
 cli-set-twice = { $name } is twee keer ingesteld
@@ -71,7 +71,7 @@ cli-remark-wrote-files = { $path } geschreven ({ $count } bestanden)
 cli-remark-simulated = gesimuleerd: er is niets gemeten
 cli-remark-remove = { $limit } mm verspanen tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van het tolerantieveld
 cli-remark-refused = { $refused } van { $asked } passingen geweigerd
-cli-remark-no-pair = geen enkele passing voldoet; het dichtst erbij komt { $nearest }
+cli-remark-no-pair = geen enkele passing voldoet; de dichtstbijzijnde is { $nearest }
 cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die met --clearance-height
 
 # Waarschuwingen

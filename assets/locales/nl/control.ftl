@@ -18,7 +18,7 @@ mask-number-as-text = { $name } is een getal: het formaat verwacht een tekst
 mask-not-finite = { $name } is geen eindig getal
 # Meetprotocollen
 log-empty = het bestand is leeg
-log-no-log = geen meetprotocol: er is geen titelregel met het nummer van een meetcyclus
+log-no-log = geen meetprotocol: geen titelregel met het nummer van een meetcyclus
 log-no-title = het meetprotocol heeft geen titelregel: de cyclus is onbekend
 log-other-cycle = meetprotocollen van cyclus { $cycle } worden niet gelezen, alleen die van { $known }
 log-unit = maateenheid { $given } is geen 0 (mm) en geen 1 (inch)
@@ -91,6 +91,7 @@ no-parameter = { $given } is geen parameter: toegestaan zijn Q, QL, QR en QS met
 
 ## Meetprotocollen schrijven
 log-write-cycle = cyclus { $cycle } schrijft deze waarden niet
+log-write-no-title = het meetprotocol van cyclus { $cycle } heeft geen titel in { $file }
 log-write-unit = een meetprotocol is in mm of inch, niet in µm
 log-write-character = { $given } kan niet worden geschreven: teken U+{ $code } mag niet in een meetprotocol staan
 log-write-program = { $given } wordt niet als pad van een programma teruggelezen: schrijf het zoals TNC:\PART\CHECK.H

@@ -1,4 +1,4 @@
-# NC-programma’s uitvoeren.
+# NC-programma's uitvoeren.
 
 ## Paden en bestanden
 machine-path-empty = het pad is leeg
@@ -42,6 +42,8 @@ machine-negative-root = de wortel van { $value } is niet gedefinieerd
 machine-no-result = { $function } { $value } is niet gedefinieerd
 machine-beyond-range = { $value } ligt buiten het waardebereik, −10^10 tot 10^10
 machine-not-whole = { $what } = { $value }: een geheel getal vanaf 0 verwacht
+machine-counted-row = rij
+machine-counted-word = { $word }
 machine-behind-text = de tekst heeft { $length } tekens: positie { $from } ligt voorbij het einde
 machine-no-number-in-text = { $parameter } = "{ $text }" is geen getal
 machine-unknown-system-text = onbekende systeemtekst ID{ $id } NR{ $number }: alleen datum en tijd (ID10321) worden ondersteund

@@ -21,8 +21,8 @@ cycle-out-of-range = { $key } { $name } = { $given }: { $allowed }
 cycle-length-range = minstens { $least } mm, hoogstens { $most } mm
 cycle-angle-range = hoogstens { $most } in beide richtingen
 cycle-angle-size-range = minstens { $smallest } groot, hoogstens { $most }
-cycle-one-of = alleen { $allowed } is toegestaan
-cycle-tool-range = een gereedschap is een nummer van 0 tot 99999,9 of een naam van hoogstens 255 tekens
+cycle-one-of = een van { $allowed } verwacht
+cycle-tool-range = een gereedschapsnummer van 0 tot 99999,9, of een gereedschapsnaam van hoogstens 255 tekens
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-no-diameter = { $key } { $name } = 0 mm: een cirkel heeft een diameter groter dan 0 nodig
 cycle-missing = { $key } { $name } ontbreekt
@@ -42,13 +42,16 @@ circle-collinear = alle { $contacts } meetpunten liggen op één rechte lijn: da
 circle-straight = de { $contacts } meetpunten passen beter op een rechte lijn dan op welke cirkel ook
 circle-not-finite = meetpunt { $contact }: { $axis } = { $value } is geen eindig getal
 circle-too-large = { $what } = { $value } mm is te groot: hoogstens { $most } mm in beide richtingen
+circle-part-contact = meetpunt { $contact }: { $axis }
+circle-part-diameter = diameter
+circle-part-centre = midden { $axis }
 circle-three-contacts = 3 meetpunten: de vorm is niet te meten, de restafwijking is altijd nul
 circle-four-contacts = 4 meetpunten: vier lobben blijven onzichtbaar en veranderen de diameter
 circle-short-arc = de meetpunten beslaan maar { $arc }° van de cirkel: de spreiding in de diameter is { $factor } keer die van 3 meetpunten op 120°
 circle-circumscribed-of-short-arc = de kleinste omgeschreven cirkel van een korte boog is niet de maat van het element
 circle-counts-twice = meetpunten { $first } en { $second } vallen samen: deze plaats telt dubbel
-circle-no-inscribed = er is geen grootste ingeschreven cirkel: de meetpunten omsluiten er geen
-circle-no-zone = er is geen minimale zone: een rechte strook is smaller dan elke ring
+circle-no-inscribed = geen grootste ingeschreven cirkel: de meetpunten omsluiten er geen
+circle-no-zone = geen minimale zone: een rechte strook is smaller dan elke ring
 circle-too-many-contacts = grootste ingeschreven cirkel en minimale zone worden voor { $contacts } meetpunten niet berekend: hoogstens { $most }
 circle-short-chord = meetpunten { $first } en { $second } liggen tegenover elkaar, maar naast het midden: deze maat is { $short } µm te klein
 circle-more-of-a-kind = hetzelfde geldt voor nog { $more }
@@ -57,7 +60,13 @@ circle-apart = meetpunt { $contact } ligt { $apart } mm naast de cirkel, veel ve
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = meetpunt { $number }: de taster heeft binnen de tastweg van { $longest } mm niets geraakt
 cycle-number-range = een getal, hoogstens { $most } in beide richtingen
-cycle-band-range = schrijf een tolerantie als 0,4-0,1, 0,4 of -0,1; 0 is geen tolerantie
+cycle-band-range = een tolerantie zoals 0.4-0.1, 0.4 of -0.1; 0 betekent geen tolerantie
+cycle-range = { $range }
+cycle-range-tool = 0 … { $highest }, of hoogstens { $longest } tekens
+cycle-range-band = 0.4-0.1, 0.4, -0.1 of niets
+cycle-value = { $value }
+cycle-value-length = { $value } mm
+cycle-value-no-tolerance = geen tolerantie
 cycle-no-global = { $key } { $name } = PREDEF: geen GLOBAL DEF geeft een waarde
 cycle-no-path = { $key } { $name } = 0 mm: een tastweg heeft een lengte nodig; het teken geeft de richting
 cycle-no-normal = { $first }, { $second } en { $third } zijn alle drie 0: een normaal heeft een richting nodig
@@ -93,7 +102,7 @@ found-good = binnen tolerantie
 found-rework = nabewerking
 found-scrap = afkeur
 found-status = status: -1 niet gedefinieerd, 0 goed, 1 nabewerking, 2 afkeur
-remark-without-effect = { $key } is toegestaan en heeft geen werking
+remark-without-effect = { $key } is toegestaan maar heeft geen werking
 remark-tool-left-alone = Q330 = { $tool }: de besturing zou dit gereedschap corrigeren; Fitcheck corrigeert geen gereedschap
 remark-outside-dimension = een buitenmaat is aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
 remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat
@@ -105,3 +114,36 @@ remark-no-tolerance = { $key } is geen tolerantie: er wordt niets beoordeeld
 workpiece-file-toml = regel { $line }: { $said }
 workpiece-file-not-one = het bestand heeft { $found } van { $tables }: precies één is nodig
 workpiece-file-cannot-be = regel { $line }: { $error }
+
+# Figures of the simulated workpiece, as errors name them.
+figure-temperature = temperatuur
+figure-expansion = uitzetting
+figure-probe-scatter = spreiding van de taster
+figure-ball-radius = kogelradius
+figure-calibration-error = kalibratiefout
+figure-offset = verschuiving
+figure-lobing = amplitude van de schakelweg
+figure-lobing-angle = hoek van de schakelweg
+figure-lobing-count = lobben van de schakelweg
+figure-centre-x = midden x
+figure-centre-y = midden y
+figure-diameter = diameter
+figure-surface-scatter = spreiding van het oppervlak
+figure-ovality = ovaliteit
+figure-ovality-angle = hoek van de ovaliteit
+figure-ovality-count = aantal toppen van de ovaliteit
+figure-lobe-height = lobhoogte
+figure-lobe-angle = hoek van de lobben
+figure-lobes = lobben
+figure-point = punt
+figure-normal = normaal
+figure-normal-length = lengte van de normaal
+figure-wave-length = golflengte
+figure-wave-amplitude = amplitude van de golf
+figure-wave-direction = golfrichting
+figure-deviation = afwijking
+figure-radius = radius
+figure-width = breedte
+figure-first-length = 1e lengte
+figure-second-length = 2e lengte
+figure-angle = hoek

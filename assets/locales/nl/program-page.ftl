@@ -90,7 +90,7 @@ program-page-cycles = Gemeten
 program-page-show-block = Regel tonen
 program-page-last-of = De laatste { $shown } van { $all }
 program-page-outputs = Bestanden
-program-page-outputs-hint = Uitgevoerd, niet geschreven
+program-page-outputs-hint = Hier getoond, niet naar schijf geschreven
 
 program-page-parameters = Parameters
 program-page-filter = Filter
@@ -98,12 +98,12 @@ program-page-set = Beginnen met
 program-page-value = Waarde
 program-page-give = Opgeven
 program-page-give-hint = De volgende uitvoering begint met deze waarde
-program-page-given = Opgegeven
+program-page-given = Opgegeven voor de volgende uitvoering
 program-page-drop = verwijderen
 program-page-no-parameter = { $given } is geen parameter: schrijf Q5, QL5, QR5 of QS5
 program-page-no-number = { $given } is geen getal
 program-page-none-found = Geen parameter gevonden
-program-page-no-parameters = Parameters verschijnen zodra het programma loopt
+program-page-no-parameters = Parameters verschijnen zodra het programma is gestart
 program-page-undefined = niet gedefinieerd
 program-page-parameter = { $parameter } { $name } = { $value }
 program-page-parameter-changed = { $parameter } { $name } = { $value }, gewijzigd

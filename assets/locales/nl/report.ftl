@@ -71,7 +71,7 @@ report-radial = radiale afwijking
 report-sign-name = Naam
 report-sign-date = Datum
 report-sign-signature = Handtekening
-report-footer = Elk oordeel is geveld met de grensmaten en de beslisregel die ernaast staan, op onafgeronde waarden.
+report-footer = Elk oordeel berust op onafgeronde waarden en op de grensmaten en de beslisregel die ernaast staan.
 
 ## Notes
 report-note = { $place }: { $what }

@@ -16,7 +16,7 @@ theme-system = Systeem volgen
 theme-light = Licht
 theme-dark = Donker
 density = Grootte van de bediening
-density-by-use = Gebruik volgen
+density-by-use = Automatisch
 density-mouse = Muis
 density-touch = Aanraking
 limits-from = Grensmaten uit
@@ -70,7 +70,7 @@ first-contact = Eerste meetpunt
 clearance = Veiligheidsafstand
 centre-tolerance = Tolerantie midden ±
 simulated-workpiece = Gesimuleerd werkstuk
-simulated-hint = Een lege diameter is het midden van het tolerantieveld. Het startgetal loopt na elke meting op; hetzelfde startgetal geeft dezelfde meetpunten.
+simulated-hint = Zonder diameter geldt het midden van het tolerantieveld. Het startgetal loopt na elke meting op; hetzelfde startgetal geeft dezelfde meetpunten.
 true-diameter = Werkelijke diameter
 seed = Startgetal
 offset-x = Verschuiving X
@@ -111,7 +111,7 @@ word-question = Klopt dit?
 simulated = GESIMULEERD
 status-simulated = { simulated } { $status }
 judge-anyway = { $measured } mm toch beoordelen
-take-meant = { $meant } mm nemen
+take-meant = { $meant } mm gebruiken
 question-enter = Enter beoordeelt de waarde zoals die is; typen vervangt de waarde
 doubt-sentence = { $doubt }
 lot-title = { $rows ->
@@ -124,8 +124,8 @@ lot-refused = { $count ->
    *[other] { $count } rijen geweigerd
 }
 lot-doubted = { $count ->
-    [one] 1 waarde is misschien een andere grootheid
-   *[other] { $count } waarden zijn misschien een andere grootheid
+    [one] 1 twijfelachtige waarde
+   *[other] { $count } twijfelachtige waarden
 }
 lot-shown = Getoond: { $place } van { $judged }, slechtste eerst; regel { $line }
 lot-shown-part = Getoond: { $place } van { $judged }, slechtste eerst; regel { $line }, { $part }
@@ -153,7 +153,7 @@ why-caveat = Beperking van deze meting: { $what }
 
 popup-title = Statusvenster
 popup-title-simulated = Statusvenster, GESIMULEERD
-popup-exact = Het venster rondt af op vier decimalen. Precies: { $values }
+popup-exact = Het venster rondt af op vier decimalen. Exacte waarden: { $values }
 popup-empty = Nog geen meting
 copy = Kopiëren
 mask-choice = Masker
@@ -173,7 +173,7 @@ history-shown = { $shown } van { $count ->
    *[other] { $count } controles
 }
 history-exported = { $count ->
-    [0] Er is niets te exporteren
+    [0] Niets te exporteren
     [one] 1 controle wordt geëxporteerd
    *[other] Alle { $count } controles worden geëxporteerd
 }
@@ -183,7 +183,7 @@ history-cleared = { $count ->
 }
 history-none-found = Geen controle voldoet aan het filter
 history-filter = Filter
-history-filter-hint = Woorden die een controle moet bevatten: onderdeel, passing, waarde, datum, status, bestand
+history-filter-hint = Toont de controles waarin deze woorden staan: onderdeel, passing, waarde, datum, status of bestand
 history-only-bad = Alleen niet goed
 history-only-bad-hint = Nabewerking, opnieuw meten en afgekeurd
 history-sort-hint = Sorteert op deze kolom; nogmaals keert de volgorde om, daarna de nieuwste bovenaan
@@ -221,11 +221,22 @@ dialog-browse = Bladeren…
 dialog-cancel = Annuleren
 dialog-busy = Bezig…
 dialog-no-path = Er ontbreekt een pad
-dialog-no-status = Er is geen statusvenster om op te slaan
+dialog-no-status = Geen statusvenster om op te slaan
 dialog-browse-hint = Toont het bestandsvenster van het systeem
 dialog-up = Bovenliggende map
 dialog-home = Thuismap
 dialog-all-files = Alle bestanden
+file-kind-measurements = Metingen
+file-kind-mask = Maskers
+file-kind-own-tables = Mappen met tabellen
+file-kind-report = Rapporten
+file-kind-status = Tekst
+file-kind-table = Tabellen
+file-kind-contacts = Meetpunten
+file-kind-workpiece = Gesimuleerde werkstukken
+file-kind-probes = Tastertabellen
+file-kind-log = Meetprotocollen
+file-kind-program = NC-programma's
 dialog-move = Naar een ander item gaan
 dialog-recent-folders = Recente mappen
 dialog-exists = { $name } bestaat al. Vervangen?
@@ -262,7 +273,7 @@ tables-loaded = { $count ->
    *[other] { $count } tabellen worden gebruikt uit { $folder }
 }
 mask-loaded-with-warnings = { $name } is gelezen met waarschuwingen
-state-set-aside = De laatste toestand kon niet worden gelezen en is bewaard als { $path }; het venster begint met de standaardinstellingen.
+state-set-aside = De bewaarde toestand kon niet worden gelezen en is bewaard als { $path }; het venster begint met de standaardinstellingen.
 import-notice = { $name }: { $good ->
     [0] geen controle
     [one] 1 controle
@@ -272,7 +283,7 @@ import-notice = { $name }: { $good ->
     [one] 1 rij geweigerd
    *[other] { $bad } rijen geweigerd
 }
-measured-needs-limits = Er zijn geen grensmaten om aan te toetsen: typ eerst een passing
+measured-needs-limits = Geen grensmaten om aan te toetsen: typ eerst een passing
 
 keypad = Toetsenblok
 key = Toets
@@ -283,7 +294,7 @@ edge = Rand van het paneel: verplaatsen met de pijltjestoetsen
 key-letters = Letters
 key-figures = Cijfers
 key-shift = Hoofdletters of kleine letters
-key-back = Laatste wissen
+key-back = Laatste teken wissen
 key-clear = Leegmaken
 key-measure = Meten met Enter
 
@@ -356,12 +367,12 @@ tables-add-columns = Aan deze tabel toevoegen
 tables-up-to = Maten tot en met
 tables-make = Nieuwe tabel
 tables-order = bovenafwijking { $upper } µm ligt onder onderafwijking { $lower } µm
-tables-used = Grensmaten komen eerst uit { $name }, tot het venster wordt gesloten. Sla de tabel op in de map met eigen tabellen om die te houden.
+tables-used = Grensmaten komen eerst uit { $name }, tot het venster wordt gesloten. Sla de tabel op in de map met eigen tabellen om die te blijven gebruiken.
 tables-read-with-warnings = { $name } is gelezen met waarschuwingen
 tables-nothing-read = Het bestand bevat geen tabel met afwijkingen
-tables-nothing-to-save = Er is geen tabel om op te slaan
-tables-cell-unreadable = De velden van de gekozen cel zijn onleesbaar: verbeter ze eerst
-tables-too-many = { $count } tabellen zijn open met wijzigingen: sla er eerst een op
+tables-nothing-to-save = Er is geen tabel open
+tables-cell-unreadable = De waarden van de gekozen cel zijn onleesbaar: verbeter ze eerst
+tables-too-many = { $count } tabellen met niet-opgeslagen wijzigingen zijn open: sla er eerst een op
 tables-dialog-open = Tabel openen
 tables-dialog-save = Tabel opslaan
 ## Fit page
@@ -390,14 +401,14 @@ fit-scope = In
 fit-scope-all = Alle klassen
 fit-scope-basis = Eenheidsboring en eenheidsas
 fit-scope-preferred = Voorkeurs- en benoemde passingen
-fit-search-hint = De kleinste en de grootste speling; een negatieve waarde is een overmaat. 7 µm typen kan ook
+fit-search-hint = De kleinste en de grootste speling; een negatieve waarde is een overmaat. Een eenheid mag erbij: 7 µm
 fit-search-size = Voor het zoeken is een nominale maat nodig: typ die hierboven
 fit-found = { $count ->
     [one] 1 passing
    *[other] { $count } passingen
 }
 fit-found-first = de beste { $count } staan in de lijst
-fit-found-none = Geen passing. De dichtstbijzijnde
+fit-found-none = Geen passing voldoet. De dichtstbijzijnde
 fit-missed-by = { $below } µm te weinig, { $above } µm te veel
 fit-is-preferred = voorkeur
 
@@ -435,8 +446,8 @@ fit-check-shaft = As controleren
 fit-move = Naar een andere klasse
 fit-actual-clearance = Speling { $um } µm
 fit-actual-interference = Overmaat { $um } µm
-fit-conforms = Binnen wat de passing toestaat
-fit-conforms-not = Buiten wat de passing toestaat
+fit-conforms = Binnen de grensmaten van de passing
+fit-conforms-not = Buiten de grensmaten van de passing
 fit-with-good-shaft = Speling met een goede as
 fit-with-good-hole = Speling met een goede boring
 fit-at-temperature = Bij { $degrees } °C
@@ -528,7 +539,7 @@ cycle-picture-nominal = Nominale cirkel Ø { $diameter } mm.
 cycle-picture-legend-fitted = kleinste kwadraten
 cycle-picture-legend-nominal = nominaal
 cycle-picture-deviation = afwijking langs de normaal { $deviation } mm, zonder tolerantie
-cycle-picture-no-limits = Er zijn geen grenzen opgegeven: er is niets vergeleken
+cycle-picture-no-limits = Geen grenzen opgegeven: er is niets vergeleken
 cycle-picture-head-criterion = Criterium
 cycle-picture-head-centre-1 = Midden, 1e as
 cycle-picture-head-centre-2 = Midden, 2e as
@@ -549,6 +560,6 @@ cycle-picture-uncertainty = Spreiding s van een meetpunt geeft { $diameter } s i
 # De bewaarde toestand, en het venster zelf
 saved-broken = de bewaarde toestand is onleesbaar: { $reason }
 saved-newer = de bewaarde toestand heeft versie { $version }, dit programma kent versies tot en met { $known }
-window-no-display = geen beeldscherm: DISPLAY en WAYLAND_DISPLAY zijn niet ingesteld. Aanmelden op een bureaublad, verbinden met ssh -X, of de opdrachtregel gebruiken, die geen beeldscherm nodig heeft: fitcheck check "25 H7" --measured 25.012; zie fitcheck --help
-open-unknown = { $name } is geen bestand dat het venster opent; het opent metingen, meetprotocollen en meetpunten (.csv, .tsv, .txt, .html), NC-programma's (.h), tabellen (.tab), gesimuleerde werkstukken (.toml), tastsysteemtabellen (.tp) en maskers (.a)
+window-no-display = geen beeldscherm: DISPLAY en WAYLAND_DISPLAY zijn niet ingesteld. Meld aan op een bureaublad, maak verbinding met ssh -X, of gebruik de opdrachtregel, die geen beeldscherm nodig heeft: fitcheck check "25 H7" --measured 25.012; zie fitcheck --help
+open-unknown = { $name } is geen bestand dat het venster opent; het opent metingen, meetprotocollen en meetpunten (.csv, .tsv, .txt, .html), NC-programma's (.h), tabellen (.tab), gesimuleerde werkstukken (.toml), tastertabellen (.tp) en maskers (.a)
 window-not-opened = het venster kan niet worden geopend: { $reason }; de opdrachtregel werkt zonder beeldscherm, zie fitcheck --help

@@ -6,6 +6,7 @@ use serde_json::{Map, Value as Json, json};
 use super::{CliError, Io, Run, Source};
 use crate::length::Length;
 use crate::probing::cycle::{Check, LogTarget, Move, Value};
+use crate::report::csv::cell;
 use crate::words::Dialogue;
 
 /// What the contacts cannot tell, and where the log differs.
@@ -143,12 +144,12 @@ fn step(step: &Move) -> Json {
 }
 
 pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
-    let mut writer = csv::Writer::from_writer(&mut *io.out);
+    let mut writer = csv::Writer::from_writer(io.data());
     writer.write_record(["key", "name", "value", "unit"])?;
     for found in &run.result.results {
         let unit = if matches!(found.value, Value::Length(_)) { "mm" } else { "" };
         let (key, name, value) = (found.key.to_string(), found.name.to_string(), found.value.to_string());
-        writer.write_record([key.as_str(), &name, &value, unit])?;
+        writer.write_record([key.as_str(), &name, &cell(&value), unit])?;
     }
     let status = run.result.status.map_or("", crate::verdict::Status::word);
     writer.write_record(["status", "status", status, ""])?;
@@ -157,7 +158,7 @@ pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> 
 }
 
 pub(super) fn print_path_csv(path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
-    let mut writer = csv::Writer::from_writer(&mut *io.out);
+    let mut writer = csv::Writer::from_writer(io.data());
     let names = ["step", "phase", "touch", "from_x", "from_y", "from_z", "to_x", "to_y", "to_z"];
     writer.write_record(names)?;
     for (number, step) in (1_usize..).zip(path) {

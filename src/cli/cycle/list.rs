@@ -30,7 +30,7 @@ impl Row {
             name: parameter.name_in(language),
             question: parameter.question(language),
             unit: parameter.range.unit(),
-            range: parameter.range.short(),
+            range: parameter.range.short().to_string(),
             default: parameter.default_value().map(|value| value.to_string()),
             required: parameter.unset == Unset::Refused,
             predef: parameter.may_be_predef,
@@ -57,14 +57,14 @@ pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut 
     match format {
         Format::Json => io.json(&rows)?,
         Format::Csv => {
-            let mut writer = csv::Writer::from_writer(&mut *io.out);
+            let mut writer = csv::Writer::from_writer(io.data());
             for row in &rows {
                 writer.serialize(row)?;
             }
             writer.flush()?;
         }
         Format::Text => {
-            writeln!(io.out, "{} {}", cycle.code, cycle.name(language))?;
+            writeln!(io.people(), "{} {}", cycle.code, cycle.name(language))?;
             let width = rows.iter().map(|row| row.question.chars().count()).max().unwrap_or_default();
             for row in &rows {
                 let unit = row.unit.unwrap_or_default();
@@ -73,7 +73,7 @@ pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut 
                 let (key, question, range, unset) = (&row.key, row.question, &row.range, row.unset());
                 let line = format!("  {key:<6} {question:<width$}  {unset:<16} {range} {unit}");
                 let otherwise = row.otherwise.as_ref().map(|other| format!(", {other}")).unwrap_or_default();
-                writeln!(io.out, "{}{predef}{otherwise}{effect}", line.trim_end())?;
+                writeln!(io.people(), "{}{predef}{otherwise}{effect}", line.trim_end())?;
             }
         }
     }

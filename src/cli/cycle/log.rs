@@ -57,7 +57,7 @@ impl LogArgs {
                 LogTarget::Shown => (CliWarning::LogNone, self.log_folder.is_some()),
             };
             if is_due {
-                io.warn(&warning)?;
+                io.warn(&warning);
             }
             return Ok(Kept::default());
         };
@@ -72,7 +72,7 @@ impl LogArgs {
             _ => kept.other = None,
         }
         if let (LogTarget::Screen, Some(_)) = (result.log, &self.log_folder) {
-            io.warn(&CliWarning::LogOnScreen)?;
+            io.warn(&CliWarning::LogOnScreen);
         }
         Ok(kept)
     }

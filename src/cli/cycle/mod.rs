@@ -138,7 +138,7 @@ impl Args {
             // A block that the control would refuse is not written.
             self.cycle.checked(&inputs).about(&self.what())?;
             let block = probe_block::write(self.cycle, &inputs, language);
-            write!(io.out, "{}", block.said()?)?;
+            write!(io.data(), "{}", block.said()?)?;
             return Ok(Outcome::Done);
         }
         let (source, mut prober) = self.source(&inputs, io)?;
@@ -163,7 +163,7 @@ impl Args {
             Format::Json => answer::print_json(&run, io)?,
         }
         if let (Some(stop), Format::Csv) = (&result.stop, self.format) {
-            io.tell(stop)?;
+            io.tell(stop);
         }
         Ok(result.status.map_or(Outcome::Done, Outcome::Judged))
     }
@@ -204,7 +204,7 @@ impl Args {
             return Err(Located::in_line(block.line, other)).about(&name);
         }
         if let Some(unused) = &block.unused {
-            io.warn_about(&name, unused)?;
+            io.warn_about(&name, unused);
         }
         block.put_into(inputs).about(&name)
     }
@@ -271,7 +271,7 @@ pub(super) fn probe_table(path: Option<&Path>, io: &mut Io<'_>) -> Result<ProbeT
     let (name, bytes) = read_input(path, io)?;
     let table = ProbeTable::read(&bytes, &name).said()?;
     for warning in &table.warnings {
-        io.warn(warning)?;
+        io.warn(warning);
     }
     Ok(table)
 }
@@ -288,7 +288,7 @@ fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) -> Result<(),
     let Source::Contacts { file, contacts } = source else { return Ok(()) };
     let (count, unused) = (contacts.len(), probing::Source::Recorded(contacts).unused(path));
     if 0 < unused {
-        io.warn_about(file, &CliWarning::ContactsLeft { used: count - unused, count })?;
+        io.warn_about(file, &CliWarning::ContactsLeft { used: count - unused, count });
     }
     Ok(())
 }

@@ -6,67 +6,67 @@ use crate::probing::cycle::{LogTarget, Move, Unset};
 
 pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(), CliError> {
     let (cycle, result) = (run.cycle, run.result);
-    writeln!(io.out, "{} {}", cycle.code, cycle.name(run.language))?;
-    writeln!(io.out, "{}", source(run))?;
+    writeln!(io.people(), "{} {}", cycle.code, cycle.name(run.language))?;
+    writeln!(io.people(), "{}", source(run))?;
     let probe = result.inputs.probe();
     let (number, set_up, longest, ball) = (probe.number, probe.set_up, probe.longest_path, run.ball_radius);
-    writeln!(io.out, "probe {number}: SET_UP {set_up} mm, DIST {longest} mm, ball radius {ball} mm")?;
+    writeln!(io.people(), "probe {number}: SET_UP {set_up} mm, DIST {longest} mm, ball radius {ball} mm")?;
 
-    writeln!(io.out, "\nparameters")?;
+    writeln!(io.people(), "\nparameters")?;
     let shown =
         cycle.parameters.iter().filter(|parameter| parameter.has_effect || result.inputs.is_given(parameter.key));
     let width = shown.clone().map(|parameter| parameter.question(run.language).chars().count()).max().unwrap_or(0);
     for parameter in shown {
         let question = parameter.question(run.language);
         let value = match result.inputs.value(parameter.key) {
-            Some(value) => value.with_unit(),
+            Some(value) => value.with_unit().to_string(),
             None => "–".to_owned(),
         };
         let is_default = !result.inputs.is_given(parameter.key) && matches!(parameter.unset, Unset::Value(_));
         let note = if is_default { "  (default)" } else { "" };
-        writeln!(io.out, "  {:<6} {question:<width$}  {value}{note}", parameter.key)?;
+        writeln!(io.people(), "  {:<6} {question:<width$}  {value}{note}", parameter.key)?;
     }
 
-    writeln!(io.out, "\ncontacts")?;
+    writeln!(io.people(), "\ncontacts")?;
     for (number, contact) in (1_usize..).zip(&result.contacts) {
-        writeln!(io.out, "  {number}   {:>14.6} {:>14.6} {:>14.6}", contact.x, contact.y, contact.z)?;
+        writeln!(io.people(), "  {number}   {:>14.6} {:>14.6} {:>14.6}", contact.x, contact.y, contact.z)?;
     }
     if with_path {
-        writeln!(io.out)?;
+        writeln!(io.people())?;
         print_path(&result.path, io)?;
     }
 
-    writeln!(io.out, "\nresults")?;
+    writeln!(io.people(), "\nresults")?;
     for found in &result.results {
         let name = found.name.to_string();
-        writeln!(io.out, "  {:<5} {name:<36}  {}", found.key, found.value.with_unit())?;
+        writeln!(io.people(), "  {:<5} {name:<36}  {}", found.key, found.value.with_unit())?;
     }
-    writeln!(io.out)?;
+    writeln!(io.people())?;
     for check in &result.checks {
-        writeln!(io.out, "{check}")?;
+        writeln!(io.people(), "{check}")?;
     }
     match result.status {
-        Some(status) if result.checks.is_empty() => writeln!(io.out, "{status}: no limits were given")?,
-        Some(status) => writeln!(io.out, "{status}")?,
-        None => writeln!(io.out, "nothing to judge: no tolerance")?,
+        Some(status) if result.checks.is_empty() => writeln!(io.people(), "{status}: no limits were given")?,
+        Some(status) => writeln!(io.people(), "{status}")?,
+        None => writeln!(io.people(), "nothing to judge: no tolerance")?,
     }
     if let Some(stop) = &result.stop {
-        writeln!(io.out, "{stop}")?;
+        writeln!(io.people(), "{stop}")?;
     }
     match result.log {
         LogTarget::None => {}
-        LogTarget::File(name) => writeln!(io.out, "the control writes {name}")?,
-        LogTarget::Screen => writeln!(io.out, "the control stops and shows its log on screen")?,
-        LogTarget::Shown => writeln!(io.out, "the control shows the result on screen")?,
+        LogTarget::File(name) => writeln!(io.people(), "the control writes {name}")?,
+        LogTarget::Screen => writeln!(io.people(), "the control stops and shows its log on screen")?,
+        LogTarget::Shown => writeln!(io.people(), "the control shows the result on screen")?,
     }
     for remark in &result.remarks {
-        writeln!(io.out, "note: {remark}")?;
+        writeln!(io.people(), "note: {remark}")?;
     }
     for warning in warnings(run) {
-        writeln!(io.out, "note: {warning}")?;
+        writeln!(io.people(), "note: {warning}")?;
     }
     if let Some(log) = &run.log.shown {
-        write!(io.out, "\n{log}")?;
+        write!(io.people(), "\n{log}")?;
     }
     Ok(())
 }
@@ -83,14 +83,14 @@ fn source(run: &Run<'_>) -> String {
 
 /// The path of the ball's centre.
 pub(super) fn print_path(path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
-    writeln!(io.out, "path of the ball's centre")?;
+    writeln!(io.people(), "path of the ball's centre")?;
     for (number, step) in (1_usize..).zip(path) {
         let [x, y, z] = step.to;
         let touch = step.touch.map(|touch| format!("touch {touch}")).unwrap_or_default();
         let way = if step.about.is_some() { "on an arc" } else { "" };
         let phase = step.phase.word();
         let line = format!("  {number:>3}  {phase:<12} {touch:<8} to {x:>14.6} {y:>14.6} {z:>14.6}  {way}");
-        writeln!(io.out, "{}", line.trim_end())?;
+        writeln!(io.people(), "{}", line.trim_end())?;
     }
     Ok(())
 }

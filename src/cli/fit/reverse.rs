@@ -139,9 +139,9 @@ fn of_function(
     }
     let found = Found { total: candidates.len(), candidates, nearest: None };
     print(format, &Searched { size, wanted: None, function: Some(function), found: &found }, io)?;
-    io.out.flush()?;
+    io.people().flush()?;
     for refusal in &refused {
-        io.tell(refusal)?;
+        io.tell(refusal);
     }
     Ok(if refused.is_empty() { Outcome::Done } else { Outcome::BadData })
 }
@@ -164,7 +164,7 @@ fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(),
                 csv_line(cells(&CandidateFigures::COLUMNS, &figures), io)?;
             }
             if let Some(miss) = &searched.found.nearest {
-                io.tell(CliRemark::NoPair { nearest: nearest(miss) })?;
+                io.tell(CliRemark::NoPair { nearest: nearest(miss) });
             }
             Ok(())
         }
@@ -200,19 +200,19 @@ fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) -> std::io::Result<()> {
             let shown =
                 if candidates.len() < *total { format!(", the best {}", candidates.len()) } else { String::new() };
             let pairs = if *total == 1 { "pair" } else { "pairs" };
-            writeln!(io.out, "{size} mm, clearance {range}{negative}: {total} {pairs}{shown}")?;
+            writeln!(io.people(), "{size} mm, clearance {range}{negative}: {total} {pairs}{shown}")?;
         }
-        (None, Some(function)) => writeln!(io.out, "{size} mm, {function}")?,
+        (None, Some(function)) => writeln!(io.people(), "{size} mm, {function}")?,
         (None, None) => {}
     }
     for candidate in candidates {
         let pair = format!("{}/{}", candidate.hole, candidate.shaft);
         let range = text::range(candidate.minimum, candidate.maximum);
         let remarks = text::with_remarks(&candidate.kind(), candidate.hole, candidate.shaft);
-        writeln!(io.out, "  {pair:<10} {range:<20}  {remarks}")?;
+        writeln!(io.people(), "  {pair:<10} {range:<20}  {remarks}")?;
     }
     if let Some(miss) = miss {
-        writeln!(io.out, "  nearest is {}", nearest(miss))?;
+        writeln!(io.people(), "  nearest is {}", nearest(miss))?;
     }
     Ok(())
 }

@@ -9,6 +9,7 @@ use super::row::{COLUMNS, Row, Value};
 use crate::cli::{CliError, Format, Io};
 use crate::length::{Length, Unit};
 use crate::report::columns::names;
+use crate::report::csv::cell;
 use crate::verdict::Status;
 
 /// Prints the rows of one file after another.
@@ -24,8 +25,8 @@ impl Printer {
     pub(super) fn new(format: Format, io: &mut Io<'_>) -> Result<Self, CliError> {
         match format {
             Format::Text => {}
-            Format::Csv => writeln!(io.out, "{}", names(&COLUMNS).join(","))?,
-            Format::Json => write!(io.out, "[")?,
+            Format::Csv => writeln!(io.data(), "{}", names(&COLUMNS).join(","))?,
+            Format::Json => write!(io.data(), "[")?,
         }
         Ok(Self { format, is_first: true, table: Vec::new(), summary: Summary::default() })
     }
@@ -42,7 +43,7 @@ impl Printer {
         match self.format {
             Format::Text => self.table(io),
             Format::Csv => Ok(()),
-            Format::Json => Ok(writeln!(io.out, "{}]", if self.is_first { "" } else { "\n" })?),
+            Format::Json => Ok(writeln!(io.data(), "{}]", if self.is_first { "" } else { "\n" })?),
         }
     }
 
@@ -52,11 +53,11 @@ impl Printer {
             self.summary.count(&row);
             let Some(line) = row.line else { continue };
             for warning in &row.warnings {
-                writeln!(io.err, "{}:{line}: warning: {warning}", row.file)?;
+                io.tell(format_args!("{}:{line}: warning: {warning}", row.file));
             }
             if let Some(error) = &row.error {
                 let column = row.column.map_or(String::new(), |column| format!(":{column}"));
-                writeln!(io.err, "{}:{line}{column}: {error}", row.file)?;
+                io.tell(format_args!("{}:{line}{column}: {error}", row.file));
             }
             if row.measured.is_some() {
                 self.table.push(cells(&row));
@@ -78,7 +79,7 @@ impl Printer {
                 line(cells, &widths, io)?;
             }
         }
-        writeln!(io.out, "{}", self.summary)?;
+        writeln!(io.people(), "{}", self.summary)?;
         Ok(())
     }
 
@@ -89,7 +90,7 @@ impl Printer {
                 COLUMNS.iter().map(|(name, value)| format!("\"{name}\":{}", value(&row).json())).collect();
             let comma = if self.is_first { "" } else { "," };
             self.is_first = false;
-            write!(io.out, "{comma}\n  {{{}}}", members.join(","))?;
+            write!(io.data(), "{comma}\n  {{{}}}", members.join(","))?;
         }
         Ok(())
     }
@@ -122,9 +123,9 @@ impl Value<'_> {
 }
 
 fn csv(rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
-    let mut writer = csv::Writer::from_writer(&mut *io.out);
+    let mut writer = csv::Writer::from_writer(io.data());
     for row in rows {
-        writer.write_record(COLUMNS.map(|(_, value)| value(&row).csv()))?;
+        writer.write_record(COLUMNS.map(|(_, value)| cell(&value(&row).csv())))?;
     }
     writer.flush()?;
     Ok(())
@@ -163,7 +164,7 @@ fn line(cells: &[String; 9], widths: &[usize; 9], io: &mut Io<'_>) -> std::io::R
         cells.iter().zip(widths).zip(RIGHT).map(|((cell, &width), right)| {
             if right { format!("{cell:>width$}  ") } else { format!("{cell:<width$}  ") }
         });
-    writeln!(io.out, "{}", padded.collect::<String>().trim_end())
+    writeln!(io.people(), "{}", padded.collect::<String>().trim_end())
 }
 
 /// How many rows had which result.

@@ -15,7 +15,7 @@ use clap::ValueEnum;
 
 use super::args::dialogue;
 use super::cycle::{pairs, probe_table, read_workpiece};
-use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input, tame};
+use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::files::{self, FileError, Folders};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
@@ -134,7 +134,7 @@ impl Args {
             }
         };
         if let Some(fault) = ended.fault {
-            text::tell_fault(&fault, language.language(), io)?;
+            text::tell_fault(&fault, language.language(), io);
             return Ok(Outcome::BadData);
         }
         Ok(machine.status().map_or(Outcome::Done, Outcome::Judged))
@@ -144,7 +144,7 @@ impl Args {
         let (name, bytes, beside) = self.read_program(io)?;
         let (program, warnings) = Program::read(&bytes).about(&name)?;
         for warning in warnings {
-            io.warn_about(&name, &warning)?;
+            io.warn_about(&name, &warning);
         }
         let mut store = self.folders.iter().fold(beside, Folders::reading);
         for folder in &self.folders {

@@ -1,7 +1,7 @@
 //! The result of a run, for people: windows and trace on standard output, notes on standard error.
 
 use super::super::CliRemark;
-use super::{CliError, Ended, Io, Listener, place, tame};
+use super::{CliError, Ended, Io, Listener, place};
 use crate::message::Message;
 use crate::nc::machine::{BlockPlace, Fault, Machine, Pause, shown};
 use crate::words::{Language, Words};
@@ -23,11 +23,11 @@ impl Printer {
         let (file, line) = place(machine, program, *block);
         let program = machine.program(program);
         let Some(text) = program.and_then(|program| program.text_of(*block).next()) else { return Ok(()) };
-        writeln!(io.out, "{file}:{line}  {}", tame(text.trim()))?;
+        writeln!(io.people(), "{file}:{line}  {}", text.trim())?;
         for parameter in machine.changed() {
             match machine.variables().get(*parameter) {
-                Some(value) => writeln!(io.out, "    {parameter} = {}", tame(&shown(value)))?,
-                None => writeln!(io.out, "    {parameter} undefined")?,
+                Some(value) => writeln!(io.people(), "    {parameter} = {}", shown(value))?,
+                None => writeln!(io.people(), "    {parameter} undefined")?,
             }
         }
         Ok(())
@@ -46,9 +46,9 @@ impl Listener for Printer {
         let new = machine.windows().get(self.windows..).unwrap_or_default();
         for window in new {
             if 0 < self.windows && !self.trace {
-                writeln!(io.out)?;
+                writeln!(io.people())?;
             }
-            io.out.write_all(tame(&window.text).as_bytes())?;
+            io.people().write_all(window.text.as_bytes())?;
             self.windows += 1;
         }
         Ok(())
@@ -60,21 +60,21 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &m
     let words = Words::new(language);
     for pause in &ended.pauses {
         if matches!(pause, Pause::Tolerance(_) | Pause::Log) {
-            io.tell(format_args!("note: {}", words.told(pause)))?;
+            io.tell(format_args!("note: {}", words.told(pause)));
         }
     }
     for (BlockPlace { program, block }, remark) in machine.remarks() {
         let (file, line) = place(machine, program, *block);
-        io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)))?;
+        io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)));
     }
     if 0 < machine.unlisted_remarks() {
         let more = Message::new("machine-remark-more").text("count", machine.unlisted_remarks());
-        io.tell(format_args!("note: {}", words.say(&more)))?;
+        io.tell(format_args!("note: {}", words.say(&more)));
     }
     for run in machine.cycles() {
         let (file, line) = place(machine, &run.place.program, run.place.block);
         for remark in &run.result.remarks {
-            io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)))?;
+            io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)));
         }
     }
     let mut written: Vec<_> =
@@ -83,12 +83,12 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &m
     // A file that is printed to a thousand times is one file.
     written.dedup();
     for path in written {
-        io.tell(CliRemark::Wrote { path: path.to_string() })?;
+        io.tell(CliRemark::Wrote { path: path.to_string() });
     }
     Ok(())
 }
 
 /// Why the run stopped.
-pub(super) fn tell_fault(fault: &Fault, language: Language, io: &mut Io<'_>) -> Result<(), CliError> {
-    io.fail(Words::new(language).told(fault))
+pub(super) fn tell_fault(fault: &Fault, language: Language, io: &mut Io<'_>) {
+    io.fail(Words::new(language).told(fault));
 }

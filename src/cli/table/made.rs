@@ -130,7 +130,7 @@ impl Choice {
         let table = made.said()?;
         for (class, range) in compare(&table, options).cells() {
             let (over, to) = table.ranges().nth(range).unwrap_or_default();
-            io.warn_about(name, &CliWarning::EmptyCell { class, over, to })?;
+            io.warn_about(name, &CliWarning::EmptyCell { class, over, to });
         }
         Ok(table)
     }
@@ -162,10 +162,10 @@ impl ExportArgs {
         }
         match output {
             Some(path) => save(path, &bytes, io)?,
-            None => heard_or_not(io.out.write_all(&bytes))?,
+            None => heard_or_not(io.data().write_all(&bytes))?,
         }
         if let Some(warning) = tables.iter().find_map(|table| (format.warning)(table)) {
-            io.warn(&warning)?;
+            io.warn(&warning);
         }
         Ok(Outcome::Done)
     }

@@ -96,7 +96,7 @@ impl Args {
                 // The other files are still compared.
                 Err(error) => {
                     bad = true;
-                    io.fail(error)?;
+                    io.fail(error);
                 }
             }
         }
@@ -182,7 +182,7 @@ enum Sentence<'a> {
 fn write_text(one: &Verified, io: &mut Io<'_>) -> Result<(), CliError> {
     let (table, found) = (&one.table, &one.found);
     for difference in &found.differences {
-        heard_or_not(writeln!(io.out, "{}", sentence(one, difference)))?;
+        heard_or_not(writeln!(io.people(), "{}", sentence(one, difference)))?;
     }
     let (name, classes, ranges, cells) = (table.name(), one.classes(), table.ends().len(), found.compared);
     let told = match cells {
@@ -191,7 +191,7 @@ fn write_text(one: &Verified, io: &mut Io<'_>) -> Result<(), CliError> {
     };
     let own: Vec<String> = found.unknown.iter().map(ToString::to_string).collect();
     let told = if own.is_empty() { told } else { Sentence::Own { table: told.message(), own: own.join(" ") } };
-    heard_or_not(writeln!(io.out, "{told}"))
+    heard_or_not(writeln!(io.people(), "{told}"))
 }
 
 /// `own.tab:12:8: H7 over 18 up to 30 mm: +22 / 0 µm, ISO 286 has +21 / 0 µm: upper 1 µm more`
@@ -232,7 +232,7 @@ fn write_csv(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {
         }
     }
     let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-    heard_or_not(io.out.write_all(&bytes))
+    heard_or_not(io.data().write_all(&bytes))
 }
 
 fn write_json(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {

@@ -44,7 +44,7 @@ impl Log {
             deviation: figure.deviation.map(round),
         };
         Self {
-            title: labels.title(self.cycle).to_owned(),
+            title: labels.title(self.cycle).unwrap_or_default().to_owned(),
             date: self.date,
             time: self.time.map(whole_seconds),
             program: self.program.clone(),

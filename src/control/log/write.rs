@@ -33,6 +33,13 @@ pub enum LogWriteError {
         /// The log's cycle.
         cycle: u16,
     },
+    /// The words of logs have no title for the cycle: it is new, and its title is still to be written.
+    NoTitle {
+        /// The log's cycle.
+        cycle: u16,
+        /// The file of the program's source in which the title is missing.
+        file: String,
+    },
     /// The control has only millimetres and inches.
     Unit,
     /// A character that the file cannot hold.
@@ -141,14 +148,19 @@ fn reads_back(read: &[Result<Log, LogError>], log: &Log, language: Dialogue) -> 
 }
 
 fn text(log: &Log, language: Dialogue) -> Result<String, LogWriteError> {
-    let labels = Labels::of(language);
+    text_with(Labels::of(language), log, language)
+}
+
+fn text_with(labels: &Labels, log: &Log, language: Dialogue) -> Result<String, LogWriteError> {
     let wrong = LogWriteError::Cycle { cycle: log.cycle };
     let layout = layout(log.cycle).filter(|layout| fits(layout, &log.figures)).ok_or(wrong)?;
     if log.unit == Unit::Micrometre {
         return Err(LogWriteError::Unit);
     }
+    let no_title = || LogWriteError::NoTitle { cycle: log.cycle, file: format!("assets/logs/{language}.toml") };
+    let title = labels.title(log.cycle).ok_or_else(no_title)?;
     let mut page = Page { text: String::new(), unit: log.unit };
-    page.line(labels.title(log.cycle));
+    page.line(title);
     page.line("");
     page.header(log, labels)?;
     page.figures(layout, &log.figures, labels);
@@ -261,4 +273,20 @@ fn sound(text: &str) -> Result<&str, LogWriteError> {
 /// Latin-1. Every text in a log is [`sound`]; a test proves the same for the words.
 fn encode(text: &str) -> Vec<u8> {
     text.chars().map(|c| u8::try_from(c).unwrap_or(b'?')).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cycle_whose_title_is_missing_says_so_and_in_which_file() {
+        let words = crate::shipped::text(crate::shipped::LOGS, "nl.toml");
+        let kept: Vec<_> = words.lines().filter(|line| !line.starts_with("427 =")).collect();
+        assert_eq!(kept.len() + 1, words.lines().count());
+        let labels = toml::from_str(&kept.join("\n")).unwrap();
+        let log = Log::new(427, vec![Figure::bare(None, "5.0231".parse().unwrap())], Unit::Millimetre);
+        let error = text_with(&labels, &log, Dialogue::Nl).unwrap_err();
+        assert_eq!(error.to_string(), "the log of cycle 427 has no title in assets/logs/nl.toml");
+    }
 }

@@ -147,8 +147,7 @@ fn main_value(words: &Words, result: &CycleResult) -> Option<String> {
 fn value(words: &Words, value: &Value, decimals: usize) -> String {
     match value {
         Value::Length(length) => format!("{} mm", words.mm(*length, decimals)),
-        Value::Text(text) => text.clone(),
-        other => words.number(&other.with_unit()),
+        other => words.say(&other.with_unit()),
     }
 }
 

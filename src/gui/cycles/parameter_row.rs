@@ -101,7 +101,7 @@ pub(super) fn standing_text(view: &View<'_>, standing: &Standing) -> String {
         Standing::Required => view.text("cycles-must-be-given"),
         Standing::Given | Standing::Optional => view.text("cycles-may-be-left-out"),
         Standing::Default(value) => {
-            let value = view.words.number(&value.with_unit());
+            let value = view.words.say(&value.with_unit());
             view.words.say(&Message::new("cycles-default").text("value", value))
         }
     }

@@ -123,7 +123,7 @@ fn allowed(view: &View<'_>, parameter: &Parameter) -> String {
     if matches!(parameter.range, Range::Tool | Range::Band) {
         return view.words.told(&parameter.range);
     }
-    let range = view.words.number(&parameter.range.short());
+    let range = view.words.say(&parameter.range.short());
     let unit = parameter.range.unit().unwrap_or_default();
     view.words.say(&Message::new("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
 }

@@ -65,6 +65,16 @@ display!(Fault);
 
 impl std::error::Error for Fault {}
 
+/// What a block counts with a whole number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "machine-counted")]
+pub enum Counted {
+    /// The row of a table.
+    Row,
+    /// What a word of the block says: `BEG`, `LEN`.
+    Word(#[say(name = "word")] &'static str),
+}
+
 /// Why a run stopped.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "machine", error)]
@@ -108,7 +118,7 @@ pub enum FaultKind {
         /// The parameter.
         parameter: Parameter,
         /// What it holds.
-        value: String,
+        value: f64,
     },
     /// A parameter without a value.
     Undefined(#[say(name = "parameter")] Parameter),
@@ -134,7 +144,7 @@ pub enum FaultKind {
     /// A number with decimals, or below zero, where a count is needed.
     NotWhole {
         /// What is counted.
-        what: &'static str,
+        what: Counted,
         /// What was given.
         value: f64,
     },

@@ -125,7 +125,7 @@ impl Flow {
         } else {
             let value = values.number(*parameter)?;
             let number = whole(value).and_then(|number| u32::try_from(number).ok());
-            let no_label = || FaultKind::NoLabel { parameter: *parameter, value: value.to_string() };
+            let no_label = || FaultKind::NoLabel { parameter: *parameter, value };
             Target::Number(number.ok_or_else(no_label)?)
         };
         Ok(program.label(&label)?)

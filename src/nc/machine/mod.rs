@@ -38,7 +38,7 @@ mod values;
 pub use budget::{Budget, Settings, UsedUp};
 pub use contacts::Contacts;
 pub use cycles::CycleRun;
-pub use fault::{BlockPlace, Fault, FaultKind};
+pub use fault::{BlockPlace, Counted, Fault, FaultKind};
 pub use flow::Call;
 pub use moves::{Travel, TravelKind};
 pub use path::{NcPath, PathError};

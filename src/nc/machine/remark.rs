@@ -6,7 +6,7 @@ use super::budget::Budget;
 use super::fault::BlockPlace;
 use super::path::NcPath;
 use crate::control::variables::Parameter;
-use crate::message::{Message, Say};
+use crate::message::{Arg, Message, Say};
 
 /// Something worth knowing.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -24,7 +24,7 @@ pub enum Remark {
         /// The parameter.
         parameter: Parameter,
         /// Its value.
-        value: String,
+        value: Arg,
     },
     /// FN 16, FN 27 or a measuring log wrote no file: no folder was chosen.
     NotWritten {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::fault::{BlockPlace, FaultKind};
+use super::fault::{BlockPlace, Counted, FaultKind};
 use super::files::Files;
 use super::path::NcPath;
 use super::remark::{Remark, Remarks};
@@ -139,7 +139,7 @@ impl Tables {
         values: &Values,
     ) -> Result<Vec<(Parameter, Value)>, FaultKind> {
         let open = self.open_table()?;
-        let row = values.whole("row", row)?;
+        let row = values.whole(Counted::Row, row)?;
         let columns = names(columns, values)?;
         let cells = columns.iter().zip(following(to));
         cells.map(|(column, to)| Ok((to, open.read(row, column, to)?))).collect()
@@ -154,7 +154,7 @@ impl Tables {
         values: &Values,
     ) -> Result<Cells, FaultKind> {
         let open = self.open_table()?;
-        let row = values.whole("row", row)?;
+        let row = values.whole(Counted::Row, row)?;
         let columns = names(columns, values)?;
         let cells = columns.iter().zip(following(from)).map(|(column, from)| {
             let number = open.column(column)?;

@@ -6,7 +6,7 @@
 
 use super::Circle;
 use crate::length::Length;
-use crate::message::Say;
+use crate::message::{Say, printed};
 use crate::probing::contact::Contact;
 
 /// Rounding of a coordinate, in units of the largest coordinate: contacts that are closer than this to each other, or
@@ -53,13 +53,33 @@ pub enum CircleError {
         value: f64,
     },
     /// A coordinate or a diameter is beyond [`Length::MAX`].
-    #[say(args(value = brief(*value), most = Length::MAX))]
+    #[say(args(value = printed(&brief(*value)), most = Length::MAX))]
     TooLarge {
-        /// `contact 3: x`, or `diameter`.
-        what: String,
+        /// Which one.
+        what: TooLarge,
         /// What was given or found, in millimetres.
         #[say(skip)]
         value: f64,
+    },
+}
+
+/// What is beyond [`Length::MAX`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "circle-part")]
+pub enum TooLarge {
+    /// A coordinate of a contact.
+    Contact {
+        /// Which contact, counted from 1.
+        contact: usize,
+        /// The axis, `x` or `y`.
+        axis: char,
+    },
+    /// The diameter.
+    Diameter,
+    /// A coordinate of the centre.
+    Centre {
+        /// The axis, `x` or `y`.
+        axis: char,
     },
 }
 
@@ -223,7 +243,7 @@ fn check_numbers(contacts: &[Contact]) -> Result<(), CircleError> {
                 return Err(CircleError::NotFinite { contact, axis, value });
             }
             if Length::MAX.to_mm_f64() < value.abs() {
-                return Err(CircleError::TooLarge { what: format!("contact {contact}: {axis}"), value });
+                return Err(CircleError::TooLarge { what: TooLarge::Contact { contact, axis }, value });
             }
         }
     }

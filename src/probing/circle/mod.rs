@@ -27,7 +27,7 @@ mod warning;
 mod zone;
 
 use super::contact::Contact;
-pub use frame::CircleError;
+pub use frame::{CircleError, TooLarge};
 use frame::{Frame, count_f64};
 pub use two_point::TwoPoint;
 pub use uncertainty::Uncertainty;

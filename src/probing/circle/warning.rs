@@ -1,7 +1,7 @@
 //! What an evaluation cannot tell, and what is suspicious about its contacts.
 
 use super::{Evaluation, MOST_FOR_ZONE};
-use crate::message::Say;
+use crate::message::{Say, printed};
 
 /// An arc from here on counts as half a circle or more: rounding may make a half circle a little too short.
 const HALF_CIRCLE_DEG: f64 = 180.0 - 1e-6;
@@ -23,8 +23,10 @@ pub enum CircleWarning {
     /// Less than half a circle.
     ShortArc {
         /// The covered arc in degrees, one decimal.
+        #[say(with = printed)]
         arc: String,
         /// u(D) against 3 x 120°, one decimal.
+        #[say(with = printed)]
         factor: String,
     },
     /// The minimum circumscribed circle of a short arc.
@@ -54,6 +56,7 @@ pub enum CircleWarning {
         /// Number of the second.
         second: usize,
         /// By how much in micrometres, two decimals.
+        #[say(with = printed)]
         short: String,
     },
     /// More warnings of the same kind as the one before.
@@ -67,6 +70,7 @@ pub enum CircleWarning {
         /// Its number, from 1.
         contact: usize,
         /// Its residual in millimetres, four decimals.
+        #[say(with = printed)]
         apart: String,
     },
 }

@@ -110,7 +110,7 @@ impl Say for Range {
             Self::Angle { most, smallest } => {
                 Message::new("cycle-angle-size-range").mm("smallest", smallest).mm("most", most)
             }
-            Self::OneOf(allowed) => Message::new("cycle-one-of").text("allowed", listed(allowed)),
+            Self::OneOf(allowed) => Message::new("cycle-one-of").mm("allowed", listed(allowed)),
             Self::Number { most } => Message::new("cycle-number-range").text("most", most),
             Self::Tool => Message::new("cycle-tool-range"),
             Self::Band => Message::new("cycle-band-range"),
@@ -129,17 +129,22 @@ impl Range {
     }
 
     /// The range as a table shows it: `-99999.9999 … 99999.9999`, `0, 1, 2`.
-    pub fn short(&self) -> String {
+    pub fn short(&self) -> Message {
+        let figures = |text: String| Message::new("cycle-range").mm("range", text);
         match self {
-            Self::Length { least, most } => format!("{least} … {most}"),
+            Self::Length { least, most } => figures(format!("{least} … {most}")),
             Self::Angle { most, smallest } => {
                 let [most, smallest] = [most, smallest].map(|angle| angle.to_string().trim_end_matches('°').to_owned());
-                if smallest == "0" { format!("-{most} … {most}") } else { format!("±{smallest} … ±{most}") }
+                figures(if smallest == "0" {
+                    format!("-{most} … {most}")
+                } else {
+                    format!("±{smallest} … ±{most}")
+                })
             }
-            Self::OneOf(allowed) => listed(allowed),
-            Self::Number { most } => format!("-{most} … {most}"),
-            Self::Tool => format!("0 … {HIGHEST_TOOL}, or at most {LONGEST_TEXT} characters"),
-            Self::Band => "0.4-0.1, 0.4, -0.1 or nothing".to_owned(),
+            Self::OneOf(allowed) => figures(listed(allowed)),
+            Self::Number { most } => figures(format!("-{most} … {most}")),
+            Self::Tool => Message::new("cycle-range-tool").mm("highest", HIGHEST_TOOL).text("longest", LONGEST_TEXT),
+            Self::Band => Message::new("cycle-range-band"),
         }
     }
 }
@@ -350,10 +355,8 @@ impl Parameter {
 
     /// The error for a value outside the range.
     pub(super) fn out_of_range(&self, value: &Value) -> CycleError {
-        // A tool's name is quoted as it is; a figure is printed as each language prints it.
-        let given =
-            if let Value::Text(name) = value { Arg::Text(name.clone()) } else { Arg::Number(value.with_unit()) };
-        CycleError::OutOfRange { key: self.key, name: self.called(), given: Box::new(given), range: self.range }
+        let given = Box::new(Arg::Message(value.with_unit()));
+        CycleError::OutOfRange { key: self.key, name: self.called(), given, range: self.range }
     }
 }
 

@@ -109,13 +109,17 @@ const INCIDENCE: Texts = &[(Nl, "INVALSHOEK"), (It, "ANGOLO DI INCLINAZ.")];
 
 /// For turning tools only; accepted for programs of milling and turning machines.
 pub(in crate::probing) const REVERSED: Parameter = Parameter::choice(Key::Q(498), "REVERSE TOOL", CHOSEN)
-    .asked(&[(Nl, "Gereedschap omkeren (0=nee/1=ja)?")])
+    .asked(&[
+        (En, "Reverse tool (0=no/1=yes)?"),
+        (Nl, "Gereedschap omkeren (0=nee/1=ja)?"),
+        (It, "Inversione utensile (0=no/1=sì)?"),
+    ])
     .named(REVERSE_TOOL)
     .or(0)
     .without_effect();
 /// For turning tools only; accepted for programs of milling and turning machines.
 pub(in crate::probing) const INCIDENCE_ANGLE: Parameter = Parameter::angle(Key::Q(531), "ANGLE OF INCIDENCE", 180, 0)
-    .asked(&[(Nl, "Invalshoek?")])
+    .asked(&[(En, "Angle of incidence?"), (Nl, "Invalshoek?"), (It, "Angolo di inclinazione?")])
     .named(INCIDENCE)
     .or(0)
     .without_effect();

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::length::{Length, LengthError};
+use crate::message::Message;
 use crate::tolerance::Deviations;
 
 /// A quarter turn in ten-thousandths of a degree.
@@ -130,12 +131,13 @@ fn band_text(band: &Deviations) -> String {
 }
 
 impl Value {
-    /// The value with its unit, for errors.
-    pub fn with_unit(&self) -> String {
+    /// The value with its unit. A text stays as it is; numbers are printed as each language prints them.
+    pub fn with_unit(&self) -> Message {
         match self {
-            Self::Length(length) => format!("{length} mm"),
-            Self::Band(None) => "no tolerance".to_owned(),
-            _ => self.to_string(),
+            Self::Length(length) => Message::new("cycle-value-length").mm("value", length),
+            Self::Band(None) => Message::new("cycle-value-no-tolerance"),
+            Self::Text(text) => Message::new("cycle-value").text("value", text),
+            _ => Message::new("cycle-value").mm("value", self),
         }
     }
 }

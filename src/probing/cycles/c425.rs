@@ -27,15 +27,15 @@ pub(super) const CYCLE: Cycle = Cycle {
     parameters: &[
         Parameter::coordinate(Key::Q(328), "STARTNG PNT 1ST AXIS")
             .named(&[(Nl, "STARTPUNT 1E AS")])
-            .asked(&[(Nl, "Startpunt 1e as?")])
+            .asked(&[(En, "Starting point in 1st axis?"), (Nl, "Startpunt 1e as?")])
             .means(Meaning::Start(Axis::First)),
         Parameter::coordinate(Key::Q(329), "STARTNG PNT 2ND AXIS")
             .named(&[(Nl, "STARTPUNT 2E AS")])
-            .asked(&[(Nl, "Startpunt 2e as?")])
+            .asked(&[(En, "Starting point in 2nd axis?"), (Nl, "Startpunt 2e as?")])
             .means(Meaning::Start(Axis::Second)),
         Parameter::coordinate(Key::Q(310), "OFFS. 2ND MEASUREMNT")
             .named(&[(Nl, "VERSCHUIVING 2E MET.")])
-            .asked(&[(Nl, "Verschuiving 2e meting?")])
+            .asked(&[(En, "Offset for 2nd measurement?"), (Nl, "Verschuiving 2e meting?")])
             .or(0)
             .means(Meaning::Shift),
         AXIS,

@@ -27,11 +27,11 @@ pub(super) const CYCLE: Cycle = Cycle {
         POINT_2.means(Meaning::FirstPoint(Axis::Second)),
         Parameter::coordinate(Key::Q(265), "2ND POINT 1ST AXIS")
             .named(&[(Nl, "2E PUNT 1E AS")])
-            .asked(&[(Nl, "2e meetpunt 1e as?")])
+            .asked(&[(En, "2nd meas. point 1st axis?"), (Nl, "2e meetpunt 1e as?")])
             .means(Meaning::SecondPoint(Axis::First)),
         Parameter::coordinate(Key::Q(266), "2ND POINT 2ND AXIS")
             .named(&[(Nl, "2E PUNT 2E AS")])
-            .asked(&[(Nl, "2e meetpunt 2e as?")])
+            .asked(&[(En, "2nd meas. point 2nd axis?"), (Nl, "2e meetpunt 2e as?")])
             .means(Meaning::SecondPoint(Axis::Second)),
         AXIS,
         MEASURING_HEIGHT,

@@ -60,7 +60,7 @@ pub(super) const CYCLE: Cycle = Cycle {
             .means(Meaning::StopOnUndersize),
         Parameter::size(RETRACT, "RETRACTION")
             .named(&[(Nl, "TERUGTREKAFSTAND")])
-            .asked(&[(Nl, "Terugtrekafstand?")])
+            .asked(&[(En, "Retraction distance?"), (Nl, "Terugtrekafstand?")])
             .or_nothing()
             .means(Meaning::Retract),
     ],

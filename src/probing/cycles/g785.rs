@@ -43,50 +43,58 @@ pub(super) const CYCLE: Cycle = Cycle {
     parameters: &[
         Parameter::choice(PLANE, "PLANE", &[0, 1, 2])
             .named(&[(Nl, "VLAK")])
-            .asked(&[(De, "Nullpunkt-Verschiebung Art"), (Nl, "Vlak (0=X/Y, 1=Z/X, 2=Y/Z)")])
+            .asked(&[
+                (En, "Plane (0=X/Y, 1=Z/X, 2=Y/Z)"),
+                (De, "Nullpunkt-Verschiebung Art"),
+                (Nl, "Vlak (0=X/Y, 1=Z/X, 2=Y/Z)"),
+            ])
             .or(0)
             .means(Meaning::Plane),
         Parameter::choice(SIDE, "INSIDE / OUTSIDE", &[0, 1])
             .named(&[(Nl, "BINNEN / BUITEN")])
-            .asked(&[(De, "Innen / Aussen"), (Nl, "Binnen / buiten")])
+            .asked(&[(En, "Inside / outside (0/1)"), (De, "Innen / Aussen"), (Nl, "Binnen / buiten")])
             .or(0)
             .means(Meaning::InsideOutside),
         Parameter::coordinate(PATH, PATH_NAME)
             .named(PATH_NAMES)
-            .asked(&[(De, "Messweg inkremental (Vorzeichen)"), (Nl, "Tastweg incrementeel (met teken)")])
+            .asked(&[
+                (En, "Measuring path (with sign)"),
+                (De, "Messweg inkremental (Vorzeichen)"),
+                (Nl, "Tastweg incrementeel (met teken)"),
+            ])
             .means(Meaning::Path),
         Parameter::angle(FIRST_ANGLE, "ANGLE OF 1ST TOUCH", 360, 0)
             .named(&[(Nl, "HOEK 1E METING")])
-            .asked(&[(De, "Winkel 1. Messung"), (Nl, "Hoek 1e meting")])
+            .asked(&[(En, "Angle of 1st measurement"), (De, "Winkel 1. Messung"), (Nl, "Hoek 1e meting")])
             .or(0)
             .means(Meaning::FirstAngle),
         Parameter::angle(STEP, "ANGLE STEP", 360, 0)
             .named(&[(Nl, "HOEKSTAP")])
-            .asked(&[(De, "Winkel inkremental"), (Nl, "Hoekstap incrementeel")])
+            .asked(&[(En, "Incremental angle"), (De, "Winkel inkremental"), (Nl, "Hoekstap incrementeel")])
             .means(Meaning::Step),
         Parameter::size(START_DIAMETER, "START DIAMETER")
             .named(&[(Nl, "STARTDIAMETER")])
-            .asked(&[(De, "Startdurchmesser"), (Nl, "Startdiameter")])
+            .asked(&[(En, "Start diameter"), (De, "Startdurchmesser"), (Nl, "Startdiameter")])
             .or_nothing()
             .means(Meaning::StartDiameter),
         Parameter::coordinate(HEIGHT, "MEASURING HEIGHT")
             .named(&[(Nl, "MEETHOOGTE")])
-            .asked(&[(De, "Position Zustellrichtung"), (Nl, "Meethoogte")])
+            .asked(&[(En, "Measuring height"), (De, "Position Zustellrichtung"), (Nl, "Meethoogte")])
             .or_nothing()
             .means(Meaning::MeasuringHeight),
         Parameter::coordinate(CENTRE_1, "CENTER IN 1ST AXIS")
             .named(&[(Nl, "MIDDEN 1E AS")])
-            .asked(&[(De, "Kreismittelpunkt Achse 1"), (Nl, "Midden 1e as")])
+            .asked(&[(En, "Circle center 1st axis"), (De, "Kreismittelpunkt Achse 1"), (Nl, "Midden 1e as")])
             .or(0)
             .means(Meaning::Centre(Axis::First)),
         Parameter::coordinate(CENTRE_2, "CENTER IN 2ND AXIS")
             .named(&[(Nl, "MIDDEN 2E AS")])
-            .asked(&[(De, "Kreismittelpunkt Achse 2"), (Nl, "Midden 2e as")])
+            .asked(&[(En, "Circle center 2nd axis"), (De, "Kreismittelpunkt Achse 2"), (Nl, "Midden 2e as")])
             .or(0)
             .means(Meaning::Centre(Axis::Second)),
         Parameter::size(PERMITTED, "MAXIMUM DIFFERENCE")
             .named(&[(Nl, "MAXIMAAL VERSCHIL")])
-            .asked(&[(De, "Maximale Abweichung"), (Nl, "Maximaal verschil")])
+            .asked(&[(En, "Maximum difference"), (De, "Maximale Abweichung"), (Nl, "Maximaal verschil")])
             .or_nothing()
             .means(Meaning::Difference),
         Parameter::coordinate(Key::Word("Q"), "Q").or(0).without_effect(),

@@ -22,7 +22,7 @@ use crate::probing::cycle::{
 use crate::probing::simulated::{Surface, Walls};
 use crate::probing::vector::along;
 use crate::tolerance::Feature;
-use crate::words::Dialogue::Nl;
+use crate::words::Dialogue::{En, Nl};
 
 /// The declaration, in the order of NC programs.
 pub(super) const PARAMETERS: [Parameter; 17] = [
@@ -30,11 +30,11 @@ pub(super) const PARAMETERS: [Parameter; 17] = [
     CENTRE_2,
     Parameter::size(Key::Q(282), "FIRST SIDE LENGTH")
         .named(&[(Nl, "LENGTE 1E ZIJDE")])
-        .asked(&[(Nl, "Lengte 1e zijde (nom. waarde)?")])
+        .asked(&[(En, "1st side length (nominal value)?"), (Nl, "Lengte 1e zijde (nom. waarde)?")])
         .means(Meaning::Side(Axis::First)),
     Parameter::size(Key::Q(283), "2ND SIDE LENGTH")
         .named(&[(Nl, "LENGTE 2E ZIJDE")])
-        .asked(&[(Nl, "Lengte 2e zijde (nom. waarde)?")])
+        .asked(&[(En, "2nd side length (nominal value)?"), (Nl, "Lengte 2e zijde (nom. waarde)?")])
         .means(Meaning::Side(Axis::Second)),
     MEASURING_HEIGHT,
     SET_UP_CLEARANCE,
@@ -42,22 +42,22 @@ pub(super) const PARAMETERS: [Parameter; 17] = [
     MOVE_TO_CLEARANCE,
     Parameter::size(Key::Q(284), "MAX. LIMIT 1ST SIDE")
         .named(&[(Nl, "MAX. MAAT 1E ZIJDE")])
-        .asked(&[(Nl, "Maximale grensmaat 1e zijde?")])
+        .asked(&[(En, "Max. size limit 1st side length?"), (Nl, "Maximale grensmaat 1e zijde?")])
         .or(0)
         .means(Meaning::MaximumSide(Axis::First)),
     Parameter::size(Key::Q(285), "MIN. LIMIT 1ST SIDE")
         .named(&[(Nl, "MIN. MAAT 1E ZIJDE")])
-        .asked(&[(Nl, "Minimale grensmaat 1e zijde?")])
+        .asked(&[(En, "Min. size limit 1st side length?"), (Nl, "Minimale grensmaat 1e zijde?")])
         .or(0)
         .means(Meaning::MinimumSide(Axis::First)),
     Parameter::size(Key::Q(286), "MAX. LIMIT 2ND SIDE")
         .named(&[(Nl, "MAX. MAAT 2E ZIJDE")])
-        .asked(&[(Nl, "Maximale grensmaat 2e zijde?")])
+        .asked(&[(En, "Max. size limit 2nd side length?"), (Nl, "Maximale grensmaat 2e zijde?")])
         .or(0)
         .means(Meaning::MaximumSide(Axis::Second)),
     Parameter::size(Key::Q(287), "MIN. LIMIT 2ND SIDE")
         .named(&[(Nl, "MIN. MAAT 2E ZIJDE")])
-        .asked(&[(Nl, "Minimale grensmaat 2e zijde?")])
+        .asked(&[(En, "Min. size limit 2nd side length?"), (Nl, "Minimale grensmaat 2e zijde?")])
         .or(0)
         .means(Meaning::MinimumSide(Axis::Second)),
     CENTRE_TOLERANCE_1,

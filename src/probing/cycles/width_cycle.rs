@@ -22,7 +22,7 @@ pub(super) const AXIS: Parameter = Parameter::choice(Key::Q(272), "MEASURING AXI
 /// The nominal width.
 pub(super) const WIDTH: Parameter = Parameter::size(Key::Q(311), "NOMINAL LENGTH")
     .named(&[(Nl, "NOMINALE BREEDTE")])
-    .asked(&[(Nl, "Nominale breedte?")])
+    .asked(&[(En, "Nominal length?"), (Nl, "Nominale breedte?")])
     .means(Meaning::Width);
 /// The largest permitted width.
 pub(super) const MAXIMUM: Parameter = Parameter::size(Key::Q(288), "MAXIMUM LIMIT")

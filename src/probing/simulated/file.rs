@@ -34,7 +34,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Face, FreePoint, Lobes, Machine, Probe, Shape, Surface, Walls, Workpiece, WorkpieceError, in_range};
+use super::figure::Table;
+use super::{
+    Face, Figure, FreePoint, Lobes, Machine, Probe, Shape, Surface, Walls, Workpiece, WorkpieceError, in_range,
+};
 use crate::message::Say;
 use crate::probing::cycle::Plane;
 use crate::tolerance::Feature;
@@ -262,8 +265,8 @@ impl Simulation {
     }
 
     fn check(&self) -> Result<(), WorkpieceError> {
-        in_range("temperature", self.temperature, -100.0, 200.0)?;
-        in_range("expansion", self.expansion, 0.0, 200.0)?;
+        in_range(Figure::Temperature, self.temperature, -100.0, 200.0)?;
+        in_range(Figure::Expansion, self.expansion, 0.0, 200.0)?;
         self.probe.check()?;
         self.surface.check(self.probe.trigger_scatter)
     }
@@ -312,22 +315,12 @@ fn line_at(text: &str, offset: usize) -> usize {
 }
 
 /// The line of the key that gave a figure; the first line of the table if the figure was not given.
-fn line_of(text: &str, kind: &str, what: &str) -> usize {
-    let (table, key) = match what {
-        "temperature" | "expansion" => (None, what),
-        "probe scatter" => (Some("probe"), "trigger_scatter"),
-        "ball radius" => (Some("probe"), "ball_radius"),
-        "calibration error" => (Some("probe"), "calibration_error"),
-        "offset" => (Some("probe"), "offset"),
-        "lobing" | "lobing angle" | "lobing count" => (Some("probe"), "lobing"),
-        "centre x" | "centre y" => (Some(kind), "centre"),
-        "surface scatter" => (Some(kind), "surface_scatter"),
-        "ovality" | "ovality angle" | "ovality count" => (Some(kind), "ovality"),
-        "lobes" | "lobe height" | "lobe angle" => (Some(kind), "lobes"),
-        "wave length" | "wave amplitude" | "wave direction" => (Some(kind), "wave"),
-        "length of the normal" => (Some(kind), "normal"),
-        "1st length" | "2nd length" => (Some(kind), "lengths"),
-        _ => (Some(kind), what),
+fn line_of(text: &str, kind: &str, what: Figure) -> usize {
+    let (table, key) = what.place();
+    let table = match table {
+        Table::Top => None,
+        Table::Probe => Some("probe"),
+        Table::Shape => Some(kind),
     };
     let Ok(root) = toml::de::DeTable::parse(text) else { return 1 };
     let root = root.get_ref();

@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `file` | all of it as one TOML file |
+//! | `figure` | the figures, as errors name them and as a file has them |
 //! | `shape` | what can be probed, by its shape |
 //! | `surface` | round features, plane faces, points of free surfaces |
 //! | `walls` | slots, ridges, pockets and bosses |
@@ -12,6 +13,7 @@
 //!
 //! The same seed gives the same contacts, on every machine and in every version.
 
+mod figure;
 mod file;
 mod nearest;
 mod probe;
@@ -24,6 +26,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng as _;
 use rand_distr::{Distribution as _, StandardNormal};
 
+pub use figure::Figure;
 pub use file::{Simulation, SimulationError};
 pub use probe::Probe;
 pub use shape::Shape;
@@ -46,7 +49,7 @@ const FARTHEST: f64 = 100_000.0;
 #[say(id = "workpiece-cannot-be", error)]
 pub struct WorkpieceError {
     /// Which figure.
-    pub what: &'static str,
+    pub what: Figure,
     /// What was given.
     pub given: f64,
     /// The smallest that is allowed.
@@ -56,7 +59,7 @@ pub struct WorkpieceError {
 }
 
 /// NaN is outside every range.
-fn in_range(what: &'static str, given: f64, least: f64, most: f64) -> Result<(), WorkpieceError> {
+fn in_range(what: Figure, given: f64, least: f64, most: f64) -> Result<(), WorkpieceError> {
     if least <= given && given <= most { Ok(()) } else { Err(WorkpieceError { what, given, least, most }) }
 }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Lobes, WorkpieceError, in_range};
+use super::{Figure, Lobes, WorkpieceError, in_range};
 
 /// The largest ball and offset, mm.
 const LARGEST: f64 = 100.0;
@@ -37,16 +37,16 @@ impl Probe {
     pub const USUAL: Self = Self { trigger_scatter: 0.0005, ..Self::STILL };
 
     pub(super) fn check(&self) -> Result<(), WorkpieceError> {
-        in_range("probe scatter", self.trigger_scatter, 0.0, 1.0)?;
-        in_range("ball radius", self.ball_radius, 0.0, LARGEST)?;
+        in_range(Figure::ProbeScatter, self.trigger_scatter, 0.0, 1.0)?;
+        in_range(Figure::BallRadius, self.ball_radius, 0.0, LARGEST)?;
         // The control's radius is never below zero.
-        in_range("calibration error", self.calibration_error, -self.ball_radius, 1.0)?;
+        in_range(Figure::CalibrationError, self.calibration_error, -self.ball_radius, 1.0)?;
         for offset in self.offset.unwrap_or_default() {
-            in_range("offset", offset, -LARGEST, LARGEST)?;
+            in_range(Figure::Offset, offset, -LARGEST, LARGEST)?;
         }
-        in_range("lobing", self.lobing.amplitude, 0.0, 1.0)?;
-        in_range("lobing angle", self.lobing.angle, -360.0, 360.0)?;
-        in_range("lobing count", f64::from(self.lobing.count), 0.0, 100.0)
+        in_range(Figure::Lobing, self.lobing.amplitude, 0.0, 1.0)?;
+        in_range(Figure::LobingAngle, self.lobing.angle, -360.0, 360.0)?;
+        in_range(Figure::LobingCount, f64::from(self.lobing.count), 0.0, 100.0)
     }
 
     /// How much later a contact is reported in this direction: only the share in X/Y counts.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::nearest::{least, trace};
-use super::{FARTHEST, Shape, Walls, Workpiece, WorkpieceError, in_range};
+use super::{FARTHEST, Figure, Shape, Walls, Workpiece, WorkpieceError, in_range};
 use crate::probing::cycle::Plane;
 use crate::probing::vector::{along, dot, norm, unit};
 use crate::tolerance::Feature;
@@ -219,9 +219,9 @@ impl Face {
     fn check(&self) -> Result<(), WorkpieceError> {
         check_place(self.point, self.normal, self.surface_scatter)?;
         let Some(wave) = &self.wave else { return Ok(()) };
-        in_range("wave length", wave.length, 0.001, FARTHEST)?;
-        in_range("wave amplitude", wave.amplitude, 0.0, wave.length)?;
-        in_range("wave direction", norm(self.across(wave)), 1e-6, FARTHEST)
+        in_range(Figure::WaveLength, wave.length, 0.001, FARTHEST)?;
+        in_range(Figure::WaveAmplitude, wave.amplitude, 0.0, wave.length)?;
+        in_range(Figure::WaveDirection, norm(self.across(wave)), 1e-6, FARTHEST)
     }
 
     /// The share of the wave's direction that lies in the face.
@@ -266,8 +266,8 @@ impl Face {
 impl FreePoint {
     fn check(&self) -> Result<(), WorkpieceError> {
         check_place(self.point, self.normal, self.surface_scatter)?;
-        in_range("deviation", self.deviation, -1_000.0, 1_000.0)?;
-        in_range("radius", self.radius.map_or(1.0, f64::abs), 0.001, FARTHEST)
+        in_range(Figure::Deviation, self.deviation, -1_000.0, 1_000.0)?;
+        in_range(Figure::Radius, self.radius.map_or(1.0, f64::abs), 0.001, FARTHEST)
     }
 
     /// The real point of the surface, moved by the deviation.
@@ -306,13 +306,13 @@ impl FreePoint {
 
 fn check_place(point: [f64; 3], normal: [f64; 3], surface_scatter: f64) -> Result<(), WorkpieceError> {
     for part in point {
-        in_range("point", part, -FARTHEST, FARTHEST)?;
+        in_range(Figure::Point, part, -FARTHEST, FARTHEST)?;
     }
     for part in normal {
-        in_range("normal", part, -FARTHEST, FARTHEST)?;
+        in_range(Figure::Normal, part, -FARTHEST, FARTHEST)?;
     }
-    in_range("length of the normal", norm(normal), 1e-6, 2.0 * FARTHEST)?;
-    in_range("surface scatter", surface_scatter, 0.0, 1.0)
+    in_range(Figure::NormalLength, norm(normal), 1e-6, 2.0 * FARTHEST)?;
+    in_range(Figure::SurfaceScatter, surface_scatter, 0.0, 1.0)
 }
 
 #[expect(

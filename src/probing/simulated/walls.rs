@@ -1,6 +1,6 @@
 //! Parallel plane walls: a slot or ridge has two, a pocket or boss four. Their height has no end.
 
-use super::{FARTHEST, WorkpieceError, in_range};
+use super::{FARTHEST, Figure, WorkpieceError, in_range};
 use crate::tolerance::Feature;
 
 /// One or two pairs of parallel walls, millimetres.
@@ -26,15 +26,15 @@ impl Walls {
 
     pub(super) fn check(&self) -> Result<(), WorkpieceError> {
         let ([x, y], (first, second)) = (self.centre, self.lengths);
-        in_range("centre x", x, -FARTHEST, FARTHEST)?;
-        in_range("centre y", y, -FARTHEST, FARTHEST)?;
+        in_range(Figure::CentreX, x, -FARTHEST, FARTHEST)?;
+        in_range(Figure::CentreY, y, -FARTHEST, FARTHEST)?;
         let size = |what, length| in_range(what, length, 0.001, FARTHEST);
         match second {
-            Some(second) => size("1st length", first).and_then(|()| size("2nd length", second))?,
-            None => size("width", first)?,
+            Some(second) => size(Figure::FirstLength, first).and_then(|()| size(Figure::SecondLength, second))?,
+            None => size(Figure::Width, first)?,
         }
-        in_range("angle", self.angle, -360.0, 360.0)?;
-        in_range("surface scatter", self.surface_scatter, 0.0, 1.0)
+        in_range(Figure::Angle, self.angle, -360.0, 360.0)?;
+        in_range(Figure::SurfaceScatter, self.surface_scatter, 0.0, 1.0)
     }
 
     /// The same walls, grown by a factor about the workpiece's zero.

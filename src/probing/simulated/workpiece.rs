@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::nearest::{least, trace};
-use super::{FARTHEST, WorkpieceError, in_range};
+use super::{FARTHEST, Figure, WorkpieceError, in_range};
 use crate::tolerance::Feature;
 
 /// The most lobes: the steps along a contour are so small that no lobe is missed.
@@ -68,21 +68,21 @@ impl Workpiece {
 
     pub(super) fn check(&self, trigger_scatter: f64) -> Result<(), WorkpieceError> {
         let [x, y] = self.centre;
-        in_range("diameter", self.diameter, 0.001, FARTHEST)?;
-        in_range("centre x", x, -FARTHEST, FARTHEST)?;
-        in_range("centre y", y, -FARTHEST, FARTHEST)?;
+        in_range(Figure::Diameter, self.diameter, 0.001, FARTHEST)?;
+        in_range(Figure::CentreX, x, -FARTHEST, FARTHEST)?;
+        in_range(Figure::CentreY, y, -FARTHEST, FARTHEST)?;
         // Contour and scatter must stay small enough for the contour to be a curve about its centre.
         let highest = self.diameter / 20.0;
-        in_range("surface scatter", self.surface_scatter, 0.0, highest)?;
-        in_range("probe scatter", trigger_scatter, 0.0, highest)?;
-        in_range("ovality", self.ovality.amplitude, 0.0, highest)?;
-        in_range("lobe height", self.lobes.amplitude, 0.0, highest)?;
-        in_range("ovality angle", self.ovality.angle, -360.0, 360.0)?;
-        in_range("lobe angle", self.lobes.angle, -360.0, 360.0)?;
+        in_range(Figure::SurfaceScatter, self.surface_scatter, 0.0, highest)?;
+        in_range(Figure::ProbeScatter, trigger_scatter, 0.0, highest)?;
+        in_range(Figure::Ovality, self.ovality.amplitude, 0.0, highest)?;
+        in_range(Figure::LobeHeight, self.lobes.amplitude, 0.0, highest)?;
+        in_range(Figure::OvalityAngle, self.ovality.angle, -360.0, 360.0)?;
+        in_range(Figure::LobeAngle, self.lobes.angle, -360.0, 360.0)?;
         // A wave with fewer crests would only move or widen the circle.
         let fewest = |wave: &Lobes| if 0.0 < wave.amplitude { 2.0 } else { 0.0 };
-        in_range("ovality count", f64::from(self.ovality.count), fewest(&self.ovality), 2.0)?;
-        in_range("lobes", f64::from(self.lobes.count), fewest(&self.lobes), MOST_LOBES)
+        in_range(Figure::OvalityCount, f64::from(self.ovality.count), fewest(&self.ovality), 2.0)?;
+        in_range(Figure::Lobes, f64::from(self.lobes.count), fewest(&self.lobes), MOST_LOBES)
     }
 
     fn is_round(&self) -> bool {

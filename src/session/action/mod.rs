@@ -3,306 +3,40 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | here | the list, and what is asked of it |
-//! | `table` | a row for every entry |
+//! | here | what is asked of an action: its name, whether it is possible, its command |
+//! | `list` | every action |
+//! | `table` | a row for every action |
+//! | `row` | what a row says |
+//! | `possible` | the conditions of the rows |
+//! | `place` | where an action applies |
 //! | `shortcut` | keys, without a window |
+//! | `keys` | which keys are heard and shown |
 //!
 //! Choices among what a user has (a class, a table of the list, a block) are not actions: they send commands.
 
+mod keys;
+mod list;
+mod place;
+mod possible;
+mod row;
 mod shortcut;
 mod table;
 
+pub use list::Action;
+pub use place::{Part, Place};
 pub use shortcut::{Held, Key, Shortcut};
 
-use self::table::Row;
+use self::row::Row;
 use super::cycles::CyclesCommand;
-use super::program::{ProgramField, Switch};
-use super::tables::{self, TablesField};
+use super::tables;
 use super::workpiece::WorkpieceCommand;
-use super::{CheckField, Command, Density, Field, MeasureBy, Page, Session, Step, Theme};
+use super::{Command, Page, Session};
 use crate::exchange::tables::TABLE_FORMATS;
-use crate::journal::query::Column;
 use crate::length::Length;
 use crate::message::Message;
 use crate::report::RENDERINGS;
-use crate::tolerance::{Base, Feature};
 use crate::verdict::Status;
 use crate::words::Words;
-
-/// Where an action applies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Place {
-    /// On every page.
-    Everywhere,
-    /// On the pages that measure the simulated workpiece.
-    Workpiece,
-    /// On a page.
-    Page(Page),
-    /// In the focused part of a page.
-    Part(Part),
-    /// In the file dialog, over any page.
-    Dialog,
-}
-
-/// A part of a page that takes the focus as a whole.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Part {
-    /// The map of classes on the fit page.
-    Classes,
-    /// The cells of the table page.
-    Cells,
-    /// The listing of the program page.
-    Listing,
-    /// The list of checks on the check page.
-    History,
-}
-
-impl Part {
-    /// The parts of all pages.
-    pub const ALL: [Self; 4] = [Self::Classes, Self::Cells, Self::Listing, Self::History];
-
-    /// The page that it belongs to.
-    pub const fn page(self) -> Page {
-        match self {
-            Self::Classes => Page::Fit,
-            Self::Cells => Page::Tables,
-            Self::Listing => Page::Program,
-            Self::History => Page::Check,
-        }
-    }
-}
-
-impl Place {
-    /// Whether it is on a page.
-    pub fn is_on(self, page: Page) -> bool {
-        match self {
-            Self::Everywhere => true,
-            Self::Workpiece => matches!(page, Page::Cycles | Page::Program),
-            Self::Page(of) => of == page,
-            Self::Part(part) => part.page() == page,
-            Self::Dialog => false,
-        }
-    }
-
-    /// The nearer place goes first: where two places use the same keys, the smaller one takes them.
-    const fn rank(self) -> u8 {
-        match self {
-            Self::Part(_) | Self::Dialog => 0,
-            Self::Page(_) => 1,
-            Self::Workpiece => 2,
-            Self::Everywhere => 3,
-        }
-    }
-}
-
-/// The list; an action with a value is one action for each of its values.
-macro_rules! actions {
-    ($($(#[$doc:meta])* $name:ident $(($of:ty): $all:expr)?;)*) => {
-        /// Something that a user can do by menu, button or key.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum Action {
-            $($(#[$doc])* $name $(($of))?,)*
-        }
-
-        impl Action {
-            /// Every action, in the order of the pages.
-            pub fn all() -> impl Iterator<Item = Self> {
-                let mut all = Vec::new();
-                $(actions!(@add all $name $($all)?);)*
-                all.into_iter()
-            }
-        }
-    };
-    (@add $list:ident $name:ident) => { $list.push(Self::$name) };
-    (@add $list:ident $name:ident $all:expr) => { $list.extend($all.into_iter().map(Self::$name)) };
-}
-
-actions! {
-    /// Opens a page.
-    Open(Page): Page::ALL;
-    /// Reads measurements.
-    Import;
-    /// Writes the checks in a format of the report's list, by its number there.
-    Export(usize): 0..RENDERINGS.len();
-    /// Writes the status window's text.
-    ExportStatus;
-    /// Chooses light, dark, or the system's setting.
-    UseTheme(Theme): [Theme::System, Theme::Light, Theme::Dark];
-    /// Chooses how high everything is that is pressed.
-    UseDensity(Density): Density::ALL;
-    /// Looks limits up in a source of the list.
-    UseSource(Base): Base::ALL;
-    /// Rounds the halves of js, or not.
-    RoundJs;
-    /// Uses the edition of 1988, or the one of 2010.
-    Edition1988;
-    /// Reads a folder of the user's own tables.
-    LoadTables;
-    /// Stops using the user's own tables.
-    NoOwnTables;
-    /// Reads a mask.
-    LoadMask;
-    /// Undoes the last change of the history.
-    Undo;
-    /// Empties the history.
-    ClearHistory;
-    /// Chooses every listed check that is not good for export.
-    ChooseBad;
-    /// Chooses none.
-    ChooseNone;
-    /// Shows or hides the keypad.
-    Keypad;
-    /// Closes what lies over the page: a dialog, a window, the oldest notice.
-    Close;
-    /// Opens the file that was written in its own program.
-    OpenWritten;
-    /// Shows the file that was written in its folder.
-    ShowWritten;
-    /// Empties the list of recent files.
-    ForgetRecent;
-
-    /// Shows the system's file dialog.
-    Browse;
-    /// Shows the folder above.
-    FolderUp;
-    /// Shows the user's own folder.
-    HomeFolder;
-    /// Shows all files of the folder, or only those of the kind that is asked for.
-    AllFiles;
-    /// Goes to another entry of the folder.
-    MoveFile(Step): Step::ENTRIES;
-    /// Writes over the file that exists.
-    ReplaceFile;
-    /// Keeps the file that exists.
-    KeepFile;
-
-    /// Measures and judges.
-    Measure;
-    /// Judges a typed value that was asked about, as it is.
-    JudgeAnyway;
-    /// Takes what a typed value may have been instead of it.
-    TakeMeant;
-    /// Shows another row of the imported file, worst first.
-    ShowInLot(Step): Step::PATH;
-    /// Clears the result.
-    ClearResult;
-    /// Chooses where the next measurement comes from.
-    MeasureBy(MeasureBy): [MeasureBy::Typing, MeasureBy::Simulating];
-    /// Puts the status window's text on the clipboard.
-    CopyStatus;
-    /// Goes to the filter of the history.
-    FindInHistory;
-    /// Leaves the good checks out of the list.
-    OnlyBad;
-    /// Sorts the list by a column.
-    SortHistory(Column): Column::ALL;
-    /// Goes to another check of the list.
-    MoveCheck(Step): Step::BLOCKS;
-    /// Shows the check again.
-    ShowCheck;
-    /// Chooses the check for export, or not.
-    ChooseCheck;
-    /// Chooses every check of the list.
-    ChooseAll;
-    /// Puts the chosen checks, or the one at which the keys are, on the clipboard.
-    CopyChecks;
-
-    /// Goes to another class of the map.
-    MoveClass(Step): Step::CLASSES;
-    /// Shows the map of hole classes or of shaft classes.
-    ShowClasses(Feature): [Feature::Hole, Feature::Shaft];
-    /// Takes one side of the fit to the check page.
-    CheckPart(Feature): [Feature::Hole, Feature::Shaft];
-
-    /// Runs the cycle.
-    RunCycle;
-    /// Clears the result.
-    ClearCycle;
-    /// Steps along the path.
-    StepPath(Step): Step::PATH;
-    /// Opens the dialog of the simulated workpiece.
-    EditWorkpiece;
-    /// Makes a simulated workpiece that suits the page's inputs.
-    SuitWorkpiece;
-    /// Reads a simulated workpiece.
-    OpenWorkpiece;
-    /// Writes the simulated workpiece.
-    SaveWorkpiece;
-    /// Reads recorded contacts.
-    OpenContacts;
-    /// Reads a touch-probe table.
-    OpenProbes;
-    /// Takes the built-in touch-probe table.
-    ShippedProbes;
-    /// Opens the field for an NC block.
-    PasteBlock;
-    /// Fills the form from the NC block.
-    TakeBlock;
-    /// Puts the form as an NC block on the clipboard.
-    CopyBlock;
-    /// Puts the status window's text on the clipboard.
-    CopyCycleStatus;
-    /// Puts the results on the clipboard.
-    CopyResults;
-    /// Writes the measuring log.
-    SaveLog;
-
-    /// Reads a table.
-    OpenTable;
-    /// Writes the shown table in a format of the tables' list, by its number there.
-    SaveTable(usize): 0..TABLE_FORMATS.len();
-    /// Undoes the last edit of the shown table.
-    UndoEdit;
-    /// Redoes it.
-    RedoEdit;
-    /// Looks limits up in the shown table first.
-    UseTable;
-    /// Goes to the filter.
-    FindInTable;
-    /// Selects the previous cell that differs from ISO 286.
-    PreviousDifference;
-    /// Selects the next one.
-    NextDifference;
-    /// Goes to another cell.
-    MoveCell(Step): Step::CELLS;
-    /// Goes to the fields of the cell.
-    EditCell;
-    /// Puts the fields into the cell.
-    SetCell;
-    /// Puts what ISO 286 says into the cell.
-    TakeStandard;
-    /// Empties the cell.
-    EmptyCell;
-    /// Adds classes to the shown table.
-    AddColumns;
-    /// Removes the selected cell's class.
-    RemoveColumn;
-    /// Makes a table from ISO 286.
-    MakeTable;
-
-    /// Reads an NC program.
-    OpenProgram;
-    /// Runs the program.
-    RunProgram;
-    /// Pauses it.
-    PauseProgram;
-    /// Runs one block.
-    StepProgram;
-    /// Runs one block, including everything that it calls.
-    StepOver;
-    /// Runs up to the selected block.
-    RunToSelected;
-    /// Sets a breakpoint at the selected block, or removes it.
-    ToggleBreakpoint;
-    /// Goes back to before the first block.
-    ResetProgram;
-    /// Switches an option of the run on or off.
-    Switch(Switch): Switch::ALL;
-    /// Goes to another block.
-    MoveBlock(Step): Step::BLOCKS;
-    /// Gives a parameter a value at the next start.
-    GiveValue;
-}
 
 impl Action {
     fn row(self) -> Row {
@@ -312,48 +46,6 @@ impl Action {
     /// Where it applies.
     pub fn place(self) -> Place {
         self.row().place
-    }
-
-    /// All its keys, even those that another action takes first. The first one is shown to the user.
-    pub fn shortcuts(self) -> impl Iterator<Item = Shortcut> {
-        self.row().keys.into_iter().flatten()
-    }
-
-    /// The keys that are shown beside it: in the file dialog its own, else those of the page.
-    pub fn shortcut_shown(self, page: Page) -> Option<Shortcut> {
-        if self.place() == Place::Dialog { self.shortcuts().next() } else { self.shortcut_on(page) }
-    }
-
-    /// The keys that are shown on a page; `None` where it has none, or where another action of the page takes them.
-    pub fn shortcut_on(self, page: Page) -> Option<Shortcut> {
-        let first = self.shortcuts().next().filter(|_| self.place().is_on(page))?;
-        (!self.leaves_to_another(first, page)).then_some(first)
-    }
-
-    /// Whether another action of the page takes these keys, also while it is not possible: Ctrl+Z on the table page never
-    /// undoes what is not in sight.
-    fn leaves_to_another(self, keys: Shortcut, page: Page) -> bool {
-        let rank = self.place().rank();
-        let takes = |other: Self| {
-            let place = other.place();
-            place.is_on(page) && place.rank() < rank && other.shortcuts().any(|other| other == keys)
-        };
-        // Escape belongs to whatever can use it: a run that goes on, or what lies over the page.
-        keys.key != Key::Escape && Self::all().any(takes)
-    }
-
-    /// What Enter does in a text field of a page.
-    pub const fn on_enter(field: Field, page: Page) -> Option<Self> {
-        match (field, page) {
-            (Field::Program(ProgramField::Filter) | Field::Check(CheckField::HistoryFilter), _) => None,
-            (Field::Program(ProgramField::Name | ProgramField::Value), _) => Some(Self::GiveValue),
-            (Field::Tables(TablesField::CellUpper | TablesField::CellLower), _) => Some(Self::SetCell),
-            (Field::Tables(TablesField::To), _) => Some(Self::MakeTable),
-            (_, Page::Check) => Some(Self::Measure),
-            (_, Page::Cycles) => Some(Self::RunCycle),
-            (_, Page::Program) => Some(Self::RunProgram),
-            (_, Page::Fit | Page::Tables) => None,
-        }
     }
 
     /// Its name, in the words of a language.
@@ -436,28 +128,6 @@ impl Session {
         } else {
             None
         }
-    }
-
-    /// The actions of the keys now, the nearest place first: `part` has the focus, or a text field (`is_typing`).
-    pub fn keys(&self, part: Option<Part>, is_typing: bool) -> Vec<(Shortcut, Action)> {
-        let is_covered = self.dialog().is_some() || self.is_leaving();
-        let is_heard = |action: Action| match action.place() {
-            Place::Everywhere => true,
-            // The workpiece's window lies over the listing, and takes Escape.
-            Place::Page(Page::Program) if self.workpiece_is_open() => false,
-            Place::Dialog => false,
-            Place::Part(of) => part == Some(of) && of.page() == self.page(),
-            place => place.is_on(self.page()),
-        };
-        let is_of_cover = |action: Action| action == Action::Close || action.place() == Place::Dialog;
-        let heard = Action::all().filter(|action| if is_covered { is_of_cover(*action) } else { is_heard(*action) });
-        let mut keys: Vec<_> = heard
-            .flat_map(|action| action.shortcuts().map(move |shortcut| (shortcut, action)))
-            .filter(|(shortcut, action)| !(is_typing && shortcut.is_of_text()) && self.can(*action))
-            .filter(|(shortcut, action)| !action.leaves_to_another(*shortcut, self.page()))
-            .collect();
-        keys.sort_by_key(|(_, action)| action.place().rank());
-        keys
     }
 }
 

@@ -1,92 +1,23 @@
 //! A row for every action. Menus, buttons, tooltips and keys are made from it.
 
+use super::possible::{
+    asks_to_replace, can_step, cell, differs, free_dialog, has_bad, has_cell, has_cursor, has_history, has_listed,
+    has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988, rounds_js,
+    selected, tells_of_file,
+};
+use super::row::{Row, Sends, everywhere, in_dialog, of_workpiece, on, switch, within};
 use super::{Action, Held, Key, Part, Place, Shortcut};
 use crate::journal::query::Column;
 use crate::session::check::{CheckCommand, CheckField};
 use crate::session::cycles::CyclesCommand;
-use crate::session::files::{Dialog, FilesCommand, Launch};
+use crate::session::files::{FilesCommand, Launch};
 use crate::session::fit::FitCommand;
-use crate::session::program::{ProgramCommand, Run, Switch};
+use crate::session::program::{ProgramCommand, Switch};
 use crate::session::tables::{self, TablesCommand, TablesField};
 use crate::session::workpiece::WorkpieceCommand;
-use crate::session::{Command, CycleFile, Density, ListCommand, Lot, MeasureBy, Page, Purpose, Session, Step, Theme};
+use crate::session::{Command, CycleFile, Density, ListCommand, MeasureBy, Page, Purpose, Session, Step, Theme};
+use crate::tolerance::Feature;
 use crate::tolerance::iso286::{Edition, JsHalves, Options};
-use crate::tolerance::{Deviations, Feature, ToleranceClass};
-
-/// A row of the table.
-pub(super) struct Row {
-    /// The id of its text.
-    pub text: &'static str,
-    /// The id of a further explanation.
-    pub hint: Option<&'static str>,
-    pub place: Place,
-    pub keys: [Option<Shortcut>; 2],
-    pub possible: fn(&Session) -> bool,
-    pub sends: Sends,
-}
-
-/// What an action sends.
-pub(super) enum Sends {
-    Always(Command),
-    /// A command that depends on the state: a switch is turned to its other side.
-    FromState(fn(&Session) -> Command),
-}
-
-impl Sends {
-    pub fn command(self, session: &Session) -> Command {
-        match self {
-            Self::Always(command) => command,
-            Self::FromState(command) => command(session),
-        }
-    }
-}
-
-impl Row {
-    fn new(place: Place, text: &'static str, sends: Sends) -> Self {
-        Self { text, hint: None, place, keys: [None; 2], possible: |_| true, sends }
-    }
-
-    fn when(self, possible: fn(&Session) -> bool) -> Self {
-        Self { possible, ..self }
-    }
-
-    fn hint(self, hint: &'static str) -> Self {
-        Self { hint: Some(hint), ..self }
-    }
-
-    fn key(self, key: Shortcut) -> Self {
-        Self { keys: [Some(key), None], ..self }
-    }
-
-    fn keys(self, first: Shortcut, second: Shortcut) -> Self {
-        Self { keys: [Some(first), Some(second)], ..self }
-    }
-}
-
-fn everywhere(text: &'static str, command: Command) -> Row {
-    Row::new(Place::Everywhere, text, Sends::Always(command))
-}
-
-fn switch(text: &'static str, command: fn(&Session) -> Command) -> Row {
-    Row::new(Place::Everywhere, text, Sends::FromState(command))
-}
-
-fn of_workpiece(text: &'static str, command: impl Into<Command>) -> Row {
-    Row::new(Place::Workpiece, text, Sends::Always(command.into()))
-}
-
-fn on(page: Page, text: &'static str, command: impl Into<Command>) -> Row {
-    Row::new(Place::Page(page), text, Sends::Always(command.into()))
-}
-
-fn within(part: Part, text: &'static str, command: impl Into<Command>) -> Row {
-    Row::new(Place::Part(part), text, Sends::Always(command.into()))
-}
-
-/// In the file dialog, while it waits for nothing.
-fn in_dialog(text: &'static str, command: impl Into<Command>) -> Row {
-    Row::new(Place::Dialog, text, Sends::Always(command.into())).when(|session| free_dialog(session).is_some())
-}
 
 const fn open(purpose: Purpose) -> Command {
     Command::OpenDialog(purpose)
@@ -429,94 +360,4 @@ const fn keys(step: Step) -> Shortcut {
         Step::Bottom => return Shortcut { held: Held::Ctrl, key: Key::End },
     };
     Shortcut::plain(key)
-}
-
-fn is_after_first(session: &Session) -> bool {
-    0 < session.cycles().step()
-}
-
-fn is_before_last(session: &Session) -> bool {
-    session.cycles().step() < session.cycles().last()
-}
-
-fn is_after_worst(session: &Session) -> bool {
-    session.check().lot().and_then(Lot::shown).is_some_and(|(place, _)| 1 < place)
-}
-
-fn is_before_best(session: &Session) -> bool {
-    session.check().lot().is_some_and(|lot| lot.shown().is_some_and(|(place, _)| place < lot.judged()))
-}
-
-fn rounds_js(options: Options) -> bool {
-    options.js == JsHalves::Rounded
-}
-
-fn is_of_1988(options: Options) -> bool {
-    options.edition == Edition::Of1988
-}
-
-/// The file dialog, while it waits neither for a file nor for an answer.
-fn free_dialog(session: &Session) -> Option<&Dialog> {
-    session.dialog().filter(|dialog| !dialog.is_waiting())
-}
-
-fn asks_to_replace(session: &Session) -> bool {
-    session.dialog().is_some_and(|dialog| dialog.exists.is_some())
-}
-
-/// Whether the notice that is shown is about a file that was written.
-fn tells_of_file(session: &Session) -> bool {
-    session.dialog().is_none() && session.notices().first().is_some_and(|notice| notice.file.is_some())
-}
-
-fn has_history(session: &Session) -> bool {
-    !session.history().is_empty()
-}
-
-fn has_listed(session: &Session) -> bool {
-    0 < session.history().listed().count()
-}
-
-fn has_bad(session: &Session) -> bool {
-    0 < session.bad_count()
-}
-
-/// Whether the keys are at a row of the list.
-fn has_cursor(session: &Session) -> bool {
-    session.history().look().1.is_some()
-}
-
-fn has_status(session: &Session) -> bool {
-    session.check().status_text().is_some()
-}
-
-fn has_table(session: &Session) -> bool {
-    session.tables().shown().is_some()
-}
-
-fn differs(session: &Session) -> bool {
-    session.tables().shown().is_some_and(|document| 0 < document.differing())
-}
-
-type Selected<'a> = (&'a tables::Document, (ToleranceClass, usize));
-
-fn selected(session: &Session) -> Option<Selected<'_>> {
-    let document = session.tables().shown()?;
-    Some((document, document.selected()?))
-}
-
-fn has_cell(session: &Session) -> bool {
-    selected(session).is_some()
-}
-
-/// What is in the selected cell.
-fn cell(session: &Session) -> Option<Deviations> {
-    let (document, (class, range)) = selected(session)?;
-    document.cell(class, range)
-}
-
-/// Whether one more block can be run: the run, if there is one, waits.
-fn can_step(session: &Session) -> bool {
-    let program = session.program();
-    !program.is_running() && !program.run().is_some_and(Run::is_over)
 }

@@ -1,13 +1,13 @@
 //! The figures of the simulated workpiece and probe: their names, their units, and which one an error means.
 
-use crate::probing::simulated::{Shape, WorkpieceError};
+use crate::probing::simulated::{Figure, Shape, WorkpieceError};
 
 /// The declaration of a figure.
 struct Declared {
     name_id: &'static str,
     unit: &'static str,
     /// Its names in the errors of the simulated machine.
-    refused_as: &'static [&'static str],
+    refused_as: &'static [Figure],
 }
 
 /// The figures, a row each: what it is, the id of its name, its unit, and its names in the errors of the simulated
@@ -34,21 +34,21 @@ macro_rules! figures {
 
 figures! {
     /// Centre, first axis of the plane, mm.
-    CentreX: "workpiece-centre-1", "mm", ["centre x"];
+    CentreX: "workpiece-centre-1", "mm", [Figure::CentreX];
     /// Centre, second axis of the plane, mm.
-    CentreY: "workpiece-centre-2", "mm", ["centre y"];
+    CentreY: "workpiece-centre-2", "mm", [Figure::CentreY];
     /// Mean diameter, mm.
-    Diameter: "true-diameter", "mm", ["diameter"];
+    Diameter: "true-diameter", "mm", [Figure::Diameter];
     /// Ovality: amplitude in the radius, mm.
-    Ovality: "ovality", "mm", ["ovality", "ovality count"];
+    Ovality: "ovality", "mm", [Figure::Ovality, Figure::OvalityCount];
     /// Direction of its crest, degrees.
-    OvalityAngle: "workpiece-ovality-angle", "°", ["ovality angle"];
+    OvalityAngle: "workpiece-ovality-angle", "°", [Figure::OvalityAngle];
     /// Number of lobes.
-    LobeCount: "lobes", "", ["lobes"];
+    LobeCount: "lobes", "", [Figure::Lobes];
     /// Amplitude of the lobes in the radius, mm.
-    LobeHeight: "lobe-height", "mm", ["lobe height"];
+    LobeHeight: "lobe-height", "mm", [Figure::LobeHeight];
     /// Direction of the first crest, degrees.
-    LobeAngle: "workpiece-lobe-angle", "°", ["lobe angle"];
+    LobeAngle: "workpiece-lobe-angle", "°", [Figure::LobeAngle];
     /// A point of the surface, X, mm.
     PointX: "workpiece-point-x", "mm", [];
     /// The same in Y.
@@ -56,57 +56,57 @@ figures! {
     /// The same in Z.
     PointZ: "workpiece-point-z", "mm", [];
     /// The normal out of the material, X.
-    NormalX: "workpiece-normal-x", "", ["normal", "length of the normal"];
+    NormalX: "workpiece-normal-x", "", [Figure::Normal, Figure::NormalLength];
     /// The same in Y.
     NormalY: "workpiece-normal-y", "", [];
     /// The same in Z.
     NormalZ: "workpiece-normal-z", "", [];
     /// Amplitude of a wave, mm; empty is a plane face.
-    WaveHeight: "workpiece-wave-height", "mm", ["wave amplitude"];
+    WaveHeight: "workpiece-wave-height", "mm", [Figure::WaveAmplitude];
     /// From crest to crest, mm.
-    WaveLength: "workpiece-wave-length", "mm", ["wave length"];
+    WaveLength: "workpiece-wave-length", "mm", [Figure::WaveLength];
     /// The direction of a wave, X.
-    WaveX: "workpiece-wave-x", "", ["wave direction"];
+    WaveX: "workpiece-wave-x", "", [Figure::WaveDirection];
     /// The same in Y.
     WaveY: "workpiece-wave-y", "", [];
     /// The same in Z.
     WaveZ: "workpiece-wave-z", "", [];
     /// How far the surface lies out along the normal, mm.
-    Deviation: "workpiece-deviation", "mm", ["deviation"];
+    Deviation: "workpiece-deviation", "mm", [Figure::Deviation];
     /// Radius of the surface, mm; empty is flat.
-    Radius: "workpiece-radius", "mm", ["radius"];
+    Radius: "workpiece-radius", "mm", [Figure::Radius];
     /// From wall to wall of a slot or ridge, mm.
-    Width: "workpiece-width", "mm", ["width"];
+    Width: "workpiece-width", "mm", [Figure::Width];
     /// From wall to wall of a rectangle, across the first pair, mm.
-    FirstLength: "workpiece-length-1", "mm", ["1st length"];
+    FirstLength: "workpiece-length-1", "mm", [Figure::FirstLength];
     /// The same across the second pair.
-    SecondLength: "workpiece-length-2", "mm", ["2nd length"];
+    SecondLength: "workpiece-length-2", "mm", [Figure::SecondLength];
     /// The direction across the first pair of walls, degrees from the first axis.
-    Angle: "workpiece-angle", "°", ["angle"];
+    Angle: "workpiece-angle", "°", [Figure::Angle];
     /// Scatter of the surface, one sigma, mm.
-    SurfaceScatter: "surface-scatter", "mm", ["surface scatter"];
+    SurfaceScatter: "surface-scatter", "mm", [Figure::SurfaceScatter];
     /// Radius of the ball, mm.
-    BallRadius: "workpiece-ball", "mm", ["ball radius"];
+    BallRadius: "workpiece-ball", "mm", [Figure::BallRadius];
     /// Scatter of the trigger point, one sigma, mm.
-    TriggerScatter: "workpiece-trigger", "mm", ["probe scatter"];
+    TriggerScatter: "workpiece-trigger", "mm", [Figure::ProbeScatter];
     /// By how much the ball's radius was calibrated too large, mm.
-    CalibrationError: "workpiece-calibration", "mm", ["calibration error"];
+    CalibrationError: "workpiece-calibration", "mm", [Figure::CalibrationError];
     /// How far the ball lies off the spindle's axis, X, mm; empty takes what calibration found.
-    OffsetX: "workpiece-offset-x", "mm", ["offset"];
+    OffsetX: "workpiece-offset-x", "mm", [Figure::Offset];
     /// The same in Y.
     OffsetY: "workpiece-offset-y", "mm", [];
     /// Number of lobes of the probe's pre-travel.
-    LobingCount: "workpiece-lobing-count", "", ["lobing count"];
+    LobingCount: "workpiece-lobing-count", "", [Figure::LobingCount];
     /// Their amplitude, mm.
-    LobingHeight: "workpiece-lobing", "mm", ["lobing"];
+    LobingHeight: "workpiece-lobing", "mm", [Figure::Lobing];
     /// Direction of the first, degrees.
-    LobingAngle: "workpiece-lobing-angle", "°", ["lobing angle"];
+    LobingAngle: "workpiece-lobing-angle", "°", [Figure::LobingAngle];
     /// Seed of all scatter.
     Seed: "seed", "", [];
     /// Temperature of the workpiece, °C.
-    Temperature: "workpiece-temperature", "°C", ["temperature"];
+    Temperature: "workpiece-temperature", "°C", [Figure::Temperature];
     /// Its expansion, millionths per kelvin.
-    Expansion: "workpiece-expansion", "µm/(m K)", ["expansion"];
+    Expansion: "workpiece-expansion", "µm/(m K)", [Figure::Expansion];
 }
 
 impl WorkpieceField {

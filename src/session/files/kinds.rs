@@ -8,6 +8,7 @@ use crate::exchange::{self, tables::TABLE_FORMATS};
 use crate::message::Say;
 use crate::report::RENDERINGS;
 use crate::session::command::{CycleFile, Page, Purpose};
+use crate::words::Words;
 
 /// How much of a file is looked at to find out what it is.
 pub const HEAD: usize = 64 << 10;
@@ -77,6 +78,13 @@ impl Purpose {
             Self::SaveCycleLog => vec!["txt", "html"],
             Self::OpenProgram => vec!["h"],
         }
+    }
+
+    /// The kind of file with its endings, as the system's dialog lists it: `Measurements (*.csv, *.txt)`.
+    pub fn filter_name(self, words: &Words) -> String {
+        let kind = words.get(&format!("file-kind-{}", self.kind()));
+        let patterns: Vec<_> = self.endings().iter().map(|ending| format!("*.{ending}")).collect();
+        format!("{kind} ({})", patterns.join(", "))
     }
 
     /// The page that shows what is read, when another one is open: `None` where every page uses it.

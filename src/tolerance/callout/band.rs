@@ -98,9 +98,11 @@ impl<'a> Reader<'a> {
             return as_deviation;
         }
         let Ok(limits) = Callout::with_limits(nominal.max(removed), nominal.min(removed)) else { return as_deviation };
-        let limits = limits.to_string();
         Err(match as_deviation {
-            Ok(deviation) => self.error(whole, Kind::LimitsOrDeviation { limits, deviation: deviation.to_string() }),
+            Ok(deviation) => {
+                let (limits, deviation) = (Box::new(limits), Box::new(deviation));
+                self.error(whole, Kind::LimitsOrDeviation { limits, deviation })
+            }
             Err(_leaves_nothing) => self.error(whole, Kind::LimitsMeant { limits }),
         })
     }
@@ -110,7 +112,7 @@ impl<'a> Reader<'a> {
         let place = Place { start: first.place.start, end: second.place.end };
         let callout = self.with_deviations(size, place, first.value, second.value)?;
         if first.value < second.value && self.grammar == Grammar::Callout {
-            return Err(self.error(place, Kind::DeviationOrder { offer: callout.to_string() }));
+            return Err(self.error(place, Kind::DeviationOrder { offer: callout }));
         }
         Ok(callout)
     }

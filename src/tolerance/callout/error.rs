@@ -17,7 +17,7 @@ const LONGEST_GIVEN: usize = 80;
 /// use fitcheck::tolerance::Callout;
 ///
 /// let error = "12 +0.1 -0.2 H7".parse::<Callout>().unwrap_err();
-/// assert_eq!(error.to_string(), "H7 is not expected here: the text ends before it (character 14)");
+/// assert_eq!(error.to_string(), "H7 is not expected here: the text is complete without it (character 14)");
 /// assert_eq!(error.span(), Some(13..15));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,5 +1,6 @@
 //! The reasons why a text is not a callout, each with what is allowed instead.
 
+use super::Callout;
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say};
 use crate::tolerance::{ClassError, GeneralClass, ToleranceClass};
@@ -46,12 +47,12 @@ pub enum CalloutErrorKind {
         /// The general class that may be meant.
         class: GeneralClass,
         /// The callout with that class.
-        offer: String,
+        offer: Callout,
     },
     /// The shaft comes before the hole.
     FitOrder {
         /// The callout in the right order.
-        offer: String,
+        offer: Callout,
     },
     /// Two holes or two shafts.
     FitSide {
@@ -94,12 +95,12 @@ pub enum CalloutErrorKind {
     /// The lower deviation comes before the upper one.
     DeviationOrder {
         /// The callout in the right order.
-        offer: String,
+        offer: Callout,
     },
     /// The smaller limit comes before the larger one.
     LimitsOrder {
         /// The callout in the right order.
-        offer: String,
+        offer: Callout,
     },
     /// Limits that are too far apart to be meant as limits.
     LimitsApart {
@@ -111,14 +112,14 @@ pub enum CalloutErrorKind {
     /// Either a minus between two sizes or a very large lower deviation.
     LimitsOrDeviation {
         /// The callout as limits.
-        limits: String,
+        limits: Box<Callout>,
         /// The callout as a deviation.
-        deviation: String,
+        deviation: Box<Callout>,
     },
     /// Two sizes with a minus between them.
     LimitsMeant {
         /// The callout as limits.
-        limits: String,
+        limits: Callout,
     },
     /// The lower deviation makes the minimum limit zero or less.
     MinimumNotPositive {

@@ -45,7 +45,7 @@ use super::class::{Feature, ToleranceClass};
 use super::iso2768::GeneralClass;
 use super::limits::Deviations;
 use crate::length::Length;
-use crate::message::as_text;
+use crate::message::{Arg, IntoArg};
 
 /// A nominal size above zero and its tolerance; the minimum limit that it states is also above zero.
 ///
@@ -108,7 +108,7 @@ impl Callout {
         match (hole.feature(), shaft.feature()) {
             (Feature::Hole, Feature::Shaft) => Self::above_zero(nominal, Tolerance::Fit { hole, shaft }),
             (Feature::Shaft, Feature::Hole) => {
-                let offer = Self::fit(nominal, shaft, hole)?.to_string();
+                let offer = Self::fit(nominal, shaft, hole)?;
                 Err(CalloutErrorKind::FitOrder { offer }.into())
             }
             _ => Err(CalloutErrorKind::FitSide { first: hole, second: shaft }.into()),
@@ -156,7 +156,7 @@ impl Callout {
         let nominal = larger.midpoint(smaller);
         let callout = Self { nominal, tolerance: Tolerance::Limits { maximum: larger, minimum: smaller } };
         if maximum < minimum {
-            return Err(CalloutErrorKind::LimitsOrder { offer: callout.to_string() }.into());
+            return Err(CalloutErrorKind::LimitsOrder { offer: callout }.into());
         }
         Ok(callout)
     }
@@ -213,7 +213,18 @@ impl Callout {
     }
 }
 
-as_text!(Callout);
+/// With the decimal sign and the minus of the language.
+impl IntoArg for Callout {
+    fn arg(&self) -> Arg {
+        Arg::Number(self.to_string())
+    }
+}
+
+impl IntoArg for Box<Callout> {
+    fn arg(&self) -> Arg {
+        self.as_ref().arg()
+    }
+}
 
 impl FromStr for Callout {
     type Err = CalloutError;

@@ -209,7 +209,7 @@ impl<'a> Reader<'a> {
             return self.placed(place, Callout::general(size.value, general));
         }
         if let Some(class) = GeneralClass::from_letter(&token.to_ascii_lowercase()) {
-            let offer = self.placed(place, Callout::general(size.value, class))?.to_string();
+            let offer = self.placed(place, Callout::general(size.value, class))?;
             return Err(self.error(place, Kind::GeneralCapital { class, offer }));
         }
         let first = self.class(token, place)?;

@@ -32,7 +32,7 @@ fn a_truncated_table_is_refused() {
     // Cut within +12, which would read as +1.
     check(
         &SOUND[..SOUND.find("+12").unwrap() + 2],
-        &["! the row ends before column U1: fill it with blanks, or write - for no value: own.tab, line 5, column 15"],
+        &["! the row ends before column U1: fill it with spaces, or write - for no value: own.tab, line 5, column 15"],
     );
     // Cut within the last column: +25 would read as +2.
     let long = SOUND.replace("-\n3  ", "+25\n3  ");
@@ -62,13 +62,13 @@ fn broken_rows_and_columns_are_refused() {
     check(&SOUND.replace("U1", "H7"), &["! column H7 occurs twice: own.tab, line 2, column 20"]);
     check(
         &SOUND.replace("2   6       +12    -", "2   6       +12"),
-        &["! the row ends before column U1: fill it with blanks, or write - for no value: own.tab, line 5, column 16"],
+        &["! the row ends before column U1: fill it with spaces, or write - for no value: own.tab, line 5, column 16"],
     );
     check(&SOUND.replace("+12", "+1x"), &["! column H7: +1x is not a number: own.tab, line 5, column 13"]);
     check(&SOUND.replace("+12 ", "12mm"), &["! column H7: 12mm is not a number: own.tab, line 5, column 13"]);
     check(
         &SOUND.replace("+12    ", "1.234,5"),
-        &["! column H7 and its neighbour run into each other: separate them with a blank: own.tab, line 5, column 13"],
+        &["! column H7 and its neighbour run into each other: separate them with a space: own.tab, line 5, column 13"],
     );
     check(
         &SOUND.replace("+12    ", "1.23,5 "),
@@ -83,13 +83,13 @@ fn broken_rows_and_columns_are_refused() {
     check(&SOUND.replace("   6   ", "   six "), &["! column BEREICH: six is not a number: own.tab, line 5, column 5"]);
     check(
         &SOUND.replace("2   6", "2\t6"),
-        &["! tab character: separate columns with blanks only: own.tab, line 5, column 2"],
+        &["! tab character: separate columns with spaces only: own.tab, line 5, column 2"],
     );
     check(&SOUND.replace("[END]", "[END]\n4   10"), &["! text after [END]: 4   10: own.tab, line 8, column 1"]);
     // One place too far to the left: the sign would be lost and -5 read as 5.
     check(
         &SOUND.replace("+0     +3", "+0    -5 "),
-        &["! column H7 and its neighbour run into each other: separate them with a blank: own.tab, line 4, column 13"],
+        &["! column H7 and its neighbour run into each other: separate them with a space: own.tab, line 4, column 13"],
     );
 }
 

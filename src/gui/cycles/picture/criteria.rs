@@ -259,7 +259,7 @@ mod tests {
         let short = said(&on_circle(&[0.0, 20.0, 40.0]));
         assert!(
             short.contains(
-                &"Maximum inscribed: there is no maximum inscribed circle: the contacts do not surround one".to_owned()
+                &"Maximum inscribed: no maximum inscribed circle: the contacts do not surround one".to_owned()
             ),
             "{short:#?}"
         );

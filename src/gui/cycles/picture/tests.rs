@@ -155,7 +155,7 @@ fn what_has_no_effect_is_drawn_by_its_range_and_a_key_that_is_none_not_at_all() 
         let cycle = cycle_named(code).unwrap();
         label_of(cycle, cycle.parameter_named(name).unwrap().key, language)
     };
-    assert_eq!(said("427", "Q498", Language::En), "Q498: REVERSE TOOL One of 0, 1");
+    assert_eq!(said("427", "Q498", Language::En), "Q498: Reverse tool (0=no/1=yes)? One of 0, 1");
     assert_eq!(said("427", "Q531", Language::Nl), "Q531: Invalshoek? Een hoek");
     assert_eq!(said("G785", "Q", Language::En), "Q: Q A length");
     let nothing = drawn([300.0, 260.0], Theme::Light, Language::En, |ui, view| {
@@ -292,11 +292,7 @@ fn a_cell_of_the_criteria_says_its_row_and_column() {
     let harness = drawn([760.0, 320.0], Theme::Light, Language::En, |ui, view| {
         criteria_table(ui, view, &evaluated(&result));
     });
-    says(
-        &harness,
-        Role::Label,
-        "Maximum inscribed, there is no maximum inscribed circle: the contacts do not surround one",
-    );
+    says(&harness, Role::Label, "Maximum inscribed, no maximum inscribed circle: the contacts do not surround one");
     says(&harness, Role::Label, "Two-point size, no two contacts oppose each other");
     says(
         &harness,

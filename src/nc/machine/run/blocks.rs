@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use super::super::budget::{Settings, UsedUp};
 use super::super::cycles::{CycleRun, cycle_of, hand_over};
-use super::super::fault::{Fault, FaultKind};
+use super::super::fault::{Counted, Fault, FaultKind};
 use super::super::files::Files;
 use super::super::logs::Log;
 use super::super::path::NcPath;
 use super::super::prints::rendered;
 use super::super::remark::Remark;
 use super::super::step::{Pause, Step};
-use super::super::values::shown;
+use super::super::values::shown_arg;
 use super::Run;
 use crate::control::mask::Context;
 use crate::control::variables::{Parameter, Value};
@@ -86,7 +86,7 @@ impl Run {
                 }
             }
             Body::Error(number) => {
-                let number = self.values.whole("FN 14: ERROR", *number)?;
+                let number = self.values.whole(Counted::Word("FN 14: ERROR"), *number)?;
                 return Err(FaultKind::Programmed(u32::try_from(number).unwrap_or(u32::MAX)));
             }
             Body::Print { mask, output } => self.print(at, mask, output, files, settings)?,
@@ -154,7 +154,7 @@ impl Run {
     /// Adds a remark about a value that was given before the run and takes the place of a block's value.
     fn note_given(&mut self, at: usize, parameter: Parameter, given: Option<Value>) {
         if let Some(value) = given {
-            self.remark(at, Remark::GivenWins { parameter, value: shown(&value) });
+            self.remark(at, Remark::GivenWins { parameter, value: shown_arg(&value) });
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::super::fault::FaultKind;
+use super::super::fault::{Counted, FaultKind};
 use super::{Values, in_range, shown};
 use crate::control::mask;
 use crate::control::variables::Parameter;
@@ -47,7 +47,7 @@ impl Values {
     /// INSTR: the place in characters from 0; the length of the text where it does not occur.
     fn find(&self, source: Parameter, wanted: Parameter, from: Operand) -> Result<f64, FaultKind> {
         let (text, wanted) = (self.text(source)?, self.text(wanted)?);
-        let from = self.whole("BEG", from)?;
+        let from = self.whole(Counted::Word("BEG"), from)?;
         let characters = text.chars().count();
         let Some((start, _)) = text.char_indices().chain([(text.len(), ' ')]).nth(from) else {
             return Err(FaultKind::BehindText { length: characters, from });

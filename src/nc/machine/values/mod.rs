@@ -13,9 +13,10 @@ use std::collections::BTreeMap;
 use jiff::civil::DateTime;
 
 use super::budget::Settings;
-use super::fault::FaultKind;
+use super::fault::{Counted, FaultKind};
 use crate::control::variables::{Family, Parameter, Value, Variables};
 use crate::length::Length;
+use crate::message::Arg;
 use crate::nc::program::{Expression, Operand, TextExpression, TextOperand};
 use expressions::reads;
 use texts::text_reads;
@@ -131,7 +132,7 @@ impl Values {
     }
 
     /// An operand that counts something.
-    pub(super) fn whole(&self, what: &'static str, operand: Operand) -> Result<usize, FaultKind> {
+    pub(super) fn whole(&self, what: Counted, operand: Operand) -> Result<usize, FaultKind> {
         let value = self.operand(operand)?;
         whole(value).ok_or(FaultKind::NotWhole { what, value })
     }
@@ -261,6 +262,14 @@ pub fn shown(value: &Value) -> String {
         Value::Length(length) => length.to_string(),
         Value::Number(number) => number.to_string(),
         Value::Text(text) => format!("\"{text}\""),
+    }
+}
+
+/// The same within a sentence: numbers have the decimal sign of its language, texts stay as they are.
+pub(super) fn shown_arg(value: &Value) -> Arg {
+    match value {
+        Value::Length(_) | Value::Number(_) => Arg::Number(shown(value)),
+        Value::Text(_) => Arg::Text(shown(value)),
     }
 }
 

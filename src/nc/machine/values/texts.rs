@@ -1,6 +1,6 @@
 //! Formulas that give a text.
 
-use super::super::fault::FaultKind;
+use super::super::fault::{Counted, FaultKind};
 use super::{Values, whole};
 use crate::control::variables::Parameter;
 use crate::nc::program::{Operand, TextExpression, TextOperand};
@@ -53,7 +53,7 @@ impl Values {
 
     /// TOCHAR: with this many decimals, rounded half away from zero; if not given, as many as the value has.
     fn text_of_number(&self, number: Operand, decimals: Option<Operand>) -> Result<String, FaultKind> {
-        let decimals = decimals.map(|decimals| self.whole("DECIMALS", decimals)).transpose()?;
+        let decimals = decimals.map(|decimals| self.whole(Counted::Word("DECIMALS"), decimals)).transpose()?;
         if let Some(value) = decimals.filter(|decimals| MOST_DECIMALS < *decimals) {
             let value = f64::from(u32::try_from(value).unwrap_or(u32::MAX));
             return Err(FaultKind::NoResult { function: "DECIMALS", value });
@@ -64,8 +64,8 @@ impl Values {
     /// SUBSTR: it may begin at the end of the text and end after it, but not begin after it.
     fn part(&self, source: Parameter, from: Operand, length: Option<Operand>) -> Result<String, FaultKind> {
         let text = self.text(source)?;
-        let from = self.whole("BEG", from)?;
-        let length = length.map_or(Ok(usize::MAX), |length| self.whole("LEN", length))?;
+        let from = self.whole(Counted::Word("BEG"), from)?;
+        let length = length.map_or(Ok(usize::MAX), |length| self.whole(Counted::Word("LEN"), length))?;
         let characters = text.chars().count();
         if characters < from {
             return Err(FaultKind::BehindText { length: characters, from });

@@ -1,0 +1,88 @@
+//! Colours, sizes and fonts: the only place where the window gets them from.
+//!
+//! They are in `assets/theme.toml` and `assets/fonts`; nothing else in `gui` names a colour, a size or a font.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | what panels ask for: a colour, a size, a font, a space |
+//! | `tokens` | what the theme file holds |
+//! | `style` | the fonts, and how egui draws its own widgets |
+
+mod style;
+#[cfg(test)]
+mod tests;
+mod tokens;
+
+use std::sync::LazyLock;
+
+use eframe::egui::{Context, FontFamily, FontId, Theme, Ui};
+
+pub use style::install;
+pub use tokens::{Hex, Palette, Sizes, Tokens};
+
+/// The embedded theme. A test proves that it can be read, so the message is for people who edit the file.
+static TOKENS: LazyLock<Tokens> = LazyLock::new(|| {
+    #[expect(clippy::expect_used, reason = "the file is part of the program and read by a test")]
+    toml::from_str(include_str!("../../../assets/theme.toml")).expect("assets/theme.toml can be read")
+});
+
+/// The sizes.
+pub fn sizes() -> &'static Sizes {
+    &TOKENS.sizes
+}
+
+/// The height of everything that is pressed, here and now: buttons, fields, lists, tabs.
+pub fn control(ui: &Ui) -> f32 {
+    // Rows of text set it to nothing for themselves.
+    ui.ctx().global_style().spacing.interact_size.y
+}
+
+/// Sets the height of everything that is pressed.
+pub fn set_density(ctx: &Context, is_touch: bool) {
+    let height = if is_touch { TOKENS.sizes.touch } else { TOKENS.sizes.mouse };
+    if 0.5 < (ctx.global_style().spacing.interact_size.y - height).abs() {
+        ctx.all_styles_mut(|style| {
+            style.spacing.interact_size.y = height;
+            style.spacing.icon_width = if is_touch { space(7.0) } else { space(5.0) };
+            style.spacing.icon_width_inner = style.spacing.icon_width * 0.6;
+        });
+    }
+}
+
+/// This many steps of space.
+pub fn space(steps: f32) -> f32 {
+    TOKENS.sizes.step * steps
+}
+
+/// The colours of light or dark.
+pub fn palette_of(theme: Theme) -> &'static Palette {
+    match theme {
+        Theme::Light => &TOKENS.light,
+        Theme::Dark => &TOKENS.dark,
+    }
+}
+
+/// The colours of what is on screen now.
+pub fn palette(ctx: &Context) -> &'static Palette {
+    palette_of(ctx.theme())
+}
+
+/// The family of headings and the status word.
+pub fn semibold() -> FontFamily {
+    FontFamily::Name("semibold".into())
+}
+
+/// The sans-serif font at a size.
+pub const fn font(size: f32) -> FontId {
+    FontId::new(size, FontFamily::Proportional)
+}
+
+/// The bold sans-serif font at a size.
+pub fn bold(size: f32) -> FontId {
+    FontId::new(size, semibold())
+}
+
+/// The monospaced font at a size.
+pub const fn mono(size: f32) -> FontId {
+    FontId::new(size, FontFamily::Monospace)
+}

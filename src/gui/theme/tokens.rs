@@ -1,0 +1,166 @@
+//! What `assets/theme.toml` holds: the colours of light and dark, and the sizes.
+
+use eframe::egui::Color32;
+use serde::Deserialize;
+
+use crate::verdict::Status;
+
+/// A colour of the theme file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
+pub struct Hex(pub Color32);
+
+impl TryFrom<String> for Hex {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        Color32::from_hex(&text).map(Self).map_err(|_parse| format!("{text} is not a colour such as #14181D"))
+    }
+}
+
+macro_rules! palette {
+    ($($(#[$doc:meta])* $name:ident)*) => {
+        /// The colours of light or dark.
+        #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+        #[serde(deny_unknown_fields)]
+        pub struct Palette { $($(#[$doc])* pub $name: Hex),* }
+    };
+}
+
+palette! {
+    /// Behind everything.
+    background
+    /// Panels.
+    panel
+    /// Text fields.
+    field
+    /// Thin lines between things.
+    line
+    /// Text.
+    text
+    /// Secondary text.
+    quiet
+    /// The focus ring and the main action.
+    accent
+    /// Text on the main action.
+    on_accent
+    /// Errors beside fields.
+    error
+    /// Selected rows and text.
+    selection
+    /// GOOD.
+    good
+    /// Text on it.
+    on_good
+    /// REWORK.
+    rework
+    /// Text on it.
+    on_rework
+    /// SCRAP.
+    scrap
+    /// Text on it.
+    on_scrap
+    /// RE-MEASURE.
+    re_measure
+    /// Text on it.
+    on_re_measure
+    /// No result.
+    none
+    /// Text on it.
+    on_none
+    /// GOOD, simulated.
+    pale_good
+    /// REWORK, simulated.
+    pale_rework
+    /// SCRAP, simulated.
+    pale_scrap
+    /// RE-MEASURE, simulated.
+    pale_re_measure
+    /// Text on a simulated verdict.
+    on_pale
+    /// The tolerance zone in the limit band.
+    zone
+    /// Its edges and the text in it.
+    zone_edge
+    /// Hatching of the rework side.
+    hatch_rework
+    /// Hatching of the scrap side.
+    hatch_scrap
+    /// The hole's zone in the picture of a fit.
+    hole
+    /// The shaft's.
+    shaft
+    /// Words of the language in an NC program.
+    keyword
+    /// The status window.
+    popup
+    /// Its title bar.
+    popup_title
+    /// Text on that.
+    on_popup_title
+}
+
+impl Palette {
+    /// The fill of a verdict and the colour on it; `None` is no result.
+    pub const fn of_status(&self, status: Option<Status>) -> (Color32, Color32) {
+        match status {
+            Some(Status::Good) => (self.good.0, self.on_good.0),
+            Some(Status::Rework) => (self.rework.0, self.on_rework.0),
+            Some(Status::Scrap) => (self.scrap.0, self.on_scrap.0),
+            Some(Status::ReMeasure) => (self.re_measure.0, self.on_re_measure.0),
+            None => (self.none.0, self.on_none.0),
+        }
+    }
+
+    /// The same for a simulated verdict.
+    pub const fn of_simulated(&self, status: Option<Status>) -> (Color32, Color32) {
+        let fill = match status {
+            Some(Status::Good) => self.pale_good,
+            Some(Status::Rework) => self.pale_rework,
+            Some(Status::Scrap) => self.pale_scrap,
+            Some(Status::ReMeasure) => self.pale_re_measure,
+            None => return self.of_status(None),
+        };
+        (fill.0, self.on_pale.0)
+    }
+}
+
+/// Sizes in points.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sizes {
+    /// Table heads, remarks.
+    pub small: f32,
+    /// Body text.
+    pub body: f32,
+    /// Limits of size.
+    pub limits: f32,
+    /// Values that are typed or measured.
+    pub value: f32,
+    /// Headings.
+    pub heading: f32,
+    /// The status window.
+    pub mono: f32,
+    /// The status word.
+    pub status: f32,
+    /// The unit of all spaces.
+    pub step: f32,
+    /// The height of everything that is pressed, with a mouse.
+    pub mouse: f32,
+    /// The same by touch.
+    pub touch: f32,
+    /// The side of a key on the keypad.
+    pub key: f32,
+}
+
+/// The theme file.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tokens {
+    /// Light.
+    pub light: Palette,
+    /// Dark.
+    pub dark: Palette,
+    /// Sizes.
+    pub sizes: Sizes,
+}

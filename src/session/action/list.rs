@@ -1,0 +1,217 @@
+//! The list of everything that a user can do.
+
+use crate::exchange::tables::TABLE_FORMATS;
+use crate::journal::query::Column;
+use crate::report::RENDERINGS;
+use crate::session::program::Switch;
+use crate::session::{Density, MeasureBy, Page, Step, Theme};
+use crate::tolerance::{Base, Feature};
+
+/// The list; an action with a value is one action for each of its values.
+macro_rules! actions {
+    ($($(#[$doc:meta])* $name:ident $(($of:ty): $all:expr)?;)*) => {
+        /// Something that a user can do by menu, button or key.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Action {
+            $($(#[$doc])* $name $(($of))?,)*
+        }
+
+        impl Action {
+            /// Every action, in the order of the pages.
+            pub fn all() -> impl Iterator<Item = Self> {
+                let mut all = Vec::new();
+                $(actions!(@add all $name $($all)?);)*
+                all.into_iter()
+            }
+        }
+    };
+    (@add $list:ident $name:ident) => { $list.push(Self::$name) };
+    (@add $list:ident $name:ident $all:expr) => { $list.extend($all.into_iter().map(Self::$name)) };
+}
+
+actions! {
+    /// Opens a page.
+    Open(Page): Page::ALL;
+    /// Reads measurements.
+    Import;
+    /// Writes the checks in a format of the report's list, by its number there.
+    Export(usize): 0..RENDERINGS.len();
+    /// Writes the status window's text.
+    ExportStatus;
+    /// Chooses light, dark, or the system's setting.
+    UseTheme(Theme): [Theme::System, Theme::Light, Theme::Dark];
+    /// Chooses how high everything is that is pressed.
+    UseDensity(Density): Density::ALL;
+    /// Looks limits up in a source of the list.
+    UseSource(Base): Base::ALL;
+    /// Rounds the halves of js, or not.
+    RoundJs;
+    /// Uses the edition of 1988, or the one of 2010.
+    Edition1988;
+    /// Reads a folder of the user's own tables.
+    LoadTables;
+    /// Stops using the user's own tables.
+    NoOwnTables;
+    /// Reads a mask.
+    LoadMask;
+    /// Undoes the last change of the history.
+    Undo;
+    /// Empties the history.
+    ClearHistory;
+    /// Chooses every listed check that is not good for export.
+    ChooseBad;
+    /// Chooses none.
+    ChooseNone;
+    /// Shows or hides the keypad.
+    Keypad;
+    /// Closes what lies over the page: a dialog, a window, the oldest notice.
+    Close;
+    /// Opens the file that was written in its own program.
+    OpenWritten;
+    /// Shows the file that was written in its folder.
+    ShowWritten;
+    /// Empties the list of recent files.
+    ForgetRecent;
+
+    /// Shows the system's file dialog.
+    Browse;
+    /// Shows the folder above.
+    FolderUp;
+    /// Shows the user's own folder.
+    HomeFolder;
+    /// Shows all files of the folder, or only those of the kind that is asked for.
+    AllFiles;
+    /// Goes to another entry of the folder.
+    MoveFile(Step): Step::ENTRIES;
+    /// Writes over the file that exists.
+    ReplaceFile;
+    /// Keeps the file that exists.
+    KeepFile;
+
+    /// Measures and judges.
+    Measure;
+    /// Judges a typed value that was asked about, as it is.
+    JudgeAnyway;
+    /// Takes what a typed value may have been instead of it.
+    TakeMeant;
+    /// Shows another row of the imported file, worst first.
+    ShowInLot(Step): Step::PATH;
+    /// Clears the result.
+    ClearResult;
+    /// Chooses where the next measurement comes from.
+    MeasureBy(MeasureBy): [MeasureBy::Typing, MeasureBy::Simulating];
+    /// Puts the status window's text on the clipboard.
+    CopyStatus;
+    /// Goes to the filter of the history.
+    FindInHistory;
+    /// Leaves the good checks out of the list.
+    OnlyBad;
+    /// Sorts the list by a column.
+    SortHistory(Column): Column::ALL;
+    /// Goes to another check of the list.
+    MoveCheck(Step): Step::BLOCKS;
+    /// Shows the check again.
+    ShowCheck;
+    /// Chooses the check for export, or not.
+    ChooseCheck;
+    /// Chooses every check of the list.
+    ChooseAll;
+    /// Puts the chosen checks, or the one at which the keys are, on the clipboard.
+    CopyChecks;
+
+    /// Goes to another class of the map.
+    MoveClass(Step): Step::CLASSES;
+    /// Shows the map of hole classes or of shaft classes.
+    ShowClasses(Feature): [Feature::Hole, Feature::Shaft];
+    /// Takes one side of the fit to the check page.
+    CheckPart(Feature): [Feature::Hole, Feature::Shaft];
+
+    /// Runs the cycle.
+    RunCycle;
+    /// Clears the result.
+    ClearCycle;
+    /// Steps along the path.
+    StepPath(Step): Step::PATH;
+    /// Opens the dialog of the simulated workpiece.
+    EditWorkpiece;
+    /// Makes a simulated workpiece that suits the page's inputs.
+    SuitWorkpiece;
+    /// Reads a simulated workpiece.
+    OpenWorkpiece;
+    /// Writes the simulated workpiece.
+    SaveWorkpiece;
+    /// Reads recorded contacts.
+    OpenContacts;
+    /// Reads a touch-probe table.
+    OpenProbes;
+    /// Takes the built-in touch-probe table.
+    ShippedProbes;
+    /// Opens the field for an NC block.
+    PasteBlock;
+    /// Fills the form from the NC block.
+    TakeBlock;
+    /// Puts the form as an NC block on the clipboard.
+    CopyBlock;
+    /// Puts the status window's text on the clipboard.
+    CopyCycleStatus;
+    /// Puts the results on the clipboard.
+    CopyResults;
+    /// Writes the measuring log.
+    SaveLog;
+
+    /// Reads a table.
+    OpenTable;
+    /// Writes the shown table in a format of the tables' list, by its number there.
+    SaveTable(usize): 0..TABLE_FORMATS.len();
+    /// Undoes the last edit of the shown table.
+    UndoEdit;
+    /// Redoes it.
+    RedoEdit;
+    /// Looks limits up in the shown table first.
+    UseTable;
+    /// Goes to the filter.
+    FindInTable;
+    /// Selects the previous cell that differs from ISO 286.
+    PreviousDifference;
+    /// Selects the next one.
+    NextDifference;
+    /// Goes to another cell.
+    MoveCell(Step): Step::CELLS;
+    /// Goes to the fields of the cell.
+    EditCell;
+    /// Puts the fields into the cell.
+    SetCell;
+    /// Puts what ISO 286 says into the cell.
+    TakeStandard;
+    /// Empties the cell.
+    EmptyCell;
+    /// Adds classes to the shown table.
+    AddColumns;
+    /// Removes the selected cell's class.
+    RemoveColumn;
+    /// Makes a table from ISO 286.
+    MakeTable;
+
+    /// Reads an NC program.
+    OpenProgram;
+    /// Runs the program.
+    RunProgram;
+    /// Pauses it.
+    PauseProgram;
+    /// Runs one block.
+    StepProgram;
+    /// Runs one block, including everything that it calls.
+    StepOver;
+    /// Runs up to the selected block.
+    RunToSelected;
+    /// Sets a breakpoint at the selected block, or removes it.
+    ToggleBreakpoint;
+    /// Goes back to before the first block.
+    ResetProgram;
+    /// Switches an option of the run on or off.
+    Switch(Switch): Switch::ALL;
+    /// Goes to another block.
+    MoveBlock(Step): Step::BLOCKS;
+    /// Gives a parameter a value at the next start.
+    GiveValue;
+}
