@@ -7,12 +7,13 @@ use eframe::egui::{CentralPanel, Ui};
 use egui_kittest::Harness;
 use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::session::{CheckCommand, Command, Field, FitField, Page};
-use fitcheck::words::Language;
+use fitcheck::words::{Language, Words};
 
 fn setup() -> Setup {
     Setup {
         store: Store::nowhere(),
         language: Language::En,
+        words: Words::new,
         errands: Errands::AtOnce,
         clock: || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
         home: None,

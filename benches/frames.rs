@@ -15,7 +15,7 @@ use fitcheck::journal::query::Column;
 use fitcheck::message::Say as _;
 use fitcheck::session::program::Document;
 use fitcheck::session::{CheckCommand, CheckField, Command, Field, ListCommand, Page, ProgramCommand};
-use fitcheck::words::Language;
+use fitcheck::words::{Language, Words};
 use jiff::civil::DateTime;
 
 /// How many checks.
@@ -34,7 +34,8 @@ fn now() -> DateTime {
 /// A window at the first start.
 fn empty(size: Vec2) -> Harness<'static, App> {
     let (store, errands) = (Store::nowhere(), Errands::AtOnce);
-    let setup = Setup { store, language: Language::En, errands, clock: now, home: None, files: Vec::new() };
+    let setup =
+        Setup { store, language: Language::En, words: Words::new, errands, clock: now, home: None, files: Vec::new() };
     Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup))
 }
 

@@ -20,6 +20,8 @@ pub struct Setup {
     pub store: Store,
     /// The language of the first start.
     pub language: Language,
+    /// The texts of a language.
+    pub words: fn(Language) -> Words,
     /// How files are read and written.
     pub errands: Errands,
     /// The local date and time.
@@ -37,6 +39,7 @@ impl Setup {
         Self {
             store: Store::of_user(),
             language,
+            words: Words::new,
             errands: Errands::OnThread,
             clock: || jiff::Zoned::now().datetime(),
             home: etcetera::home_dir().ok(),
@@ -50,6 +53,7 @@ impl Setup {
 pub struct App {
     session: Session,
     words: Words,
+    words_of: fn(Language) -> Words,
     runner: Runner,
     store: Store,
     clock: fn() -> DateTime,
@@ -80,7 +84,8 @@ impl App {
             session.use_home(home);
         }
         let mut app = Self {
-            words: Words::new(session.language()),
+            words: (setup.words)(session.language()),
+            words_of: setup.words,
             runner: Runner::new(setup.errands),
             saved: session.saved(),
             session,
@@ -135,7 +140,7 @@ impl App {
             }
         }
         if self.words.language() != self.session.language() {
-            self.words = Words::new(self.session.language());
+            self.words = (self.words_of)(self.session.language());
         }
         self.prefer_theme(ctx);
         // The change is drawn at once; after that nothing moves.

@@ -88,9 +88,9 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
 fn three_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
     let (is_narrow, all) = (ui.available_width() < space(300.0), ui.available_width());
     let [left, right] = [page.left, page.right].map(|width| if is_narrow { width * 0.88 } else { width });
-    // The middle keeps a fifth of the page, however wide the others are drawn.
+    // The middle keeps a fifth of the page, and the width of a drawing, however wide the others are drawn.
     let least_asked = LEAST_ASKED.max(keypad::width(view));
-    let most = (all * 0.8 - least).max(least_asked);
+    let most = (all - (all * 0.2).max(space(72.0)) - least).max(least_asked);
     let sizes = (left.clamp(least_asked, most), least_asked..=most);
     let salt = (page.name, "asked", is_narrow);
     panel_ui(ui, view, Side::Left, salt, sizes, |ui, view| asked_ui(ui, view, page));
@@ -105,11 +105,18 @@ fn three_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
 }
 
 fn two_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
+    // On its side a window has room for the pictures below both columns.
+    let size = ui.available_size();
+    let is_tall = size.x * 1.3 < size.y;
+    if is_tall {
+        let heights = (size.y * 0.46, size.y * 0.25..=size.y * 0.6);
+        panel_ui(ui, view, Side::Bottom, (page.name, "seen", 2), heights, page.seen);
+    }
     let most = (ui.available_width() - least).max(LEAST_ASKED);
     let least_asked = LEAST_ASKED.max(keypad::width(view)).min(most);
     let sizes = (page.left.clamp(least_asked, most), least_asked..=most);
     panel_ui(ui, view, Side::Left, (page.name, "asked", 2), sizes, |ui, view| asked_ui(ui, view, page));
-    CentralPanel::default().show(ui, |ui| answer_ui(ui, view, page, true));
+    CentralPanel::default().show(ui, |ui| answer_ui(ui, view, page, !is_tall));
 }
 
 fn one_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
@@ -132,12 +139,24 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
 
 fn asked_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     keypad_ui(ui, view);
-    if let Some(head) = page.head {
+    // In a very low window it would leave no room for what is asked, so it scrolls with it.
+    let scrolls = is_tiny(ui);
+    let head_ui = |ui: &mut Ui, view: &mut View<'_>| {
+        if let Some(head) = page.head {
+            head(ui, view);
+            ui.separator();
+        }
+    };
+    if !scrolls {
         ui.spacing_mut().item_spacing.y = space(1.0);
-        head(ui, view);
-        ui.separator();
+        head_ui(ui, view);
     }
-    column_ui(ui, (page.name, "asked"), |ui| (page.asked)(ui, view));
+    column_ui(ui, (page.name, "asked"), |ui| {
+        if scrolls {
+            head_ui(ui, view);
+        }
+        (page.asked)(ui, view);
+    });
 }
 
 fn answer_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, with_seen: bool) {

@@ -229,6 +229,11 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
         );
     }
     ui.horizontal_wrapped(|ui| {
+        // Only what undo would take back now: other changes may have followed.
+        if notice.change.is_some() && notice.change == view.session.history().last_change() {
+            let undo = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
+            view.button_as(ui, Action::Undo, undo);
+        }
         let of_file = [Action::OpenWritten, Action::ShowWritten].into_iter().filter(|_| notice.file.is_some());
         for action in of_file.chain([Action::Close]) {
             let button = view.named(action).min_size(vec2(space(24.0), control(ui)));

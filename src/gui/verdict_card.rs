@@ -1,7 +1,9 @@
 //! The verdict's card: one word that can be read from two metres, its shape, and the lines below it.
 
-use eframe::egui::accesskit::Live;
-use eframe::egui::{Align, Color32, Frame, Layout, Margin, Response, RichText, Sense, Ui, vec2};
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{
+    Align, Align2, Color32, FontId, Frame, Layout, Margin, Response, RichText, Sense, Ui, WidgetInfo, vec2,
+};
 
 use super::columns::{is_low, is_tiny};
 use super::shapes;
@@ -32,6 +34,8 @@ pub(super) struct Card {
     pub instruction: Option<(String, String)>,
     /// The lines below.
     pub lines: Vec<String>,
+    /// The least height of the card.
+    pub height: f32,
 }
 
 impl Card {
@@ -74,9 +78,8 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card) {
     let simulated = card.is_simulated.then(|| view.text("simulated"));
     let shown = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::same(MARGIN)).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
-        if !is_low(ui) {
-            ui.set_min_height(space(54.0));
-        }
+        let least = if is_low(ui) { 0.0 } else { space(54.0) };
+        ui.set_min_height(least.max(card.height - f32::from(MARGIN) * 2.0));
         ui.spacing_mut().item_spacing.y = space(1.0);
         ui.vertical_centered(|ui| {
             if let Some(simulated) = &simulated {
@@ -84,7 +87,7 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card) {
             }
             let size = word_ui(ui, card, colour);
             if let Some((what, rest)) = &card.instruction {
-                ui.label(RichText::new(what).font(theme::bold((size * 0.5).ceil())).color(colour));
+                ui.label(RichText::new(what).font(theme::bold(instruction_size(size))).color(colour));
                 if !is_tiny(ui) {
                     ui.label(RichText::new(rest).font(theme::font(sizes().limits)).color(colour));
                 }
@@ -106,13 +109,51 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card) {
     live(ui, &response, &card.said(simulated.as_ref()), Live::Assertive);
 }
 
-/// Shape and word; returns the word's size: 64 points and up, according to the panel. Pages keep [`least_width`] for
-/// it; only a window that is narrower than the word sets it smaller. No result is set smaller.
-fn word_ui(ui: &mut Ui, card: &Card, colour: Color32) -> f32 {
-    let width = ui.available_width();
+/// The height that a card takes in what is left of the width, so that a page can keep it for another result.
+pub(super) fn card_height(ui: &Ui, view: &View<'_>, card: &Card) -> f32 {
+    let width = ui.available_width() - f32::from(MARGIN) * 2.0;
+    let text =
+        |text: &str, font: FontId| ui.painter().layout(text.to_owned(), font, Color32::PLACEHOLDER, width).size();
+    let size = word_size(ui, card, width);
+    let word = text(&card.word, theme::bold(size));
+    let mut heights = vec![word.y];
+    if !is_low(ui) {
+        heights.push(space(16.0));
+    }
+    if card.is_simulated {
+        heights.push(text(&view.text("simulated"), theme::bold(sizes().value)).y);
+    }
+    if let Some((what, rest)) = &card.instruction {
+        heights.push(text(what, theme::bold(instruction_size(size))).y);
+        if !is_tiny(ui) {
+            heights.push(text(rest, theme::font(sizes().limits)).y);
+        }
+    }
+    heights.extend(card.value.iter().map(|value| text(value, theme::bold(sizes().value)).y));
+    if !is_tiny(ui) {
+        heights.extend(card.lines.iter().map(|line| text(line, theme::font(sizes().limits)).y));
+    }
+    let gaps = space(1.0) * f32::from(u8::try_from(heights.len()).unwrap_or(u8::MAX).saturating_sub(1));
+    heights.into_iter().sum::<f32>() + gaps + f32::from(MARGIN) * 2.0
+}
+
+/// The size of what is to be done, below a word of a size.
+fn instruction_size(word: f32) -> f32 {
+    (word * 0.5).ceil()
+}
+
+/// The size of a card's word: 64 points and up, according to the panel. Pages keep [`least_width`] for it; only a window
+/// that is narrower than the word sets it smaller. No result is set smaller.
+fn word_size(ui: &Ui, card: &Card, width: f32) -> f32 {
     let room = (width * 0.2).min(ui.ctx().content_rect().height() * 0.14);
     let wanted = if card.status.is_some() { sizes().status.max(room) } else { sizes().value };
-    let size = wanted.min(wanted * width / word_width(ui, &card.word, wanted).max(1.0)).floor();
+    wanted.min(wanted * width / word_width(ui, &card.word, wanted).max(1.0)).floor()
+}
+
+/// Shape and word; returns the word's size.
+fn word_ui(ui: &mut Ui, card: &Card, colour: Color32) -> f32 {
+    let width = ui.available_width();
+    let size = word_size(ui, card, width);
     let text = RichText::new(&card.word).font(theme::bold(size)).color(colour);
     let galley = ui.painter().layout_no_wrap(card.word.clone(), theme::bold(size), colour);
     // Beside the word where the window is low and there is room, above it elsewhere.
@@ -138,16 +179,18 @@ fn word_ui(ui: &mut Ui, card: &Card, colour: Color32) -> f32 {
 /// A small verdict: shape, text and colour.
 pub(super) fn chip_ui(ui: &mut Ui, status: Status, text: &str) -> Response {
     let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
-    let frame = Frame::new().fill(fill).corner_radius(4.0).inner_margin(Margin::symmetric(8, 4));
-    let chip = frame.show(ui, |ui| {
-        ui.spacing_mut().interact_size.y = 0.0;
-        ui.horizontal(|ui| {
-            let (rect, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
-            shapes::status(ui.painter(), rect, Some(status), colour);
-            ui.label(RichText::new(text).font(theme::bold(sizes().body)).color(colour));
-        });
-    });
-    chip.response
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), theme::bold(sizes().body), colour);
+    let (mark, gap) = (space(4.0), space(2.0));
+    let size = vec2(mark + gap + galley.size().x, galley.size().y.max(mark)) + vec2(16.0, 8.0);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    let inner = rect.shrink2(vec2(8.0, 4.0));
+    ui.painter().rect_filled(rect, 4.0, fill);
+    let shape = Align2::LEFT_CENTER.align_size_within_rect(vec2(mark, mark), inner);
+    shapes::status(ui.painter(), shape, Some(status), colour);
+    let at = Align2::RIGHT_CENTER.align_size_within_rect(galley.size(), inner);
+    ui.painter().galley(at.min, galley, colour);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+    response
 }
 
 /// The fill of a verdict and the colour on it: pale where nobody measured.

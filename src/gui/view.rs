@@ -11,7 +11,9 @@ use super::keys::told;
 use super::theme::{self, control};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
+use crate::message::{Message, Say as _};
 use crate::session::{Action, Command, Session};
+use crate::verdict::Doubt;
 use crate::words::Words;
 
 /// What every panel is given.
@@ -204,6 +206,13 @@ pub(super) fn quiet_within(ui: &mut Ui, text: impl Into<String>, width: f32) -> 
 pub(super) fn quiet_height(ui: &Ui, text: &str, width: f32) -> f32 {
     let font = theme::font(theme::sizes().small);
     ui.painter().layout(text.to_owned(), font, egui::Color32::PLACEHOLDER, width).size().y
+}
+
+/// A doubt about a measured value as a sentence of its own.
+pub(super) fn doubt_text(words: &Words, doubt: Doubt) -> String {
+    let said = words.say(&Message::new("doubt-sentence").message("doubt", doubt.message()));
+    let mut rest = said.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
 }
 
 /// Text that says what is wrong.

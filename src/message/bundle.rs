@@ -1,5 +1,6 @@
 //! The texts of one language.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -8,6 +9,9 @@ use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 
 use super::{Arg, Message};
 use crate::shipped;
+
+/// Changes the wording of a text.
+pub type Transform = fn(&str) -> Cow<'_, str>;
 
 /// The texts of one language: the folder of its code in `assets/locales`.
 pub struct Bundle {
@@ -29,6 +33,7 @@ pub struct TextFile {
     code: &'static str,
     name: &'static str,
     bytes: &'static [u8],
+    transform: Option<Transform>,
     parsed: OnceLock<FluentBundle<FluentResource>>,
 }
 
@@ -41,7 +46,7 @@ impl fmt::Debug for TextFile {
 impl TextFile {
     /// A built-in file of a language.
     pub const fn new(code: &'static str, (name, bytes): (&'static str, &'static [u8])) -> Self {
-        Self { code, name, bytes, parsed: OnceLock::new() }
+        Self { code, name, bytes, transform: None, parsed: OnceLock::new() }
     }
 
     fn parsed(&self) -> &FluentBundle<FluentResource> {
@@ -49,6 +54,7 @@ impl TextFile {
             let mut texts = FluentBundle::new_concurrent(vec![self.code.parse().unwrap_or_default()]);
             // The marks U+2068 and U+2069 around every argument would show in reports and labels.
             texts.set_use_isolating(false);
+            texts.set_transform(self.transform);
             let resource = match FluentResource::try_new(String::from_utf8_lossy(self.bytes).into_owned()) {
                 Ok(resource) => resource,
                 Err((resource, errors)) => {
@@ -81,6 +87,14 @@ impl Bundle {
         let files = shipped::LOCALES.iter().filter(|(name, _)| name.split('/').next() == Some(code));
         let places = shipped::TEXTS.iter().find(|(known, _)| *known == code).map(|(_, places)| *places);
         Self { code, files: files.map(|file| TextFile::new(code, *file)).collect(), places: places.unwrap_or_default() }
+    }
+
+    /// The same texts, each passed through a function without what is put into them: a language for tests, such as one
+    /// with longer words.
+    #[must_use]
+    pub fn transformed(self, transform: Transform) -> Self {
+        let transformed = |file: TextFile| TextFile { transform: Some(transform), parsed: OnceLock::new(), ..file };
+        Self { files: self.files.into_iter().map(transformed).collect(), ..self }
     }
 
     /// The text of a name without arguments, if there is one.

@@ -19,7 +19,7 @@ use std::sync::LazyLock;
 
 pub use arg::{Arg, IntoArg};
 pub(crate) use arg::{as_text, printed};
-pub use bundle::{Bundle, TextFile};
+pub use bundle::{Bundle, TextFile, Transform};
 pub use fitcheck_derive::Say;
 pub use located::{Located, Place};
 

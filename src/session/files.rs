@@ -272,7 +272,7 @@ impl Session {
             None => Message::new("file-written-here").text("name", name),
         };
         let file = Some(path.to_owned());
-        self.shared.notices.push(Notice { message, details: Vec::new(), is_problem: false, file });
+        self.shared.notices.push(Notice { message, details: Vec::new(), is_problem: false, file, change: None });
     }
 }
 

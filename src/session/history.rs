@@ -37,8 +37,14 @@ pub struct History {
     cursor: Option<RecordId>,
     /// Goes up whenever the cursor has to come into sight.
     look: u64,
-    undo: VecDeque<Change>,
+    undo: VecDeque<(ChangeId, Change)>,
+    /// How many changes there were.
+    changes: u64,
 }
+
+/// The number of a change of the history: no two changes of a session have the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ChangeId(u64);
 
 /// What undo takes back: only what was added or removed, never a copy of everything.
 #[derive(Debug)]
@@ -118,7 +124,12 @@ impl History {
 
     /// What undo would take back.
     pub fn undoes(&self) -> Option<Message> {
-        self.undo.back().map(Change::message)
+        self.undo.back().map(|(_, change)| change.message())
+    }
+
+    /// The change that undo would take back.
+    pub fn last_change(&self) -> Option<ChangeId> {
+        self.undo.back().map(|(id, _)| *id)
     }
 
     /// The number that the next check will get.
@@ -174,7 +185,7 @@ impl History {
 
     /// Undoes the last change; returns what it was. `None` where there is none.
     pub(super) fn take_back(&mut self) -> Option<Message> {
-        let change = self.undo.pop_back()?;
+        let (_, change) = self.undo.pop_back()?;
         let message = change.message();
         match change {
             Change::Added { first, .. } => {
@@ -196,6 +207,7 @@ impl History {
         if UNDO_STEPS <= self.undo.len() {
             self.undo.pop_front();
         }
-        self.undo.push_back(change);
+        self.changes += 1;
+        self.undo.push_back((ChangeId(self.changes), change));
     }
 }

@@ -63,7 +63,7 @@ pub use files::{Dialog, Fate, FilesCommand, FolderList, HEAD, Launch, OpenError,
 pub use fit::{
     ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
 };
-pub use history::{History, ListCommand, status_text};
+pub use history::{ChangeId, History, ListCommand, status_text};
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
 pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs};
 pub use shared::{MaskChoice, Notice};

@@ -11,7 +11,7 @@ use jiff::civil::DateTime;
 
 use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
 use super::files::{Dialog, Places};
-use super::history::History;
+use super::history::{ChangeId, History};
 use super::workpiece::SimulatedWorkpiece;
 use crate::control::mask::Mask;
 use crate::message::Message;
@@ -47,6 +47,8 @@ pub struct Notice {
     pub is_problem: bool,
     /// The file that was written.
     pub file: Option<PathBuf>,
+    /// The change of the history that it tells of.
+    pub change: Option<ChangeId>,
 }
 
 /// A change by a page, or for all of them, that other pages follow.
@@ -181,23 +183,30 @@ impl Shared {
 
     /// Tells the user what failed.
     pub fn tell(&mut self, message: Message) {
-        self.notices.push(Notice { message, details: Vec::new(), is_problem: true, file: None });
+        self.notices.push(Notice { message, details: Vec::new(), is_problem: true, file: None, change: None });
     }
 
     /// Tells the user what failed, before the notice that asked for it.
     pub fn tell_first(&mut self, message: Message) {
-        self.notices.insert(0, Notice { message, details: Vec::new(), is_problem: true, file: None });
+        self.notices.insert(0, Notice { message, details: Vec::new(), is_problem: true, file: None, change: None });
     }
 
     /// Tells the user what was done.
     pub fn note(&mut self, message: Message, details: Vec<Message>) {
-        self.notices.push(Notice { message, details, is_problem: false, file: None });
+        self.notices.push(Notice { message, details, is_problem: false, file: None, change: None });
     }
 
     /// Tells the user what was done, where there are details.
     pub fn note_details(&mut self, message: Message, details: Vec<Message>) {
         if !details.is_empty() {
             self.note(message, details);
+        }
+    }
+
+    /// The newest notice tells of the last change of the history, and offers to undo it.
+    pub fn note_change(&mut self) {
+        if let Some(notice) = self.notices.last_mut() {
+            notice.change = self.history.last_change();
         }
     }
 

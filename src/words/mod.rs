@@ -27,7 +27,12 @@ pub struct Words {
 impl Words {
     /// Loads the embedded texts of a language; nothing is read from disk.
     pub fn new(language: Language) -> Self {
-        Self { language, bundle: Bundle::of(language.code()) }
+        Self::of_bundle(language, Bundle::of(language.code()))
+    }
+
+    /// The texts of a bundle, with numbers as a language writes them.
+    pub const fn of_bundle(language: Language, bundle: Bundle) -> Self {
+        Self { language, bundle }
     }
 
     /// Which language.

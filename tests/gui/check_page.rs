@@ -1,12 +1,15 @@
 //! Typing a callout and a value, and reading the answer.
 
 use eframe::egui::accesskit::{Live, Role};
+use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use eframe::egui::{Key, Modifiers};
-use fitcheck::session::{CheckCommand, CheckField, MeasureBy};
+use fitcheck::gui::App;
+use fitcheck::session::{CheckCommand, CheckField, Command, Field, FitField, MeasureBy, Page};
+use fitcheck::words::Language;
 
-use crate::harness::{check, type_into, verdict, window};
+use crate::harness::{Window, check, type_into, verdict, window};
 
 #[test]
 fn a_value_inside_the_limits_is_good() {
@@ -121,6 +124,7 @@ fn a_value_that_may_be_another_quantity_is_asked_about() {
     let mut window = window();
     check(&mut window, "25 H7", "250.12");
     assert!(verdict(&window).starts_with("Is this right?. 250.120 mm"), "{}", verdict(&window));
+    assert!(verdict(&window).contains(". The measured value is about the nominal size"), "{}", verdict(&window));
     window.get_by_role_and_label(Role::Button, "Use 25.012 mm").click();
     window.run();
     assert!(verdict(&window).starts_with("GOOD. 25.012 mm"), "{}", verdict(&window));
@@ -134,6 +138,41 @@ fn a_value_that_may_be_another_quantity_is_asked_about() {
     window.key_press(Key::Enter);
     window.run();
     assert!(verdict(&window).starts_with("REWORK. 2.5012 mm"), "{}", verdict(&window));
+}
+
+#[test]
+fn a_doubt_is_a_whole_sentence_in_every_language_on_both_pages() {
+    for (language, asked, said) in [
+        (
+            Language::En,
+            "Is this right?",
+            "The measured value is twice the nominal size: was a diameter taken for a radius?",
+        ),
+        (
+            Language::Nl,
+            "Klopt dit?",
+            "De gemeten waarde is twee keer de nominale maat: is een diameter voor een radius aangezien?",
+        ),
+    ] {
+        let mut window = Window { language, ..Window::default() }.open();
+        let send = |window: &mut Harness<'_, App>, command: Command| {
+            let ctx = window.ctx.clone();
+            window.state_mut().send(&ctx, command);
+            window.run();
+        };
+        send(&mut window, Field::from(CheckField::Callout).typed("25 H7".to_owned()));
+        send(&mut window, Field::from(CheckField::Measured).typed("50.012".to_owned()));
+        send(&mut window, CheckCommand::Measure.into());
+        assert!(verdict(&window).starts_with(asked), "{}", verdict(&window));
+        window.get_by_label(said);
+        send(&mut window, CheckCommand::Measure.into());
+        assert!(!verdict(&window).starts_with(asked), "{}", verdict(&window));
+        window.get_by_label(said);
+        send(&mut window, Command::OpenPage(Page::Fit));
+        send(&mut window, Field::from(FitField::Callout).typed("25 H7/g6".to_owned()));
+        send(&mut window, Field::from(FitField::HoleMeasured).typed("50.012".to_owned()));
+        window.get_by_label(said);
+    }
 }
 
 #[test]

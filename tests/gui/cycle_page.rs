@@ -10,6 +10,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::probing::cycles::cycle_named;
 use fitcheck::session::{CycleField, Page};
+use fitcheck::verdict::Status;
 use fitcheck::words::Language;
 
 use crate::harness::{DESK, Window, type_into, verdict};
@@ -751,6 +752,34 @@ fn no_button_moves_when_a_result_comes() {
         let after = places(&window);
         for place in before {
             assert!(after.contains(&place), "{language:?}: {place:?} has moved, {after:#?}");
+        }
+    }
+}
+
+#[test]
+fn the_card_keeps_its_height_whatever_the_verdict_is() {
+    for (size, language) in [
+        (DESK, Language::En),
+        (DESK, Language::Nl),
+        (vec2(1920.0, 1080.0), Language::En),
+        (vec2(1024.0, 600.0), Language::Nl),
+    ] {
+        let mut window = page_with_421(Window { size, language, ..Window::default() });
+        let words = fitcheck::words::Words::new(language);
+        let places = |window: &Harness<'_, App>| {
+            let name = words.get("copy");
+            let copy = window.get_all_by_role_and_label(Role::Button, &name).map(|node| node.rect().top());
+            (window.get_by_role(Role::Status).rect(), copy.fold(f32::INFINITY, f32::min))
+        };
+        let before = places(&window);
+        for (minimum, maximum, status) in
+            [("25", "25.021", Status::Good), ("25.01", "25.021", Status::Rework), ("24.97", "24.98", Status::Scrap)]
+        {
+            fill(&mut window, &[("Q276", minimum), ("Q275", maximum)]);
+            key(&mut window, Modifiers::NONE, Key::F5);
+            let word = words.told(&status);
+            assert!(simulated(&window).starts_with(&word), "{}", verdict(&window));
+            assert_eq!(places(&window), before, "{word} at {size:?}");
         }
     }
 }

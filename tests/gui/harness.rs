@@ -8,7 +8,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::session::{Command, Purpose};
-use fitcheck::words::Language;
+use fitcheck::words::{Language, Words};
 
 /// The size that most tests look at.
 pub const DESK: Vec2 = vec2(1280.0, 800.0);
@@ -23,6 +23,8 @@ pub struct Window {
     pub size: Vec2,
     pub theme: Theme,
     pub language: Language,
+    /// The texts of a language.
+    pub words: fn(Language) -> Words,
     pub store: Store,
     /// The folder in which dialogs begin.
     pub home: Option<PathBuf>,
@@ -38,6 +40,7 @@ impl Default for Window {
             size: DESK,
             theme: Theme::Light,
             language: Language::En,
+            words: Words::new,
             store: Store::nowhere(),
             home: None,
             files: Vec::new(),
@@ -51,6 +54,7 @@ impl Window {
         let setup = Setup {
             store: self.store,
             language: self.language,
+            words: self.words,
             errands: Errands::AtOnce,
             clock: || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
             home: self.home,

@@ -13,11 +13,14 @@ use fitcheck::words::Language;
 
 use crate::harness::{Window, check, type_into, window};
 
+fn now() -> jiff::civil::DateTime {
+    jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0)
+}
+
 /// Reads a file of measurements as if it had been imported, and closes the notice about it.
 fn read(window: &mut Harness<'_, App>, rows: &str) {
-    let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
     let text = format!("id,callout,measured\n{rows}");
-    let result = Ok(Box::new(import("lot.csv", text.as_bytes(), window.state().session().sources(), now)));
+    let result = Ok(Box::new(import("lot.csv", text.as_bytes(), window.state().session().sources(), now())));
     let ctx = window.ctx.clone();
     window.state_mut().send(&ctx, CheckCommand::Imported { name: "lot.csv".to_owned(), result }.into());
     window.state_mut().send(&ctx, Command::Close);
@@ -272,6 +275,54 @@ fn clearing_says_how_many_and_undo_brings_them_back() {
     click(&mut window, Role::Button, "Undo: clear history");
     assert_eq!(parts(&window), "B A2 A10");
     assert!(window.query_by_label_contains("removed from the history").is_none());
+}
+
+#[test]
+fn a_notice_undoes_what_it_tells_of_by_its_button_and_by_key() {
+    let undo_by: [fn(&mut Harness<'_, App>); 3] = [
+        |window| click(window, Role::Button, "Undo"),
+        |window| press(window, Key::Space),
+        |window| {
+            window.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+            window.run();
+        },
+    ];
+    for undo in undo_by {
+        let mut window = three();
+        click(&mut window, Role::Button, "Menu");
+        click(&mut window, Role::Button, "Clear history");
+        assert!(rows(&window).is_empty());
+        window.get_by_role_and_label(Role::Button, "Undo").focus();
+        window.run();
+        undo(&mut window);
+        assert_eq!(parts(&window), "B A2 A10");
+        assert!(window.state().session().notices().is_empty());
+    }
+}
+
+#[test]
+fn a_notice_offers_no_undo_once_something_else_would_be_undone() {
+    let mut window = window();
+    let rows_of = import(
+        "lot.csv",
+        format!("id,callout,measured\n{THREE}").as_bytes(),
+        window.state().session().sources(),
+        now(),
+    );
+    let ctx = window.ctx.clone();
+    let read = CheckCommand::Imported { name: "lot.csv".to_owned(), result: Ok(Box::new(rows_of)) };
+    window.state_mut().send(&ctx, read.into());
+    window.run();
+    window.get_by_role_and_label(Role::Button, "Undo");
+    check(&mut window, "25 H7", "25.012");
+    window.get_by_label_contains("lot.csv:");
+    assert!(window.query_by_role_and_label(Role::Button, "Undo").is_none());
+    // Once the newer check is gone, the import can be undone again.
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, CheckCommand::Undo.into());
+    window.run();
+    click(&mut window, Role::Button, "Undo");
+    assert!(rows(&window).is_empty());
 }
 
 #[test]

@@ -1,16 +1,22 @@
-//! The window at every size, zoom and language: the verdict is whole, nothing sticks out at the side.
+//! The window at every size, zoom and language, and with longer texts: the verdict is whole, no text is cut or covered by
+//! another, nothing sticks out at the side.
 //!
 //! `PICTURES=FOLDER cargo test --all-features --test gui sizes` also writes a picture of every page at every size.
 
+use std::borrow::Cow;
+
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Rect, Vec2, vec2};
+use eframe::egui::epaint::TextShape;
+use eframe::egui::{FontFamily, Rect, Shape, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
+use fitcheck::message::Bundle;
 use fitcheck::session::{
     CheckCommand, CheckField, Command, CyclesCommand, Field, FitField, MeasureBy, Page, ProgramCommand,
 };
-use fitcheck::words::Language;
+use fitcheck::verdict::Status;
+use fitcheck::words::{Language, Words};
 
 use crate::harness::Window;
 
@@ -31,9 +37,50 @@ const SIZES: [(f32, f32, f32); 13] = [
     (3840.0, 2160.0, 2.0),
 ];
 
-fn open(size: (f32, f32, f32), language: Language) -> Harness<'static, App> {
+/// The sizes that texts of a longer language are looked at.
+const USUAL: [(f32, f32, f32); 4] =
+    [(800.0, 600.0, 1.0), (1024.0, 768.0, 1.0), (1280.0, 800.0, 1.0), (1920.0, 1080.0, 1.0)];
+
+/// What the window speaks.
+#[derive(Clone, Copy)]
+struct Tongue {
+    name: &'static str,
+    language: Language,
+    words: fn(Language) -> Words,
+}
+
+const ENGLISH: Tongue = Tongue { name: "en", language: Language::En, words: Words::new };
+const DUTCH: Tongue = Tongue { name: "nl", language: Language::Nl, words: Words::new };
+/// English with longer words.
+const LONG: Tongue = Tongue {
+    name: "long",
+    language: Language::En,
+    words: |language| Words::of_bundle(language, Bundle::of(language.code()).transformed(longer)),
+};
+
+/// A text about 30 % longer: in words of three letters and more the second letter and every third one after it stand
+/// twice. Lines break where they did; numbers, units and what is put into the text stay.
+fn longer(text: &str) -> Cow<'_, str> {
+    let mut long = String::new();
+    for word in text.split_inclusive(' ') {
+        let letters = word.chars().filter(|c| c.is_alphabetic()).count();
+        let is_word = 3 <= letters && !word.contains(|c: char| c.is_ascii_digit() || c == 'µ');
+        let mut number = 0;
+        for c in word.chars() {
+            long.push(c);
+            number += usize::from(c.is_alphabetic());
+            if is_word && c.is_alphabetic() && number % 3 == 2 {
+                long.push(c);
+            }
+        }
+    }
+    Cow::Owned(long)
+}
+
+fn open(size: (f32, f32, f32), tongue: Tongue) -> Harness<'static, App> {
     let (width, height, zoom) = size;
-    Window { size: vec2(width, height) / zoom, zoom, language, ..Window::default() }.open()
+    let Tongue { language, words, .. } = tongue;
+    Window { size: vec2(width, height) / zoom, zoom, language, words, ..Window::default() }.open()
 }
 
 fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
@@ -82,68 +129,171 @@ fn check_frame(window: &Harness<'_, App>, size: Vec2, what: &str) {
     }
 }
 
-#[test]
-fn the_check_page_at_every_size() {
-    for size in SIZES {
-        for (language, word) in [(Language::En, "REWORK"), (Language::Nl, "NABEWERKING")] {
-            let points = vec2(size.0, size.1) / size.2;
-            let what = format!("check {}x{} at {} {}", size.0, size.1, size.2, language.code());
-            let mut window = open(size, language);
-            check_frame(&window, points, &what);
-            measured(&mut window, &["25.012", "25.005", "25.0185", "25.023", "24.998"]);
-            paint(&mut window, &format!("{what} rework"));
-            check_frame(&window, points, &what);
-            let label = window
-                .get_all_by_label(word)
-                .map(|node| bounds(&node))
-                .max_by(|one, other| one.height().total_cmp(&other.height()));
-            // Only a window that is narrower than the word may set it smaller.
-            let least = if 500.0 <= points.x { 64.0 } else { 40.0 };
-            assert!(label.is_some_and(|rect| least <= rect.height()), "{what}: {label:?}");
-            let rows = b"id,callout,measured\nA1,25 H7,25.012\nA2,25 H7,25.030\nA3,25 H7,24.998\nA4,,25\n";
-            let sources = std::sync::Arc::clone(window.state().session().sources());
-            let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
-            let lot = fitcheck::exchange::import("parts.csv", rows, &sources, now);
-            send(&mut window, CheckCommand::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(lot)) });
-            send(&mut window, Command::Close);
-            check_frame(&window, points, &format!("{what}, a lot"));
-            send(&mut window, CheckCommand::MeasureBy(MeasureBy::Simulating));
-            send(&mut window, CheckCommand::Measure);
-            paint(&mut window, &format!("{what} simulated"));
-            check_frame(&window, points, &what);
+/// A line of text on the screen.
+struct Drawn {
+    said: String,
+    /// All of it.
+    rect: Rect,
+    /// What is in sight.
+    seen: Rect,
+    clip: Rect,
+    is_shortened: bool,
+    /// A status window or a program: what a control writes.
+    is_of_control: bool,
+}
+
+fn texts(window: &Harness<'_, App>) -> Vec<Drawn> {
+    fn collect(shape: &Shape, clip: Rect, into: &mut Vec<Drawn>) {
+        match shape {
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| collect(shape, clip, into)),
+            Shape::Text(TextShape { pos, galley, .. }) => {
+                let font = galley.job.sections.first().map(|section| &section.format.font_id.family);
+                for row in galley.rows.iter().filter(|row| !row.text().trim().is_empty()) {
+                    let rect = row.rect_without_leading_space().translate(pos.to_vec2());
+                    into.push(Drawn {
+                        said: row.text(),
+                        rect,
+                        seen: rect.intersect(clip),
+                        clip,
+                        is_shortened: galley.elided,
+                        is_of_control: font == Some(&FontFamily::Monospace),
+                    });
+                }
+            }
+            _ => {}
         }
     }
+    let mut drawn = Vec::new();
+    for clipped in &window.output().shapes {
+        collect(&clipped.shape, clipped.clip_rect, &mut drawn);
+    }
+    // What has scrolled out of sight is whole once it is scrolled back.
+    drawn.retain(|text| text.rect.height() * 0.6 < text.seen.height() && 0.0 < text.seen.width());
+    drawn
+}
+
+/// Texts that are cut at the side, shortened or covered by one another.
+fn faults(window: &Harness<'_, App>, tongue: Tongue, what: &str) -> Vec<String> {
+    let hint = (tongue.words)(tongue.language).get("tables-keys");
+    let texts = texts(window);
+    let scrolls = matches!(window.state().session().page(), Page::Tables | Page::Program);
+    let mut faults = Vec::new();
+    for (number, text) in texts.iter().enumerate() {
+        let is_cut = text.rect.left() < text.clip.left() - 1.0 || text.clip.right() + 1.0 < text.rect.right();
+        // A table and a program scroll sideways; names of a program's parameters show whole under the pointer.
+        let is_of_control = text.is_of_control || (scrolls && !text.said.contains(char::is_lowercase));
+        if !is_of_control && is_cut {
+            faults.push(format!("{what}: cut: {:?} {:?} in {:?}", text.said, text.rect, text.clip));
+        }
+        // The hint below the table's cells shows whole under the pointer.
+        let is_hint = hint.starts_with(text.said.trim_end_matches('…'));
+        if !is_of_control && !is_hint && text.is_shortened {
+            faults.push(format!("{what}: shortened: {:?} {:?}", text.said, text.rect));
+        }
+        for other in texts.iter().skip(number + 1) {
+            if text.seen.shrink2(vec2(1.0, 3.0)).intersects(other.seen.shrink2(vec2(1.0, 3.0))) {
+                faults.push(format!("{what}: {:?} covers {:?} {:?}", other.said, text.said, text.rect));
+            }
+        }
+    }
+    faults
+}
+
+/// The check page with a rework, a lot and a simulated good.
+fn check_page(size: (f32, f32, f32), tongue: Tongue, least: f32) -> Vec<String> {
+    let points = vec2(size.0, size.1) / size.2;
+    let what = format!("check {}x{} at {} {}", size.0, size.1, size.2, tongue.name);
+    let mut window = open(size, tongue);
+    check_frame(&window, points, &what);
+    let mut found = faults(&window, tongue, &format!("{what}, empty"));
+    measured(&mut window, &["25.012", "25.005", "25.0185", "25.023", "24.998"]);
+    paint(&mut window, &format!("{what} rework"));
+    check_frame(&window, points, &what);
+    found.extend(faults(&window, tongue, &format!("{what}, rework")));
+    let word = (tongue.words)(tongue.language).told(&Status::Rework);
+    let label = window
+        .get_all_by_label(&word)
+        .map(|node| bounds(&node))
+        .max_by(|one, other| one.height().total_cmp(&other.height()));
+    assert!(label.is_some_and(|rect| least <= rect.height()), "{what}: {label:?}");
+    let rows = b"id,callout,measured\nA1,25 H7,25.012\nA2,25 H7,25.030\nA3,25 H7,24.998\nA4,,25\n";
+    let sources = std::sync::Arc::clone(window.state().session().sources());
+    let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
+    let lot = fitcheck::exchange::import("parts.csv", rows, &sources, now);
+    send(&mut window, CheckCommand::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(lot)) });
+    send(&mut window, Command::Close);
+    check_frame(&window, points, &format!("{what}, a lot"));
+    found.extend(faults(&window, tongue, &format!("{what}, a lot")));
+    send(&mut window, CheckCommand::MeasureBy(MeasureBy::Simulating));
+    send(&mut window, CheckCommand::Measure);
+    paint(&mut window, &format!("{what} simulated"));
+    check_frame(&window, points, &what);
+    found.extend(faults(&window, tongue, &format!("{what}, simulated")));
+    found
+}
+
+/// Any other page with something on it.
+fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> {
+    let points = vec2(size.0, size.1) / size.2;
+    let what = format!("{page:?} {}x{} at {} {}", size.0, size.1, size.2, tongue.name);
+    let mut window = open(size, tongue);
+    send(&mut window, Command::OpenPage(page));
+    match page {
+        Page::Fit => {
+            typed(&mut window, FitField::Callout, "25 H7/g6");
+            typed(&mut window, FitField::HoleMeasured, "25.012");
+        }
+        Page::Cycles => {
+            let block = "TCH PROBE 421 ~\nQ273=50~\nQ274=20~\nQ262=25~\nQ275=25.02~\nQ276=25";
+            send(&mut window, CyclesCommand::TypeBlock(block.to_owned()));
+            send(&mut window, CyclesCommand::TakeBlock);
+            send(&mut window, CyclesCommand::Run);
+        }
+        Page::Program => {
+            send(&mut window, ProgramCommand::Run);
+            window.run_steps(20);
+        }
+        Page::Check | Page::Tables => {}
+    }
+    paint(&mut window, &what);
+    if page != Page::Tables && page != Page::Program {
+        check_frame(&window, points, &what);
+    }
+    faults(&window, tongue, &what)
+}
+
+const OTHER_PAGES: [Page; 4] = [Page::Fit, Page::Cycles, Page::Program, Page::Tables];
+
+#[test]
+fn the_check_page_at_every_size() {
+    let mut found = Vec::new();
+    for size in SIZES {
+        for tongue in [ENGLISH, DUTCH] {
+            // Only a window that is narrower than the word may set it smaller.
+            found.extend(check_page(size, tongue, if 500.0 <= size.0 / size.2 { 64.0 } else { 40.0 }));
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]
 fn the_other_pages_at_every_size() {
-    for size in SIZES {
-        let points = vec2(size.0, size.1) / size.2;
-        for page in [Page::Fit, Page::Cycles, Page::Program, Page::Tables] {
-            let what = format!("{page:?} {}x{} at {}", size.0, size.1, size.2);
-            let mut window = open(size, Language::En);
-            send(&mut window, Command::OpenPage(page));
-            match page {
-                Page::Fit => {
-                    typed(&mut window, FitField::Callout, "25 H7/g6");
-                    typed(&mut window, FitField::HoleMeasured, "25.012");
-                }
-                Page::Cycles => {
-                    let block = "TCH PROBE 421 ~\nQ273=50~\nQ274=20~\nQ262=25~\nQ275=25.02~\nQ276=25";
-                    send(&mut window, CyclesCommand::TypeBlock(block.to_owned()));
-                    send(&mut window, CyclesCommand::TakeBlock);
-                    send(&mut window, CyclesCommand::Run);
-                }
-                Page::Program => {
-                    send(&mut window, ProgramCommand::Run);
-                    window.run_steps(20);
-                }
-                Page::Check | Page::Tables => {}
-            }
-            paint(&mut window, &what);
-            if page != Page::Tables && page != Page::Program {
-                check_frame(&window, points, &what);
-            }
-        }
+    let sizes = SIZES.into_iter().flat_map(|size| [(size, ENGLISH), (size, DUTCH)]);
+    let pages = sizes.flat_map(|(size, tongue)| OTHER_PAGES.map(|page| other_page(page, size, tongue)));
+    let found: Vec<_> = pages.flatten().collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn texts_that_are_a_third_longer_have_room() {
+    let texts = ["Measured value", "to the nearest limit", "A built-in table is never changed"];
+    let chars = |texts: [&str; 3]| texts.map(|text| text.chars().count()).iter().sum::<usize>();
+    let (short, long) = (chars(texts), chars(texts.map(longer).each_ref().map(AsRef::as_ref)));
+    assert!((short * 125..short * 140).contains(&(long * 100)), "{short} letters became {long}");
+    let mut found = Vec::new();
+    for size in USUAL {
+        found.extend(check_page(size, LONG, 64.0));
+        found.extend(OTHER_PAGES.into_iter().flat_map(|page| other_page(page, size, LONG)));
     }
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }

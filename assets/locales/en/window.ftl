@@ -115,6 +115,7 @@ status-simulated = { simulated } { $status }
 judge-anyway = Judge { $measured } mm as it is
 take-meant = Use { $meant } mm
 question-enter = Enter judges the value as it is; typing replaces it
+doubt-sentence = The { $doubt }
 lot-title = { $rows ->
     [one] { $name }: 1 row
    *[other] { $name }: { $rows } rows

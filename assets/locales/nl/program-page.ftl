@@ -67,7 +67,7 @@ program-page-differs-native-refuses = het geeft een oordeel, Fitcheck heeft geen
 program-page-both-refuse = Noch het programma noch Fitcheck geeft een antwoord
 
 program-page-workpiece = Werkstuk
-program-page-from-perfect = perfect, midden van de grensmaten
+program-page-from-perfect = perfect, tolerantiemidden
 program-page-from-nominal = perfect, op nominale maat
 program-page-from-given = perfect, opgegeven diameter
 program-page-from-simulated = gesimuleerd

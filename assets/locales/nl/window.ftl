@@ -115,6 +115,7 @@ status-simulated = { simulated } { $status }
 judge-anyway = { $measured } mm toch beoordelen
 take-meant = { $meant } mm gebruiken
 question-enter = Enter beoordeelt de waarde zoals die is; typen vervangt de waarde
+doubt-sentence = { $doubt }
 lot-title = { $rows ->
     [one] { $name }: 1 rij
    *[other] { $name }: { $rows } rijen

@@ -5,7 +5,7 @@ use eframe::egui::{CollapsingHeader, Ui, vec2};
 use crate::gui::columns::is_low;
 use crate::gui::theme::{control, space};
 use crate::gui::verdict_card::{Card, card_ui, chip_ui, half_um, lines_below_ui, remove, status_id};
-use crate::gui::view::{Digits, View, heading, quiet};
+use crate::gui::view::{Digits, View, doubt_text, heading, quiet};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say};
@@ -54,7 +54,7 @@ fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question) {
     let card = Card {
         word: view.text("word-question"),
         value: Some(format!("{} mm", view.words.mm(question.measured, 3))),
-        lines: vec![view.words.told(&question.doubt), view.text("question-enter")],
+        lines: vec![doubt_text(view.words, question.doubt), view.text("question-enter")],
         ..Card::default()
     };
     card_ui(ui, view, &card);
@@ -133,7 +133,7 @@ fn card(words: &Words, record: &Record) -> Card {
         let id = status_id(Some(size.status));
         lines.push(words.say(&Message::new("diameter-alone").text("status", words.get(id))));
     }
-    lines.extend(record.doubt.map(|doubt| words.told(&doubt)));
+    lines.extend(record.doubt.map(|doubt| doubt_text(words, doubt)));
     if matches!(record.limits.source, Source::WithoutOwn { .. }) {
         lines.push(words.get("judged-without-own"));
     }
@@ -144,6 +144,7 @@ fn card(words: &Words, record: &Record) -> Card {
         value: Some(format!("{} mm", digits.mm(words, record.measurement.diameter, 3))),
         instruction: removal.map(|removal| remove(words, &um(removal.to_limit))),
         lines,
+        height: 0.0,
     }
 }
 

@@ -15,6 +15,9 @@ use crate::report::band::{Band, Marker, Side};
 use crate::tolerance::{Feature, Limits};
 use crate::words::Words;
 
+/// How far down the band the distance to the lower limit is drawn.
+const FIRST_LINE: f32 = 0.68;
+
 /// Heading and plot over the given height.
 pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     let record = view.session.check().shown().map(|shown| shown.record.as_ref());
@@ -128,7 +131,9 @@ impl Drawing<'_> {
         for (x, um) in [(lower, self.band.lower_um), (upper, self.band.upper_um)] {
             self.painter.vline(x, body.y_range(), Stroke::new(2.0, self.palette.zone_edge.0));
             let text = format!("{}{}", if 0.0 < um { "+" } else { "" }, self.words.number(&format!("{um}")));
-            self.text(pos2(x, body.top() - 2.0), Align2::CENTER_BOTTOM, &text, self.palette.text.0);
+            // On a ground: the line of the nominal size goes up to the edge.
+            let colours = (self.palette.panel.0, self.palette.text.0);
+            self.label(pos2(x, body.top() - 2.0), Align2::CENTER_BOTTOM, &text, colours);
         }
         let nominal = self.x(0.0);
         self.painter.extend(eframe::egui::Shape::dashed_line(
@@ -140,14 +145,21 @@ impl Drawing<'_> {
         if let (Some(marker), Some(record)) = (self.band.marker, record) {
             self.marker(marker, record, body);
         }
-        if space(20.0) < zone.width() {
+        // Above the distances, where the band is high enough for both.
+        let is_high = record.is_none() || sizes().body * 1.3 + sizes().small + space(1.0) < body.height() * FIRST_LINE;
+        if space(20.0) < zone.width() && is_high {
             let (ground, colour) = (self.palette.zone.0, self.palette.zone_edge.0);
-            self.label(
-                zone.center_top() + vec2(0.0, 4.0),
-                Align2::CENTER_TOP,
-                &self.words.get("zone"),
-                (ground, colour),
-            );
+            let middle = zone.center().x;
+            let measured = match self.band.marker.filter(|_| record.is_some()) {
+                Some(Marker::InSight(um)) => Some(self.x(um)),
+                _ => None,
+            };
+            // Beside the line of the measured value, not across it.
+            let x = match measured {
+                Some(x) if (x - middle).abs() < space(8.0) => f32::midpoint(x, zone.right()),
+                _ => middle,
+            };
+            self.label(pos2(x, zone.top() + 4.0), Align2::CENTER_TOP, &self.words.get("zone"), (ground, colour));
         }
     }
 
@@ -230,7 +242,7 @@ impl Drawing<'_> {
         let size = &record.verdict.size;
         let is_outside = size.above_minimum < Length::ZERO || size.below_maximum < Length::ZERO;
         for (limit, distance, share) in [
-            (self.x(self.band.lower_um), size.above_minimum, 0.68),
+            (self.x(self.band.lower_um), size.above_minimum, FIRST_LINE),
             (self.x(self.band.upper_um), size.below_maximum, 0.86),
         ] {
             if is_outside && Length::ZERO <= distance {
@@ -241,7 +253,8 @@ impl Drawing<'_> {
             self.painter.circle_filled(pos2(limit, y), 3.0, stroke.color);
             let text = format!("{} µm", Digits::of(record).um(self.words, distance.abs()));
             let galley = self.painter.layout_no_wrap(text, theme::font(sizes().small), stroke.color);
-            let has_room = galley.size().x + 8.0 < (x - limit).abs();
+            // Beside the triangle, whose foot reaches down to the first line.
+            let has_room = galley.size().x + space(7.0) < (x - limit).abs();
             if distance != Length::ZERO && (has_room || is_outside) {
                 // Outside the zone it stands on the zone's side of the limit where there is no room between.
                 let beside = if x < limit { Align2::LEFT_CENTER } else { Align2::RIGHT_CENTER };

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Stroke, Ui, WidgetInfo, vec2};
+use eframe::egui::{Align, Align2, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, LineStyle, MarkerShape, PlotPoint, PlotPoints, Points};
 
-use crate::gui::shapes::magnification;
+use crate::gui::shapes::{magnification, screen};
 use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
@@ -19,6 +19,12 @@ const REACH: f64 = 0.3;
 
 /// Beyond this many contacts their numbers would hide the picture.
 const MOST_NUMBERS: usize = 16;
+
+/// From a contact to its label, in points.
+const BESIDE: f32 = 14.0;
+
+/// The share of the room that the circle keeps, whatever labels need.
+const LEAST: f64 = 0.3;
 
 /// Points on a drawn circle.
 const STEPS: u16 = 144;
@@ -138,19 +144,37 @@ impl Picture {
         })
     }
 
+    /// How far out the drawing goes.
+    fn reach(&self) -> f64 {
+        let lengths = self.contacts.iter().chain(&self.fitted).map(|[x, y]| x.hypot(*y));
+        lengths.fold(1.0, f64::max)
+    }
+
     fn plot_ui(&self, ui: &mut Ui, words: &Words, record: &Record, height: f32) {
         let palette = palette(ui.ctx());
         let nominal: Vec<[f64; 2]> = (0..=STEPS)
             .map(|step| (TAU * f64::from(step) / f64::from(STEPS)).sin_cos())
             .map(|(sin, cos)| [cos, sin])
             .collect();
+        let labels: Vec<_> = (1..)
+            .zip(deviations(record))
+            .take_while(|_| self.contacts.len() <= MOST_NUMBERS)
+            .map(|(number, um)| format!("{number}  {} µm", words.number(&um)))
+            .map(|text| ui.painter().layout_no_wrap(text, theme::font(sizes().small), palette.text.0))
+            .collect();
+        let widest = labels.iter().map(|label| label.size().x).fold(0.0, f32::max);
+        // In a low picture all labels stand left or right of their contacts, and the circle keeps the height.
+        let is_low = height < ui.available_width();
+        let above = if is_low { sizes().small } else { sizes().small + BESIDE + 8.0 };
+        let [x, y] = [(ui.available_width(), widest + BESIDE + 6.0), (height, above)]
+            .map(|(room, label)| self.reach() / (1.0 - 2.0 * f64::from(label) / f64::from(room.max(1.0))).max(LEAST));
         let response = still_plot("contacts", height)
             .data_aspect(1.0)
             .show_axes(false)
-            .include_x(-1.0 - REACH)
-            .include_x(1.0 + REACH)
-            .include_y(-1.0 - REACH)
-            .include_y(1.0 + REACH)
+            .include_x(-x)
+            .include_x(x)
+            .include_y(-y)
+            .include_y(y)
             .show(ui, |plot| {
                 let line = |name: &str, points: &[[f64; 2]]| {
                     Line::new(name, PlotPoints::from(points.to_vec())).allow_hover(false)
@@ -169,17 +193,22 @@ impl Picture {
                 plot.points(Points::new("contacts", self.contacts.clone()).radius(5.0).color(palette.text.0));
             });
         let painter = ui.painter().with_clip_rect(response.response.rect);
-        let deviations = deviations(record);
-        for (number, ([x, y], deviation)) in
-            self.contacts.iter().zip(deviations).enumerate().filter(|_| self.contacts.len() <= MOST_NUMBERS)
-        {
+        for ([x, y], galley) in self.contacts.iter().zip(labels) {
             let at = response.transform.position_from_point(&PlotPoint::new(*x, *y));
             // The number is beside the contact, outside the circle.
-            let side = if *x < -0.1 { -1.0 } else { 1.0 };
-            let anchor = if side < 0.0 { Align2::RIGHT_CENTER } else { Align2::LEFT_CENTER };
-            let text = format!("{}  {} µm", number + 1, words.number(&deviation));
-            let galley = painter.layout_no_wrap(text, theme::font(sizes().small), palette.text.0);
-            let rect = anchor.anchor_size(at + vec2(14.0 * side, 0.0), galley.size());
+            let side = |part: f64, before, after| match part / x.hypot(*y) {
+                part if part < -0.38 => before,
+                part if 0.38 < part => after,
+                _ => Align::Center,
+            };
+            let (anchor, out) = if is_low {
+                let (align, aside) = if *x < -0.1 { (Align::Max, -BESIDE) } else { (Align::Min, BESIDE) };
+                (Align2([align, Align::Center]), vec2(aside, 0.0))
+            } else {
+                let out = vec2(screen(*x), -screen(*y)).normalized() * BESIDE;
+                (Align2([side(*x, Align::Max, Align::Min), side(*y, Align::Min, Align::Max)]), out)
+            };
+            let rect = anchor.anchor_size(at + out, galley.size());
             painter.rect_filled(rect.expand(2.0), 2.0, palette.panel.0);
             painter.rect_stroke(
                 rect.expand(2.0),

@@ -3,19 +3,17 @@
 use eframe::egui::{Align, Color32, Label, Layout, RichText, Ui, vec2};
 
 use crate::gui::check::mask_chooser_ui;
-use crate::gui::columns::is_low;
+use crate::gui::columns::is_tiny;
 use crate::gui::popup::popup_ui;
 use crate::gui::theme::{self, sizes, space};
-use crate::gui::verdict_card::{Card, card_ui, half_um, lines_below_ui, remove, status_id};
+use crate::gui::verdict_card::{Card, card_height, card_ui, half_um, lines_below_ui, remove, status_id};
 use crate::gui::view::{Digits, View, heading, quiet, quiet_height, quiet_within};
 use crate::length::{Length, Unit};
 use crate::message::Message;
 use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
 use crate::session::{Action, CycleRun, RunLog};
+use crate::verdict::Status;
 use crate::words::Words;
-
-/// The height that a simulated good result takes.
-const CARD: f32 = 84.0;
 
 /// Below the verdict: status window, results, remarks.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -40,18 +38,30 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// The verdict.
+/// The verdict. What stands below it does not move when a result comes: the card keeps the room of a rework with its
+/// instruction.
 pub(super) fn verdict_ui(ui: &mut Ui, view: &View<'_>) {
     let run = view.session.cycles().run();
-    let top = ui.cursor().top();
-    card_ui(ui, view, &run_card(view, run));
-    // What stands below it does not move when a result comes.
-    // A wide column sets the word larger.
-    let room = (ui.available_width() * 0.2).min(ui.ctx().content_rect().height() * 0.14);
-    let larger = (room - sizes().status).max(0.0) * 1.5;
-    let left = space(CARD) + larger - (ui.cursor().top() - top);
-    if !is_low(ui) && 0.0 < left {
-        ui.add_space(left);
+    let height = if is_tiny(ui) { 0.0 } else { card_height(ui, view, &largest_card(view.words)) };
+    card_ui(ui, view, &Card { height, ..run_card(view, run) });
+}
+
+/// A card with every line that one value can give it.
+fn largest_card(words: &Words) -> Card {
+    let um = |id: &'static str| words.say(&Message::new(id).text("um", words.number("888.8")));
+    Card {
+        status: Some(Status::Rework),
+        is_simulated: true,
+        word: words.told(&Status::Rework),
+        value: Some(format!("{} mm", words.number("888.8888"))),
+        instruction: Some(remove(words, &words.number("888.8"))),
+        lines: vec![
+            words.told(&FoundName::DIAMETER),
+            um("below-minimum"),
+            um("remove-to-middle"),
+            um("remove-per-side"),
+        ],
+        height: 0.0,
     }
 }
 

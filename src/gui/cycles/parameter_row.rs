@@ -21,9 +21,13 @@ pub(super) fn parameter_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static
     let key = parameter.key;
     let question = parameter.question(view.words.language().dialogue());
     let mut has_focus = false;
-    row_ui(ui, format!("{key}  {question}"), |ui, name| {
+    let width = match parameter.range {
+        Range::OneOf(allowed) => list_width(ui, view, parameter, allowed),
+        _ => space(FIELD + UNIT),
+    };
+    wide_row_ui(ui, format!("{key}  {question}"), width, |ui, name| {
         has_focus = match parameter.range {
-            Range::OneOf(allowed) => choice_ui(ui, view, (parameter, allowed), name),
+            Range::OneOf(allowed) => choice_ui(ui, view, (parameter, allowed), (name, width)),
             _ => number_ui(ui, view, CycleField::Parameter(key), name, parameter),
         };
     });
@@ -39,7 +43,12 @@ pub(super) fn parameter_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static
 
 /// A name on the left, whole, and its field at the right edge.
 pub(super) fn row_ui(ui: &mut Ui, name: String, field: impl FnOnce(&mut Ui, Id)) {
-    let width = (ui.available_width() - space(FIELD + UNIT + 2.0)).max(space(10.0));
+    wide_row_ui(ui, name, space(FIELD + UNIT), field);
+}
+
+/// The same with a field of another width.
+fn wide_row_ui(ui: &mut Ui, name: String, field_width: f32, field: impl FnOnce(&mut Ui, Id)) {
+    let width = (ui.available_width() - field_width - space(2.0)).max(space(10.0));
     let row = vec2(ui.available_width(), quiet_height(ui, &name, width).max(control(ui)));
     ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
         ui.set_min_height(row.y);
@@ -129,18 +138,37 @@ fn stands_for(view: &View<'_>, meaning: Meaning, number: i64) -> Option<String> 
     view.words.find(&format!("cycles-choice-{}", [meaning.word(), &number].join("-")))
 }
 
+/// A number of a choice with its meaning.
+fn choice_text(view: &View<'_>, parameter: &Parameter, number: i64) -> String {
+    let figure = view.words.number(&number.to_string());
+    match stands_for(view, parameter.meaning, number) {
+        Some(said) => format!("{figure}  {said}"),
+        None => figure,
+    }
+}
+
+/// The width of a list in which every choice is whole where the form has the room.
+fn list_width(ui: &Ui, view: &View<'_>, parameter: &Parameter, numbers: &[i64]) -> f32 {
+    let width = |number: &i64| {
+        let (text, font) = (choice_text(view, parameter, *number), theme::font(sizes().body));
+        ui.painter().layout_no_wrap(text, font, palette(ui.ctx()).text.0).size().x
+    };
+    // The text, the arrow and what is around them.
+    let around = ui.spacing().button_padding.x * 2.0 + ui.spacing().icon_width + space(4.0);
+    let least = space(FIELD + UNIT);
+    let wanted = numbers.iter().map(width).fold(0.0, f32::max) + around;
+    wanted.clamp(least, (ui.available_width() - space(18.0)).max(least))
+}
+
 /// One of a few numbers, each with its meaning.
 fn choice_ui(
     ui: &mut Ui,
     view: &mut View<'_>,
     (parameter, allowed): (&'static Parameter, &'static [i64]),
-    name: Id,
+    (name, width): (Id, f32),
 ) -> bool {
     let key = parameter.key;
-    let said = |number: i64| {
-        let figure = view.words.number(&number.to_string());
-        stands_for(view, parameter.meaning, number).map_or_else(|| figure.clone(), |said| format!("{figure}  {said}"))
-    };
+    let said = |number| choice_text(view, parameter, number);
     let typed = view.session.cycles().text(CycleField::Parameter(key)).trim().to_owned();
     let chosen = match (parameter.read(&typed).ok(), parameter.default_value()) {
         (Some(Value::Whole(number)), _) => Some(number),
@@ -156,7 +184,7 @@ fn choice_ui(
         None => RichText::new(typed.clone()),
     };
     let mut choice = None;
-    let list = list_ui(ui, ("cycle-choice", key), shown, space(FIELD + UNIT - 1.0), |ui| {
+    let list = list_ui(ui, ("cycle-choice", key), shown, width - space(1.0), |ui| {
         ui.set_min_width(space(60.0));
         for number in allowed.iter().copied() {
             if ui.selectable_label(chosen == Some(number), said(number)).clicked() {

@@ -6,7 +6,7 @@ use super::form_panel::last_focused;
 use super::parameter_row::standing_text;
 use super::picture;
 use crate::gui::columns::{column_ui, of_height};
-use crate::gui::theme::{control, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::probing::cycle::{Move, Parameter, Phase, Range};
@@ -16,8 +16,14 @@ use crate::words::Words;
 /// From this width things stand beside each other.
 const WIDE: f32 = 100.0;
 
+/// Up to this width they stand below each other, even the words of a parameter.
+const NARROW: f32 = 84.0;
+
 /// The height of what stands above the picture of the path.
 const PATH: f32 = 20.0;
+
+/// The height of the line that says a move.
+const LINE: f32 = 6.0;
 
 /// The height of the criteria of four contacts.
 const CRITERIA: f32 = 62.0;
@@ -41,14 +47,22 @@ pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// What a run has to show, criteria in sight: path and contacts share the height that they leave, beside each other
 /// where there is room.
 fn run_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
-    let left = height - space(PATH) - if run.evaluation.is_some() { space(CRITERIA) } else { 0.0 };
+    let beside = is_beside(ui, view, run);
+    let above = space(PATH) + if beside { 0.0 } else { space(LINE) };
+    let left = height - above - if run.evaluation.is_some() { space(CRITERIA) } else { 0.0 };
     let Some(result) = run.found() else {
-        path_ui(ui, view, run);
+        path_ui(ui, view, run, beside);
         return path_picture(ui, view, run, left.max(space(40.0)));
     };
-    path_ui(ui, view, run);
+    path_ui(ui, view, run, beside);
     let contacts = |ui: &mut Ui, view: &View<'_>, height| {
-        heading(ui, view.text("contacts"));
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().interact_size.y = 0.0;
+            heading(ui, view.text("contacts"));
+            if let Some(factor) = picture::contacts_factor(view, result, run.evaluation.as_ref()) {
+                quiet(ui, factor);
+            }
+        });
         of_height(ui, height, |ui| picture::contacts_picture(ui, view, result, run.evaluation.as_ref()));
     };
     if space(WIDE) < ui.available_width() {
@@ -78,23 +92,30 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
 fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
     let cycle = view.session.cycles().cycle();
     let is_wide = space(WIDE) < ui.available_width();
-    ui.horizontal_top(|ui| {
-        picture::parameter_picture(ui, view, cycle, parameter.key, is_wide);
-        ui.vertical(|ui| {
-            ui.spacing_mut().item_spacing.y = 0.0;
-            heading(ui, parameter.key.to_string());
-            ui.label(parameter.question(view.words.language().dialogue()));
-            quiet(ui, allowed(view, parameter));
-            quiet(ui, standing_text(view, &view.session.cycles().unset(parameter)));
-            if parameter.may_be_predef {
-                quiet(ui, view.text("cycles-may-be-predef"));
-            }
-            if is_wide {
-                ui.add_space(space(1.0));
-                picture::parameter_sentence(ui, view, parameter);
-            }
+    let words_ui = |ui: &mut Ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        heading(ui, parameter.key.to_string());
+        ui.label(parameter.question(view.words.language().dialogue()));
+        quiet(ui, allowed(view, parameter));
+        quiet(ui, standing_text(view, &view.session.cycles().unset(parameter)));
+        if parameter.may_be_predef {
+            quiet(ui, view.text("cycles-may-be-predef"));
+        }
+        if is_wide {
+            ui.add_space(space(1.0));
+            picture::parameter_sentence(ui, view, parameter);
+        }
+    };
+    // The words stand below the drawing where there is no room beside it.
+    if space(NARROW) < ui.available_width() {
+        ui.horizontal_top(|ui| {
+            picture::parameter_picture(ui, view, cycle, parameter.key, is_wide);
+            ui.vertical(words_ui);
         });
-    });
+    } else {
+        picture::parameter_picture(ui, view, cycle, parameter.key, is_wide);
+        ui.vertical(words_ui);
+    }
 }
 
 /// What the parameter may be.
@@ -107,22 +128,30 @@ fn allowed(view: &View<'_>, parameter: &Parameter) -> String {
     view.words.say(&Message::new("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
 }
 
+/// Whether the words of every move have room beside the heading, so that they stay there on the way.
+fn is_beside(ui: &Ui, view: &View<'_>, run: &CycleRun) -> bool {
+    let width = |text: String, font| ui.painter().layout_no_wrap(text, font, palette(ui.ctx()).text.0).size().x;
+    let count = run.path.len();
+    let moves = run.path.iter().enumerate().map(|(step, now)| said(view.words, now, step, count));
+    let widest = moves.map(|text| width(text, theme::font(sizes().body))).fold(0.0, f32::max);
+    let heading = width(view.text("cycles-path"), theme::bold(sizes().heading));
+    heading + widest + space(3.0) < ui.available_width()
+}
+
 /// The buttons that step along the path, and the move in words.
-fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun) {
+fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, beside: bool) {
     let step = view.session.cycles().step();
     let Some(now) = run.path.get(step) else { return };
     let said = said(view.words, now, step, run.path.len());
-    // Beside the heading where there is room for it.
-    let wide = space(WIDE) < ui.available_width();
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
         heading(ui, view.text("cycles-path"));
-        if wide {
+        if beside {
             ui.add(Label::new(&said).truncate());
         }
     });
     steps_ui(ui, view, run.path.len(), step);
-    if !wide {
+    if !beside {
         ui.label(said);
     }
 }
@@ -133,21 +162,34 @@ fn path_picture(ui: &mut Ui, view: &View<'_>, run: &CycleRun, height: f32) {
     of_height(ui, height, |ui| picture::path_picture(ui, view, &run.path, step + 1, run.nominal, run.ball_radius));
 }
 
+/// The buttons, and the slider beside them; below them where the column is narrow.
 fn steps_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
-    ui.horizontal(|ui| {
+    let buttons_ui = |ui: &mut Ui, view: &mut View<'_>| {
         ui.spacing_mut().item_spacing.x = space(1.0);
         for step in Step::PATH.map(Action::StepPath) {
             let button = view.named(step).min_size(vec2(space(14.0), control(ui)));
             view.button_as(ui, step, button);
         }
-        let mut number = step + 1;
-        ui.spacing_mut().slider_width = (ui.available_width() - space(4.0)).max(space(8.0));
-        let slider = Slider::new(&mut number, 1..=count).show_value(false);
-        let slider = ui.add_enabled(1 < count, slider).accessible_name(view.text("cycles-move"));
-        if slider.changed() {
-            view.send(CyclesCommand::StepTo(number.saturating_sub(1)));
-        }
-    });
+    };
+    if ui.available_width() < space(NARROW) {
+        ui.horizontal_wrapped(|ui| buttons_ui(ui, view));
+        slider_ui(ui, view, count, step);
+    } else {
+        ui.horizontal(|ui| {
+            buttons_ui(ui, view);
+            slider_ui(ui, view, count, step);
+        });
+    }
+}
+
+fn slider_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
+    let mut number = step + 1;
+    ui.spacing_mut().slider_width = (ui.available_width() - space(4.0)).max(space(8.0));
+    let slider = Slider::new(&mut number, 1..=count).show_value(false);
+    let slider = ui.add_enabled(1 < count, slider).accessible_name(view.text("cycles-move"));
+    if slider.changed() {
+        view.send(CyclesCommand::StepTo(number.saturating_sub(1)));
+    }
 }
 
 const fn phase_id(phase: Phase) -> &'static str {

@@ -10,7 +10,7 @@ use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::verdict_card::status_id;
-use crate::gui::view::{View, heading, live, problem, quiet};
+use crate::gui::view::{View, doubt_text, heading, live, problem, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::session::{Action, Equivalent, FitCommand, Parts, WarmFit, extremes};
@@ -207,14 +207,13 @@ fn part_ui(ui: &mut Ui, view: &View<'_>, feature: Feature, measured: Length, sta
     let word = view.text(status_id(Some(status)));
     let said = format!("{part} {word}");
     ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = 0.0;
         let chip = chip_ui(ui, status, &word);
         let response = ui.interact(chip.rect, ui.scope_id().with(&said), Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
         ui.label(format!("{part} {} mm", view.words.mm(measured, 3)));
     });
     if let Some(doubt) = view.session.fit().doubt(feature) {
-        problem(ui, view.words.told(&doubt));
+        problem(ui, doubt_text(view.words, doubt));
     }
 }
 

@@ -7,7 +7,7 @@ use eframe::egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Sense, Shape, S
 use crate::gui::limits::feature_id;
 use crate::gui::shapes::{self, Hatch, screen};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
-use crate::gui::view::{View, heading, quiet, quiet_cut};
+use crate::gui::view::{View, heading, quiet};
 use crate::length::Length;
 use crate::message::Message;
 use crate::session::{FitField, Mark, Parts, Picture, PictureZone, extremes};
@@ -18,10 +18,10 @@ use crate::words::Words;
 /// Heading and picture over a height.
 pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     let page = view.session.fit();
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         heading(ui, view.text("fit-picture"));
         if page.fit().is_some() {
-            quiet_cut(ui, view.text("fit-picture-legend"));
+            quiet(ui, view.text("fit-picture-legend"));
         }
     });
     let (Some(fit), Some(picture)) = (page.fit(), page.picture()) else {
@@ -229,10 +229,16 @@ impl<'a> Drawing<'a> {
         );
     }
 
-    /// A name below the picture, on two lines where it is long.
+    /// A name below the picture, on two lines where it is long; none where one of its words has no room: the answer names
+    /// the same amounts.
     fn below(&self, x: f32, text: &str, width: f32) {
         let colour = self.palette.text.0;
-        let mut job = eframe::egui::text::LayoutJob::simple(text.to_owned(), theme::font(sizes().small), colour, width);
+        let font = || theme::font(sizes().small);
+        let is_wide = |word: &str| width < self.painter.layout_no_wrap(word.to_owned(), font(), colour).size().x;
+        if text.split(' ').any(is_wide) {
+            return;
+        }
+        let mut job = eframe::egui::text::LayoutJob::simple(text.to_owned(), font(), colour, width);
         job.halign = eframe::egui::Align::Center;
         let galley = self.painter.layout_job(job);
         self.painter.galley(pos2(x, self.body.bottom() + space(0.5)), galley, colour);

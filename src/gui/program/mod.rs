@@ -66,8 +66,7 @@ pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
         });
     } else {
         let least = space(56.0).max(keypad::width(view));
-        let side = if narrow { space(64.0) } else { space(74.0) };
-        let sizes = (side.max(least), least..=least.max(size.x * 0.4));
+        let sizes = (space(74.0).max(least), least..=least.max(size.x * 0.4));
         panel_ui(ui, view, Side::Left, "program-inputs", sizes, |ui, view| {
             keypad_ui(ui, view);
             column_ui(ui, "program-inputs", |ui| inputs(ui, view));

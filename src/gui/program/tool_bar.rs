@@ -11,13 +11,13 @@ use crate::session::program::{Document, EntryKind, Origin, Run, Speed, State, Sw
 use crate::session::{Action, Command, ProgramCommand, Purpose};
 
 /// The width of the list of places to go to.
-const OUTLINE: f32 = 52.0;
+const OUTLINE: f32 = 78.0;
 
 /// The width of the list of speeds.
-const LIST: f32 = 32.0;
+const LIST: f32 = 40.0;
 
 /// From this width what the run does stands beside the choices.
-const WIDE: f32 = 190.0;
+const WIDE: f32 = 260.0;
 
 /// Two rows, three in a narrow window: what can be done with the program, and where the run is.
 pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -30,15 +30,20 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     // What changes in length comes last, and in a row of its own where it would soon be cut.
     let is_wide = space(WIDE) < ui.available_width();
-    ui.horizontal(|ui| {
+    let choices_ui = |ui: &mut Ui, view: &mut View<'_>| {
         outline_ui(ui, view);
         of_width(ui, LIST, |ui| speed_ui(ui, view));
         options_ui(ui, view);
-        if is_wide {
+    };
+    if is_wide {
+        ui.horizontal(|ui| {
+            choices_ui(ui, view);
             ui.separator();
             progress_ui(ui, view);
-        }
-    });
+        });
+    } else {
+        ui.horizontal_wrapped(|ui| choices_ui(ui, view));
+    }
     if !is_wide {
         progress_ui(ui, view);
     }

@@ -1,6 +1,7 @@
 //! Right, below: parameters with names and values; what the last command changed stands out, by more than colour.
 
 use eframe::egui::accesskit::Role;
+use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{Align2, Button, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::control::variables::Value;
@@ -109,14 +110,12 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, height: f32) 
         pos2(rect.left() + space(16.0), rect.top()),
         pos2((value_rect.left() - space(2.0)).max(rect.left()), rect.bottom()),
     );
-    let small = theme::font(sizes().small);
-    ui.painter().with_clip_rect(room.intersect(ui.clip_rect())).text(
-        room.left_center(),
-        Align2::LEFT_CENTER,
-        &name,
-        small,
-        palette.quiet.0,
-    );
+    let font = theme::font(sizes().small);
+    let mut job = LayoutJob::simple_singleline(name.clone(), font, palette.quiet.0);
+    job.wrap = TextWrapping::truncate_at_width(room.width().max(0.0));
+    let galley = ui.painter().layout_job(job);
+    let at = Align2::LEFT_CENTER.anchor_size(room.left_center(), galley.size());
+    ui.painter().galley(at.min, galley, palette.quiet.0);
     let changed = if watched.is_changed { "program-page-parameter-changed" } else { "program-page-parameter" };
     let said = Message::new(changed).text("parameter", watched.parameter).text("name", &name).text("value", &value);
     let said = view.words.say(&said);

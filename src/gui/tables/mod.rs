@@ -26,6 +26,7 @@ use super::view::View;
 pub(super) fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     Panel::top("table-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
+    Panel::bottom("table-strip").exact_size(space(8.0)).show(ui, |ui| tool_bar::strip_ui(ui, view));
     let side = if size.x < 1200.0 { space(72.0) } else { space(80.0) };
     let most = (size.x * 0.6).max(space(50.0));
     let sizes = (side.min(most).max(keypad::width(view)), space(50.0)..=most);
@@ -39,7 +40,6 @@ pub(super) fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
             classes_panel::classes_panel_ui(ui, view);
         });
     });
-    Panel::bottom("table-strip").exact_size(space(8.0)).show(ui, |ui| tool_bar::strip_ui(ui, view));
     let frame = Frame::new().fill(palette(ui.ctx()).panel.0);
     CentralPanel::default().frame(frame).show(ui, |ui| grid::grid_ui(ui, view));
 }

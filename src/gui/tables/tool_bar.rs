@@ -8,11 +8,14 @@ use crate::exchange::tables::TABLE_FORMATS;
 use crate::gui::field::{Look, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, list_ui, live, quiet};
+use crate::gui::view::{View, list_ui, live, quiet, quiet_cut};
 use crate::message::Message;
 use crate::session::tables::{Origin, TableChoice};
 use crate::session::{Action, TablesCommand, TablesField};
 use crate::verdict::Status;
+
+/// From this width what the comparison found stands beside the filter.
+const WIDE: f32 = 180.0;
 
 /// Two rows: what can be done with the table, and what is shown of it.
 pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -25,18 +28,25 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
                 view.menu_item(ui, Action::SaveTable(number));
             }
         });
-        ui.separator();
+        // No lines between: one would hang at the end of a row where the window is narrow.
+        ui.add_space(space(2.0));
         view.field_button(ui, Action::UndoEdit);
         view.field_button(ui, Action::RedoEdit);
-        ui.separator();
+        ui.add_space(space(2.0));
         view.field_button(ui, Action::UseTable);
     });
+    let is_wide = space(WIDE) < ui.available_width();
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(control(ui));
         filter_ui(ui, view);
-        ui.separator();
-        summary_ui(ui, view);
+        if is_wide {
+            ui.separator();
+            summary_ui(ui, view);
+        }
     });
+    if !is_wide {
+        ui.horizontal_wrapped(|ui| summary_ui(ui, view));
+    }
     ui.add_space(space(1.0));
 }
 
@@ -135,6 +145,6 @@ pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
         if document.is_unsaved() {
             ui.label(RichText::new(view.text("tables-not-saved")).font(theme::bold(sizes().small)));
         }
-        quiet(ui, view.text("tables-keys"));
+        quiet_cut(ui, view.text("tables-keys"));
     });
 }

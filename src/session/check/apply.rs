@@ -17,9 +17,6 @@ use crate::session::shared::{News, PageState, Shared};
 use crate::tolerance::Sources;
 use crate::words::Words;
 
-/// The notice that says what was removed, and how it comes back.
-const CLEARED: &str = "history-cleared";
-
 impl PageState for CheckPage {
     type Command = CheckCommand;
 
@@ -80,7 +77,8 @@ impl PageState for CheckPage {
                 let count = shared.history.clear();
                 if 0 < count {
                     self.clear(&shared.sources);
-                    shared.note(Message::new(CLEARED).count("count", count), Vec::new());
+                    shared.note(Message::new("history-cleared").count("count", count), Vec::new());
+                    shared.note_change();
                 }
             }
             CheckCommand::Undo => self.undo(shared),
@@ -110,11 +108,13 @@ impl CheckPage {
         shared.history.filter(self.text(CheckField::HistoryFilter), &Words::new(shared.language));
     }
 
-    /// Undoes the last change of the history. Where the list is not in sight, a notice says what was undone.
+    /// Undoes the last change of the history, and closes the notice that tells of it. Where the list is not in sight, a
+    /// notice says what was undone.
     fn undo(&mut self, shared: &mut Shared) {
+        let change = shared.history.last_change();
         let Some(undone) = shared.history.take_back() else { return };
         self.clear(&shared.sources);
-        shared.notices.retain(|notice| notice.message.id != CLEARED);
+        shared.notices.retain(|notice| notice.change.is_none() || notice.change != change);
         if shared.page != Page::Check {
             shared.note(Message::new("undone").message("what", undone), Vec::new());
         }
@@ -282,6 +282,7 @@ impl CheckPage {
                 Ok(record) => {
                     let id = shared.history.add(vec![Arc::new(record)]);
                     self.inputs.keep(id, &self.texts);
+                    notice.change = shared.history.last_change();
                     self.show(id, shared);
                 }
                 Err(why) => {
@@ -305,6 +306,7 @@ impl CheckPage {
         self.lot = is_lot.then(|| lot(first));
         if !records.is_empty() {
             shared.history.add(records);
+            shared.note_change();
         }
         if is_lot {
             self.show_of_lot(shared);

@@ -140,7 +140,7 @@ pub(super) fn import_notice(name: &str, imported: &Imported) -> Notice {
         imported.unjudged.iter().filter(|_| imported.contacts.is_none()).map(|unjudged| unjudged.why.message());
     let warnings = imported.warnings.iter().map(crate::message::Say::message);
     let details = problems.chain(unjudged).chain(warnings).collect();
-    Notice { message, details, is_problem: good == 0, file: None }
+    Notice { message, details, is_problem: good == 0, file: None, change: None }
 }
 
 /// Judges contacts from a file by the limits on screen.

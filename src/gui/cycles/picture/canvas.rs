@@ -124,6 +124,13 @@ impl<'a> Canvas<'a> {
         self.painter.text(at, anchor, text, theme::font(sizes().small), self.palette.quiet.0);
     }
 
+    /// A note in as many lines as it needs.
+    pub(super) fn wrapped(&self, at: Pos2, text: &str, width: f32) {
+        let (font, colour) = (theme::font(sizes().small), self.palette.text.0);
+        let galley = self.painter.layout(text.to_owned(), font, colour, width);
+        self.painter.galley(at, galley, colour);
+    }
+
     /// A note with a background, where lines or material are behind it.
     pub(super) fn note_on_ground(&self, at: Pos2, anchor: Align2, text: &str) {
         self.label(at, anchor, text, theme::font(sizes().small), self.palette.quiet.0);

@@ -23,6 +23,15 @@ const REACH: f64 = 0.3;
 /// Deviations below 0.1 µm are not worth a larger picture.
 const NOT_WORTH_MM: f64 = 1e-4;
 
+/// From a contact to its label.
+const OUT: f32 = 15.0;
+
+/// The same where the label is only a number.
+const OUT_ALONE: f32 = 10.0;
+
+/// Between deviations in one line.
+const BETWEEN: &str = "     ";
+
 /// Beyond this many contacts their numbers would hide the picture.
 const MOST_NUMBERS: usize = 16;
 
@@ -41,18 +50,28 @@ pub(in crate::gui) fn contacts_picture(
     let contacts = result.plane_contacts();
     let picture = result.circle.as_ref().and_then(|found| Picture::of(found, nominal(result), &contacts, evaluation));
     let Some(picture) = picture else { return bar::ui(ui, view, result) };
-    let size = vec2(ui.available_width(), super::path::height(ui));
+    // Labels and legend above and below the circle take height of their own.
+    let most = (ui.available_width() * 1.1).max(space(40.0));
+    let size = vec2(ui.available_width(), ui.available_height().clamp(space(40.0), most));
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     let factor = factor_text(view.words, picture.factor);
     if ui.is_rect_visible(rect) {
         let canvas = Canvas::new(ui.painter(), palette(ui.ctx()), rect);
-        canvas.note(rect.left_top(), Align2::LEFT_TOP, &factor);
-        let line = sizes().small + space(1.5);
-        let body = Rect::from_min_max(rect.min + vec2(0.0, line), rect.max);
-        Drawing { canvas: &canvas, body, picture: &picture, words: view.words }.draw();
+        Drawing::new(&canvas, rect, &picture, view.words).draw();
     }
     let said = describe(view.words, &picture, &factor);
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
+}
+
+/// How much the picture magnifies deviations, in words; `None` where it has no circle.
+pub(in crate::gui) fn contacts_factor(
+    view: &View<'_>,
+    result: &CycleResult,
+    evaluation: Option<&Evaluation>,
+) -> Option<String> {
+    let found = result.circle.as_ref()?;
+    let picture = Picture::of(found, nominal(result), &result.plane_contacts(), evaluation)?;
+    Some(factor_text(view.words, picture.factor))
 }
 
 /// The nominal diameter in millimetres: the measured one minus its deviation, where the cycle gives it.
@@ -154,6 +173,14 @@ impl Picture {
     }
 }
 
+impl Picture {
+    /// How far out the drawing goes.
+    fn reach(&self) -> f64 {
+        let lengths = self.contacts.iter().chain(&self.fitted).map(|[x, y]| x.hypot(*y));
+        lengths.fold(1.0, f64::max)
+    }
+}
+
 /// How far a ray from the nominal centre goes until it meets the fitted circle.
 fn ray(circle: &Circle, [off_x, off_y]: [f64; 2], angle: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
@@ -163,17 +190,54 @@ fn ray(circle: &Circle, [off_x, off_y]: [f64; 2], angle: f64) -> f64 {
 
 struct Drawing<'a> {
     canvas: &'a Canvas<'a>,
-    body: Rect,
     picture: &'a Picture,
     words: &'a Words,
+    /// What stands beside each contact.
+    labels: Vec<String>,
+    /// From a contact to what stands beside it.
+    out: f32,
+    /// Where the circle and the labels are.
+    room: Rect,
+    /// The radius of the nominal circle.
+    unit: f32,
 }
 
-impl Drawing<'_> {
+impl<'a> Drawing<'a> {
+    /// Beside each contact its number and deviation; where that leaves the circle little room, the number alone, and the
+    /// deviations in lines below the circle.
+    fn new(canvas: &'a Canvas<'a>, body: Rect, picture: &'a Picture, words: &'a Words) -> Self {
+        let contacts = 1..=picture.residuals.len();
+        let whole = contacts.clone().zip(&picture.residuals).map(|(number, mm)| numbered(words, number, *mm));
+        let whole: Vec<_> = whole.collect();
+        let size = |text: &str, width: f32| {
+            let font = theme::font(sizes().small);
+            canvas.painter.layout(text.to_owned(), font, canvas.palette.text.0, width).size()
+        };
+        // Labels stand left and right of the circle, and above and below it.
+        let unit = |room: Rect, widest: f32, out: f32| {
+            let around = vec2(widest + out + space(1.0), sizes().small + out + space(0.5)) * 2.0;
+            (room.size() - around).min_elem().max(space(8.0)) / 2.0 / screen(picture.reach())
+        };
+        let widest = whole.iter().map(|text| size(text, f32::INFINITY).x).fold(0.0, f32::max);
+        let legend = legend_height(picture);
+        // The circle is in the middle; the words in the corner stay beside its labels, or get a room of their own.
+        let words_end = legend_width(canvas, words);
+        let above =
+            if words_end < (body.width() - widest) / 2.0 { body } else { body.with_max_y(body.bottom() - legend) };
+        let beside = unit(above, widest, OUT);
+        let lines = size(&whole.join(BETWEEN), body.width()).y;
+        let below = body.with_max_y(body.bottom() - lines - legend - space(1.0));
+        let alone = unit(below, size("8", f32::INFINITY).x, OUT_ALONE);
+        if whole.len() <= MOST_NUMBERS && beside < alone {
+            canvas.wrapped(below.left_bottom(), &whole.join(BETWEEN), body.width());
+            let labels = contacts.map(|number| number.to_string()).collect();
+            return Self { canvas, picture, words, labels, out: OUT_ALONE, room: below, unit: alone };
+        }
+        Self { canvas, picture, words, labels: whole, out: OUT, room: above, unit: beside }
+    }
+
     fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
-        // Numbers are left and right of the circle, and above and below it.
-        let room = vec2(self.body.width() - space(44.0), self.body.height() - space(5.0)).min_elem().max(space(8.0));
-        let unit = room / 2.0 / screen(1.0 + REACH);
-        self.body.center() + vec2(screen(x), -screen(y)) * unit
+        self.room.center() + vec2(screen(x), -screen(y)) * self.unit
     }
 
     fn draw(&self) {
@@ -203,26 +267,24 @@ impl Drawing<'_> {
     /// Every contact's number and deviation beside it, outside the circle.
     fn numbers(&self) {
         let mut taken: Vec<Rect> = Vec::new();
-        for (number, (contact, residual)) in (1..).zip(self.picture.contacts.iter().zip(&self.picture.residuals)) {
+        for (contact, text) in self.picture.contacts.iter().zip(&self.labels) {
             let place = self.at(*contact);
             let out = (place - self.at([0.0; 2])).normalized();
-            let text = numbered(self.words, number, *residual);
             let side = |part: f32, before, after| match part {
                 part if part < -0.38 => before,
                 part if 0.38 < part => after,
                 _ => Align::Center,
             };
             let anchor = Align2([side(out.x, Align::Max, Align::Min), side(out.y, Align::Max, Align::Min)]);
-            let rect = free(&taken, label_rect(&self.canvas.painter, place + out * 15.0, anchor, &text));
-            taken.push(label(self.canvas, rect, &text));
+            let rect = free(&taken, label_rect(&self.canvas.painter, place + out * self.out, anchor, text));
+            taken.push(label(self.canvas, rect, text));
         }
     }
 
     /// Which circle is which, in the corners below.
     fn legend(&self) {
-        let mut at = self.body.left_bottom() - vec2(0.0, sizes().small * 0.5 + 2.0);
-        let entries = [("cycle-picture-legend-fitted", true), ("cycle-picture-legend-nominal", false)];
-        for (id, is_fitted) in entries {
+        let mut at = self.canvas.rect.left_bottom() - vec2(0.0, sizes().small * 0.5 + 2.0);
+        for (id, is_fitted) in LEGEND {
             if !is_fitted && self.picture.nominal.is_none() {
                 continue;
             }
@@ -233,9 +295,30 @@ impl Drawing<'_> {
                 self.canvas.dashed(&line, Stroke::new(1.5, self.canvas.palette.quiet.0), 6.0, 4.0);
             }
             self.canvas.note(at + vec2(space(7.0), 0.0), Align2::LEFT_CENTER, &self.words.get(id));
-            at.y -= sizes().small + space(1.0);
+            at.y -= legend_line();
         }
     }
+}
+
+/// Which circle is which: the name's text, and whether it is the fitted one.
+const LEGEND: [(&str, bool); 2] = [("cycle-picture-legend-fitted", true), ("cycle-picture-legend-nominal", false)];
+
+/// How far the words of the legend reach.
+fn legend_width(canvas: &Canvas<'_>, words: &Words) -> f32 {
+    let width = |(id, _): (&str, bool)| {
+        let (font, colour) = (theme::font(sizes().small), canvas.palette.quiet.0);
+        canvas.painter.layout_no_wrap(words.get(id), font, colour).size().x
+    };
+    space(9.0) + LEGEND.map(width).into_iter().fold(0.0, f32::max)
+}
+
+fn legend_line() -> f32 {
+    sizes().small + space(1.0)
+}
+
+/// The height of the lines that say which circle is which.
+fn legend_height(picture: &Picture) -> f32 {
+    legend_line() * if picture.nominal.is_some() { 2.0 } else { 1.0 }
 }
 
 fn label_rect(painter: &Painter, at: Pos2, anchor: Align2, text: &str) -> Rect {

@@ -1,7 +1,7 @@
 //! Every criterion of a circle side by side, the effect of scatter on it, and what the contacts cannot tell.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Grid, RichText, Ui, WidgetInfo};
+use eframe::egui::{Align2, FontId, Grid, Response, RichText, Ui, WidgetInfo};
 
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
@@ -29,21 +29,69 @@ pub(in crate::gui) fn criteria_table(ui: &mut Ui, view: &View<'_>, evaluation: &
     // Where the column is narrow the table is set smaller, so that its last column is not cut.
     let is_narrow = ui.available_width() < space(NARROW);
     let (size, gap) = if is_narrow { (sizes().small, 2.0) } else { (sizes().body, 3.0) };
+    let rows = rows(words, evaluation);
+    let widths = Widths::of(ui, words, &rows, (size, space(gap)));
     let grid = Grid::new("cycle-criteria").num_columns(5).min_row_height(space(5.0)).spacing([space(gap), 0.0]);
     grid.show(ui, |ui| {
-        quiet(ui, view.text("cycle-picture-head-criterion"));
-        for head in HEADS {
-            quiet(ui, view.text(head));
+        of_width(ui, widths.name, |ui| quiet(ui, view.text("cycle-picture-head-criterion")));
+        for (head, width) in HEADS.into_iter().zip(widths.columns) {
+            of_width(ui, width, |ui| quiet(ui, view.text(head)));
         }
         ui.end_row();
-        for row in rows(words, evaluation) {
-            row.ui(ui, words, size);
+        for row in rows {
+            row.ui(ui, words, (size, widths.name));
         }
     });
     quiet(ui, uncertainty(words, evaluation));
     for warning in evaluation.warnings.iter().filter(|warning| !stands_in_the_table(warning)) {
         ui.label(format!("• {}", words.told(warning)));
     }
+}
+
+/// A cell whose text goes on in another line where the width ends.
+fn of_width(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> Response) {
+    ui.vertical(|ui| {
+        ui.set_max_width(width);
+        content(ui)
+    });
+}
+
+/// How wide names and heads may be.
+struct Widths {
+    name: f32,
+    columns: [f32; 4],
+}
+
+impl Widths {
+    /// As wide as they are; where the room is too narrow for that, heads become as narrow as their values, and names get
+    /// what is left.
+    fn of(ui: &Ui, words: &Words, rows: &[Row], (size, gap): (f32, f32)) -> Self {
+        let width = |text: &str, font: FontId| {
+            ui.painter().layout_no_wrap(text.to_owned(), font, palette(ui.ctx()).text.0).size().x.ceil()
+        };
+        let name = rows.iter().map(|row| width(&row.name, theme::bold(size))).fold(0.0, f32::max);
+        let of_values = |column: usize| {
+            let cells = rows.iter().filter_map(|row| row.cells.as_ref().ok()?.get(column));
+            cells.map(|cell| width(cell, theme::font(size))).fold(0.0, f32::max)
+        };
+        let values = [0, 1, 2, 3].map(of_values);
+        let small = || theme::font(sizes().small);
+        let room = ui.available_width() - gap * 4.0;
+        let of_heads = HEADS.map(|head| width(&words.get(head), small()));
+        let columns = [0, 1, 2, 3].map(|column| pair(&of_heads, &values, column));
+        if name + columns.iter().sum::<f32>() <= room {
+            return Self { name, columns };
+        }
+        let of_words =
+            HEADS.map(|head| words.get(head).split(' ').map(|word| width(word, small())).fold(0.0, f32::max));
+        let columns = [0, 1, 2, 3].map(|column| pair(&of_words, &values, column));
+        Self { name: (room - columns.iter().sum::<f32>()).clamp(space(20.0), name.max(space(20.0))), columns }
+    }
+}
+
+fn pair(one: &[f32; 4], other: &[f32; 4], column: usize) -> f32 {
+    let at = |widths: &[f32; 4]| widths.get(column).copied().unwrap_or_default();
+    at(one).max(at(other))
 }
 
 /// One criterion.
@@ -55,8 +103,8 @@ struct Row {
 }
 
 impl Row {
-    fn ui(self, ui: &mut Ui, words: &Words, size: f32) {
-        ui.label(RichText::new(&self.name).font(theme::bold(size)));
+    fn ui(self, ui: &mut Ui, words: &Words, (size, width): (f32, f32)) {
+        of_width(ui, width, |ui| ui.label(RichText::new(&self.name).font(theme::bold(size))));
         match self.cells {
             Ok(cells) => {
                 for (cell, head) in cells.into_iter().zip(HEADS) {

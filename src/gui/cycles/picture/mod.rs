@@ -25,7 +25,7 @@ mod section;
 #[cfg(test)]
 mod tests;
 
-pub(in crate::gui) use contacts::contacts_picture;
+pub(in crate::gui) use contacts::{contacts_factor, contacts_picture};
 pub(in crate::gui) use criteria::criteria_table;
 pub(in crate::gui) use parameter::{parameter_picture, parameter_sentence};
 pub(in crate::gui) use path::path_picture;

@@ -3,12 +3,12 @@
 use std::f64::consts::{PI, TAU};
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Align2, Rect, Sense, Ui, WidgetInfo, vec2};
 
 use super::canvas::Canvas;
 use super::criteria::plain;
 use super::scale::{Scale, legend};
-use crate::gui::theme::{palette, sizes, space};
+use crate::gui::theme::{palette, space};
 use crate::gui::view::View;
 use crate::message::Message;
 use crate::probing::cycle::{Move, Phase, Plane};
@@ -175,9 +175,8 @@ impl Eye {
 }
 
 fn draw(canvas: &Canvas<'_>, way: &Way<'_>, words: &Words) {
-    let line = sizes().small + space(2.0);
-    let body = Rect::from_min_max(canvas.rect.min, canvas.rect.max - vec2(0.0, line));
-    legend(canvas, Rect::from_min_max(pos2(body.left(), body.bottom()), canvas.rect.max), words);
+    let below = legend(canvas, canvas.rect, words);
+    let body = Rect::from_min_max(canvas.rect.min, canvas.rect.max - vec2(0.0, below));
     if way.moves.is_empty() {
         canvas.note(body.center(), Align2::CENTER_CENTER, &words.get("cycle-picture-no-path"));
         return;

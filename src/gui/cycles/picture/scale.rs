@@ -15,8 +15,11 @@ use crate::words::Words;
 /// The share of the room that is kept free around a view.
 const MARGIN: f64 = 0.08;
 
-/// The least that is shown, mm, where the path has no extent.
+/// Less than this, mm, is no extent.
 const LEAST_MM: f64 = 1e-3;
+
+/// What a view shows of a path that it sees as a point: this share of the path's largest extent.
+const SHARE_OF_PATH: f64 = 0.25;
 
 /// Nothing farther away than this is drawn, mm.
 const FARTHEST_MM: f64 = 1e9;
@@ -25,6 +28,8 @@ const FARTHEST_MM: f64 = 1e9;
 pub(super) struct Scale {
     eye: Eye,
     rect: Rect,
+    /// Where things are drawn: below the title.
+    room: Rect,
     /// What is in the middle, mm.
     middle: [f64; 2],
     points_per_mm: f64,
@@ -70,17 +75,20 @@ impl Scale {
             (f64::midpoint(least, most), most - least)
         };
         let ((x, wide), (y, high)) = (fold(|[x, _]| *x), fold(|[_, y]| *y));
-        // A ball that moves little still gets some room around it.
-        let size = |extent: f64| ((extent + 2.0 * around) * (1.0 + 2.0 * MARGIN)).max(6.0 * ball).max(LEAST_MM);
-        let room = rect.shrink(space(2.0));
+        // A ball that moves little still gets some room around it, and so does a path that is seen as a point.
+        let is_point = wide.max(high) + 2.0 * around < LEAST_MM;
+        let least = if is_point { (extent_of(way) * SHARE_OF_PATH).max(1.0) } else { LEAST_MM };
+        let size = |extent: f64| ((extent + 2.0 * around) * (1.0 + 2.0 * MARGIN)).max(6.0 * ball).max(least);
+        let inner = rect.shrink(space(2.0));
+        let room = inner.with_min_y(inner.top() + sizes().small + space(1.0));
         let [width, height] = [room.width(), room.height()].map(|side| f64::from(side.max(1.0)));
-        Self { eye, rect, middle: [x, y], points_per_mm: (width / size(wide)).min(height / size(high)) }
+        Self { eye, rect, room, middle: [x, y], points_per_mm: (width / size(wide)).min(height / size(high)) }
     }
 
     fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
         let [middle_x, middle_y] = self.middle;
         let scaled = |off: f64| screen((off * self.points_per_mm).clamp(-1e5, 1e5));
-        self.rect.center() + vec2(scaled(x - middle_x), -scaled(y - middle_y))
+        self.room.center() + vec2(scaled(x - middle_x), -scaled(y - middle_y))
     }
 
     fn length(&self, mm: f64) -> f32 {
@@ -238,22 +246,45 @@ impl Scale {
         let inner = self.rect.shrink(space(2.0));
         let id = if self.eye == Eye::Above { "cycle-picture-from-above" } else { "cycle-picture-from-side" };
         let [first, second] = self.eye.names(way.plane());
-        let title = Message::new(id).text("first", first).text("second", second);
-        canvas.note(inner.left_top(), Align2::LEFT_TOP, &words.say(&title));
+        let title = words.say(&Message::new(id).text("first", first).text("second", second));
+        let width = |text: &str| {
+            let font = crate::gui::theme::font(sizes().small);
+            canvas.painter.layout_no_wrap(text.to_owned(), font, canvas.palette.quiet.0).size().x
+        };
+        // In a narrow view the axes alone say from where it is seen, beside the number of a contact in the middle.
+        let has_room = width(&title) < inner.width() / 2.0 - space(4.0);
+        let title = if has_room { title } else { format!("{first}/{second}") };
+        canvas.note(inner.left_top(), Align2::LEFT_TOP, &title);
         let mm = round_below(f64::from(self.rect.width()) * 0.25 / self.points_per_mm);
         let right = inner.right_bottom();
         let left = right - vec2(self.length(mm), 0.0);
         let text = format!("{} mm", words.number(&format!("{mm}")));
         // On a background of its own: material may be behind it.
-        let top = right - vec2(self.length(mm).max(space(11.0)), sizes().small + space(2.0));
+        let wide = width(&text);
+        let top = right - vec2(self.length(mm).max(wide), sizes().small + space(2.0));
         let ground = Rect::from_two_pos(top, right).expand(space(1.0));
         canvas.painter.rect_filled(ground, 2.0, canvas.palette.panel.0);
         canvas.line(left, right, canvas.edge());
         for end in [left, right] {
             canvas.line(end - vec2(0.0, 3.0), end + vec2(0.0, 3.0), canvas.edge());
         }
-        canvas.note(left + (right - left) / 2.0 - vec2(0.0, 4.0), Align2::CENTER_BOTTOM, &text);
+        let middle = f32::midpoint(left.x, right.x).min(right.x - wide / 2.0);
+        canvas.note(pos2(middle, right.y - 4.0), Align2::CENTER_BOTTOM, &text);
     }
+}
+
+/// How far the path reaches in the direction in which it reaches farthest, mm.
+fn extent_of(way: &Way<'_>) -> f64 {
+    let reach = |places: Vec<[f64; 2]>, axis: fn(&[f64; 2]) -> f64| {
+        let (least, most) = places
+            .iter()
+            .map(axis)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
+        most - least
+    };
+    let first = reach(way.places(Eye::Above), |[x, _]| *x);
+    let second = reach(way.places(Eye::Above), |[_, y]| *y);
+    first.max(second).max(reach(way.places(Eye::Side), |[_, y]| *y))
 }
 
 /// Whether a place can be drawn at all.
@@ -295,24 +326,41 @@ fn stroke(canvas: &Canvas<'_>, points: &[Pos2], phase: Phase, is_done: bool) {
     }
 }
 
-/// A sample of each line with its word.
-pub(super) fn legend(canvas: &Canvas<'_>, rect: Rect, words: &Words) {
-    let mut x = rect.left() + space(1.0);
-    // Shorter samples where the view is narrow.
-    let (sample, gap) = if rect.width() < space(NARROW) { (4.5, 2.0) } else { (8.0, 5.0) };
-    for phase in [Phase::PrePosition, Phase::Approach, Phase::Retract, Phase::Leave] {
-        let (from, to) = (pos2(x, rect.center().y), pos2(x + space(sample), rect.center().y));
-        stroke(canvas, &[from, to], phase, true);
-        let text = words.get(phase_id(phase));
-        let font = crate::gui::theme::font(sizes().small);
-        let placed =
-            canvas.label(pos2(to.x + space(1.0), to.y), Align2::LEFT_CENTER, &text, font, canvas.palette.quiet.0);
-        x = placed.right() + space(gap);
-    }
-}
+/// The phases that have a line of their own.
+const LINES: [Phase; 4] = [Phase::PrePosition, Phase::Approach, Phase::Retract, Phase::Leave];
 
-/// Below this width the samples of the legend are shorter.
-const NARROW: f32 = 100.0;
+/// A sample of each line with its word: in one row, in two where the view is narrow. Returns the height that they take at
+/// the bottom of a place.
+pub(super) fn legend(canvas: &Canvas<'_>, place: Rect, words: &Words) -> f32 {
+    let font = || crate::gui::theme::font(sizes().small);
+    let galley = |phase| canvas.painter.layout_no_wrap(words.get(phase_id(phase)), font(), canvas.palette.quiet.0);
+    let names = LINES.map(galley);
+    let widest = names.iter().map(|name| name.size().x).fold(0.0, f32::max);
+    let all = names.iter().map(|name| name.size().x).sum::<f32>();
+    // Shorter samples where the view is narrow.
+    let row = |[sample, gap]: [f32; 2]| all + 4.0 * space(sample + 1.0) + 3.0 * space(gap);
+    let sizes_of_row = [[8.0, 5.0], [4.5, 2.0]];
+    let in_one_row = sizes_of_row.into_iter().find(|sizes| row(*sizes) < place.width() - space(1.0));
+    let [sample, gap] = in_one_row.unwrap_or([4.5, 2.0]);
+    let columns = if in_one_row.is_some() { LINES.len() } else { 2 };
+    let line = sizes().small + space(2.0);
+    let rows = LINES.len().div_ceil(columns);
+    let height = crate::gui::shapes::times(line, rows);
+    let mut y = place.bottom() - height + line / 2.0;
+    let mut x = place.left() + space(1.0);
+    for (number, (phase, name)) in LINES.into_iter().zip(names).enumerate() {
+        if 0 < number && number % columns == 0 {
+            (x, y) = (place.left() + space(1.0), y + line);
+        }
+        let (from, to) = (pos2(x, y), pos2(x + space(sample), y));
+        stroke(canvas, &[from, to], phase, true);
+        let wide = if in_one_row.is_some() { name.size().x } else { widest };
+        let at = Align2::LEFT_CENTER.anchor_size(pos2(to.x + space(1.0), y), name.size());
+        canvas.painter.galley(at.min, name, canvas.palette.quiet.0);
+        x = at.left() + wide + space(gap);
+    }
+    height
+}
 
 /// The largest of 1, 2 or 5 times a power of ten that is not above a length.
 fn round_below(mm: f64) -> f64 {

@@ -7,6 +7,8 @@ use eframe::egui::{Theme, Ui, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
+mod painted;
+
 use super::*;
 use crate::gui::theme;
 use crate::gui::view::View;
