@@ -194,7 +194,7 @@ fn the_keypad_types_into_no_field_that_is_not_on_screen() {
         send(&mut window, Command::ShowKeypad(true));
         send(&mut window, Command::OpenPage(page));
         press(&mut window, "Key 7");
-        press(&mut window, "Delete last");
+        press(&mut window, "Delete last character");
         press(&mut window, "Measure with Enter");
         let session = window.state().session();
         assert_eq!(session.text(CheckField::Measured), "25.012", "{page:?}");
