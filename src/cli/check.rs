@@ -130,7 +130,7 @@ impl Args {
             let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());
             return Err(CliError::ReworkOrScrap { asked, measured, minimum, maximum });
         }
-        warn(&record, io)?;
+        warn(&record, io);
         if record.measurement.origin.is_simulated() && matches!(self.format, Format::Text) {
             io.tell(CliRemark::Simulated);
         }
@@ -187,14 +187,13 @@ impl Args {
 }
 
 /// Warns about the measured value; what the measurement cannot tell is in CSV and JSON.
-fn warn(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
+fn warn(record: &Record, io: &mut Io<'_>) {
     if let Some(doubt) = record.doubt {
         io.warn(&doubt);
     }
     if let Source::Table { instead_of: Some(shipped), name, .. } = &record.limits.source {
         io.warn(&CliWarning::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() });
     }
-    Ok(())
 }
 
 /// `unstated`: the callout has no letters and nobody named hole or shaft, so the JSON does not either.

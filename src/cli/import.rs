@@ -84,7 +84,7 @@ impl Args {
                 Ok(bytes) => {
                     let name = path.file_name().unwrap_or_default().to_string_lossy();
                     let imported = import(&name, &bytes, &sources, now);
-                    warn(path, &imported, io)?;
+                    warn(path, &imported, io);
                     printer.file(row::rows(path, &imported).inspect(|row| tally.count(row)), io)?;
                 }
                 Err(error) => {
@@ -105,12 +105,11 @@ impl Args {
 }
 
 /// Warns about the whole file; warnings about a row are beside the row.
-fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) -> Result<(), CliError> {
+fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) {
     for warning in imported.warnings.iter().filter(|warning| warning.what.row.is_none()) {
         let line = warning.place.line.unwrap_or(1);
         io.tell(format_args!("{}:{line}: {}", path.display(), said::warning(&warning.what.kind)));
     }
-    Ok(())
 }
 
 impl Tally {

@@ -68,22 +68,22 @@ impl<'a> Io<'a> {
 
     /// Prints a warning.
     pub(super) fn warn(&mut self, what: &impl Say) {
-        self.tell(warning(what))
+        self.tell(warning(what));
     }
 
     /// Prints a warning about something: a file, a part.
     pub(super) fn warn_about(&mut self, name: &(impl IntoArg + ?Sized), what: &impl Say) {
-        self.tell(warning(&about(name, what)))
+        self.tell(warning(&about(name, what)));
     }
 
     /// Prints a remark.
     pub(super) fn remark(&mut self, what: &impl Say) {
-        self.tell(remark(what))
+        self.tell(remark(what));
     }
 
     /// Prints what failed, while the rest continues.
     pub(super) fn fail(&mut self, error: impl Display) {
-        self.tell(format_args!("fitcheck: {error}"))
+        self.tell(format_args!("fitcheck: {error}"));
     }
 }
 
@@ -115,6 +115,7 @@ fn tame(text: &str) -> String {
 }
 
 /// Prints help, or what is wrong with the arguments, and ends the program.
+#[expect(clippy::exit, reason = "as clap itself ends it; nothing is open yet")]
 pub(super) fn end(error: &clap::Error) -> ! {
     if !error.use_stderr() {
         error.exit();

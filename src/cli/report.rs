@@ -132,12 +132,12 @@ impl Args {
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
         for path in &self.files {
-            collected.file(path, &sources, now, io)?;
+            collected.file(path, &sources, now, io);
         }
         for text in &self.checks {
             match record(text, &sources, now) {
                 Ok(record) => collected.checks.push(record),
-                Err(error) => collected.refuse(Message::new("report-note").text("place", text), error.message(), io)?,
+                Err(error) => collected.refuse(Message::new("report-note").text("place", text), error.message(), io),
             }
         }
         let Collected { checks, notes, bad, .. } = collected;
@@ -175,7 +175,7 @@ impl Args {
 
 impl Collected {
     /// Takes in a file of measurements.
-    fn file(&mut self, path: &Path, sources: &Sources, now: DateTime, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn file(&mut self, path: &Path, sources: &Sources, now: DateTime, io: &mut Io<'_>) {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let bytes = match files::read(path) {
             Ok(bytes) => bytes,
@@ -184,30 +184,28 @@ impl Collected {
         let imported = import(&name, &bytes, sources, now);
         let line = |line: usize| Message::new("report-note-line").text("place", &name).text("line", line);
         for error in &imported.errors {
-            self.refuse(Message::new("report-note").text("place", &name), error.message(), io)?;
+            self.refuse(Message::new("report-note").text("place", &name), error.message(), io);
         }
         for unjudged in &imported.unjudged {
-            self.refuse(line(unjudged.line), unjudged.why.message(), io)?;
+            self.refuse(line(unjudged.line), unjudged.why.message(), io);
         }
         for warning in &imported.warnings {
-            self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io)?;
+            self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io);
         }
         self.checks.extend(imported.records);
-        Ok(())
     }
 
     /// Notes what is not a check, so that nobody takes the report for complete.
-    fn refuse(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn refuse(&mut self, place: Message, what: Message, io: &mut Io<'_>) {
         self.bad = true;
-        self.note(place, what, io)
+        self.note(place, what, io);
     }
 
     /// Puts a sentence on the report, and in English on standard error.
-    fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) {
         let note = place.message("what", what);
         io.fail(&note);
         self.notes.push(note);
-        Ok(())
     }
 }
 

@@ -30,7 +30,7 @@ fn is_tame(text: &str) -> bool {
 #[test]
 fn no_name_argument_or_text_reaches_the_terminal_as_it_is() {
     let folder = tempfile::tempdir().unwrap();
-    let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let put = |name: &str, text: &str| fitcheck::files::write(&folder.path().join(name), text.as_bytes()).unwrap();
     let (csv, bad, mask) = (format!("a{WILD}.csv"), format!("b{WILD}.csv"), format!("m{WILD}.a"));
     put(&csv, &format!("id;callout;measured\n{WILD};25 H7;25.01\n{WILD};25 {WILD};25.01\n"));
     put(&bad, "\u{0}\u{1}");
@@ -60,7 +60,8 @@ fn no_name_argument_or_text_reaches_the_terminal_as_it_is() {
 fn a_cell_that_a_spreadsheet_would_compute_gets_an_apostrophe_in_every_csv() {
     let folder = tempfile::tempdir().unwrap();
     let formula = "=HYPERLINK(A1)";
-    std::fs::write(folder.path().join("a.csv"), format!("id;callout;measured\n{formula};25 H7;25.01\n")).unwrap();
+    let rows = format!("id;callout;measured\n{formula};25 H7;25.01\n");
+    fitcheck::files::write(&folder.path().join("a.csv"), rows.as_bytes()).unwrap();
     let calls: [&[&str]; 4] = [
         &["import", "a.csv", "--format", "csv"],
         &["report", "a.csv", "-o", "-", "--format", "csv"],
@@ -84,7 +85,8 @@ fn a_cell_that_a_spreadsheet_would_compute_gets_an_apostrophe_in_every_csv() {
 fn the_exit_code_stands_when_standard_error_takes_nothing() {
     use std::process::Stdio;
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("a.csv"), "id;callout;measured;note\n1;25 H7;24.99;x\n").unwrap();
+    let rows = b"id;callout;measured;note\n1;25 H7;24.99;x\n";
+    fitcheck::files::write(&folder.path().join("a.csv"), rows).unwrap();
     let calls: [(&[&str], i32); 3] = [
         (&["check", "25 H7", "--measured", "24.998"], 10),
         (&["check", "25 H7", "--measured", "25.03"], 11),

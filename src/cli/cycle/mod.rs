@@ -152,7 +152,7 @@ impl Args {
                 return Err(error).about(&self.what());
             }
         };
-        warn_of_unused(&source, &path, io)?;
+        warn_of_unused(&source, &path, io);
         let ball_radius = prober.ball_radius();
         let log = self.log.keep(self.cycle, &result, language, io)?;
         let run = Run { cycle: self.cycle, language, source: &source, ball_radius, result: &result, log: &log };
@@ -284,13 +284,12 @@ pub(super) fn read_workpiece(path: &Path, io: &mut Io<'_>) -> Result<(String, Si
 }
 
 /// Warns of contacts that the cycle did not ask for.
-fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
-    let Source::Contacts { file, contacts } = source else { return Ok(()) };
+fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) {
+    let Source::Contacts { file, contacts } = source else { return };
     let (count, unused) = (contacts.len(), probing::Source::Recorded(contacts).unused(path));
     if 0 < unused {
         io.warn_about(file, &CliWarning::ContactsLeft { used: count - unused, count });
     }
-    Ok(())
 }
 
 pub(super) fn pairs(texts: &[String]) -> Result<Vec<(&str, &str)>, CliError> {

@@ -33,7 +33,10 @@ impl Printer {
 
     pub(super) fn file(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
-            Format::Text => self.text(rows, io),
+            Format::Text => {
+                self.text(rows, io);
+                Ok(())
+            }
             Format::Csv => csv(rows, io),
             Format::Json => self.json(rows, io),
         }
@@ -48,7 +51,7 @@ impl Printer {
     }
 
     /// Keeps the verdicts for the table; prints errors to standard error with their places.
-    fn text(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn text(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) {
         for row in rows {
             self.summary.count(&row);
             let Some(line) = row.line else { continue };
@@ -63,7 +66,6 @@ impl Printer {
                 self.table.push(cells(&row));
             }
         }
-        Ok(())
     }
 
     fn table(&self, io: &mut Io<'_>) -> Result<(), CliError> {

@@ -123,7 +123,7 @@ impl Args {
             RunFormat::Text => {
                 let mut listener = text::Printer::new(self.trace);
                 let ended = run(&mut machine, &mut listener, io)?;
-                text::notes(&machine, &ended, language.language(), io)?;
+                text::notes(&machine, &ended, language.language(), io);
                 ended
             }
             RunFormat::Json => {

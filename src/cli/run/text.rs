@@ -56,7 +56,7 @@ impl Listener for Printer {
 }
 
 /// What is worth knowing, in the user's language.
-pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &mut Io<'_>) -> Result<(), CliError> {
+pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &mut Io<'_>) {
     let words = Words::new(language);
     for pause in &ended.pauses {
         if matches!(pause, Pause::Tolerance(_) | Pause::Log) {
@@ -85,7 +85,6 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &m
     for path in written {
         io.tell(CliRemark::Wrote { path: path.to_string() });
     }
-    Ok(())
 }
 
 /// Why the run stopped.
