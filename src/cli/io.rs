@@ -17,7 +17,7 @@ use crate::tolerance::DeviationTable;
 
 /// The standard streams, as arguments so that tests can bring their own.
 ///
-/// Nothing is written around [`Io::people`], [`Io::data`] and [`Io::tell`]: what a person reads on a terminal is tamed.
+/// Nothing is written around its methods: what a person reads on a terminal is tamed.
 pub struct Io<'a> {
     /// Standard input.
     pub(super) input: &'a mut dyn BufRead,

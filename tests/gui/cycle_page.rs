@@ -277,7 +277,13 @@ fn a_slot_and_a_boss_are_run_and_read_back() {
 #[test]
 fn rework_says_how_much_stops_and_shows_the_control_s_window() {
     let mut window = stud(Window::default());
+    let buttons = |window: &Harness<'_, App>| {
+        let tops = window.get_all_by_role_and_label(Role::Button, "Copy").map(|node| node.rect().top());
+        tops.fold(f32::INFINITY, f32::min)
+    };
+    let before = buttons(&window);
     key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(buttons(&window), before, "the stop moves nothing above it");
     assert_eq!(
         simulated(&window),
         "REWORK. 75.0000 mm. Remove 100.0 µm to the nearest limit. measured diameter. 100.0 µm above maximum. \

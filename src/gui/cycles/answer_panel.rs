@@ -20,9 +20,6 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let run = session.cycles().run();
     lines_below_ui(ui, &run_card(view, run));
-    if let Some(stop) = run.and_then(|run| run.found()?.stop.as_ref()) {
-        ui.label(RichText::new(view.words.told(stop)).font(theme::bold(sizes().body)));
-    }
     ui.add_space(space(1.0));
     let window = session.cycles().window(session.drawn_with());
     let is_measured = run.is_some_and(|run| run.found().is_some());
@@ -32,6 +29,10 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.button(ui, Action::CopyCycleStatus);
         mask_chooser_ui(ui, view);
     });
+    // Below the window, so that nothing above moves when a program stop comes.
+    if let Some(stop) = run.and_then(|run| run.found()?.stop.as_ref()) {
+        ui.label(RichText::new(view.words.told(stop)).font(theme::bold(sizes().body)));
+    }
     if let Some((run, result)) = run.and_then(|run| Some((run, run.found()?))) {
         results_ui(ui, view, result);
         notes_ui(ui, view, run, result);
