@@ -278,8 +278,8 @@ fn a_slot_and_a_boss_are_run_and_read_back() {
 fn rework_says_how_much_stops_and_shows_the_control_s_window() {
     let mut window = stud(Window::default());
     let buttons = |window: &Harness<'_, App>| {
-        let tops = window.get_all_by_role_and_label(Role::Button, "Copy").map(|node| node.rect().top());
-        tops.fold(f32::INFINITY, f32::min)
+        let copies = window.get_all_by_role_and_label(Role::Button, "Copy").map(|node| node.rect());
+        copies.min_by(|one, other| one.top().total_cmp(&other.top()))
     };
     let before = buttons(&window);
     key(&mut window, Modifiers::NONE, Key::Enter);
