@@ -10,6 +10,7 @@ use crate::control::shipped_tables;
 use crate::control::table::{ControlTable, TableFile};
 use crate::length::{Length, Unit};
 use crate::message::{Message, Place, Say};
+use crate::report::csv::cell;
 use crate::tolerance::compare::{Comparison, Difference, compare};
 use crate::tolerance::iso286::Undefined;
 use crate::tolerance::{DeviationTable, Deviations};
@@ -227,8 +228,9 @@ fn write_csv(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     writer.write_record(COLUMNS.split(','))?;
     for one in verified {
+        let file = cell(one.table.name());
         for difference in &one.found.differences {
-            writer.serialize(one.row(difference))?;
+            writer.serialize(Row { file: &file, ..one.row(difference) })?;
         }
     }
     let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
