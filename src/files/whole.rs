@@ -137,24 +137,38 @@ impl Whole {
 
     /// Puts it in the place of what is there.
     fn replace(mut self, target: &Path) -> io::Result<()> {
-        let name = match self.name.take() {
-            Some(name) => name,
-            None => {
-                let path = unfinished_name(target);
-                match link_nameless(&self.file, &path) {
-                    Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                        std::fs::remove_file(&path)?;
-                        link_nameless(&self.file, &path)?;
-                    }
-                    linked => linked?,
-                }
-                Unfinished::at(path)
+        match self.name.take() {
+            Some(name) => {
+                std::fs::rename(name.path(), target)?;
+                name.finished();
             }
-        };
-        std::fs::rename(name.path(), target)?;
-        name.finished();
+            None => self.replace_nameless(target)?,
+        }
         sync_folder(target);
         Ok(())
+    }
+
+    /// Gives a file without a name the fixed one and moves it. What a broken run left under that name goes; if others
+    /// write the same target at this moment, the last one wins.
+    fn replace_nameless(&self, target: &Path) -> io::Result<()> {
+        const TRIES: usize = 1_000;
+        let path = unfinished_name(target);
+        let mut result = Ok(());
+        for _ in 0..TRIES {
+            result = link_nameless(&self.file, &path).and_then(|()| {
+                let name = Unfinished::at(path.clone());
+                std::fs::rename(name.path(), target)?;
+                name.finished();
+                Ok(())
+            });
+            match result.as_ref().map_err(io::Error::kind) {
+                Err(io::ErrorKind::AlreadyExists) => drop(std::fs::remove_file(&path)),
+                // Somebody else took it for what a broken run had left.
+                Err(io::ErrorKind::NotFound) => {}
+                _ => break,
+            }
+        }
+        result
     }
 }
 

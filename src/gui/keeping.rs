@@ -14,6 +14,7 @@ use crate::session::{Saved, Session};
 const DELAY: f64 = 1.0;
 
 /// Keeps what the session wants kept.
+#[derive(Debug)]
 pub(super) struct Keeper {
     store: Store,
     /// What is kept, or on its way there.

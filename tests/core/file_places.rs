@@ -138,6 +138,20 @@ fn devices_and_open_files_are_written_to() {
     }
 }
 
+#[test]
+fn many_writers_of_one_file_leave_one_whole_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("report.csv");
+    let texts: Vec<String> = (0..8).map(|writer| writer.to_string().repeat(100_000)).collect();
+    std::thread::scope(|scope| {
+        for text in &texts {
+            scope.spawn(|| (0..20).for_each(|_| write(&path, text.as_bytes()).unwrap()));
+        }
+    });
+    assert!(texts.contains(&read_to_string(&path).unwrap()));
+    assert_eq!(names(folder.path()), ["report.csv"]);
+}
+
 /// A running program's file may not be written to, not even by the administrator.
 #[cfg(target_os = "linux")]
 #[test]

@@ -76,13 +76,13 @@ fn two_windows_keep_what_each_of_them_has_changed() {
     let (mut one, mut two) = (at(&path), at(&path));
     type_text(&mut one, CheckCommand::Type(CheckField::Callout, "40 js6".into()));
     wait(&mut one);
-    type_text(&mut two, FitCommand::Type(FitField::Fit, "50 H7/p6".into()));
+    type_text(&mut two, FitCommand::Type(FitField::Callout, "50 H7/p6".into()));
     wait(&mut two);
     type_text(&mut one, CheckCommand::Type(CheckField::Callout, "60 k6".into()));
     eframe::App::on_exit(one.state_mut(), None);
     eframe::App::on_exit(two.state_mut(), None);
     let texts = saved(&path).inputs.texts;
-    assert_eq!((texts["callout"].as_str(), texts["fit"].as_str()), ("60 k6", "50 H7/p6"));
+    assert_eq!((texts["callout"].as_str(), texts["fit-callout"].as_str()), ("60 k6", "50 H7/p6"));
 }
 
 #[test]
@@ -120,6 +120,8 @@ fn what_breaks_while_the_window_is_open_is_set_aside_and_told() {
     window.get_by_label_contains("state.toml.broken-1");
     assert_eq!(std::fs::read(folder.path().join("state.toml.broken-1")).unwrap(), b"language = [");
     assert_eq!(saved(&path).inputs.texts["callout"], "40 js6");
+    window.key_press(eframe::egui::Key::Escape);
+    window.run();
     // A later version's file is not touched.
     fitcheck::files::write(&path, b"version = 99\n").unwrap();
     check(&mut window, "60 k6", "60.01");

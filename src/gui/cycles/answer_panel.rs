@@ -79,11 +79,13 @@ fn run_card(view: &View<'_>, run: Option<&CycleRun>) -> Card {
     }
 }
 
-/// The value that the card is about, the first that is out or else the first, and every other that is out.
+/// The value that the card is about, the worst that is out or else the first, and every other that is out.
 fn first_and_others(result: &CycleResult) -> Option<(&Check, Vec<&Check>)> {
-    let (out, inside): (Vec<_>, Vec<_>) = result.checks.iter().partition(|check| check.is_out());
+    let mut out: Vec<&Check> = result.checks.iter().filter(|check| check.is_out()).collect();
+    // What no rework mends decides, and comes first.
+    out.sort_by_key(|check| check.removal().is_some());
     let mut out = out.into_iter();
-    let first = out.next().or_else(|| inside.first().copied())?;
+    let first = out.next().or_else(|| result.checks.first())?;
     Some((first, out.collect()))
 }
 
@@ -97,7 +99,11 @@ fn others_ui(ui: &mut Ui, words: &Words, result: &CycleResult) {
     let Some((_, others)) = first_and_others(result) else { return };
     for other in others {
         let Card { value, instruction, lines, .. } = check_card(words, other);
+        // Nothing is removed from scrap: then only the distance from the limit counts.
+        let is_rework = result.status == Some(Status::Rework);
+        let instruction = instruction.filter(|_| is_rework);
         let (name, rest) = lines.split_first().map_or(("", [].as_slice()), |(name, rest)| (name.as_str(), rest));
+        let rest = rest.get(..1).filter(|_| !is_rework).unwrap_or(rest);
         ui.separator();
         ui.label(RichText::new(format!("{name} {}", value.unwrap_or_default())).font(theme::bold(sizes().body)));
         for line in instruction.iter().map(|(what, rest)| format!("{what} {rest}")).chain(rest.iter().cloned()) {
