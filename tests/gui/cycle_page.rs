@@ -789,3 +789,27 @@ fn the_card_keeps_its_height_whatever_the_verdict_is() {
         }
     }
 }
+
+#[test]
+fn several_values_out_are_told_below_and_the_card_keeps_its_height() {
+    for (size, language) in [(DESK, Language::En), (DESK, Language::Nl), (vec2(1024.0, 600.0), Language::En)] {
+        let mut window = page_with_421(Window { size, language, ..Window::default() });
+        let words = fitcheck::words::Words::new(language);
+        click(&mut window, Role::Button, &words.get("cycles-suit"));
+        fill(&mut window, &[("Q273", "50.1"), ("Q274", "20.2"), ("Q279", "0.05"), ("Q280", "0.05"), ("Q276", "25.01")]);
+        let place = |window: &Harness<'_, App>| window.get_by_role(Role::Status).rect();
+        let before = place(&window);
+        key(&mut window, Modifiers::NONE, Key::F5);
+        assert_eq!(place(&window), before, "at {size:?}");
+        let said = verdict(&window);
+        let more = match language {
+            Language::En => "and 2 more below",
+            _ => "hieronder nog 2",
+        };
+        assert!(said.contains(more), "{said}");
+        for value in ["50.000 mm", "20.000 mm"] {
+            let value = words.number(value);
+            assert!(window.query_by_label_contains(&value).is_some(), "{value} at {size:?}");
+        }
+    }
+}
