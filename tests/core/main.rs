@@ -72,6 +72,7 @@ mod session_verdicts;
 mod session_workpiece;
 mod sources;
 mod start_cli;
+mod supply;
 mod table_cli;
 mod table_compare;
 mod table_edit;
