@@ -25,6 +25,9 @@ mod fit_cli;
 mod fit_geometry;
 mod fit_search;
 mod fits;
+#[path = "../../fuzz/src/targets/mod.rs"]
+mod fuzz_targets;
+mod fuzzing;
 mod hostile;
 mod house;
 mod import;
