@@ -96,7 +96,8 @@ impl<'a> Set<'a> {
 
     fn least_and_most(&self, centre: [f64; 2]) -> (f64, f64) {
         let distances = self.distances(centre).map(Exact::float);
-        distances.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), distance| (least.min(distance), most.max(distance)))
+        distances
+            .fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), distance| (least.min(distance), most.max(distance)))
     }
 
     fn squares(&self, centre: [f64; 2]) -> f64 {
@@ -150,7 +151,8 @@ impl<'a> Set<'a> {
             if distance.float() <= 1e-9 * self.extent {
                 return None;
             }
-            let along = [Exact::from(contact.x) - Exact::from(x), Exact::from(contact.y) - Exact::from(y)].map(|at| at / distance);
+            let along = [Exact::from(contact.x) - Exact::from(x), Exact::from(contact.y) - Exact::from(y)]
+                .map(|at| at / distance);
             let residual = distance - radius;
             downhill = [downhill[0] + residual * along[0], downhill[1] + residual * along[1]];
             let ([along_x, along_y], bend) = (along.map(Exact::float), (residual / distance).float());
@@ -176,7 +178,10 @@ impl<'a> Set<'a> {
     fn circumscribed(&self, circle: &Circle) {
         let (_, most) = self.least_and_most([circle.x, circle.y]);
         let off = (most - circle.diameter / 2.0).abs();
-        assert!(off <= self.rounding + 4.0 * f64::EPSILON * circle.diameter, "the circumscribed circle is off by {off:e}");
+        assert!(
+            off <= self.rounding + 4.0 * f64::EPSILON * circle.diameter,
+            "the circumscribed circle is off by {off:e}"
+        );
         let best = self.centres.iter().map(|&centre| self.least_and_most(centre).1).fold(f64::INFINITY, f64::min);
         let larger = circle.diameter / 2.0 - best;
         assert!(larger <= 4.0 * self.rounding, "a circumscribed circle is smaller by {larger:e}");
@@ -213,7 +218,9 @@ impl<'a> Set<'a> {
         };
         let (least, most) = self.least_and_most([zone.x, zone.y]);
         let allowed = self.rounding + 4.0 * f64::EPSILON * zone.outer_diameter;
-        for (is, said) in [(least, zone.inner_diameter / 2.0), (most, zone.outer_diameter / 2.0), (most - least, zone.width)] {
+        for (is, said) in
+            [(least, zone.inner_diameter / 2.0), (most, zone.outer_diameter / 2.0), (most - least, zone.width)]
+        {
             assert!((is - said).abs() <= 4.0 * allowed, "the ring has {is} instead of {said}");
         }
         let circle = found.least_squares;

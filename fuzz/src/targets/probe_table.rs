@@ -30,7 +30,9 @@ pub fn run(bytes: &[u8]) {
         });
         let mut prober = Source::Perfect.prober(cycle, &inputs).expect("a face");
         match cycle.measure(&inputs, &mut *prober) {
-            Ok(result) => assert_eq!(result.length(FoundName::COORDINATE), Length::parse_in("35", Unit::Millimetre).ok()),
+            Ok(result) => {
+                assert_eq!(result.length(FoundName::COORDINATE), Length::parse_in("35", Unit::Millimetre).ok())
+            }
             Err(error) => told(bytes, &error),
         }
     }
