@@ -112,7 +112,8 @@ fn changed(input: &mut Vec<u8>, others: &[Vec<u8>], words: &[Vec<u8>], random: &
             7 => {
                 let is_digit = |byte: &u8| byte.is_ascii_digit();
                 if let Some(start) = input[at..].iter().position(is_digit).map(|digit| at + digit) {
-                    let end = input[start..].iter().position(|byte| !is_digit(byte)).map_or(length, |digits| start + digits);
+                    let end =
+                        input[start..].iter().position(|byte| !is_digit(byte)).map_or(length, |digits| start + digits);
                     drop(input.splice(start..end, NUMBERS[random.below(NUMBERS.len())].bytes()));
                 }
             }
@@ -172,9 +173,12 @@ fn every_target_holds_on_its_seeds_and_on_changes_of_them() {
     let watched = watch();
     for (number, target) in (0_u32..).zip(TARGETS) {
         let (begin, seeds, words) = (Instant::now(), seeds(target), words(target.words));
-        seeds.iter().for_each(|seed| run(target, seed, &watched));
+        for seed in &seeds {
+            run(target, seed, &watched);
+        }
         let mut own = Random(random.next() ^ u64::from(number));
-        let time = seconds.map(|seconds| Duration::from_secs_f64(seconds / f64::from(u32::try_from(TARGETS.len()).unwrap())));
+        let time =
+            seconds.map(|seconds| Duration::from_secs_f64(seconds / f64::from(u32::try_from(TARGETS.len()).unwrap())));
         let mut inputs = 0;
         while time.map_or(inputs < INPUTS, |time| begin.elapsed() < time) {
             let mut input = seeds[own.below(seeds.len())].clone();
@@ -190,10 +194,8 @@ fn every_target_holds_on_its_seeds_and_on_changes_of_them() {
 
 #[test]
 fn every_target_has_seeds_and_every_folder_of_seeds_its_target() {
-    let folders: BTreeSet<String> = std::fs::read_dir(corpus())
-        .unwrap()
-        .map(|folder| folder.unwrap().file_name().into_string().unwrap())
-        .collect();
+    let folders: BTreeSet<String> =
+        std::fs::read_dir(corpus()).unwrap().map(|folder| folder.unwrap().file_name().into_string().unwrap()).collect();
     let names: BTreeSet<String> = TARGETS.iter().map(|target| target.name.to_owned()).collect();
     assert_eq!(folders, names);
     let sizes: Vec<usize> = TARGETS.iter().flat_map(seeds).map(|seed| seed.len()).collect();

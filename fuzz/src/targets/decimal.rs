@@ -83,7 +83,8 @@ impl Decimal {
 
     /// With all its decimals, at least one digit before the point, and a minus unless it is zero.
     pub fn text(&self) -> String {
-        let mut text = String::from(if self.is_negative && self.digits.iter().any(|digit| *digit != 0) { "-" } else { "" });
+        let mut text =
+            String::from(if self.is_negative && self.digits.iter().any(|digit| *digit != 0) { "-" } else { "" });
         let (whole, decimals) = self.digits.split_at(self.digits.len() - self.decimals);
         let zeros = whole.iter().take_while(|digit| **digit == 0).count().min(whole.len().saturating_sub(1));
         text.extend(whole[zeros..].iter().map(|digit| char::from(b'0' + digit)));

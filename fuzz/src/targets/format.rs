@@ -20,7 +20,9 @@ pub fn run(bytes: &[u8]) {
     let letter = figures.one_of(&["F", "LF", "D", "I"]);
     let value = match figures.byte() % 3 {
         0 => Value::Length(Length::from_nanometres(figures.up_to(2_000_000) - 1_000_000).expect("a millimetre")),
-        1 => Value::Length(Length::from_nanometres(figures.up_to(2_000_000_000_000_000) - 1_000_000_000_000_000).expect("the most")),
+        1 => Value::Length(
+            Length::from_nanometres(figures.up_to(2_000_000_000_000_000) - 1_000_000_000_000_000).expect("the most"),
+        ),
         _ => Value::Number(f64::from_le_bytes(figures.bytes())),
     };
     let plain = match value {
@@ -42,7 +44,11 @@ pub fn run(bytes: &[u8]) {
     let number = on_paper(&plain, digits, is_whole);
     // C: with a precision, the flag 0 means nothing to whole numbers.
     let filling = if is_whole && digits.is_some() { flags.replace('0', "") } else { flags.clone() };
-    assert_eq!(printed, format!("{}\n", filled(&number, &filling, width)), "%{flags}{width_text}{digits_text}{letter} of {plain}");
+    assert_eq!(
+        printed,
+        format!("{}\n", filled(&number, &filling, width)),
+        "%{flags}{width_text}{digits_text}{letter} of {plain}"
+    );
 }
 
 fn on_paper(plain: &str, digits: Option<usize>, is_whole: bool) -> String {

@@ -62,7 +62,8 @@ fn on_paper(text: &str, unit: Unit) -> Result<Decimal, Vec<Kind>> {
     if text.is_empty() {
         return Err(vec![Kind::Empty]);
     }
-    let units = [("mm", Unit::Millimetre), ("µm", Unit::Micrometre), ("μm", Unit::Micrometre), ("um", Unit::Micrometre)];
+    let units =
+        [("mm", Unit::Millimetre), ("µm", Unit::Micrometre), ("μm", Unit::Micrometre), ("um", Unit::Micrometre)];
     let named = units.iter().find_map(|(name, named)| Some((text.strip_suffix(name)?.trim_end(), *named)));
     let (number, unit) = named.unwrap_or((text, unit));
     let digits = number.strip_prefix(['+', '-', '−']).unwrap_or(number);

@@ -59,12 +59,17 @@ fn borders(limits: &Limits) {
         Feature::Shaft => (Status::Scrap, Status::Rework),
     };
     let (minimum, maximum) = (limits.minimum().nanometres(), limits.maximum().nanometres());
-    for (measured, status) in [(minimum - 1, small), (minimum, Status::Good), (maximum, Status::Good), (maximum + 1, large)] {
+    for (measured, status) in
+        [(minimum - 1, small), (minimum, Status::Good), (maximum, Status::Good), (maximum + 1, large)]
+    {
         let Ok(measured) = Length::from_nanometres(measured) else { continue };
         let verdict = judge_size(limits, measured);
         assert_eq!(verdict.status, status);
         assert_eq!(classify(limits.feature, limits.minimum(), limits.maximum(), measured), status);
-        assert_eq!(verdict.removal.map(|removal| removal.to_limit.nanometres()), (status == Status::Rework).then_some(1));
+        assert_eq!(
+            verdict.removal.map(|removal| removal.to_limit.nanometres()),
+            (status == Status::Rework).then_some(1)
+        );
         let _doubt = doubt(limits, measured);
     }
 }
@@ -87,7 +92,10 @@ fn zone(feature: Feature, letter: Letter, grade: Grade, nominal: Length, options
     }
     if letter <= Letter::H || letter == Letter::Js {
         let other = deviations(feature.other(), letter, grade, nominal, options).expect("both or none");
-        assert_eq!((other.upper().negated(), other.lower().negated()), (cell.deviations.lower(), cell.deviations.upper()));
+        assert_eq!(
+            (other.upper().negated(), other.lower().negated()),
+            (cell.deviations.lower(), cell.deviations.upper())
+        );
     }
 }
 

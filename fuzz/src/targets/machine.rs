@@ -43,7 +43,9 @@ pub fn run(bytes: &[u8]) {
     settings.optional_stop = flags & 4 != 0;
     let contacts = match (flags >> 3) & 3 {
         0 => Contacts::Recorded(Vec::new()),
-        1 => Contacts::Recorded([[12.5, 0.0], [0.0, 12.5], [-12.5, 0.0], [0.0, -12.5]].map(|[x, y]| Contact::at([x, y, 0.0])).to_vec()),
+        1 => Contacts::Recorded(
+            [[12.5, 0.0], [0.0, 12.5], [-12.5, 0.0], [0.0, -12.5]].map(|[x, y]| Contact::at([x, y, 0.0])).to_vec(),
+        ),
         _ => Contacts::Perfect,
     };
     let mut machine = Machine::new(r"TNC:\main.h", Arc::new(program), store, contacts.clone(), settings);

@@ -1,6 +1,6 @@
 //! Any text as a file of materials: each of them is found by its names, in capitals too, and comes before a built-in one.
 
-use fitcheck::tolerance::fit::materials::{Materials, MOST};
+use fitcheck::tolerance::fit::materials::{MOST, Materials};
 use fitcheck::words::Language;
 
 use super::shared::told;

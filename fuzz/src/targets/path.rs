@@ -22,7 +22,10 @@ fn stays_inside(path: &NcPath, main: &NcPath) {
     assert_eq!(Some(path.file_name()), path.parts().next_back());
     for part in path.parts() {
         assert!(!part.is_empty() && part != "." && part != "..", "{whole}");
-        assert!(!part.contains(['/', '\\', ':', '*', '?', '"', '<', '>', '|']) && !part.contains(char::is_control), "{whole}");
+        assert!(
+            !part.contains(['/', '\\', ':', '*', '?', '"', '<', '>', '|']) && !part.contains(char::is_control),
+            "{whole}"
+        );
         assert!(!part.ends_with(['.', ' ']), "{whole}");
     }
 }
