@@ -186,6 +186,26 @@ fn a_place_that_cannot_be_written_is_named_and_nothing_is_left() {
 
 #[cfg(unix)]
 #[test]
+fn the_largest_file_that_the_system_allows_is_told_and_nothing_is_left() {
+    let (folder, path) = file("report.html", b"the old one");
+    let set = folder.path().join("set");
+    let program = assert_cmd::cargo::cargo_bin!("fitcheck");
+    let report: &[&str] = &["report", "--check", "25 H7=25.012", "-o"];
+    let nc: &[&str] = &["nc", "25 H7", "--x", "0", "--y", "0", "--z", "-5", "--control", "tnc7", "-o"];
+    for (arguments, target) in [(report, &path), (nc, &set)] {
+        let mut shell = std::process::Command::new("sh");
+        shell.args(["-c", "ulimit -f 1 && exec \"$0\" \"$@\""]).arg(program).args(arguments).arg(target);
+        let output = shell.output().unwrap();
+        let err = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {err}");
+        assert!(err.contains("File too large") && err.contains(target.to_str().unwrap()), "{err}");
+    }
+    assert_eq!(std::fs::read(&path).unwrap(), b"the old one");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[cfg(unix)]
+#[test]
 fn a_folder_without_permission_is_named() {
     use std::os::unix::fs::PermissionsExt as _;
     let folder = tempfile::tempdir().unwrap();
