@@ -94,6 +94,19 @@ fn a_row_of_20_000_columns_is_read_at_once() {
 }
 
 #[test]
+fn materials_with_thirty_thousand_names_each_are_read_at_once() {
+    let names = |first: char| {
+        let names: Vec<String> = (0..30_000).map(|at| format!("{first}{at}=\"{first}{at:x}\"")).collect();
+        names.join(",")
+    };
+    let material = |name: char| format!("[[material]]\nname=\"{name}\"\nexpansion=9\nnames={{{}}}\n", names(name));
+    let (_folder, path) = file("many.toml", format!("version=1\n{}{}", material('a'), material('b')).as_bytes());
+    let call = ["fit", "50 H7/p6", "--materials", "FILE", "--hole-material", "a", "--shaft-material", "b"];
+    let (code, out, err) = run(&[&call[..], &["--temperature", "80"]].concat(), &path);
+    assert!(code == 0 && out.contains("80"), "{code} {out} {err}");
+}
+
+#[test]
 fn a_folder_is_no_file() {
     let folder = tempfile::tempdir().unwrap();
     for args in READERS {

@@ -173,7 +173,9 @@ fn every_target_holds_on_its_seeds_and_on_changes_of_them() {
     let watched = watch();
     for (number, target) in (0_u32..).zip(TARGETS) {
         let (begin, seeds, words) = (Instant::now(), seeds(target), words(target.words));
-        seeds.iter().for_each(|seed| run(target, seed, &watched));
+        for seed in &seeds {
+            run(target, seed, &watched);
+        }
         let mut own = Random(random.next() ^ u64::from(number));
         let time =
             seconds.map(|seconds| Duration::from_secs_f64(seconds / f64::from(u32::try_from(TARGETS.len()).unwrap())));

@@ -59,7 +59,8 @@ pub fn check(bytes: &[u8], contacts: &[Contact]) {
 
 struct Set<'a> {
     contacts: &'a [Contact],
-    /// Half the size of the box around the contacts.
+    /// The middle of the box around the contacts, and half its size.
+    middle: [f64; 2],
     extent: f64,
     /// What a coordinate may be off by, wherever the contacts are.
     rounding: f64,
@@ -83,7 +84,8 @@ impl<'a> Set<'a> {
                 centres.extend(contacts.iter().skip(behind + 1).filter_map(|c| circumcentre([a, b, c])));
             }
         }
-        Self { contacts, extent, rounding: 4.0 * f64::EPSILON * largest + 1e-12 * extent, centres }
+        let middle = [f64::midpoint(left, right), f64::midpoint(bottom, top)];
+        Self { contacts, middle, extent, rounding: 4.0 * f64::EPSILON * largest + 1e-12 * extent, centres }
     }
 
     /// The exact distances of the contacts from a place.
@@ -225,7 +227,9 @@ impl<'a> Set<'a> {
         }
         let circle = found.least_squares;
         let others = self.centres.iter().copied().chain([[circle.x, circle.y]]);
-        for centre in others.filter(|[x, y]| (x - zone.x).hypot(y - zone.y) < 1e3 * self.extent) {
+        // Ten thousand half extents away, a ring counts as a straight strip.
+        let [x, y] = self.middle;
+        for centre in others.filter(|centre| (centre[0] - x).hypot(centre[1] - y) < 4e3 * self.extent) {
             let (least, most) = self.least_and_most(centre);
             let narrower = zone.width - (most - least);
             assert!(narrower <= 8.0 * allowed, "a ring is narrower by {narrower:e} about {centre:?}");
@@ -239,13 +243,13 @@ fn mean(numbers: &[Exact]) -> Exact {
 }
 
 /// The centre of the circle through three contacts, with twice the digits on the way.
-fn circumcentre([a, b, c]: [&Contact; 3]) -> Option<[f64; 2]> {
-    let off = |to: &Contact| [Exact::from(to.x) - Exact::from(a.x), Exact::from(to.y) - Exact::from(a.y)];
-    let ([b_x, b_y], [c_x, c_y]) = (off(b), off(c));
-    let twice_area = Exact::from(2.0) * (b_x * c_y - b_y * c_x);
-    let (b_squared, c_squared) = (b_x * b_x + b_y * b_y, c_x * c_x + c_y * c_y);
-    let x = Exact::from(a.x) + (c_y * b_squared - b_y * c_squared) / twice_area;
-    let y = Exact::from(a.y) + (b_x * c_squared - c_x * b_squared) / twice_area;
-    let centre = [x, y].map(Exact::float);
+fn circumcentre([first, second, third]: [&Contact; 3]) -> Option<[f64; 2]> {
+    let off = |to: &Contact| [Exact::from(to.x) - Exact::from(first.x), Exact::from(to.y) - Exact::from(first.y)];
+    let (second, third) = (off(second), off(third));
+    let square = |[x, y]: [Exact; 2]| x * x + y * y;
+    let twice_area = Exact::from(2.0) * (second[0] * third[1] - second[1] * third[0]);
+    let along = (third[1] * square(second) - second[1] * square(third)) / twice_area;
+    let across = (second[0] * square(third) - third[0] * square(second)) / twice_area;
+    let centre = [Exact::from(first.x) + along, Exact::from(first.y) + across].map(Exact::float);
     centre.iter().all(|number| number.is_finite()).then_some(centre)
 }

@@ -14,7 +14,9 @@ use super::shared::told;
 pub fn run(bytes: &[u8]) {
     let table = match read_table(bytes, "a.tab", "a.tab", false) {
         Ok((table, warnings)) => {
-            warnings.iter().for_each(|warning| told(bytes, warning));
+            for warning in &warnings {
+                told(bytes, warning);
+            }
             table
         }
         Err(error) => return told(bytes, &error),

@@ -14,8 +14,10 @@ pub fn run(bytes: &[u8]) {
     for answer in &logs {
         match answer {
             Ok(log) => {
-                log.warnings.iter().for_each(|warning| told(bytes, warning));
-                Dialogue::ALL.into_iter().for_each(|language| written(bytes, log, language));
+                for warning in &log.warnings {
+                    told(bytes, warning);
+                }
+                written(bytes, log, Dialogue::ALL[bytes.len() % Dialogue::ALL.len()]);
             }
             Err(error) => told(bytes, error),
         }

@@ -17,7 +17,9 @@ pub fn run(bytes: &[u8]) {
     }
     let mask = match Mask::read(bytes) {
         Ok((mask, warnings)) => {
-            warnings.iter().for_each(|warning| told(bytes, warning));
+            for warning in &warnings {
+                told(bytes, warning);
+            }
             mask
         }
         Err(error) => return told(bytes, &error),

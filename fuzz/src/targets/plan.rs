@@ -22,7 +22,9 @@ pub fn run(bytes: &[u8]) {
         Ok(set) => {
             assert_eq!(set.files.len(), 6);
             assert!(set.zip().is_ok());
-            set.remarks.iter().for_each(|remark| told(bytes, remark));
+            for remark in &set.remarks {
+                told(bytes, remark);
+            }
         }
         Err(error @ (SetError::Plan(_) | SetError::Shape { .. } | SetError::Table { .. })) => told(bytes, &error),
         Err(error) => panic!("{error}"),

@@ -17,7 +17,9 @@ pub fn run(bytes: &[u8]) {
         Ok(table) => table,
         Err(error) => return told(bytes, &error),
     };
-    table.warnings.iter().for_each(|warning| told(bytes, warning));
+    for warning in &table.warnings {
+        told(bytes, warning);
+    }
     assert_eq!(table.probe(None), table.probes.first());
     for probe in &table.probes {
         assert_eq!(table.probe(Some(probe.number)), Some(probe));
@@ -31,7 +33,7 @@ pub fn run(bytes: &[u8]) {
         let mut prober = Source::Perfect.prober(cycle, &inputs).expect("a face");
         match cycle.measure(&inputs, &mut *prober) {
             Ok(result) => {
-                assert_eq!(result.length(FoundName::COORDINATE), Length::parse_in("35", Unit::Millimetre).ok())
+                assert_eq!(result.length(FoundName::COORDINATE), Length::parse_in("35", Unit::Millimetre).ok());
             }
             Err(error) => told(bytes, &error),
         }

@@ -44,13 +44,13 @@ impl Figures<'_> {
     }
 }
 
-/// What went wrong has a sentence in every language. Sentences take far longer than reading, so one input in sixteen
-/// has to make them.
+/// What went wrong has a sentence in every language. Sentences take far longer than reading, so one input in a hundred
+/// or so has to make them.
 pub fn told(bytes: &[u8], what: &impl Say) {
     thread_local! {
         static WORDS: Vec<Words> = Language::all().map(Words::new).collect();
     }
-    if bytes.iter().fold(0_u8, |sum, byte| sum.wrapping_add(*byte)).is_multiple_of(16) {
+    if bytes.iter().fold(0_u8, |sum, byte| sum.wrapping_mul(31).wrapping_add(*byte)).is_multiple_of(128) {
         let message = what.message();
         WORDS.with(|words| {
             for language in words {

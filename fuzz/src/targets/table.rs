@@ -10,7 +10,9 @@ pub fn run(bytes: &[u8]) {
         Ok(file) => file,
         Err(error) => return told(bytes, &error),
     };
-    file.warnings.iter().for_each(|warning| told(bytes, warning));
+    for warning in &file.warnings {
+        told(bytes, warning);
+    }
     let most = 1 + bytes.iter().filter(|byte| b"\r\n\0".contains(byte)).count();
     for (number, row) in file.table.rows.iter().enumerate() {
         assert_eq!(row.len(), file.table.columns.len());
