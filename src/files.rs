@@ -5,6 +5,7 @@
 mod folder;
 mod folders;
 mod listing;
+mod names;
 mod tables;
 
 use std::io::Read as _;
@@ -99,6 +100,38 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     }
     let beside = beside(folder_of(path), bytes).map_err(|error| system(path, &error))?;
     persist(beside, path, true)
+}
+
+/// The same for a file that is written piece by piece, so that it need not be in memory.
+pub fn write_with(
+    path: &Path,
+    fill: impl FnOnce(&mut dyn std::io::Write) -> std::io::Result<()>,
+) -> Result<(), FileError> {
+    save_with(path, true, fill)
+}
+
+/// Writes a file piece by piece, whole or not at all; another one of its name is only replaced by leave (`replace`).
+pub fn save_with(
+    path: &Path,
+    replace: bool,
+    fill: impl FnOnce(&mut dyn std::io::Write) -> std::io::Result<()>,
+) -> Result<(), FileError> {
+    if path.is_dir() {
+        return Err(FileError::IsFolder { path: path.to_owned() });
+    }
+    if !replace && path.symlink_metadata().is_ok() {
+        return Err(FileError::Exists { path: path.to_owned() });
+    }
+    let filled = || -> std::io::Result<tempfile::NamedTempFile> {
+        let mut beside = beside(folder_of(path), &[])?;
+        let mut out = std::io::BufWriter::new(beside.as_file_mut());
+        fill(&mut out)?;
+        std::io::Write::flush(&mut out)?;
+        drop(out);
+        beside.as_file().sync_all()?;
+        Ok(beside)
+    };
+    persist(filled().map_err(|error| system(path, &error))?, path, replace)
 }
 
 /// The folder of a path.
