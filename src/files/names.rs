@@ -47,12 +47,12 @@ impl Names {
     fn of(&mut self, folder: &Path) -> Option<&Known> {
         let changed = changed(folder)?;
         let at = self.known.iter().position(|known| known.folder == folder);
-        let known = match at.map(|at| self.known.remove(at)).filter(|known| known.changed == changed) {
-            Some(known) => known,
-            None => {
-                self.listed += 1;
-                Known { folder: folder.to_owned(), changed, names: list(folder)? }
-            }
+        let known = at.map(|at| self.known.remove(at)).filter(|known| known.changed == changed);
+        let known = if let Some(known) = known {
+            known
+        } else {
+            self.listed += 1;
+            Known { folder: folder.to_owned(), changed, names: list(folder)? }
         };
         self.known.insert(0, known);
         self.forget();
@@ -82,7 +82,7 @@ impl Names {
             let name = OsString::from(name);
             let key = name.to_ascii_lowercase();
             let at = known.names.partition_point(|known| known.to_ascii_lowercase() < key);
-            if known.names.get(at..).is_none_or(|rest| !rest.iter().any(|known| *known == name)) {
+            if known.names.get(at..).is_none_or(|rest| !rest.contains(&name)) {
                 known.names.insert(at, name);
             }
         }

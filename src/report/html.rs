@@ -56,7 +56,7 @@ trait Part: Template {
 struct Head<'a> {
     words: &'a Words,
     title: String,
-    head: Vec<Entry>,
+    entries: Vec<Entry>,
     notes: Vec<String>,
     summary: Option<Summary>,
     program: &'a str,
@@ -239,7 +239,7 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     let head = Head {
         words,
         title: if report.title.is_empty() { words.get("report-title") } else { report.title.clone() },
-        head: head(report, words),
+        entries: entries(report, words),
         notes: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
         summary: (1 < seen.total).then(|| summary(&seen, words)),
         program: &report.program,
@@ -275,7 +275,7 @@ fn printable(page: &str) -> String {
     page.chars().map(|c| if hidden(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 
-fn head(report: &Report, words: &Words) -> Vec<Entry> {
+fn entries(report: &Report, words: &Words) -> Vec<Entry> {
     let created = report.created.strftime(DATE).to_string();
     [
         ("report-part", report.part.as_ref()),
