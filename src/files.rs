@@ -7,12 +7,13 @@ mod folders;
 mod listing;
 mod names;
 mod tables;
+mod unfinished;
+mod whole;
 
-use std::io::Read as _;
+use std::io::{Read as _, Write};
 use std::path::{Path, PathBuf};
 
-use folder::{beside, persist};
-pub use folder::{make_folder, save, write_folder, write_new};
+pub use folder::{make_folder, no_half_set, write_folder, write_into};
 pub use folders::Folders;
 pub use listing::{Entry, Listing, MOST_ENTRIES, list, list_up_to};
 pub use tables::{OwnTables, OwnTablesError, read_tables};
@@ -41,6 +42,16 @@ pub enum FileError {
         /// The path.
         path: PathBuf,
     },
+    /// A pipe or a device, where only a file will do.
+    NotAFile {
+        /// The path.
+        path: PathBuf,
+    },
+    /// A set of files was written only in part: some files of the folder above are old and some are new.
+    HalfSet {
+        /// The folder with the files that still have to be moved.
+        path: PathBuf,
+    },
     /// The file is larger than [`LARGEST`].
     #[say(args(limit = LARGEST >> 20))]
     TooLarge {
@@ -61,6 +72,7 @@ pub(crate) fn system(path: &Path, error: &std::io::Error) -> FileError {
     let path = path.to_owned();
     match error.kind() {
         std::io::ErrorKind::NotFound => FileError::Missing { path },
+        std::io::ErrorKind::AlreadyExists => FileError::Exists { path },
         std::io::ErrorKind::IsADirectory => FileError::IsFolder { path },
         _ => FileError::System { reason: error.to_string(), path },
     }
@@ -93,45 +105,66 @@ pub fn read_head(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
     Ok(bytes)
 }
 
-/// Writes a file whole or not at all: to a temporary file beside it, synced, then renamed over it.
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
-    if path.is_dir() {
-        return Err(FileError::IsFolder { path: path.to_owned() });
+/// The bytes of a file, as [`read`] gives them; a pipe or a device is refused instead of waited for.
+pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
+    if is_special(path) {
+        return Err(FileError::NotAFile { path: path.to_owned() });
     }
-    let beside = beside(folder_of(path), bytes).map_err(|error| system(path, &error))?;
-    persist(beside, path, true)
+    read(path)
 }
 
-/// The same for a file that is written piece by piece, so that it need not be in memory.
-pub fn write_with(
-    path: &Path,
-    fill: impl FnOnce(&mut dyn std::io::Write) -> std::io::Result<()>,
-) -> Result<(), FileError> {
-    save_with(path, true, fill)
+/// Whether a path leads to a pipe or a device.
+fn is_special(path: &Path) -> bool {
+    path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
-/// Writes a file piece by piece, whole or not at all; another one of its name is only replaced by leave (`replace`).
+/// Writes a file whole or not at all. An existing one keeps its mode and, where the system allows it, its owner and group;
+/// a link stays, and what it leads to is written. A pipe or a device is written to.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+    write_with(path, &mut |out| out.write_all(bytes))
+}
+
+/// Writes a file like [`write`], with what is written piece by piece.
+pub fn write_with(path: &Path, fill: &mut dyn FnMut(&mut dyn Write) -> std::io::Result<()>) -> Result<(), FileError> {
+    whole::write(path, fill).map_err(|error| system(path, &error))
+}
+
+/// Writes a file whole or not at all, and never over another one.
+///
+/// # Errors
+/// [`FileError::Exists`] where the path already exists.
+pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+    whole::write_new(path, &mut |out| out.write_all(bytes)).map_err(|error| system(path, &error))
+}
+
+/// Writes a file that a user has named; another one of its name is only replaced by leave (`replace`).
+///
+/// # Errors
+/// [`FileError::IsFolder`] where the path is a folder, [`FileError::NotAFile`] where it is a pipe or a device,
+/// [`FileError::Exists`] where there is a file to be asked about.
+pub fn save(path: &Path, bytes: &[u8], replace: bool) -> Result<(), FileError> {
+    save_with(path, replace, &mut |out| out.write_all(bytes))
+}
+
+/// Writes a file like [`save`], with what is written piece by piece.
+///
+/// # Errors
+/// As for [`save`].
 pub fn save_with(
     path: &Path,
     replace: bool,
-    fill: impl FnOnce(&mut dyn std::io::Write) -> std::io::Result<()>,
+    fill: &mut dyn FnMut(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<(), FileError> {
     if path.is_dir() {
         return Err(FileError::IsFolder { path: path.to_owned() });
     }
-    if !replace && path.symlink_metadata().is_ok() {
-        return Err(FileError::Exists { path: path.to_owned() });
+    if is_special(path) {
+        return Err(FileError::NotAFile { path: path.to_owned() });
     }
-    let filled = || -> std::io::Result<tempfile::NamedTempFile> {
-        let mut beside = beside(folder_of(path), &[])?;
-        let mut out = std::io::BufWriter::new(beside.as_file_mut());
-        fill(&mut out)?;
-        std::io::Write::flush(&mut out)?;
-        drop(out);
-        beside.as_file().sync_all()?;
-        Ok(beside)
-    };
-    persist(filled().map_err(|error| system(path, &error))?, path, replace)
+    if replace {
+        return write_with(path, fill);
+    }
+    whole::write_new(path, fill).map_err(|error| system(path, &error))
 }
 
 /// The folder of a path.
@@ -139,8 +172,10 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."))
 }
 
-/// Sets a broken file aside under another name and returns that name.
+/// Sets a broken file aside under another name and returns that name. A link stays, and what it leads to gets the name.
 pub fn set_aside(path: &Path) -> Result<PathBuf, FileError> {
+    let behind = path.is_symlink().then(|| path.canonicalize().ok()).flatten();
+    let path = behind.as_deref().unwrap_or(path);
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     for number in 1..1000 {
         let aside = path.with_file_name(format!("{name}.broken-{number}"));

@@ -192,7 +192,7 @@ pub(super) fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), Cli
 /// The same for a file that is written piece by piece.
 pub(super) fn save_with(
     path: &Path,
-    write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+    write: &mut dyn FnMut(&mut dyn Write) -> std::io::Result<()>,
     io: &mut Io<'_>,
 ) -> Result<(), CliError> {
     files::write_with(path, write)?;

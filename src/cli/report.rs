@@ -198,7 +198,7 @@ impl Args {
         };
         match &self.output {
             Output::Standard => (rendering.render)(&report, &words, io.data())?,
-            Output::File(path, _) => super::save_with(path, |out| (rendering.render)(&report, &words, out), io)?,
+            Output::File(path, _) => super::save_with(path, &mut |out| (rendering.render)(&report, &words, out), io)?,
         }
         Ok(if bad { Outcome::BadData } else { Outcome::Judged(worst) })
     }

@@ -247,8 +247,8 @@ mod tests {
         check(&format!("a;b\n{long}\nc;d"), &["1: a|b", "2 too long", "3: c|d"]);
         check(&format!("\"a\n{long}\"\nc"), &["1! \"a", "2 too long", "3: c"]);
         let rows = 3 * SEGMENT / 4;
-        let found = Rows::new(&"a;b\n".repeat(rows), 1, b';').map(|item| item.line());
-        assert!(found.eq(1..=rows));
+        let text = "a;b\n".repeat(rows);
+        assert!(Rows::new(&text, 1, b';').map(|item| item.line()).eq(1..=rows));
     }
 
     proptest::proptest! {

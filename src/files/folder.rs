@@ -1,52 +1,53 @@
 //! Writes several files into one folder: all of them or none.
 
-use std::io::Write as _;
+use std::fs::File;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use super::unfinished::Unfinished;
+use super::{FileError, folder_of, system, whole};
 
-use super::{FileError, folder_of, system, write};
+/// Holds the files of a set while they are written.
+const GROWING: &str = ".fitcheck-new";
+/// Holds the files of a whole set that still have to be moved to their places. Where it is found, the folder holds files
+/// of two sets.
+const MOVING: &str = ".fitcheck-set";
 
 /// Writes whole files into a folder and returns their paths. A missing folder is made; its parent must exist.
 ///
-/// Everything is first written beside its place. A new folder then appears with all its files at once. In an existing
-/// one the files are renamed one after the other; after a failure, those already renamed are removed again, except for
-/// files that were overwritten.
+/// A new folder appears with all its files at once. In an existing one they are first written into a folder of their own
+/// and then moved. If the program or the machine ends between the moves, the next call first moves the rest and returns
+/// its paths too; [`no_half_set`] names the folder until then.
 ///
 /// # Errors
 /// [`FileError::Exists`] where a file already exists and `overwrite` is not set: then nothing is written.
 pub fn write_folder(folder: &Path, files: &[(&str, &[u8])], overwrite: bool) -> Result<Vec<PathBuf>, FileError> {
-    let paths: Vec<PathBuf> = files.iter().map(|(name, _)| folder.join(name)).collect();
     if folder.is_dir() {
-        into_old(folder, &paths, files, overwrite)?;
-    } else {
-        into_new(folder, files)?;
+        return write_into(folder, files, overwrite);
     }
+    into_new(folder, files)?;
+    Ok(files.iter().map(|(name, _)| folder.join(name)).collect())
+}
+
+/// Writes whole files into a folder that is there, like [`write_folder`]; an empty path is the current folder.
+///
+/// # Errors
+/// As for [`write_folder`]; the system's where there is no such folder.
+pub fn write_into(folder: &Path, files: &[(&str, &[u8])], overwrite: bool) -> Result<Vec<PathBuf>, FileError> {
+    let mut paths: Vec<PathBuf> = files.iter().map(|(name, _)| folder.join(name)).collect();
+    let mut rest = into_old(folder, &paths, files, overwrite)?;
+    rest.retain(|path| !paths.contains(path));
+    paths.append(&mut rest);
     Ok(paths)
 }
 
-/// Writes a file whole or not at all, and never over another one.
+/// Whether a folder is free of half written sets.
 ///
 /// # Errors
-/// [`FileError::Exists`] where the path already exists.
-pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
-    // A link that leads nowhere is something, too.
-    if path.symlink_metadata().is_ok() {
-        return Err(FileError::Exists { path: path.to_owned() });
-    }
-    let beside = beside(folder_of(path), bytes).map_err(|error| system(path, &error))?;
-    persist(beside, path, false)
-}
-
-/// Writes a file whole or not at all; another one of its name is only replaced by leave (`replace`).
-///
-/// # Errors
-/// [`FileError::IsFolder`] where the path is a folder, [`FileError::Exists`] where there is a file to be asked about.
-pub fn save(path: &Path, bytes: &[u8], replace: bool) -> Result<(), FileError> {
-    if path.is_dir() {
-        return Err(FileError::IsFolder { path: path.to_owned() });
-    }
-    if replace { write(path, bytes) } else { write_new(path, bytes) }
+/// [`FileError::HalfSet`] where writing a set was interrupted: some files are old and some are new.
+pub fn no_half_set(folder: &Path) -> Result<(), FileError> {
+    let moving = folder.join(MOVING);
+    if moving.is_dir() { Err(FileError::HalfSet { path: moving }) } else { Ok(()) }
 }
 
 /// Makes a folder where there is none; its parent must exist.
@@ -71,85 +72,86 @@ fn parent_of_new(folder: &Path) -> Result<&Path, FileError> {
 }
 
 fn into_new(folder: &Path, files: &[(&str, &[u8])]) -> Result<(), FileError> {
-    let parent = parent_of_new(folder)?;
-    let whole = || -> std::io::Result<()> {
-        let made = tempfile::Builder::new().prefix(".fitcheck-").tempdir_in(parent)?;
-        for (name, bytes) in files {
-            let beside = beside(made.path(), bytes)?;
-            beside.persist_noclobber(made.path().join(name)).map_err(|error| error.error)?;
-        }
-        make_readable(made.path(), 0o755)?;
-        std::fs::rename(made.path(), folder)?;
-        // It now has another name, so there is nothing left to remove.
-        let _renamed = made.keep();
+    parent_of_new(folder)?;
+    let all = || -> io::Result<()> {
+        let growing = fill(whole::unfinished_name(folder), files)?;
+        std::fs::rename(growing.path(), folder)?;
+        growing.finished();
+        whole::sync_folder(folder);
         Ok(())
     };
-    whole().map_err(|error| system(folder, &error))
+    all().map_err(|error| system(folder, &error))
 }
 
-fn into_old(folder: &Path, paths: &[PathBuf], files: &[(&str, &[u8])], overwrite: bool) -> Result<(), FileError> {
+fn into_old(
+    folder: &Path,
+    paths: &[PathBuf],
+    files: &[(&str, &[u8])],
+    overwrite: bool,
+) -> Result<Vec<PathBuf>, FileError> {
+    let failed = |error: io::Error| system(folder, &error);
+    let rest = move_rest(folder).map_err(failed)?;
     for path in paths {
         if path.is_dir() {
             return Err(FileError::IsFolder { path: path.clone() });
         }
-        if !overwrite && path.exists() {
-            return Err(FileError::Exists { path: path.clone() });
-        }
     }
-    let beside = files.iter().map(|(_, bytes)| beside(folder, bytes)).collect::<std::io::Result<Vec<_>>>();
-    let beside = beside.map_err(|error| system(folder, &error))?;
-    let mut done: Vec<&PathBuf> = Vec::new();
-    for (file, path) in beside.into_iter().zip(paths) {
-        if let Err(error) = persist(file, path, overwrite) {
-            if !overwrite {
-                // A file that cannot be removed either is at least whole; the first error says what went wrong.
-                for path in done {
-                    drop(std::fs::remove_file(path));
-                }
+    let growing = fill(folder.join(GROWING), files).map_err(failed)?;
+    let there = paths.iter().find(|path| path.symlink_metadata().is_ok());
+    if let Some(path) = there.filter(|_| !overwrite) {
+        return Err(FileError::Exists { path: path.clone() });
+    }
+    std::fs::rename(growing.path(), folder.join(MOVING)).map_err(failed)?;
+    growing.finished();
+    move_rest(folder).map_err(failed)?;
+    Ok(rest)
+}
+
+/// A folder with files in it, synced. What a broken run left under its name goes first.
+fn fill(growing: PathBuf, files: &[(&str, &[u8])]) -> io::Result<Unfinished> {
+    if growing.symlink_metadata().is_ok() {
+        super::unfinished::remove(&growing);
+    }
+    std::fs::create_dir(&growing)?;
+    let growing = Unfinished::at(growing);
+    for (name, bytes) in files {
+        let mut file = File::options().write(true).create_new(true).open(growing.path().join(name))?;
+        file.write_all(bytes)?;
+        file.sync_all()?;
+    }
+    Ok(growing)
+}
+
+/// Moves the files of a whole set to their places, if there is one that waits, and returns where they are now.
+fn move_rest(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let moving = folder.join(MOVING);
+    let entries = match std::fs::read_dir(&moving) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries?,
+    };
+    let mut moved = Vec::new();
+    for entry in entries {
+        let entry = entry?;
+        if !entry.file_type()?.is_file() {
+            return Err(io::Error::new(io::ErrorKind::InvalidData, format!("{MOVING} holds more than files")));
+        }
+        let target = folder.join(entry.file_name());
+        match target.symlink_metadata() {
+            Ok(metadata) if metadata.is_file() => {
+                whole::keep_owner(&metadata, &File::open(entry.path())?)?;
+                std::fs::rename(entry.path(), &target)?;
             }
-            return Err(error);
+            // A link stays, and what it leads to is written.
+            Ok(_) => {
+                let bytes = std::fs::read(entry.path())?;
+                whole::write(&target, &mut |out| out.write_all(&bytes))?;
+                std::fs::remove_file(entry.path())?;
+            }
+            Err(_) => std::fs::rename(entry.path(), &target)?,
         }
-        done.push(path);
+        moved.push(target);
     }
-    Ok(())
-}
-
-/// A temporary file with a name of its own in a folder, synced.
-pub(super) fn beside(folder: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
-    let mut beside = tempfile::Builder::new().prefix(".fitcheck-").tempfile_in(folder)?;
-    beside.write_all(bytes)?;
-    beside.as_file().sync_all()?;
-    make_readable(beside.path(), 0o644)?;
-    Ok(beside)
-}
-
-/// Moves a finished file to its place.
-pub(super) fn persist(beside: NamedTempFile, path: &Path, overwrite: bool) -> Result<(), FileError> {
-    let done = if overwrite { beside.persist(path) } else { beside.persist_noclobber(path) };
-    match done {
-        Ok(_file) => Ok(()),
-        Err(error) if error.error.kind() == std::io::ErrorKind::AlreadyExists => {
-            Err(FileError::Exists { path: path.to_owned() })
-        }
-        // Some network folders know no move that refuses to replace. Nothing was there a moment ago.
-        Err(error) if !overwrite && path.symlink_metadata().is_err() => match error.file.persist(path) {
-            Ok(_file) => Ok(()),
-            Err(error) => Err(system(path, &error.error)),
-        },
-        Err(error) => Err(system(path, &error.error)),
-    }
-}
-
-/// Temporary files and folders are private; other people also read what a user saves.
-fn make_readable(path: &Path, mode: u32) -> std::io::Result<()> {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt as _;
-        std::fs::set_permissions(path, std::fs::Permissions::from_mode(mode))
-    }
-    #[cfg(not(unix))]
-    {
-        let (_, _) = (path, mode);
-        Ok(())
-    }
+    whole::sync_folder(&moving);
+    std::fs::remove_dir(&moving)?;
+    Ok(moved)
 }

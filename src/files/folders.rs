@@ -148,8 +148,11 @@ fn target(folder: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
 fn of_file(error: FileError, path: &NcPath) -> StoreError {
     let path = path.clone();
     match error {
-        // Nothing here asks for a file that must not exist yet.
-        FileError::IsFolder { .. } | FileError::Exists { .. } => StoreError::NoFile { path },
+        // Nothing here asks for a file that must not exist yet, or writes a set.
+        FileError::IsFolder { .. }
+        | FileError::NotAFile { .. }
+        | FileError::HalfSet { .. }
+        | FileError::Exists { .. } => StoreError::NoFile { path },
         FileError::Missing { .. } => StoreError::Missing { path },
         FileError::TooLarge { .. } => StoreError::TooLarge { path, most: LARGEST >> 20 },
         FileError::System { reason, .. } => StoreError::System { path, reason },

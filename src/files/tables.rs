@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{FileError, read, system};
+use super::{FileError, no_half_set, read, system};
 use crate::control::deviations::{DeviationError, DeviationWarning, read_table};
 use crate::message::Say;
 use crate::tolerance::DeviationTable;
@@ -39,6 +39,7 @@ pub enum OwnTablesError {
 /// # Errors
 /// [`OwnTablesError`] where the folder has no table of deviations, or one of its tables is broken: then none is used.
 pub fn read_tables(folder: &Path) -> Result<OwnTables, OwnTablesError> {
+    no_half_set(folder)?;
     let mut own = OwnTables::default();
     for path in files_of(folder)? {
         let name = path.file_name().unwrap_or_default().to_string_lossy();

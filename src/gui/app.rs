@@ -6,11 +6,12 @@ use eframe::egui::{Context, Event, ThemePreference, Ui, ViewportCommand};
 use jiff::civil::DateTime;
 
 use super::effects::{Errands, Runner};
+use super::keeping::Keeper;
 use super::store::Store;
 use super::theme;
 use super::view::View;
 use super::{check, cycles, dialogs, field, fit, keys, program, tables, top_bar};
-use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Saved, Session, Theme};
+use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
 use crate::words::{Language, Words};
 
 /// The settings that the window starts with.
@@ -55,9 +56,8 @@ pub struct App {
     words: Words,
     words_of: fn(Language) -> Words,
     runner: Runner,
-    store: Store,
+    keeper: Keeper,
     clock: fn() -> DateTime,
-    saved: Saved,
     first_frame: bool,
     /// The user was asked and closes the window.
     leaves: bool,
@@ -67,7 +67,8 @@ impl App {
     /// The window in the state that the last one left.
     pub fn new(cc: &eframe::CreationContext<'_>, setup: Setup) -> Self {
         theme::install(&cc.egui_ctx);
-        let (saved, told) = setup.store.load();
+        let mut store = setup.store;
+        let (saved, told) = store.load();
         let (mut session, effects) = match saved {
             Some(saved) => Session::restore(saved),
             None => (Session::new(setup.language), Vec::new()),
@@ -75,7 +76,7 @@ impl App {
         if let Some(told) = told {
             session.tell(told);
         }
-        match setup.store.materials() {
+        match store.materials() {
             Some(Ok(own)) => session.use_materials(own),
             Some(Err(told)) => session.tell(told),
             None => {}
@@ -87,9 +88,8 @@ impl App {
             words: (setup.words)(session.language()),
             words_of: setup.words,
             runner: Runner::new(setup.errands),
-            saved: session.saved(),
+            keeper: Keeper::new(store, session.saved()),
             session,
-            store: setup.store,
             clock: setup.clock,
             first_frame: true,
             leaves: false,
@@ -143,16 +143,9 @@ impl App {
             self.words = (self.words_of)(self.session.language());
         }
         self.prefer_theme(ctx);
+        self.keeper.look(ctx, &self.session);
         // The change is drawn at once; after that nothing moves.
         ctx.request_repaint();
-    }
-
-    fn keep(&mut self) {
-        let saved = self.session.saved();
-        if saved != self.saved {
-            self.store.save(&saved);
-            self.saved = saved;
-        }
     }
 }
 
@@ -160,6 +153,7 @@ impl eframe::App for App {
     fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
         let answers = self.runner.answers();
         self.apply(ctx, answers);
+        self.keeper.frame(ctx, &mut self.session, &self.runner);
         // Nothing is lost without a question to the user.
         let closing = ctx.input(|input| input.viewport().close_requested());
         if closing && !self.leaves && !self.session.unsaved_tables().is_empty() {
@@ -184,12 +178,8 @@ impl eframe::App for App {
         self.apply(&ctx, commands);
     }
 
-    fn save(&mut self, _storage: &mut dyn eframe::Storage) {
-        self.keep();
-    }
-
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
-        self.keep();
+        self.keeper.finish(&self.session, &self.runner);
     }
 }
 

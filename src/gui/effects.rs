@@ -38,7 +38,7 @@ pub enum Errands {
 }
 
 /// Something to do outside.
-type Errand = Box<dyn FnOnce() + Send>;
+pub(super) type Errand = Box<dyn FnOnce() + Send>;
 
 /// Runs effects and collects their answers.
 #[derive(Debug)]
@@ -65,6 +65,15 @@ impl Runner {
         self.receiver.try_iter().collect()
     }
 
+    /// Runs something after the files that were asked for before it.
+    pub fn after_files(&self, errand: Errand) {
+        match self.errands {
+            Errands::AtOnce => errand(),
+            // Without its thread it is done at once: a window that stands still is better than no answer.
+            Errands::OnThread => self.files.send(errand).unwrap_or_else(|SendError(errand)| errand()),
+        }
+    }
+
     /// Runs an effect; the frame itself does the clipboard.
     pub fn run(&self, ctx: &Context, effect: Effect, (sources, words): (&Arc<Sources>, &Words), now: DateTime) {
         let effect = match effect {
@@ -87,11 +96,10 @@ impl Runner {
             }
             ctx.request_repaint();
         });
-        match errands {
-            Errands::AtOnce => errand(),
-            Errands::OnThread if may_wait => on_thread("errand", errand),
-            // Without its thread a file is read at once: a window that stands still is better than no answer.
-            Errands::OnThread => self.files.send(errand).unwrap_or_else(|SendError(errand)| errand()),
+        if may_wait && errands == Errands::OnThread {
+            on_thread("errand", errand);
+        } else {
+            self.after_files(errand);
         }
     }
 }
@@ -163,7 +171,7 @@ fn answers(
 }
 
 fn save(path: PathBuf, content: &Content, replace: bool) -> Vec<Command> {
-    let result = files::save_with(&path, replace, |out| content.write(out));
+    let result = files::save_with(&path, replace, &mut |out| content.write(out));
     vec![Command::Saved { path, result }]
 }
 
@@ -235,12 +243,12 @@ fn name(path: &Path) -> String {
 }
 
 fn import(path: &Path, sources: &Sources, now: DateTime) -> Result<Box<exchange::Imported>, Message> {
-    let bytes = files::read(path).map_err(|error| error.message())?;
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
     Ok(Box::new(exchange::import(&name(path), &bytes, sources, now)))
 }
 
 fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
-    let bytes = files::read(path).map_err(|error| error.message())?;
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
     let (mask, warnings) = Mask::read(&bytes).map_err(|error| error.message())?;
     Ok((Box::new(mask), warnings.iter().map(crate::message::Say::message).collect()))
 }
@@ -252,7 +260,7 @@ fn read_tables(folder: &Path) -> Result<(Vec<DeviationTable>, Vec<Message>), Mes
 }
 
 fn read_table(path: &Path) -> Result<(Box<DeviationTable>, Vec<Message>), Message> {
-    let bytes = files::read(path).map_err(|error| error.message())?;
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
     let (table, warnings) =
         deviations::read_table(&bytes, &name(path), &path.display().to_string(), false).map_err(|e| e.message())?;
     let mut warnings: Vec<_> = warnings.iter().map(crate::message::Say::message).collect();
@@ -264,25 +272,26 @@ fn read_table(path: &Path) -> Result<(Box<DeviationTable>, Vec<Message>), Messag
 }
 
 fn read_program(path: &Path) -> Result<(Box<Document>, Vec<ProgramWarning>), Message> {
-    let bytes = files::read(path).map_err(|error| error.message())?;
+    files::no_half_set(path.parent().unwrap_or(path)).map_err(|error| error.message())?;
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
     let (document, warnings) = Document::read(&name(path), &bytes).map_err(|error| error.message())?;
     Ok((Box::new(document), warnings))
 }
 
 fn read_contacts(path: &Path) -> Result<(Vec<Contact>, Vec<Message>), Message> {
-    let bytes = files::read(path).map_err(|error| error.message())?;
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
     let read = contacts::read(&bytes).map_err(|error| error.message())?;
     let ignored = read.ignored.iter().map(|column| Message::new("cycles-column-ignored").text("column", column));
     Ok((read.contacts, ignored.collect()))
 }
 
 fn read_workpiece(path: &Path) -> Result<Box<Simulation>, Message> {
-    let bytes = files::read(path).map_err(|error| error.message())?;
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
     Simulation::read(&decode(&bytes)).map(Box::new).map_err(|error| error.message())
 }
 
 fn read_probes(path: &Path) -> Result<ProbeTable, Message> {
-    let bytes = files::read(path).map_err(|error| error.message())?;
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
     ProbeTable::read(&bytes, &name(path)).map_err(|error| error.message())
 }
 

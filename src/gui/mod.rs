@@ -24,6 +24,7 @@ mod effects;
 mod field;
 mod fit;
 mod folder_list;
+mod keeping;
 mod keypad;
 mod keys;
 mod limits;

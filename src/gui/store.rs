@@ -1,12 +1,16 @@
-//! The state file: what survives a restart. Written whole; a broken one is set aside, and the program starts.
+//! The state file: what survives a restart. It is kept soon after every change, so that a killed window loses next to
+//! nothing. Several windows keep one file: each writes what it has changed, one after the other. What cannot be read is
+//! set aside, and the program starts.
 
+use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use etcetera::BaseStrategy as _;
 
 use crate::files::{self, FileError};
 use crate::message::{Message, Say as _};
-use crate::session::Saved;
+use crate::session::{Saved, SavedError};
 use crate::tolerance::fit::materials::Materials;
 
 /// Where the state is kept; `None` keeps nothing.
@@ -32,22 +36,22 @@ impl Store {
         Self { path: None }
     }
 
-    /// The saved state, if there is one, and a notice if it was broken.
-    pub fn load(&self) -> (Option<Saved>, Option<Message>) {
+    /// The saved state, if there is one, and a notice if it cannot be read. If it cannot be set aside either, nothing is
+    /// kept from here on, because that would replace it.
+    pub fn load(&mut self) -> (Option<Saved>, Option<Message>) {
         let Some(path) = &self.path else { return (None, None) };
-        let bytes = match files::read(path) {
-            Ok(bytes) => bytes,
+        let error = match files::read_file(path).map(|bytes| Saved::read(&bytes)) {
+            Ok(Ok(saved)) => return (Some(saved), None),
             Err(FileError::Missing { .. }) => return (None, None),
-            Err(error) => return (None, Some(error.message())),
+            Ok(Err(error)) => error.message(),
+            Err(error) => error.message(),
         };
-        match Saved::read(&bytes) {
-            Ok(saved) => (Some(saved), None),
-            Err(error) => {
-                let told = match files::set_aside(path) {
-                    Ok(aside) => Message::new("state-set-aside").text("path", aside.display()),
-                    Err(error) => error.message(),
-                };
-                log::error!("{error}");
+        log::error!("{error}");
+        match files::set_aside(path) {
+            Ok(aside) => (None, Some(Message::new("state-set-aside").text("path", aside.display()))),
+            Err(stays) => {
+                let told = Message::new("state-not-kept").message("reason", stays.message());
+                self.path = None;
                 (None, Some(told))
             }
         }
@@ -60,7 +64,7 @@ impl Store {
     pub fn materials(&self) -> Option<Result<Materials, Message>> {
         let path = self.path.as_ref()?.with_file_name("materials.toml");
         let read = || {
-            let bytes = files::read(&path).map_err(|error| error.message())?;
+            let bytes = files::read_file(&path).map_err(|error| error.message())?;
             let text = String::from_utf8_lossy(&bytes);
             Materials::read(&text).map_err(|error| {
                 Message::new("materials-refused").text("path", path.display()).message("reason", error.message())
@@ -69,16 +73,49 @@ impl Store {
         path.exists().then(read)
     }
 
-    /// Keeps a state; a failure is logged, because losing the last inputs must not stop the work.
-    pub fn save(&self, saved: &Saved) {
-        let Some(path) = &self.path else { return };
-        if let Some(folder) = path.parent()
-            && let Err(error) = std::fs::create_dir_all(folder)
-        {
-            return log::error!("{error}: {}", folder.display());
-        }
-        if let Err(error) = files::write(path, &saved.write()) {
-            log::error!("{error}");
+    /// Keeps what has changed since `before`, and leaves what another window has changed meanwhile.
+    ///
+    /// # Errors
+    /// What the user should know: the state is not kept, or another one was set aside.
+    pub fn save(&self, before: &Saved, after: &Saved) -> Result<(), Message> {
+        let Some(path) = &self.path else { return Ok(()) };
+        let kept = || -> Result<Option<PathBuf>, Message> {
+            let failed = |error: FileError| error.message();
+            let folder = path.parent().unwrap_or(path);
+            std::fs::create_dir_all(folder).map_err(|error| failed(files::system(folder, &error)))?;
+            let _lock = lock(&path.with_extension("lock")).map_err(failed)?;
+            let (bytes, aside) = match files::read_file(path) {
+                Err(FileError::Missing { .. }) => (after.write(), None),
+                there => match there.map(|there| after.write_over(before, &there)) {
+                    Ok(Ok(bytes)) => (bytes, None),
+                    // Another window of a later version keeps more than this one knows.
+                    Ok(Err(error @ SavedError::Newer { .. })) => return Err(error.message()),
+                    _ => (after.write(), Some(files::set_aside(path).map_err(failed)?)),
+                },
+            };
+            files::write(path, &bytes).map_err(failed)?;
+            Ok(aside)
+        };
+        match kept() {
+            Ok(None) => Ok(()),
+            Ok(Some(aside)) => Err(Message::new("state-set-aside-now").text("path", aside.display())),
+            Err(reason) => Err(Message::new("state-not-kept").message("reason", reason)),
         }
     }
+}
+
+/// Waits a moment for other windows to finish. Where the system knows no locks, windows are on their own.
+fn lock(path: &Path) -> Result<Option<File>, FileError> {
+    /// A window holds the lock for one small file only.
+    const TRIES: usize = 100;
+    let open = File::options().create(true).truncate(false).write(true).open(path);
+    let file = open.map_err(|error| files::system(path, &error))?;
+    for _ in 0..TRIES {
+        match file.try_lock() {
+            Ok(()) => return Ok(Some(file)),
+            Err(TryLockError::WouldBlock) => std::thread::sleep(Duration::from_millis(10)),
+            Err(TryLockError::Error(_)) => return Ok(None),
+        }
+    }
+    Err(files::system(path, &std::io::ErrorKind::ResourceBusy.into()))
 }

@@ -134,9 +134,42 @@ impl Saved {
         Ok(saved)
     }
 
+    /// The bytes to write where another window has written meanwhile: what this window has changed since `before` in what is
+    /// there now, key by key. Keys that this version does not know stay.
+    ///
+    /// # Errors
+    /// [`SavedError`] where what is there now is no state that this version knows.
+    pub fn write_over(&self, before: &Self, there: &[u8]) -> Result<Vec<u8>, SavedError> {
+        Self::read(there)?;
+        let broken = |reason: String| SavedError::Broken { reason };
+        let table = |saved: &Self| toml::Table::try_from(saved).map_err(|error| broken(error.to_string()));
+        let text = std::str::from_utf8(there).map_err(|error| broken(error.to_string()))?;
+        let mut all: toml::Table = toml::from_str(text).map_err(|error| broken(error.message().to_owned()))?;
+        change(&mut all, &table(before)?, &table(self)?);
+        Ok(toml::to_string(&all).map_err(|error| broken(error.to_string()))?.into_bytes())
+    }
+
     /// The bytes to write.
     pub fn write(&self) -> Vec<u8> {
         // Nothing in the state can fail to serialise: texts, enums and a path.
         toml::to_string(self).unwrap_or_default().into_bytes()
+    }
+}
+
+/// Makes the changes from one table to another in a third.
+fn change(all: &mut toml::Table, before: &toml::Table, after: &toml::Table) {
+    for (key, value) in after {
+        match (value, before.get(key), all.get_mut(key)) {
+            (value, Some(before), _) if value == before => {}
+            (toml::Value::Table(after), Some(toml::Value::Table(before)), Some(toml::Value::Table(all))) => {
+                change(all, before, after);
+            }
+            _ => {
+                all.insert(key.clone(), value.clone());
+            }
+        }
+    }
+    for key in before.keys().filter(|key| !after.contains_key(*key)) {
+        all.remove(key);
     }
 }

@@ -177,14 +177,17 @@ fn the_beginning_of_a_file_is_enough_to_know_it() {
 fn a_file_that_is_written_piece_by_piece_is_whole_or_not_there() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("report.csv");
-    write_with(&path, |out| (0..3).try_for_each(|number| write!(out, "{number}"))).unwrap();
+    write_with(&path, &mut |out| (0..3).try_for_each(|number| write!(out, "{number}"))).unwrap();
     assert_eq!(read(&path).unwrap(), b"012");
-    let failed = write_with(&path, |out| {
+    let failed = write_with(&path, &mut |out| {
         out.write_all(b"half")?;
         Err(std::io::Error::other("no more"))
     });
     assert!(matches!(failed, Err(FileError::System { reason, .. }) if reason == "no more"));
-    assert_eq!(save_with(&path, false, |out| out.write_all(b"new")), Err(FileError::Exists { path: path.clone() }));
+    assert_eq!(
+        save_with(&path, false, &mut |out| out.write_all(b"new")),
+        Err(FileError::Exists { path: path.clone() })
+    );
     assert_eq!(read(&path).unwrap(), b"012");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }

@@ -19,6 +19,7 @@ mod cycle_texts;
 mod cycle_windows;
 mod cycles;
 mod exact_cycles;
+mod file_places;
 mod files;
 mod fit_cli;
 mod fit_geometry;

@@ -239,3 +239,22 @@ fn a_folder_of_tables_that_could_not_be_read_is_tried_again_after_a_restart() {
     session.apply(tables_read(false), now());
     assert_eq!(session.saved().tables_folder, Some("/shop".into()));
 }
+
+#[test]
+fn a_window_writes_only_what_it_has_changed_over_what_another_has_written() {
+    let state = |text: &str| Saved::read(text.as_bytes()).unwrap();
+    let before = state("language = \"en\"\ntheme = \"dark\"\n[inputs.texts]\ncallout = \"25 H7\"\nmeasured = \"25\"");
+    let after = state("language = \"nl\"\ntheme = \"dark\"\n[inputs.texts]\ncallout = \"40 js6\"");
+    let there =
+        "theme = \"light\"\nof-tomorrow = 1\n[inputs.texts]\nmeasured = \"25\"\nfit = \"50 H7/p6\"\ncallout = \"9 e8\"";
+    let written = after.write_over(&before, there.as_bytes()).unwrap();
+    let read = Saved::read(&written).unwrap();
+    assert_eq!((read.language, read.theme), (Language::Nl, Theme::Light));
+    let texts: Vec<_> = read.inputs.texts.iter().map(|(key, text)| (key.as_str(), text.as_str())).collect();
+    assert_eq!(texts, [("callout", "40 js6"), ("fit", "50 H7/p6")]);
+    assert!(String::from_utf8(written).unwrap().contains("of-tomorrow = 1"));
+    assert!(matches!(after.write_over(&before, b"language = ["), Err(SavedError::Broken { .. })));
+    assert!(matches!(after.write_over(&before, b"version = 99"), Err(SavedError::Newer { .. })));
+    // What another window has written already is written once more as it is.
+    assert_eq!(Saved::read(&after.write_over(&before, &after.write()).unwrap()), Ok(after));
+}

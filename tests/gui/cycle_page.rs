@@ -789,3 +789,35 @@ fn the_card_keeps_its_height_whatever_the_verdict_is() {
         }
     }
 }
+
+#[test]
+fn several_values_out_are_told_below_and_the_card_keeps_its_height() {
+    for (size, language) in [(DESK, Language::En), (DESK, Language::Nl), (vec2(1024.0, 600.0), Language::En)] {
+        let mut window = page_with_421(Window { size, language, ..Window::default() });
+        let words = fitcheck::words::Words::new(language);
+        click(&mut window, Role::RadioButton, &words.get("cycles-simulated"));
+        click(&mut window, Role::Button, &words.get("cycles-suit"));
+        fill(&mut window, &[("Q273", "50.1"), ("Q274", "20.2"), ("Q279", "0.05"), ("Q280", "0.05"), ("Q276", "25.01")]);
+        let place = |window: &Harness<'_, App>| window.get_by_role(Role::Status).rect();
+        let before = place(&window);
+        key(&mut window, Modifiers::NONE, Key::F5);
+        assert_eq!(place(&window), before, "at {size:?}");
+        let said = verdict(&window);
+        let more = match language {
+            Language::En => "2 more below",
+            _ => "nog 2 hieronder",
+        };
+        assert!(said.contains(more), "{said}");
+        let names: Vec<String> = {
+            let found = window.state().session().cycles().run().and_then(|run| run.found()).unwrap();
+            found.checks.iter().filter(|check| check.is_out()).map(|check| words.told(&check.what)).collect()
+        };
+        assert_eq!(names.len(), 3, "{names:?}");
+        assert!(!said.contains(&words.get("remove-to-limit")), "nothing is removed from scrap: {said}");
+        for name in names.iter().filter(|name| !said.contains(*name)) {
+            let mut lines = window.query_all_by_label_contains(name);
+            let is_told = lines.any(|node| node.accesskit_node().value().is_some_and(|text| text.ends_with(" mm")));
+            assert!(is_told, "{name} at {size:?}");
+        }
+    }
+}

@@ -427,7 +427,7 @@ fn a_recent_file_is_read_again_and_one_that_is_gone_is_told() {
     let mut first = Window { store: store.clone(), ..Window::default() }.open();
     open_import(&mut first);
     type_path(&mut first, "File", &path);
-    store.save(&first.state().session().saved());
+    eframe::App::on_exit(first.state_mut(), None);
     let mut window = Window { store, ..Window::default() }.open();
     open_recent(&mut window);
     click(&mut window, Role::Button, "more.csv");

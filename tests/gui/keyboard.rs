@@ -6,7 +6,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, PointerButton, TouchDeviceId, TouchId, TouchPhase, ViewportId, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use fitcheck::gui::{App, Store};
+use fitcheck::gui::App;
 use fitcheck::session::{CheckField, Command, Page};
 
 use crate::harness::{Window, check, type_into, verdict, window};
@@ -301,27 +301,4 @@ fn touch_makes_everything_higher_until_a_mouse_moves() {
     window.event(Event::PointerMoved(pos2(6.0, 6.0)));
     window.run();
     assert!((height(&window) - 32.0).abs() < 1.0, "{}", height(&window));
-}
-
-#[test]
-fn last_inputs_survive_a_restart() {
-    let folder = tempfile::tempdir().unwrap();
-    let store = Store::at(&folder.path().join("fitcheck").join("state.toml"));
-    let mut first = Window { store: store.clone(), ..Window::default() }.open();
-    check(&mut first, "40 js6", "40.001");
-    eframe::App::on_exit(first.state_mut(), None);
-    let again = Window { store, ..Window::default() }.open();
-    let field = again.get_by_role_and_label(Role::TextInput, "Callout");
-    assert_eq!(field.accesskit_node().value().as_deref(), Some("40 js6"));
-    assert_eq!(verdict(&again), "No result", "a verdict is never shown without a measurement");
-}
-
-#[test]
-fn a_broken_state_file_is_set_aside_and_the_window_opens() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("state.toml");
-    std::fs::File::create(&path).and_then(|mut file| std::io::Write::write_all(&mut file, b"language = [")).unwrap();
-    let window = Window { store: Store::at(&path), ..Window::default() }.open();
-    window.get_by_label_contains("state.toml.broken-1");
-    assert!(folder.path().join("state.toml.broken-1").exists());
 }

@@ -9,6 +9,7 @@ mod dialogs;
 mod fit_page;
 mod harness;
 mod history;
+mod keeping;
 mod keyboard;
 mod pictures;
 mod program_page;

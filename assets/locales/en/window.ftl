@@ -276,6 +276,8 @@ tables-loaded = { $count ->
 }
 mask-loaded-with-warnings = { $name } was read with warnings
 state-set-aside = The saved state could not be read. It was kept as { $path }, and the window starts with default settings.
+state-set-aside-now = The saved state could not be read any more. It was kept as { $path }, and the state of this window is saved in its place.
+state-not-kept = The state of this window is not saved: { $reason }
 import-contacts-not-judged = The contacts in { $name } were not judged
 import-notice = { $name }: { $good ->
     [0] no check

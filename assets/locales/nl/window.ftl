@@ -276,6 +276,8 @@ tables-loaded = { $count ->
 }
 mask-loaded-with-warnings = { $name } is gelezen met waarschuwingen
 state-set-aside = De bewaarde toestand kon niet worden gelezen en is bewaard als { $path }; het venster begint met de standaardinstellingen.
+state-set-aside-now = De bewaarde toestand was niet meer leesbaar en is bewaard als { $path }; de toestand van dit venster staat nu op zijn plaats.
+state-not-kept = De toestand van dit venster wordt niet bewaard: { $reason }
 import-contacts-not-judged = De meetpunten in { $name } zijn niet beoordeeld
 import-notice = { $name }: { $good ->
     [0] geen controle

@@ -8,7 +8,7 @@
 mod answer;
 mod text;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::ValueEnum;
@@ -154,6 +154,7 @@ impl Args {
             if !folder.is_dir() {
                 return Err(CliError::NoFolder { path: folder.clone() });
             }
+            files::no_half_set(folder)?;
         }
         if let Some(folder) = &self.output_folder {
             files::make_folder(folder)?;
@@ -186,6 +187,9 @@ impl Args {
             error => error,
         })?;
         let is_file = self.program.as_os_str() != "-";
+        if is_file {
+            files::no_half_set(self.program.parent().unwrap_or(Path::new("")))?;
+        }
         Ok((name, bytes, if is_file { Folders::beside(&self.program) } else { Folders::new() }))
     }
 

@@ -4,9 +4,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::cli::args::one_of;
-use crate::cli::{CliError, CliWarning, Io, Outcome, Refused as _, StandardArgs, What, heard_or_not, read_table, save};
+use crate::cli::{
+    CliError, CliRemark, CliWarning, Io, Outcome, Refused as _, StandardArgs, What, heard_or_not, read_table, save,
+};
 use crate::control::shipped_tables;
 use crate::exchange::tables::{TABLE_FORMATS, TableFormat};
+use crate::files;
 use crate::length::Length;
 use crate::tolerance::compare::compare;
 use crate::tolerance::iso286;
@@ -96,10 +99,19 @@ impl NewArgs {
         for (path, classes) in self.parts(&classes) {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             let table = self.choice.table(&name, &classes, io)?;
-            files.push((path, (self.generation.write)(&table).about(&name)?));
+            let bytes = (self.generation.write)(&table).about(&name)?;
+            files.push((path, name, bytes));
         }
-        for (path, bytes) in files {
-            save(&path, &bytes, io)?;
+        match files.as_slice() {
+            [(path, _, bytes)] => save(path, bytes, io)?,
+            // One for holes and one for shafts belong together.
+            both => {
+                let named: Vec<_> = both.iter().map(|(_, name, bytes)| (name.as_str(), bytes.as_slice())).collect();
+                let folder = self.output.parent().unwrap_or(Path::new(""));
+                for path in files::write_into(folder, &named, true)? {
+                    io.tell(CliRemark::Wrote { path: path.display().to_string() });
+                }
+            }
         }
         Ok(Outcome::Done)
     }

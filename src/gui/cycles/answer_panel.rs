@@ -34,6 +34,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.label(RichText::new(view.words.told(stop)).font(theme::bold(sizes().body)));
     }
     if let Some((run, result)) = run.and_then(|run| Some((run, run.found()?))) {
+        others_ui(ui, view.words, result);
         results_ui(ui, view, result);
         notes_ui(ui, view, run, result);
     }
@@ -57,7 +58,7 @@ fn largest_card(words: &Words) -> Card {
         value: Some(format!("{} mm", words.number("888.8888"))),
         instruction: Some(remove(words, &words.number("888.8"))),
         lines: vec![
-            words.told(&FoundName::DIAMETER),
+            with_more(words, words.told(&FoundName::DIAMETER), 2),
             um("below-minimum"),
             um("remove-to-middle"),
             um("remove-per-side"),
@@ -78,20 +79,50 @@ fn run_card(view: &View<'_>, run: Option<&CycleRun>) -> Card {
     }
 }
 
-/// The card of a result: the value, its distance from its limits, what to remove, what else is out.
+/// The value that the card is about, the worst that is out or else the first, and every other that is out.
+fn first_and_others(result: &CycleResult) -> Option<(&Check, Vec<&Check>)> {
+    let mut out: Vec<&Check> = result.checks.iter().filter(|check| check.is_out()).collect();
+    // What no rework mends decides, and comes first.
+    out.sort_by_key(|check| check.removal().is_some());
+    let mut out = out.into_iter();
+    let first = out.next().or_else(|| result.checks.first())?;
+    Some((first, out.collect()))
+}
+
+/// What a value is, and how many more are told below.
+fn with_more(words: &Words, what: String, count: usize) -> String {
+    if count == 0 { what } else { words.say(&Message::new("cycles-more-out").text("what", what).text("count", count)) }
+}
+
+/// The other values that are out, below the status window: the card keeps its height however many there are.
+fn others_ui(ui: &mut Ui, words: &Words, result: &CycleResult) {
+    let Some((_, others)) = first_and_others(result) else { return };
+    for other in others {
+        let Card { value, instruction, lines, .. } = check_card(words, other);
+        // Nothing is removed from scrap: then only the distance from the limit counts.
+        let is_rework = result.status == Some(Status::Rework);
+        let instruction = instruction.filter(|_| is_rework);
+        let (name, rest) = lines.split_first().map_or(("", [].as_slice()), |(name, rest)| (name.as_str(), rest));
+        let rest = rest.get(..1).filter(|_| !is_rework).unwrap_or(rest);
+        ui.separator();
+        ui.label(RichText::new(format!("{name} {}", value.unwrap_or_default())).font(theme::bold(sizes().body)));
+        for line in instruction.iter().map(|(what, rest)| format!("{what} {rest}")).chain(rest.iter().cloned()) {
+            ui.label(RichText::new(line).font(theme::font(sizes().body)));
+        }
+    }
+}
+
+/// The card of a result: the value, its distance from its limits, what to remove, how many others are out.
 fn card(words: &Words, result: &CycleResult) -> Card {
-    let checks = &result.checks;
-    let Some(first) = checks.iter().find(|check| check.is_out()).or_else(|| checks.first()) else {
+    let Some((first, others)) = first_and_others(result) else {
         let (word, value) = (words.get("cycles-word-no-verdict"), main_value(words, result));
         return Card { word, value, lines: vec![words.get("cycles-no-limits")], ..Card::default() };
     };
     let mut card = check_card(words, first);
     card.status = result.status;
     card.word = words.get(if result.status.is_some() { status_id(result.status) } else { "cycles-word-no-verdict" });
-    for other in checks.iter().filter(|other| *other != first && other.is_out()) {
-        let Card { value, instruction, lines, .. } = check_card(words, other);
-        let instruction = instruction.map(|(what, rest)| format!("{what} {rest}"));
-        card.lines.extend(value.into_iter().chain(instruction).chain(lines));
+    if let Some(name) = card.lines.first_mut() {
+        *name = with_more(words, std::mem::take(name), others.len());
     }
     card
 }

@@ -1,0 +1,88 @@
+//! What must go if the program ends before it is finished: names of files and folders that nobody else knows yet.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+/// Everything unfinished at this moment.
+static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn with_all<T>(change: impl FnOnce(&mut BTreeSet<PathBuf>) -> T) -> T {
+    change(&mut UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner))
+}
+
+/// The name of an unfinished file or folder. It is removed when this is dropped, and when a signal ends the program.
+#[derive(Debug)]
+pub(super) struct Unfinished(PathBuf);
+
+impl Unfinished {
+    /// A file or folder that was just made.
+    pub fn at(path: PathBuf) -> Self {
+        remove_at_signals();
+        // A signal may come in a folder that was changed meanwhile.
+        let absolute = std::path::absolute(&path).unwrap_or_else(|_| path.clone());
+        with_all(|all| all.insert(absolute));
+        Self(path)
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+
+    /// It has another name now, or is none of ours any more.
+    pub fn finished(self) {
+        self.forget();
+        std::mem::forget(self);
+    }
+
+    fn forget(&self) {
+        let absolute = std::path::absolute(&self.0).unwrap_or_else(|_| self.0.clone());
+        with_all(|all| all.remove(&absolute));
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        remove(&self.0);
+        self.forget();
+    }
+}
+
+/// Removes a file, or a folder with what is in it; links are not followed. Nobody is left to hear of a failure.
+pub(super) fn remove(path: &Path) {
+    let is_folder = path.symlink_metadata().is_ok_and(|metadata| metadata.is_dir());
+    drop(if is_folder { std::fs::remove_dir_all(path) } else { std::fs::remove_file(path) });
+}
+
+/// From the first unfinished name on, SIGINT, SIGTERM and SIGHUP first remove what is unfinished and then end the
+/// program as ever. Without a thread for it they end it at once.
+#[cfg(unix)]
+fn remove_at_signals() {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    use signal_hook::low_level::emulate_default_handler;
+    static STARTED: std::sync::Once = std::sync::Once::new();
+    STARTED.call_once(|| {
+        // Whoever started the program with a signal ignored, as `nohup` does, still wants it ignored.
+        let wanted = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| !is_ignored(*signal));
+        let Ok(mut signals) = Signals::new(wanted) else { return };
+        let handle = move || {
+            for signal in signals.forever() {
+                with_all(|all| all.iter().for_each(|path| remove(path)));
+                drop(emulate_default_handler(signal));
+            }
+        };
+        drop(std::thread::Builder::new().name("signals".to_owned()).spawn(handle));
+    });
+}
+
+#[cfg(not(unix))]
+const fn remove_at_signals() {}
+
+/// Whether the system says that a signal is ignored; where it does not say, it is not.
+#[cfg(unix)]
+fn is_ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).unwrap_or_default();
+    u64::from_str_radix(mask.trim(), 16).is_ok_and(|mask| mask >> (signal - 1) & 1 == 1)
+}
