@@ -66,9 +66,10 @@ fn a_file_of_separators_takes_little_more_than_itself() {
 fn rows_are_judged_and_printed_one_by_one() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("rows.csv");
-    let mut rows = String::from("id;callout;measured\n");
-    (0..100_000).for_each(|row| rows.push_str(&format!("A{row};25 H7;25.1\n")));
-    std::fs::File::create(&path).unwrap().write_all(rows.as_bytes()).unwrap();
+    let mut rows = std::io::BufWriter::new(File::create(&path).unwrap());
+    rows.write_all(b"id;callout;measured\n").unwrap();
+    (0..100_000).try_for_each(|row| writeln!(rows, "A{row};25 H7;25.1")).unwrap();
+    drop(rows);
     for format in ["text", "csv", "json"] {
         let args = ["import", "FILE", "--format", format];
         let kept = usize::try_from(path.metadata().unwrap().len()).unwrap() >> 9;
