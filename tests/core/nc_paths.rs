@@ -50,5 +50,9 @@ fn nothing_leads_out() {
     check("  ", "the path is empty");
     check(r"TNC:\", "the path is empty");
     check(r"sub\", "the path is empty");
-    check(&"x".repeat(1_001), "the path has more than 1000 characters");
+    let too_long = "the path has more than 255 characters, which a control does not take";
+    let below = r"TNC:\fit\check\".len();
+    check(&"x".repeat(255 - below), &format!(r"TNC:\fit\check\{}", "x".repeat(255 - below)));
+    check(&"x".repeat(256 - below), too_long);
+    check(&r"a\..\".repeat(60), too_long);
 }

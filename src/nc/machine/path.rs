@@ -8,8 +8,8 @@ use crate::message::{Say, as_text};
 /// The drive of programs on these controls; others are not followed.
 const DRIVE: &str = "TNC:";
 
-/// The most characters of a path.
-const LONGEST: usize = 1_000;
+/// The most characters of a path with drive, folders and file name: as on TNC 640 (`docs/SOURCES.md`, Klartext).
+const LONGEST: usize = 255;
 
 /// Names that some systems treat as devices, with any ending.
 const DEVICES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
@@ -26,7 +26,7 @@ as_text!(NcPath);
 pub enum PathError {
     /// The path is empty.
     Empty,
-    /// Longer than any program needs.
+    /// Longer than a control takes.
     TooLong {
         /// What is allowed.
         most: usize,
@@ -132,7 +132,12 @@ fn normalised(given: &str, folder: &[&str]) -> Result<NcPath, PathError> {
     if parts.is_empty() || rest.ends_with(['\\', '/', '.']) {
         return Err(PathError::Empty);
     }
-    Ok(NcPath(parts.join("\\").into()))
+    let path = NcPath(parts.join("\\").into());
+    // Short in the block, but far below the root.
+    if LONGEST < DRIVE.len() + 1 + path.0.chars().count() {
+        return Err(PathError::TooLong { most: LONGEST });
+    }
+    Ok(path)
 }
 
 /// Whether every system accepts this as a file name.
