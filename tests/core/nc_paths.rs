@@ -52,3 +52,15 @@ fn nothing_leads_out() {
     check(r"sub\", "the path is empty");
     check(&"x".repeat(1_001), "the path has more than 1000 characters");
 }
+
+/// With its drive: 995 characters and `TNC:\`.
+#[test]
+fn a_path_that_is_followed_is_read_again_as_it_is_written() {
+    let longest = NcPath::new(&"x".repeat(995)).unwrap();
+    assert_eq!(NcPath::new(&longest.to_string()), Ok(longest));
+    check(&"x".repeat(996), "the path has more than 1000 characters");
+    let main = NcPath::new(&format!(r"TNC:\{}\main.h", "y".repeat(600))).unwrap();
+    assert!(main.resolve(&"z".repeat(394)).is_ok());
+    let error = main.resolve(&"z".repeat(395)).unwrap_err();
+    assert_eq!(error.to_string(), "the path has more than 1000 characters");
+}

@@ -8,7 +8,7 @@ use crate::message::{Say, as_text};
 /// The drive of programs on these controls; others are not followed.
 const DRIVE: &str = "TNC:";
 
-/// The most characters of a path.
+/// The most characters of a path, as it is given and with its drive and all its folders.
 const LONGEST: usize = 1_000;
 
 /// Names that some systems treat as devices, with any ending.
@@ -132,7 +132,12 @@ fn normalised(given: &str, folder: &[&str]) -> Result<NcPath, PathError> {
     if parts.is_empty() || rest.ends_with(['\\', '/', '.']) {
         return Err(PathError::Empty);
     }
-    Ok(NcPath(parts.join("\\").into()))
+    let path = NcPath(parts.join("\\").into());
+    // The whole path from its root, so that it can be written and read again.
+    if LONGEST < path.to_string().chars().count() {
+        return Err(PathError::TooLong { most: LONGEST });
+    }
+    Ok(path)
 }
 
 /// Whether every system accepts this as a file name.
