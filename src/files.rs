@@ -5,6 +5,7 @@
 mod folder;
 mod folders;
 mod listing;
+mod names;
 mod tables;
 mod unfinished;
 mod whole;
@@ -142,13 +143,28 @@ pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 /// [`FileError::IsFolder`] where the path is a folder, [`FileError::NotAFile`] where it is a pipe or a device,
 /// [`FileError::Exists`] where there is a file to be asked about.
 pub fn save(path: &Path, bytes: &[u8], replace: bool) -> Result<(), FileError> {
+    save_with(path, replace, &mut |out| out.write_all(bytes))
+}
+
+/// Writes a file like [`save`], with what is written piece by piece.
+///
+/// # Errors
+/// As for [`save`].
+pub fn save_with(
+    path: &Path,
+    replace: bool,
+    fill: &mut dyn FnMut(&mut dyn Write) -> std::io::Result<()>,
+) -> Result<(), FileError> {
     if path.is_dir() {
         return Err(FileError::IsFolder { path: path.to_owned() });
     }
     if is_special(path) {
         return Err(FileError::NotAFile { path: path.to_owned() });
     }
-    if replace { write(path, bytes) } else { write_new(path, bytes) }
+    if replace {
+        return write_with(path, fill);
+    }
+    whole::write_new(path, fill).map_err(|error| system(path, &error))
 }
 
 /// The folder of a path.

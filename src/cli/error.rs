@@ -63,6 +63,8 @@ pub(super) enum CliError {
     /// No check could be used.
     ReportEmpty,
 
+    /// Inputs of a cycle that are larger than any.
+    InputsTooLarge { most: usize },
     /// Inputs of a cycle that are not a JSON object.
     NotAnObject { error: String },
     /// An input of a cycle that is neither number nor text.

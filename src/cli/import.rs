@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 use jiff::civil::DateTime;
 
 use super::{CliError, Format, Io, Outcome, TableArgs, said};
-use crate::exchange::{FORMATS, Imported, import};
+use crate::exchange::{FORMATS, Item, import_each};
 use crate::files;
 use crate::report::columns::names;
 use crate::verdict::Status;
 use print::Printer;
-use row::Row;
+use row::{Row, Rows};
 
 /// Read measurements from files of any known format and judge each
 #[derive(Debug, clap::Args)]
@@ -83,15 +83,25 @@ impl Args {
             match files::read(path) {
                 Ok(bytes) => {
                     let name = path.file_name().unwrap_or_default().to_string_lossy();
-                    let imported = import(&name, &bytes, &sources, now);
-                    warn(path, &imported, io);
-                    printer.file(row::rows(path, &imported).inspect(|row| tally.count(row)), io)?;
+                    let mut rows = Rows::of(path);
+                    let mut printed = Ok(());
+                    import_each(&name, &bytes, &sources, now, &mut |item| {
+                        warn(path, &item, io);
+                        // After an error of the stream nobody reads on.
+                        if printed.is_ok()
+                            && let Some(row) = rows.row(item)
+                        {
+                            tally.count(&row);
+                            printed = printer.row(&row, io);
+                        }
+                    });
+                    printed?;
                 }
                 Err(error) => {
                     io.fail(&error);
                     let row = Row::of_file(path, error.to_string());
                     tally.count(&row);
-                    printer.file(std::iter::once(row), io)?;
+                    printer.row(&row, io)?;
                 }
             }
         }
@@ -105,8 +115,10 @@ impl Args {
 }
 
 /// Warns about the whole file; warnings about a row are beside the row.
-fn warn(path: &Path, imported: &Imported, io: &mut Io<'_>) {
-    for warning in imported.warnings.iter().filter(|warning| warning.what.row.is_none()) {
+fn warn(path: &Path, item: &Item, io: &mut Io<'_>) {
+    if let Item::Warning(warning) = item
+        && warning.what.row.is_none()
+    {
         let line = warning.place.line.unwrap_or(1);
         io.tell(format_args!("{}:{line}: {}", path.display(), said::warning(&warning.what.kind)));
     }

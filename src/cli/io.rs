@@ -62,8 +62,8 @@ impl<'a> Io<'a> {
 
     /// Prints an answer for programs.
     pub(super) fn json(&mut self, answer: &impl serde::Serialize) -> Result<(), CliError> {
-        let text = serde_json::to_string_pretty(answer)?;
-        heard_or_not(writeln!(self.data(), "{text}"))
+        let written = serde_json::to_writer_pretty(self.data(), answer).map_err(std::io::Error::from);
+        heard_or_not(written.and_then(|()| writeln!(self.data())))
     }
 
     /// Prints a warning.
@@ -185,6 +185,17 @@ pub(super) fn diameter(text: &str, what: What<'_>) -> Result<Length, CliError> {
 /// Writes an output file and prints its name on standard error.
 pub(super) fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), CliError> {
     files::write(path, bytes)?;
+    io.tell(CliRemark::Wrote { path: path.display().to_string() });
+    Ok(())
+}
+
+/// The same for a file that is written piece by piece.
+pub(super) fn save_with(
+    path: &Path,
+    write: &mut dyn FnMut(&mut dyn Write) -> std::io::Result<()>,
+    io: &mut Io<'_>,
+) -> Result<(), CliError> {
+    files::write_with(path, write)?;
     io.tell(CliRemark::Wrote { path: path.display().to_string() });
     Ok(())
 }

@@ -59,7 +59,7 @@ use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
 use error::{CliError, Refused, What};
 pub use io::{Io, tell};
-use io::{diameter, heard_or_not, now, read_contacts, read_input, read_table, save};
+use io::{diameter, heard_or_not, now, read_contacts, read_input, read_table, save, save_with};
 use said::{CliRemark, CliWarning};
 pub use start::Start;
 

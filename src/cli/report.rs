@@ -1,19 +1,21 @@
 //! `fitcheck report`
 
+use std::io;
 use std::path::{Path, PathBuf};
 
 use jiff::civil::DateTime;
 
 use super::args::one_of;
-use super::{CliError, Io, Outcome, Refused as _, TableArgs};
-use crate::exchange::import;
+use super::{CliError, Io, Outcome, TableArgs};
+use crate::exchange::{Item, import_each};
 use crate::files;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say};
 use crate::probing::{Measurement, Origin};
-use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
+use crate::report::{self, Checks, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
+use crate::verdict::Status;
 use crate::words::{Language, Words};
 
 /// Write an inspection report of one or more checks
@@ -116,11 +118,44 @@ fn output(text: &str) -> Result<Output, EndingError> {
     Ok(Output::File(PathBuf::from(text), report::rendering_for(Path::new(text))?))
 }
 
-/// The checks so far, and what did not become one.
+/// The most notes on a report; all of them are on standard error.
+const MOST_NOTES: usize = 1_000;
+
+/// The checks of files and options. The files are read again for every look at the checks: their bytes take less memory
+/// than the checks in them.
+#[derive(Debug)]
+struct Given {
+    /// Names without folders, and bytes.
+    files: Vec<(String, Vec<u8>)>,
+    /// From options.
+    typed: Vec<Record>,
+    sources: Sources,
+    now: DateTime,
+}
+
+impl Checks for Given {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        for (name, bytes) in &self.files {
+            let mut seen = Ok(());
+            import_each(name, bytes, &self.sources, self.now, &mut |item| {
+                if seen.is_ok()
+                    && let Item::Record { record, .. } = item
+                {
+                    seen = see(&record);
+                }
+            });
+            seen?;
+        }
+        self.typed.iter().try_for_each(see)
+    }
+}
+
+/// What a first look at the checks finds, and what did not become a check.
 #[derive(Debug, Default)]
 struct Collected {
-    checks: Vec<Record>,
+    worst: Option<Status>,
     notes: Vec<Message>,
+    more_notes: usize,
     bad: bool,
 }
 
@@ -131,31 +166,39 @@ impl Args {
         let words = Words::new(self.language);
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
+        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now };
         for path in &self.files {
-            collected.file(path, &sources, now, io);
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            match files::read(path) {
+                Ok(bytes) => {
+                    collected.file(&name, &bytes, &given, io);
+                    given.files.push((name, bytes));
+                }
+                Err(error) => collected.refuse(Message::new("report-note").text("place", &name), error.message(), io),
+            }
         }
         for text in &self.checks {
-            match record(text, &sources, now) {
-                Ok(record) => collected.checks.push(record),
+            match record(text, &given.sources, now) {
+                Ok(record) => {
+                    collected.see(&record);
+                    given.typed.push(record);
+                }
                 Err(error) => collected.refuse(Message::new("report-note").text("place", text), error.message(), io),
             }
         }
-        let Collected { checks, notes, bad, .. } = collected;
-        let Some(worst) = checks.iter().map(|record| record.verdict.status()).max() else {
-            return Err(CliError::ReportEmpty);
-        };
+        let Some(worst) = collected.worst else { return Err(CliError::ReportEmpty) };
+        let bad = collected.bad;
         let report = Report {
             title: self.title.clone().unwrap_or_default(),
             part: self.part.clone(),
             order: self.order.clone(),
             inspector: self.inspector.clone(),
-            notes,
-            ..Report::new(now, checks)
+            notes: collected.notes(),
+            ..Report::new(now, given)
         };
-        let bytes = (rendering.render)(&report, &words).said()?;
         match &self.output {
-            Output::Standard => io.data().write_all(&bytes)?,
-            Output::File(path, _) => super::save(path, &bytes, io)?,
+            Output::Standard => (rendering.render)(&report, &words, io.data())?,
+            Output::File(path, _) => super::save_with(path, &mut |out| (rendering.render)(&report, &words, out), io)?,
         }
         Ok(if bad { Outcome::BadData } else { Outcome::Judged(worst) })
     }
@@ -174,25 +217,28 @@ impl Args {
 }
 
 impl Collected {
-    /// Takes in a file of measurements.
-    fn file(&mut self, path: &Path, sources: &Sources, now: DateTime, io: &mut Io<'_>) {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let bytes = match files::read(path) {
-            Ok(bytes) => bytes,
-            Err(error) => return self.refuse(Message::new("report-note").text("place", &name), error.message(), io),
-        };
-        let imported = import(&name, &bytes, sources, now);
-        let line = |line: usize| Message::new("report-note-line").text("place", &name).text("line", line);
-        for error in &imported.errors {
-            self.refuse(Message::new("report-note").text("place", &name), error.message(), io);
-        }
-        for unjudged in &imported.unjudged {
-            self.refuse(line(unjudged.line), unjudged.why.message(), io);
-        }
-        for warning in &imported.warnings {
-            self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io);
-        }
-        self.checks.extend(imported.records);
+    /// Looks at a file of measurements.
+    fn file(&mut self, name: &str, bytes: &[u8], given: &Given, io: &mut Io<'_>) {
+        let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
+        import_each(name, bytes, &given.sources, given.now, &mut |item| match item {
+            Item::Record { record, .. } => self.see(&record),
+            Item::Unjudged(unjudged) => self.refuse(line(unjudged.line), unjudged.why.message(), io),
+            Item::Error(error) => self.refuse(Message::new("report-note").text("place", name), error.message(), io),
+            Item::Warning(warning) => {
+                self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io);
+            }
+            Item::Contacts(_) => {}
+        });
+    }
+
+    fn see(&mut self, record: &Record) {
+        self.worst = self.worst.max(Some(record.verdict.status()));
+    }
+
+    /// The notes of the report; the last one says how many more there are.
+    fn notes(self) -> Vec<Message> {
+        let more = (0 < self.more_notes).then(|| Message::new("report-note-more").count("count", self.more_notes));
+        self.notes.into_iter().chain(more).collect()
     }
 
     /// Notes what is not a check, so that nobody takes the report for complete.
@@ -205,7 +251,11 @@ impl Collected {
     fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) {
         let note = place.message("what", what);
         io.fail(&note);
-        self.notes.push(note);
+        if self.notes.len() < MOST_NOTES {
+            self.notes.push(note);
+        } else {
+            self.more_notes += 1;
+        }
     }
 }
 

@@ -20,6 +20,8 @@ pub(super) enum CliRemark {
     Refused { refused: usize, asked: usize },
     /// A search that found nothing.
     NoPair { nearest: String },
+    /// A trace that does not list every block.
+    TraceEnds { blocks: usize },
     /// A default was used for the clearance height.
     ClearanceHeight { height: Length },
 }

@@ -13,6 +13,9 @@ use crate::tolerance::{Callout, ToleranceClass};
 /// How many rows are examined to find out what a file is.
 const SAMPLE: usize = 200;
 
+/// How many bytes of them, 512 KiB: every cell takes memory, and two ways to split them are compared.
+const SAMPLE_BYTES: usize = 512 << 10;
+
 /// How many lines may come before a header.
 const ABOVE_HEADER: usize = 20;
 
@@ -43,7 +46,7 @@ pub(super) struct Columns {
     pub(super) header: Option<usize>,
     /// Whether the columns were found by their names.
     pub(super) names_known: bool,
-    /// Names of the skipped columns.
+    /// Names of the skipped columns: no more than are listed, and one.
     pub(super) ignored: Vec<String>,
     /// The decimal sign of the measured values, if any has one.
     pub(super) decimal_sign: Option<char>,
@@ -73,9 +76,15 @@ impl Sample {
     fn split(text: &str, first_line: usize, separator: u8) -> Self {
         let rows = Rows::new(text, first_line, separator).filter_map(|item| match item {
             Item::Row { line, cells } if !is_blank(&cells) && !is_comment(&cells) => Some((line, cells)),
-            Item::Row { .. } | Item::OpenQuote { .. } => None,
+            Item::Row { .. } | Item::OpenQuote { .. } | Item::TooLong { .. } => None,
         });
-        let rows: Vec<_> = rows.take(SAMPLE).collect();
+        let mut bytes = 0;
+        let is_enough = |(_, cells): &(usize, StringRecord)| {
+            let before = bytes;
+            bytes += cells.as_slice().len() + cells.len();
+            before < SAMPLE_BYTES
+        };
+        let rows: Vec<_> = rows.take(SAMPLE).take_while(is_enough).collect();
         let header = header(&rows);
         // Unknown names are not a measurement either.
         let unknown = rows.first().is_some_and(|(_, cells)| may_be_names(cells));
@@ -176,7 +185,7 @@ impl Sample {
             count: header.len(),
             header: Some(line),
             names_known: true,
-            ignored: ignored.map(|(at, name)| name_of(at, name)).collect(),
+            ignored: ignored.take(NAMED + 1).map(|(at, name)| name_of(at, name)).collect(),
             decimal_sign: None,
             whole_numbers_behind: false,
         })
@@ -198,8 +207,9 @@ impl Sample {
             several_are => return Err(several(Role::Tolerance, &no_header, several_are)),
         };
         let numbers = all(is_number);
-        let class =
-            all(is_class).into_iter().find(|&at| at.checked_sub(1).is_some_and(|before| numbers.contains(&before)));
+        let class = all(is_class)
+            .into_iter()
+            .find(|&at| at.checked_sub(1).is_some_and(|before| numbers.binary_search(&before).is_ok()));
         let (tolerance, nominal) = match (callout, class) {
             (Some(at), _) => (Some(at), None),
             (None, Some(at)) => (Some(at), at.checked_sub(1)),
@@ -226,7 +236,11 @@ impl Sample {
             count,
             header: None,
             names_known: false,
-            ignored: (0..count).filter(|at| !used.contains(&Some(*at))).map(|at| name_of(at, "")).collect(),
+            ignored: (0..count)
+                .filter(|at| !used.contains(&Some(*at)))
+                .take(NAMED + 1)
+                .map(|at| name_of(at, ""))
+                .collect(),
             decimal_sign: None,
             whole_numbers_behind: false,
         })
@@ -340,7 +354,8 @@ pub(super) fn is_class(cell: &str) -> bool {
 }
 
 fn several(role: Role, header: &StringRecord, columns: &[usize]) -> ImportErrorKind {
-    let names: Vec<String> = columns.iter().map(|&at| name_of(at, header.get(at).unwrap_or_default())).collect();
+    let columns = columns.iter().take(NAMED + 1);
+    let names: Vec<String> = columns.map(|&at| name_of(at, header.get(at).unwrap_or_default())).collect();
     ImportErrorKind::SeveralColumns { role, columns: listed(&names) }
 }
 

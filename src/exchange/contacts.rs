@@ -3,10 +3,13 @@
 //! A row that cannot be used makes the whole file doubtful, so it is an error: a circle through the rest would be a
 //! guess. Figures are read as `f64` with all their digits; they are geometry, not sizes.
 
-use super::delimited::{Item, Rows, SEPARATORS};
+use super::delimited::{Item, LONGEST_ROW, Rows, SEPARATORS};
 use crate::control::text;
 use crate::message::{Located, Place, Say};
 use crate::probing::Contact;
+
+/// The most contacts of a file: a scan of some minutes.
+pub const MOST_CONTACTS: usize = 500_000;
 
 /// What a file of contacts holds.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +63,12 @@ pub enum ContactsError {
     },
     /// A quotation mark that is not closed.
     OpenQuote,
+    /// A row that is too long.
+    #[say(args(most = LONGEST_ROW >> 10))]
+    RowTooLong,
+    /// More contacts than [`MOST_CONTACTS`].
+    #[say(args(most = MOST_CONTACTS))]
+    TooMany,
 }
 
 /// Where x, y and z are in a row.
@@ -92,7 +101,11 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
         let (line, cells) = match item {
             Item::Row { line, cells } => (line, cells),
             Item::OpenQuote { line, .. } => return Err(Located::in_line(line, ContactsError::OpenQuote)),
+            Item::TooLong { line } => return Err(Located::in_line(line, ContactsError::RowTooLong)),
         };
+        if read.contacts.len() == MOST_CONTACTS {
+            return Err(Located::in_line(line, ContactsError::TooMany));
+        }
         let row: Vec<&str> = cells.iter().map(str::trim).collect();
         if row.iter().all(|cell| cell.is_empty()) || row.first().is_some_and(|cell| cell.starts_with('#')) {
             continue;
@@ -169,7 +182,7 @@ fn header(row: &[&str], line: usize, ignored: &mut Vec<String>) -> Result<Places
         }
     };
     let (Some(x), Some(y)) = (place('x')?, place('y')?) else {
-        return Err(Located::in_line(line, ContactsError::NoColumns { given: row.join(", ") }));
+        return Err(Located::in_line(line, ContactsError::NoColumns { given: super::error::shorten(&row.join(", ")) }));
     };
     ignored.extend(row.iter().filter(|cell| name(cell).is_none()).map(|cell| (*cell).to_owned()));
     Ok(Places { x, y, z: place('z')?, cells: row.len() })

@@ -11,6 +11,12 @@ pub(super) const SEPARATORS: [u8; 4] = [b';', b'\t', b'|', b','];
 /// How many lines a header may have within quotation marks.
 const HEADER_LINES: usize = 8;
 
+/// The longest row in bytes, 1 MiB: every cell takes memory, also an empty one.
+pub(super) const LONGEST_ROW: usize = 1 << 20;
+
+/// How much of a text is handed to the `csv` crate at a time.
+const SEGMENT: usize = 1 << 20;
+
 /// A row or what was found in its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Item<'a> {
@@ -18,23 +24,30 @@ pub(super) enum Item<'a> {
     Row { line: usize, cells: StringRecord },
     /// A line with a quotation mark that is not closed on it.
     OpenQuote { line: usize, text: &'a str },
+    /// A line longer than [`LONGEST_ROW`].
+    TooLong { line: usize },
 }
 
-/// The rows of a text, without empty lines.
+impl Item<'_> {
+    /// The line where it begins.
+    pub(super) const fn line(&self) -> usize {
+        let (Self::Row { line, .. } | Self::OpenQuote { line, .. } | Self::TooLong { line }) = self;
+        *line
+    }
+}
+
+/// The rows of a text, without empty lines. Only the part at which they are is in memory a second time.
 pub(super) struct Rows<'a> {
     text: &'a str,
     separator: u8,
-    segments: std::vec::IntoIter<Segment>,
-    reader: Option<Reader<'a>>,
-}
-
-/// A stretch of a text.
-#[derive(Debug, Clone, Copy)]
-struct Segment {
-    start: usize,
-    end: usize,
+    /// How far the lines were looked at, and the number of the line there.
+    at: usize,
     line: usize,
-    open_quote: bool,
+    /// Whether only blank lines came before.
+    is_first: bool,
+    /// What comes after the rows of the reader.
+    waiting: Option<Item<'a>>,
+    reader: Option<Reader<'a>>,
 }
 
 struct Reader<'a> {
@@ -47,8 +60,46 @@ struct Reader<'a> {
 
 impl<'a> Rows<'a> {
     /// The rows of a text whose first line has the number `line`.
-    pub(super) fn new(text: &'a str, line: usize, separator: u8) -> Self {
-        Self { text, separator, segments: segments(text, line, separator).into_iter(), reader: None }
+    pub(super) const fn new(text: &'a str, line: usize, separator: u8) -> Self {
+        Self { text, separator, at: 0, line, is_first: true, waiting: None, reader: None }
+    }
+
+    /// Looks at lines up to one that is not a row, or far enough: the lines before it are for the reader.
+    fn look_ahead(&mut self) {
+        let (start, first) = (self.at, self.line);
+        let mut end = start;
+        while self.waiting.is_none() && end < start + SEGMENT {
+            let Some((line, from, to)) = lines(self.text, self.at, self.line).next() else { break };
+            let row = self.text.get(from..to).unwrap_or_default();
+            (self.at, self.line) = (to, line + 1);
+            if LONGEST_ROW < row.len() {
+                self.waiting = Some(Item::TooLong { line });
+            } else if ends_open(row, self.separator, false) && !(self.is_first && self.take_header(from)) {
+                self.waiting = Some(Item::OpenQuote { line, text: row.trim_end() });
+            } else {
+                end = self.at;
+            }
+            self.is_first = self.is_first && row.trim().is_empty();
+        }
+        let Some(text) = self.text.get(start..end).filter(|text| !text.is_empty()) else { return };
+        let csv = ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .delimiter(self.separator)
+            .buffer_capacity(text.len().min(64 << 10))
+            .from_reader(text.as_bytes());
+        self.reader = Some(Reader { csv, text, byte: 0, line: first });
+    }
+
+    /// Takes the lines in which a quotation mark of the line before is closed; `false` if there are none.
+    fn take_header(&mut self, begin: usize) -> bool {
+        let further = lines(self.text, self.at, self.line).take(HEADER_LINES);
+        let mut further = further.take_while(|(_, _, to)| to - begin <= LONGEST_ROW);
+        let closed = further
+            .find(|&(_, from, to)| !ends_open(self.text.get(from..to).unwrap_or_default(), self.separator, true));
+        let Some((line, _, to)) = closed else { return false };
+        (self.at, self.line) = (to, line + 1);
+        true
     }
 }
 
@@ -57,24 +108,17 @@ impl<'a> Iterator for Rows<'a> {
 
     fn next(&mut self) -> Option<Item<'a>> {
         loop {
-            if let Some(reader) = &mut self.reader {
-                if let Some(item) = reader.next_row() {
-                    return Some(item);
-                }
-                self.reader = None;
+            if let Some(item) = self.reader.as_mut().and_then(Reader::next_row) {
+                return Some(item);
             }
-            let segment = self.segments.next()?;
-            let text = self.text.get(segment.start..segment.end)?;
-            if segment.open_quote {
-                return Some(Item::OpenQuote { line: segment.line, text: text.trim_end() });
+            self.reader = None;
+            if let Some(item) = self.waiting.take() {
+                return Some(item);
             }
-            let csv = ReaderBuilder::new()
-                .has_headers(false)
-                .flexible(true)
-                .delimiter(self.separator)
-                .buffer_capacity(text.len().min(64 << 10))
-                .from_reader(text.as_bytes());
-            self.reader = Some(Reader { csv, text, byte: 0, line: segment.line });
+            if self.text.len() <= self.at {
+                return None;
+            }
+            self.look_ahead();
         }
     }
 }
@@ -113,48 +157,9 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Cuts a text at the lines whose quotation marks are not closed.
-fn segments(text: &str, first_line: usize, separator: u8) -> Vec<Segment> {
-    let mut segments = Vec::new();
-    let mut start = Segment { start: 0, end: text.len(), line: first_line, open_quote: false };
-    if !text.contains('"') {
-        return vec![start];
-    }
-    let mut lines = lines(text, first_line).peekable();
-    let mut is_first = true;
-    while let Some((line, from, to)) = lines.next() {
-        let row = text.get(from..to).unwrap_or_default();
-        let mut open = ends_open(row, separator, false);
-        if open && is_first {
-            let mut header = self::lines(text.get(to..).unwrap_or_default(), 1).take(HEADER_LINES);
-            let closes = header.find_map(|(number, from, end)| {
-                let row = text.get(to + from..to + end).unwrap_or_default();
-                (!ends_open(row, separator, true)).then_some(number)
-            });
-            if let Some(count) = closes {
-                for _ in 0..count {
-                    lines.next();
-                }
-                open = false;
-            }
-        }
-        is_first = is_first && row.trim().is_empty();
-        if open {
-            segments.push(Segment { end: from, ..start });
-            segments.push(Segment { start: from, end: to, line, open_quote: true });
-            start = Segment { start: to, line: line + 1, ..start };
-        }
-    }
-    segments.push(start);
-    segments.retain(|segment| segment.start < segment.end);
-    segments
-}
-
-/// The lines of a text with their numbers, beginnings and ends; a line includes its line end.
-fn lines(text: &str, first: usize) -> impl Iterator<Item = (usize, usize, usize)> {
+/// The lines of a text from a byte on, with their numbers, beginnings and ends; a line includes its line end.
+fn lines(text: &str, mut from: usize, mut number: usize) -> impl Iterator<Item = (usize, usize, usize)> {
     let bytes = text.as_bytes();
-    let mut from = 0;
-    let mut number = first;
     std::iter::from_fn(move || {
         let rest = bytes.get(from..).filter(|rest| !rest.is_empty())?;
         let end = match rest.iter().position(|&byte| byte == b'\n' || byte == b'\r') {
@@ -172,6 +177,9 @@ fn lines(text: &str, first: usize) -> impl Iterator<Item = (usize, usize, usize)
 /// Whether a quoted cell is still open at the end of a line: quotes count only at a cell's beginning, and a doubled
 /// one within a quoted cell is a quote.
 fn ends_open(line: &str, separator: u8, open_before: bool) -> bool {
+    if !line.contains('"') {
+        return open_before;
+    }
     let mut open = open_before;
     let mut at_start = !open_before;
     let mut bytes = line.bytes().peekable();
@@ -198,6 +206,7 @@ mod tests {
             .map(|item| match item {
                 Item::Row { line, cells } => format!("{line}: {}", cells.iter().collect::<Vec<_>>().join("|")),
                 Item::OpenQuote { line, text } => format!("{line}! {text}"),
+                Item::TooLong { line } => format!("{line} too long"),
             })
             .collect();
         assert_eq!(said, expected);
@@ -232,14 +241,24 @@ mod tests {
         check("\"a;b\nc;d\n", &["1! \"a;b", "2: c|d"]);
     }
 
+    #[test]
+    fn a_line_that_is_too_long_costs_itself_only() {
+        let long = ";".repeat(LONGEST_ROW + 1);
+        check(&format!("a;b\n{long}\nc;d"), &["1: a|b", "2 too long", "3: c|d"]);
+        check(&format!("\"a\n{long}\"\nc"), &["1! \"a", "2 too long", "3: c"]);
+        let rows = 3 * SEGMENT / 4;
+        let text = "a;b\n".repeat(rows);
+        assert!(Rows::new(&text, 1, b';').map(|item| item.line()).eq(1..=rows));
+    }
+
     proptest::proptest! {
         /// Whatever the text, lines come in order and each row's first cell is where it says.
         #[test]
         fn lines_ascend(text in "[a;\"\n\r #,]{0,80}") {
-            let count = lines(&text, 1).count();
+            let count = lines(&text, 0, 1).count();
             let mut before = 0;
             for item in Rows::new(&text, 1, b';') {
-                let (Item::Row { line, .. } | Item::OpenQuote { line, .. }) = item;
+                let line = item.line();
                 proptest::prop_assert!(before < line && line <= count, "{line} after {before} of {count}");
                 before = line;
             }

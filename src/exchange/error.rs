@@ -72,6 +72,11 @@ pub enum ImportErrorKind {
     },
     /// A quotation mark that is not closed on its line.
     OpenQuote,
+    /// A row that is too long.
+    RowTooLong {
+        /// The most, KiB.
+        most: usize,
+    },
     /// The callout cannot be read.
     Callout(#[say(name = "reason")] CalloutError),
     /// The nominal size in a column of its own cannot be read.

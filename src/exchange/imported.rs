@@ -117,32 +117,96 @@ impl Coordinate {
     }
 }
 
+/// What a file holds, one thing after the other, in the order of its lines.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Item {
+    /// What could be judged.
+    Record {
+        /// Its line.
+        line: usize,
+        /// The check.
+        record: Box<Record>,
+    },
+    /// A measurement that makes no record.
+    Unjudged(Box<Unjudged>),
+    /// A row that could not be used, or why the whole file could not be.
+    Error(Box<Located<ImportError>>),
+    /// A warning; one about a row comes before the row.
+    Warning(Located<ImportWarning>),
+    /// The contacts of a file of contacts.
+    Contacts(Vec<Contact>),
+}
+
 impl Imported {
+    /// Keeps a thing that was read.
+    pub(super) fn keep(&mut self, item: Item) {
+        self.rows += usize::from(!matches!(item, Item::Warning(_) | Item::Contacts(_)));
+        match item {
+            Item::Record { line, record } => {
+                self.records.push(*record);
+                self.lines.push(line);
+            }
+            Item::Unjudged(unjudged) => self.unjudged.push(*unjudged),
+            Item::Error(error) => self.errors.push(*error),
+            Item::Warning(warning) => self.warnings.push(warning),
+            Item::Contacts(contacts) => self.contacts = Some(contacts),
+        }
+    }
+}
+
+/// Where readers put what they read.
+pub(super) struct Sink<'a> {
+    /// How many rows or logs there were: records, unjudged measurements and errors together.
+    rows: usize,
+    take: &'a mut dyn FnMut(Item),
+}
+
+impl<'a> Sink<'a> {
+    pub(super) const fn new(take: &'a mut dyn FnMut(Item)) -> Self {
+        Self { rows: 0, take }
+    }
+
+    pub(super) const fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Whether no more is read, after an error that says so.
+    pub(super) fn is_full(&mut self, line: usize) -> bool {
+        let is_full = MOST_ROWS <= self.rows;
+        if is_full {
+            self.refuse(Place::line(line), ImportErrorKind::TooManyRows { most: MOST_ROWS }, String::new());
+        }
+        is_full
+    }
+
+    fn row(&mut self, item: Item) {
+        self.rows += 1;
+        (self.take)(item);
+    }
+
     /// A file that could not be used at all.
-    pub(super) fn failed(kind: ImportErrorKind) -> Self {
-        let mut imported = Self::default();
-        imported.refuse(Place::line(1), kind, String::new());
-        imported
+    pub(super) fn fail(&mut self, kind: ImportErrorKind) {
+        self.refuse(Place::line(1), kind, String::new());
     }
 
     pub(super) fn keep(&mut self, line: usize, record: Record) {
-        self.rows += 1;
-        self.records.push(record);
-        self.lines.push(line);
+        self.row(Item::Record { line, record: Box::new(record) });
     }
 
     pub(super) fn set_aside(&mut self, unjudged: Unjudged) {
-        self.rows += 1;
-        self.unjudged.push(unjudged);
+        self.row(Item::Unjudged(Box::new(unjudged)));
     }
 
     pub(super) fn refuse(&mut self, place: Place, kind: ImportErrorKind, given: String) {
-        self.rows += 1;
-        self.errors.push(Located { what: ImportError { kind, given }, place });
+        self.row(Item::Error(Box::new(Located { what: ImportError { kind, given }, place })));
+    }
+
+    pub(super) fn contacts(&mut self, contacts: Vec<Contact>) {
+        (self.take)(Item::Contacts(contacts));
     }
 
     /// `row` is the line of the record or unjudged measurement that it belongs to.
-    pub(super) fn warn(&mut self, line: usize, row: Option<usize>, kind: ImportWarningKind) {
-        self.warnings.push(Located::in_line(line, ImportWarning { row, kind }));
+    pub(super) fn warn(&mut self, place: Place, row: Option<usize>, kind: ImportWarningKind) {
+        (self.take)(Item::Warning(Located { what: ImportWarning { row, kind }, place }));
     }
 }

@@ -8,13 +8,14 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::error::{ImportErrorKind, ImportWarning, ImportWarningKind};
-use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
+use super::error::{ImportErrorKind, ImportWarningKind};
+use super::imported::{Coordinate, Sink, Unjudged, WhyUnjudged};
 use super::{Format, Source};
 use crate::control::log::{self, Figure, LimitPair, Log, layout};
+use crate::control::text;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
-use crate::message::{Located, Place};
+use crate::message::Place;
 use crate::probing::cycle::{Cycle, FigureKind, FoundName, Meaning, TextLog};
 use crate::probing::cycles::cycle;
 use crate::probing::{Measurement, Origin};
@@ -31,21 +32,24 @@ fn recognises(source: &Source<'_>) -> bool {
         || log::is_log(&source.head())
 }
 
-fn read(source: &Source<'_>) -> Imported {
-    let mut imported = Imported::default();
-    for log in log::read(source.bytes) {
+fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
+    let text = text::decode(source.bytes);
+    for log in log::each(&text) {
+        let line = log.as_ref().map_or_else(|error| error.place.line.unwrap_or(1), |log| log.line);
+        if sink.is_full(line) {
+            break;
+        }
         match log {
-            Ok(log) => add(&mut imported, log, source),
+            Ok(log) => add(sink, log, source),
             Err(error) => {
                 let given = error.what.given();
-                imported.refuse(error.place, ImportErrorKind::Log(error.what), given);
+                sink.refuse(error.place, ImportErrorKind::Log(error.what), given);
             }
         }
     }
-    imported
 }
 
-fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
+fn add(sink: &mut Sink<'_>, log: Log, source: &Source<'_>) {
     // The reader knows the cycle of every log that it has read.
     let Some((cycle, layout)) = cycle(log.cycle).zip(layout(log.cycle)) else { return };
     let read = Read {
@@ -56,7 +60,9 @@ fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
         position: position(layout, &log.figures),
         centre: centre(layout, &log.figures),
     };
-    finish(imported, log.warnings, log.line);
+    for warning in log.warnings {
+        sink.warn(warning.place, Some(log.line), ImportWarningKind::Log(warning.what));
+    }
     let mut sizes = layout.figures.iter().zip(&log.figures).filter_map(|(of, figure)| match of.kind {
         FigureKind::Size(Meaning::Diameter) => Some(read.diameter(figure, source)),
         FigureKind::Size(_) | FigureKind::Coordinate => Some(read.size(of.what, of.kind, figure, source)),
@@ -64,8 +70,8 @@ fn add(imported: &mut Imported, log: Log, source: &Source<'_>) {
     });
     // The centre is reported with the first size.
     let Some(first) = sizes.next() else { return };
-    first.add(imported, &read, read.position);
-    sizes.for_each(|other| other.add(imported, &read, None));
+    first.add(sink, &read, read.position);
+    sizes.for_each(|other| other.add(sink, &read, None));
 }
 
 /// What all sizes of a log share.
@@ -86,14 +92,14 @@ enum Made {
 }
 
 impl Made {
-    fn add(self, imported: &mut Imported, read: &Read, position: Option<PositionVerdict>) {
+    fn add(self, sink: &mut Sink<'_>, read: &Read, position: Option<PositionVerdict>) {
         let (line, time, id) = (read.line, read.time, read.id.clone());
         match self {
-            Self::Record(record) => imported.keep(line, *record),
+            Self::Record(record) => sink.keep(line, *record),
             Self::Unjudged { measured, why } => {
-                imported.set_aside(Unjudged { line, id, time, measured: Some(measured), position, why });
+                sink.set_aside(Unjudged { line, id, time, measured: Some(measured), position, why });
             }
-            Self::Refused { reason, given } => imported.refuse(Place::line(line), reason, given),
+            Self::Refused { reason, given } => sink.refuse(Place::line(line), reason, given),
         }
     }
 }
@@ -138,13 +144,6 @@ impl Read {
         let judged = Coordinate::judged(self.cycle.code, figure.nominal, &limits, measured);
         let why = if is_coordinate { WhyUnjudged::Coordinate(judged) } else { WhyUnjudged::Size { what, judged } };
         Made::Unjudged { measured, why }
-    }
-}
-
-fn finish(imported: &mut Imported, warnings: Vec<log::LogWarning>, row: usize) {
-    for warning in warnings {
-        let kind = ImportWarningKind::Log(warning.what);
-        imported.warnings.push(Located { what: ImportWarning { row: Some(row), kind }, place: warning.place });
     }
 }
 

@@ -9,9 +9,9 @@ use csv::StringRecord;
 use jiff::civil::{DateTime, Time};
 
 use super::columns::{self, Columns, LengthColumn, Sample};
-use super::delimited::{Item, Rows};
+use super::delimited::{Item, LONGEST_ROW, Rows};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
-use super::imported::{Imported, MOST_ROWS, Unjudged, WhyUnjudged};
+use super::imported::{Sink, Unjudged, WhyUnjudged};
 use super::{Format, Source};
 use crate::journal::Record;
 use crate::length::Length;
@@ -33,31 +33,35 @@ fn is_text(head: &str) -> bool {
     odd * 50 <= head.chars().count()
 }
 
-fn read(source: &Source<'_>) -> Imported {
+fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
     let text = source.text();
     let (text, first_line, separator) = without_separator_line(&text);
     let sample = Sample::of(text, first_line, separator);
     let columns = match sample.columns() {
         Ok(columns) => columns,
-        Err(reason) => return Imported::failed(reason),
+        Err(reason) => return sink.fail(reason),
     };
-    let mut reader = Reader { source, columns, separator: sample.separator, imported: Imported::default() };
+    let separator = sample.separator;
+    // The first rows are read once more with the rest.
+    drop(sample);
+    let mut reader = Reader { source, columns, separator, sink };
     reader.warn_of_columns(first_line);
-    for item in Rows::new(text, first_line, sample.separator) {
-        if reader.imported.rows == MOST_ROWS {
-            let (Item::Row { line, .. } | Item::OpenQuote { line, .. }) = item;
-            reader.refuse(line, Cell { at: None, text: "" }, ImportErrorKind::TooManyRows { most: MOST_ROWS });
+    let nothing = Cell { at: None, text: "" };
+    for item in Rows::new(text, first_line, separator) {
+        if reader.sink.is_full(item.line()) {
             break;
         }
         match item {
             Item::Row { line, cells } => reader.row(line, &cells),
             Item::OpenQuote { line, text } => reader.refuse(line, Cell { at: None, text }, ImportErrorKind::OpenQuote),
+            Item::TooLong { line } => {
+                reader.refuse(line, nothing, ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 });
+            }
         }
     }
-    if reader.imported.rows == 0 {
-        reader.refuse(first_line, Cell { at: None, text: "" }, ImportErrorKind::NoRows);
+    if reader.sink.rows() == 0 {
+        reader.refuse(first_line, nothing, ImportErrorKind::NoRows);
     }
-    reader.imported
 }
 
 /// The text after a line `sep=;`, which spreadsheets put first.
@@ -71,11 +75,11 @@ fn without_separator_line(text: &str) -> (&str, usize, Option<u8>) {
     }
 }
 
-struct Reader<'a> {
+struct Reader<'a, 's> {
     source: &'a Source<'a>,
     columns: Columns,
     separator: u8,
-    imported: Imported,
+    sink: &'a mut Sink<'s>,
 }
 
 /// A cell and its place in the row, from 0.
@@ -88,7 +92,7 @@ struct Cell<'a> {
 /// A cell that cannot be used.
 type Refused<'a> = (Cell<'a>, ImportErrorKind);
 
-impl Reader<'_> {
+impl Reader<'_, '_> {
     fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
         if !self.columns.ignored.is_empty() {
@@ -98,12 +102,12 @@ impl Reader<'_> {
     }
 
     fn warn(&mut self, line: usize, reason: ImportWarningKind) {
-        self.imported.warn(line, None, reason);
+        self.sink.warn(Place::line(line), None, reason);
     }
 
     fn refuse(&mut self, line: usize, cell: Cell<'_>, reason: ImportErrorKind) {
         let given = shorten(cell.text.trim());
-        self.imported.refuse(Place { column: cell.at.map(|at| at + 1), ..Place::line(line) }, reason, given);
+        self.sink.refuse(Place { column: cell.at.map(|at| at + 1), ..Place::line(line) }, reason, given);
     }
 
     fn row(&mut self, line: usize, cells: &StringRecord) {
@@ -138,14 +142,14 @@ impl Reader<'_> {
         let Some((callout, cell)) = callout else {
             let time = self.time(line, cells);
             let why = WhyUnjudged::NoCallout;
-            self.imported.set_aside(Unjudged { line, id, time, measured: Some(measured), position: None, why });
+            self.sink.set_aside(Unjudged { line, id, time, measured: Some(measured), position: None, why });
             return Ok(());
         };
         let limits =
             self.source.sources.limits(&callout, None).map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
         let measurement = Measurement::of_diameter(measured, self.origin(cells)?);
         let record = Record::judged(self.time(line, cells), id, Some(callout), limits, measurement, None);
-        self.imported.keep(line, record);
+        self.sink.keep(line, record);
         Ok(())
     }
 
@@ -265,7 +269,7 @@ impl Reader<'_> {
         }
         date_time(&given).unwrap_or_else(|| {
             let reason = ImportWarningKind::Time { given: shorten(&given) };
-            self.imported.warn(line, Some(line), reason);
+            self.sink.warn(Place::line(line), Some(line), reason);
             self.source.now
         })
     }

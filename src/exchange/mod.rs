@@ -32,7 +32,8 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
-pub use imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
+use imported::Sink;
+pub use imported::{Coordinate, Imported, Item, Unjudged, WhyUnjudged};
 
 use crate::control::text;
 use crate::message::{Message, Say, display};
@@ -48,7 +49,7 @@ pub struct Format {
     /// The id of its one-line description.
     description: &'static str,
     recognises: fn(&Source<'_>) -> bool,
-    read: fn(&Source<'_>) -> Imported,
+    read: fn(&Source<'_>, &mut Sink<'_>),
 }
 
 /// Every format, in the order in which they are asked whether they know a file.
@@ -133,17 +134,25 @@ fn decode(bytes: &[u8]) -> Cow<'_, str> {
 /// assert_eq!(error.as_deref(), Some("line 2, column 3: measured: 25,0l2 is not a number"));
 /// ```
 pub fn import(file_name: &str, bytes: &[u8], sources: &Sources, now: DateTime) -> Imported {
+    let mut imported = Imported::default();
+    import_each(file_name, bytes, sources, now, &mut |item| imported.keep(item));
+    imported
+}
+
+/// The same one by one, in the order of the file: memory stays the same however many rows there are.
+pub fn import_each(file_name: &str, bytes: &[u8], sources: &Sources, now: DateTime, take: &mut dyn FnMut(Item)) {
     let source = Source { file: file_name.into(), bytes, sources, now };
+    let mut sink = Sink::new(take);
     if source.head().trim().is_empty() && bytes.len() <= HEAD {
-        return Imported::failed(ImportErrorKind::Empty);
+        return sink.fail(ImportErrorKind::Empty);
     }
     match FORMATS.iter().find(|format| (format.recognises)(&source)) {
-        Some(format) => (format.read)(&source),
-        None => Imported::failed(ImportErrorKind::NotRecognised),
+        Some(format) => (format.read)(&source, &mut sink),
+        None => sink.fail(ImportErrorKind::NotRecognised),
     }
 }
 
-fn read_contacts(source: &Source<'_>) -> Imported {
+fn read_contacts(source: &Source<'_>, sink: &mut Sink<'_>) {
     match contacts::read(source.bytes) {
         Ok(read) => {
             let count = read.contacts.len();
@@ -155,9 +164,10 @@ fn read_contacts(source: &Source<'_>) -> Imported {
                 position: None,
                 why: WhyUnjudged::Contacts { count },
             };
-            Imported { unjudged: vec![unjudged], contacts: Some(read.contacts), rows: 1, ..Imported::default() }
+            sink.set_aside(unjudged);
+            sink.contacts(read.contacts);
         }
-        Err(error) => Imported::failed(ImportErrorKind::Contacts(Box::new(error))),
+        Err(error) => sink.fail(ImportErrorKind::Contacts(Box::new(error))),
     }
 }
 

@@ -5,9 +5,10 @@
 use std::sync::Arc;
 
 use super::error::ImportErrorKind;
-use super::imported::{Coordinate, Imported, Unjudged, WhyUnjudged};
+use super::imported::{Coordinate, Sink, Unjudged, WhyUnjudged};
 use super::{Format, Source};
 use crate::control::point_log::{self, Band, PointLog};
+use crate::control::text;
 use crate::length::Length;
 use crate::message::Place;
 use crate::probing::cycle::Log;
@@ -22,30 +23,33 @@ pub(super) const FORMAT: Format = Format {
     read,
 };
 
-fn read(source: &Source<'_>) -> Imported {
-    let mut imported = Imported::default();
-    for answer in point_log::read(source.bytes) {
+fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
+    let page = text::decode(source.bytes);
+    for answer in point_log::each(&page) {
+        let line = answer.as_ref().map_or_else(|error| error.place.line.unwrap_or(1), |(line, _)| *line);
+        if sink.is_full(line) {
+            break;
+        }
         match answer {
-            Ok((line, log)) => add(&mut imported, line, &log, source),
+            Ok((line, log)) => add(sink, line, &log, source),
             Err(error) => {
                 let given = error.what.given();
-                imported.refuse(error.place, ImportErrorKind::Point(error.what), given);
+                sink.refuse(error.place, ImportErrorKind::Point(error.what), given);
             }
         }
     }
-    imported
 }
 
-fn add(imported: &mut Imported, line: usize, log: &PointLog, source: &Source<'_>) {
+fn add(sink: &mut Sink<'_>, line: usize, log: &PointLog, source: &Source<'_>) {
     let why = match log.band.map(|band| judged(log, band, source)) {
         None => WhyUnjudged::PointWithoutTolerance,
         Some(Some(coordinate)) => WhyUnjudged::Point(coordinate),
         Some(None) => {
             let reason = ImportErrorKind::Limits(LimitsError::TooLarge { nominal: Length::ZERO });
-            return imported.refuse(Place::line(line), reason, log.tolerance.clone());
+            return sink.refuse(Place::line(line), reason, log.tolerance.clone());
         }
     };
-    imported.set_aside(Unjudged {
+    sink.set_aside(Unjudged {
         line,
         id: String::new(),
         time: log.date_time.unwrap_or(source.now),

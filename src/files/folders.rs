@@ -1,13 +1,13 @@
 //! What NC programs read and write in the user's folders: never a file outside them, whatever a program says.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use super::{FileError, LARGEST, read, write};
+use super::names::Names;
+use super::{FileError, LARGEST, read, system, write};
 use crate::control::mask::FileUse;
 use crate::nc::machine::{NcPath, Shipped, Store, StoreError};
-
-/// How many entries of a folder are compared with a name that differs only by case.
-const MOST_ENTRIES: usize = 10_000;
 
 /// Folders to read from and one to write into. `TNC:\fit\a.h` is looked for as `fit/a.h` and then as `a.h` in each of
 /// them, first in the one that is written into; the built-in files come last.
@@ -15,6 +15,7 @@ const MOST_ENTRIES: usize = 10_000;
 pub struct Folders {
     reading: Vec<PathBuf>,
     writing: Option<PathBuf>,
+    names: RefCell<Names>,
 }
 
 impl Folders {
@@ -26,7 +27,7 @@ impl Folders {
     /// The folder of a program's file; for a bare name, the current folder.
     pub fn beside(program: &Path) -> Self {
         let folder = program.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
-        Self { reading: folder.map(Path::to_owned).into_iter().collect(), writing: None }
+        Self { reading: folder.map(Path::to_owned).into_iter().collect(), ..Self::default() }
     }
 
     /// A copy with one more folder to read from, after those before it.
@@ -42,15 +43,22 @@ impl Folders {
         self.writing = Some(folder.into());
         self
     }
+
+    /// How many times a folder was listed: the expensive part of looking for files.
+    pub fn listed(&self) -> u64 {
+        self.names.borrow().listed()
+    }
 }
 
 impl Store for Folders {
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
         let parts: Vec<&str> = path.parts().collect();
+        let mut names = self.names.borrow_mut();
+        let mut search = Search { names: &mut names, found: HashMap::new() };
         for folder in self.writing.iter().chain(&self.reading) {
             for skipped in 0..parts.len() {
                 // The user may have copied a folder on the path without those above it.
-                let Some(found) = parts.get(skipped..).and_then(|parts| find(folder, parts)) else { continue };
+                let Some(found) = parts.get(skipped..).and_then(|parts| search.find(folder, parts)) else { continue };
                 return bytes_of(folder, &found, path);
             }
         }
@@ -60,24 +68,43 @@ impl Store for Folders {
     fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {
         let folder = self.writing.as_ref().ok_or(StoreError::ReadOnly)?;
         let target = target(folder, path)?;
-        let is_behind = how != FileUse::Replace && target.exists();
+        // Where the system does not say, an output that is there is not written over.
+        let is_there = target.try_exists().map_err(|error| of_file(system(&target, &error), path))?;
+        let is_behind = how != FileUse::Replace && is_there;
         let old = if is_behind { bytes_of(folder, &target, path)? } else { Vec::new() };
         let whole = [old.as_slice(), bytes].concat();
-        write(&target, &whole).map_err(|error| of_file(error, path))?;
+        let into = target.parent().unwrap_or(folder);
+        let written = self.names.get_mut().writing(into, path.file_name(), || write(&target, &whole));
+        written.map_err(|error| of_file(error, path))?;
         Ok(whole.len())
     }
 }
 
-/// The entry below a folder, with the same name or one that differs only by case; links are not followed yet.
-fn find(folder: &Path, parts: &[&str]) -> Option<PathBuf> {
-    parts.iter().try_fold(folder.to_owned(), |at, part| {
-        let exact = at.join(part);
-        if exact.symlink_metadata().is_ok() {
-            return Some(exact);
+/// A look-up of one path: nothing is asked of the system twice, however often the same folders come on the way.
+struct Search<'a> {
+    names: &'a mut Names,
+    /// What was found under a name in a folder.
+    found: HashMap<PathBuf, Option<PathBuf>>,
+}
+
+impl Search<'_> {
+    /// The entry below a folder, with the same name or one that differs only by case; links are not followed yet.
+    fn find(&mut self, folder: &Path, parts: &[&str]) -> Option<PathBuf> {
+        parts.iter().try_fold(folder.to_owned(), |at, part| self.entry(&at, part))
+    }
+
+    /// An entry of a folder: the exact name first, so that what the run itself has just written is found.
+    fn entry(&mut self, folder: &Path, name: &str) -> Option<PathBuf> {
+        let exact = folder.join(name);
+        if let Some(found) = self.found.get(&exact) {
+            return found.clone();
         }
-        let mut entries = std::fs::read_dir(&at).ok()?.take(MOST_ENTRIES).flatten();
-        entries.find(|entry| entry.file_name().eq_ignore_ascii_case(part)).map(|entry| entry.path())
-    })
+        let is_there = exact.symlink_metadata().is_ok();
+        let found =
+            if is_there { Some(exact.clone()) } else { self.names.find(folder, name).map(|other| folder.join(other)) };
+        self.found.insert(exact, found.clone());
+        found
+    }
 }
 
 /// The bytes of a file that must lie below the folder, links followed.

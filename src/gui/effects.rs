@@ -22,8 +22,8 @@ use crate::probing::Contact;
 use crate::probing::simulated::Simulation;
 use crate::session::program::Document;
 use crate::session::{
-    CheckCommand, Command, CycleFile, CyclesCommand, Effect, Fate, FilesCommand, Launch, ProgramCommand, Purpose,
-    TablesCommand, WorkpieceCommand,
+    CheckCommand, Command, Content, CycleFile, CyclesCommand, Effect, Fate, FilesCommand, Launch, ProgramCommand,
+    Purpose, TablesCommand, WorkpieceCommand,
 };
 use crate::tolerance::{DeviationTable, Sources};
 use crate::words::Words;
@@ -156,8 +156,8 @@ fn answers(
             };
             vec![FilesCommand::Seen { purpose, path, fate }.into(), command]
         }
-        Effect::Save(path, bytes) => save(path, &bytes, false),
-        Effect::Replace(path, bytes) => save(path, &bytes, true),
+        Effect::Save(path, content) => save(path, &content, false),
+        Effect::Replace(path, content) => save(path, &content, true),
         Effect::Launch(path, how) => {
             let result = match errands {
                 Errands::OnThread => launch(&path, how),
@@ -170,8 +170,8 @@ fn answers(
     }
 }
 
-fn save(path: PathBuf, bytes: &[u8], replace: bool) -> Vec<Command> {
-    let result = files::save(&path, bytes, replace);
+fn save(path: PathBuf, content: &Content, replace: bool) -> Vec<Command> {
+    let result = files::save_with(&path, replace, &mut |out| content.write(out));
     vec![Command::Saved { path, result }]
 }
 
@@ -331,7 +331,7 @@ mod tests {
         for number in 0..20 {
             let bytes = vec![b'x'; if number == 0 { 4 << 20 } else { 1 }];
             let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
-            runner.run(&ctx, Effect::Save(path(number), bytes), (&Arc::default(), &words), now);
+            runner.run(&ctx, Effect::Save(path(number), bytes.into()), (&Arc::default(), &words), now);
         }
         let answers: Vec<Command> = runner.receiver.iter().take(20).collect();
         for (number, answer) in answers.iter().enumerate() {

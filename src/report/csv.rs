@@ -9,6 +9,8 @@
 //! one. Such a text gets an apostrophe in front, as in a spreadsheet itself: it is shown as text and never computed.
 //! Columns of numbers never get one, so a negative deviation stays a number.
 
+use std::io::{self, Write};
+
 use super::columns::{Cell as _, Column, cells, names};
 use super::row::Row;
 use super::{RenderError, Rendering, Report};
@@ -18,8 +20,9 @@ use crate::words::Words;
 /// This rendering.
 pub const RENDERING: Rendering = Rendering { name: "csv", endings: &["csv"], render: render_report };
 
-fn render_report(report: &Report, _words: &Words) -> Result<Vec<u8>, RenderError> {
-    render(&report.checks)
+fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Result<()> {
+    line(names(&COLUMNS), out)?;
+    report.checks.each(&mut |record| line(cells(&COLUMNS, &Row::of(record)), out))
 }
 
 /// The records as CSV, with a header, in their order.
@@ -32,13 +35,18 @@ pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError
     render_rows(records.iter().map(|record| Row { feature: "", ..Row::of(record) }))
 }
 
-fn render_rows(rows: impl Iterator<Item = Row>) -> Result<Vec<u8>, RenderError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(names(&COLUMNS)).map_err(|error| RenderError::writer("csv", &error))?;
-    for row in rows {
-        writer.write_record(cells(&COLUMNS, &row)).map_err(|error| RenderError::writer("csv", &error))?;
-    }
-    writer.into_inner().map_err(|error| RenderError::writer("csv", &error))
+fn render_rows(mut rows: impl Iterator<Item = Row>) -> Result<Vec<u8>, RenderError> {
+    let mut bytes = Vec::new();
+    let written = line(names(&COLUMNS), &mut bytes)
+        .and_then(|()| rows.try_for_each(|row| line(cells(&COLUMNS, &row), &mut bytes)));
+    written.map(|()| bytes).map_err(|error| RenderError::writer("csv", &error))
+}
+
+/// Writes a line. Into memory first: so an error of the stream stays what it is.
+fn line<T: AsRef<[u8]>>(cells: impl IntoIterator<Item = T>, out: &mut dyn Write) -> io::Result<()> {
+    let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
+    writer.write_record(cells).map_err(io::Error::other)?;
+    out.write_all(&writer.into_inner().map_err(csv::IntoInnerError::into_error)?)
 }
 
 /// Millimetres have at least three decimals, except in the nominal size.

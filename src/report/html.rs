@@ -1,13 +1,19 @@
 //! The report as one HTML page: no script, no external content, prints well on A4 and in black and white.
 //!
-//! The template is `assets/report/report.html`, its look `report.css`; every value is escaped by the template. This
-//! file puts figures into words and decides nothing. The page is also well-formed XML, so other tools can read it.
+//! The templates are in `assets/report`, their look `report.css`; every value is escaped by them. This file puts figures
+//! into words and decides nothing. The page is also well-formed XML, so other tools can read it.
+//!
+//! A check takes some kilobytes with its pictures, and a browser shows only so much. So a page lists at most
+//! [`MOST_CHECKS`]: of a longer report those that are not good or in doubt. The counts are always those of all checks.
+//! The page is written check by check, and only one of them is in memory.
+
+use std::io::{self, Write};
 
 use askama::Template;
 
 use super::picture;
 use super::text;
-use super::{RenderError, Rendering, Report};
+use super::{Rendering, Report};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::message::Message;
@@ -18,31 +24,88 @@ use crate::words::Words;
 /// This rendering.
 pub const RENDERING: Rendering = Rendering { name: "html", endings: &["html", "htm"], render };
 
+/// The most checks that a page lists: some 15 MB, which a browser opens in seconds.
+pub const MOST_CHECKS: usize = 2_000;
+
 /// A longer list of contacts goes to the end of the report, so that a check fits on a page and is never split.
 const CONTACTS_IN_CHECK: usize = 16;
 
 /// How dates are written: the same in every language, so that nobody mistakes the day for the month.
 const DATE: &str = "%Y-%m-%d %H:%M:%S";
 
+/// The parts of the page.
+trait Part: Template {
+    fn words(&self) -> &Words;
+
+    /// A text of the template.
+    fn t(&self, id: &str) -> String {
+        self.words().get(id)
+    }
+
+    /// Writes it on a line of its own.
+    fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        let text = self.render().map_err(io::Error::other)?;
+        out.write_all(printable(text.trim_end_matches('\n')).as_bytes())?;
+        out.write_all(b"\n")
+    }
+}
+
+/// Up to the head of the list of checks.
 #[derive(Template)]
-#[template(path = "report.html", config = "assets/report/askama.toml")]
-struct Page<'a> {
+#[template(path = "head.html", config = "assets/report/askama.toml")]
+struct Head<'a> {
     words: &'a Words,
     title: String,
-    head: Vec<Entry>,
+    entries: Vec<Entry>,
     notes: Vec<String>,
     summary: Option<Summary>,
-    checks: Vec<Check>,
-    inspector: &'a str,
     program: &'a str,
 }
 
-impl Page<'_> {
-    /// A text of the template.
-    fn t(&self, id: &str) -> String {
-        self.words.get(id)
-    }
+/// A check in the list.
+#[derive(Template)]
+#[template(path = "overview.html", config = "assets/report/askama.toml")]
+struct Line<'a> {
+    words: &'a Words,
+    check: &'a Check,
 }
+
+/// A check with everything about it.
+#[derive(Template)]
+#[template(path = "check.html", config = "assets/report/askama.toml")]
+struct Section<'a> {
+    words: &'a Words,
+    check: &'a Check,
+}
+
+/// A long list of contacts.
+#[derive(Template)]
+#[template(path = "annex.html", config = "assets/report/askama.toml")]
+struct Annex<'a> {
+    words: &'a Words,
+    check: &'a Check,
+}
+
+/// The signature, and the end.
+#[derive(Template)]
+#[template(path = "foot.html", config = "assets/report/askama.toml")]
+struct Foot<'a> {
+    words: &'a Words,
+    inspector: &'a str,
+}
+
+/// Each part has the words of the page.
+macro_rules! parts {
+    ($($part:ident),+) => {$(
+        impl Part for $part<'_> {
+            fn words(&self) -> &Words {
+                self.words
+            }
+        }
+    )+};
+}
+
+parts!(Head, Line, Section, Annex, Foot);
 
 /// A label and what it says.
 struct Entry {
@@ -58,6 +121,69 @@ struct Summary {
 struct Count {
     word: String,
     count: usize,
+}
+
+/// What a first look at all checks finds.
+#[derive(Default)]
+struct Seen {
+    /// How many there are of each status.
+    counts: [usize; Status::ALL.len()],
+    total: usize,
+    /// The first that are not good or in doubt, by their place in the report, and how many there are.
+    wanted: Vec<usize>,
+    all_wanted: usize,
+    /// Whether a check has contacts at the end.
+    has_annex: bool,
+}
+
+impl Seen {
+    fn of(report: &Report) -> io::Result<Self> {
+        let mut seen = Self::default();
+        report.checks.each(&mut |record| {
+            let status = record.verdict.status();
+            if let Some(at) = Status::ALL.iter().position(|known| *known == status)
+                && let Some(count) = seen.counts.get_mut(at)
+            {
+                *count += 1;
+            }
+            if status != Status::Good || record.doubt.is_some() {
+                seen.all_wanted += 1;
+                if seen.wanted.len() < MOST_CHECKS {
+                    seen.wanted.push(seen.total);
+                }
+            }
+            seen.has_annex |= CONTACTS_IN_CHECK < record.measurement.contacts.len();
+            seen.total += 1;
+            Ok(())
+        })?;
+        Ok(seen)
+    }
+
+    /// Whether the page lists all checks.
+    const fn is_whole(&self) -> bool {
+        self.total <= MOST_CHECKS
+    }
+
+    /// What the page says of the checks that it does not list.
+    fn note(&self, words: &Words) -> Option<String> {
+        let id = match self.wanted.len() {
+            _ if self.is_whole() => return None,
+            0 => "report-page-all-good",
+            listed if listed == self.all_wanted => "report-page-not-good",
+            _ => "report-page-first",
+        };
+        let listed = Message::new(id).count("listed", self.wanted.len()).count("wanted", self.all_wanted);
+        Some(words.say(&listed.count("total", self.total)))
+    }
+
+    /// Shows every check that the page lists, with its number in the report.
+    fn each(&self, report: &Report, see: &mut dyn FnMut(usize, &Record) -> io::Result<()>) -> io::Result<()> {
+        let (mut at, mut wanted) = (0, self.wanted.iter().peekable());
+        report.checks.each(&mut |record| {
+            at += 1;
+            if self.is_whole() || wanted.next_if_eq(&&(at - 1)).is_some() { see(at, record) } else { Ok(()) }
+        })
+    }
 }
 
 struct Check {
@@ -108,26 +234,35 @@ struct ContactLine {
     radial: String,
 }
 
-fn render(report: &Report, words: &Words) -> Result<Vec<u8>, RenderError> {
-    let failed = |error: askama::Error| RenderError::writer("html", &error);
-    let checks: Vec<Check> = report
-        .checks
-        .iter()
-        .enumerate()
-        .map(|(before, record)| check(before + 1, record, words))
-        .collect::<askama::Result<_>>()
-        .map_err(failed)?;
-    let page = Page {
+fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()> {
+    let seen = Seen::of(report)?;
+    let head = Head {
         words,
         title: if report.title.is_empty() { words.get("report-title") } else { report.title.clone() },
-        head: head(report, words),
-        notes: report.notes.iter().map(|note| words.say(note)).collect(),
-        summary: (1 < checks.len()).then(|| summary(&report.checks, words)),
-        checks,
-        inspector: report.inspector.as_deref().unwrap_or_default(),
+        entries: entries(report, words),
+        notes: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
+        summary: (1 < seen.total).then(|| summary(&seen, words)),
         program: &report.program,
     };
-    Ok(printable(&page.render().map_err(failed)?).into_bytes())
+    head.write(out)?;
+    let made = |number, record: &Record| check(number, record, words).map_err(io::Error::other);
+    if 1 < seen.total {
+        seen.each(report, &mut |number, record| Line { words, check: &made(number, record)? }.write(out))?;
+        out.write_all(b"</tbody>\n</table>\n</section>\n")?;
+    }
+    if seen.total == 0 {
+        writeln!(out, "<p>{}</p>", words.get("report-no-checks"))?;
+    }
+    seen.each(report, &mut |number, record| Section { words, check: &made(number, record)? }.write(out))?;
+    if seen.has_annex {
+        seen.each(report, &mut |number, record| {
+            if record.measurement.contacts.len() <= CONTACTS_IN_CHECK {
+                return Ok(());
+            }
+            Annex { words, check: &made(number, record)? }.write(out)
+        })?;
+    }
+    Foot { words, inspector: report.inspector.as_deref().unwrap_or_default() }.write(out)
 }
 
 /// The text without what a page must not contain: control characters, and marks that change the direction of writing
@@ -140,7 +275,7 @@ fn printable(page: &str) -> String {
     page.chars().map(|c| if hidden(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 
-fn head(report: &Report, words: &Words) -> Vec<Entry> {
+fn entries(report: &Report, words: &Words) -> Vec<Entry> {
     let created = report.created.strftime(DATE).to_string();
     [
         ("report-part", report.part.as_ref()),
@@ -154,13 +289,14 @@ fn head(report: &Report, words: &Words) -> Vec<Entry> {
     .collect()
 }
 
-fn summary(records: &[Record], words: &Words) -> Summary {
+fn summary(seen: &Seen, words: &Words) -> Summary {
     let counts = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].into_iter().filter_map(|status| {
-        let count = records.iter().filter(|record| record.verdict.status() == status).count();
+        let count = Status::ALL.iter().position(|known| *known == status).and_then(|at| seen.counts.get(at));
+        let count = count.copied().unwrap_or_default();
         // Nothing is re-measured without a guard band, so a zero would only raise questions.
         (status != Status::ReMeasure || 0 < count).then(|| Count { word: words.told(&status), count })
     });
-    Summary { counts: counts.collect(), total: records.len() }
+    Summary { counts: counts.collect(), total: seen.total }
 }
 
 fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check> {

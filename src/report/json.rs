@@ -4,10 +4,12 @@
 //! Figures are numbers, contacts are arrays of x, y, z in millimetres, warnings are an array of sentences; missing
 //! values are null. A report also has its head: `title`, `created`, `program`, `part`, `order`, `inspector`, `notes`.
 
+use std::io::{self, Write};
+
 use serde::Serialize;
 
 use super::row::Row;
-use super::{RenderError, Rendering, Report};
+use super::{Checks, RenderError, Rendering, Report};
 use crate::journal::Record;
 use crate::words::Words;
 
@@ -17,12 +19,12 @@ pub const RENDERING: Rendering = Rendering { name: "json", endings: &["json"], r
 /// The version of the file's structure. What a reader knows of an older version stays where it is.
 pub const VERSION: u32 = 1;
 
+/// Everything before the checks.
 #[derive(Serialize)]
 struct File<'a> {
     version: u32,
     #[serde(flatten)]
     head: Option<Head<'a>>,
-    checks: Vec<Row>,
 }
 
 #[derive(Serialize)]
@@ -36,7 +38,7 @@ struct Head<'a> {
     notes: Vec<String>,
 }
 
-fn render_report(report: &Report, _words: &Words) -> Result<Vec<u8>, RenderError> {
+fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Result<()> {
     let head = Head {
         title: &report.title,
         created: report.created.to_string(),
@@ -46,12 +48,14 @@ fn render_report(report: &Report, _words: &Words) -> Result<Vec<u8>, RenderError
         inspector: report.inspector.as_deref(),
         notes: report.notes.iter().map(ToString::to_string).collect(),
     };
-    written(Some(head), &report.checks)
+    write(Some(head), &*report.checks, out)
 }
 
 /// The records as JSON, in their order.
 pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
-    written(None, records)
+    let mut bytes = Vec::new();
+    let written = write(None, &records, &mut bytes);
+    written.map(|()| bytes).map_err(|error| RenderError::writer("json", &error))
 }
 
 /// One record as an object with the CSV's names; missing values are left out.
@@ -67,9 +71,16 @@ pub fn object(record: &Record) -> Result<serde_json::Map<String, serde_json::Val
     Ok(object)
 }
 
-fn written(head: Option<Head<'_>>, records: &[Record]) -> Result<Vec<u8>, RenderError> {
-    let file = File { version: VERSION, head, checks: records.iter().map(Row::of).collect() };
-    let mut bytes = serde_json::to_vec_pretty(&file).map_err(|error| RenderError::writer("json", &error))?;
-    bytes.push(b'\n');
-    Ok(bytes)
+/// Writes the file check by check, indented as `serde_json` does it.
+fn write(head: Option<Head<'_>>, checks: &dyn Checks, out: &mut dyn Write) -> io::Result<()> {
+    let head = serde_json::to_string_pretty(&File { version: VERSION, head })?;
+    write!(out, "{},\n  \"checks\": [", head.strip_suffix("\n}").unwrap_or(&head))?;
+    let mut is_first = true;
+    checks.each(&mut |record| {
+        let comma = if std::mem::take(&mut is_first) { "" } else { "," };
+        // A text has its own line ends escaped.
+        let check = serde_json::to_string_pretty(&Row::of(record))?.replace('\n', "\n    ");
+        write!(out, "{comma}\n    {check}")
+    })?;
+    out.write_all(if is_first { b"]\n}\n" } else { b"\n  ]\n}\n" })
 }

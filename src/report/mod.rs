@@ -22,7 +22,9 @@ mod picture;
 mod row;
 pub mod text;
 
+use std::io::{self, Write};
 use std::path::Path;
+use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
@@ -33,7 +35,7 @@ use crate::words::Words;
 /// What an inspection report says.
 ///
 /// The language is not part of it: it comes in with the [`Words`] of a rendering.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Report {
     /// Title; when empty, the language's own word for an inspection report.
     pub title: String,
@@ -48,14 +50,42 @@ pub struct Report {
     /// Who inspected.
     pub inspector: Option<String>,
     /// The checks, in the order of the report.
-    pub checks: Vec<Record>,
+    pub checks: Arc<dyn Checks>,
     /// Errors and warnings: nothing is left out in silence.
     pub notes: Vec<Message>,
 }
 
+/// The checks of a report, one after the other, as often as a rendering asks for them: a report of many checks is
+/// written without all of them in memory.
+pub trait Checks: std::fmt::Debug + Send + Sync {
+    /// Shows every check in order, up to the first error.
+    ///
+    /// # Errors
+    /// The error of what it was shown to.
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()>;
+}
+
+impl Checks for &[Record] {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        self.iter().try_for_each(see)
+    }
+}
+
+impl Checks for Vec<Record> {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        self.iter().try_for_each(see)
+    }
+}
+
+impl Checks for Vec<Arc<Record>> {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        self.iter().try_for_each(|record| see(record))
+    }
+}
+
 impl Report {
     /// A report of the given checks, made by this version of Fitcheck; all else is empty.
-    pub fn new(created: DateTime, checks: Vec<Record>) -> Self {
+    pub fn new(created: DateTime, checks: impl Checks + 'static) -> Self {
         Self {
             title: String::new(),
             created,
@@ -63,21 +93,36 @@ impl Report {
             part: None,
             order: None,
             inspector: None,
-            checks,
+            checks: Arc::new(checks),
             notes: Vec::new(),
         }
     }
 }
 
-/// One way to turn a report into bytes.
+/// One way to write a report.
 #[derive(Debug, Clone, Copy)]
 pub struct Rendering {
     /// Its name on the command line.
     pub name: &'static str,
     /// Endings of its files without the point, the usual one first.
     pub endings: &'static [&'static str],
-    /// Makes the file. Machine-readable renderings do not use the words.
-    pub render: fn(&Report, &Words) -> Result<Vec<u8>, RenderError>,
+    /// Writes the file check by check. Machine-readable renderings do not use the words.
+    ///
+    /// # Errors
+    /// The stream's own; what was written until then is no report.
+    pub render: fn(&Report, &Words, &mut dyn Write) -> io::Result<()>,
+}
+
+impl Rendering {
+    /// The file in memory.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the writer of the format fails.
+    pub fn bytes(&self, report: &Report, words: &Words) -> Result<Vec<u8>, RenderError> {
+        let mut bytes = Vec::new();
+        (self.render)(report, words, &mut bytes).map_err(|error| RenderError::writer(self.name, &error))?;
+        Ok(bytes)
+    }
 }
 
 /// Every rendering: a new one is a line here.

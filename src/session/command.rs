@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use super::check::CheckCommand;
 use super::cycles::CyclesCommand;
 use super::field::Field;
-use super::files::{FilesCommand, Launch};
+use super::files::{Content, FilesCommand, Launch};
 use super::fit::FitCommand;
 use super::history::ListCommand;
 use super::program::ProgramCommand;
@@ -241,9 +241,9 @@ pub enum Effect {
     /// [`FilesCommand::Seen`]; a folder in place of a file is only told by [`FilesCommand::IsFolder`].
     Read(Purpose, PathBuf),
     /// Write a file that does not exist yet and send [`Command::Saved`].
-    Save(PathBuf, Vec<u8>),
+    Save(PathBuf, Content),
     /// Write a file over another one and send [`Command::Saved`].
-    Replace(PathBuf, Vec<u8>),
+    Replace(PathBuf, Content),
     /// Start the program for a file and send [`FilesCommand::Launched`].
     Launch(PathBuf, Launch),
     /// Close the window.

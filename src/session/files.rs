@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `command` | what can be done |
+//! | `content` | what a file gets |
 //! | `dialog` | the open dialog: its path, its list, its question |
 //! | `folder_list` | the list of a folder |
 //! | `kinds` | kinds of files, their endings, and what a file is opened for |
@@ -10,6 +11,7 @@
 //! | `places` | last folders and recent files |
 
 mod command;
+mod content;
 mod dialog;
 mod folder_list;
 mod kinds;
@@ -22,6 +24,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 pub use command::{Fate, FilesCommand, Launch};
+pub use content::Content;
 pub use dialog::Dialog;
 pub use folder_list::FolderList;
 pub use kinds::{HEAD, OpenError};
@@ -166,32 +169,32 @@ impl Session {
         if path.as_os_str().is_empty() {
             return Err(Message::new("dialog-no-path"));
         }
-        let bytes = match purpose {
+        let content: Content = match purpose {
             Purpose::OpenTable if !self.tables.settle_cell(&mut self.shared) => {
                 return Err(Message::new("tables-cell-unreadable"));
             }
-            Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?,
+            Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?.into(),
             Purpose::Export(format) => self.export(format, now)?,
-            Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?,
+            Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?.into(),
             Purpose::SaveCycleLog => {
                 let log = self.cycles.log().ok_or_else(|| Message::new("cycles-no-log"))?;
-                log.bytes.clone()
+                log.bytes.clone().into()
             }
             Purpose::ExportStatus => {
                 let text = self.check.status_text().ok_or_else(|| Message::new("dialog-no-status"))?;
-                text.as_bytes().to_vec()
+                text.as_bytes().to_vec().into()
             }
             _ => return Ok(Effect::Read(purpose, path)),
         };
-        Ok(Effect::Save(path, bytes))
+        Ok(Effect::Save(path, content))
     }
 
-    /// The chosen records, or all of them when none is chosen, as a file's bytes.
-    fn export(&self, format: usize, now: DateTime) -> Result<Vec<u8>, Message> {
+    /// The chosen records, or all of them when none is chosen, as a report.
+    fn export(&self, format: usize, now: DateTime) -> Result<Content, Message> {
         let Some(rendering) = RENDERINGS.get(format) else { return Err(Message::new("dialog-no-path")) };
-        let records: Vec<Record> = self.shared.history.for_report().map(|record| record.as_ref().clone()).collect();
-        let words = Words::new(self.shared.language);
-        (rendering.render)(&Report::new(now, records), &words).map_err(|error| error.message())
+        let records: Vec<Arc<Record>> = self.shared.history.for_report().map(Arc::clone).collect();
+        let report = Box::new(Report::new(now, records));
+        Ok(Content::Report { report, rendering, language: self.shared.language })
     }
 
     pub(super) fn close(&mut self) {

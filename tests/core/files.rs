@@ -2,9 +2,12 @@
 
 use std::path::Path;
 
+use fitcheck::control::mask::FileUse;
 use fitcheck::files::{
-    FileError, LARGEST, list, list_up_to, make_folder, read, read_head, save, set_aside, write, write_folder, write_new,
+    FileError, Folders, LARGEST, list, list_up_to, make_folder, read, read_head, save, save_with, set_aside, write,
+    write_folder, write_new, write_with,
 };
+use fitcheck::nc::machine::{NcPath, Store as _};
 
 #[test]
 fn a_written_file_is_whole_and_leaves_nothing_beside_it() {
@@ -168,4 +171,46 @@ fn the_beginning_of_a_file_is_enough_to_know_it() {
     let path = folder.path().join("part.csv");
     write(&path, b"id,callout").unwrap();
     assert_eq!((read_head(&path, 2).unwrap(), read_head(&path, 99).unwrap()), (b"id".to_vec(), b"id,callout".to_vec()));
+}
+
+#[test]
+fn a_file_that_is_written_piece_by_piece_is_whole_or_not_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("report.csv");
+    write_with(&path, &mut |out| (0..3).try_for_each(|number| write!(out, "{number}"))).unwrap();
+    assert_eq!(read(&path).unwrap(), b"012");
+    let failed = write_with(&path, &mut |out| {
+        out.write_all(b"half")?;
+        Err(std::io::Error::other("no more"))
+    });
+    assert!(matches!(failed, Err(FileError::System { reason, .. }) if reason == "no more"));
+    assert_eq!(
+        save_with(&path, false, &mut |out| out.write_all(b"new")),
+        Err(FileError::Exists { path: path.clone() })
+    );
+    assert_eq!(read(&path).unwrap(), b"012");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn a_folder_is_listed_once_however_often_a_run_looks_for_files_in_it() {
+    let folder = tempfile::tempdir().unwrap();
+    for number in 0..300 {
+        write(&folder.path().join(format!("{number}.txt")), b"x").unwrap();
+    }
+    let mut store = Folders::new().writing(folder.path());
+    let missing = NcPath::new(&format!(r"TNC:\{}none.a", r"a\".repeat(120))).unwrap();
+    for _ in 0..20 {
+        assert!(store.read(&missing).is_err());
+    }
+    assert_eq!(store.listed(), 1);
+    // What the run itself writes is found by its exact name and in any other case, and nothing is listed again.
+    let own = NcPath::new(r"TNC:\Own.txt").unwrap();
+    for number in 0..20 {
+        store.write(&own, b"x", FileUse::Append).unwrap();
+        assert_eq!(store.read(&own).unwrap().len(), number + 1);
+        assert_eq!(store.read(&NcPath::new(r"TNC:\OWN.TXT").unwrap()).unwrap().len(), number + 1);
+        assert!(store.read(&missing).is_err());
+    }
+    assert_eq!(store.listed(), 1);
 }

@@ -337,7 +337,8 @@ fn budgets_have_a_fault_each() {
         let mut with = settings();
         change(&mut with.budget);
         let mask = "\"%S\", QS1;\n";
-        let store = InMemory::new().with("m.a", mask);
+        let store = InMemory::new().with("m.a", mask).with("one.tab", TABLE).with("two.tab", TABLE);
+        let store = store.with("full.a", "M_APPEND_MAX0;\n\"%S\", QS1;\n");
         let mut machine =
             Machine::new(r"TNC:\main.h", program(text(blocks).as_bytes()), store, Contacts::Perfect, with);
         machine.set(Parameter::qs(1), Value::Text("x".repeat(100))).unwrap();
@@ -363,6 +364,21 @@ fn budgets_have_a_fault_each() {
     let print = forever("FN 16: F-PRINT m.a / out.txt");
     assert_eq!(kind(&print, |budget| budget.outputs = 3), UsedUp::Outputs(3).into());
     assert_eq!(kind(&print, |budget| budget.traffic = 1_000), UsedUp::Traffic(1_000).into());
+    // Only a file that takes no text any more is printed to in vain, and that is counted, too.
+    let print = forever("FN 16: F-PRINT full.a / out.txt");
+    assert_eq!(kind(&print, |budget| budget.outputs = 3), UsedUp::Outputs(3).into());
+    let elsewhere = |path: &str| {
+        forever(&format!("QS2 = TOCHAR ( DAT+Q1 )\nQS2 = {path}\nFN 16: F-PRINT m.a / :'QS2'\nQ1 = Q1 + 1"))
+    };
+    let files = elsewhere("QS2 || \".txt\"");
+    assert_eq!(kind(&files, |budget| budget.output_files = 3), UsedUp::OutputFiles(3).into());
+    let folders = elsewhere("QS2 || \"\\out.txt\"");
+    assert_eq!(kind(&folders, |budget| budget.folders = 3), UsedUp::Folders(3).into());
+    // Folders on the way count, too.
+    assert_eq!(kind(r"FN 16: F-PRINT m.a / a\b\c\out.txt", |budget| budget.folders = 2), UsedUp::Folders(2).into());
+    let change = |table: &str| format!("FN 26: TABOPEN {table}.tab\nFN 27: TABWRITE 0/\"H7\" = Q1");
+    let change = forever(&format!("{}\n{}", change("one"), change("two")));
+    assert_eq!(kind(&change, |budget| budget.table_writes = 3), UsedUp::TableWrites(3).into());
     let step = forever("L IX+1 Y+0 Z+0 R0 FMAX");
     let step = format!("L X+0 Y+0 Z+0\n{step}");
     assert_eq!(kind(&step, |budget| budget.path = 10), UsedUp::Path(10).into());
@@ -880,6 +896,9 @@ const SMALL: Budget = Budget {
     text: 255,
     windows: 20,
     outputs: 20,
+    output_files: 3,
+    folders: 3,
+    table_writes: 5,
     output_bytes: 10_000,
     cycles: 20,
     path: 500,

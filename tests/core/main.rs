@@ -45,6 +45,7 @@ mod masks;
 mod materials;
 mod measured_contacts;
 mod measurements;
+mod memory;
 mod nc_cli;
 mod nc_paths;
 mod nc_plans;

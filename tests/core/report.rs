@@ -2,11 +2,14 @@
 
 #![cfg(test)]
 
+use std::io::Write;
+
 use fitcheck::journal::Record;
 use fitcheck::length::Length;
 use fitcheck::message::Message;
 use fitcheck::probing::{Circle, Contact, Measurement, Origin};
-use fitcheck::report::{RENDERINGS, Report};
+use fitcheck::report::html::MOST_CHECKS;
+use fitcheck::report::{Checks, RENDERINGS, Report};
 use fitcheck::tolerance::{Callout, Deviations, Limits, Source};
 use fitcheck::verdict::{AxisPosition, PositionVerdict, doubt, judge};
 use fitcheck::words::{Language, Words};
@@ -77,10 +80,96 @@ fn report(checks: Vec<Record>) -> Report {
 
 fn html(report: &Report, language: Language) -> String {
     let rendering = RENDERINGS.iter().find(|rendering| rendering.name == "html").unwrap();
-    let page = String::from_utf8((rendering.render)(report, &Words::new(language)).unwrap()).unwrap();
+    let page = String::from_utf8(rendering.bytes(report, &Words::new(language)).unwrap()).unwrap();
     check_well_formed(&page);
     // Lines are broken between tags, where that has no meaning.
     page.replace('\n', "")
+}
+
+#[test]
+fn a_page_lists_what_is_not_good_where_all_checks_are_too_many() {
+    let page = |count: usize, bad: usize| {
+        let checks = (0..count).map(|n| bore(&format!("N{n}."), if n < bad { "24.998" } else { "25.012" }));
+        html(&report(checks.collect()), Language::En)
+    };
+    let listed = |page: &str| page.matches("<section class=\"check\"").count();
+    let whole = page(MOST_CHECKS, 1);
+    assert_eq!((listed(&whole), whole.contains("This page lists")), (MOST_CHECKS, false));
+    let some = page(MOST_CHECKS + 1, 3);
+    assert_eq!(listed(&some), 3);
+    for text in [
+        "This page lists only the 3 of 2001 checks that are not good or in doubt.",
+        "<td>1998</td>",
+        "<td>2001</td>",
+        "id=\"check-3\"",
+        "N2.",
+    ] {
+        assert!(some.contains(text), "{text}");
+    }
+    assert!(!some.contains("N3."));
+    let many = page(MOST_CHECKS + 2, MOST_CHECKS + 1);
+    assert_eq!(listed(&many), MOST_CHECKS);
+    assert!(many.contains("only the first 2000 of 2001 checks that are not good or in doubt, out of 2002 checks"));
+    let good = page(MOST_CHECKS + 1, 0);
+    assert_eq!(listed(&good), 0);
+    assert!(good.contains("None of the 2001 checks is listed on this page: all are good"));
+}
+
+/// Checks that are made when they are asked for, and never all of them.
+#[derive(Debug)]
+struct Made(usize);
+
+impl Checks for Made {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> std::io::Result<()>) -> std::io::Result<()> {
+        (0..self.0).try_for_each(|number| see(&bore(&number.to_string(), "24.998")))
+    }
+}
+
+/// A stream that keeps nothing: how much was written to it, and the largest piece.
+#[derive(Default)]
+struct Measured {
+    all: usize,
+    largest: usize,
+}
+
+impl Write for Measured {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.all += bytes.len();
+        self.largest = self.largest.max(bytes.len());
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_report_is_written_check_by_check() {
+    let report = Report::new(date(2026, 11, 21).at(11, 0, 0, 0), Made(1_500));
+    for rendering in RENDERINGS {
+        let mut out = Measured::default();
+        (rendering.render)(&report, &Words::new(Language::Nl), &mut out).unwrap();
+        assert!(200_000 < out.all && out.largest < 30_000, "{}: {}, {}", rendering.name, out.all, out.largest);
+    }
+}
+
+#[test]
+fn an_error_of_the_stream_stays_what_it_is() {
+    struct Closed;
+    impl Write for Closed {
+        fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {
+            Err(std::io::ErrorKind::BrokenPipe.into())
+        }
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+    for rendering in RENDERINGS {
+        let report = report(vec![bore("A", "25.012"), bore("B", "25.012")]);
+        let error = (rendering.render)(&report, &Words::new(Language::En), &mut Closed).unwrap_err();
+        assert_eq!(error.kind(), std::io::ErrorKind::BrokenPipe, "{}", rendering.name);
+    }
 }
 
 /// Every element is closed where it was opened, every attribute is quoted, every `&` begins an entity.
@@ -300,7 +389,7 @@ fn no_checks_at_all_is_said() {
 fn every_rendering_is_the_same_every_time() {
     let report = report(vec![bore("Bore A", "25.012"), stud(20)]);
     for rendering in RENDERINGS {
-        let once = || (rendering.render)(&report, &Words::new(Language::Nl)).unwrap();
+        let once = || rendering.bytes(&report, &Words::new(Language::Nl)).unwrap();
         assert_eq!(once(), once(), "{}", rendering.name);
     }
 }

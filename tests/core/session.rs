@@ -404,11 +404,11 @@ fn a_script_of_commands_gives_the_same_report_as_the_command_line() {
     for (number, rendering) in RENDERINGS.iter().enumerate() {
         let path = Command::TypePath(format!("report.{}", rendering.name));
         let effects = run(&mut session, [Command::OpenDialog(Purpose::Export(number)), path, Command::Confirm]);
-        let Some(Effect::Save(_, bytes)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
+        let Some(Effect::Save(_, content)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
         let output = cargo_bin_cmd!("fitcheck").args(&arguments).arg(rendering.name).output().unwrap();
         assert_eq!(output.status.code(), Some(11));
         let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-        assert_eq!(text(bytes), text(&output.stdout), "{}", rendering.name);
+        assert_eq!(text(&content.bytes().unwrap()), text(&output.stdout), "{}", rendering.name);
         run(&mut session, [Command::Close]);
     }
 }
@@ -422,8 +422,8 @@ fn only_chosen_checks_are_exported() {
     let dialog = Command::OpenDialog(Purpose::Export(csv));
     let effects =
         run(&mut session, [Command::Check(CheckCommand::Choose(RecordId(1), true)), dialog, Command::Confirm]);
-    let Some(Effect::Save(path, bytes)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
-    let text = String::from_utf8(bytes.clone()).unwrap();
+    let Some(Effect::Save(path, content)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
+    let text = String::from_utf8(content.bytes().unwrap()).unwrap();
     assert_eq!((path.to_str(), text.lines().count()), (Some("25H7-2026-11-21.csv"), 2));
     assert!(text.contains("24.998") && !text.contains("25.012"));
     let saved = answered(&session, Command::Saved { path: path.clone(), result: Ok(()) });

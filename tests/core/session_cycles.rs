@@ -228,9 +228,9 @@ fn the_measuring_log_is_shown_or_saved_as_q281_asks() {
     assert_eq!(session.cycles().log().unwrap().shown, None);
     apply(&mut session, Command::OpenDialog(Purpose::SaveCycleLog));
     let effects = apply(&mut session, Command::Confirm);
-    let Some(Effect::Save(path, bytes)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
+    let Some(Effect::Save(path, content)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
     assert_eq!(path.display().to_string(), "TCHPR427.TXT");
-    let logs = fitcheck::control::log::read(bytes);
+    let logs = fitcheck::control::log::read(&content.bytes().unwrap());
     let [Ok(log)] = logs.as_slice() else { panic!("{logs:?}") };
     assert_eq!(log.date, Some(jiff::civil::date(2026, 11, 21)));
     let [found] = log.figures[..] else { panic!("{log:?}") };
@@ -248,9 +248,9 @@ fn the_workpiece_is_saved_and_opened_as_a_file() {
     send(&mut session, WorkpieceCommand::Type(WorkpieceField::Diameter, "25.012".into()));
     apply(&mut session, Command::OpenDialog(Purpose::SaveWorkpiece));
     let effects = apply(&mut session, Command::Confirm);
-    let Some(Effect::Save(path, bytes)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
+    let Some(Effect::Save(path, content)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
     assert_eq!(path.display().to_string(), "workpiece.toml");
-    let bench = Simulation::read(std::str::from_utf8(bytes).unwrap()).unwrap();
+    let bench = Simulation::read(std::str::from_utf8(&content.bytes().unwrap()).unwrap()).unwrap();
     assert_eq!(Some(&bench), session.workpiece().simulation());
     let mut other = with(421, &[]);
     apply(&mut other, Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Workpiece)));

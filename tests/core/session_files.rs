@@ -308,8 +308,8 @@ fn a_file_that_exists_is_only_replaced_when_the_user_says_so() {
     assert_eq!(send(&mut session, Command::Confirm), [], "the question comes first");
     assert!(!session.can(Action::Browse) && session.can(Action::KeepFile));
     let effects = send(&mut session, FilesCommand::Replace(true));
-    let Some(Effect::Replace(path, bytes)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
-    assert!(path == Path::new("/tmp/x.csv") && String::from_utf8_lossy(bytes).contains("25.012"));
+    let Some(Effect::Replace(path, content)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
+    assert!(path == Path::new("/tmp/x.csv") && String::from_utf8_lossy(&content.bytes().unwrap()).contains("25.012"));
     for keep in [Command::from(FilesCommand::Replace(false)), Command::Close] {
         let mut session = asked();
         assert_eq!(send(&mut session, keep), []);

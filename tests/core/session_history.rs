@@ -236,9 +236,9 @@ fn every_rendering_exports_only_the_bad_once_they_are_chosen() {
             Command::Confirm,
         ];
         let effects = run(&mut session, export);
-        let Some(Effect::Save(path, bytes)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
+        let Some(Effect::Save(path, content)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
         assert_eq!(path.file_stem(), Some("bad".as_ref()), "{}", path.display());
-        let text = String::from_utf8(bytes.clone()).unwrap();
+        let text = String::from_utf8(content.bytes().unwrap()).unwrap();
         let has = ["24.998", "39.9", "25.012"].map(|measured| text.contains(measured));
         assert_eq!(has, [true, true, false], "{}", rendering.name);
     }

@@ -271,8 +271,8 @@ fn save(session: &mut Session, format: usize, path: &str) -> Option<Vec<u8>> {
     session.apply(Command::OpenDialog(Purpose::SaveTable(format)), now());
     session.apply(Command::TypePath(path.to_owned()), now());
     let effects = session.apply(Command::Confirm, now());
-    let Some(Effect::Save(path, bytes)) = effects.first().map(Effect::errand) else { return None };
-    let (path, bytes): (PathBuf, Vec<u8>) = (path.clone(), bytes.clone());
+    let Some(Effect::Save(path, content)) = effects.first().map(Effect::errand) else { return None };
+    let (path, bytes): (PathBuf, Vec<u8>) = (path.clone(), content.bytes().unwrap());
     let number = session.dialog()?.number;
     session.apply(Command::Answered(number, Box::new(Command::Saved { path, result: Ok(()) })), now());
     Some(bytes)

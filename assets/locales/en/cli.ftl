@@ -44,6 +44,7 @@ cli-format-ending = { $path }: a file of format { $format } ends in .{ $endings 
 cli-several-tables = a control table is one file: name one table, or classes of one feature
 cli-report-format = --format { $format } does not fit the ending of { $file }: leave one of them out
 cli-report-empty = no check was usable, so no report was written
+cli-inputs-too-large = the inputs of a cycle have at most { $most } KiB
 cli-not-an-object = the inputs must be a JSON object such as {"{"}"Q263": 35{"}"}: { $error }
 cli-not-an-input = { $name } = { $value }: expected a number or a text
 cli-given-twice = { $name } is given twice
@@ -72,6 +73,7 @@ cli-remark-simulated = simulated: nothing was measured
 cli-remark-remove = remove { $limit } mm to the nearest limit, { $middle } mm to the middle of the zone
 cli-remark-refused = { $refused } of { $asked } callouts refused
 cli-remark-no-pair = no pair fits; the nearest is { $nearest }
+cli-remark-trace-ends = the trace ends here, after { $blocks } blocks
 cli-remark-clearance-height = the clearance height is { $height } mm: --clearance-height changes it
 
 # Warnings

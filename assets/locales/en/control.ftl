@@ -19,6 +19,7 @@ mask-not-finite = { $name } is not a finite number
 # Measuring logs
 log-empty = the file is empty
 log-no-log = not a measuring log: no title line with the number of a measuring cycle
+log-too-long = the log has more than { $lines } lines, or a line of more than { $bytes } bytes
 log-no-title = the log has no title line, so its cycle is unknown
 log-other-cycle = logs of cycle { $cycle } are not read, only those of { $known }
 log-unit = type of dimension { $given } is neither 0 (mm) nor 1 (inch)
@@ -131,6 +132,7 @@ block-no-value = { $key } has no value
 block-twice = { $key } is given twice, first on line { $first }
 block-unclosed-quote = a quotation mark is not closed
 block-behind-end = { $given } comes after the end of the block: every line but the last ends with ~
+block-too-many-parts = the line has more than { $most } parts between ~
 block-cut-off = the block ends with ~, so a line is missing: it may be cut off
 block-reference = { $key } = { $given }: the value of { $given } is known only while a program runs
 block-not-writable = { $key } = { $given }: a text in a block cannot contain quotation marks or line ends

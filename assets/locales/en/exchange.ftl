@@ -19,6 +19,7 @@ exchange-role-simulated = whether it is simulated
 exchange-unit = unknown unit { $unit }: use mm, µm or inch
 exchange-row-short = expected { $expected } cells, found { $found }
 exchange-row-long = expected { $expected } cells, found { $found }: is the separator also used as decimal sign or within a text?
+exchange-row-too-long = the row is longer than { $most } KiB
 exchange-open-quote = a quotation mark is not closed on this line
 exchange-callout = callout: { $reason }
 exchange-nominal = nominal size: { $reason }
@@ -49,6 +50,8 @@ contacts-no-columns = the header must name x and y, and may name z; it is { $giv
 contacts-twice = columns { $first } and { $second } are both { $name }
 contacts-cells = expected { $wanted } cells, found { $cells }: { $given }
 contacts-not-a-number = { $name } is { $given }, not a number of millimetres
+contacts-row-too-long = the row is longer than { $most } KiB
+contacts-too-many = the file has more than { $most } contacts
 contacts-open-quote = a quotation mark is not closed
 contacts-mixed-signs = { $given } has a different decimal sign than the rows before it
 

@@ -2,7 +2,7 @@
 
 ## Paths and files
 machine-path-empty = the path is empty
-machine-path-too-long = the path has more than { $most } characters
+machine-path-too-long = the path has more than { $most } characters, which a control does not take
 machine-path-other-root = { $path } is neither a path on TNC: nor a path from the program's folder
 machine-path-leads-out = { $path } leads out of the folder
 machine-path-no-name = { $name } in { $path } is not a name for a file or folder
@@ -21,6 +21,9 @@ machine-used-label-calls = nesting limit of { $most } label calls reached: does 
 machine-used-program-calls = nesting limit of { $most } program calls reached: does the program call itself?
 machine-used-windows = limit of { $most } windows reached
 machine-used-outputs = limit of { $most } file outputs reached
+machine-used-output-files = limit of { $most } output files reached
+machine-used-folders = limit of { $most } folders for output files reached
+machine-used-table-writes = limit of { $most } writes of changed tables reached
 machine-used-output = limit of { $most } printed bytes reached
 machine-used-cycles = limit of { $most } measurements reached
 machine-used-path = limit of { $most } moves reached

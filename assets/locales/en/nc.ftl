@@ -2,6 +2,7 @@
 ## Plans
 nc-no-features = the plan has no feature
 nc-too-many = the plan has more than { $most } features
+nc-too-large = a plan has at most { $most } KiB
 nc-no-column = column { $column } is missing
 nc-unknown-column = unknown column { $column }: the columns are { $known }
 nc-column-twice = column { $column } occurs twice

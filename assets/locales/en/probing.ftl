@@ -112,6 +112,7 @@ remark-no-tolerance = { $key } is not a tolerance: nothing is judged
 
 ## The simulated machine
 workpiece-file-toml = line { $line }: { $said }
+workpiece-file-too-large = a workpiece file has at most { $most } KiB
 workpiece-file-not-one = the file has { $found } of { $tables }: it needs exactly one
 workpiece-file-cannot-be = line { $line }: { $error }
 

@@ -43,6 +43,9 @@ report-created = Created
 report-program = Program
 report-notes = Skipped rows and warnings
 report-no-checks = This report has no checks.
+report-page-all-good = None of the { $total } checks is listed on this page: all are good and none is in doubt. A CSV or JSON report lists every check.
+report-page-not-good = This page lists only the { $listed } of { $total } checks that are not good or in doubt. The counts include every check; a CSV or JSON report lists them all.
+report-page-first = This page lists only the first { $listed } of { $wanted } checks that are not good or in doubt, out of { $total } checks. The counts include every check; a CSV or JSON report lists them all.
 report-total = Total
 report-check = Check
 report-id = Name
@@ -76,3 +79,7 @@ report-footer = Each verdict is based on unrounded values and on the limits and 
 ## Notes
 report-note = { $place }: { $what }
 report-note-line = { $place }, line { $line }: { $what }
+report-note-more = { $count ->
+    [one] one more is not listed here
+   *[other] { $count } more are not listed here
+}

@@ -44,6 +44,7 @@ cli-format-ending = { $path }: een bestand in formaat { $format } eindigt op .{ 
 cli-several-tables = een besturingstabel is één bestand: noem één tabel, of klassen voor alleen boringen of alleen assen
 cli-report-format = --format { $format } past niet bij de extensie van { $file }: laat een van beide weg
 cli-report-empty = geen enkele controle was bruikbaar, dus er is geen rapport geschreven
+cli-inputs-too-large = de invoer van een cyclus heeft hoogstens { $most } KiB
 cli-not-an-object = de invoer moet een JSON-object zijn, zoals {"{"}"Q263": 35{"}"}: { $error }
 cli-not-an-input = { $name } = { $value }: een getal of een tekst verwacht
 cli-given-twice = { $name } is twee keer opgegeven
@@ -72,6 +73,7 @@ cli-remark-simulated = gesimuleerd: er is niets gemeten
 cli-remark-remove = { $limit } mm verspanen tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van het tolerantieveld
 cli-remark-refused = { $refused } van { $asked } passingen geweigerd
 cli-remark-no-pair = geen enkele passing voldoet; de dichtstbijzijnde is { $nearest }
+cli-remark-trace-ends = de lijst van uitgevoerde NC-regels eindigt hier, na { $blocks } regels
 cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die met --clearance-height
 
 # Waarschuwingen

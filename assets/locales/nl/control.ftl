@@ -19,6 +19,7 @@ mask-not-finite = { $name } is geen eindig getal
 # Meetprotocollen
 log-empty = het bestand is leeg
 log-no-log = geen meetprotocol: geen titelregel met het nummer van een meetcyclus
+log-too-long = het meetprotocol heeft meer dan { $lines } regels, of een regel van meer dan { $bytes } bytes
 log-no-title = het meetprotocol heeft geen titelregel: de cyclus is onbekend
 log-other-cycle = meetprotocollen van cyclus { $cycle } worden niet gelezen, alleen die van { $known }
 log-unit = maateenheid { $given } is geen 0 (mm) en geen 1 (inch)
@@ -131,6 +132,7 @@ block-no-value = { $key } heeft geen waarde
 block-twice = { $key } is twee keer opgegeven, eerst op regel { $first }
 block-unclosed-quote = een aanhalingsteken is niet gesloten
 block-behind-end = { $given } staat na het einde van de NC-regel: elke tekstregel behalve de laatste eindigt op ~
+block-too-many-parts = de tekstregel heeft meer dan { $most } delen tussen ~
 block-cut-off = de NC-regel eindigt op ~, dus er ontbreekt een tekstregel: misschien is hij afgekapt
 block-reference = { $key } = { $given }: de waarde van { $given } is alleen bekend terwijl een programma loopt
 block-not-writable = { $key } = { $given }: een tekst in een NC-regel mag geen aanhalingstekens of regeleinden bevatten

@@ -19,6 +19,7 @@ exchange-role-simulated = of de meting gesimuleerd is
 exchange-unit = onbekende eenheid { $unit }: gebruik mm, µm of inch
 exchange-row-short = { $expected } cellen verwacht, { $found } gevonden
 exchange-row-long = { $expected } cellen verwacht, { $found } gevonden: is het scheidingsteken ook decimaalteken, of staat het in een tekst?
+exchange-row-too-long = de rij is langer dan { $most } KiB
 exchange-open-quote = een aanhalingsteken is op deze regel niet gesloten
 exchange-callout = passing: { $reason }
 exchange-nominal = nominale maat: { $reason }
@@ -49,6 +50,8 @@ contacts-no-columns = de kopregel moet x en y noemen en mag z noemen; er staat {
 contacts-twice = kolommen { $first } en { $second } zijn allebei { $name }
 contacts-cells = { $wanted } cellen verwacht, { $cells } gevonden: { $given }
 contacts-not-a-number = { $name } is { $given }, geen getal in millimeters
+contacts-row-too-long = de rij is langer dan { $most } KiB
+contacts-too-many = het bestand heeft meer dan { $most } meetpunten
 contacts-open-quote = een aanhalingsteken is niet gesloten
 contacts-mixed-signs = { $given } heeft een ander decimaalteken dan de rijen ervoor
 

@@ -2,7 +2,7 @@
 
 ## Paden en bestanden
 machine-path-empty = het pad is leeg
-machine-path-too-long = het pad heeft meer dan { $most } tekens
+machine-path-too-long = het pad heeft meer dan { $most } tekens: zo lang mag het op een besturing niet zijn
 machine-path-other-root = { $path } is geen pad op TNC: en geen pad vanuit de map van het programma
 machine-path-leads-out = { $path } leidt buiten de map
 machine-path-no-name = { $name } in { $path } is geen naam voor een bestand of map
@@ -21,6 +21,9 @@ machine-used-label-calls = { $most } aanroepen van labels diep genest, de grens 
 machine-used-program-calls = { $most } aanroepen van programma's diep genest, de grens is bereikt: roept het programma zichzelf aan?
 machine-used-windows = de grens van { $most } vensters is bereikt
 machine-used-outputs = de grens van { $most } uitvoeren naar een bestand is bereikt
+machine-used-output-files = de grens van { $most } uitvoerbestanden is bereikt
+machine-used-folders = de grens van { $most } mappen voor uitvoerbestanden is bereikt
+machine-used-table-writes = gewijzigde tabellen zijn { $most } keer opgeslagen: de grens is bereikt
 machine-used-output = de grens van { $most } uitgevoerde bytes is bereikt
 machine-used-cycles = de grens van { $most } metingen is bereikt
 machine-used-path = de grens van { $most } bewegingen is bereikt

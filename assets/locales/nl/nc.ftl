@@ -2,6 +2,7 @@
 ## Plannen
 nc-no-features = het plan heeft geen element
 nc-too-many = het plan heeft meer dan { $most } elementen
+nc-too-large = een plan heeft hoogstens { $most } KiB
 nc-no-column = kolom { $column } ontbreekt
 nc-unknown-column = onbekende kolom { $column }: de kolommen zijn { $known }
 nc-column-twice = kolom { $column } komt twee keer voor

@@ -112,6 +112,7 @@ remark-no-tolerance = { $key } is geen tolerantie: er wordt niets beoordeeld
 
 ## The simulated machine
 workpiece-file-toml = regel { $line }: { $said }
+workpiece-file-too-large = een werkstukbestand heeft hoogstens { $most } KiB
 workpiece-file-not-one = het bestand heeft { $found } van { $tables }: precies één is nodig
 workpiece-file-cannot-be = regel { $line }: { $error }
 

@@ -43,6 +43,9 @@ report-created = Opgesteld
 report-program = Programma
 report-notes = Overgeslagen rijen en waarschuwingen
 report-no-checks = Dit rapport bevat geen controles.
+report-page-all-good = Op deze pagina staat geen van de { $total } controles: ze zijn allemaal goed en geen ervan is twijfelachtig. Een rapport als CSV of JSON bevat elke controle.
+report-page-not-good = Op deze pagina staan alleen de { $listed } van { $total } controles die niet goed of twijfelachtig zijn. De aantallen gelden voor alle controles; een rapport als CSV of JSON bevat ze allemaal.
+report-page-first = Op deze pagina staan alleen de eerste { $listed } van { $wanted } controles die niet goed of twijfelachtig zijn, van { $total } controles in totaal. De aantallen gelden voor alle controles; een rapport als CSV of JSON bevat ze allemaal.
 report-total = Totaal
 report-check = Controle
 report-id = Naam
@@ -76,3 +79,7 @@ report-footer = Elk oordeel berust op onafgeronde waarden en op de grensmaten en
 ## Notes
 report-note = { $place }: { $what }
 report-note-line = { $place }, regel { $line }: { $what }
+report-note-more = { $count ->
+    [one] nog één staat hier niet
+   *[other] nog { $count } staan hier niet
+}

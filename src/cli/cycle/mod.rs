@@ -46,6 +46,9 @@ fn codes() -> String {
     CYCLES.iter().map(|cycle| cycle.code).collect::<Vec<_>>().join(", ")
 }
 
+/// The largest JSON object of inputs in bytes: a real one has some hundred, and in memory it takes many times as many.
+const LARGEST_INPUTS: usize = 1 << 20;
+
 /// Everything that `fitcheck cycle` may be given.
 #[derive(Debug, clap::Args)]
 #[command(about = format!("Run a measuring cycle: {}", codes()), after_help = help())]
@@ -212,6 +215,9 @@ impl Args {
     fn with_json(&self, mut inputs: Inputs, path: &Path, io: &mut Io<'_>) -> Result<Inputs, CliError> {
         use serde_json::Value;
         let (name, bytes) = read_input(path, io)?;
+        if LARGEST_INPUTS < bytes.len() {
+            return Err(CliError::InputsTooLarge { most: LARGEST_INPUTS >> 10 }).about(&name);
+        }
         let read = serde_json::from_slice(&bytes);
         let json::Pairs(object) =
             read.map_err(|error| CliError::NotAnObject { error: error.to_string() }).about(&name)?;

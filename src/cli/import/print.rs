@@ -6,18 +6,23 @@ use std::fmt;
 use serde_json::{Number, Value as Json};
 
 use super::row::{COLUMNS, Row, Value};
+use crate::cli::answers::csv_line;
 use crate::cli::{CliError, Format, Io};
 use crate::length::{Length, Unit};
 use crate::report::columns::names;
-use crate::report::csv::cell;
 use crate::verdict::Status;
+
+/// How many rows decide how wide the columns of the text are; those after them are printed at once.
+const MEASURED: usize = 10_000;
+
+/// How wide a column becomes at most; a wider cell moves those after it.
+const WIDEST: usize = 200;
 
 /// Prints the rows of one file after another.
 pub(super) struct Printer {
     format: Format,
     is_first: bool,
-    /// The table of the text: its columns are as wide as their widest cell, so it is printed at the end.
-    table: Vec<[String; 9]>,
+    table: Table,
     summary: Summary,
 }
 
@@ -28,74 +33,97 @@ impl Printer {
             Format::Csv => writeln!(io.data(), "{}", names(&COLUMNS).join(","))?,
             Format::Json => write!(io.data(), "[")?,
         }
-        Ok(Self { format, is_first: true, table: Vec::new(), summary: Summary::default() })
+        Ok(Self { format, is_first: true, table: Table::default(), summary: Summary::default() })
     }
 
-    pub(super) fn file(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(super) fn row(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
-            Format::Text => {
-                self.text(rows, io);
-                Ok(())
-            }
-            Format::Csv => csv(rows, io),
-            Format::Json => self.json(rows, io),
+            Format::Text => self.text(row, io),
+            Format::Csv => csv_line(COLUMNS.map(|(_, value)| value(row).csv()), io),
+            Format::Json => self.json(row, io),
         }
     }
 
-    pub(super) fn end(&self, io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(super) fn end(&mut self, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
-            Format::Text => self.table(io),
+            Format::Text => {
+                self.table.print(io)?;
+                Ok(writeln!(io.people(), "{}", self.summary)?)
+            }
             Format::Csv => Ok(()),
             Format::Json => Ok(writeln!(io.data(), "{}]", if self.is_first { "" } else { "\n" })?),
         }
     }
 
-    /// Keeps the verdicts for the table; prints errors to standard error with their places.
-    fn text(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) {
-        for row in rows {
-            self.summary.count(&row);
-            let Some(line) = row.line else { continue };
-            for warning in &row.warnings {
-                io.tell(format_args!("{}:{line}: warning: {warning}", row.file));
-            }
-            if let Some(error) = &row.error {
-                let column = row.column.map_or(String::new(), |column| format!(":{column}"));
-                io.tell(format_args!("{}:{line}{column}: {error}", row.file));
-            }
-            if row.measured.is_some() {
-                self.table.push(cells(&row));
-            }
+    /// Puts the verdict into the table; prints errors to standard error with their places.
+    fn text(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
+        self.summary.count(row);
+        let Some(line) = row.line else { return Ok(()) };
+        for warning in &row.warnings {
+            io.tell(format_args!("{}:{line}: warning: {warning}", row.file));
         }
-    }
-
-    fn table(&self, io: &mut Io<'_>) -> Result<(), CliError> {
-        if !self.table.is_empty() {
-            let mut widths = HEADINGS.map(|heading| heading.chars().count());
-            for (width, cell) in self.table.iter().flat_map(|cells| (0..).zip(cells)) {
-                if let Some(width) = widths.get_mut(width) {
-                    *width = (*width).max(cell.chars().count());
-                }
-            }
-            line(&HEADINGS.map(str::to_owned), &widths, io)?;
-            for cells in &self.table {
-                line(cells, &widths, io)?;
-            }
+        if let Some(error) = &row.error {
+            let column = row.column.map_or(String::new(), |column| format!(":{column}"));
+            io.tell(format_args!("{}:{line}{column}: {error}", row.file));
         }
-        writeln!(io.people(), "{}", self.summary)?;
-        Ok(())
-    }
-
-    fn json(&mut self, rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
-        for row in rows {
-            // Written by hand, so that the names are in the order of the columns.
-            let members: Vec<String> =
-                COLUMNS.iter().map(|(name, value)| format!("\"{name}\":{}", value(&row).json())).collect();
-            let comma = if self.is_first { "" } else { "," };
-            self.is_first = false;
-            write!(io.data(), "{comma}\n  {{{}}}", members.join(","))?;
+        if row.measured.is_some() {
+            self.table.add(cells(row), io)?;
         }
         Ok(())
     }
+
+    fn json(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
+        // Written by hand, so that the names are in the order of the columns.
+        let members: Vec<String> =
+            COLUMNS.iter().map(|(name, value)| format!("\"{name}\":{}", value(row).json())).collect();
+        let comma = if self.is_first { "" } else { "," };
+        self.is_first = false;
+        write!(io.data(), "{comma}\n  {{{}}}", members.join(","))?;
+        Ok(())
+    }
+}
+
+/// The table of the text: its columns are as wide as their widest cell in the first rows.
+#[derive(Default)]
+struct Table {
+    /// Rows that are not printed yet.
+    waiting: Vec<[String; 9]>,
+    /// The widths, once a row is printed.
+    widths: Option<[usize; 9]>,
+}
+
+impl Table {
+    fn add(&mut self, cells: [String; 9], io: &mut Io<'_>) -> Result<(), CliError> {
+        if let Some(widths) = &self.widths {
+            return Ok(line(&cells, widths, io)?);
+        }
+        self.waiting.push(cells);
+        if self.waiting.len() < MEASURED { Ok(()) } else { self.print(io) }
+    }
+
+    /// Prints the rows that wait.
+    fn print(&mut self, io: &mut Io<'_>) -> Result<(), CliError> {
+        if self.waiting.is_empty() {
+            return Ok(());
+        }
+        let mut widths = HEADINGS.map(|heading| heading.chars().count());
+        for (column, wide) in self.waiting.iter().flat_map(widths_of) {
+            if let Some(width) = widths.get_mut(column) {
+                *width = (*width).max(wide.min(WIDEST));
+            }
+        }
+        line(&HEADINGS.map(str::to_owned), &widths, io)?;
+        for cells in self.waiting.drain(..) {
+            line(&cells, &widths, io)?;
+        }
+        self.widths = Some(widths);
+        Ok(())
+    }
+}
+
+/// How wide each cell of a row is, by the number of its column.
+fn widths_of(cells: &[String; 9]) -> impl Iterator<Item = (usize, usize)> {
+    (0..).zip(cells.iter().map(|cell| cell.chars().count()))
 }
 
 impl Value<'_> {
@@ -122,15 +150,6 @@ impl Value<'_> {
             Self::Texts(texts) => texts.join("; "),
         }
     }
-}
-
-fn csv(rows: impl Iterator<Item = Row>, io: &mut Io<'_>) -> Result<(), CliError> {
-    let mut writer = csv::Writer::from_writer(io.data());
-    for row in rows {
-        writer.write_record(COLUMNS.map(|(_, value)| cell(&value(&row).csv())))?;
-    }
-    writer.flush()?;
-    Ok(())
 }
 
 const HEADINGS: [&str; 9] =

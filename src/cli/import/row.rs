@@ -1,10 +1,10 @@
 //! A row of what `fitcheck import` prints: a record, a measurement that makes none, or an error.
 
-use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
 use crate::cli::CliRemark;
-use crate::exchange::{ImportError, Imported, Unjudged, WhyUnjudged};
+use crate::exchange::{ImportError, Item, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::message::Located;
@@ -80,43 +80,50 @@ pub(super) enum Value<'a> {
     Texts(&'a [String]),
 }
 
-/// One of the three results of a row of a file.
-#[derive(Clone, Copy)]
-enum Came<'a> {
-    Record(&'a Record),
-    Unjudged(&'a Unjudged),
-    Error(&'a Located<ImportError>),
+/// Makes the rows of a file from what is read from it.
+pub(super) struct Rows {
+    /// The path as the user gave it.
+    path: String,
+    /// The name without its folder.
+    name: Arc<str>,
+    /// The line of the row that comes next, and the warnings about it.
+    warnings: (usize, Vec<String>),
 }
 
-/// Everything that was read from a file, in the order of its lines. Rows are made one by one: a file may have many.
-pub(super) fn rows<'a>(path: &'a Path, imported: &'a Imported) -> impl Iterator<Item = Row> + 'a {
-    let mut warnings: BTreeMap<usize, Vec<String>> = BTreeMap::new();
-    for warning in &imported.warnings {
-        if let Some(row) = warning.what.row {
-            warnings.entry(row).or_default().push(warning.what.kind.to_string());
-        }
+impl Rows {
+    pub(super) fn of(path: &Path) -> Self {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().as_ref().into();
+        Self { path: path.display().to_string(), name, warnings: (0, Vec::new()) }
     }
-    let records = imported.lines.iter().zip(&imported.records).map(|(&line, record)| (line, Came::Record(record)));
-    let unjudged = imported.unjudged.iter().map(|unjudged| (unjudged.line, Came::Unjudged(unjudged)));
-    let errors = imported.errors.iter().map(|error| (error.place.line.unwrap_or(1), Came::Error(error)));
-    let mut all: Vec<(usize, Came<'a>)> = records.chain(unjudged).chain(errors).collect();
-    all.sort_by_key(|(line, _)| *line);
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    all.into_iter().map(move |(line, came)| {
-        let mut row = match came {
-            Came::Record(record) => Row::of(record),
-            Came::Unjudged(unjudged) => Row::of_unjudged(unjudged),
-            Came::Error(error) => Row::of_error(error),
+
+    /// The row of what was read; none for a warning, which goes to the row that follows, and for contacts, which have
+    /// had theirs.
+    pub(super) fn row(&mut self, item: Item) -> Option<Row> {
+        let (line, mut row) = match item {
+            Item::Record { line, record } => (line, Row::of(&record)),
+            Item::Unjudged(unjudged) => (unjudged.line, Row::of_unjudged(&unjudged)),
+            Item::Error(error) => (error.place.line.unwrap_or(1), Row::of_error(&error)),
+            Item::Warning(warning) => {
+                let line = warning.what.row?;
+                if self.warnings.0 != line {
+                    self.warnings = (line, Vec::new());
+                }
+                self.warnings.1.push(warning.what.kind.to_string());
+                return None;
+            }
+            Item::Contacts(_) => return None,
         };
-        row.file = path.display().to_string();
+        row.file.clone_from(&self.path);
         row.line = Some(line);
         // A coordinate's limits come from its log.
         if row.minimum.is_some() && row.source.is_none() {
-            row.source = Some(Source::File(name.as_ref().into()).to_string());
+            row.source = Some(Source::File(Arc::clone(&self.name)).to_string());
         }
-        row.warnings.extend(warnings.remove(&line).into_iter().flatten());
-        row
-    })
+        if self.warnings.0 == line {
+            row.warnings.append(&mut self.warnings.1);
+        }
+        Some(row)
+    }
 }
 
 impl Row {

@@ -1,26 +1,51 @@
 //! The result of a run, for programs: JSON. The names must not change.
+//!
+//! Lists are made entry by entry while they are written, so that an answer takes no memory of its own.
 
+use serde::ser::{Serialize, SerializeMap as _, Serializer};
 use serde_json::{Map, Value as Json, json};
 
+use super::super::CliRemark;
 use super::super::cycle::answer::{check, value as result_value};
-use super::{CliError, Ended, Io, Listener, place};
+use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
+use crate::control::text::cut;
 use crate::control::variables::{Parameter, Value};
-use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath};
+use crate::message::Say as _;
+use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Window, Written};
 
 /// The most blocks that a trace keeps.
 const MOST: usize = 100_000;
+/// The most memory that it takes, bytes: a block may change a thousand texts.
+const MOST_BYTES: usize = 32 << 20;
+
+/// A parameter that a block has changed, and its value.
+type Changed = (Parameter, Option<Value>);
+
+/// A block of a trace; its text is looked up when it is written.
+struct Entry {
+    at: BlockPlace,
+    changed: Box<[Changed]>,
+}
 
 /// Remembers every block with the values that it changed.
 pub(super) struct Trace {
     is_wanted: bool,
     at: Option<BlockPlace>,
-    blocks: Vec<Json>,
+    blocks: Vec<Entry>,
+    bytes: usize,
+    /// The first block that is not listed.
+    end: Option<BlockPlace>,
     dropped: usize,
 }
 
 impl Trace {
     pub(super) const fn new(is_wanted: bool) -> Self {
-        Self { is_wanted, at: None, blocks: Vec::new(), dropped: 0 }
+        Self { is_wanted, at: None, blocks: Vec::new(), bytes: 0, end: None, dropped: 0 }
+    }
+
+    /// What the answer says of blocks that are not listed.
+    fn remark(&self) -> Option<(&BlockPlace, CliRemark)> {
+        Some((self.end.as_ref()?, CliRemark::TraceEnds { blocks: self.blocks.len() }))
     }
 }
 
@@ -32,16 +57,29 @@ impl Listener for Trace {
     }
 
     fn after(&mut self, machine: &Machine, _io: &mut Io<'_>) -> Result<(), CliError> {
-        let Some(BlockPlace { program, block }) = &self.at else { return Ok(()) };
-        if MOST <= self.blocks.len() {
+        let Some(at) = self.at.take() else { return Ok(()) };
+        let size = |parameter: &Parameter| match machine.variables().get(*parameter) {
+            Some(Value::Text(text)) => size_of::<Changed>() + text.len(),
+            _ => size_of::<Changed>(),
+        };
+        self.bytes += size_of::<Entry>() + machine.changed().iter().map(size).sum::<usize>();
+        if self.end.is_some() || MOST <= self.blocks.len() || MOST_BYTES < self.bytes {
+            self.end.get_or_insert(at);
             self.dropped += 1;
             return Ok(());
         }
-        let changed = |parameter: &Parameter| (parameter.to_string(), plain(machine.variables().get(*parameter)));
-        let mut entry = located(machine, program, *block);
-        entry.insert("changed".to_owned(), machine.changed().iter().map(changed).collect::<Map<_, _>>().into());
-        self.blocks.push(entry.into());
+        let changed = machine.changed().iter().map(|changed| (*changed, machine.variables().get(*changed).cloned()));
+        self.blocks.push(Entry { at, changed: changed.collect() });
         Ok(())
+    }
+}
+
+/// A list whose entries are made one after the other while they are written.
+struct Each<F>(F);
+
+impl<I: Iterator<Item: Serialize>, F: Fn() -> I> Serialize for Each<F> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq((self.0)())
     }
 }
 
@@ -61,6 +99,7 @@ fn located(machine: &Machine, path: &NcPath, block: usize) -> Map<String, Json> 
     let program = machine.program(path);
     let number = program.and_then(|program| program.blocks().get(block)).and_then(|block| block.number);
     let text = program.and_then(|program| program.text_of(block).next()).unwrap_or_default().trim();
+    let text = cut(text, LONGEST_TEXT);
     let entries =
         [("program", json!(path.to_string())), ("line", json!(line)), ("number", json!(number)), ("text", json!(text))];
     entries.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()
@@ -101,34 +140,57 @@ fn fault(fault: &Fault) -> Json {
     })
 }
 
-pub(super) fn print(machine: &Machine, ended: &Ended, trace: Trace, io: &mut Io<'_>) -> Result<(), CliError> {
-    let parameters: Map<String, Json> =
-        machine.variables().iter().map(|(parameter, value)| (parameter.to_string(), plain(Some(value)))).collect();
-    let windows = machine.windows().iter().map(|window| {
-        let more = json!({"mask": window.mask.to_string(), "window": window.text, "is_open": window.is_open});
-        placed(machine, &window.place, more)
-    });
-    let outputs = machine.outputs().iter().map(|output| {
-        let more = json!({"file": output.path.to_string(), "output": output.text, "is_saved": output.is_saved});
-        placed(machine, &output.place, more)
-    });
-    let remarks =
-        machine.remarks().iter().map(|(at, remark)| placed(machine, at, json!({"message": remark.to_string()})));
-    let mut answer = json!({
-        "blocks": machine.blocks_run(),
-        "status": machine.status().map(crate::verdict::Status::word),
-        "parameters": parameters,
-        "windows": windows.collect::<Vec<_>>(),
-        "outputs": outputs.collect::<Vec<_>>(),
-        "cycles": machine.cycles().iter().map(|run| cycle(machine, run)).collect::<Vec<_>>(),
-        "pauses": ended.pauses.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "remarks": remarks.collect::<Vec<_>>(),
-        "remarks_not_listed": machine.unlisted_remarks(),
-        "faults": ended.fault.iter().map(fault).collect::<Vec<_>>(),
-    });
-    if let (true, Json::Object(answer)) = (trace.is_wanted, &mut answer) {
-        answer.insert("trace".to_owned(), trace.blocks.into());
-        answer.insert("trace_not_listed".to_owned(), trace.dropped.into());
+/// Everything that a run gave.
+struct Answer<'a> {
+    machine: &'a Machine,
+    ended: &'a Ended,
+    trace: &'a Trace,
+}
+
+impl Serialize for Answer<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self { machine, ended, trace } = *self;
+        let window = |window: &Window| {
+            let more = json!({"mask": window.mask.to_string(), "window": window.text, "is_open": window.is_open});
+            placed(machine, &window.place, more)
+        };
+        let output = |output: &Written| {
+            let more = json!({"file": output.path.to_string(), "output": output.text, "is_saved": output.is_saved});
+            placed(machine, &output.place, more)
+        };
+        let remark = |(at, said): (&BlockPlace, String)| placed(machine, at, json!({"message": said}));
+        let parameters: Map<String, Json> =
+            machine.variables().iter().map(|(parameter, value)| (parameter.to_string(), plain(Some(value)))).collect();
+        let mut answer = serializer.serialize_map(None)?;
+        answer.serialize_entry("blocks", &machine.blocks_run())?;
+        answer.serialize_entry("status", &machine.status().map(crate::verdict::Status::word))?;
+        answer.serialize_entry("parameters", &parameters)?;
+        answer.serialize_entry("windows", &Each(|| machine.windows().iter().map(window)))?;
+        answer.serialize_entry("outputs", &Each(|| machine.outputs().iter().map(output)))?;
+        answer.serialize_entry("cycles", &Each(|| machine.cycles().iter().map(|run| cycle(machine, run))))?;
+        answer.serialize_entry("pauses", &Each(|| ended.pauses.iter().map(ToString::to_string)))?;
+        let remarks = || {
+            let of_run = machine.remarks().iter().map(|(at, remark)| (at, remark.to_string()));
+            let of_trace = trace.remark().map(|(at, remark)| (at, remark.message().to_string()));
+            of_run.chain(of_trace).map(remark)
+        };
+        answer.serialize_entry("remarks", &Each(remarks))?;
+        answer.serialize_entry("remarks_not_listed", &machine.unlisted_remarks())?;
+        answer.serialize_entry("faults", &Each(|| ended.fault.iter().map(fault)))?;
+        if trace.is_wanted {
+            answer.serialize_entry("trace", &Each(|| trace.blocks.iter().map(|entry| traced(machine, entry))))?;
+            answer.serialize_entry("trace_not_listed", &trace.dropped)?;
+        }
+        answer.end()
     }
-    io.json(&answer)
+}
+
+/// A block of the trace.
+fn traced(machine: &Machine, entry: &Entry) -> Json {
+    let changed = entry.changed.iter().map(|(parameter, value)| (parameter.to_string(), plain(value.as_ref())));
+    placed(machine, &entry.at, json!({"changed": changed.collect::<Map<_, _>>()}))
+}
+
+pub(super) fn print(machine: &Machine, ended: &Ended, trace: &Trace, io: &mut Io<'_>) -> Result<(), CliError> {
+    io.json(&Answer { machine, ended, trace })
 }

@@ -22,6 +22,9 @@ use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Ship
 use crate::nc::program::Program;
 use crate::words::Dialogue;
 
+/// How much of a block's text is shown, in characters: a control's line has some 250.
+const LONGEST_TEXT: usize = 1_000;
+
 const EXAMPLES: &str = "\
 Examples:
   fitcheck run 8255_nl.h --set Q1=25 QS1=H7 --workpiece bore.toml     the built-in program on a bore
@@ -129,7 +132,7 @@ impl Args {
             RunFormat::Json => {
                 let mut listener = answer::Trace::new(self.trace);
                 let ended = run(&mut machine, &mut listener, io)?;
-                answer::print(&machine, &ended, listener, io)?;
+                answer::print(&machine, &ended, &listener, io)?;
                 ended
             }
         };

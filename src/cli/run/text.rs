@@ -1,7 +1,8 @@
 //! The result of a run, for people: windows and trace on standard output, notes on standard error.
 
 use super::super::CliRemark;
-use super::{CliError, Ended, Io, Listener, place};
+use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
+use crate::control::text::cut;
 use crate::message::Message;
 use crate::nc::machine::{BlockPlace, Fault, Machine, Pause, shown};
 use crate::words::{Language, Words};
@@ -23,7 +24,7 @@ impl Printer {
         let (file, line) = place(machine, program, *block);
         let program = machine.program(program);
         let Some(text) = program.and_then(|program| program.text_of(*block).next()) else { return Ok(()) };
-        writeln!(io.people(), "{file}:{line}  {}", text.trim())?;
+        writeln!(io.people(), "{file}:{line}  {}", cut(text.trim(), LONGEST_TEXT))?;
         for parameter in machine.changed() {
             match machine.variables().get(*parameter) {
                 Some(value) => writeln!(io.people(), "    {parameter} = {}", shown(value))?,

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::lines::{LONGEST_LINE, MOST_LINES};
 use crate::length::LengthError;
 use crate::message::{Located, Say};
 use crate::probing::cycle::Log;
@@ -89,6 +90,9 @@ pub enum LogFault {
         /// What was given.
         given: String,
     },
+    /// More lines than any log has, or a longer one.
+    #[say(args(lines = MOST_LINES, bytes = LONGEST_LINE))]
+    TooLong,
 }
 
 /// A section of a log.
@@ -136,6 +140,7 @@ impl LogFault {
             | Self::Empty
             | Self::NoLog
             | Self::NoTitle
+            | Self::TooLong
             | Self::Count { .. }
             | Self::Missing { .. } => String::new(),
         }

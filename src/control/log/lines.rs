@@ -14,6 +14,12 @@ use crate::message::{Located, Place};
 /// The measuring cycles whose number marks a title line.
 const CYCLES: std::ops::RangeInclusive<u16> = 420..=431;
 
+/// The most lines of a log that are not blank; a control writes some thirty.
+pub(super) const MOST_LINES: usize = 1_000;
+
+/// The longest line of a log in bytes; a control's has some hundred.
+pub(super) const LONGEST_LINE: usize = 4 << 10;
+
 /// The first line of a log.
 #[derive(Debug)]
 pub(super) struct Title<'a> {
@@ -26,8 +32,10 @@ pub(super) struct Title<'a> {
 #[derive(Debug)]
 pub(super) struct Chunk<'a> {
     pub(super) title: Option<Title<'a>>,
-    /// The lines after the title that are not blank.
+    /// The lines after the title that are not blank, up to [`MOST_LINES`].
     lines: Vec<(usize, &'a str)>,
+    /// Whether there are more of them, or one is longer than [`LONGEST_LINE`].
+    pub(super) is_too_long: bool,
     /// How many of them hold a figure after a label.
     figures: usize,
     /// The line in which the file ends, if it ends without a line end.
@@ -80,51 +88,86 @@ enum Line<'a> {
     Text,
 }
 
-/// The logs of a text: each begins at a title, or where a second date shows that a title is missing.
-pub(super) fn chunks(text: &str) -> Vec<Chunk<'_>> {
-    let unfinished = !text.ends_with(['\n', '\r', '\0']);
-    let mut chunks = vec![Chunk { title: None, lines: Vec::new(), figures: 0, unfinished: None }];
-    let mut last = 0;
-    // Whether the line before is a label that waits for its value.
-    let mut waits = false;
-    for (number, line) in text::lines(text) {
-        last = number;
-        let line = line.trim_end();
-        if line.trim_start().is_empty() {
-            continue;
-        }
-        let kind = classify(line.trim_start());
-        let value = match kind {
-            Line::Label { value, .. } => value,
-            Line::Value if waits => line.trim_start(),
-            Line::Value | Line::Title(_) | Line::Text => "",
-        };
-        waits = matches!(kind, Line::Label { value: "", .. });
-        let mut title = None;
-        if let Line::Title(cycle) = kind {
-            title = Some(Title { line: number, cycle, text: line.trim_start() });
-        }
-        // A date after the nominal values: the title between two logs is damaged.
-        let lost = date(value).is_some() && chunks.last().is_some_and(|chunk| 3 <= chunk.figures);
-        let is_title = title.is_some();
-        if is_title || lost {
-            chunks.push(Chunk { title, lines: Vec::new(), figures: 0, unfinished: None });
-        }
-        if let Some(chunk) = chunks.last_mut()
-            && !is_title
-        {
-            chunk.figures += usize::from(is_number(value));
-            chunk.lines.push((number, line));
-        }
+/// The logs of a text, one after the other: each begins at a title, or where a second date shows that a title is
+/// missing.
+pub(super) fn chunks(text: &str) -> impl Iterator<Item = Chunk<'_>> {
+    Chunks {
+        lines: text::lines(text),
+        is_unfinished: !text.ends_with(['\n', '\r', '\0']),
+        chunk: Some(Chunk::new(None)),
+        last: 0,
+        waits: false,
     }
-    if unfinished && let Some(chunk) = chunks.last_mut() {
-        chunk.unfinished = Some(last);
+    .filter(|chunk| chunk.title.is_some() || !chunk.lines.is_empty() || chunk.is_too_long)
+}
+
+struct Chunks<'a, I> {
+    lines: I,
+    /// Whether the last line has no line end.
+    is_unfinished: bool,
+    /// What was read so far of the next log; none after the last.
+    chunk: Option<Chunk<'a>>,
+    /// The number of the line that was read last.
+    last: usize,
+    /// Whether the line before is a label that waits for its value.
+    waits: bool,
+}
+
+impl<'a, I: Iterator<Item = (usize, &'a str)>> Iterator for Chunks<'a, I> {
+    type Item = Chunk<'a>;
+
+    fn next(&mut self) -> Option<Chunk<'a>> {
+        let chunk = self.chunk.as_mut()?;
+        for (number, line) in self.lines.by_ref() {
+            self.last = number;
+            let line = line.trim_end();
+            if line.trim_start().is_empty() {
+                continue;
+            }
+            if LONGEST_LINE < line.len() {
+                (chunk.is_too_long, self.waits) = (true, false);
+                continue;
+            }
+            let kind = classify(line.trim_start());
+            let value = match kind {
+                Line::Label { value, .. } => value,
+                Line::Value if self.waits => line.trim_start(),
+                Line::Value | Line::Title(_) | Line::Text => "",
+            };
+            self.waits = matches!(kind, Line::Label { value: "", .. });
+            if let Line::Title(cycle) = kind {
+                let title = Title { line: number, cycle, text: line.trim_start() };
+                return Some(std::mem::replace(chunk, Chunk::new(Some(title))));
+            }
+            // A date after the nominal values: the title between two logs is damaged.
+            let is_lost = date(value).is_some() && 3 <= chunk.figures;
+            let before = is_lost.then(|| std::mem::replace(chunk, Chunk::new(None)));
+            chunk.add(number, line, value);
+            if before.is_some() {
+                return before;
+            }
+        }
+        let mut last = self.chunk.take()?;
+        last.unfinished = self.is_unfinished.then_some(self.last);
+        Some(last)
     }
-    chunks.retain(|chunk| chunk.title.is_some() || !chunk.lines.is_empty());
-    chunks
 }
 
 impl<'a> Chunk<'a> {
+    const fn new(title: Option<Title<'a>>) -> Self {
+        Self { title, lines: Vec::new(), is_too_long: false, figures: 0, unfinished: None }
+    }
+
+    /// Adds a line that is not blank, with the value that it has after a label.
+    fn add(&mut self, number: usize, line: &'a str, value: &str) {
+        self.figures += usize::from(is_number(value));
+        if self.lines.len() < MOST_LINES {
+            self.lines.push((number, line));
+        } else {
+            self.is_too_long = true;
+        }
+    }
+
     /// Whether there are labels with figures: more than one or two lines by chance.
     pub(super) const fn has_figures(&self) -> bool {
         3 <= self.figures

@@ -93,36 +93,46 @@ pub fn layout(cycle: u16) -> Option<&'static TextLog> {
 /// # Ok::<(), std::io::Error>(())
 /// ```
 pub fn read(bytes: &[u8]) -> Vec<Result<Log, LogError>> {
-    let text = text::decode(bytes);
-    let mut logs = Vec::new();
-    let mut before = Vec::new();
-    for chunk in lines::chunks(&text) {
-        if chunk.title.is_none() && !chunk.has_figures() {
-            // Everything above the first title.
-            before.extend(chunk.first_line().map(|line| Located::in_line(line, LogWarningKind::TextBefore)));
-            continue;
+    each(&text::decode(bytes)).collect()
+}
+
+/// The same for a text, one log after the other: memory stays the same however many there are.
+pub fn each(text: &str) -> impl Iterator<Item = Result<Log, LogError>> {
+    let mut chunks = lines::chunks(text);
+    let mut before = None;
+    let mut is_empty = true;
+    std::iter::from_fn(move || {
+        for chunk in chunks.by_ref() {
+            if chunk.title.is_none() && !chunk.has_figures() {
+                // Everything above the first title.
+                let line = chunk.first_line().unwrap_or(1);
+                before.get_or_insert(Located::in_line(line, LogWarningKind::TextBefore));
+                continue;
+            }
+            is_empty = false;
+            let read = read_one(&chunk).map(|mut log| {
+                log.warnings.splice(0..0, before.take());
+                log
+            });
+            return Some(read);
         }
-        logs.push(read_one(&chunk).map(|mut log| {
-            log.warnings.splice(0..0, before.drain(..));
-            log
-        }));
-    }
-    if logs.is_empty() {
         let reason = if text.trim().is_empty() { LogFault::Empty } else { LogFault::NoLog };
-        logs.push(Err(reason.at(1)));
-    }
-    logs
+        std::mem::take(&mut is_empty).then(|| Err(reason.at(1)))
+    })
 }
 
 /// Whether a text looks like a measuring log: a title, and labels followed by figures.
 pub fn is_log(text: &str) -> bool {
-    lines::chunks(text).iter().any(|chunk| chunk.title.is_some() && chunk.has_figures())
+    lines::chunks(text).any(|chunk| chunk.title.is_some() && chunk.has_figures())
 }
 
 fn read_one(chunk: &Chunk<'_>) -> Result<Log, LogError> {
     let Some(title) = &chunk.title else {
         return Err(LogFault::NoTitle.at(chunk.first_line().unwrap_or(1)));
     };
+    if chunk.is_too_long {
+        return Err(LogFault::TooLong.at(title.line));
+    }
     let mut warnings = Vec::new();
     let mut sections = chunk.sections(&mut warnings)?;
     let header = lines::take_header(&mut sections, &mut warnings)?;

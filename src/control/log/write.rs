@@ -11,7 +11,8 @@
 
 use super::labels::Labels;
 use super::model::DECIMALS;
-use super::{Figure, LimitPair, Log, LogError, LogFault, layout, read};
+use super::{Figure, LimitPair, Log, LogError, LogFault, each, layout};
+use crate::control::text::decode;
 use crate::length::{Length, Unit};
 use crate::message::Say;
 use crate::probing::cycle::{FigureKind, LogFigure, TextLog};
@@ -92,7 +93,7 @@ pub enum LogWriteError {
 /// [`LogWriteError`] for a log that would not be read back as the same log.
 pub fn write(log: &Log, language: Dialogue) -> Result<Vec<u8>, LogWriteError> {
     let bytes = encode(&text(log, language)?);
-    reads_back(&read(&bytes), log, language)?;
+    reads_back(each(&decode(&bytes)), log, language)?;
     Ok(bytes)
 }
 
@@ -119,29 +120,33 @@ pub fn append(file: &[u8], log: &Log, language: Dialogue) -> Result<Vec<u8>, Log
     } else {
         bytes.extend(encode(&text));
     }
-    let mut before = read(file);
-    before.retain(|log| !matches!(log, Err(LogError { what: LogFault::Empty | LogFault::NoLog, .. })));
-    let logs = read(&bytes);
-    let (old, new) = logs.split_at_checked(before.len()).unwrap_or_default();
-    if old != before {
+    let (old, new) = (decode(file), decode(&bytes));
+    let is_log =
+        |log: &Result<Log, LogError>| !matches!(log, Err(LogError { what: LogFault::Empty | LogFault::NoLog, .. }));
+    let mut read = each(&new);
+    if each(&old).filter(is_log).any(|log| read.next() != Some(log)) {
         return Err(LogWriteError::ReadsOtherwise);
     }
-    reads_back(new, log, language)?;
+    reads_back(read, log, language)?;
     Ok(bytes)
 }
 
 /// Checks that the only log read back is the one that was written.
-fn reads_back(read: &[Result<Log, LogError>], log: &Log, language: Dialogue) -> Result<(), LogWriteError> {
-    let read = match read {
-        [Ok(read)] => read,
-        [Err(error)] => return Err(LogWriteError::Contradiction(error.what.clone())),
+fn reads_back(
+    mut logs: impl Iterator<Item = Result<Log, LogError>>,
+    log: &Log,
+    language: Dialogue,
+) -> Result<(), LogWriteError> {
+    let read = match (logs.next(), logs.next()) {
+        (Some(Ok(read)), None) => read,
+        (Some(Err(error)), None) => return Err(LogWriteError::Contradiction(error.what)),
         _ => return Err(LogWriteError::ReadsOtherwise),
     };
     let printed = Log { line: read.line, warnings: read.warnings.clone(), ..log.printed(language) };
     if read.program != printed.program {
         return Err(LogWriteError::Program { given: printed.program.unwrap_or_default() });
     }
-    if *read != printed {
+    if read != printed {
         return Err(LogWriteError::ReadsOtherwise);
     }
     Ok(())

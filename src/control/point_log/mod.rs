@@ -20,4 +20,4 @@ mod stored;
 pub use error::{PointFault, PointLogError};
 pub use page::{append, write};
 pub use point::{Band, PointLog};
-pub use read::{is_log, read};
+pub use read::{each, is_log, read};

@@ -16,26 +16,33 @@ use crate::control::text;
 /// assert_eq!(error.map(|error| &error.what), Some(&PointFault::NoLog));
 /// ```
 pub fn read(bytes: &[u8]) -> Vec<Result<(usize, PointLog), PointLogError>> {
-    let page = text::decode(bytes);
-    let mut answers = Vec::new();
-    let mut line = 1;
+    each(&text::decode(bytes)).collect()
+}
+
+/// The same for a text, one measurement after the other: memory stays the same however many there are.
+pub fn each(page: &str) -> impl Iterator<Item = Result<(usize, PointLog), PointLogError>> {
     let mut parts = page.split(OPEN);
     let head = parts.next().unwrap_or_default();
-    line += newlines(head);
-    for part in parts {
-        answers.push(match part.split_once(CLOSE) {
-            Some((json, _)) => parse(json).map(|log| (line, log)).map_err(|fault| fault.at(line)),
-            None => Err(PointFault::CutOff.at(line)),
-        });
-        line += newlines(part);
-    }
-    let found = answers.len();
-    match expected(head) {
-        Some(expected) if expected != found => answers.push(Err(PointFault::Count { expected, found }.at(line))),
-        None if found == 0 => answers.push(Err(PointFault::NoLog.at(1))),
-        _ => {}
-    }
-    answers
+    let (mut line, mut found, mut is_over) = (1 + newlines(head), 0, false);
+    std::iter::from_fn(move || {
+        if let Some(part) = parts.next() {
+            let answer = match part.split_once(CLOSE) {
+                Some((json, _)) => parse(json).map(|log| (line, log)).map_err(|fault| fault.at(line)),
+                None => Err(PointFault::CutOff.at(line)),
+            };
+            line += newlines(part);
+            found += 1;
+            return Some(answer);
+        }
+        if std::mem::replace(&mut is_over, true) {
+            return None;
+        }
+        match expected(head) {
+            Some(expected) if expected != found => Some(Err(PointFault::Count { expected, found }.at(line))),
+            None if found == 0 => Some(Err(PointFault::NoLog.at(1))),
+            _ => None,
+        }
+    })
 }
 
 /// Whether a text looks like such a page.

@@ -1,5 +1,6 @@
 //! What is wrong with the block of a probing cycle, and where.
 
+use super::read::MOST_PARTS;
 use crate::message::{Located, Say};
 use crate::probing::cycle::{CycleError, Key};
 
@@ -52,6 +53,9 @@ pub enum ProbeBlockFault {
         /// The line without its comment.
         given: String,
     },
+    /// A line with more parts between `~` than any block has.
+    #[say(args(most = MOST_PARTS))]
+    TooManyParts,
     /// The last line calls for another one.
     CutOff,
     /// The value is in a parameter of a program.

@@ -9,6 +9,9 @@ use crate::probing::cycles::{cycle_named, cycles_of};
 /// How a parameter of a milling control is written, for errors.
 const EXAMPLE: &str = "Q263=+35";
 
+/// The most parts between `~` on a line: each takes memory, also an empty one.
+pub(super) const MOST_PARTS: usize = 1_000;
+
 /// Reads the one block of a probing cycle in a text: the block alone, or a program with one.
 ///
 /// Block numbers and names do not matter, blank lines and comments are skipped, `~` at the end of a line continues the
@@ -31,6 +34,9 @@ pub fn read(text: &str) -> Result<ProbeBlock, ProbeBlockError> {
     let mut reader = Reader::default();
     for (number, line) in lines(text) {
         let (segments, is_closed) = segments(line);
+        if MOST_PARTS < segments.len() {
+            return Err(ProbeBlockFault::TooManyParts.at(number));
+        }
         // Any other block of a program may hold anything.
         if !is_closed && reader.state == State::Promised {
             return Err(ProbeBlockFault::UnclosedQuote.at(number));
@@ -70,6 +76,7 @@ struct Segment<'a> {
 }
 
 /// A line split at every `~` outside quotation marks, without a blank rest; and whether every mark has its partner.
+/// What comes after one part too many is left out.
 fn segments(line: &str) -> (Vec<Segment<'_>>, bool) {
     let mut found = Vec::new();
     let (mut start, mut comment, mut quoted) = (0, None, false);
@@ -81,6 +88,7 @@ fn segments(line: &str) -> (Vec<Segment<'_>>, bool) {
         match character {
             '"' if comment.is_none() => quoted = !quoted,
             ';' if !quoted && comment.is_none() => comment = Some(at),
+            '~' if !quoted && MOST_PARTS < found.len() => break,
             '~' if !quoted => {
                 found.push(segment(start, at, comment, true));
                 (start, comment) = (at + 1, None);

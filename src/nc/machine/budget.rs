@@ -19,8 +19,14 @@ pub struct Budget {
     pub text: usize,
     /// Windows that FN 16 opens.
     pub windows: usize,
-    /// Outputs of FN 16 to files.
+    /// Outputs of FN 16 and of measuring logs to files. Each is written through to the disk, which takes milliseconds.
     pub outputs: usize,
+    /// Files that these outputs go to.
+    pub output_files: usize,
+    /// Folders that files are written into, with the folders above them: missing ones are made.
+    pub folders: usize,
+    /// Times that a table which FN 27 has changed is written to its file.
+    pub table_writes: usize,
     /// Bytes that FN 16 prints, to windows and files together.
     pub output_bytes: usize,
     /// Cycles that are run.
@@ -29,9 +35,9 @@ pub struct Budget {
     pub path: usize,
     /// Different programs and changed tables that are kept.
     pub files: usize,
-    /// Their size together, bytes.
+    /// The memory that they take together, bytes.
     pub file_bytes: usize,
-    /// Bytes that are read from files and written to them, repeated ones included.
+    /// Bytes that are read from files and written to them, repeated ones included; 4 KiB for a smaller file.
     pub traffic: usize,
     /// Remarks; more are only counted.
     pub remarks: usize,
@@ -46,7 +52,10 @@ impl Default for Budget {
             program_calls: 10,
             text: 255,
             windows: 1_000,
-            outputs: 10_000,
+            outputs: 2_000,
+            output_files: 1_000,
+            folders: 100,
+            table_writes: 500,
             output_bytes: 4 << 20,
             cycles: 10_000,
             path: 200_000,
@@ -106,6 +115,12 @@ pub enum UsedUp {
     Windows(#[say(name = "most")] usize),
     /// Outputs to files.
     Outputs(#[say(name = "most")] usize),
+    /// Files of outputs.
+    OutputFiles(#[say(name = "most")] usize),
+    /// Folders that files are written into.
+    Folders(#[say(name = "most")] usize),
+    /// Changed tables that are written.
+    TableWrites(#[say(name = "most")] usize),
     /// Bytes of output.
     Output(#[say(name = "most")] usize),
     /// Cycles.

@@ -1,6 +1,6 @@
 //! The files of a run: what is read from the store is counted, and the same bytes are not parsed twice.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::budget::{Budget, UsedUp};
@@ -13,8 +13,12 @@ use crate::nc::program::Program;
 
 /// How many tables are remembered.
 const MOST_TABLES: usize = 4;
-/// How large a remembered table may be, bytes.
-const LARGEST_TABLE: usize = 1 << 20;
+/// What reading a file costs at least, bytes: it takes its time even if the file is empty or missing.
+const LEAST: usize = 4 << 10;
+/// How much memory a remembered table may take, bytes.
+const LARGEST_TABLE: usize = 8 << 20;
+/// What a cell of a table takes in memory, bytes: a text and its place.
+const CELL: usize = 56;
 
 /// The store with what was read from it.
 pub(super) struct Files {
@@ -27,6 +31,8 @@ pub(super) struct Files {
     tables: Vec<(NcPath, Vec<u8>, Arc<TableFile>)>,
     kept_bytes: usize,
     traffic: usize,
+    /// The folders that were written into, and those above them.
+    folders: BTreeSet<String>,
 }
 
 impl Files {
@@ -39,6 +45,7 @@ impl Files {
             tables: Vec::new(),
             kept_bytes: 0,
             traffic: 0,
+            folders: BTreeSet::new(),
         }
     }
 
@@ -47,22 +54,41 @@ impl Files {
         self.known.append(&mut self.programs);
         self.programs.extend([main]);
         (self.kept_bytes, self.traffic) = (0, 0);
+        self.folders.clear();
     }
 
     pub(super) fn read(&mut self, path: &NcPath) -> Result<Vec<u8>, FaultKind> {
+        self.spend(LEAST)?;
         let bytes = self.store.read(path)?;
-        self.spend(bytes.len())?;
+        self.spend(bytes.len().saturating_sub(LEAST))?;
         Ok(bytes)
     }
 
     /// Writes a file and returns how many bytes it has then; `None` if nothing is written. The caller must count the
     /// bytes with [`Self::spend`].
-    pub(super) fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<Option<usize>, StoreError> {
+    pub(super) fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<Option<usize>, FaultKind> {
+        self.enter(path)?;
         match self.store.write(path, bytes, how) {
             Ok(size) => Ok(Some(size)),
             Err(StoreError::ReadOnly) => Ok(None),
-            Err(error) => Err(error),
+            Err(error) => Err(error.into()),
         }
+    }
+
+    /// Counts the folders on the way to a file: a program could make some thousand a second.
+    fn enter(&mut self, path: &NcPath) -> Result<(), UsedUp> {
+        let mut folder = String::new();
+        let mut parts: Vec<&str> = path.parts().collect();
+        parts.pop();
+        for part in parts {
+            folder.push_str(part);
+            folder.push('\\');
+            if !self.folders.contains(&folder) {
+                Budget::one_more(self.folders.len(), self.budget.folders, UsedUp::Folders)?;
+                self.folders.insert(folder.clone());
+            }
+        }
+        Ok(())
     }
 
     /// Counts bytes that were read or written: without it, a loop with a large file could run for days.
@@ -70,6 +96,13 @@ impl Files {
         self.traffic = self.traffic.saturating_add(bytes);
         let most = self.budget.traffic;
         if most < self.traffic { Err(UsedUp::Traffic(most)) } else { Ok(()) }
+    }
+
+    /// Counts a changed table that is written through to the disk.
+    pub(super) fn count_table_write(&self, writes: &mut usize) -> Result<(), UsedUp> {
+        Budget::one_more(*writes, self.budget.table_writes, UsedUp::TableWrites)?;
+        *writes += 1;
+        Ok(())
     }
 
     /// Counts a file that is kept, in addition to this many changed tables.
@@ -94,7 +127,6 @@ impl Files {
             return Ok(Arc::clone(program));
         }
         let bytes = self.read(path).or_else(|fault| self.with_suffix(path, fault))?;
-        self.keep(bytes.len(), tables)?;
         // A program returns exactly the bytes that it was read from.
         let program = match self.known.get(path).filter(|program| program.write() == bytes) {
             Some(program) => Arc::clone(program),
@@ -103,6 +135,7 @@ impl Files {
                 Err(error) => return Err(FaultKind::NoProgram { path: path.clone(), error }),
             },
         };
+        self.keep(program.memory(), tables)?;
         self.programs.insert(path.clone(), Arc::clone(&program));
         Ok(program)
     }
@@ -115,16 +148,17 @@ impl Files {
         self.read(&NcPath::new(&format!("{path}.h"))?).map_err(|_missing_too| fault)
     }
 
-    /// A table, and how many bytes it has.
+    /// A table, and how much memory it takes.
     pub(super) fn table(&mut self, path: &NcPath) -> Result<(Arc<TableFile>, usize), FaultKind> {
         let bytes = self.read(path)?;
-        let size = bytes.len();
+        let memory = |file: &TableFile| file.table.rows.len() * file.table.columns.len() * CELL;
         let known = self.tables.iter().find(|(known, read, _)| known == path && *read == bytes);
         if let Some((.., file)) = known {
-            return Ok((Arc::clone(file), size));
+            return Ok((Arc::clone(file), bytes.len() + memory(file)));
         }
         let file = ControlTable::read(&bytes, path.file_name()).map_err(|error| FaultKind::Table(Box::new(error)))?;
         let file = Arc::new(file);
+        let size = bytes.len() + memory(&file);
         self.tables.retain(|(known, ..)| known != path);
         if size <= LARGEST_TABLE {
             self.tables.truncate(MOST_TABLES - 1);

@@ -62,7 +62,7 @@ impl Log {
         if self.is_shown {
             return Ok(prints.show(place, self.path, text)?);
         }
-        prints.count_output(&text)?;
+        prints.count_output(&self.path, &text)?;
         let is_saved = self.save(&place, files, remarks)?;
         prints.keep(Written { place, path: self.path, text, how: FileUse::Append, is_saved });
         Ok(())

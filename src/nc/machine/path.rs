@@ -8,8 +8,8 @@ use crate::message::{Say, as_text};
 /// The drive of programs on these controls; others are not followed.
 const DRIVE: &str = "TNC:";
 
-/// The most characters of a path, as it is given and with its drive and all its folders.
-const LONGEST: usize = 1_000;
+/// The most characters of a path with drive, folders and file name: as on TNC 640 (`docs/SOURCES.md`, Klartext).
+const LONGEST: usize = 255;
 
 /// Names that some systems treat as devices, with any ending.
 const DEVICES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
@@ -26,7 +26,7 @@ as_text!(NcPath);
 pub enum PathError {
     /// The path is empty.
     Empty,
-    /// Longer than any program needs.
+    /// Longer than a control takes.
     TooLong {
         /// What is allowed.
         most: usize,
@@ -133,8 +133,8 @@ fn normalised(given: &str, folder: &[&str]) -> Result<NcPath, PathError> {
         return Err(PathError::Empty);
     }
     let path = NcPath(parts.join("\\").into());
-    // The whole path from its root, so that it can be written and read again.
-    if LONGEST < path.to_string().chars().count() {
+    // Short in the block, but far below the root.
+    if LONGEST < DRIVE.len() + 1 + path.0.chars().count() {
         return Err(PathError::TooLong { most: LONGEST });
     }
     Ok(path)

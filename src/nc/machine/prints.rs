@@ -44,6 +44,10 @@ pub(super) struct Prints {
     budget: Budget,
     windows: Vec<Window>,
     outputs: Vec<Written>,
+    /// How many times something was printed to a file, also in vain.
+    printed: usize,
+    /// The files that it went to.
+    files: BTreeSet<NcPath>,
     /// The files that no mask has closed yet.
     open: BTreeSet<NcPath>,
     bytes: usize,
@@ -51,7 +55,15 @@ pub(super) struct Prints {
 
 impl Prints {
     pub(super) const fn new(budget: Budget) -> Self {
-        Self { budget, windows: Vec::new(), outputs: Vec::new(), open: BTreeSet::new(), bytes: 0 }
+        Self {
+            budget,
+            windows: Vec::new(),
+            outputs: Vec::new(),
+            printed: 0,
+            files: BTreeSet::new(),
+            open: BTreeSet::new(),
+            bytes: 0,
+        }
     }
 
     pub(super) fn windows(&self) -> &[Window] {
@@ -83,9 +95,15 @@ impl Prints {
     }
 
     /// Counts a text that is printed to a file.
-    pub(super) fn count_output(&mut self, text: &str) -> Result<(), UsedUp> {
+    pub(super) fn count_output(&mut self, path: &NcPath, text: &str) -> Result<(), UsedUp> {
         self.count(text)?;
-        Budget::one_more(self.outputs.len(), self.budget.outputs, UsedUp::Outputs)
+        Budget::one_more(self.printed, self.budget.outputs, UsedUp::Outputs)?;
+        self.printed += 1;
+        if !self.files.contains(path) {
+            Budget::one_more(self.files.len(), self.budget.output_files, UsedUp::OutputFiles)?;
+            self.files.insert(path.clone());
+        }
+        Ok(())
     }
 
     /// Keeps the text that was printed to a file.
@@ -102,7 +120,7 @@ impl Prints {
         files: &mut Files,
         remarks: &mut Remarks,
     ) -> Result<(), FaultKind> {
-        self.count_output(&output.text)?;
+        self.count_output(&path, &output.text)?;
         let is_open = self.open.contains(&path);
         let how = if is_open && output.file == FileUse::Replace { FileUse::Append } else { output.file };
         if output.close {

@@ -18,6 +18,7 @@ use crate::nc::program::{Columns, Operand};
 struct OpenTable {
     path: NcPath,
     file: Arc<TableFile>,
+    /// How much memory it takes.
     bytes: usize,
     /// The first block that changed it.
     changed_at: Option<usize>,
@@ -101,6 +102,8 @@ pub(super) struct Cells {
 pub(super) struct Tables {
     open: Option<OpenTable>,
     changed: BTreeMap<NcPath, OpenTable>,
+    /// How many times a changed table was closed, and so written.
+    writes: usize,
 }
 
 impl Tables {
@@ -190,6 +193,7 @@ impl Tables {
     ) -> Result<(), FaultKind> {
         let Some(open) = self.open.take() else { return Ok(()) };
         let Some(block) = open.changed_at else { return Ok(()) };
+        files.count_table_write(&mut self.writes)?;
         let written = open.file.table.write();
         let bytes = written.map_err(|error| FaultKind::TableWrite { table: open.name(), error })?;
         let size = files.write(&open.path, &bytes, FileUse::Replace)?;

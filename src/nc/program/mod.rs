@@ -85,6 +85,11 @@ impl Program {
         &self.text
     }
 
+    /// About how many bytes it takes in memory.
+    pub const fn memory(&self) -> usize {
+        self.text.len() + self.lines.count() * size_of::<(u32, u32)>() + self.blocks.len() * size_of::<Block>()
+    }
+
     /// How many lines the text has.
     pub const fn line_count(&self) -> usize {
         self.lines.count()

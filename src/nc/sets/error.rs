@@ -23,6 +23,11 @@ pub enum PlanFault {
         /// What is allowed.
         most: usize,
     },
+    /// Larger than any plan.
+    TooLarge {
+        /// What is allowed, KiB.
+        most: usize,
+    },
     /// A column is missing.
     NoColumn {
         /// The column.

@@ -9,9 +9,13 @@ use super::error::{PlanError, PlanFault};
 use super::plan::{MOST_FEATURES, NcFeature, NcPlan};
 use crate::control::text::{decode, lines};
 use crate::length::LengthError;
+use crate::message::Place;
 
 /// The known columns.
 const COLUMNS: [&str; 8] = ["name", "callout", "x", "y", "z", "angle", "clearance", "clearance_height"];
+
+/// The largest plan, 1 MiB: a kilobyte for every feature. Every cell takes memory and time, also an empty one.
+const LARGEST: usize = 1 << 20;
 
 /// The required columns.
 const NEEDED: [&str; 4] = ["callout", "x", "y", "z"];
@@ -30,6 +34,9 @@ impl NcPlan {
     /// # Errors
     /// [`PlanError`] with the line, also if a row has more cells than the header, or if a column is unknown.
     pub fn read(bytes: &[u8]) -> Result<Self, PlanError> {
+        if LARGEST < bytes.len() {
+            return Err(PlanError { what: PlanFault::TooLarge { most: LARGEST >> 10 }, place: Place::default() });
+        }
         let text = decode(bytes);
         let header = lines(&text).map(|(_, line)| line).find(|line| !line.trim().is_empty()).unwrap_or_default();
         let separator = [b';', b'\t'].into_iter().find(|&sign| header.as_bytes().contains(&sign)).unwrap_or(b',');

@@ -48,6 +48,9 @@ const STEEL: f64 = 11.5;
 /// The temperature that sizes refer to (ISO 1), °C.
 const REFERENCE: f64 = 20.0;
 
+/// The largest file in bytes: a real one has some hundred, and the TOML reader takes fifty times as many.
+const LARGEST: usize = 1 << 20;
+
 /// The most characters of the TOML reader's message.
 const LONGEST: usize = 300;
 
@@ -77,6 +80,9 @@ pub enum SimulationError {
         /// The TOML reader's message, in English.
         said: String,
     },
+    /// Larger than any such file.
+    #[say(args(most = LARGEST >> 10))]
+    TooLarge,
     /// No surface, or more than one.
     #[say(args(tables = tables()))]
     NotOne {
@@ -215,6 +221,9 @@ impl Simulation {
     /// # Errors
     /// [`SimulationError`] with the line.
     pub fn read(text: &str) -> Result<Self, SimulationError> {
+        if LARGEST < text.len() {
+            return Err(SimulationError::TooLarge);
+        }
         let file: File = toml::from_str(text).map_err(|error| SimulationError::Toml {
             line: line_at(text, error.span().map_or(0, |span| span.start)),
             said: bounded(&plain(&error, text)),

@@ -50,7 +50,7 @@ fn a_check_has_the_columns_of_the_csv() {
 #[test]
 fn a_report_has_its_head() {
     let report = Report { part: Some("4711".to_owned()), ..report(vec![]) };
-    let text = String::from_utf8((RENDERING.render)(&report, &Words::new(Language::Nl)).unwrap()).unwrap();
+    let text = String::from_utf8(RENDERING.bytes(&report, &Words::new(Language::Nl)).unwrap()).unwrap();
     assert_eq!(
         text,
         r#"{

@@ -7,7 +7,7 @@ use super::*;
 /// The band of the one check of a page.
 fn drawn(record: &Record) -> String {
     let html = RENDERINGS.iter().find(|rendering| rendering.name == "html").unwrap();
-    let page = (html.render)(&report(vec![record.clone()]), &Words::new(Language::En)).unwrap();
+    let page = html.bytes(&report(vec![record.clone()]), &Words::new(Language::En)).unwrap();
     let page = String::from_utf8(page).unwrap();
     let (_, band) = page.split_once("<svg class=\"band\"").unwrap();
     let (band, _) = band.split_once("</svg>\n<table").unwrap();
