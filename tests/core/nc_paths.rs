@@ -56,3 +56,11 @@ fn nothing_leads_out() {
     check(&"x".repeat(256 - below), too_long);
     check(&r"a\..\".repeat(60), too_long);
 }
+
+/// With its drive: 250 characters and `TNC:\`.
+#[test]
+fn a_path_that_is_followed_is_read_again_as_it_is_written() {
+    let longest = NcPath::new(&"x".repeat(250)).unwrap();
+    assert_eq!(NcPath::new(&longest.to_string()), Ok(longest));
+    assert!(NcPath::new(&"x".repeat(251)).is_err());
+}
