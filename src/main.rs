@@ -8,12 +8,25 @@ use fitcheck::files;
 use fitcheck::session::{HEAD, Purpose};
 
 fn main() -> ExitCode {
+    outlive_the_largest_file();
     match Cli::start(Purpose::knows_ending) {
         Start::Subcommand(cli) => cli.run_here(),
         Start::Window(paths) => match paths.into_iter().map(purpose).collect::<Result<Vec<_>, _>>() {
             Ok(files) => open_window(&files),
             Err(exit) => exit,
         },
+    }
+}
+
+/// Writing beyond the largest file that the system allows is then an error like any other, with a message and nothing
+/// left behind. By default the signal for it ends the program.
+fn outlive_the_largest_file() {
+    #[cfg(unix)]
+    {
+        use signal_hook::consts::SIGXFSZ;
+        let asked_by_nobody = std::sync::Arc::new(std::sync::atomic::AtomicBool::new(false));
+        // Without it the system ends the program, as it would have.
+        drop(signal_hook::flag::register(SIGXFSZ, asked_by_nobody));
     }
 }
 

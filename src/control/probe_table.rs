@@ -3,6 +3,7 @@
 //! NO, `CAL_OF1`, `CAL_OF2`, F, FMAX, DIST and `SET_UP` are used, other columns are not. `SET_UP` and DIST as in cycle
 //! 444 of TNC 640 (01/2021) and cycle 427 of TNC7; the list of columns is from memory.
 
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use super::table::{ControlTable, TableError, TableFile, TableUnit, TableWarning, is_blank};
@@ -109,10 +110,10 @@ impl ProbeTable {
     pub fn read(bytes: &[u8], file: &str) -> Result<Self, ProbeTableError> {
         let file = ControlTable::read(bytes, file)?;
         let columns = Columns::of(&file)?;
-        let mut probes: Vec<TouchProbe> = Vec::new();
+        let (mut probes, mut numbers) = (Vec::new(), BTreeSet::new());
         for row in 0..file.table.rows.len() {
             let probe = columns.probe(&file, row)?;
-            if probes.iter().any(|known| known.number == probe.number) {
+            if !numbers.insert(probe.number) {
                 return Err(file.at_cell(row, columns.number, ProbeFault::Twice { number: probe.number }).into());
             }
             probes.push(probe);

@@ -90,7 +90,7 @@ fn into_old(
     overwrite: bool,
 ) -> Result<Vec<PathBuf>, FileError> {
     let failed = |error: io::Error| system(folder, &error);
-    let rest = move_rest(folder).map_err(failed)?;
+    let rest = move_rest(folder, Links::Replaced).map_err(failed)?;
     for path in paths {
         if path.is_dir() {
             return Err(FileError::IsFolder { path: path.clone() });
@@ -103,7 +103,7 @@ fn into_old(
     }
     std::fs::rename(growing.path(), folder.join(MOVING)).map_err(failed)?;
     growing.finished();
-    move_rest(folder).map_err(failed)?;
+    move_rest(folder, Links::Followed).map_err(failed)?;
     Ok(rest)
 }
 
@@ -122,13 +122,29 @@ fn fill(growing: PathBuf, files: &[(&str, &[u8])]) -> io::Result<Unfinished> {
     Ok(growing)
 }
 
+/// What becomes of a link in the place of a file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Links {
+    /// It stays, and what it leads to is written.
+    Followed,
+    /// The file takes its place: a set that was found may have come with a folder from somebody else, who would
+    /// otherwise choose what is written where.
+    Replaced,
+}
+
 /// Moves the files of a whole set to their places, if there is one that waits, and returns where they are now.
-fn move_rest(folder: &Path) -> io::Result<Vec<PathBuf>> {
+fn move_rest(folder: &Path, links: Links) -> io::Result<Vec<PathBuf>> {
     let moving = folder.join(MOVING);
-    let entries = match std::fs::read_dir(&moving) {
+    match moving.symlink_metadata() {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
-        entries => entries?,
-    };
+        // A link would bring in the files of another folder.
+        metadata => {
+            if !metadata?.is_dir() {
+                return Err(io::Error::new(io::ErrorKind::InvalidData, format!("{MOVING} is not a folder")));
+            }
+        }
+    }
+    let entries = std::fs::read_dir(&moving)?;
     let mut moved = Vec::new();
     for entry in entries {
         let entry = entry?;
@@ -141,13 +157,12 @@ fn move_rest(folder: &Path) -> io::Result<Vec<PathBuf>> {
                 whole::keep_owner(&metadata, &File::open(entry.path())?)?;
                 std::fs::rename(entry.path(), &target)?;
             }
-            // A link stays, and what it leads to is written.
-            Ok(_) => {
+            Ok(_) if links == Links::Followed => {
                 let bytes = std::fs::read(entry.path())?;
                 whole::write(&target, &mut |out| out.write_all(&bytes))?;
                 std::fs::remove_file(entry.path())?;
             }
-            Err(_) => std::fs::rename(entry.path(), &target)?,
+            _ => std::fs::rename(entry.path(), &target)?,
         }
         moved.push(target);
     }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use super::names::Names;
-use super::{FileError, LARGEST, read, write};
+use super::{FileError, LARGEST, read, system, write};
 use crate::control::mask::FileUse;
 use crate::nc::machine::{NcPath, Shipped, Store, StoreError};
 
@@ -68,7 +68,9 @@ impl Store for Folders {
     fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {
         let folder = self.writing.as_ref().ok_or(StoreError::ReadOnly)?;
         let target = target(folder, path)?;
-        let is_behind = how != FileUse::Replace && target.exists();
+        // Where the system does not say, an output that is there is not written over.
+        let is_there = target.try_exists().map_err(|error| of_file(system(&target, &error), path))?;
+        let is_behind = how != FileUse::Replace && is_there;
         let old = if is_behind { bytes_of(folder, &target, path)? } else { Vec::new() };
         let whole = [old.as_slice(), bytes].concat();
         let into = target.parent().unwrap_or(folder);

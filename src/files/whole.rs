@@ -148,28 +148,37 @@ impl Whole {
         Ok(())
     }
 
-    /// Gives a file without a name the fixed one and moves it. What a broken run left under that name goes; if others
-    /// write the same target at this moment, the last one wins.
+    /// Gives a file without a name the fixed one and moves it. Writers of one folder take turns for these two steps, so
+    /// what has that name already was left by a broken run.
     fn replace_nameless(&self, target: &Path) -> io::Result<()> {
-        const TRIES: usize = 1_000;
         let path = unfinished_name(target);
-        let mut result = Ok(());
-        for _ in 0..TRIES {
-            result = link_nameless(&self.file, &path).and_then(|()| {
-                let name = Unfinished::at(path.clone());
-                std::fs::rename(name.path(), target)?;
-                name.finished();
-                Ok(())
-            });
-            match result.as_ref().map_err(io::Error::kind) {
-                Err(io::ErrorKind::AlreadyExists) => drop(std::fs::remove_file(&path)),
-                // Somebody else took it for what a broken run had left.
-                Err(io::ErrorKind::NotFound) => {}
-                _ => break,
+        let _turn = turn(folder_of(target));
+        match link_nameless(&self.file, &path) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                std::fs::remove_file(&path)?;
+                link_nameless(&self.file, &path)?;
             }
+            linked => linked?,
         }
-        result
+        let name = Unfinished::at(path);
+        std::fs::rename(name.path(), target)?;
+        name.finished();
+        Ok(())
     }
+}
+
+/// Waits for other writers of a folder, and keeps them out as long as this is held. A folder without locks has no turns,
+/// and nobody is waited for longer than a moment.
+fn turn(folder: &Path) -> Option<File> {
+    const TRIES: usize = 400;
+    let folder = File::open(folder).ok()?;
+    for _ in 0..TRIES {
+        match folder.try_lock() {
+            Err(std::fs::TryLockError::WouldBlock) => std::thread::sleep(std::time::Duration::from_millis(5)),
+            locked => return locked.ok().map(|()| folder),
+        }
+    }
+    None
 }
 
 /// The name of an unfinished file beside its target: always the same, so that a broken run leaves at most one.

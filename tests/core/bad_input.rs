@@ -94,6 +94,19 @@ fn a_row_of_20_000_columns_is_read_at_once() {
 }
 
 #[test]
+fn materials_with_thirty_thousand_names_each_are_read_at_once() {
+    let names = |first: char| {
+        let names: Vec<String> = (0..30_000).map(|at| format!("{first}{at}=\"{first}{at:x}\"")).collect();
+        names.join(",")
+    };
+    let material = |name: char| format!("[[material]]\nname=\"{name}\"\nexpansion=9\nnames={{{}}}\n", names(name));
+    let (_folder, path) = file("many.toml", format!("version=1\n{}{}", material('a'), material('b')).as_bytes());
+    let call = ["fit", "50 H7/p6", "--materials", "FILE", "--hole-material", "a", "--shaft-material", "b"];
+    let (code, out, err) = run(&[&call[..], &["--temperature", "80"]].concat(), &path);
+    assert!(code == 0 && out.contains("80"), "{code} {out} {err}");
+}
+
+#[test]
 fn a_folder_is_no_file() {
     let folder = tempfile::tempdir().unwrap();
     for args in READERS {
@@ -169,6 +182,26 @@ fn a_place_that_cannot_be_written_is_named_and_nothing_is_left() {
     }
     assert_eq!(std::fs::read(&path).unwrap(), b"notes");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
+}
+
+#[cfg(unix)]
+#[test]
+fn the_largest_file_that_the_system_allows_is_told_and_nothing_is_left() {
+    let (folder, path) = file("report.html", b"the old one");
+    let set = folder.path().join("set");
+    let program = assert_cmd::cargo::cargo_bin!("fitcheck");
+    let report: &[&str] = &["report", "--check", "25 H7=25.012", "-o"];
+    let nc: &[&str] = &["nc", "25 H7", "--x", "0", "--y", "0", "--z", "-5", "--control", "tnc7", "-o"];
+    for (arguments, target) in [(report, &path), (nc, &set)] {
+        let mut shell = std::process::Command::new("sh");
+        shell.args(["-c", "ulimit -f 1 && exec \"$0\" \"$@\""]).arg(program).args(arguments).arg(target);
+        let output = shell.output().unwrap();
+        let err = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {err}");
+        assert!(err.contains("File too large") && err.contains(target.to_str().unwrap()), "{err}");
+    }
+    assert_eq!(std::fs::read(&path).unwrap(), b"the old one");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
 #[cfg(unix)]

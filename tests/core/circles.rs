@@ -70,6 +70,18 @@ fn every_reference_set_is_met_by_every_criterion() {
     }
 }
 
+#[test]
+fn a_circumscribed_circle_that_moves_without_growing_by_a_bit_is_found() {
+    // Two contacts on a diameter, and a third beyond the circle on it by far less than the square root of a float's last
+    // bit: the circle about all three has the same radius to the last bit, and its centre is off by as much.
+    for (radius, beyond) in [(12.5, 1e-7), (500.0, 5e-6), (5e4, 5e-4)] {
+        let contacts = [[radius, 0.0], [-radius, 0.0], [0.0, radius + beyond], [0.0, -radius / 2.0]].map(contact);
+        let found = evaluate(&contacts).unwrap().minimum_circumscribed;
+        let error = (found.diameter - 2.0 * radius).abs() / radius;
+        assert!(error < 1e-14, "a circle of {} for one of {}", found.diameter, 2.0 * radius);
+    }
+}
+
 /// Centres and sizes by every criterion: least squares, circumscribed, inscribed, zone; then form and uncertainties.
 fn answers(contacts: &[Contact]) -> (Vec<[f64; 2]>, Vec<f64>) {
     let found = evaluate(contacts).unwrap();

@@ -250,3 +250,31 @@ fn no_program_is_run_from_a_half_written_folder() {
     assert_eq!(outcome.status.code(), Some(1));
     assert!(told.contains("stopped in the middle") && told.contains(".fitcheck-set"), "{told}");
 }
+
+#[test]
+fn a_set_that_came_with_a_folder_writes_nothing_outside_it() {
+    let home = tempfile::tempdir().unwrap();
+    let (own, given) = (home.path().join("own.txt"), home.path().join("given"));
+    std::fs::create_dir_all(given.join(".fitcheck-set")).unwrap();
+    write(&own, b"mine").unwrap();
+    write(&given.join(".fitcheck-set/notes.txt"), b"theirs").unwrap();
+    symlink(&own, given.join("notes.txt")).unwrap();
+    write_folder(&given, &[("a.txt", b"new")], false).unwrap();
+    assert_eq!(read_to_string(&own).unwrap(), "mine");
+    assert_eq!(read_to_string(given.join("notes.txt")).unwrap(), "theirs");
+    assert!(!given.join("notes.txt").is_symlink());
+}
+
+#[test]
+fn a_set_that_is_a_link_to_another_folder_takes_nothing_from_there() {
+    let home = tempfile::tempdir().unwrap();
+    let (own, given) = (home.path().join("own"), home.path().join("given"));
+    std::fs::create_dir_all(&own).unwrap();
+    std::fs::create_dir_all(&given).unwrap();
+    write(&own.join("letter.txt"), b"mine").unwrap();
+    symlink(&own, given.join(".fitcheck-set")).unwrap();
+    let error = write_folder(&given, &[("a.txt", b"new")], false).unwrap_err();
+    assert!(error.to_string().contains(".fitcheck-set is not a folder"), "{error}");
+    assert_eq!(names(&own), ["letter.txt"]);
+    assert_eq!(names(&given), [".fitcheck-set"]);
+}

@@ -240,3 +240,19 @@ fn no_parameter_of_a_cycle_is_asked_for_by_its_number() {
         }
     }
 }
+
+/// Fitcheck asks nobody and tells nobody. What the window needs of the desktop is in its crates.
+#[test]
+fn nothing_talks_to_another_machine() {
+    none_names(
+        &files(|_| true),
+        &["std::net", "os::unix::net", "TcpStream", "UdpSocket", "UnixStream", "ToSocketAddrs"],
+    );
+}
+
+/// Written files are given to the system's own program, and nothing else is ever started.
+#[test]
+fn only_the_window_starts_programs() {
+    let others = files(|name| name != "gui/effects.rs");
+    none_names(&others, &["process::Command", "process::{Command", "opener::", "CommandExt"]);
+}

@@ -120,6 +120,14 @@ fn check_values(machine: &Machine, expected: &[(&str, f64)]) {
 }
 
 #[test]
+fn an_angle_is_less_than_a_full_turn() {
+    let text = b"BEGIN PGM A MM\nFN 13: Q1 = -0.00000000000000000001 ANG +1\nFN 13: Q2 = -1 ANG +1\nEND PGM A MM\n";
+    let mut machine = Machine::new("a.h", program(text), InMemory::new(), Contacts::Perfect, settings());
+    to_end(&mut machine);
+    assert_eq!((number(&machine, "Q1"), number(&machine, "Q2")), (0.0, 315.0));
+}
+
+#[test]
 fn the_syntax_zoo_leaves_the_documented_values() {
     let mut with = settings();
     with.skip_unknown = true;

@@ -25,6 +25,9 @@ mod fit_cli;
 mod fit_geometry;
 mod fit_search;
 mod fits;
+#[path = "../../fuzz/src/targets/mod.rs"]
+mod fuzz_targets;
+mod fuzzing;
 mod hostile;
 mod house;
 mod import;
@@ -73,6 +76,7 @@ mod session_verdicts;
 mod session_workpiece;
 mod sources;
 mod start_cli;
+mod supply;
 mod table_cli;
 mod table_compare;
 mod table_edit;

@@ -46,6 +46,17 @@ fn render(mask: &[u8], variables: &Variables, language: Dialogue) -> Result<Stri
     mask.render(variables, &context).map(|output| output.text).map_err(|error| error.to_string())
 }
 
+/// What printf of C prints.
+#[test]
+fn whole_numbers_with_a_least_number_of_digits_are_not_filled_with_zeros() {
+    let mut variables = Variables::new();
+    variables.set(Parameter::q(1), Value::Number(7.0));
+    for (format, expected) in [("%05D", "00007"), ("%05.3D", "  007"), ("%+06.2I", "   +07"), ("%-05.3D|", "007  |")] {
+        let mask = format!("\"{format}\", Q1;");
+        assert_eq!(render(mask.as_bytes(), &variables, Dialogue::En), Ok(format!("{expected}\n")), "{format}");
+    }
+}
+
 #[test]
 fn the_shipped_dutch_mask_is_that_of_nc_solution_8255_byte_for_byte() {
     let shipped = include_str!("../../assets/masks/82552_nl.a");

@@ -99,6 +99,14 @@ fn own_materials_replace_and_add() {
 }
 
 #[test]
+fn blanks_around_a_name_do_not_belong_to_it() {
+    let text = "version = 1\n[[material]]\nname = \" PE \"\nnames = { nl = \" Kunststof\" }\nexpansion = 200\n";
+    let own = Materials::read(text).unwrap();
+    assert_eq!(own.find("PE").unwrap().name, "PE");
+    assert_eq!(own.find(" kunststof ").unwrap().name_in(Language::Nl), "Kunststof");
+}
+
+#[test]
 fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
     #[track_caller]
     fn check(text: &str, expected: &str) {

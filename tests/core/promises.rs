@@ -28,10 +28,18 @@ fn quoted(line: &str) -> impl Iterator<Item = &str> {
     line.split('`').skip(1).step_by(2)
 }
 
+/// The tests that a table of a document names in its last column.
+fn named_tests(document: &str, heading: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(root().join(document)).unwrap();
+    let (_, table) = text.split_once(heading).unwrap();
+    let cells = table.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix(" |"));
+    let last = cells.filter_map(|cells| cells.rsplit_once(" | "));
+    let names = last.flat_map(|(_, tests)| quoted(tests)).filter(|name| !name.contains(['/', '.', '*']));
+    names.map(str::to_owned).collect()
+}
+
 #[test]
-fn every_test_that_the_architecture_names_exists() {
-    let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
-    let (_, invariants) = text.split_once("## Invariants").unwrap();
+fn every_test_that_a_document_names_exists() {
     let mut files = Vec::new();
     sources(&root().join("tests"), &mut files);
     sources(&root().join("src"), &mut files);
@@ -46,14 +54,16 @@ fn every_test_that_the_architecture_names_exists() {
         let folder = |path: &PathBuf| path.parent().is_some_and(|folder| folder.ends_with(name));
         files.iter().any(|(path, _)| file(path) || folder(path))
     };
-    let rows = invariants.lines().filter_map(|line| line.strip_prefix("| ")?.split_once(" | "));
-    let mut named = 0;
-    for name in rows.flat_map(|(_, tests)| quoted(tests)).filter(|name| !name.contains(['/', '.', '*'])) {
-        named += 1;
-        let last = name.rsplit("::").next().unwrap();
-        assert!(is_test(last) || is_module(last), "ARCHITECTURE.md names {name}, which does not exist");
+    for (document, heading, at_least) in
+        [("ARCHITECTURE.md", "## Invariants", 60), ("SECURITY.md", "## What holds", 20)]
+    {
+        let names = named_tests(document, heading);
+        assert!(at_least < names.len(), "the search finds only {} in {document}", names.len());
+        for name in names {
+            let last = name.rsplit("::").next().unwrap();
+            assert!(is_test(last) || is_module(last), "{document} names {name}, which does not exist");
+        }
     }
-    assert!(60 < named, "the search finds only {named}");
 }
 
 #[test]
@@ -80,7 +90,9 @@ fn quoted_first(line: &str) -> Option<&str> {
 
 #[test]
 fn every_link_of_the_documents_leads_to_a_file() {
-    for document in ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "docs/SOURCES.md", "docs/TERMS.md"] {
+    let documents = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "SECURITY.md"];
+    let more = ["docs/DEPENDENCIES.md", "docs/RELEASE.md", "docs/SOURCES.md", "docs/TERMS.md"];
+    for document in documents.into_iter().chain(more) {
         let path = root().join(document);
         let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{document}: {error}"));
         for rest in text.split("](").skip(1) {

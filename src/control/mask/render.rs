@@ -133,7 +133,9 @@ impl At {
                 let whole = told(&number, 0);
                 let (sign, figures) = whole.strip_prefix('-').map_or(("", whole.as_str()), |figures| ("-", figures));
                 let least = format.digits.unwrap_or(0);
-                Ok(signed(&format!("{sign}{figures:0>least$}"), format))
+                // In C the least number of digits takes the place of filling with zeros.
+                let format = Format { zeros: format.zeros && format.digits.is_none(), ..*format };
+                Ok(signed(&format!("{sign}{figures:0>least$}"), &format))
             }
             (Kind::Text | Kind::Raw, Printed::Number(_)) => Err(self.fault(RenderFault::NumberAsText { name: name() })),
             (Kind::Decimal | Kind::Whole, Printed::Text(_)) => {

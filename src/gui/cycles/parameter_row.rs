@@ -46,9 +46,19 @@ pub(super) fn row_ui(ui: &mut Ui, name: String, field: impl FnOnce(&mut Ui, Id))
     wide_row_ui(ui, name, space(FIELD + UNIT), field);
 }
 
-/// The same with a field of another width.
+/// The same with a field of another width. A name that would need more than two lines stands above its field.
 fn wide_row_ui(ui: &mut Ui, name: String, field_width: f32, field: impl FnOnce(&mut Ui, Id)) {
     let width = (ui.available_width() - field_width - space(2.0)).max(space(10.0));
+    if 2.5 * quiet_height(ui, "Q", width) < quiet_height(ui, &name, width) {
+        let name = quiet(ui, name);
+        let row = vec2(ui.available_width(), control(ui));
+        ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+            ui.spacing_mut().item_spacing.x = space(1.0);
+            ui.add_space(width + space(1.0));
+            field(ui, name.id);
+        });
+        return;
+    }
     let row = vec2(ui.available_width(), quiet_height(ui, &name, width).max(control(ui)));
     ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
         ui.set_min_height(row.y);

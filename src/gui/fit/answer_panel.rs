@@ -1,7 +1,7 @@
 //! Right: the answer. The kind of fit as a word and a shape, then the figures, and what follows from them.
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Align, Button, Frame, Grid, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{Align, Button, Color32, Frame, Grid, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use crate::gui::class_chooser::feature_picture;
 use crate::gui::columns::{is_low, is_tiny};
@@ -134,14 +134,24 @@ fn limits_ui(ui: &mut Ui, view: &mut View<'_>, fit: &Fit) {
     for limits in [fit.hole(), fit.shaft()] {
         let class = view.session.fit().class(limits.feature);
         let class = class.map(|class| class.to_string()).unwrap_or_default();
+        let name = format!("{} {class}", view.text(feature_id(limits.feature)));
+        let action = Action::CheckPart(limits.feature);
+        // Where both have no room in one line the button goes below the name.
+        let width =
+            |text: String| ui.painter().layout_no_wrap(text, theme::bold(sizes().body), Color32::PLACEHOLDER).size().x;
+        let both = width(name.clone()) + width(action.text(view.session, view.words));
+        let is_narrow = ui.available_width() < both + ui.spacing().button_padding.x * 2.0 + space(12.0);
         ui.horizontal(|ui| {
             ui.spacing_mut().interact_size.y = 0.0;
             feature_picture(ui, limits.feature, space(6.0));
-            heading(ui, format!("{} {class}", view.text(feature_id(limits.feature))));
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                view.field_button(ui, Action::CheckPart(limits.feature));
-            });
+            heading(ui, name);
+            if !is_narrow {
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| view.field_button(ui, action));
+            }
         });
+        if is_narrow {
+            view.field_button(ui, action);
+        }
         limits::limits_ui(ui, view, limits);
         ui.add_space(space(1.0));
     }

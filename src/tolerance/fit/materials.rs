@@ -3,7 +3,7 @@
 //! A file is TOML with one `[[material]]` per material, like `assets/materials.toml`; it is passed in as text. Alloys
 //! differ, so a user's own values come first, and no value is assumed for a material that the list lacks.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -152,6 +152,7 @@ impl Materials {
             return Err(of_file(MaterialsError::TooMany { count: file.material.len() }));
         }
         let mut list: Vec<Material> = Vec::with_capacity(file.material.len());
+        let mut taken = BTreeSet::new();
         for entry in file.material {
             let (line, _) = line_and_column(text, entry.name.span().start);
             let material = entry.material();
@@ -159,9 +160,10 @@ impl Materials {
             if !names().all(|name| is_name(name)) {
                 return Err(Located::in_line(line, MaterialsError::Name));
             }
-            if let Some(name) = names().find(|name| list.iter().any(|other| other.is_called(name))) {
+            if let Some(name) = names().find(|name| taken.contains(&name.to_lowercase())) {
                 return Err(Located::in_line(line, MaterialsError::Twice { name: name.clone() }));
             }
+            taken.extend(names().map(|name| name.to_lowercase()));
             list.push(material);
         }
         Ok(Self { list })
@@ -223,7 +225,10 @@ struct Entry {
 impl Entry {
     fn material(self) -> Material {
         let Self { name, names, expansion, source, certainty } = self;
-        Material { name: name.into_inner(), names, expansion, source, certainty }
+        // A name that is looked for has no blanks around it either.
+        let bare = |name: &str| name.trim().to_owned();
+        let names = names.into_iter().map(|(language, name)| (language, bare(&name))).collect();
+        Material { name: bare(name.get_ref()), names, expansion, source, certainty }
     }
 }
 

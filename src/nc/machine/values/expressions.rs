@@ -144,7 +144,11 @@ fn combine(operation: Operation, left: f64, right: f64) -> Result<f64, FaultKind
             return Err(FaultKind::NoResult { function: "0 ANG", value: 0.0 });
         }
         // From 0 up to a full turn, as the control gives it.
-        Operation::Angle => left.atan2(right).to_degrees().rem_euclid(360.0),
+        Operation::Angle => {
+            let turned = left.atan2(right).to_degrees().rem_euclid(360.0);
+            // A tiny angle below zero is rounded to the full turn.
+            if turned < 360.0 { turned } else { 0.0 }
+        }
     })
 }
 

@@ -1,20 +1,24 @@
-//! Any bytes are read as an NC program or refused; what is read is written as it was; every body that is printed
-//! reads back as the same.
-
-#![no_main]
+//! Any bytes as an NC program: what is read is written as it was; every body that is printed reads back as the same;
+//! warnings point into the text.
 
 use fitcheck::nc::program::{Body, Place, Program, write};
-use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(|bytes: &[u8]| {
-    let Ok((program, warnings)) = Program::read(bytes) else { return };
+use super::shared::told;
+
+pub fn run(bytes: &[u8]) {
+    let (program, warnings) = match Program::read(bytes) {
+        Ok(read) => read,
+        Err(error) => return told(bytes, &error),
+    };
     assert_eq!(program.write(), bytes);
     for warning in warnings {
         assert!(warning.place.line.is_some_and(|line| line <= program.line_count()));
+        told(bytes, &warning);
     }
     let mut behind = 0;
     for (index, block) in program.blocks().iter().enumerate() {
         assert!(behind <= block.lines.start && block.lines.start < block.lines.end);
+        assert_eq!(program.block_at(block.lines.start), Some(index));
         behind = block.lines.end;
         // Printing cleans texts of control characters and of ~ at their ends.
         let is_clean = |line: &str| !line.contains(char::is_control) && line.matches('~').count() <= 1;
@@ -23,7 +27,7 @@ fuzz_target!(|bytes: &[u8]| {
         }
     }
     assert!(behind <= program.line_count());
-});
+}
 
 fn reads_back(body: &Body) {
     let text = write::block(1, body).join("\n");

@@ -1,0 +1,57 @@
+//! Any bytes as an import of any format: every row is a record, set aside or an error, with a line of its own; the
+//! verdicts are those of the limits; what is exported as CSV is imported as the same.
+
+use fitcheck::exchange::{FORMATS, Imported, import};
+use fitcheck::journal::Record;
+use fitcheck::report::csv;
+use fitcheck::tolerance::Sources;
+use fitcheck::verdict::judge;
+
+use super::shared::{NOW, told};
+
+pub fn run(bytes: &[u8]) {
+    let imported = import("a.csv", bytes, &Sources::default(), NOW);
+    counts(bytes, &imported);
+    for format in FORMATS {
+        let _either = format.recognises(bytes, "a.csv");
+    }
+    let records: Vec<Record> = imported.records.into_iter().filter(|record| record.callout.is_some()).collect();
+    for record in &records {
+        assert_eq!(record.verdict, judge(&record.limits, record.measurement.diameter, None));
+    }
+    if !records.is_empty() {
+        comes_back(&records);
+    }
+}
+
+fn counts(bytes: &[u8], imported: &Imported) {
+    let Imported { records, lines, unjudged, errors, warnings, rows, .. } = imported;
+    assert_eq!(*rows, records.len() + unjudged.len() + errors.len());
+    assert_eq!(records.len(), lines.len());
+    assert!(lines.is_sorted());
+    // A line ends with LF or CR; in a log also with a zero byte.
+    let most = 1 + bytes.iter().filter(|byte| b"\r\n\0".contains(byte)).count();
+    let given = unjudged.iter().map(|row| row.line).chain(errors.iter().filter_map(|error| error.place.line));
+    for line in lines.iter().copied().chain(given) {
+        assert!((1..=most).contains(&line), "line {line} of {most}");
+    }
+    for error in errors.iter().take(3) {
+        told(bytes, error);
+    }
+    for warning in warnings.iter().take(3) {
+        told(bytes, warning);
+    }
+}
+
+fn comes_back(records: &[Record]) {
+    let written = csv::render(records).expect("records are written");
+    let again = import("a.csv", &written, &Sources::default(), NOW);
+    assert_eq!((again.errors.len(), again.unjudged.len()), (0, 0), "{:?}", again.errors.first());
+    assert_eq!(again.records.len(), records.len());
+    for (again, record) in again.records.iter().zip(records) {
+        assert_eq!((again.time, again.callout, &again.limits), (record.time, record.callout, &record.limits));
+        assert_eq!((again.measurement.diameter, again.verdict), (record.measurement.diameter, record.verdict));
+        assert_eq!(again.measurement.origin.is_simulated(), record.measurement.origin.is_simulated());
+        assert_eq!(again.id.trim_start_matches('\''), record.id.trim_start_matches('\''));
+    }
+}

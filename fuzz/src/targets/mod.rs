@@ -1,0 +1,80 @@
+//! What is fuzzed: one target per reader, and one per question that can be answered in two ways.
+//!
+//! libFuzzer (`fuzz/campaign`) and the short run of the tests (`tests/core/fuzzing.rs`) both use [`TARGETS`]. A target
+//! panics where an input breaks what it holds, and returns otherwise. A new target is a file here, its `mod` line, its
+//! line in the table, and a folder of seeds in `fuzz/corpus`.
+
+mod block;
+mod callout;
+mod circle;
+mod command;
+mod contacts;
+mod decimal;
+mod deviations;
+mod exact;
+mod format;
+mod length;
+mod limits;
+mod log;
+mod machine;
+mod mask;
+mod materials;
+mod measurements;
+mod path;
+mod plan;
+mod point_log;
+mod probe_table;
+mod program;
+mod shared;
+mod state;
+mod table;
+mod twin;
+mod workpiece;
+
+/// A target.
+#[derive(Debug, Clone, Copy)]
+pub struct Target {
+    /// Its name: that of its module and of its folder of seeds.
+    pub name: &'static str,
+    /// Runs one input.
+    pub run: fn(&[u8]),
+    /// Words of its language, as a dictionary of libFuzzer.
+    pub words: &'static str,
+}
+
+macro_rules! targets {
+    ($($name:ident $words:literal)+) => {
+        /// Every target.
+        pub const TARGETS: &[Target] = &[$(Target {
+            name: stringify!($name),
+            run: $name::run,
+            words: include_str!(concat!("../../words/", $words, ".dict")),
+        }),+];
+    };
+}
+
+targets! {
+    block "klartext"
+    callout "sizes"
+    circle "none"
+    command "csv"
+    contacts "csv"
+    deviations "table"
+    format "none"
+    length "sizes"
+    limits "sizes"
+    log "log"
+    machine "klartext"
+    mask "mask"
+    materials "toml"
+    measurements "csv"
+    path "sizes"
+    plan "csv"
+    point_log "page"
+    probe_table "table"
+    program "klartext"
+    state "toml"
+    table "table"
+    twin "none"
+    workpiece "toml"
+}
