@@ -7,9 +7,13 @@
 //! [`MOST_CHECKS`]: of a longer report those that are not good or in doubt. The counts are always those of all checks.
 //! The page is written check by check, and only one of them is in memory.
 
+mod seen;
+
 use std::io::{self, Write};
 
 use askama::Template;
+
+use seen::Seen;
 
 use super::picture;
 use super::text;
@@ -121,69 +125,6 @@ struct Summary {
 struct Count {
     word: String,
     count: usize,
-}
-
-/// What a first look at all checks finds.
-#[derive(Default)]
-struct Seen {
-    /// How many there are of each status.
-    counts: [usize; Status::ALL.len()],
-    total: usize,
-    /// The first that are not good or in doubt, by their place in the report, and how many there are.
-    wanted: Vec<usize>,
-    all_wanted: usize,
-    /// Whether a check has contacts at the end.
-    has_annex: bool,
-}
-
-impl Seen {
-    fn of(report: &Report) -> io::Result<Self> {
-        let mut seen = Self::default();
-        report.checks.each(&mut |record| {
-            let status = record.verdict.status();
-            if let Some(at) = Status::ALL.iter().position(|known| *known == status)
-                && let Some(count) = seen.counts.get_mut(at)
-            {
-                *count += 1;
-            }
-            if status != Status::Good || record.doubt.is_some() {
-                seen.all_wanted += 1;
-                if seen.wanted.len() < MOST_CHECKS {
-                    seen.wanted.push(seen.total);
-                }
-            }
-            seen.has_annex |= CONTACTS_IN_CHECK < record.measurement.contacts.len();
-            seen.total += 1;
-            Ok(())
-        })?;
-        Ok(seen)
-    }
-
-    /// Whether the page lists all checks.
-    const fn is_whole(&self) -> bool {
-        self.total <= MOST_CHECKS
-    }
-
-    /// What the page says of the checks that it does not list.
-    fn note(&self, words: &Words) -> Option<String> {
-        let id = match self.wanted.len() {
-            _ if self.is_whole() => return None,
-            0 => "report-page-all-good",
-            listed if listed == self.all_wanted => "report-page-not-good",
-            _ => "report-page-first",
-        };
-        let listed = Message::new(id).count("listed", self.wanted.len()).count("wanted", self.all_wanted);
-        Some(words.say(&listed.count("total", self.total)))
-    }
-
-    /// Shows every check that the page lists, with its number in the report.
-    fn each(&self, report: &Report, see: &mut dyn FnMut(usize, &Record) -> io::Result<()>) -> io::Result<()> {
-        let (mut at, mut wanted) = (0, self.wanted.iter().peekable());
-        report.checks.each(&mut |record| {
-            at += 1;
-            if self.is_whole() || wanted.next_if_eq(&&(at - 1)).is_some() { see(at, record) } else { Ok(()) }
-        })
-    }
 }
 
 struct Check {
