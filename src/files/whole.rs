@@ -315,7 +315,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join("report.html");
         let left = folder.path().join(".report.html.fitcheck");
-        std::fs::write(&left, b"half").unwrap();
+        write(&left, &mut |out| out.write_all(b"half")).unwrap();
         named(&target, b"whole").place(&target).unwrap();
         assert_eq!(names(folder.path()), ["report.html"]);
         let other = named(&target, b"other");
@@ -323,7 +323,7 @@ mod tests {
         assert_eq!(refused.kind(), io::ErrorKind::ResourceBusy);
         other.replace(&target).unwrap();
         assert_eq!(std::fs::read(&target).unwrap(), b"other");
-        std::fs::write(&left, b"half").unwrap();
+        write(&left, &mut |out| out.write_all(b"half")).unwrap();
         write(&target, &mut |out| out.write_all(b"again")).unwrap();
         assert_eq!(std::fs::read(&target).unwrap(), b"again");
         assert_eq!(names(folder.path()), ["report.html"]);

@@ -87,7 +87,8 @@ fn two_windows_keep_what_each_of_them_has_changed() {
 
 #[test]
 fn what_cannot_be_read_is_set_aside_and_never_written_over() {
-    let kinds: [(&str, fn(&Path)); 3] = [
+    type Kind = (&'static str, fn(&Path));
+    let kinds: &[Kind] = &[
         ("too large", |path| std::fs::File::create(path).unwrap().set_len(LARGEST + 1).unwrap()),
         ("a folder", |path| std::fs::create_dir(path).unwrap()),
         #[cfg(unix)]
