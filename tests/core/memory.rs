@@ -47,13 +47,13 @@ fn a_file_of_separators_takes_little_more_than_itself() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out.html");
     let out = out.to_str().unwrap();
-    for part in [";", ",", "\n", "\t", "~", "\"\n", "421 a\n", "a:1\n", "1;2\n"] {
+    // Beyond the mebibyte that a row may have.
+    for part in [";", "\"\n"] {
         let path = file(&folder, "all.csv", part, 2 << 20);
         check(&path, &["import", "FILE", "--format", "csv"], 1);
         check(&path, &["report", "FILE", "-o", out], 1);
         check(&path, &["cycle", "427", "--inputs", "FILE"], 1);
         check(&path, &["nc", "FILE", "--control", "tnc7", "-o", out], 1);
-        // So many pairs of numbers are contacts, and too many.
         check(&path, &["circle", "FILE"], 1);
         check(&path, &["check", "25 H7", "--contacts", "FILE"], 1);
         let log = file(&folder, "TCHPR421.TXT", part, 2 << 20);
@@ -68,7 +68,7 @@ fn rows_are_judged_and_printed_one_by_one() {
     let path = folder.path().join("rows.csv");
     let mut rows = std::io::BufWriter::new(File::create(&path).unwrap());
     rows.write_all(b"id;callout;measured\n").unwrap();
-    (0..100_000).try_for_each(|row| writeln!(rows, "A{row};25 H7;25.1")).unwrap();
+    (0..20_000).try_for_each(|row| writeln!(rows, "A{row};25 H7;25.1")).unwrap();
     drop(rows);
     for format in ["text", "csv", "json"] {
         let args = ["import", "FILE", "--format", format];
