@@ -124,7 +124,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     write_with(path, &mut |out| out.write_all(bytes))
 }
 
-/// Writes a file like [`write`], with what is written piece by piece.
+/// Writes a file like [`write()`], with what is written piece by piece.
 pub fn write_with(path: &Path, fill: &mut dyn FnMut(&mut dyn Write) -> std::io::Result<()>) -> Result<(), FileError> {
     whole::write(path, fill).map_err(|error| system(path, &error))
 }

@@ -97,7 +97,7 @@ fn forever(folder: &TempDir, blocks: &str) -> std::path::PathBuf {
 fn the_trace_of_an_endless_program_is_bounded() {
     let folder = tempfile::tempdir().unwrap();
     let long = format!("; {}", "x".repeat(200_000));
-    let trace = ["run", "FILE", "--trace", "--format", "json", "--max-blocks", "300000"];
+    let trace = ["run", "FILE", "--trace", "--format", "json", "--max-blocks", "60000"];
     check(&forever(&folder, &format!("Q1 = 1 {long}")), &trace, 1);
     let text = format!("QS1 = \"{}\"", "y".repeat(250));
     let many: Vec<String> = (2..90).map(|number| format!("QS{number} = QS1")).collect();
