@@ -1,7 +1,7 @@
 //! Every fuzz target on its seeds and on changes of them, in this process and without an engine.
 //!
-//! `FUZZ_SECONDS` is the time for all targets together; without it each of them gets a fixed number of inputs. The
-//! changes follow from `FUZZ_SEED` alone. `fuzz/campaign` searches with coverage, and for hours.
+//! Each target gets `FUZZ_INPUTS` changes of its seeds, the same on every machine: they follow from `FUZZ_SEED` alone.
+//! With `FUZZ_SECONDS` all targets together take this time instead. `fuzz/campaign` searches with coverage, and for hours.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 use crate::fuzz_targets::{TARGETS, Target};
 
-/// Inputs for each target where no time is given.
+/// Inputs for each target where nothing else is asked for.
 const INPUTS: usize = 400;
 
 /// The longest input that is made.
@@ -168,7 +168,8 @@ fn run(target: &Target, input: &[u8], watched: &Watched) {
 
 #[test]
 fn every_target_holds_on_its_seeds_and_on_changes_of_them() {
-    let seconds: Option<f64> = variable("FUZZ_SECONDS");
+    let (seconds, asked): (Option<f64>, Option<usize>) = (variable("FUZZ_SECONDS"), variable("FUZZ_INPUTS"));
+    let most = asked.unwrap_or(INPUTS);
     let mut random = Random(variable("FUZZ_SEED").unwrap_or(1));
     let watched = watch();
     for (number, target) in (0_u32..).zip(TARGETS) {
@@ -180,14 +181,15 @@ fn every_target_holds_on_its_seeds_and_on_changes_of_them() {
         let time =
             seconds.map(|seconds| Duration::from_secs_f64(seconds / f64::from(u32::try_from(TARGETS.len()).unwrap())));
         let mut inputs = 0;
-        while time.map_or(inputs < INPUTS, |time| begin.elapsed() < time) {
+        while time.map_or(inputs < most, |time| begin.elapsed() < time) {
             let mut input = seeds[own.below(seeds.len())].clone();
             changed(&mut input, &seeds, &words, &mut own);
             run(target, &input, &watched);
             inputs += 1;
         }
-        if time.is_some() {
-            println!("{:16} {:4} seeds {inputs:8} changes of them", target.name, seeds.len());
+        if time.is_some() || asked.is_some() {
+            let took = begin.elapsed().as_secs_f64();
+            println!("{:16} {:4} seeds {inputs:8} changes of them {took:6.1} s", target.name, seeds.len());
         }
     }
 }

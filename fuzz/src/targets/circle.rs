@@ -85,6 +85,8 @@ impl<'a> Set<'a> {
             }
         }
         let middle = [f64::midpoint(left, right), f64::midpoint(bottom, top)];
+        // Contacts nearly on a line have centres so far away that even 32 digits lose the contacts beside them.
+        centres.retain(|[x, y]: &[f64; 2]| (x - middle[0]).hypot(y - middle[1]) < 1e9 * extent);
         Self { contacts, middle, extent, rounding: 4.0 * f64::EPSILON * largest + 1e-12 * extent, centres }
     }
 
