@@ -68,7 +68,7 @@ fn remove_at_signals() {
         let Ok(mut signals) = Signals::new(wanted) else { return };
         let handle = move || {
             for signal in signals.forever() {
-                with_all(|all| all.iter().for_each(|path| remove(path)));
+                with_all(|all| all.iter().for_each(|path| remove_all(path)));
                 drop(emulate_default_handler(signal));
             }
         };
@@ -78,6 +78,18 @@ fn remove_at_signals() {
 
 #[cfg(not(unix))]
 const fn remove_at_signals() {}
+
+/// Removes what is still being written: until a folder is gone, more files may come into it.
+#[cfg(unix)]
+fn remove_all(path: &Path) {
+    const TRIES: usize = 1_000;
+    for _ in 0..TRIES {
+        remove(path);
+        if path.symlink_metadata().is_err() {
+            return;
+        }
+    }
+}
 
 /// Whether the system says that a signal is ignored; where it does not say, it is not.
 #[cfg(unix)]
