@@ -80,6 +80,6 @@ report-footer = Each verdict is based on unrounded values and on the limits and 
 report-note = { $place }: { $what }
 report-note-line = { $place }, line { $line }: { $what }
 report-note-more = { $count ->
-    [one] one more is not listed here
-   *[other] { $count } more are not listed here
+    [one] 1 more note is not listed
+   *[other] { $count } more notes are not listed
 }
