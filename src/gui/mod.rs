@@ -89,9 +89,11 @@ pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
     };
     let opened = open(eframe::Renderer::Glow);
     #[cfg(feature = "wgpu")]
-    let opened = opened.or_else(|first| {
-        log::warn!("no window with OpenGL: {first}");
-        open(eframe::Renderer::Wgpu)
+    let opened = opened.or_else(|first| match first {
+        // Neither renderer opens a window on a display that does not answer, and a second try would say only that it is
+        // the second.
+        eframe::Error::WinitEventLoop(_) => Err(first.to_string()),
+        _ => open(eframe::Renderer::Wgpu).map_err(|second| format!("{first}; {second}")),
     });
     opened.map_err(|error| WindowError::NotOpened { reason: error.to_string() })
 }
