@@ -218,11 +218,12 @@ impl Length {
             Unit::Inch => 7,
         };
         let mut text = self.rounded(unit, places.max(decimals));
-        while text.ends_with('0') && text.split_once('.').is_some_and(|(_, d)| decimals < d.len()) {
-            text.pop();
-        }
-        if text.ends_with('.') {
-            text.pop();
+        if let Some(point) = text.find('.') {
+            let digits = text.trim_end_matches('0').len();
+            text.truncate(digits.max(point + 1 + decimals));
+            if text.ends_with('.') {
+                text.pop();
+            }
         }
         text
     }

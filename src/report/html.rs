@@ -9,6 +9,7 @@
 
 mod seen;
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use askama::Template;
@@ -208,11 +209,14 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
 
 /// The text without what a page must not contain: control characters, and marks that change the direction of writing
 /// and so the order of figures. Each becomes a replacement character, so that it is visible.
-fn printable(page: &str) -> String {
+fn printable(page: &str) -> Cow<'_, str> {
     let hidden = |c: char| {
         (c.is_control() && c != '\n' && c != '\t')
             || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}')
     };
+    if !page.chars().any(hidden) {
+        return Cow::Borrowed(page);
+    }
     page.chars().map(|c| if hidden(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 

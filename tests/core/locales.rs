@@ -196,8 +196,9 @@ fn every_file_is_embedded() {
     for language in Language::all() {
         let words = Words::new(language);
         let text: String = locale(language).into_iter().map(|(_, text)| text).collect();
+        let lines: BTreeSet<&str> = text.lines().collect();
         for (id, arguments) in all(language) {
-            let says_its_name = text.contains(&format!("\n{id} = {id}\n"));
+            let says_its_name = lines.contains(format!("{id} = {id}").as_str());
             assert!(!arguments.is_empty() || says_its_name || words.get(&id) != id, "{language}: {id}");
         }
     }
