@@ -242,7 +242,7 @@ impl Length {
         let kept = decimals.min(12);
         let scale = (0..kept).fold(1_u128, |scale, _| scale * 10);
         let scaled = (magnitude * scale * 2 + one) / (one * 2);
-        let sign = if self.0 < 0 && 0 < scaled { "-" } else { "" };
+        let sign = if self.0.is_negative() && scaled != 0 { "-" } else { "" };
         if decimals == 0 {
             return format!("{sign}{scaled}");
         }
@@ -279,9 +279,9 @@ fn decimal_nanometres(digits: &str, unit: Unit, given: &str) -> Result<i64, Leng
         return Err(LengthError::NotANumber { text: text() });
     }
     let decimals = decimals.trim_end_matches('0');
-    // Micrometres and millimetres end at the nanometre after 3 and 6 decimals, inches (25 400 000 nm) after at most
-    // 8: beyond that the number is finer, whatever its figures.
-    if 8 < decimals.len() {
+    // Micrometres end at the nanometre after 3 decimals, millimetres after 6, and inches as well: 0.000005 in are 127 nm,
+    // and a seventh decimal leaves a part of one. Beyond that the number is finer, whatever its figures.
+    if 6 < decimals.len() {
         return Err(LengthError::TooFine { text: text() });
     }
     let too_large = || LengthError::TooLarge { text: text() };

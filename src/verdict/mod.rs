@@ -271,12 +271,9 @@ pub fn doubt(limits: &Limits, measured: Length) -> Option<Doubt> {
             return Some(Doubt::DecimalSign { meant });
         }
     }
-    let beyond = |limit: Length| measured.saturating_sub(limit).abs();
-    let distance = match (measured < limits.minimum(), limits.maximum() < measured) {
-        (false, false) => return None,
-        (true, _) => beyond(limits.minimum()),
-        (_, true) => beyond(limits.maximum()),
-    };
+    // Beyond the nearest limit; negative between the limits.
+    let (below, above) = (limits.minimum().saturating_sub(measured), measured.saturating_sub(limits.maximum()));
+    let distance = below.max(above);
     let (distance_nm, width) =
         (i128::from(distance.nanometres()), i128::from(limits.maximum().saturating_sub(limits.minimum()).nanometres()));
     let is_far = width * 10 < distance_nm && nominal.abs() < distance_nm * 50;

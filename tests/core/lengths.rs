@@ -48,9 +48,12 @@ fn refuses_what_is_no_length() {
     check("1.234,5", "1.234,5 is ambiguous: write one decimal sign and no thousands separator");
     check("25.0000001", "25.0000001 is finer than a nanometre");
     check("0.0005 µm", "0.0005 µm is finer than a nanometre");
+    check("25.0000000000000000001", "25.0000000000000000001 is finer than a nanometre");
     check("1000000000.000001", "1000000000.000001 is too large: at most 1000000000 mm either way");
     check("99999999999999999999", "99999999999999999999 is too large: at most 1000000000 mm either way");
     check("-99999999999999999999.5", "-99999999999999999999.5 is too large: at most 1000000000 mm either way");
+    let digits = "9".repeat(38);
+    check(&digits, &format!("{digits} is too large: at most 1000000000 mm either way"));
     check("２５", "２５ is not a number");
 }
 
@@ -66,11 +69,14 @@ fn prints_exactly_and_rounds_half_away_from_zero() {
     assert_eq!(nm(1_500_000).rounded(Unit::Millimetre, 0), "2");
     assert_eq!(nm(1).rounded(Unit::Millimetre, 14), "0.00000100000000");
     assert_eq!(format!("{:>8}", nm(25_000_000)), "      25");
+    assert_eq!([21_000, -7_500, 0].map(|deviation| nm(deviation).signed_um()), ["+21", "-7.5", "0"]);
 }
 
 #[test]
 fn an_inch_is_exactly_25_4_mm() {
     assert_eq!(Length::parse_in("1.0008", Unit::Inch).unwrap().to_string(), "25.42032");
+    assert_eq!(Length::parse_in("0.000005", Unit::Inch), Ok(nm(127)));
+    assert_eq!(Length::parse_in("0.00000500", Unit::Inch), Ok(nm(127)));
     assert_eq!(
         Length::parse_in("0.0000001", Unit::Inch).unwrap_err(),
         LengthError::TooFine { text: "0.0000001".to_owned() }
@@ -81,6 +87,8 @@ fn an_inch_is_exactly_25_4_mm() {
 fn floats_meet_lengths_at_the_nearest_nanometre() {
     assert_eq!(Length::from_mm_f64(25.012_000_4).unwrap().nanometres(), 25_012_000);
     assert_eq!(Length::from_mm_f64(-0.000_000_6).unwrap().nanometres(), -1);
+    assert_eq!(Length::from_mm_f64(1e9), Ok(Length::MAX));
+    assert_eq!(Length::from_mm_f64(-1e9), Ok(Length::MAX.negated()));
     assert!(Length::from_mm_f64(f64::NAN).is_err());
     assert!(Length::from_mm_f64(f64::INFINITY).is_err());
     assert!(Length::from_mm_f64(1.000_000_1e9).is_err());

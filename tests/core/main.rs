@@ -83,5 +83,6 @@ mod table_edit;
 mod table_formats;
 mod tables;
 mod twin;
+mod verdicts;
 mod wall_cycles;
 mod workpieces;
