@@ -87,11 +87,6 @@ impl Evaluation {
         let squares: f64 = self.residuals.iter().map(|residual| residual * residual).sum();
         (squares / count_f64(self.residuals.len())).sqrt()
     }
-
-    /// Roundness by the minimum zone, if there is one.
-    pub fn roundness(&self) -> Option<f64> {
-        self.minimum_zone.map(|zone| zone.width)
-    }
 }
 
 /// Smallest and largest of some numbers.
