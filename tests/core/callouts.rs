@@ -4,11 +4,10 @@
 
 use std::path::Path;
 
-use fitcheck::control::shipped_tables;
 use fitcheck::length::Length;
 use fitcheck::tolerance::callout::{halves, qs400};
 use fitcheck::tolerance::iso2768::{self, GeneralClass};
-use fitcheck::tolerance::{Callout, CycleText, Deviations, Sources, ToleranceClass};
+use fitcheck::tolerance::{Callout, CycleText, Deviations, Feature, Sources, ToleranceClass};
 use proptest::prelude::*;
 
 /// ISO 2768-1, linear sizes: over, up to, and the deviations of f, m, c and v, in millimetres.
@@ -63,15 +62,15 @@ fn general_tolerances_begin_at_half_a_millimetre_and_end_at_four_metres() {
 }
 
 /// A row of the samples.
-struct Sample {
-    text: String,
-    nominal: Option<Length>,
+pub struct Sample {
+    pub text: String,
+    pub nominal: Option<Length>,
     /// Upper and lower; `None` where the text is refused or means no tolerance.
-    band: Option<(Length, Length)>,
+    pub band: Option<(Length, Length)>,
     remark: String,
 }
 
-fn samples(kind: &str) -> Vec<Sample> {
+pub fn samples(kind: &str) -> Vec<Sample> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples/tolerance_texts.csv");
     let mut reader = csv::Reader::from_path(path).unwrap();
     let rows = reader.records().map(Result::unwrap).filter(|row| &row[1] == kind);
@@ -113,18 +112,6 @@ fn every_sample_of_a_callout_reads_as_it_should() {
         let callout = read.unwrap();
         assert_eq!(Some(callout.nominal()), nominal, "{text}");
         assert_eq!(found.unwrap(), band, "{text}");
-    }
-}
-
-#[test]
-fn every_sample_of_the_shipped_tables_reads_as_it_should() {
-    let samples = samples("callout-8255-table");
-    assert_eq!(samples.len(), 2);
-    for Sample { text, nominal, band, .. } in samples {
-        let callout: Callout = text.parse().unwrap();
-        assert_eq!(Some(callout.nominal()), nominal);
-        let limits = fitcheck::tolerance::Sources::of_tables(shipped_tables()).limits(&callout, None).ok();
-        assert_eq!(limits.map(|limits| (limits.deviations.upper(), limits.deviations.lower())), band, "{text}");
     }
 }
 
@@ -238,6 +225,20 @@ fn a_size_has_the_tolerance_of_its_range() {
     check_general("10", "f", "±0.1 over 6 up to 30");
     check_general("0.5", "m", "±0.1 over 0.5 up to 3");
     check_general("4000", "v", "±8 over 2000 up to 4000");
+}
+
+#[test]
+fn one_side_of_a_fit_is_a_callout_of_one_part() {
+    for (callout, hole, shaft) in [
+        ("25 H7/g6", "25 H7", "25 g6"),
+        ("25 H7", "25 H7", "25 H7"),
+        ("12 +0.2 0", "12 +0.2 0", "12 +0.2 0"),
+        ("10m", "10m", "10m"),
+    ] {
+        let callout: Callout = callout.parse().unwrap();
+        let part = |feature| callout.of_part(feature).to_string();
+        assert_eq!([part(Feature::Hole), part(Feature::Shaft)], [hole, shaft], "{callout}");
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Compares the built-in tables with the published figures of ISO 286.
 
 use super::*;
+use crate::callouts::{Sample, samples};
 
 const HOLE_CLASSES: &str = "D10 E9 F7 F8 G7 G9 H6 H7 H8 H9 H11 H12 H13 JS7 JS9 K6 K7 M6 M7 N7 N9 P7 P9 R7";
 const SHAFT_CLASSES: &str = "d9 e8 f7 g6 h5 h6 h7 h8 h9 h11 js5 js6 js13 js14 k5 k6 m5 m6 n6 p6 r6 s6 s7";
@@ -227,4 +228,16 @@ fn the_shipped_tables_can_be_read_without_a_warning() {
         assert!(table.is_some() && warnings.is_empty(), "{name}: {warnings:?}");
     }
     assert_eq!(shipped_tables().len(), files.len());
+}
+
+#[test]
+fn every_sample_of_the_shipped_tables_reads_as_it_should() {
+    let samples = samples("callout-8255-table");
+    assert_eq!(samples.len(), 2);
+    for Sample { text, nominal, band, .. } in samples {
+        let callout: fitcheck::tolerance::Callout = text.parse().unwrap();
+        assert_eq!(Some(callout.nominal()), nominal);
+        let limits = fitcheck::tolerance::Sources::of_tables(shipped_tables()).limits(&callout, None).ok();
+        assert_eq!(limits.map(|limits| (limits.deviations.upper(), limits.deviations.lower())), band, "{text}");
+    }
 }
