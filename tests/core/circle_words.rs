@@ -33,6 +33,10 @@ fn says_why_contacts_are_no_circle() {
         &[[0.0, 0.0], [1.0, 1.0], [0.0, 2e9]],
         "contact 3: y = 2000000000 mm is too large: at most 1000000000 mm either way",
     );
+    for (y, shown) in [(1e15, "1e15"), (-1e300, "-1e300"), (999_999_999_999_999.0, "999999999999999")] {
+        let said = format!("contact 3: y = {shown} mm is too large: at most 1000000000 mm either way");
+        check(&[[0.0, 0.0], [1.0, 1.0], [0.0, y]], &said);
+    }
     check(
         &[[0.0, 0.0], [1.0, 1e-3], [2.0, -1e-3], [3.0, 0.0]],
         "the 4 contacts fit a straight line better than any circle",

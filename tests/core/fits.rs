@@ -6,9 +6,9 @@
 use fitcheck::length::Length;
 use fitcheck::tolerance::fit::equivalent::{Difference, equivalent};
 use fitcheck::tolerance::fit::preferred::{Function, Preference, function, preference};
-use fitcheck::tolerance::fit::{Basis, Fit, Kind, basis};
+use fitcheck::tolerance::fit::{Basis, Fit, FitError, Kind, basis};
 use fitcheck::tolerance::iso286::{self, Grade, Letter, Options};
-use fitcheck::tolerance::{Feature, Limits, Source, ToleranceClass};
+use fitcheck::tolerance::{Feature, Limits, Source, Sources, ToleranceClass};
 use fitcheck::verdict::Status;
 use fitcheck::verdict::fit::Actual;
 use proptest::prelude::*;
@@ -71,11 +71,28 @@ fn worked_examples() {
 }
 
 #[test]
-fn the_parts_of_the_issue_are_judged() {
+fn two_measured_parts_are_judged_each_and_together() {
     let actual = Actual::of(&fit("50", "H7/p6"), mm("50.010"), mm("50.030"));
     assert_eq!((actual.clearance, actual.conforms, actual.status()), (mm("-0.020"), true, Status::Good));
     let mean = fit("50", "H7/p6").mean_clearance();
     assert_eq!(mean, mm("-0.0215"));
+}
+
+#[test]
+fn a_fit_of_a_callout_takes_both_parts_from_the_same_sources() {
+    let sources = Sources::default();
+    let of = |callout: &str| Fit::of_callout(&callout.parse().unwrap(), &sources);
+    // 50 H7 is 50.000 to 50.025, p6 50.026 to 50.042, g6 49.975 to 49.991, k6 50.002 to 50.018.
+    for (callout, kind) in [("50 H7/p6", "interference"), ("50 H7/g6", "clearance"), ("50 H7/k6", "transition")] {
+        let fit = of(callout).unwrap();
+        assert_eq!(fit.kind().word(), kind);
+        let parts = [fit.hole(), fit.shaft()].map(|limits| limits.feature);
+        assert_eq!(parts, [Feature::Hole, Feature::Shaft], "{callout}");
+    }
+    for callout in ["50 H7", "50 g6", "50 ±0.1", "50m"] {
+        let asked = callout.parse().unwrap();
+        assert_eq!(of(callout).unwrap_err(), FitError::OneSided { callout: asked }, "{callout}");
+    }
 }
 
 #[test]

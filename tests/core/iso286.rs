@@ -1,6 +1,6 @@
 //! Compares ISO 286 with independent transcriptions of the standard, cell by cell (`tests/data/iso286/README.md`).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use fitcheck::length::{Length, Unit};
 use fitcheck::tolerance::iso286::{self, Grade, Letter, Options};
@@ -153,6 +153,22 @@ fn the_47_classes_of_the_control_tables_agree_with_published_limits() {
             assert_eq!((cell.deviations.upper(), cell.deviations.lower()), expected, "{nominal} {class}");
         }
     }
+}
+
+#[test]
+fn the_classes_offered_first_are_those_of_the_control_tables_and_the_preferred_ones() {
+    let control: BTreeSet<String> = rows("limits_47_classes.csv").into_iter().map(|row| row["class"].clone()).collect();
+    assert_eq!(control.len(), 47);
+    let mut expected = control;
+    for feature in [Feature::Hole, Feature::Shaft] {
+        let preferred: Vec<String> = iso286::preferred_classes(feature).map(|class| class.to_string()).collect();
+        assert_eq!(preferred.len(), 17, "figures 10 and 11 of ISO 286-1:2010");
+        expected.extend(preferred);
+    }
+    let usual = [Feature::Hole, Feature::Shaft].into_iter().flat_map(iso286::usual_classes);
+    let usual: Vec<String> = usual.map(|class| class.to_string()).collect();
+    assert_eq!(usual.len(), expected.len());
+    assert_eq!(usual.into_iter().collect::<BTreeSet<_>>(), expected);
 }
 
 #[test]

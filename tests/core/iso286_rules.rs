@@ -1,7 +1,9 @@
 //! Rules and texts of ISO 286. `iso286.rs` compares the cells with independent transcriptions.
 
 use fitcheck::length::{Length, Unit};
-use fitcheck::tolerance::iso286::{Cell, Edition, JsHalves, Options, Remark, classes, classes_at, deviations};
+use fitcheck::tolerance::iso286::{
+    Cell, Edition, Grade, JsHalves, Options, Remark, classes, classes_at, deviations, standard_tolerance,
+};
 use fitcheck::tolerance::{Feature, ToleranceClass};
 
 #[track_caller]
@@ -105,6 +107,21 @@ fn the_classes_at_a_size_are_those_that_are_answered() {
             let all = classes(feature, options).filter(|class| deviations(*class, nominal, options).is_ok());
             assert_eq!(all.count(), at.len(), "{feature} {nominal}");
         }
+    }
+}
+
+#[test]
+fn a_standard_tolerance_is_that_of_its_step_and_needs_a_size() {
+    let it = |grade: &str, nominal: &str| {
+        let grade = Grade::all().find(|known| known.to_string() == grade).unwrap();
+        standard_tolerance(grade, nominal.parse().unwrap()).map(|width| width.to_string())
+    };
+    // ISO 286-1:2010, table 1.
+    assert_eq!(it("7", "25").as_deref(), Some("0.021"));
+    assert_eq!(it("01", "0.000001").as_deref(), Some("0.0003"));
+    assert_eq!(it("18", "3150").as_deref(), Some("33"));
+    for (grade, nominal) in [("7", "0"), ("7", "-25"), ("7", "3150.000001"), ("01", "500.000001"), ("14", "1")] {
+        assert_eq!(it(grade, nominal), None, "IT{grade} at {nominal}");
     }
 }
 

@@ -171,8 +171,8 @@ pub(super) fn steps_within(over: Length, to: Length) -> impl Iterator<Item = Len
 /// The width of a standard tolerance at a size; `None` where the grade is not defined.
 pub fn standard_tolerance(grade: Grade, nominal: Length) -> Option<Length> {
     let place = Place::of(nominal).filter(|_| Length::ZERO < nominal)?;
-    let zone = zone::zone(Feature::Hole, Letter::H, grade, place, Options::default())?;
-    Length::from_nanometres(zone.upper - zone.lower).ok()
+    // An H zone begins at the nominal size.
+    Length::from_nanometres(zone::zone(Feature::Hole, Letter::H, grade, place, Options::default())?.upper).ok()
 }
 
 fn cell(zone: Zone, place: Place) -> Option<Cell> {
