@@ -27,6 +27,10 @@ fn says_why_contacts_are_no_circle() {
     check(&[[0.1, 0.1], [0.2, 0.2], [0.3, 0.3]], line);
     check(&[[1000.1, 7.0], [1000.2, 7.0], [1000.7, 7.0]], line);
     check(&[[1e6 + 0.1, 0.7], [1e6 + 0.2, 1.4], [1e6 + 0.4, 2.8]], line);
+    // Upright, and off by the last bit of a coordinate: what counts is the longest distance between two of them.
+    check(&[[1e6, 0.0], [1e6 + 1.2e-10, 1.0], [1e6, 500.0]], line);
+    // Too small to be told apart, and not divided by their extent.
+    check(&[[0.0, 0.0], [1e-310, 0.0], [0.0, 1e-310]], line);
     check(&[[0.0, 0.0], [1.0, f64::NAN], [2.0, 2.0]], "contact 2: y = NaN is not a finite number");
     check(&[[0.0, 0.0], [1.0, 1.0], [f64::NEG_INFINITY, 2.0]], "contact 3: x = -inf is not a finite number");
     check(
@@ -37,6 +41,7 @@ fn says_why_contacts_are_no_circle() {
         let said = format!("contact 3: y = {shown} mm is too large: at most 1000000000 mm either way");
         check(&[[0.0, 0.0], [1.0, 1.0], [0.0, y]], &said);
     }
+    check(&[[1e9, 0.0], [1e9 - 1.0, 1.0], [1e9 - 2.0, 0.0]], "Circle { x: 999999999.0, y: 0.0, diameter: 2.0 }");
     check(
         &[[0.0, 0.0], [1.0, 1e-3], [2.0, -1e-3], [3.0, 0.0]],
         "the 4 contacts fit a straight line better than any circle",

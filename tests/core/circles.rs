@@ -82,6 +82,34 @@ fn a_circumscribed_circle_that_moves_without_growing_by_a_bit_is_found() {
     }
 }
 
+#[test]
+fn contacts_between_two_parallel_lines_have_no_minimum_zone() {
+    // In turn on one line and on the other: the strip between the lines is the narrowest ring, of infinite radius.
+    let zigzag = |last: f64| [[0.0, 0.0], [1.0, 0.1], [2.0, 0.0], [3.0, 0.1], [4.0, last]].map(contact);
+    assert_eq!(evaluate(&zigzag(0.0)).unwrap().minimum_zone, None);
+    // With the last one below its line, the narrowest strip has 0.10075 mm, from the line through it and the first to the
+    // contact at 3 mm; a ring of 4 m bends after it.
+    let zone = evaluate(&zigzag(-0.001)).unwrap().minimum_zone.unwrap();
+    assert!(zone.width < 0.1007 && 1000.0 < zone.outer_diameter, "{zone:?}");
+}
+
+#[test]
+fn a_set_scaled_by_a_power_of_two_has_the_same_answers_to_the_last_bit() {
+    for (id, contacts, _) in sets() {
+        let (centres, sizes) = answers(&contacts);
+        for power in [-400, -30, 1, 17] {
+            let scale = 2.0_f64.powi(power);
+            let scaled: Vec<_> = contacts.iter().map(|at| contact([at.x * scale, at.y * scale])).collect();
+            let (scaled_centres, scaled_sizes) = answers(&scaled);
+            let expected: Vec<_> = centres.iter().map(|[x, y]| [x * scale, y * scale]).collect();
+            assert_eq!(scaled_centres, expected, "{id} by 2^{power}");
+            // Angles and factors stay what they are.
+            let is_same = |(scaled, size): (&f64, &f64)| scaled == size || *scaled == size * scale;
+            assert!(scaled_sizes.iter().zip(&sizes).all(is_same), "{id} by 2^{power}: {scaled_sizes:?} {sizes:?}");
+        }
+    }
+}
+
 /// Centres and sizes by every criterion: least squares, circumscribed, inscribed, zone; then form and uncertainties.
 fn answers(contacts: &[Contact]) -> (Vec<[f64; 2]>, Vec<f64>) {
     let found = evaluate(contacts).unwrap();

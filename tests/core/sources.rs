@@ -5,7 +5,7 @@ use std::sync::Arc;
 use fitcheck::length::Length;
 use fitcheck::tolerance::iso286;
 use fitcheck::tolerance::table::Column;
-use fitcheck::tolerance::{DeviationTable, Deviations, DeviationsError, Feature, LimitsError, Source, Sources};
+use fitcheck::tolerance::{Absent, DeviationTable, Deviations, DeviationsError, Feature, LimitsError, Source, Sources};
 use fitcheck::words::{Language, Words};
 
 fn mm(text: &str) -> Length {
@@ -101,6 +101,38 @@ fn iso_286_answers_what_a_users_table_does_not_hold() {
 }
 
 #[test]
+fn absent_own_tables_are_awaited_or_told_with_every_class() {
+    let folder: Arc<str> = "tables".into();
+    let own = || vec![table("own.tab", false, &[("H7", &[pair(10, 0), pair(20, 0), pair(20, 0)])])];
+    let sources = Sources::default().with_own(own());
+    assert_eq!((sources.absent(), sources.own().len()), (None, 1));
+    let awaited = sources.clone().with_absent(Some(Absent::Awaited(Arc::clone(&folder))));
+    assert_eq!(awaited.absent(), Some(&Absent::Awaited(Arc::clone(&folder))));
+    let refused = |callout: &str| awaited.limits(&callout.parse().unwrap(), None).unwrap_err();
+    for class in ["5 H7", "5 g6"] {
+        assert_eq!(refused(class), LimitsError::OwnAwaited { folder: Arc::clone(&folder) });
+    }
+    // No table has a say in what a callout states itself.
+    let size = |sources: &Sources, callout: &str| {
+        let limits = sources.size_limits(&callout.parse().unwrap()).unwrap();
+        format!("{} {} to {} from {}", limits.feature, limits.minimum(), limits.maximum(), limits.source)
+    };
+    assert_eq!(size(&awaited, "12 ±0.01"), "shaft 11.99 to 12.01 from the callout itself");
+    let unread = sources.with_absent(Some(Absent::Unread(Arc::clone(&folder))));
+    let source = |callout: &str| unread.limits(&callout.parse().unwrap(), None).unwrap().source;
+    assert!(matches!(source("5 g6"), Source::WithoutOwn { folder: named, .. } if named == folder));
+    assert!(matches!(source("5 H7"), Source::Table { shipped: false, .. }));
+}
+
+#[test]
+fn a_table_under_another_name_is_the_users_own() {
+    let table = table("hole.tab", true, &[("H7", &[pair(10, 0); 3])]);
+    assert!(table.shipped());
+    let named = table.named("mine.tab");
+    assert_eq!((named.name(), named.shipped(), named.ends()), ("mine.tab", false, table.ends()));
+}
+
+#[test]
 fn callouts_without_letters_need_to_be_told_hole_or_shaft() {
     #[track_caller]
     fn check(callout: &str, feature: Option<Feature>, expected: &str) {
@@ -122,6 +154,13 @@ fn callouts_without_letters_need_to_be_told_hole_or_shaft() {
     check("25 H7/g6", shaft, "shaft 24.98 to 24.993 from ISO 286, over 18 up to 30 mm");
     check("25 H7/g6", hole, "hole 25 to 25.021 from ISO 286, over 18 up to 30 mm");
     check("25 H7/g6", None, "25 H7/g6 does not say whether the hole or the shaft is meant");
+    // Where it does not matter, a callout without letters is that of a shaft; a fit still has two parts.
+    let size = |callout: &str| Sources::default().size_limits(&callout.parse().unwrap()).map(|limits| limits.feature);
+    for (callout, feature) in [("25 H7", Feature::Hole), ("25 h7", Feature::Shaft), ("10m", Feature::Shaft)] {
+        assert_eq!(size(callout), Ok(feature), "{callout}");
+    }
+    let fit = "25 H7/g6".parse().unwrap();
+    assert_eq!(size("25 H7/g6"), Err(LimitsError::NoFeature { callout: fit }));
     check("25 H7", shaft, "H7 is a hole class and not a shaft class");
     check("25 g6", hole, "g6 is a shaft class and not a hole class");
 }
