@@ -1,6 +1,5 @@
 //! Tables of deviations: size ranges and classes, as a control's table holds them.
 
-use std::fmt;
 use std::sync::Arc;
 
 use super::class::ToleranceClass;
@@ -137,10 +136,4 @@ impl DeviationTable {
 /// The size ranges with these ends: above, and up to and including.
 pub(super) fn ranges(ends: &[Length]) -> impl Iterator<Item = (Length, Length)> {
     std::iter::once(Length::ZERO).chain(ends.iter().copied()).zip(ends.iter().copied())
-}
-
-impl fmt::Display for DeviationTable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({} classes, {} size ranges)", self.name, self.columns.len(), self.ends.len())
-    }
 }

@@ -27,9 +27,9 @@ fn pair(um: i32) -> Option<Deviations> {
 fn every_change_can_be_taken_back_and_done_again() {
     let mut edit = TableEdit::new(made("H7", "6").unwrap());
     let h7 = classes("H7")[0];
-    assert!(!edit.undo() && !edit.redo() && !edit.is_changed());
+    assert!(!edit.undo() && !edit.redo() && !edit.is_changed() && !edit.can_undo());
     let pair = Deviations::new(Length::from_micrometres(11), Length::ZERO).unwrap();
-    assert!(edit.set(h7, 0, Some(pair)));
+    assert!(edit.set(h7, 0, Some(pair)) && edit.can_undo());
     assert!(!edit.set(h7, 0, Some(pair)), "nothing changes");
     assert!(!edit.set(h7, 9, Some(pair)) && !edit.set(classes("H8")[0], 0, Some(pair)));
     let h8 = standard_column(classes("H8")[0], edit.table().ends(), iso286::Options::default());
