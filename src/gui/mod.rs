@@ -88,6 +88,8 @@ pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
         eframe::run_native("fitcheck", options, Box::new(|cc| Ok(Box::new(App::new(cc, setup)))))
     };
     let opened = open(eframe::Renderer::Glow);
+    #[cfg(not(feature = "wgpu"))]
+    let opened = opened.map_err(|error| error.to_string());
     #[cfg(feature = "wgpu")]
     let opened = opened.or_else(|first| match first {
         // Neither renderer opens a window on a display that does not answer, and a second try would say only that it is
@@ -95,5 +97,5 @@ pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
         eframe::Error::WinitEventLoop(_) => Err(first.to_string()),
         _ => open(eframe::Renderer::Wgpu).map_err(|second| format!("{first}; {second}")),
     });
-    opened.map_err(|error| WindowError::NotOpened { reason: error.to_string() })
+    opened.map_err(|reason| WindowError::NotOpened { reason })
 }
