@@ -285,6 +285,28 @@ proptest! {
     }
 
     #[test]
+    fn no_circle_beside_the_least_squares_circle_of_any_scatter_is_better(
+        points in prop::collection::vec([-1.0..1.0_f64, -1.0..1.0_f64], 4..9),
+    ) {
+        let contacts: Vec<_> = points.into_iter().map(contact).collect();
+        // Some scatter is nearer to a straight line than to any circle.
+        let Ok(found) = evaluate(&contacts) else { return Ok(()) };
+        let squares = |x: f64, y: f64| {
+            let distances: Vec<f64> = contacts.iter().map(|contact| (contact.x - x).hypot(contact.y - y)).collect();
+            let mean = distances.iter().sum::<f64>() / f64::from(u32::try_from(distances.len()).unwrap());
+            distances.iter().map(|distance| (distance - mean).powi(2)).sum::<f64>()
+        };
+        let circle = found.least_squares;
+        let least = squares(circle.x, circle.y);
+        for angle in evenly(0.0, 30.0, 12) {
+            for step in [1e-3, 1e-2] {
+                let (x, y) = (circle.x + step * angle.to_radians().cos(), circle.y + step * angle.to_radians().sin());
+                prop_assert!(least <= squares(x, y) * (1.0 + 1e-12), "better {step} mm beside {circle:?}");
+            }
+        }
+    }
+
+    #[test]
     fn the_criteria_stand_in_their_order_and_no_crude_search_beats_them(
         radii in prop::collection::vec(9.0..11.0_f64, 4..16),
         first in 0.0..360.0_f64,
