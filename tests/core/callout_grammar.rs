@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use fitcheck::tolerance::callout::halves;
 use fitcheck::tolerance::{Callout, CalloutError, Feature, ToleranceClass};
 use fitcheck::words::{Language, Words};
 
@@ -187,6 +188,27 @@ fn refuses_what_is_no_callout() {
         let expected = format!("! {sign} is for the texts of cycles 14xx, not for a callout (character {at})");
         check(text, &expected);
     }
+}
+
+#[test]
+fn a_sign_belongs_to_the_size_while_it_is_typed() {
+    for (text, expected) in [
+        ("+25 H7", ("+25", "H7")),
+        ("-25", ("-25", "")),
+        ("\u{2212}25 g6", ("\u{2212}25", "g6")),
+        ("Ø 25H7", ("25", "H7")),
+        ("", ("", "")),
+    ] {
+        assert_eq!(halves(text), expected, "{text:?}");
+    }
+    check("+ H7", "! nominal size: + is not a number");
+}
+
+#[test]
+fn an_error_in_values_names_no_character() {
+    let error = CalloutError::from("H".parse::<ToleranceClass>().unwrap_err());
+    assert_eq!(error.span(), None);
+    assert!(!error.to_string().contains("character"), "{error}");
 }
 
 #[test]

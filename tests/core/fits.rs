@@ -107,6 +107,8 @@ fn the_basis_is_the_h() {
     ] {
         let (hole, shaft) = pair(text);
         assert_eq!(basis(hole, shaft), expected, "{text}");
+        let word = expected.map(Basis::word);
+        assert_eq!(word, expected.map(|basis| format!("{basis:?}").to_lowercase()).as_deref(), "{text}");
     }
 }
 
