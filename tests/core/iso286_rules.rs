@@ -116,6 +116,8 @@ fn a_standard_tolerance_is_that_of_its_step_and_needs_a_size() {
         let grade = Grade::all().find(|known| known.to_string() == grade).unwrap();
         standard_tolerance(grade, nominal.parse().unwrap()).map(|width| width.to_string())
     };
+    let numbered = |number| Grade::numbered(number).map(|grade| grade.to_string());
+    assert_eq!([0, 1, 18, 19].map(numbered), [None, Some("1".to_owned()), Some("18".to_owned()), None]);
     // ISO 286-1:2010, table 1.
     assert_eq!(it("7", "25").as_deref(), Some("0.021"));
     assert_eq!(it("01", "0.000001").as_deref(), Some("0.0003"));
