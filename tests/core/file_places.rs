@@ -3,9 +3,11 @@
 #![cfg(all(test, unix))]
 
 use std::fs::{read, read_dir, read_to_string};
+use std::io::ErrorKind;
 use std::os::unix::fs::{FileTypeExt as _, MetadataExt as _, PermissionsExt as _, symlink};
 use std::path::Path;
 use std::process::Command;
+use std::time::Duration;
 
 use fitcheck::files::{FileError, no_half_set, read_file, read_tables, save, write, write_folder, write_new};
 
@@ -161,7 +163,15 @@ fn a_file_that_may_not_be_written_to_is_not_replaced_either() {
     std::fs::copy("/bin/sleep", &path).unwrap();
     std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).unwrap();
     let before = read(&path).unwrap();
-    let mut running = Command::new(&path).arg("60").spawn().unwrap();
+    // A process that another test begins at the same time can hold the copy open for a moment.
+    let start = || match Command::new(&path).arg("60").spawn() {
+        Err(busy) if busy.kind() == ErrorKind::ExecutableFileBusy => {
+            std::thread::sleep(Duration::from_millis(10));
+            None
+        }
+        started => Some(started.unwrap()),
+    };
+    let mut running = (0..1000).find_map(|_| start()).unwrap();
     let refused = write(&path, b"new");
     running.kill().unwrap();
     running.wait().unwrap();
