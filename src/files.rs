@@ -97,6 +97,16 @@ pub fn read(path: &Path) -> Result<Vec<u8>, FileError> {
     Ok(bytes)
 }
 
+/// A file to be read piece by piece, and how many bytes it has; `None` for a pipe or a device.
+pub fn open(path: &Path) -> Result<(std::fs::File, Option<u64>), FileError> {
+    let metadata = std::fs::metadata(path).map_err(|error| system(path, &error))?;
+    if metadata.is_dir() {
+        return Err(FileError::IsFolder { path: path.to_owned() });
+    }
+    let file = std::fs::File::open(path).map_err(|error| system(path, &error))?;
+    Ok((file, metadata.is_file().then_some(metadata.len())))
+}
+
 /// The first bytes of a file, at most this many.
 pub fn read_head(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
     let file = std::fs::File::open(path).map_err(|error| system(path, &error))?;
@@ -125,7 +135,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 }
 
 /// Writes a file like [`write()`], with what is written piece by piece.
-pub fn write_with(path: &Path, fill: &mut dyn FnMut(&mut dyn Write) -> std::io::Result<()>) -> Result<(), FileError> {
+pub fn write_with(path: &Path, fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> std::io::Result<()>) -> Result<(), FileError> {
     whole::write(path, fill).map_err(|error| system(path, &error))
 }
 
@@ -153,7 +163,7 @@ pub fn save(path: &Path, bytes: &[u8], replace: bool) -> Result<(), FileError> {
 pub fn save_with(
     path: &Path,
     replace: bool,
-    fill: &mut dyn FnMut(&mut dyn Write) -> std::io::Result<()>,
+    fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> std::io::Result<()>,
 ) -> Result<(), FileError> {
     if path.is_dir() {
         return Err(FileError::IsFolder { path: path.to_owned() });

@@ -134,6 +134,9 @@ impl Length {
     /// # Errors
     /// [`LengthError`] says what is wrong with the text; nothing is rounded or guessed.
     pub fn parse_in(text: &str, unit: Unit) -> Result<Self, LengthError> {
+        if let Some(length) = Self::plain(text.as_bytes(), unit) {
+            return Ok(length);
+        }
         let given = text.trim();
         if given.is_empty() {
             return Err(LengthError::Empty);
@@ -144,6 +147,45 @@ impl Length {
         let nm = decimal_nanometres(digits, unit, given)?;
         Self::from_nanometres(if negative { -nm } else { nm })
             .map_err(|_range| LengthError::TooLarge { text: given.to_owned() })
+    }
+
+    /// Reads what most numbers are: up to nine digits, and up to six more after a decimal sign. `None` for anything else,
+    /// which [`Length::parse_in`] may still read.
+    #[inline]
+    pub(crate) fn plain(text: &[u8], unit: Unit) -> Option<Self> {
+        let (mut number, mut digits, mut decimals) = (0_i64, 0_u32, None);
+        for &byte in text {
+            let digit = byte.wrapping_sub(b'0');
+            if digit < 10 {
+                number = number * 10 + i64::from(digit);
+                digits += 1;
+                decimals = decimals.map(|count: u32| count + 1);
+            } else if matches!(byte, b'.' | b',') && decimals.is_none() && 0 < digits {
+                decimals = Some(0);
+            } else {
+                return None;
+            }
+            if 15 < digits {
+                return None;
+            }
+        }
+        let decimals = decimals.unwrap_or(0);
+        if digits == 0 || 9 < digits - decimals {
+            return None;
+        }
+        // Nanometres in one of the last decimal, where that is a whole number of them.
+        let one = unit.nanometres();
+        let factor = match decimals {
+            0 => one,
+            1 => one / 10,
+            2 => one / 100,
+            3 => one / 1_000,
+            4 if one % 10_000 == 0 => one / 10_000,
+            5 if one % 100_000 == 0 => one / 100_000,
+            6 if one % NM_PER_MM == 0 => one / NM_PER_MM,
+            _ => return None,
+        };
+        Self::from_nanometres(number.checked_mul(factor)?).ok()
     }
 
     /// The sum, or `None` beyond [`Length::MAX`].
@@ -212,15 +254,32 @@ impl Length {
     ///
     /// Inches are not printed exactly (1 nm has no finite number of decimals); they are rounded to 7 decimals.
     pub fn exact(self, unit: Unit, decimals: usize) -> String {
-        let places = match unit {
-            Unit::Millimetre => 6,
-            Unit::Micrometre => 3,
-            Unit::Inch => 7,
+        let mut text = Vec::new();
+        self.put_exact(unit, decimals, &mut text);
+        // ASCII alone.
+        String::from_utf8(text).unwrap_or_default()
+    }
+
+    /// Appends what [`Length::exact`] gives, in ASCII.
+    #[inline]
+    pub(crate) fn put_exact(self, unit: Unit, decimals: usize, out: &mut Vec<u8>) {
+        let (one, places) = match unit {
+            Unit::Millimetre if decimals <= 6 => (1_000_000, 6),
+            Unit::Micrometre if decimals <= 3 => (1_000, 3),
+            Unit::Inch => return out.extend_from_slice(self.rounded_up_to(unit, 7.max(decimals), decimals).as_bytes()),
+            Unit::Millimetre | Unit::Micrometre => {
+                return out.extend_from_slice(self.rounded(unit, decimals).as_bytes());
+            }
         };
-        let mut text = self.rounded(unit, places.max(decimals));
+        put_decimal(self.0, one, places, decimals, out);
+    }
+
+    /// The number in `unit` rounded to `most` decimals, without the last ones where they are zero, but at least `least`.
+    fn rounded_up_to(self, unit: Unit, most: usize, least: usize) -> String {
+        let mut text = self.rounded(unit, most);
         if let Some(point) = text.find('.') {
             let digits = text.trim_end_matches('0').len();
-            text.truncate(digits.max(point + 1 + decimals));
+            text.truncate(digits.max(point + 1 + least));
             if text.ends_with('.') {
                 text.pop();
             }
@@ -249,6 +308,53 @@ impl Length {
         let padding = decimals - kept;
         format!("{sign}{}.{:0kept$}{:0<padding$}", scaled / scale, scaled % scale, "")
     }
+}
+
+/// Appends a number of nanometres in a unit of `one` of them, which has `places` decimals; zeros at the end go, but at
+/// least `least` decimals stay.
+#[inline]
+fn put_decimal(nm: i64, one: u64, places: usize, least: usize, out: &mut Vec<u8>) {
+    let magnitude = nm.unsigned_abs();
+    let (mut whole, mut part) = (magnitude / one, magnitude % one);
+    // From the end: decimals, point, figures, sign. 25 bytes are more than any i64 takes.
+    let mut text = [0_u8; 25];
+    let mut free = text.iter_mut().rev();
+    let mut used = 0;
+    let mut put = |byte: u8| {
+        if let Some(place) = free.next() {
+            *place = byte;
+            used += 1;
+        }
+    };
+    let mut left = places;
+    while least < left && part % 10 == 0 {
+        part /= 10;
+        left -= 1;
+    }
+    for _ in 0..left {
+        put(digit(part));
+        part /= 10;
+    }
+    if 0 < left {
+        put(b'.');
+    }
+    put(digit(whole));
+    whole /= 10;
+    while 0 < whole {
+        put(digit(whole));
+        whole /= 10;
+    }
+    if nm < 0 {
+        put(b'-');
+    }
+    out.extend_from_slice(text.get(text.len() - used..).unwrap_or_default());
+}
+
+/// The last digit of a number.
+#[inline]
+fn digit(number: u64) -> u8 {
+    // Below ten, so it fits.
+    b'0' + u8::try_from(number % 10).unwrap_or_default()
 }
 
 /// Splits a unit off the end of a number.

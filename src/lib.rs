@@ -19,6 +19,7 @@
 //! | [`cli`] | the command line |
 //! | [`words`], [`files`] | texts in the user's language; reading and writing files safely |
 
+pub mod batch;
 pub mod cli;
 pub mod control;
 pub mod exchange;

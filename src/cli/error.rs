@@ -91,6 +91,17 @@ pub(super) enum CliError {
     /// A program that is neither in a file nor built in.
     NoProgram { error: FileError, names: String },
 
+    /// A file of answers with an unknown ending.
+    BatchEnding { path: PathBuf, endings: String },
+    /// An output that is an input, too.
+    BatchOntoItself { path: PathBuf },
+    /// Inputs whose columns differ.
+    BatchColumns { name: String, columns: String },
+    /// An input without rows that can be judged.
+    BatchInput { name: String, error: String },
+    /// A column of the input has the name of an added one.
+    BatchName { name: String, column: String },
+
     /// An option for a single callout, given with a plan.
     OptionBesidePlan { option: &'static str },
     /// An option that a single callout needs.

@@ -1,7 +1,7 @@
 //! The standard streams and files: what every subcommand reads and writes.
 
 use std::fmt::Display;
-use std::io::{BufRead, BufWriter, Read as _, Write};
+use std::io::{BufRead, BufReader, BufWriter, Read as _, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -20,22 +20,23 @@ use crate::tolerance::DeviationTable;
 /// Nothing is written around its methods: what a person reads on a terminal is tamed.
 pub struct Io<'a> {
     /// Standard input.
-    pub(super) input: &'a mut dyn BufRead,
+    pub(super) input: &'a mut (dyn BufRead + Send),
     out: Tame<'a>,
     err: &'a mut dyn Write,
 }
 
 impl<'a> Io<'a> {
     /// Standard input, standard output (buffered) and standard error.
-    pub fn new(input: &'a mut dyn BufRead, out: &'a mut dyn Write, err: &'a mut dyn Write) -> Self {
+    pub fn new(input: &'a mut (dyn BufRead + Send), out: &'a mut (dyn Write + Send), err: &'a mut dyn Write) -> Self {
         Self { input, out: Tame { out }, err }
     }
 
     /// Runs with the process's own streams.
     pub(super) fn standard<T>(run: impl FnOnce(&mut Io<'_>) -> T) -> T {
-        let mut out = BufWriter::new(std::io::stdout().lock());
-        let mut err = std::io::stderr().lock();
-        let mut input = std::io::stdin().lock();
+        // Not locked: workers read and write them, too.
+        let mut out = BufWriter::new(std::io::stdout());
+        let mut err = std::io::stderr();
+        let mut input = BufReader::new(std::io::stdin());
         run(&mut Io::new(&mut input, &mut out, &mut err))
     }
 
@@ -49,6 +50,11 @@ impl<'a> Io<'a> {
         self.out.out
     }
 
+    /// Standard input, output and error for workers that read and write in turns.
+    pub(super) fn streams(&mut self) -> (&mut (dyn BufRead + Send), &mut (dyn Write + Send), Listener<'_>) {
+        (self.input, self.out.out, Listener(self.err))
+    }
+
     /// Standard input beside standard output, for an answer to each line.
     pub(super) fn input_and_data(&mut self) -> (&mut dyn BufRead, &mut dyn Write) {
         (self.input, self.out.out)
@@ -57,7 +63,7 @@ impl<'a> Io<'a> {
     /// Writes a line to standard error. It is not an error if nobody listens there or nothing more fits: the answer and
     /// the exit code stand without it.
     pub(super) fn tell(&mut self, line: impl Display) {
-        let _unheard = writeln!(self.err, "{}", tame(&line.to_string()));
+        Listener(self.err).tell(line);
     }
 
     /// Prints an answer for programs.
@@ -89,7 +95,17 @@ impl<'a> Io<'a> {
 
 /// Standard output for people: every text that is written to it is tamed.
 struct Tame<'a> {
-    out: &'a mut dyn Write,
+    out: &'a mut (dyn Write + Send),
+}
+
+/// Standard error, while the other streams are in use.
+pub(super) struct Listener<'a>(&'a mut dyn Write);
+
+impl Listener<'_> {
+    /// As [`Io::tell`].
+    pub(super) fn tell(&mut self, line: impl Display) {
+        let _unheard = writeln!(self.0, "{}", tame(&line.to_string()));
+    }
 }
 
 impl Write for Tame<'_> {
@@ -192,7 +208,7 @@ pub(super) fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), Cli
 /// The same for a file that is written piece by piece.
 pub(super) fn save_with(
     path: &Path,
-    write: &mut dyn FnMut(&mut dyn Write) -> std::io::Result<()>,
+    write: &mut dyn FnMut(&mut (dyn Write + Send)) -> std::io::Result<()>,
     io: &mut Io<'_>,
 ) -> Result<(), CliError> {
     files::write_with(path, write)?;

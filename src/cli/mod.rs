@@ -34,6 +34,7 @@ macro_rules! subcommands {
 
 mod answers;
 mod args;
+mod batch;
 mod check;
 mod circle;
 mod cycle;
@@ -81,6 +82,7 @@ subcommands! {
     Check(check::Args),
     Fit(fit::Args),
     Import(import::Args),
+    Batch(batch::Args),
     Circle(circle::Args),
     Cycle(cycle::Args),
     Nc(nc::Args),

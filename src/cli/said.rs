@@ -22,6 +22,8 @@ pub(super) enum CliRemark {
     NoPair { nearest: String },
     /// A trace that does not list every block.
     TraceEnds { blocks: usize },
+    /// An input in another encoding than its output.
+    BatchUtf16 { name: String },
     /// A default was used for the clearance height.
     ClearanceHeight { height: Length },
 }

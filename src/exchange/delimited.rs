@@ -174,6 +174,17 @@ fn lines(text: &str, mut from: usize, mut number: usize) -> impl Iterator<Item =
     })
 }
 
+/// The text after a line `sep=;`, which spreadsheets put first.
+pub(super) fn without_separator_line(text: &str) -> (&str, usize, Option<u8>) {
+    let separator =
+        text.get(..4).filter(|start| start.eq_ignore_ascii_case("sep=")).and_then(|_| text.as_bytes().get(4));
+    let (Some(&separator), Some(rest)) = (separator, text.get(5..)) else { return (text, 1, None) };
+    match rest.strip_prefix("\r\n").or_else(|| rest.strip_prefix(['\n', '\r'])) {
+        Some(rest) if separator.is_ascii() => (rest, 2, Some(separator)),
+        _ => (text, 1, None),
+    }
+}
+
 /// Whether a quoted cell is still open at the end of a line: quotes count only at a cell's beginning, and a doubled
 /// one within a quoted cell is a quote.
 fn ends_open(line: &str, separator: u8, open_before: bool) -> bool {

@@ -31,6 +31,11 @@ pub enum ImportErrorKind {
     Empty,
     /// No format recognises the file.
     NotRecognised,
+    /// Another format than the one that was expected.
+    OtherFormat {
+        /// The format.
+        format: Message,
+    },
     /// Only a header, comments or blank lines.
     NoRows,
     /// A log that cannot be used.
@@ -174,6 +179,11 @@ pub enum ImportWarningKind {
     },
     /// A comment that holds a measurement.
     Comment,
+    /// A row that runs over several lines, within quotation marks.
+    SeveralLines {
+        /// How many.
+        lines: usize,
+    },
     /// The time cannot be read, so the time of import is used.
     Time {
         /// What was given.

@@ -8,16 +8,15 @@ use std::sync::Arc;
 use csv::StringRecord;
 use jiff::civil::{DateTime, Time};
 
-use super::columns::{self, Columns, LengthColumn, Sample};
-use super::delimited::{Item, LONGEST_ROW, Rows};
+use super::columns::{self, Columns, Sample};
+use super::delimited::{Item, LONGEST_ROW, Rows, without_separator_line};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::imported::{Sink, Unjudged, WhyUnjudged};
+use super::rules::{Cell, Found, Refused, Rules};
 use super::{Format, Source};
 use crate::journal::Record;
-use crate::length::Length;
 use crate::message::Place;
 use crate::probing::{Measurement, Origin};
-use crate::tolerance::{Callout, CalloutError};
 
 pub(super) const FORMAT: Format = Format {
     name: "measurements",
@@ -64,33 +63,12 @@ fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
     }
 }
 
-/// The text after a line `sep=;`, which spreadsheets put first.
-fn without_separator_line(text: &str) -> (&str, usize, Option<u8>) {
-    let separator =
-        text.get(..4).filter(|start| start.eq_ignore_ascii_case("sep=")).and_then(|_| text.as_bytes().get(4));
-    let (Some(&separator), Some(rest)) = (separator, text.get(5..)) else { return (text, 1, None) };
-    match rest.strip_prefix("\r\n").or_else(|| rest.strip_prefix(['\n', '\r'])) {
-        Some(rest) if separator.is_ascii() => (rest, 2, Some(separator)),
-        _ => (text, 1, None),
-    }
-}
-
 struct Reader<'a, 's> {
     source: &'a Source<'a>,
     columns: Columns,
     separator: u8,
     sink: &'a mut Sink<'s>,
 }
-
-/// A cell and its place in the row, from 0.
-#[derive(Debug, Clone, Copy)]
-struct Cell<'a> {
-    at: Option<usize>,
-    text: &'a str,
-}
-
-/// A cell that cannot be used.
-type Refused<'a> = (Cell<'a>, ImportErrorKind);
 
 impl Reader<'_, '_> {
     fn warn_of_columns(&mut self, first_line: usize) {
@@ -135,129 +113,20 @@ impl Reader<'_, '_> {
 
     /// Judges a row and keeps it, or names the cell that cannot be used.
     fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
-        self.right_length(cells)?;
-        let measured = self.measured(cells)?;
-        let callout = self.callout(cells, measured)?;
+        let rules = Rules { columns: &self.columns, separator: self.separator, sources: self.source.sources };
+        let Found { measured, asked, is_simulated } = rules.read(cells)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
-        let Some((callout, cell)) = callout else {
-            let time = self.time(line, cells);
+        let time = self.time(line, cells);
+        let Some((callout, limits)) = asked else {
             let why = WhyUnjudged::NoCallout;
             self.sink.set_aside(Unjudged { line, id, time, measured: Some(measured), position: None, why });
             return Ok(());
         };
-        let limits =
-            self.source.sources.limits(&callout, None).map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
-        let measurement = Measurement::of_diameter(measured, self.origin(cells)?);
-        let record = Record::judged(self.time(line, cells), id, Some(callout), limits, measurement, None);
-        self.sink.keep(line, record);
-        Ok(())
-    }
-
-    /// There must be enough cells for what is needed, and none beyond the columns.
-    fn right_length<'c>(&self, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
-        let expected = self.columns.count;
-        let found = cells.len();
-        if let Some((at, text)) = cells.iter().enumerate().skip(expected).find(|(_, cell)| !cell.trim().is_empty()) {
-            return Err((Cell { at: Some(at), text }, ImportErrorKind::RowLong { found, expected }));
-        }
-        let needed = self.columns.tolerance.into_iter().chain([self.columns.measured.at]).max().unwrap_or_default();
-        if found <= needed {
-            return Err((
-                Cell { at: None, text: cells.iter().next_back().unwrap_or_default() },
-                ImportErrorKind::RowShort { found, expected },
-            ));
-        }
-        Ok(())
-    }
-
-    fn measured<'c>(&self, cells: &'c StringRecord) -> Result<Length, Refused<'c>> {
-        let (cell, measured) = length(cells, self.columns.measured, ImportErrorKind::Measured)?;
-        let given = || shorten(cell.text);
-        if let Some(sign) = self.columns.decimal_sign
-            && cell.text.contains(if sign == '.' { ',' } else { '.' })
-        {
-            return Err((cell, ImportErrorKind::DecimalSign { given: given(), sign }));
-        }
-        // 25,012 between separating commas: 25 in this column and 012 in the next one.
-        let behind = cells.get(self.columns.measured.at + 1).filter(|behind| columns::is_whole(behind));
-        if let Some(behind) = behind
-            && self.separator == b','
-            && columns::is_whole(cell.text)
-            && !self.columns.whole_numbers_behind
-        {
-            let joined = format!("{},{}", given(), shorten(behind.trim()));
-            return Err((cell, ImportErrorKind::DecimalComma { joined }));
-        }
-        if measured <= Length::ZERO {
-            return Err((cell, ImportErrorKind::NotPositive { given: given() }));
-        }
-        Ok(measured)
-    }
-
-    /// The callout of a row and its cell; `None` where the cell is empty or there is no such column.
-    fn callout<'c>(
-        &self,
-        cells: &'c StringRecord,
-        measured: Length,
-    ) -> Result<Option<(Callout, Cell<'c>)>, Refused<'c>> {
-        let Some(at) = self.columns.tolerance else { return Ok(None) };
-        let text = cells.get(at).unwrap_or_default().trim();
-        let cell = Cell { at: Some(at), text };
-        if text.is_empty() {
-            return Ok(None);
-        }
-        let begins_with_letter = text.starts_with(|c: char| c.is_ascii_alphabetic());
-        let given = shorten(text);
-        let nominal = match self.columns.nominal {
-            Some(column) if begins_with_letter || !is_blank(cells, column.at) => {
-                Some(length(cells, column, ImportErrorKind::Nominal)?)
-            }
-            _ => None,
-        };
-        let read = match nominal {
-            Some((_, nominal)) if begins_with_letter => {
-                given.parse().map_err(CalloutError::from).and_then(|class| Callout::new(nominal, class))
-            }
-            _ => given.parse::<Callout>(),
-        };
-        let callout = read.map_err(|error| (cell, ImportErrorKind::Callout(error)))?;
-        if let Some((_, nominal)) = nominal.filter(|(_, nominal)| *nominal != callout.nominal()) {
-            return Err((cell, ImportErrorKind::NominalDiffers { callout, nominal }));
-        }
-        self.one_callout(cells, cell, callout, measured)?;
-        Ok(Some((callout, cell)))
-    }
-
-    /// `25,5 H7,25.512` without a header is 5 H7 of part 25, or 25,5 H7. The measured value shows the doubt.
-    fn one_callout<'c>(
-        &self,
-        cells: &'c StringRecord,
-        cell: Cell<'c>,
-        callout: Callout,
-        measured: Length,
-    ) -> Result<(), Refused<'c>> {
-        if self.columns.names_known || self.separator != b',' {
-            return Ok(());
-        }
-        let Some(before) = cell.at.and_then(|at| at.checked_sub(1)).and_then(|at| cells.get(at)) else { return Ok(()) };
-        let joined = format!("{},{}", before.trim(), cell.text);
-        let Ok(other) = joined.parse::<Callout>() else { return Ok(()) };
-        let off = |nominal: Length| measured.saturating_sub(nominal).abs();
-        if off(other.nominal()) < off(callout.nominal()) {
-            return Err((cell, ImportErrorKind::DecimalComma { joined: shorten(&joined) }));
-        }
-        Ok(())
-    }
-
-    /// The file; a value that it calls simulated stays so.
-    fn origin<'c>(&self, cells: &'c StringRecord) -> Result<Origin, Refused<'c>> {
         let file = Arc::clone(&self.source.file);
-        let text = self.columns.simulated.and_then(|at| cells.get(at)).unwrap_or_default().trim();
-        match text.to_ascii_lowercase().as_str() {
-            "" | "false" => Ok(Origin::Imported { file }),
-            "true" => Ok(Origin::ImportedSimulation { file }),
-            _ => Err((Cell { at: self.columns.simulated, text }, ImportErrorKind::Simulated { given: shorten(text) })),
-        }
+        let origin = if is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };
+        let measurement = Measurement::of_diameter(measured, origin);
+        self.sink.keep(line, Record::judged(time, id, Some(callout), limits, measurement, None));
+        Ok(())
     }
 
     /// The time of a row, or the time of import with a warning.
@@ -273,21 +142,6 @@ impl Reader<'_, '_> {
             self.source.now
         })
     }
-}
-
-fn is_blank(cells: &StringRecord, at: usize) -> bool {
-    cells.get(at).is_none_or(|cell| cell.trim().is_empty())
-}
-
-fn length(
-    cells: &StringRecord,
-    column: LengthColumn,
-    reason: fn(crate::length::LengthError) -> ImportErrorKind,
-) -> Result<(Cell<'_>, Length), Refused<'_>> {
-    let text = cells.get(column.at).unwrap_or_default().trim();
-    let cell = Cell { at: Some(column.at), text };
-    let length = Length::parse_in(&shorten(text), column.unit).map_err(|error| (cell, reason(error)))?;
-    Ok((cell, length))
 }
 
 /// `2024-03-14 08:05:09` as in ISO 8601 (the time is optional), or day first: `14.3.2024 8:05`.

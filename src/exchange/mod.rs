@@ -7,14 +7,16 @@
 //! | `logs` | HEIDENHAIN measuring logs as records |
 //! | `point_log` | logs of points as deviations along the normal |
 //! | `contacts` | CSV of x, y and optionally z |
-//! | `measurements` | CSV of id, callout and measured value |
+//! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
 //! | `columns`, `words` | which column of a CSV is which, by header or content |
 //! | `tables` | tables of deviations for controls and other tools |
 //! | `delimited` | rows and cells, with their lines |
+//! | `batch` | a verdict for every row of a stream of any length |
 //!
 //! A new format is one file here, its `mod` line and one in [`FORMATS`]; command line, dialogs and README follow from the list.
 //! Nothing here opens a file: a name, bytes, tables and the time come in as arguments.
 
+pub mod batch;
 mod columns;
 pub mod contacts;
 mod delimited;
@@ -23,6 +25,7 @@ pub mod imported;
 mod logs;
 mod measurements;
 mod point_log;
+mod rules;
 pub mod tables;
 mod words;
 

@@ -50,7 +50,7 @@ impl Place {
 
 /// Writes a file that may exist. Its mode and, where the system allows it, its owner and group stay; a link stays, and
 /// what it leads to is written. A pipe or a device is written to.
-pub(super) fn write(path: &Path, fill: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+pub(super) fn write(path: &Path, fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> io::Result<()>) -> io::Result<()> {
     let (target, metadata) = match Place::of(path)? {
         Place::File(target, metadata) => (target, metadata),
         Place::Straight => {
@@ -74,7 +74,7 @@ pub(super) fn write(path: &Path, fill: &mut dyn FnMut(&mut dyn Write) -> io::Res
 ///
 /// # Errors
 /// [`io::ErrorKind::AlreadyExists`] where there is something, even if it came meanwhile.
-pub(super) fn write_new(path: &Path, fill: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+pub(super) fn write_new(path: &Path, fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> io::Result<()>) -> io::Result<()> {
     // A link that leads nowhere is something, too.
     if path.symlink_metadata().is_ok() {
         return Err(io::ErrorKind::AlreadyExists.into());
@@ -90,7 +90,7 @@ struct Whole {
 }
 
 impl Whole {
-    fn filled(target: &Path, fill: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> io::Result<Self> {
+    fn filled(target: &Path, fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> io::Result<()>) -> io::Result<Self> {
         let whole = match nameless(folder_of(target))? {
             Some(file) => Self { file, name: None },
             None => Self::named(target)?,

@@ -131,6 +131,42 @@ impl Say for Source {
     }
 }
 
+/// The sizes that a verdict needs, without where they come from. The maximum is never below the minimum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Bounds {
+    /// Hole or shaft.
+    pub feature: Feature,
+    /// Nominal size.
+    pub nominal: Length,
+    maximum: Length,
+    minimum: Length,
+}
+
+impl Bounds {
+    /// Bounds from a nominal size and deviations. `None` where a limit would lie beyond [`Length::MAX`].
+    #[inline]
+    pub fn new(feature: Feature, nominal: Length, deviations: Deviations) -> Option<Self> {
+        let maximum = nominal.checked_add(deviations.upper)?;
+        let minimum = nominal.checked_add(deviations.lower)?;
+        Some(Self { feature, nominal, maximum, minimum })
+    }
+
+    /// Upper limit of size; it belongs to the zone.
+    pub const fn maximum(&self) -> Length {
+        self.maximum
+    }
+
+    /// Lower limit of size; it belongs to the zone.
+    pub const fn minimum(&self) -> Length {
+        self.minimum
+    }
+
+    /// The middle of the zone, with a half nanometre rounded up.
+    pub fn middle(&self) -> Length {
+        self.minimum.midpoint(self.maximum)
+    }
+}
+
 /// Limits of size: what a measured part is judged by. The maximum is never below the minimum.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Limits {
@@ -151,9 +187,13 @@ impl Limits {
     ///
     /// `None` where a limit would lie beyond [`Length::MAX`].
     pub fn new(feature: Feature, nominal: Length, deviations: Deviations, source: Source) -> Option<Self> {
-        let maximum = nominal.checked_add(deviations.upper)?;
-        let minimum = nominal.checked_add(deviations.lower)?;
+        let Bounds { maximum, minimum, .. } = Bounds::new(feature, nominal, deviations)?;
         Some(Self { feature, nominal, deviations, source, maximum, minimum })
+    }
+
+    /// The sizes alone.
+    pub const fn bounds(&self) -> Bounds {
+        Bounds { feature: self.feature, nominal: self.nominal, maximum: self.maximum, minimum: self.minimum }
     }
 
     /// Upper limit of size; it belongs to the zone.
@@ -168,6 +208,6 @@ impl Limits {
 
     /// The middle of the zone, with a half nanometre rounded up.
     pub fn middle(&self) -> Length {
-        self.minimum.midpoint(self.maximum)
+        self.bounds().middle()
     }
 }

@@ -30,6 +30,6 @@ pub mod table_edit;
 pub use callout::{Callout, CalloutError, CalloutErrorKind, CycleText, Tolerance};
 pub use class::{ClassError, Feature, ToleranceClass};
 pub use iso2768::GeneralClass;
-pub use limits::{Deviations, DeviationsError, Limits, Source};
+pub use limits::{Bounds, Deviations, DeviationsError, Limits, Source};
 pub use sources::{Absent, Base, LimitsError, Sources};
 pub use table::DeviationTable;

@@ -195,6 +195,15 @@ impl Sources {
         columns.filter(move |class| class.feature() == feature)
     }
 
+    /// The upper, inclusive ends of all size steps, ascending: within a step no class has another answer.
+    pub fn step_ends(&self) -> Vec<Length> {
+        let tables = self.tables().flat_map(|table| table.ends().iter().copied());
+        let mut ends: Vec<Length> = iso286::step_ends().chain(tables).collect();
+        ends.sort_unstable();
+        ends.dedup();
+        ends
+    }
+
     /// Every class that the standard has at a size, by letter and then by grade; none where the control's tables answer.
     pub fn standard_classes_at(
         &self,

@@ -12,7 +12,7 @@ pub mod fit;
 
 use crate::length::Length;
 use crate::message::Say;
-use crate::tolerance::{Feature, Limits};
+use crate::tolerance::{Bounds, Feature, Limits};
 
 /// What to do with the part; `Display` is the English word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize, Say)]
@@ -135,6 +135,7 @@ impl Verdict {
 }
 
 /// Good on or between the limits; a hole too small or a shaft too large is rework, the other side scrap.
+#[inline]
 pub fn classify(feature: Feature, minimum: Length, maximum: Length, measured: Length) -> Status {
     let (too_small, too_large) = (measured < minimum, maximum < measured);
     match (feature, too_small, too_large) {
@@ -157,18 +158,25 @@ pub fn classify(feature: Feature, minimum: Length, maximum: Length, measured: Le
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn judge_size(limits: &Limits, measured: Length) -> SizeVerdict {
-    let status = classify(limits.feature, limits.minimum(), limits.maximum(), measured);
-    let above_minimum = measured.saturating_sub(limits.minimum());
-    let below_maximum = limits.maximum().saturating_sub(measured);
-    let removal = (status == Status::Rework).then(|| match limits.feature {
+    judge_bounds(&limits.bounds(), measured)
+}
+
+/// Judges a diameter as [`judge_size`] does, without where the limits come from.
+#[inline]
+pub fn judge_bounds(bounds: &Bounds, measured: Length) -> SizeVerdict {
+    let (minimum, maximum) = (bounds.minimum(), bounds.maximum());
+    let status = classify(bounds.feature, minimum, maximum, measured);
+    let above_minimum = measured.saturating_sub(minimum);
+    let below_maximum = maximum.saturating_sub(measured);
+    let removal = (status == Status::Rework).then(|| match bounds.feature {
         Feature::Hole => {
-            Removal { to_limit: above_minimum.negated(), to_middle: limits.middle().saturating_sub(measured) }
+            Removal { to_limit: above_minimum.negated(), to_middle: bounds.middle().saturating_sub(measured) }
         }
         Feature::Shaft => {
-            Removal { to_limit: below_maximum.negated(), to_middle: measured.saturating_sub(limits.middle()) }
+            Removal { to_limit: below_maximum.negated(), to_middle: measured.saturating_sub(bounds.middle()) }
         }
     });
-    let deviation = measured.saturating_sub(limits.nominal);
+    let deviation = measured.saturating_sub(bounds.nominal);
     SizeVerdict { status, deviation, above_minimum, below_maximum, removal }
 }
 
@@ -242,7 +250,29 @@ fn scaled(length: Length, factor: i128, divisor: i128) -> Option<Length> {
 /// The 1 %, and the ten tolerances and 2 % of [`Doubt::Far`], are our choice, far from every honest measured value. Zones of
 /// coarse grades are wider than 1 % on small sizes; a doubt only warns and never changes the verdict.
 pub fn doubt(limits: &Limits, measured: Length) -> Option<Doubt> {
-    let (nominal, value) = (i128::from(limits.nominal.nanometres()), i128::from(measured.nanometres()));
+    doubt_of(&limits.bounds(), measured)
+}
+
+/// Looks as [`doubt`] does, without where the limits come from.
+#[inline]
+pub fn doubt_of(bounds: &Bounds, measured: Length) -> Option<Doubt> {
+    let (nominal, value) = (bounds.nominal.nanometres(), measured.nanometres());
+    // The nearest other quantity is 98 % away. Lengths are at most 1e15 nm, so nothing here reaches 1e18.
+    let is_near = (value - nominal).abs() * 64 < nominal;
+    if !is_near && let Some(doubt) = other_quantity(bounds.nominal, measured) {
+        return Some(doubt);
+    }
+    // Beyond the nearest limit; negative between the limits.
+    let (below, above) = (bounds.minimum().saturating_sub(measured), measured.saturating_sub(bounds.maximum()));
+    let distance = below.max(above);
+    let width = bounds.maximum().saturating_sub(bounds.minimum());
+    let is_far = width.nanometres() * 10 < distance.nanometres() && nominal.abs() < distance.nanometres() * 50;
+    is_far.then_some(Doubt::Far { distance })
+}
+
+/// Whether a value is 25.4 times, 1/25.4, twice or half the nominal size, or a power of ten of it.
+fn other_quantity(nominal: Length, measured: Length) -> Option<Doubt> {
+    let (nominal, value) = (i128::from(nominal.nanometres()), i128::from(measured.nanometres()));
     // value * divisor within 1 % of nominal * factor
     let near = |factor: i128, divisor: i128| {
         let (is, should) = (value * divisor, nominal * factor);
@@ -258,7 +288,7 @@ pub fn doubt(limits: &Limits, measured: Length) -> Option<Doubt> {
     } else if near(1, 2) {
         return Some(Doubt::Half { meant: meant(2, 1) });
     }
-    for power in 1..=6 {
+    (1..=6).find_map(|power| {
         let ten = 10_i128.pow(power);
         let moved = if near(ten, 1) {
             meant(1, ten)
@@ -267,15 +297,6 @@ pub fn doubt(limits: &Limits, measured: Length) -> Option<Doubt> {
         } else {
             None
         };
-        if let Some(meant) = moved {
-            return Some(Doubt::DecimalSign { meant });
-        }
-    }
-    // Beyond the nearest limit; negative between the limits.
-    let (below, above) = (limits.minimum().saturating_sub(measured), measured.saturating_sub(limits.maximum()));
-    let distance = below.max(above);
-    let (distance_nm, width) =
-        (i128::from(distance.nanometres()), i128::from(limits.maximum().saturating_sub(limits.minimum()).nanometres()));
-    let is_far = width * 10 < distance_nm && nominal.abs() < distance_nm * 50;
-    is_far.then_some(Doubt::Far { distance })
+        moved.map(|meant| Doubt::DecimalSign { meant })
+    })
 }

@@ -59,6 +59,11 @@ cli-no-folder = no such folder: { $path }
 cli-no-program = { $error }; built-in programs are { $names }
 cli-option-beside-plan = --{ $option } is for a single callout: a plan has a column for it
 cli-option-missing = --{ $option } is missing: a single callout needs --x, --y and --z
+cli-batch-ending = { $path }: the answers are written as .{ $endings }, packed where .gz or .zst follows
+cli-batch-onto-itself = { $path } is one of the inputs: write the answers to another file
+cli-batch-columns = { $name } has other columns than the first file, which has { $columns }
+cli-batch-input = { $name }: { $error }
+cli-batch-name = { $name } has a column { $column } already: --prefix puts a word before the names of the added columns
 cli-use-force = { $error }; --force overwrites
 
 # A --check of a report
@@ -74,6 +79,7 @@ cli-remark-remove = remove { $limit } mm to the nearest limit, { $middle } mm to
 cli-remark-refused = { $refused } of { $asked } callouts refused
 cli-remark-no-pair = no pair fits; the nearest is { $nearest }
 cli-remark-trace-ends = the trace ends here, after { $blocks } blocks
+cli-remark-batch-utf16 = { $name } is UTF-16 and is written as UTF-8
 cli-remark-clearance-height = the clearance height is { $height } mm: --clearance-height changes it
 
 # Warnings

@@ -7,6 +7,7 @@ exchange-format-contacts = contacts of one circle: x, y and optionally z
 exchange-format-measurements = measurements as CSV: id, callout, measured
 exchange-empty = the file is empty
 exchange-not-recognised = not a file of a known format
+exchange-other-format = these are { $format }, not measurements as CSV
 exchange-no-rows = no row holds a measurement
 exchange-no-measured-column = no column of measured values: name it in the first line, such as id;callout;measured
 exchange-several-columns = columns { $columns } may each be { $role }: name them in the first line, such as id;callout;measured
@@ -42,6 +43,7 @@ exchange-unjudged-contacts = not judged: { $count } contacts without a callout
 exchange-warning-ignored-columns = columns skipped: { $columns }
 exchange-warning-not-used = skipped, not a measurement: { $text }
 exchange-warning-comment = a line that begins with # is a comment, but this one holds a measurement
+exchange-warning-several-lines = the row runs over { $lines } lines within quotation marks
 exchange-warning-time = { $given } is not a date and time: the time of import is used
 
 # Contacts

@@ -59,6 +59,11 @@ cli-no-folder = de map bestaat niet: { $path }
 cli-no-program = { $error }; de ingebouwde programma's zijn { $names }
 cli-option-beside-plan = --{ $option } is voor één losse passing: een plan heeft daar een kolom voor
 cli-option-missing = --{ $option } ontbreekt: voor een losse passing zijn --x, --y en --z nodig
+cli-batch-ending = { $path }: de antwoorden worden geschreven als .{ $endings }, ingepakt waar .gz of .zst volgt
+cli-batch-onto-itself = { $path } is een van de invoerbestanden: schrijf de antwoorden naar een ander bestand
+cli-batch-columns = { $name } heeft andere kolommen dan het eerste bestand, dat { $columns } heeft
+cli-batch-input = { $name }: { $error }
+cli-batch-name = { $name } heeft al een kolom { $column }: --prefix zet een woord voor de namen van de toegevoegde kolommen
 cli-use-force = { $error }; --force overschrijft
 
 # Een --check van een rapport
@@ -74,6 +79,7 @@ cli-remark-remove = { $limit } mm verspanen tot de dichtstbijzijnde grensmaat, {
 cli-remark-refused = { $refused } van { $asked } passingen geweigerd
 cli-remark-no-pair = geen enkele passing voldoet; de dichtstbijzijnde is { $nearest }
 cli-remark-trace-ends = de lijst van uitgevoerde NC-regels eindigt hier, na { $blocks } regels
+cli-remark-batch-utf16 = { $name } is UTF-16 en wordt als UTF-8 geschreven
 cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die met --clearance-height
 
 # Waarschuwingen

@@ -7,6 +7,7 @@ exchange-format-contacts = meetpunten van één cirkel: x, y en eventueel z
 exchange-format-measurements = metingen als CSV: naam, passing, gemeten
 exchange-empty = het bestand is leeg
 exchange-not-recognised = geen bestand van een bekend formaat
+exchange-other-format = dit zijn { $format }, geen metingen als CSV
 exchange-no-rows = geen enkele rij bevat een meting
 exchange-no-measured-column = geen kolom met gemeten waarden: benoem die in de eerste regel, bijvoorbeeld id;passing;gemeten
 exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: benoem ze in de eerste regel, bijvoorbeeld id;passing;gemeten
@@ -42,6 +43,7 @@ exchange-unjudged-contacts = niet beoordeeld: { $count } meetpunten zonder passi
 exchange-warning-ignored-columns = overgeslagen kolommen: { $columns }
 exchange-warning-not-used = overgeslagen, geen meting: { $text }
 exchange-warning-comment = een regel die met # begint is commentaar, maar hier staat een meting in
+exchange-warning-several-lines = de rij loopt binnen aanhalingstekens over { $lines } regels
 exchange-warning-time = { $given } is geen datum en tijd: het tijdstip van importeren is gebruikt
 
 # Meetpunten

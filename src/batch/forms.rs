@@ -1,0 +1,58 @@
+//! What the rows are written as: one line here and one rendering each.
+
+use crate::exchange::batch::{Csv, JsonLines, Layout, Take};
+
+/// A form of the answers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// The rows as they came, with columns added.
+    Csv,
+    /// An object a line.
+    JsonLines,
+}
+
+/// Every form: its name on the command line, the endings of its files, and what it is.
+pub const FORMS: &[(Form, &str, &[&str])] =
+    &[(Form::Csv, "csv", &["csv", "tsv", "txt"]), (Form::JsonLines, "jsonl", &["jsonl", "ndjson"])];
+
+impl Form {
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        FORMS.iter().find(|(form, ..)| *form == self).map_or("", |(_, name, _)| name)
+    }
+
+    /// The form that an ending names, without its point.
+    pub fn of_ending(ending: &str) -> Option<Self> {
+        let ending = ending.to_ascii_lowercase();
+        FORMS.iter().find(|(_, _, endings)| endings.contains(&ending.as_str())).map(|(form, ..)| *form)
+    }
+}
+
+/// Writes rows with their answers as bytes.
+pub trait Rendering: Take {
+    /// For the rows of a stream.
+    fn new(layout: &Layout) -> Self;
+
+    /// What was written since it was cleared.
+    fn out(&mut self) -> &mut Vec<u8>;
+}
+
+impl Rendering for Csv {
+    fn new(layout: &Layout) -> Self {
+        Self::new(layout)
+    }
+
+    fn out(&mut self) -> &mut Vec<u8> {
+        &mut self.out
+    }
+}
+
+impl Rendering for JsonLines {
+    fn new(layout: &Layout) -> Self {
+        Self::new(layout)
+    }
+
+    fn out(&mut self) -> &mut Vec<u8> {
+        &mut self.out
+    }
+}

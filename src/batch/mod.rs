@@ -1,0 +1,255 @@
+//! Verdicts for rows by the million: several workers take blocks of a stream in turns, so that the order stays, nothing is
+//! judged twice and memory does not grow with the stream.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the turns |
+//! | `stream` | what comes in and goes out: plain, gzip, Zstandard, UTF-16 |
+//! | `forms` | what the rows are written as |
+//!
+//! What a row means is in `exchange::batch`.
+
+mod forms;
+mod stream;
+
+use std::io::{self, Read, Write};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+pub use forms::{FORMS, Form, Rendering};
+pub use stream::{Packing, Stream};
+
+use crate::exchange::batch::{Block, Counts, Court, Cutter, Judge, Tally};
+use crate::tolerance::ToleranceClass;
+
+/// How far a run has come, for whoever watches it, and its end.
+#[derive(Debug, Default)]
+pub struct Watch {
+    /// Rows that were written.
+    pub rows: AtomicU64,
+    /// Bytes of them.
+    pub bytes: AtomicU64,
+    /// Whether the run should end; what was written until then is not everything.
+    pub stop: AtomicBool,
+}
+
+/// What a run had.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Summary {
+    /// All rows.
+    pub tally: Tally,
+    /// The verdicts of each class, by its name.
+    pub by_class: Vec<(ToleranceClass, Counts)>,
+    /// The verdicts of callouts without a class.
+    pub others: Counts,
+}
+
+/// How a run is done.
+#[derive(Debug, Clone, Copy)]
+pub struct Manner {
+    /// How many workers judge at the same time, at least one.
+    pub workers: usize,
+    /// What the rows are packed with, block by block.
+    pub packing: Packing,
+}
+
+/// Why a run ended early.
+#[derive(Debug)]
+pub enum Failed {
+    /// The stream could not be read on; what came before was written.
+    Reading(io::Error),
+    /// The rows could not be written.
+    Writing(io::Error),
+}
+
+/// The stream, and which block comes next.
+struct Source<'a> {
+    input: &'a mut (dyn Read + Send),
+    cutter: Cutter,
+    next: u64,
+    failed: Option<io::Error>,
+    is_ended: bool,
+}
+
+/// Where the rows go, and whose turn it is to write.
+struct Sink<'a> {
+    out: &'a mut (dyn Write + Send),
+    turn: u64,
+    tally: Tally,
+    failed: Option<io::Error>,
+}
+
+struct Turns<'a> {
+    source: Mutex<Source<'a>>,
+    sink: Mutex<Sink<'a>>,
+    /// Somebody has written.
+    written: Condvar,
+    /// How many workers are at work still.
+    working: Mutex<usize>,
+    ended: Condvar,
+    watch: &'a Watch,
+    packing: Packing,
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    // A worker that failed has said so; what it held is whole between two steps.
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Judges all rows of a stream and writes them in their order. `tick` is called ten times a second meanwhile.
+///
+/// # Errors
+/// [`Failed`] says which side failed first.
+pub fn run<R: Rendering>(
+    input: &mut (dyn Read + Send),
+    cutter: Cutter,
+    court: &Court<'_>,
+    manner: Manner,
+    out: &mut (dyn Write + Send),
+    watch: &Watch,
+    tick: &mut dyn FnMut(&Watch),
+) -> Result<Summary, Failed> {
+    let workers = manner.workers.max(1);
+    let turns = Turns {
+        source: Mutex::new(Source { input, cutter, next: 0, failed: None, is_ended: false }),
+        sink: Mutex::new(Sink { out, turn: 0, tally: Tally::default(), failed: None }),
+        written: Condvar::new(),
+        working: Mutex::new(workers),
+        ended: Condvar::new(),
+        watch,
+        packing: manner.packing,
+    };
+    let mut summary = Summary::default();
+    std::thread::scope(|scope| {
+        let judges: Vec<_> = (0..workers).map(|_| scope.spawn(|| turns.work::<R>(court))).collect();
+        let mut working = lock(&turns.working);
+        while 0 < *working {
+            let waited = turns.ended.wait_timeout(working, Duration::from_millis(100));
+            working = waited.unwrap_or_else(PoisonError::into_inner).0;
+            tick(watch);
+        }
+        drop(working);
+        for judge in judges.into_iter().filter_map(|judge| judge.join().ok()) {
+            summary.add(judge);
+        }
+    });
+    let (source, sink) = (turns.source.into_inner(), turns.sink.into_inner());
+    let (source, sink) = (source.unwrap_or_else(PoisonError::into_inner), sink.unwrap_or_else(PoisonError::into_inner));
+    summary.tally = sink.tally;
+    match (sink.failed, source.failed) {
+        (Some(error), _) => Err(Failed::Writing(error)),
+        (None, Some(error)) => Err(Failed::Reading(error)),
+        (None, None) => Ok(summary),
+    }
+}
+
+impl Summary {
+    /// Adds what another stream had.
+    pub fn append(&mut self, other: Self) {
+        let Self { tally, by_class, others } = other;
+        self.tally.add(tally);
+        self.classes(by_class, others);
+    }
+
+    fn add(&mut self, judge: Judge<'_>) {
+        let (by_class, others) = judge.by_class();
+        self.classes(by_class, others);
+    }
+
+    fn classes(&mut self, by_class: Vec<(ToleranceClass, Counts)>, others: Counts) {
+        for (class, counts) in by_class {
+            match self.by_class.binary_search_by_key(&class, |(known, _)| *known) {
+                Ok(at) => self.by_class.iter_mut().skip(at).take(1).for_each(|(_, known)| sum(known, counts)),
+                Err(at) => self.by_class.insert(at, (class, counts)),
+            }
+        }
+        sum(&mut self.others, others);
+    }
+}
+
+fn sum(counts: &mut Counts, more: Counts) {
+    for (count, more) in counts.iter_mut().zip(more) {
+        *count += more;
+    }
+}
+
+/// Ends the run of all workers where one of them ends, however it does.
+struct Leave<'a, 'b>(&'a Turns<'b>);
+
+impl Drop for Leave<'_, '_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            self.0.watch.stop.store(true, Relaxed);
+        }
+        *lock(&self.0.working) -= 1;
+        self.0.ended.notify_all();
+        self.0.written.notify_all();
+    }
+}
+
+impl Turns<'_> {
+    fn work<'c, R: Rendering>(&self, court: &'c Court<'_>) -> Judge<'c> {
+        let _leave = Leave(self);
+        let mut judge = court.judge();
+        let mut rendering = R::new(court.layout());
+        let (mut block, mut packed) = (Block::default(), Vec::new());
+        while let Some(number) = self.take(&mut block) {
+            let text = rendering.out();
+            text.clear();
+            let tally = judge.block(&block, &mut rendering);
+            let written = self.packing.pack(rendering.out(), &mut packed);
+            if !self.give(number, tally, block.len(), written) {
+                break;
+            }
+        }
+        judge
+    }
+
+    /// Takes the next block of the stream; `None` where there is none.
+    fn take(&self, block: &mut Block) -> Option<u64> {
+        let mut source = lock(&self.source);
+        if source.is_ended || self.watch.stop.load(Relaxed) {
+            return None;
+        }
+        let Source { input, cutter, .. } = &mut *source;
+        match cutter.next(*input, block) {
+            Ok(true) => {
+                let number = source.next;
+                source.next += 1;
+                return Some(number);
+            }
+            Ok(false) => {}
+            Err(error) => source.failed = Some(error),
+        }
+        source.is_ended = true;
+        None
+    }
+
+    /// Writes a block when its turn comes; `false` where nothing more is written.
+    fn give(&self, number: u64, tally: Tally, bytes: usize, packed: io::Result<&[u8]>) -> bool {
+        let mut sink = lock(&self.sink);
+        while sink.turn != number {
+            if self.watch.stop.load(Relaxed) || sink.failed.is_some() {
+                return false;
+            }
+            let waited = self.written.wait_timeout(sink, Duration::from_millis(100));
+            sink = waited.unwrap_or_else(PoisonError::into_inner).0;
+        }
+        if sink.failed.is_some() {
+            return false;
+        }
+        if let Err(error) = packed.and_then(|packed| sink.out.write_all(packed)) {
+            sink.failed = Some(error);
+            lock(&self.source).is_ended = true;
+        }
+        self.watch.rows.fetch_add(tally.rows, Relaxed);
+        self.watch.bytes.fetch_add(u64::try_from(bytes).unwrap_or_default(), Relaxed);
+        sink.tally.add(tally);
+        sink.turn += 1;
+        let goes_on = sink.failed.is_none();
+        drop(sink);
+        self.written.notify_all();
+        goes_on
+    }
+}

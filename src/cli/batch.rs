@@ -1,0 +1,273 @@
+//! `fitcheck batch`: a verdict for every row of streams of any length.
+
+mod progress;
+mod summary;
+
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+use super::{CliError, CliRemark, Io, Outcome, TableArgs};
+use crate::batch::{self, Failed, Form, Manner, Packing, Rendering, Stream, Summary, Watch};
+use crate::cli::args::one_of;
+use crate::exchange::batch::{ADDED, BLOCK, Court, Csv, Cutter, HEAD, JsonLines, Layout};
+use crate::files;
+use crate::tolerance::Sources;
+use progress::Progress;
+use summary::Told;
+
+/// Judge every row of CSV files of any length, order kept
+#[derive(Debug, clap::Args)]
+#[command(after_help = help())]
+pub(super) struct Args {
+    /// CSV files with the same columns, one after the other; - is standard input
+    #[arg(required = true, value_name = "FILE")]
+    inputs: Vec<PathBuf>,
+
+    /// File to write, .csv or .jsonl, packed where .gz or .zst follows; default: standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    /// Format of the answers; default: that of the output's ending, else csv
+    #[arg(long, value_parser = one_of(batch::FORMS.iter().map(|(form, ..)| *form), |form| form.name()))]
+    format: Option<Form>,
+
+    /// Word before the names of the added columns, where the input has some of them already
+    #[arg(long, value_name = "WORD", default_value = "")]
+    prefix: String,
+
+    /// How many processors work at the same time; default: all, at most 8
+    #[arg(short, long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(1..=64))]
+    jobs: Option<u8>,
+
+    #[command(flatten)]
+    tables: TableArgs,
+}
+
+/// More workers only wait for the one stream that they read and write.
+const MOST_WORKERS: usize = 8;
+
+fn help() -> String {
+    format!(
+        "\
+Columns are found as by fitcheck import: by their names in English, Dutch, German or Italian, or by what is in them. \
+Every column is passed on as it is; added are
+
+  {}
+
+A row without a verdict keeps its place, with the reason in the last column. Inputs packed with gzip or \
+Zstandard are unpacked. The summary goes to standard error.
+
+Examples:
+  fitcheck batch bores.csv -o verdicts.csv
+  fitcheck batch 2026-*.csv.gz -o 2026.csv.zst
+  zcat bores.csv.gz | fitcheck batch - --format jsonl | head
+
+The exit code is that of the worst verdict; it is 1 where any row could not be judged.",
+        ADDED.join(",")
+    )
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let sources = self.tables.load(io)?;
+        let (form, packing) = self.form()?;
+        for input in &self.inputs {
+            self.not_the_output(input)?;
+        }
+        let job = Job { args: self, sources: &sources, form, packing };
+        let mut result = Ok(Summary::default());
+        match &self.output {
+            Some(path) => {
+                let (input, _, listener) = io.streams();
+                let mut told = Told::new(listener);
+                let written = files::write_with(path, &mut |out| {
+                    result = job.all(input, out, &mut told);
+                    // What is not whole is not kept; the reason follows.
+                    if result.is_ok() { Ok(()) } else { Err(io::Error::other("not whole")) }
+                });
+                if result.is_ok() {
+                    written?;
+                    io.tell(CliRemark::Wrote { path: path.display().to_string() });
+                }
+            }
+            None => {
+                let (input, out, listener) = io.streams();
+                result = job.all(input, out, &mut Told::new(listener));
+            }
+        }
+        let summary = result?;
+        summary::tell(&summary, io);
+        Ok(summary::outcome(&summary))
+    }
+
+    /// What is written, by `--format` and the output's ending.
+    fn form(&self) -> Result<(Form, Packing), CliError> {
+        let Some(path) = &self.output else { return Ok((self.format.unwrap_or(Form::Csv), Packing::Plain)) };
+        let (packing, name) = Packing::of_name(path);
+        let ending = name.extension().unwrap_or_default().to_string_lossy();
+        let known = Form::of_ending(&ending);
+        match (self.format, known) {
+            (Some(form), Some(other)) if form != other => {
+                Err(CliError::ReportFormat { format: form.name(), file: path.clone() })
+            }
+            (Some(form), _) | (None, Some(form)) => Ok((form, packing)),
+            // A device has no ending.
+            (None, None) if path.extension().is_none() => Ok((Form::Csv, packing)),
+            (None, None) => {
+                let endings: Vec<&str> = batch::FORMS.iter().flat_map(|(.., endings)| endings.iter().copied()).collect();
+                Err(CliError::BatchEnding { path: path.clone(), endings: endings.join(", .") })
+            }
+        }
+    }
+
+    /// An output is never one of its own inputs: with a shell's `>` the input would be empty already.
+    fn not_the_output(&self, input: &Path) -> Result<(), CliError> {
+        let input = if input.as_os_str() == "-" { same_file::Handle::stdin() } else { same_file::Handle::from_path(input) };
+        let output = match &self.output {
+            Some(path) => same_file::Handle::from_path(path),
+            None => same_file::Handle::stdout(),
+        };
+        match (input, output) {
+            (Ok(input), Ok(output)) if input == output && is_file(&input) => {
+                Err(CliError::BatchOntoItself { path: self.output.clone().unwrap_or_else(|| PathBuf::from("-")) })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Terminals and pipes can be read and written at the same time.
+fn is_file(handle: &same_file::Handle) -> bool {
+    handle.as_file().metadata().is_ok_and(|metadata| metadata.is_file())
+}
+
+/// What all inputs have in common.
+struct Job<'a> {
+    args: &'a Args,
+    sources: &'a Sources,
+    form: Form,
+    packing: Packing,
+}
+
+/// An input that can be read.
+struct Opened<'a> {
+    name: String,
+    path: &'a Path,
+    stream: Stream<'a>,
+    layout: Layout,
+    /// How many bytes the file has; `None` for pipes.
+    size: Option<u64>,
+}
+
+impl Job<'_> {
+    /// Judges all inputs, one after the other, into one output.
+    fn all(
+        &self,
+        input: &mut (dyn Read + Send),
+        out: &mut (dyn Write + Send),
+        told: &mut Told<'_>,
+    ) -> Result<Summary, CliError> {
+        let mut summary = Summary::default();
+        let mut names: Option<Vec<String>> = None;
+        for path in &self.args.inputs {
+            let opened = Self::open(path, &mut *input)?;
+            match &names {
+                None => {
+                    self.check_names(&opened)?;
+                    if opened.stream.is_utf16 {
+                        told.remark(&CliRemark::BatchUtf16 { name: opened.name.clone() });
+                    }
+                    names = Some(opened.layout.names.clone());
+                    let header = match self.form {
+                        Form::Csv => Csv::header(&opened.layout, &self.args.prefix),
+                        Form::JsonLines => Vec::new(),
+                    };
+                    let mut packed = Vec::new();
+                    out.write_all(self.packing.pack(&header, &mut packed)?)?;
+                }
+                Some(first) if *first != opened.layout.names => {
+                    return Err(CliError::BatchColumns { name: opened.name, columns: first.join(", ") });
+                }
+                Some(_) => {}
+            }
+            let one = match self.form {
+                Form::Csv => self.one::<Csv>(opened, out, told),
+                Form::JsonLines => self.one::<JsonLines>(opened, out, told),
+            }?;
+            summary.append(one);
+        }
+        Ok(summary)
+    }
+
+    /// Looks at the beginning of an input until its columns are known.
+    fn open<'i>(path: &'i Path, input: &'i mut (dyn Read + Send)) -> Result<Opened<'i>, CliError> {
+        let is_standard = path.as_os_str() == "-";
+        let name = if is_standard { "standard input".to_owned() } else { path.display().to_string() };
+        let failed = |error: io::Error| CliError::from(files::system(path, &error));
+        let (raw, size): (Box<dyn Read + Send + 'i>, _) = if is_standard {
+            (Box::new(input), None)
+        } else {
+            let (file, size) = files::open(path)?;
+            (Box::new(file), size)
+        };
+        let is_patient = size.is_some();
+        let mut stream = Stream::of(raw).map_err(failed)?;
+        loop {
+            let goes_on = stream.read_more(if is_patient { HEAD } else { BLOCK }).map_err(failed)?;
+            let is_enough = !goes_on || HEAD <= stream.head.len();
+            if is_patient && !is_enough {
+                continue;
+            }
+            match Layout::of(&stream.head, stream.is_all, &name) {
+                Ok(layout) if layout.has_rows || is_enough => {
+                    return Ok(Opened { name, path, stream, layout, size });
+                }
+                Err(error) if is_enough => return Err(CliError::BatchInput { name, error: error.to_string() }),
+                Ok(_) | Err(_) => {}
+            }
+        }
+    }
+
+    /// No column is added under a name that the input has.
+    fn check_names(&self, opened: &Opened<'_>) -> Result<(), CliError> {
+        let prefix = &self.args.prefix;
+        let taken = opened.layout.names.iter().find(|name| {
+            name.strip_prefix(prefix.as_str()).is_some_and(|name| ADDED.contains(&name))
+        });
+        match taken {
+            Some(name) => Err(CliError::BatchName { name: opened.name.clone(), column: name.clone() }),
+            None => Ok(()),
+        }
+    }
+
+    /// Judges the rows of one input.
+    fn one<R: Rendering>(
+        &self,
+        opened: Opened<'_>,
+        out: &mut (dyn Write + Send),
+        told: &mut Told<'_>,
+    ) -> Result<Summary, CliError> {
+        let Opened { name, path, stream, layout, size } = opened;
+        let court = Court::new(&layout, self.sources);
+        let cutter = Cutter::new(layout.separator(), BLOCK, size.is_some());
+        let processors = || std::thread::available_parallelism().map_or(1, usize::from).min(MOST_WORKERS);
+        let workers = self.args.jobs.map_or_else(processors, usize::from);
+        let mut input = io::Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
+        let progress = Progress::new(&name, size.filter(|_| stream.packing == Packing::Plain));
+        let manner = Manner { workers, packing: self.packing };
+        let watch = Watch::default();
+        let summary = batch::run::<R>(&mut input, cutter, &court, manner, out, &watch, &mut |watch| progress.show(watch));
+        progress.end();
+        match summary {
+            Ok(summary) => {
+                told.notes(&name, layout.line, &summary.tally);
+                Ok(summary)
+            }
+            Err(Failed::Reading(error)) => Err(files::system(path, &error).into()),
+            Err(Failed::Writing(error)) => Err(match &self.args.output {
+                Some(path) => files::system(path, &error).into(),
+                None => CliError::Stream(error),
+            }),
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! What a batch had, on standard error: the first remarks with their lines, then how many rows had which verdict.
+
+use crate::batch::Summary;
+use crate::cli::io::Listener;
+use crate::cli::{CliRemark, Io, Outcome, said};
+use crate::exchange::batch::{Counts, FIRST, Kind, Tally};
+use crate::verdict::Status;
+
+/// How many classes are listed.
+const CLASSES: usize = 20;
+
+/// Tells the first remarks of all inputs together.
+pub(super) struct Told<'a> {
+    listener: Listener<'a>,
+    /// How many of each kind were told, in the order of [`Kind::ALL`].
+    counts: [usize; Kind::ALL.len()],
+}
+
+impl<'a> Told<'a> {
+    pub(super) const fn new(listener: Listener<'a>) -> Self {
+        Self { listener, counts: [0; Kind::ALL.len()] }
+    }
+
+    pub(super) fn remark(&mut self, what: &CliRemark) {
+        self.listener.tell(said::remark(what));
+    }
+
+    /// The first remarks about rows of an input whose first row is in this line.
+    pub(super) fn notes(&mut self, name: &str, first_line: usize, tally: &Tally) {
+        for (kind, told) in Kind::ALL.into_iter().zip(&mut self.counts) {
+            for note in tally.notes(kind).first.iter().take(FIRST - *told) {
+                *told += 1;
+                let column = note.column.map_or(String::new(), |column| format!(":{column}"));
+                let warning = if kind == Kind::Refused { "" } else { "warning: " };
+                self.listener.tell(format_args!("{name}:{}{column}: {warning}{}", first_line + note.line, note.text));
+            }
+        }
+    }
+}
+
+/// `5000 rows: 4000 GOOD, 600 REWORK, 399 SCRAP, 1 not judged`, and what else there was to say.
+pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
+    let Summary { tally, by_class, others } = summary;
+    let mut classes: Vec<(&str, Counts, u64)> = by_class
+        .iter()
+        .map(|(class, counts)| (class.as_str(), *counts))
+        .chain([("other callouts", *others)])
+        .map(|(name, counts)| (name, counts, counts.iter().sum()))
+        .filter(|(_, _, rows)| 0 < *rows)
+        .collect();
+    classes.sort_by_key(|(_, _, rows)| std::cmp::Reverse(*rows));
+    if 1 < classes.len() {
+        let left = classes.len().saturating_sub(CLASSES);
+        for (name, counts, rows) in classes.into_iter().take(CLASSES) {
+            io.tell(format_args!("  {name}: {}", counted(rows, counts, 0)));
+        }
+        if 0 < left {
+            io.tell(format_args!("  and {left} more {}", if left == 1 { "class" } else { "classes" }));
+        }
+    }
+    io.tell(counted(tally.rows, tally.counts, tally.notes(Kind::Refused).count));
+    for (count, one, many) in [
+        (
+            tally.notes(Kind::Doubt).count,
+            "value may be another quantity or another part's",
+            "values may be another quantity or another part's",
+        ),
+        (tally.simulated, "row says that nobody measured", "rows say that nobody measured"),
+        (tally.notes(Kind::SeveralLines).count, "row runs over several lines", "rows run over several lines"),
+        (
+            tally.not_utf8,
+            "row is not UTF-8: read as Windows-1252, written as UTF-8",
+            "rows are not UTF-8: read as Windows-1252, written as UTF-8",
+        ),
+        (tally.comments, "comment is no row", "comments are no rows"),
+    ] {
+        if 0 < count {
+            io.tell(format_args!("{count} {}", if count == 1 { one } else { many }));
+        }
+    }
+}
+
+fn counted(rows: u64, counts: Counts, refused: u64) -> String {
+    let words = Status::ALL.into_iter().map(Status::word).zip(counts).chain([("not judged", refused)]);
+    let parts: Vec<String> =
+        words.filter(|(_, count)| 0 < *count).map(|(word, count)| format!("{count} {word}")).collect();
+    format!("{rows} {}: {}", if rows == 1 { "row" } else { "rows" }, parts.join(", "))
+}
+
+/// As `import`: bad data where any row has no verdict, else the worst one.
+pub(super) fn outcome(summary: &Summary) -> Outcome {
+    let tally = &summary.tally;
+    if 0 < tally.notes(Kind::Refused).count {
+        return Outcome::BadData;
+    }
+    let worst = Status::ALL.into_iter().zip(tally.counts).filter(|(_, count)| 0 < *count).map(|(status, _)| status).max();
+    worst.map_or(Outcome::Done, Outcome::Judged)
+}

@@ -1,0 +1,120 @@
+//! CSV as it came, with six columns added: every line stays as it is, and the answer stands behind it.
+
+use super::judge::{Answer, Take};
+use super::layout::Layout;
+use super::row::Row;
+use super::{ADDED, index};
+use crate::length::Unit;
+
+/// Writes CSV.
+#[derive(Debug)]
+pub struct Csv {
+    separator: u8,
+    /// How many columns the input has.
+    count: usize,
+    line_end: &'static [u8],
+    /// What was written.
+    pub out: Vec<u8>,
+}
+
+impl Csv {
+    /// Nothing written yet.
+    pub const fn new(layout: &Layout) -> Self {
+        let Layout { separator, line_end, .. } = *layout;
+        Self { separator, count: layout.columns.count, line_end, out: Vec::new() }
+    }
+
+    /// Everything above the first row, with the names of the added columns, each behind `prefix`. An input without names
+    /// gets none.
+    pub fn header(layout: &Layout, prefix: &str) -> Vec<u8> {
+        let mut out = layout.above.clone();
+        if !layout.has_header {
+            return out;
+        }
+        let end = out.len() - out.iter().rev().take_while(|byte| matches!(byte, b'\n' | b'\r')).count();
+        out.truncate(end);
+        for name in ADDED {
+            out.push(layout.separator);
+            out.extend_from_slice(prefix.as_bytes());
+            out.extend_from_slice(name.as_bytes());
+        }
+        out.extend_from_slice(layout.line_end);
+        out
+    }
+
+    /// A cell with quotation marks where it needs some.
+    fn text(&mut self, text: &str) {
+        let separator = self.separator;
+        if text.bytes().all(|byte| byte != separator && !matches!(byte, b'"' | b'\n' | b'\r')) {
+            self.out.extend_from_slice(text.as_bytes());
+        } else {
+            self.out.push(b'"');
+            self.out.extend_from_slice(text.replace('"', "\"\"").as_bytes());
+            self.out.push(b'"');
+        }
+    }
+
+    fn separators(&mut self, count: usize) {
+        for _ in 0..count {
+            self.out.push(self.separator);
+        }
+    }
+
+    /// What is added to a row without a verdict.
+    fn refused(&mut self, reason: &str) {
+        self.separators(ADDED.len());
+        self.text(reason);
+    }
+}
+
+impl Take for Csv {
+    #[inline]
+    fn row(&mut self, row: &Row<'_>, answer: &Answer) {
+        let (count, separator) = (self.count, self.separator);
+        if row.len() <= count {
+            self.out.extend_from_slice(row.bytes());
+            self.separators(count - row.len());
+        } else {
+            self.out.extend_from_slice(row.first_cells(count));
+        }
+        match answer {
+            Answer::Judged(judged) => {
+                let out = &mut self.out;
+                out.push(separator);
+                judged.bounds.minimum().put_exact(Unit::Millimetre, 3, out);
+                out.push(separator);
+                judged.bounds.maximum().put_exact(Unit::Millimetre, 3, out);
+                out.push(separator);
+                judged.verdict.deviation.put_exact(Unit::Micrometre, 0, out);
+                out.push(separator);
+                out.extend_from_slice(judged.verdict.status.word().as_bytes());
+                out.push(separator);
+                if let Some(removal) = judged.verdict.removal {
+                    removal.to_limit.put_exact(Unit::Micrometre, 0, out);
+                }
+                out.push(separator);
+            }
+            Answer::Refused(reason) => self.refused(&super::with_cells_beyond(row, count, reason)),
+            Answer::Blank => self.separators(ADDED.len()),
+        }
+        let end = row.line_end();
+        self.out.extend_from_slice(if end.is_empty() { self.line_end } else { end });
+    }
+
+    fn broken(&mut self, line: &str, reason: &str) {
+        // One cell, so that its quotation marks open nothing.
+        self.out.push(b'"');
+        self.out.extend_from_slice(line.replace('"', "\"\"").as_bytes());
+        self.out.push(b'"');
+        self.separators(self.count.saturating_sub(1));
+        self.refused(reason);
+        self.out.extend_from_slice(self.line_end);
+    }
+
+    fn line(&mut self, line: &[u8]) {
+        self.out.extend_from_slice(line);
+        if index::line_end(line, line.len().saturating_sub(1)) == 0 {
+            self.out.extend_from_slice(self.line_end);
+        }
+    }
+}

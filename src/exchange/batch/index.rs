@@ -1,0 +1,206 @@
+//! Where the cells of some rows end.
+//!
+//! A quotation mark counts at the beginning of a cell only, and a doubled one within a quoted cell is a quotation mark (RFC
+//! 4180; elsewhere it is a character, as in `5" pipe`). LF, CRLF and CR end a row.
+
+use super::{LONGEST_ROW, wide};
+
+/// The mark of an end that also ends its row.
+const ROW: u32 = 1 << 31;
+
+/// The ends of cells, in the order of the text; the last one of each row is marked.
+#[derive(Debug, Default)]
+pub(super) struct Index {
+    ends: Vec<u32>,
+}
+
+/// Why the first row that is left is none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Broken {
+    /// A quotation mark on its first line is not closed, or closed in the middle of a later line.
+    OpenQuote,
+    /// It is longer than [`LONGEST_ROW`].
+    TooLong,
+}
+
+/// How far whole rows reach, and what comes then.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Rows {
+    /// Where the row begins that is not whole.
+    pub(super) end: usize,
+    /// Why it never will be; `None` where more of it may come.
+    pub(super) broken: Option<Broken>,
+}
+
+impl Index {
+    /// The rows of the index: the ends of their cells.
+    pub(super) fn rows(&self) -> impl Iterator<Item = &[u32]> {
+        self.ends.split_inclusive(|end| end & ROW != 0)
+    }
+
+    fn push(&mut self, at: usize, mark: u32) {
+        // A block is far shorter than the mark is large.
+        self.ends.push(u32::try_from(at).unwrap_or_default() | mark);
+    }
+
+    /// Finds the ends in whole rows without any quotation mark; where the last row has no line end, the text ends it.
+    pub(super) fn find_plain(&mut self, text: &[u8], separator: u8) {
+        self.ends.clear();
+        if memchr::memchr(b'\r', text).is_some() {
+            self.find_slowly(text, separator);
+        } else {
+            self.find_fast(text, separator);
+        }
+        if text.last().is_some_and(|last| !matches!(last, b'\n' | b'\r')) {
+            self.push(text.len(), ROW);
+        }
+    }
+
+    /// Eight bytes at a time; LF alone ends rows.
+    fn find_fast(&mut self, text: &[u8], separator: u8) {
+        let (words, rest) = text.as_chunks::<8>();
+        let (separators, line_ends) = (each(separator), each(b'\n'));
+        let mut at = 0_u32;
+        for word in words {
+            let word = u64::from_le_bytes(*word);
+            let line = zeros(word ^ line_ends);
+            let mut hits = zeros(word ^ separators) | line;
+            while hits != 0 {
+                let bit = hits.trailing_zeros();
+                // The bit stands at the top of its byte.
+                let mark = if line >> bit & 1 == 1 { ROW } else { 0 };
+                self.ends.push(at + bit / 8 | mark);
+                hits &= hits - 1;
+            }
+            at += 8;
+        }
+        for (byte, at) in rest.iter().zip(at..) {
+            if *byte == b'\n' {
+                self.ends.push(at | ROW);
+            } else if *byte == separator {
+                self.ends.push(at);
+            }
+        }
+    }
+
+    fn find_slowly(&mut self, text: &[u8], separator: u8) {
+        let mut before = 0;
+        for (at, &byte) in text.iter().enumerate() {
+            if byte == separator {
+                self.push(at, 0);
+            } else if byte == b'\r' || byte == b'\n' && before != b'\r' {
+                self.push(at, ROW);
+            }
+            before = byte;
+        }
+    }
+
+    /// Finds the ends in a text that may have quotation marks, row by row as far as rows are whole.
+    pub(super) fn find_quoted(&mut self, text: &[u8], separator: u8, is_all: bool) -> Rows {
+        self.ends.clear();
+        let mut start = 0;
+        while start < text.len() {
+            let before = self.ends.len();
+            match self.quoted_row(text, start, separator, is_all) {
+                Ok(next) => start = next,
+                Err(broken) => {
+                    self.ends.truncate(before);
+                    return Rows { end: start, broken };
+                }
+            }
+        }
+        Rows { end: start, broken: None }
+    }
+
+    /// Finds the ends of one row and where the next one begins; else why the row is not whole.
+    fn quoted_row(
+        &mut self,
+        text: &[u8],
+        start: usize,
+        separator: u8,
+        is_all: bool,
+    ) -> Result<usize, Option<Broken>> {
+        let (mut is_open, mut is_first, mut lines) = (false, true, 0);
+        let mut at = start;
+        let limit = start + LONGEST_ROW;
+        loop {
+            let Some(&byte) = text.get(at) else {
+                return match (is_all, is_open) {
+                    (true, true) => Err(Some(Broken::OpenQuote)),
+                    (true, false) => {
+                        self.push(at, ROW);
+                        Ok(at)
+                    }
+                    (false, _) => Err(None),
+                };
+            };
+            let next = text.get(at + 1).copied();
+            let is_line_end = matches!(byte, b'\n' | b'\r');
+            if limit <= at && !(is_line_end && !is_open) {
+                return Err(Some(if 0 < lines { Broken::OpenQuote } else { Broken::TooLong }));
+            }
+            if !is_all && next.is_none() && (byte == b'\r' || byte == b'"') {
+                // What it means depends on what follows.
+                return Err(None);
+            }
+            if is_open {
+                lines += usize::from(is_line_end);
+                if byte == b'"' && next == Some(b'"') {
+                    at += 1;
+                } else if byte == b'"' {
+                    is_open = false;
+                    let is_end = next.is_none_or(|next| next == separator || matches!(next, b'\n' | b'\r'));
+                    if 0 < lines && !is_end {
+                        return Err(Some(Broken::OpenQuote));
+                    }
+                }
+                is_first = false;
+            } else if is_line_end {
+                self.push(at, ROW);
+                return Ok(at + line_end(text, at));
+            } else if byte == separator {
+                self.push(at, 0);
+                is_first = true;
+            } else {
+                is_open = is_first && byte == b'"';
+                is_first = false;
+            }
+            at += 1;
+        }
+    }
+}
+
+/// Where a cell ends, without its mark.
+pub(super) fn end(end: u32) -> usize {
+    wide(end & !ROW)
+}
+
+/// How many bytes the line end at a place has: 0 at the end of the text.
+pub(super) fn line_end(text: &[u8], at: usize) -> usize {
+    match text.get(at..) {
+        Some([b'\r', b'\n', ..]) => 2,
+        Some([b'\r' | b'\n', ..]) => 1,
+        _ => 0,
+    }
+}
+
+/// Where the last whole line of a text without quotation marks ends, if it has one.
+pub(super) fn last_line_end(text: &[u8], is_all: bool) -> Option<usize> {
+    if let Some(at) = memchr::memrchr(b'\n', text) {
+        return Some(at + 1);
+    }
+    // After the last byte there may come a LF, which belongs to the same line end.
+    let known = text.len().saturating_sub(usize::from(!is_all));
+    memchr::memrchr(b'\r', text.get(..known).unwrap_or_default()).map(|at| at + 1)
+}
+
+/// A byte in all eight places.
+const fn each(byte: u8) -> u64 {
+    u64::from_le_bytes([byte; 8])
+}
+
+/// The top bit of each byte that is zero, and no other bit.
+const fn zeros(word: u64) -> u64 {
+    const LOW: u64 = each(0x7f);
+    !(((word & LOW) + LOW) | word | LOW)
+}

@@ -1,0 +1,351 @@
+//! Rows judged one after the other: most of them fast, the others exactly as `import` reads them, with the same answer.
+
+use super::cut::Block;
+use super::index::{Broken, Index};
+use super::known::{Classes, Steps};
+use super::layout::{Layout, utf8};
+use super::row::Row;
+use super::tally::{Kind, Tally};
+use super::LONGEST_ROW;
+use crate::exchange::columns;
+use crate::exchange::ImportWarningKind;
+use crate::exchange::error::ImportErrorKind;
+use crate::exchange::imported::WhyUnjudged;
+use crate::exchange::rules::{Found, Rules};
+use crate::length::{Length, Unit};
+use crate::tolerance::{Bounds, Sources, ToleranceClass};
+use crate::verdict::{SizeVerdict, Status, doubt_of, judge_bounds};
+
+/// A row that was judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Judged {
+    /// Its limits and nominal size.
+    pub bounds: Bounds,
+    /// What was measured.
+    pub measured: Length,
+    /// The verdict.
+    pub verdict: SizeVerdict,
+}
+
+/// What becomes of a row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Answer {
+    /// It has a verdict.
+    Judged(Judged),
+    /// It has none, for this reason.
+    Refused(String),
+    /// There is nothing in its cells.
+    Blank,
+}
+
+/// Takes what is found in a block, in its order.
+pub trait Take {
+    /// A row with its answer. Its text is UTF-8.
+    fn row(&mut self, row: &Row<'_>, answer: &Answer);
+    /// A line that cannot be split into cells, or only its beginning, with the reason.
+    fn broken(&mut self, line: &str, reason: &str);
+    /// A line that is no row: empty, or a comment. With its line end.
+    fn line(&mut self, line: &[u8]);
+}
+
+/// What every worker needs to judge: the layout of the stream and where limits come from.
+#[derive(Debug)]
+pub struct Court<'a> {
+    layout: &'a Layout,
+    sources: &'a Sources,
+    steps: Steps,
+    fast: Fast,
+}
+
+/// Which rows can be judged fast.
+#[derive(Debug)]
+struct Fast {
+    measured: (usize, Unit),
+    nominal: Option<(usize, Unit)>,
+    tolerance: Option<usize>,
+    simulated: Option<usize>,
+    count: usize,
+    /// A decimal sign that the measured values do not have.
+    foreign_sign: Option<u8>,
+    /// Cells between commas, where a decimal comma may have become a separator.
+    has_commas: bool,
+    /// Whether the cell before the callout may belong to it.
+    may_join: bool,
+}
+
+impl<'a> Court<'a> {
+    /// For rows of a layout, with limits from these sources.
+    pub fn new(layout: &'a Layout, sources: &'a Sources) -> Self {
+        let columns = &layout.columns;
+        let has_commas = layout.separator == b',';
+        let fast = Fast {
+            measured: (columns.measured.at, columns.measured.unit),
+            nominal: columns.nominal.map(|column| (column.at, column.unit)),
+            tolerance: columns.tolerance,
+            simulated: columns.simulated,
+            count: columns.count,
+            foreign_sign: columns.decimal_sign.map(|sign| if sign == '.' { b',' } else { b'.' }),
+            has_commas,
+            may_join: has_commas && !columns.names_known,
+        };
+        Self { layout, sources, steps: Steps::of(sources), fast }
+    }
+
+    /// The layout of the rows.
+    pub const fn layout(&self) -> &'a Layout {
+        self.layout
+    }
+
+    /// A worker's own judge.
+    pub fn judge(&self) -> Judge<'_> {
+        Judge {
+            court: self,
+            classes: Classes::new(self.sources, &self.steps),
+            counts: Vec::new(),
+            others: Counts::default(),
+            index: Index::default(),
+        }
+    }
+}
+
+/// Judges blocks of rows, and remembers the classes that it met.
+#[derive(Debug)]
+pub struct Judge<'a> {
+    court: &'a Court<'a>,
+    classes: Classes<'a>,
+    /// The verdicts of each class, by its number.
+    counts: Vec<Counts>,
+    /// The verdicts of callouts without a class.
+    others: Counts,
+    index: Index,
+}
+
+/// How many rows are good, rework, to be measured again, scrap: in the order of [`Status::ALL`].
+pub type Counts = [u64; Status::ALL.len()];
+
+impl Judge<'_> {
+    /// Judges the rows of a block. The lines of the tally count from the beginning of the block, from 0.
+    pub fn block(&mut self, block: &Block, take: &mut impl Take) -> Tally {
+        let mut tally = Tally::default();
+        let text = block.text.as_slice();
+        if let Some(broken) = block.broken {
+            Self::broken(broken, text, &mut tally, take);
+            tally.lines = 1;
+            return tally;
+        }
+        let mut own = std::mem::take(&mut self.index);
+        if block.index.is_none() {
+            own.find_plain(text, self.court.layout.separator);
+        }
+        let is_utf8 = std::str::from_utf8(text).is_ok();
+        let mut start = 0;
+        for ends in block.index.as_ref().unwrap_or(&own).rows() {
+            let row = Row { text, start, ends };
+            start = row.next();
+            let lines = if block.index.is_some() { row.lines() } else { 1 };
+            if is_utf8 || std::str::from_utf8(row.bytes()).is_ok() {
+                self.row(&row, &mut tally, take);
+            } else {
+                tally.not_utf8 += 1;
+                let whole = text.get(row.start..start).unwrap_or_default();
+                self.other_text(&utf8(whole), &mut tally, take);
+            }
+            if 1 < lines {
+                tally.note(Kind::SeveralLines, None, || ImportWarningKind::SeveralLines { lines }.to_string());
+            }
+            tally.lines += lines;
+        }
+        self.index = own;
+        tally
+    }
+
+    /// A row whose bytes are not those of the stream any more.
+    #[cold]
+    fn other_text(&mut self, text: &str, tally: &mut Tally, take: &mut impl Take) {
+        let mut index = Index::default();
+        let _whole = index.find_quoted(text.as_bytes(), self.court.layout.separator, true);
+        if let Some(ends) = index.rows().next() {
+            self.row(&Row { text: text.as_bytes(), start: 0, ends }, tally, take);
+        }
+    }
+
+    #[inline]
+    fn row(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
+        match self.fast(row) {
+            Some((judged, number)) => self.give(row, judged, Some(number), tally, take),
+            None => self.slow(row, tally, take),
+        }
+    }
+
+    #[inline]
+    fn give(&mut self, row: &Row<'_>, judged: Judged, class: Option<usize>, tally: &mut Tally, take: &mut impl Take) {
+        let status = judged.verdict.status;
+        tally.rows += 1;
+        let counts = match class {
+            Some(number) => {
+                if self.counts.len() <= number {
+                    self.counts.resize(number + 1, Counts::default());
+                }
+                self.counts.get_mut(number)
+            }
+            None => Some(&mut self.others),
+        };
+        for counts in counts.into_iter().chain([&mut tally.counts]) {
+            for (count, _) in counts.iter_mut().zip(Status::ALL).filter(|(_, one)| *one == status) {
+                *count += 1;
+            }
+        }
+        if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
+            tally.note(Kind::Doubt, None, || doubt.to_string());
+        }
+        take.row(row, &Answer::Judged(judged));
+    }
+
+    /// The classes that were met with their verdicts, and those of callouts without a class.
+    pub fn by_class(self) -> (Vec<(ToleranceClass, Counts)>, Counts) {
+        let classes = (0..).zip(self.counts).filter_map(|(number, counts)| Some((self.classes.class(number)?, counts)));
+        (classes.collect(), self.others)
+    }
+
+    /// The verdict of a plain row; `None` for every row that is not plain.
+    #[inline]
+    fn fast(&mut self, row: &Row<'_>) -> Option<(Judged, usize)> {
+        let fast = &self.court.fast;
+        if row.len() != fast.count || may_be_comment(row.bytes()) {
+            return None;
+        }
+        let text = plain(row.cell(fast.measured.0)?)?;
+        let measured = Length::plain(text, fast.measured.1)?;
+        let sign = text.iter().find(|byte| matches!(byte, b'.' | b','));
+        if measured <= Length::ZERO
+            || fast.foreign_sign.is_some_and(|foreign| sign == Some(&foreign))
+            || fast.has_commas && sign.is_none()
+        {
+            return None;
+        }
+        let at = fast.tolerance?;
+        let text = plain(row.cell(at)?)?;
+        if fast.may_join && at.checked_sub(1).and_then(|before| row.cell(before)).is_some_and(may_be_number) {
+            return None;
+        }
+        let letters = text.iter().position(u8::is_ascii_alphabetic)?;
+        let (mut number, class) = text.split_at_checked(letters)?;
+        while let [rest @ .., b' '] = number {
+            number = rest;
+        }
+        let own = fast.nominal.and_then(|(at, unit)| Some((plain(row.cell(at)?)?, unit)));
+        let nominal = match (number, own) {
+            ([], Some((own, unit))) => Length::plain(own, unit)?,
+            ([], None) => return None,
+            (number, own) => {
+                let nominal = Length::plain(number, Unit::Millimetre)?;
+                if fast.nominal.is_some() {
+                    let (own, unit) = own?;
+                    if !own.is_empty() && Length::plain(own, unit)? != nominal {
+                        return None;
+                    }
+                }
+                nominal
+            }
+        };
+        if nominal <= Length::ZERO {
+            return None;
+        }
+        if let Some(at) = fast.simulated
+            && !row.cell(at)?.is_empty()
+        {
+            return None;
+        }
+        let number = self.classes.number(class)?;
+        let (class, deviations) = self.classes.deviations(number, nominal)?;
+        let bounds = Bounds::new(class.feature(), nominal, deviations)?;
+        Some((Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) }, number))
+    }
+
+    /// A row as `import` reads it.
+    #[cold]
+    fn slow(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
+        let whole = row.text.get(row.start..row.next()).unwrap_or_default();
+        if LONGEST_ROW < row.bytes().len() {
+            return Self::broken(Broken::TooLong, whole, tally, take);
+        }
+        let cells = row.record();
+        if columns::is_blank(&cells) {
+            // With separators alone it has the cells of a row, and gets those that are added.
+            return if row.len() == 1 { take.line(whole) } else { take.row(row, &Answer::Blank) };
+        }
+        if columns::is_comment(&cells) {
+            if columns::is_data(&cells) {
+                return Self::refuse(row, None, ImportWarningKind::Comment.to_string(), tally, take);
+            }
+            tally.comments += 1;
+            return take.line(whole);
+        }
+        let columns = &self.court.layout.columns;
+        let rules = Rules { columns, separator: self.court.layout.separator, sources: self.court.sources };
+        match rules.read(&cells) {
+            Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
+                let bounds = limits.bounds();
+                let number = callout.class().map(|class| self.classes.number_of(class));
+                tally.simulated += u64::from(is_simulated);
+                let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
+                self.give(row, judged, number, tally, take);
+            }
+            Ok(Found { asked: None, .. }) => Self::refuse(row, None, WhyUnjudged::NoCallout.to_string(), tally, take),
+            Err((cell, reason)) => Self::refuse(row, cell.at, reason.to_string(), tally, take),
+        }
+    }
+
+    fn refuse(row: &Row<'_>, at: Option<usize>, reason: String, tally: &mut Tally, take: &mut impl Take) {
+        tally.rows += 1;
+        tally.note(Kind::Refused, at, || reason.clone());
+        take.row(row, &Answer::Refused(reason));
+    }
+
+    /// A line that is no row.
+    #[cold]
+    fn broken(broken: Broken, line: &[u8], tally: &mut Tally, take: &mut impl Take) {
+        let reason = match broken {
+            Broken::OpenQuote => ImportErrorKind::OpenQuote,
+            Broken::TooLong => ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 },
+        };
+        let reason = reason.to_string();
+        tally.rows += 1;
+        tally.note(Kind::Refused, None, || reason.clone());
+        let line = line.strip_suffix(b"\n").unwrap_or(line);
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        // Of a megabyte, the beginning tells which line it was; a character is not cut in two.
+        let shown = line.get(..BEGINNING).map_or_else(
+            || utf8(line).into_owned(),
+            |beginning| format!("{}…", String::from_utf8_lossy(beginning).trim_end_matches('\u{fffd}')),
+        );
+        take.broken(&shown, &reason);
+    }
+}
+
+/// How much of a broken line is kept, in bytes.
+const BEGINNING: usize = 200;
+
+/// A cell without one pair of quotation marks and without blanks; `None` where there is more to undo.
+#[inline]
+fn plain(cell: &[u8]) -> Option<&[u8]> {
+    let inner = match cell {
+        [b'"', inner @ .., b'"'] if !inner.contains(&b'"') => inner,
+        [b'"', ..] => return None,
+        plain => plain,
+    };
+    Some(inner.trim_ascii())
+}
+
+/// Whether a row begins like a comment, or with something that may hide the mark of one.
+#[inline]
+fn may_be_comment(row: &[u8]) -> bool {
+    let first = if let [b'"', rest @ ..] = row { rest.first() } else { row.first() };
+    first.is_none_or(|byte| *byte <= b' ' || matches!(byte, b'#' | b'"') || 0x80 <= *byte)
+}
+
+/// Whether a cell may be the first half of a callout whose decimal comma became a separator.
+#[inline]
+fn may_be_number(cell: &[u8]) -> bool {
+    !cell.first().is_some_and(u8::is_ascii_alphabetic)
+}

@@ -1,0 +1,49 @@
+//! A verdict for every row of a stream of any length: blocks of whole rows in, the same rows with their answers out.
+//!
+//! | file | what |
+//! |---|---|
+//! | `layout` | what the first rows say: separator, columns, header |
+//! | `cut` | a stream cut into blocks of whole rows |
+//! | `index`, `row` | where the cells of a block end; one row of it |
+//! | `judge` | rows judged: most of them fast, the others as `import` reads them |
+//! | `known` | limit deviations, looked up once for each class and step |
+//! | `csv`, `json_lines` | the rows as CSV again, with the columns that are added; the rows as JSON |
+//! | `tally` | how many rows had which verdict, and the first remarks |
+//!
+//! Nothing here opens a file or starts a thread: `batch` does, and hands blocks to as many judges as there are workers.
+
+use std::borrow::Cow;
+
+mod csv;
+mod cut;
+mod index;
+mod json_lines;
+mod judge;
+mod known;
+mod layout;
+mod row;
+mod tally;
+
+pub use csv::Csv;
+pub use cut::{BLOCK, Block, Cutter};
+pub use json_lines::JsonLines;
+pub use judge::{Answer, Counts, Court, Judge, Judged, Take};
+pub use layout::{HEAD, Layout};
+pub use row::Row;
+pub use tally::{FIRST, Kind, Note, Notes, Tally};
+
+pub(super) use super::delimited::LONGEST_ROW;
+
+/// The names of the columns that are added, in order. They must not change.
+pub const ADDED: [&str; 6] = ["min_mm", "max_mm", "deviation_um", "status", "remove_um", "error"];
+
+fn wide(number: u32) -> usize {
+    usize::try_from(number).unwrap_or(usize::MAX)
+}
+
+/// A reason with the cells that have no column, which are not written.
+fn with_cells_beyond<'a>(row: &Row<'_>, count: usize, reason: &'a str) -> Cow<'a, str> {
+    let beyond = row.bytes().get(row.first_cells(count).len() + 1..);
+    let Some(beyond) = beyond.filter(|_| count < row.len()) else { return Cow::Borrowed(reason) };
+    Cow::Owned(format!("{reason}: {}", super::error::shorten(&String::from_utf8_lossy(beyond))))
+}

@@ -1,0 +1,114 @@
+//! A row of a block: its bytes and its cells.
+
+use std::borrow::Cow;
+
+use csv::StringRecord;
+
+use super::index;
+
+/// A row within a text.
+#[derive(Debug, Clone, Copy)]
+pub struct Row<'a> {
+    pub(super) text: &'a [u8],
+    pub(super) start: usize,
+    /// The ends of its cells, marked as the index has them.
+    pub(super) ends: &'a [u32],
+}
+
+impl<'a> Row<'a> {
+    /// How many cells it has.
+    pub(super) const fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Where its last cell ends.
+    #[inline]
+    pub(super) fn end(&self) -> usize {
+        self.ends.last().map_or(self.start, |end| index::end(*end))
+    }
+
+    /// Where the next row begins.
+    #[inline]
+    pub(super) fn next(&self) -> usize {
+        let end = self.end();
+        end + index::line_end(self.text, end)
+    }
+
+    /// Its bytes without the line end.
+    #[inline]
+    pub(super) fn bytes(&self) -> &'a [u8] {
+        self.text.get(self.start..self.end()).unwrap_or_default()
+    }
+
+    /// Its line end; nothing where the text ends with it.
+    #[inline]
+    pub(super) fn line_end(&self) -> &'a [u8] {
+        let end = self.end();
+        self.text.get(end..end + index::line_end(self.text, end)).unwrap_or_default()
+    }
+
+    /// A cell as it stands there, with its quotation marks.
+    #[inline]
+    pub(super) fn cell(&self, at: usize) -> Option<&'a [u8]> {
+        let end = index::end(*self.ends.get(at)?);
+        let start = match at.checked_sub(1) {
+            Some(before) => index::end(*self.ends.get(before)?) + 1,
+            None => self.start,
+        };
+        self.text.get(start..end)
+    }
+
+    /// All cells as they stand there.
+    pub(super) fn cells(self) -> impl Iterator<Item = &'a [u8]> {
+        (0..self.len()).filter_map(move |at| self.cell(at))
+    }
+
+    /// The first cells, as many as are asked for, with the separators between them.
+    pub(super) fn first_cells(&self, count: usize) -> &'a [u8] {
+        let end = count.checked_sub(1).and_then(|last| self.ends.get(last)).map_or(self.start, |end| index::end(*end));
+        self.text.get(self.start..end).unwrap_or_default()
+    }
+
+    /// How many lines it runs over.
+    pub(super) fn lines(&self) -> usize {
+        let bytes = self.bytes();
+        if memchr::memchr(b'"', bytes).is_none() {
+            return 1;
+        }
+        let ends = memchr::memchr2_iter(b'\n', b'\r', bytes);
+        1 + ends.filter(|&at| bytes.get(at..at + 2) != Some(b"\r\n")).count()
+    }
+
+    /// Its cells without quotation marks, as `import` reads them. The text is UTF-8.
+    pub(super) fn record(&self) -> StringRecord {
+        self.cells().map(unquoted).collect()
+    }
+}
+
+/// A cell without its quotation marks; what comes after the closing one stays as it is.
+pub(super) fn unquoted(cell: &[u8]) -> Cow<'_, str> {
+    let text = std::str::from_utf8(cell).unwrap_or_default();
+    let Some(inner) = text.strip_prefix('"') else { return Cow::Borrowed(text) };
+    if let Some((inner, rest)) = inner.split_once('"')
+        && rest.is_empty()
+    {
+        return Cow::Borrowed(inner);
+    }
+    let mut out = String::new();
+    let mut rest = inner;
+    while let Some((before, after)) = rest.split_once('"') {
+        out.push_str(before);
+        match after.strip_prefix('"') {
+            Some(after) => {
+                out.push('"');
+                rest = after;
+            }
+            None => {
+                out.push_str(after);
+                return Cow::Owned(out);
+            }
+        }
+    }
+    out.push_str(rest);
+    Cow::Owned(out)
+}

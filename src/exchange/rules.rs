@@ -1,0 +1,171 @@
+//! What one row of a CSV says: its measured value, its callout and its limits, or the cell that cannot be used.
+//!
+//! `measurements` asks it for files that are kept in memory, `batch` for rows by the million.
+
+use csv::StringRecord;
+
+use super::columns::{self, Columns, LengthColumn};
+use super::error::{ImportErrorKind, shorten};
+use crate::length::Length;
+use crate::tolerance::{Callout, CalloutError, Limits, Sources};
+
+/// A cell and its place in the row, from 0.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cell<'a> {
+    pub(super) at: Option<usize>,
+    pub(super) text: &'a str,
+}
+
+/// A cell that cannot be used.
+pub(super) type Refused<'a> = (Cell<'a>, ImportErrorKind);
+
+/// What a row says.
+pub(super) struct Found {
+    pub(super) measured: Length,
+    /// The callout and its limits; `None` where the row has no callout.
+    pub(super) asked: Option<(Callout, Limits)>,
+    /// Whether it says that nobody measured.
+    pub(super) is_simulated: bool,
+}
+
+/// What is known before a row is read.
+pub(super) struct Rules<'a> {
+    pub(super) columns: &'a Columns,
+    pub(super) separator: u8,
+    pub(super) sources: &'a Sources,
+}
+
+impl Rules<'_> {
+    /// What a row says, or the first cell that cannot be used.
+    pub(super) fn read<'c>(&self, cells: &'c StringRecord) -> Result<Found, Refused<'c>> {
+        self.right_length(cells)?;
+        let measured = self.measured(cells)?;
+        let Some((callout, cell)) = self.callout(cells, measured)? else {
+            return Ok(Found { measured, asked: None, is_simulated: false });
+        };
+        let limits = self.sources.limits(&callout, None).map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
+        let is_simulated = self.is_simulated(cells)?;
+        Ok(Found { measured, asked: Some((callout, limits)), is_simulated })
+    }
+
+    /// There must be enough cells for what is needed, and none beyond the columns.
+    fn right_length<'c>(&self, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
+        let expected = self.columns.count;
+        let found = cells.len();
+        if let Some((at, text)) = cells.iter().enumerate().skip(expected).find(|(_, cell)| !cell.trim().is_empty()) {
+            return Err((Cell { at: Some(at), text }, ImportErrorKind::RowLong { found, expected }));
+        }
+        let needed = self.columns.tolerance.into_iter().chain([self.columns.measured.at]).max().unwrap_or_default();
+        if found <= needed {
+            return Err((
+                Cell { at: None, text: cells.iter().next_back().unwrap_or_default() },
+                ImportErrorKind::RowShort { found, expected },
+            ));
+        }
+        Ok(())
+    }
+
+    fn measured<'c>(&self, cells: &'c StringRecord) -> Result<Length, Refused<'c>> {
+        let (cell, measured) = length(cells, self.columns.measured, ImportErrorKind::Measured)?;
+        let given = || shorten(cell.text);
+        if let Some(sign) = self.columns.decimal_sign
+            && cell.text.contains(if sign == '.' { ',' } else { '.' })
+        {
+            return Err((cell, ImportErrorKind::DecimalSign { given: given(), sign }));
+        }
+        // 25,012 between separating commas: 25 in this column and 012 in the next one.
+        let behind = cells.get(self.columns.measured.at + 1).filter(|behind| columns::is_whole(behind));
+        if let Some(behind) = behind
+            && self.separator == b','
+            && columns::is_whole(cell.text)
+            && !self.columns.whole_numbers_behind
+        {
+            let joined = format!("{},{}", given(), shorten(behind.trim()));
+            return Err((cell, ImportErrorKind::DecimalComma { joined }));
+        }
+        if measured <= Length::ZERO {
+            return Err((cell, ImportErrorKind::NotPositive { given: given() }));
+        }
+        Ok(measured)
+    }
+
+    /// The callout of a row and its cell; `None` where the cell is empty or there is no such column.
+    fn callout<'c>(
+        &self,
+        cells: &'c StringRecord,
+        measured: Length,
+    ) -> Result<Option<(Callout, Cell<'c>)>, Refused<'c>> {
+        let Some(at) = self.columns.tolerance else { return Ok(None) };
+        let text = cells.get(at).unwrap_or_default().trim();
+        let cell = Cell { at: Some(at), text };
+        if text.is_empty() {
+            return Ok(None);
+        }
+        let begins_with_letter = text.starts_with(|c: char| c.is_ascii_alphabetic());
+        let given = shorten(text);
+        let nominal = match self.columns.nominal {
+            Some(column) if begins_with_letter || !is_blank(cells, column.at) => {
+                Some(length(cells, column, ImportErrorKind::Nominal)?)
+            }
+            _ => None,
+        };
+        let read = match nominal {
+            Some((_, nominal)) if begins_with_letter => {
+                given.parse().map_err(CalloutError::from).and_then(|class| Callout::new(nominal, class))
+            }
+            _ => given.parse::<Callout>(),
+        };
+        let callout = read.map_err(|error| (cell, ImportErrorKind::Callout(error)))?;
+        if let Some((_, nominal)) = nominal.filter(|(_, nominal)| *nominal != callout.nominal()) {
+            return Err((cell, ImportErrorKind::NominalDiffers { callout, nominal }));
+        }
+        self.one_callout(cells, cell, callout, measured)?;
+        Ok(Some((callout, cell)))
+    }
+
+    /// `25,5 H7,25.512` without a header is 5 H7 of part 25, or 25,5 H7. The measured value shows the doubt.
+    fn one_callout<'c>(
+        &self,
+        cells: &'c StringRecord,
+        cell: Cell<'c>,
+        callout: Callout,
+        measured: Length,
+    ) -> Result<(), Refused<'c>> {
+        if self.columns.names_known || self.separator != b',' {
+            return Ok(());
+        }
+        let Some(before) = cell.at.and_then(|at| at.checked_sub(1)).and_then(|at| cells.get(at)) else { return Ok(()) };
+        let joined = format!("{},{}", before.trim(), cell.text);
+        let Ok(other) = joined.parse::<Callout>() else { return Ok(()) };
+        let off = |nominal: Length| measured.saturating_sub(nominal).abs();
+        if off(other.nominal()) < off(callout.nominal()) {
+            return Err((cell, ImportErrorKind::DecimalComma { joined: shorten(&joined) }));
+        }
+        Ok(())
+    }
+
+    /// Whether the row says that nobody measured.
+    fn is_simulated<'c>(&self, cells: &'c StringRecord) -> Result<bool, Refused<'c>> {
+        let text = self.columns.simulated.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        match text.to_ascii_lowercase().as_str() {
+            "" | "false" => Ok(false),
+            "true" => Ok(true),
+            _ => Err((Cell { at: self.columns.simulated, text }, ImportErrorKind::Simulated { given: shorten(text) })),
+        }
+    }
+}
+
+fn is_blank(cells: &StringRecord, at: usize) -> bool {
+    cells.get(at).is_none_or(|cell| cell.trim().is_empty())
+}
+
+fn length(
+    cells: &StringRecord,
+    column: LengthColumn,
+    reason: fn(crate::length::LengthError) -> ImportErrorKind,
+) -> Result<(Cell<'_>, Length), Refused<'_>> {
+    let text = cells.get(column.at).unwrap_or_default().trim();
+    let cell = Cell { at: Some(column.at), text };
+    let length = Length::parse_in(&shorten(text), column.unit).map_err(|error| (cell, reason(error)))?;
+    Ok((cell, length))
+}
