@@ -153,25 +153,35 @@ impl Length {
     /// which [`Length::parse_in`] may still read.
     #[inline]
     pub(crate) fn plain(text: &[u8], unit: Unit) -> Option<Self> {
-        let (mut number, mut digits, mut decimals) = (0_i64, 0_u32, None);
-        for &byte in text {
-            let digit = byte.wrapping_sub(b'0');
-            if digit < 10 {
-                number = number * 10 + i64::from(digit);
-                digits += 1;
-                decimals = decimals.map(|count: u32| count + 1);
-            } else if matches!(byte, b'.' | b',') && decimals.is_none() && 0 < digits {
-                decimals = Some(0);
-            } else {
-                return None;
-            }
-            if 15 < digits {
-                return None;
-            }
-        }
-        let decimals = decimals.unwrap_or(0);
-        if digits == 0 || 9 < digits - decimals {
+        const LONGEST: usize = 16;
+        if LONGEST < text.len() {
             return None;
+        }
+        let (mut number, mut bytes) = (0_i64, text.iter());
+        let mut whole = 0;
+        let mut has_sign = false;
+        for &byte in bytes.by_ref() {
+            let digit = byte.wrapping_sub(b'0');
+            if 9 < digit {
+                has_sign = matches!(byte, b'.' | b',');
+                if !has_sign {
+                    return None;
+                }
+                break;
+            }
+            number = number * 10 + i64::from(digit);
+            whole += 1;
+        }
+        if whole == 0 || 9 < whole {
+            return None;
+        }
+        let decimals = if has_sign { text.len() - whole - 1 } else { 0 };
+        for &byte in bytes {
+            let digit = byte.wrapping_sub(b'0');
+            if 9 < digit {
+                return None;
+            }
+            number = number * 10 + i64::from(digit);
         }
         // Nanometres in one of the last decimal, where that is a whole number of them.
         let one = unit.nanometres();
@@ -263,15 +273,15 @@ impl Length {
     /// Appends what [`Length::exact`] gives, in ASCII.
     #[inline]
     pub(crate) fn put_exact(self, unit: Unit, decimals: usize, out: &mut Vec<u8>) {
-        let (one, places) = match unit {
-            Unit::Millimetre if decimals <= 6 => (1_000_000, 6),
-            Unit::Micrometre if decimals <= 3 => (1_000, 3),
+        let one = match unit {
+            Unit::Millimetre if decimals <= 6 => 1_000_000,
+            Unit::Micrometre if decimals <= 3 => 1_000,
             Unit::Inch => return out.extend_from_slice(self.rounded_up_to(unit, 7.max(decimals), decimals).as_bytes()),
             Unit::Millimetre | Unit::Micrometre => {
                 return out.extend_from_slice(self.rounded(unit, decimals).as_bytes());
             }
         };
-        put_decimal(self.0, one, places, decimals, out);
+        put_decimal(self.0, one, decimals, out);
     }
 
     /// The number in `unit` rounded to `most` decimals, without the last ones where they are zero, but at least `least`.
@@ -310,51 +320,95 @@ impl Length {
     }
 }
 
-/// Appends a number of nanometres in a unit of `one` of them, which has `places` decimals; zeros at the end go, but at
+/// Appends a number of nanometres in a unit of `one` of them, which has three or six decimals; zeros at the end go, but at
 /// least `least` decimals stay.
 #[inline]
-fn put_decimal(nm: i64, one: u64, places: usize, least: usize, out: &mut Vec<u8>) {
-    let magnitude = nm.unsigned_abs();
-    let (mut whole, mut part) = (magnitude / one, magnitude % one);
-    // From the end: decimals, point, figures, sign. 25 bytes are more than any i64 takes.
-    let mut text = [0_u8; 25];
-    let mut free = text.iter_mut().rev();
-    let mut used = 0;
-    let mut put = |byte: u8| {
-        if let Some(place) = free.next() {
-            *place = byte;
-            used += 1;
-        }
-    };
-    let mut left = places;
-    while least < left && part % 10 == 0 {
-        part /= 10;
-        left -= 1;
-    }
-    for _ in 0..left {
-        put(digit(part));
-        part /= 10;
-    }
-    if 0 < left {
-        put(b'.');
-    }
-    put(digit(whole));
-    whole /= 10;
-    while 0 < whole {
-        put(digit(whole));
-        whole /= 10;
-    }
+fn put_decimal(nm: i64, one: u64, least: usize, out: &mut Vec<u8>) {
     if nm < 0 {
-        put(b'-');
+        out.push(b'-');
     }
-    out.extend_from_slice(text.get(text.len() - used..).unwrap_or_default());
+    let magnitude = nm.unsigned_abs();
+    put_whole(magnitude / one, out);
+    let part = magnitude % one;
+    let (first, second) = if one == 1_000 { (part, 0) } else { (part / 1_000, part % 1_000) };
+    if least == 0 && part == 0 {
+        return;
+    }
+    out.push(b'.');
+    // Either three figures are followed by others, or some of the three are not needed.
+    if second == 0 && least <= 3 {
+        put_trimmed(first, least, out);
+    } else {
+        out.extend_from_slice(&figures(first));
+        put_trimmed(second, least.saturating_sub(3), out);
+    }
 }
 
-/// The last digit of a number.
+/// Appends a whole number.
 #[inline]
-fn digit(number: u64) -> u8 {
-    // Below ten, so it fits.
-    b'0' + u8::try_from(number % 10).unwrap_or_default()
+fn put_whole(number: u64, out: &mut Vec<u8>) {
+    if number < 1_000 {
+        put_leading(number, out);
+    } else if number < 1_000_000 {
+        put_leading(number / 1_000, out);
+        out.extend_from_slice(&figures(number % 1_000));
+    } else {
+        out.extend_from_slice(number.to_string().as_bytes());
+    }
+}
+
+/// Appends a number below a thousand.
+#[inline]
+fn put_leading(number: u64, out: &mut Vec<u8>) {
+    let [hundreds, tens, ones] = figures(number);
+    if 100 <= number {
+        out.extend_from_slice(&[hundreds, tens, ones]);
+    } else if 10 <= number {
+        out.extend_from_slice(&[tens, ones]);
+    } else {
+        out.push(ones);
+    }
+}
+
+/// Appends three decimals without the zeros at their end, but at least so many.
+#[inline]
+fn put_trimmed(number: u64, least: usize, out: &mut Vec<u8>) {
+    let [tenths, hundredths, thousandths] = figures(number);
+    if 3 <= least || thousandths != b'0' {
+        out.extend_from_slice(&[tenths, hundredths, thousandths]);
+    } else if 2 <= least || hundredths != b'0' {
+        out.extend_from_slice(&[tenths, hundredths]);
+    } else if 1 <= least || tenths != b'0' {
+        out.push(tenths);
+    }
+}
+
+/// The three figures of a number below a thousand.
+#[inline]
+fn figures(number: u64) -> [u8; 3] {
+    usize::try_from(number).ok().and_then(|number| FIGURES.get(number)).copied().unwrap_or_default()
+}
+
+static FIGURES: [[u8; 3]; 1_000] = {
+    let mut all = [[b'0'; 3]; 1_000];
+    let mut rest = all.as_mut_slice();
+    let mut figures = *b"000";
+    while let [first, others @ ..] = rest {
+        *first = figures;
+        figures = after(figures);
+        rest = others;
+    }
+    all
+};
+
+/// The next number; 000 after 999.
+const fn after([hundreds, tens, ones]: [u8; 3]) -> [u8; 3] {
+    match (hundreds, tens, ones) {
+        (b'9', b'9', b'9') => *b"000",
+        (_, b'9', b'9') => [hundreds + 1, b'0', b'0'],
+        (_, _, b'9') => [hundreds, tens + 1, b'0'],
+        _ => [hundreds, tens, ones + 1],
+    }
 }
 
 /// Splits a unit off the end of a number.

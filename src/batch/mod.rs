@@ -145,6 +145,13 @@ pub fn run<R: Rendering>(
 }
 
 impl Summary {
+    /// The verdicts of all rows.
+    pub fn counts(&self) -> Counts {
+        let mut all = self.others;
+        self.by_class.iter().for_each(|(_, counts)| sum(&mut all, *counts));
+        all
+    }
+
     /// Adds what another stream had.
     pub fn append(&mut self, other: Self) {
         let Self { tally, by_class, others } = other;

@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 mod bad_input;
+mod batch;
 mod callout_grammar;
 mod callouts;
 mod check_cli;

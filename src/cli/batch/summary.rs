@@ -58,7 +58,7 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
             io.tell(format_args!("  and {left} more {}", if left == 1 { "class" } else { "classes" }));
         }
     }
-    io.tell(counted(tally.rows, tally.counts, tally.notes(Kind::Refused).count));
+    io.tell(counted(tally.rows, summary.counts(), tally.notes(Kind::Refused).count));
     for (count, one, many) in [
         (
             tally.notes(Kind::Doubt).count,
@@ -93,6 +93,6 @@ pub(super) fn outcome(summary: &Summary) -> Outcome {
     if 0 < tally.notes(Kind::Refused).count {
         return Outcome::BadData;
     }
-    let worst = Status::ALL.into_iter().zip(tally.counts).filter(|(_, count)| 0 < *count).map(|(status, _)| status).max();
+    let worst = Status::ALL.into_iter().zip(summary.counts()).filter(|(_, count)| 0 < *count).map(|(status, _)| status).max();
     worst.map_or(Outcome::Done, Outcome::Judged)
 }

@@ -1,6 +1,6 @@
 //! CSV as it came, with six columns added: every line stays as it is, and the answer stands behind it.
 
-use super::judge::{Answer, Take};
+use super::judge::{Judged, Take};
 use super::layout::Layout;
 use super::row::Row;
 use super::{ADDED, index};
@@ -60,8 +60,28 @@ impl Csv {
         }
     }
 
+    /// The cells of a row, as many as there are columns.
+    #[inline]
+    fn cells(&mut self, row: &Row<'_>) {
+        if row.len() == self.count {
+            self.out.extend_from_slice(row.bytes());
+        } else {
+            self.out.extend_from_slice(row.first_cells(self.count.min(row.len())));
+            self.separators(self.count.saturating_sub(row.len()));
+        }
+    }
+
+    #[inline]
+    fn end(&mut self, row: &Row<'_>) {
+        match row.line_end() {
+            b"\n" => self.out.push(b'\n'),
+            b"" => self.out.extend_from_slice(self.line_end),
+            end => self.out.extend_from_slice(end),
+        }
+    }
+
     /// What is added to a row without a verdict.
-    fn refused(&mut self, reason: &str) {
+    fn reason(&mut self, reason: &str) {
         self.separators(ADDED.len());
         self.text(reason);
     }
@@ -69,36 +89,29 @@ impl Csv {
 
 impl Take for Csv {
     #[inline]
-    fn row(&mut self, row: &Row<'_>, answer: &Answer) {
-        let (count, separator) = (self.count, self.separator);
-        if row.len() <= count {
-            self.out.extend_from_slice(row.bytes());
-            self.separators(count - row.len());
-        } else {
-            self.out.extend_from_slice(row.first_cells(count));
+    fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
+        self.cells(row);
+        let (out, separator) = (&mut self.out, self.separator);
+        out.push(separator);
+        judged.bounds.minimum().put_exact(Unit::Millimetre, 3, out);
+        out.push(separator);
+        judged.bounds.maximum().put_exact(Unit::Millimetre, 3, out);
+        out.push(separator);
+        judged.verdict.deviation.put_exact(Unit::Micrometre, 0, out);
+        out.push(separator);
+        out.extend_from_slice(judged.verdict.status.word().as_bytes());
+        out.push(separator);
+        if let Some(removal) = judged.verdict.removal {
+            removal.to_limit.put_exact(Unit::Micrometre, 0, out);
         }
-        match answer {
-            Answer::Judged(judged) => {
-                let out = &mut self.out;
-                out.push(separator);
-                judged.bounds.minimum().put_exact(Unit::Millimetre, 3, out);
-                out.push(separator);
-                judged.bounds.maximum().put_exact(Unit::Millimetre, 3, out);
-                out.push(separator);
-                judged.verdict.deviation.put_exact(Unit::Micrometre, 0, out);
-                out.push(separator);
-                out.extend_from_slice(judged.verdict.status.word().as_bytes());
-                out.push(separator);
-                if let Some(removal) = judged.verdict.removal {
-                    removal.to_limit.put_exact(Unit::Micrometre, 0, out);
-                }
-                out.push(separator);
-            }
-            Answer::Refused(reason) => self.refused(&super::with_cells_beyond(row, count, reason)),
-            Answer::Blank => self.separators(ADDED.len()),
-        }
-        let end = row.line_end();
-        self.out.extend_from_slice(if end.is_empty() { self.line_end } else { end });
+        out.push(separator);
+        self.end(row);
+    }
+
+    fn refused(&mut self, row: &Row<'_>, reason: &str) {
+        self.cells(row);
+        self.reason(&super::with_cells_beyond(row, self.count, reason));
+        self.end(row);
     }
 
     fn broken(&mut self, line: &str, reason: &str) {
@@ -107,7 +120,7 @@ impl Take for Csv {
         self.out.extend_from_slice(line.replace('"', "\"\"").as_bytes());
         self.out.push(b'"');
         self.separators(self.count.saturating_sub(1));
-        self.refused(reason);
+        self.reason(reason);
         self.out.extend_from_slice(self.line_end);
     }
 

@@ -1,6 +1,6 @@
 //! Rows as JSON, an object a line: the columns of the input as texts, those that are added as numbers and texts.
 
-use super::judge::{Answer, Take};
+use super::judge::{Judged, Take};
 use super::layout::Layout;
 use super::row::{Row, unquoted};
 use crate::length::Unit;
@@ -26,7 +26,18 @@ impl JsonLines {
         Self { out: Vec::new(), names: layout.names.iter().enumerate().map(name).collect() }
     }
 
-    fn refused(&mut self, reason: Option<&str>) {
+    fn cells(&mut self, row: &Row<'_>) {
+        for (at, name) in self.names.iter().enumerate() {
+            self.out.extend_from_slice(name);
+            match row.cell(at) {
+                Some(cell) => text(&unquoted(cell), &mut self.out),
+                None => self.out.extend_from_slice(b"null"),
+            }
+        }
+        self.out.push(b',');
+    }
+
+    fn reason(&mut self, reason: Option<&str>) {
         let nothing = "\"min_mm\":null,\"max_mm\":null,\"deviation_um\":null,\"status\":null,\"remove_um\":null";
         self.out.extend_from_slice(nothing.as_bytes());
         self.out.extend_from_slice(b",\"error\":");
@@ -44,36 +55,29 @@ fn text(text: &str, out: &mut Vec<u8>) {
 }
 
 impl Take for JsonLines {
-    fn row(&mut self, row: &Row<'_>, answer: &Answer) {
-        for (at, name) in self.names.iter().enumerate() {
-            self.out.extend_from_slice(name);
-            match row.cell(at) {
-                Some(cell) => text(&unquoted(cell), &mut self.out),
-                None => self.out.extend_from_slice(b"null"),
-            }
+    fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
+        self.cells(row);
+        let out = &mut self.out;
+        out.extend_from_slice(b"\"min_mm\":");
+        judged.bounds.minimum().put_exact(Unit::Millimetre, 0, out);
+        out.extend_from_slice(b",\"max_mm\":");
+        judged.bounds.maximum().put_exact(Unit::Millimetre, 0, out);
+        out.extend_from_slice(b",\"deviation_um\":");
+        judged.verdict.deviation.put_exact(Unit::Micrometre, 0, out);
+        out.extend_from_slice(b",\"status\":\"");
+        out.extend_from_slice(judged.verdict.status.word().as_bytes());
+        out.extend_from_slice(b"\",\"remove_um\":");
+        match judged.verdict.removal {
+            Some(removal) => removal.to_limit.put_exact(Unit::Micrometre, 0, out),
+            None => out.extend_from_slice(b"null"),
         }
-        self.out.push(b',');
-        match answer {
-            Answer::Judged(judged) => {
-                let out = &mut self.out;
-                out.extend_from_slice(b"\"min_mm\":");
-                judged.bounds.minimum().put_exact(Unit::Millimetre, 0, out);
-                out.extend_from_slice(b",\"max_mm\":");
-                judged.bounds.maximum().put_exact(Unit::Millimetre, 0, out);
-                out.extend_from_slice(b",\"deviation_um\":");
-                judged.verdict.deviation.put_exact(Unit::Micrometre, 0, out);
-                out.extend_from_slice(b",\"status\":\"");
-                out.extend_from_slice(judged.verdict.status.word().as_bytes());
-                out.extend_from_slice(b"\",\"remove_um\":");
-                match judged.verdict.removal {
-                    Some(removal) => removal.to_limit.put_exact(Unit::Micrometre, 0, out),
-                    None => out.extend_from_slice(b"null"),
-                }
-                out.extend_from_slice(b",\"error\":null}\n");
-            }
-            Answer::Refused(reason) => self.refused(Some(&super::with_cells_beyond(row, self.names.len(), reason))),
-            Answer::Blank => self.refused(None),
-        }
+        out.extend_from_slice(b",\"error\":null}\n");
+    }
+
+    fn refused(&mut self, row: &Row<'_>, reason: &str) {
+        self.cells(row);
+        let reason = super::with_cells_beyond(row, self.names.len(), reason);
+        self.reason(Some(reason.as_ref()).filter(|reason| !reason.is_empty()));
     }
 
     fn broken(&mut self, line: &str, reason: &str) {
@@ -86,7 +90,7 @@ impl Take for JsonLines {
             }
         }
         self.out.push(b',');
-        self.refused(Some(reason));
+        self.reason(Some(reason));
     }
 
     /// A comment or an empty line is no object; the tally counts it.

@@ -27,21 +27,12 @@ pub struct Judged {
     pub verdict: SizeVerdict,
 }
 
-/// What becomes of a row.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Answer {
-    /// It has a verdict.
-    Judged(Judged),
-    /// It has none, for this reason.
-    Refused(String),
-    /// There is nothing in its cells.
-    Blank,
-}
-
 /// Takes what is found in a block, in its order.
 pub trait Take {
-    /// A row with its answer. Its text is UTF-8.
-    fn row(&mut self, row: &Row<'_>, answer: &Answer);
+    /// A row with its verdict. The text of rows is UTF-8.
+    fn judged(&mut self, row: &Row<'_>, judged: &Judged);
+    /// A row without a verdict, and why; nothing where there is nothing in its cells.
+    fn refused(&mut self, row: &Row<'_>, reason: &str);
     /// A line that cannot be split into cells, or only its beginning, with the reason.
     fn broken(&mut self, line: &str, reason: &str);
     /// A line that is no row: empty, or a comment. With its line end.
@@ -181,24 +172,23 @@ impl Judge<'_> {
     fn give(&mut self, row: &Row<'_>, judged: Judged, class: Option<usize>, tally: &mut Tally, take: &mut impl Take) {
         let status = judged.verdict.status;
         tally.rows += 1;
-        let counts = match class {
-            Some(number) => {
-                if self.counts.len() <= number {
-                    self.counts.resize(number + 1, Counts::default());
-                }
-                self.counts.get_mut(number)
-            }
-            None => Some(&mut self.others),
-        };
-        for counts in counts.into_iter().chain([&mut tally.counts]) {
-            for (count, _) in counts.iter_mut().zip(Status::ALL).filter(|(_, one)| *one == status) {
-                *count += 1;
-            }
+        let others = &mut self.others;
+        let counts = class.and_then(|number| self.counts.get_mut(number)).unwrap_or(others);
+        for (count, one) in counts.iter_mut().zip(Status::ALL) {
+            *count += u64::from(one == status);
         }
         if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
             tally.note(Kind::Doubt, None, || doubt.to_string());
         }
-        take.row(row, &Answer::Judged(judged));
+        take.judged(row, &judged);
+    }
+
+    /// Room for the verdicts of a class.
+    #[inline]
+    fn make_room(&mut self, number: usize) {
+        if self.counts.len() <= number {
+            self.counts.resize(number + 1, Counts::default());
+        }
     }
 
     /// The classes that were met with their verdicts, and those of callouts without a class.
@@ -211,7 +201,7 @@ impl Judge<'_> {
     #[inline]
     fn fast(&mut self, row: &Row<'_>) -> Option<(Judged, usize)> {
         let fast = &self.court.fast;
-        if row.len() != fast.count || may_be_comment(row.bytes()) {
+        if row.len() != fast.count || LONGEST_ROW < row.bytes().len() || may_be_comment(row.bytes()) {
             return None;
         }
         let text = plain(row.cell(fast.measured.0)?)?;
@@ -257,6 +247,7 @@ impl Judge<'_> {
             return None;
         }
         let number = self.classes.number(class)?;
+        self.make_room(number);
         let (class, deviations) = self.classes.deviations(number, nominal)?;
         let bounds = Bounds::new(class.feature(), nominal, deviations)?;
         Some((Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) }, number))
@@ -272,7 +263,7 @@ impl Judge<'_> {
         let cells = row.record();
         if columns::is_blank(&cells) {
             // With separators alone it has the cells of a row, and gets those that are added.
-            return if row.len() == 1 { take.line(whole) } else { take.row(row, &Answer::Blank) };
+            return if row.len() == 1 { take.line(whole) } else { take.refused(row, "") };
         }
         if columns::is_comment(&cells) {
             if columns::is_data(&cells) {
@@ -287,6 +278,7 @@ impl Judge<'_> {
             Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
                 let bounds = limits.bounds();
                 let number = callout.class().map(|class| self.classes.number_of(class));
+                number.into_iter().for_each(|number| self.make_room(number));
                 tally.simulated += u64::from(is_simulated);
                 let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
                 self.give(row, judged, number, tally, take);
@@ -299,7 +291,7 @@ impl Judge<'_> {
     fn refuse(row: &Row<'_>, at: Option<usize>, reason: String, tally: &mut Tally, take: &mut impl Take) {
         tally.rows += 1;
         tally.note(Kind::Refused, at, || reason.clone());
-        take.row(row, &Answer::Refused(reason));
+        take.refused(row, &reason);
     }
 
     /// A line that is no row.

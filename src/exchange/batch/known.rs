@@ -98,6 +98,10 @@ impl<'a> Classes<'a> {
             return None;
         }
         let class: ToleranceClass = std::str::from_utf8(text).ok()?.parse().ok()?;
+        // Written otherwise, it is read each time.
+        if class.as_str().as_bytes() != text {
+            return None;
+        }
         let number = self.number_of(class);
         if let (Some(free), Ok(number)) = (self.places.get_mut(place), u16::try_from(number + 1)) {
             *free = (key, number);
@@ -145,9 +149,8 @@ fn ask(sources: &Sources, class: ToleranceClass, nominal: Length) -> Cell {
 /// Up to eight bytes as one number; a text of nothing but zero bytes is no class either way.
 #[inline]
 fn packed(text: &[u8]) -> Option<u64> {
-    let mut bytes = [0; 8];
-    bytes.get_mut(..text.len())?.copy_from_slice(text);
-    Some(u64::from_le_bytes(bytes))
+    let add = |key: u64, byte: &u8| key << 8 | u64::from(*byte);
+    (text.len() <= 8).then(|| text.iter().fold(0, add))
 }
 
 /// A place for a number: the upper bits of a product spread over all places.

@@ -27,7 +27,7 @@ mod tally;
 pub use csv::Csv;
 pub use cut::{BLOCK, Block, Cutter};
 pub use json_lines::JsonLines;
-pub use judge::{Answer, Counts, Court, Judge, Judged, Take};
+pub use judge::{Counts, Court, Judge, Judged, Take};
 pub use layout::{HEAD, Layout};
 pub use row::Row;
 pub use tally::{FIRST, Kind, Note, Notes, Tally};
@@ -43,7 +43,9 @@ fn wide(number: u32) -> usize {
 
 /// A reason with the cells that have no column, which are not written.
 fn with_cells_beyond<'a>(row: &Row<'_>, count: usize, reason: &'a str) -> Cow<'a, str> {
-    let beyond = row.bytes().get(row.first_cells(count).len() + 1..);
-    let Some(beyond) = beyond.filter(|_| count < row.len()) else { return Cow::Borrowed(reason) };
+    if (count..row.len()).all(|at| row.cell(at).is_none_or(|cell| cell.trim_ascii().is_empty())) {
+        return Cow::Borrowed(reason);
+    }
+    let beyond = row.bytes().get(row.first_cells(count).len() + 1..).unwrap_or_default();
     Cow::Owned(format!("{reason}: {}", super::error::shorten(&String::from_utf8_lossy(beyond))))
 }

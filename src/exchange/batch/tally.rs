@@ -1,7 +1,5 @@
 //! What a stream had: how many rows with which verdict, and the first remarks with their lines.
 
-use super::judge::Counts;
-
 /// How many remarks of a kind are kept.
 pub const FIRST: usize = 10;
 
@@ -48,8 +46,6 @@ pub struct Tally {
     pub lines: usize,
     /// Rows: those judged and those refused.
     pub rows: u64,
-    /// Verdicts.
-    pub counts: Counts,
     /// Rows that say that nobody measured; they are among the judged ones.
     pub simulated: u64,
     /// Rows that were not UTF-8.
@@ -87,9 +83,6 @@ impl Tally {
         self.simulated += next.simulated;
         self.not_utf8 += next.not_utf8;
         self.comments += next.comments;
-        for (count, more) in self.counts.iter_mut().zip(next.counts) {
-            *count += more;
-        }
         for (notes, more) in self.notes.iter_mut().zip(next.notes) {
             notes.count += more.count;
             let free = FIRST.saturating_sub(notes.first.len());
