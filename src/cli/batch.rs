@@ -248,6 +248,9 @@ impl Job<'_> {
         told: &mut Told<'_>,
     ) -> Result<Summary, CliError> {
         let Opened { name, path, stream, layout, size } = opened;
+        for (line, warning) in &layout.warnings {
+            told.warning(&name, *line, warning);
+        }
         let court = Court::new(&layout, self.sources);
         let cutter = Cutter::new(layout.separator(), BLOCK, size.is_some());
         let processors = || std::thread::available_parallelism().map_or(1, usize::from).min(MOST_WORKERS);

@@ -191,6 +191,14 @@ pub enum ImportWarningKind {
     },
 }
 
+impl ImportWarningKind {
+    /// That the cells of a line above the measurements are not used.
+    pub(super) fn not_used(cells: &csv::StringRecord) -> Self {
+        let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
+        Self::NotUsed { text: shorten(&text) }
+    }
+}
+
 /// The longest text that errors repeat, in characters.
 const LONGEST_GIVEN: usize = 60;
 

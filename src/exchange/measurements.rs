@@ -100,10 +100,7 @@ impl Reader<'_, '_> {
         }
         match self.columns.header {
             Some(header) if line == header && self.columns.names_known => return,
-            Some(header) if line <= header => {
-                let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
-                return self.warn(line, ImportWarningKind::NotUsed { text: shorten(&text) });
-            }
+            Some(header) if line <= header => return self.warn(line, ImportWarningKind::not_used(cells)),
             _ => {}
         }
         if let Err((cell, reason)) = self.measurement(line, cells) {

@@ -322,7 +322,7 @@ fn imported(text: &[u8]) -> Vec<(usize, String)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
 
     /// Every answer is that of `import`, which reads each row by itself.
     #[test]
@@ -359,9 +359,13 @@ proptest! {
             }
         }
         let mut expected = imported(text.as_bytes());
+        // That a file has no row is said once for all of it.
+        expected.retain(|(_, answer)| !answer.ends_with("no row holds a measurement"));
+        let above: Vec<_> = layout.warnings.iter().map(|(line, warning)| (*line, format!("|||||{warning}"))).collect();
+        expected.retain(|one| !above.contains(one));
         // The cells beyond the columns are told with the reason.
         for (answer, expected) in answers.iter_mut().zip(&mut expected) {
-            if expected.1.contains(", found ") && answer.1.starts_with(&expected.1) {
+            if expected.1.starts_with("|||||") && answer.1.starts_with(&format!("{}: ", expected.1)) {
                 answer.1.truncate(expected.1.len());
             }
         }

@@ -3,6 +3,7 @@
 use crate::batch::Summary;
 use crate::cli::io::Listener;
 use crate::cli::{CliRemark, Io, Outcome, said};
+use crate::exchange::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::batch::{Counts, FIRST, Kind, Tally};
 use crate::verdict::Status;
 
@@ -23,6 +24,11 @@ impl<'a> Told<'a> {
 
     pub(super) fn remark(&mut self, what: &CliRemark) {
         self.listener.tell(said::remark(what));
+    }
+
+    /// A warning about a line above the rows.
+    pub(super) fn warning(&mut self, name: &str, line: usize, what: &ImportWarningKind) {
+        self.listener.tell(format_args!("{name}:{line}: {}", said::warning(what)));
     }
 
     /// The first remarks about rows of an input whose first row is in this line.
@@ -58,6 +64,9 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
             io.tell(format_args!("  and {left} more {}", if left == 1 { "class" } else { "classes" }));
         }
     }
+    if tally.rows == 0 {
+        return io.fail(ImportErrorKind::NoRows);
+    }
     io.tell(counted(tally.rows, summary.counts(), tally.notes(Kind::Refused).count));
     for (count, one, many) in [
         (
@@ -90,7 +99,7 @@ fn counted(rows: u64, counts: Counts, refused: u64) -> String {
 /// As `import`: bad data where any row has no verdict, else the worst one.
 pub(super) fn outcome(summary: &Summary) -> Outcome {
     let tally = &summary.tally;
-    if 0 < tally.notes(Kind::Refused).count {
+    if tally.rows == 0 || 0 < tally.notes(Kind::Refused).count {
         return Outcome::BadData;
     }
     let worst = Status::ALL.into_iter().zip(summary.counts()).filter(|(_, count)| 0 < *count).map(|(status, _)| status).max();

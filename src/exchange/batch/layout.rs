@@ -3,11 +3,12 @@
 use std::borrow::Cow;
 
 use super::index::Index;
+use super::row::Row;
 use super::{LONGEST_ROW, index};
 use crate::control::text::windows_1252;
-use crate::exchange::columns::{Columns, Sample};
+use crate::exchange::columns::{self, Columns, Sample};
 use crate::exchange::delimited::without_separator_line;
-use crate::exchange::error::ImportErrorKind;
+use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::{FORMATS, Source};
 use crate::message::Say as _;
 use crate::tolerance::Sources;
@@ -36,8 +37,8 @@ pub struct Layout {
     pub has_header: bool,
     /// The line end of the header, or of the first row.
     pub(super) line_end: &'static [u8],
-    /// Columns that are only passed on, as a message lists them.
-    pub unused: Option<String>,
+    /// What is to be said of lines above the rows, which are passed on as they are: the line, and a warning.
+    pub warnings: Vec<(usize, ImportWarningKind)>,
 }
 
 impl Layout {
@@ -66,12 +67,13 @@ impl Layout {
         let separator = sample.separator;
         let above_header = decoded.len() - text.len();
         let rows = text.as_bytes();
-        let (length, line, header) = columns.header.map_or((0, first_line, Vec::new()), |header| {
-            up_to_header(rows, separator, first_line, header)
-        });
+        let Above { length, line, header, mut warnings } = match columns.header {
+            Some(header) => Above::of(rows, separator, first_line, header),
+            None => Above { line: first_line, ..Above::default() },
+        };
         // A line with other names, or a title.
         let has_header = columns.header.is_some() && (columns.names_known || header.len() == columns.count);
-        let names = (0..columns.count.max(header.len())).map(|at| {
+        let names = (0..columns.count).map(|at| {
             let name = header.get(at).map(String::as_str).unwrap_or_default().trim();
             let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
             if name.is_empty() || !has_header { format!("column_{}", at + 1) } else { name }
@@ -87,8 +89,11 @@ impl Layout {
         let mark = head.len() - body.len();
         let skip = mark + if let Cow::Borrowed(_) = decoded { above.len() } else { above.chars().count() };
         let above = [if mark == 0 { &[] } else { MARK }, above.as_bytes()].concat();
-        let unused = (!columns.ignored.is_empty()).then(|| crate::exchange::columns::listed(&columns.ignored));
-        Ok(Self { columns, separator, names, above, skip, line, has_rows: skip < head.len(), has_header, line_end, unused })
+        if has_header {
+            // It is used after all.
+            warnings.retain(|(at, _)| Some(*at) != columns.header);
+        }
+        Ok(Self { columns, separator, names, above, skip, line, has_rows: skip < head.len(), has_header, line_end, warnings })
     }
 
     /// The separator of its cells.
@@ -102,20 +107,40 @@ pub(super) fn utf8(bytes: &[u8]) -> Cow<'_, str> {
     std::str::from_utf8(bytes).map_or_else(|_| Cow::Owned(windows_1252(bytes)), Cow::Borrowed)
 }
 
-/// How many bytes the rows have up to a header, the line after them, and the header's cells.
-fn up_to_header(text: &[u8], separator: u8, first_line: usize, header: usize) -> (usize, usize, Vec<String>) {
-    let mut ends = Index::default();
-    let _whole = ends.find_quoted(text, separator, true);
-    let (mut start, mut line) = (0, first_line);
-    for cells in ends.rows() {
-        let row = super::row::Row { text, start, ends: cells };
-        let next = row.next();
-        let is_header = line == header;
-        line += row.lines();
-        if is_header {
-            return (next, line, row.cells().map(|cell| super::row::unquoted(cell).into_owned()).collect());
+/// The rows down to a header.
+#[derive(Default)]
+struct Above {
+    /// How many bytes they have.
+    length: usize,
+    /// The line after them.
+    line: usize,
+    /// The cells of the header.
+    header: Vec<String>,
+    warnings: Vec<(usize, ImportWarningKind)>,
+}
+
+impl Above {
+    fn of(text: &[u8], separator: u8, first_line: usize, header: usize) -> Self {
+        let mut ends = Index::default();
+        let _whole = ends.find_quoted(text, separator, true);
+        let mut above = Self { line: first_line, ..Self::default() };
+        for ends in ends.rows() {
+            if header < above.line {
+                break;
+            }
+            let row = Row { text, start: above.length, ends };
+            let cells = row.record();
+            if columns::is_comment(&cells) {
+                if columns::is_data(&cells) {
+                    above.warnings.push((above.line, ImportWarningKind::Comment));
+                }
+            } else if !columns::is_blank(&cells) {
+                above.warnings.push((above.line, ImportWarningKind::not_used(&cells)));
+            }
+            above.header = cells.iter().map(str::to_owned).collect();
+            above.length = row.next();
+            above.line += row.lines();
         }
-        start = next;
+        above
     }
-    (0, first_line, Vec::new())
 }
