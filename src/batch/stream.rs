@@ -7,6 +7,9 @@ use flate2::Compression;
 use flate2::read::MultiGzDecoder;
 use flate2::write::GzEncoder;
 
+/// The largest window of a Zstandard stream, 2^23 bytes: up to level 19 none is larger, and each takes memory.
+const WINDOW_LOG: u32 = 23;
+
 /// What a stream is packed with.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Packing {
@@ -89,7 +92,11 @@ impl<'a> Stream<'a> {
         let mut text: Box<dyn Read + Send + 'a> = match packing {
             Packing::Plain => whole,
             Packing::Gzip => Box::new(MultiGzDecoder::new(whole)),
-            Packing::Zstandard => Box::new(zstd::Decoder::new(whole)?),
+            Packing::Zstandard => {
+                let mut decoder = zstd::Decoder::new(whole)?;
+                decoder.window_log_max(WINDOW_LOG)?;
+                Box::new(decoder)
+            }
         };
         let head = beginning(&mut text)?;
         let encoding = match head.as_slice() {

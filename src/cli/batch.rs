@@ -167,28 +167,22 @@ impl Job<'_> {
         out: &mut (dyn Write + Send),
         told: &mut Told<'_>,
     ) -> Result<Summary, CliError> {
+        let mut first = None;
+        // Before anything is written; a pipe can be looked at only once.
+        for path in self.args.inputs.iter().filter(|path| path.as_os_str() != "-" && path.is_file()) {
+            self.same_columns(&Self::open(path, &mut *input)?, &mut first)?;
+        }
         let mut summary = Summary::default();
-        let mut names: Option<Vec<String>> = None;
-        for path in &self.args.inputs {
+        for (at, path) in self.args.inputs.iter().enumerate() {
             let opened = Self::open(path, &mut *input)?;
-            match &names {
-                None => {
-                    self.check_names(&opened)?;
-                    if opened.stream.is_utf16 {
-                        told.remark(&CliRemark::BatchUtf16 { name: opened.name.clone() });
-                    }
-                    names = Some(opened.layout.names.clone());
-                    let header = match self.form {
-                        Form::Csv => Csv::header(&opened.layout, &self.args.prefix),
-                        Form::JsonLines => Vec::new(),
-                    };
-                    let mut packed = Vec::new();
-                    out.write_all(self.packing.pack(&header, &mut packed)?)?;
-                }
-                Some(first) if *first != opened.layout.names => {
-                    return Err(CliError::BatchColumns { name: opened.name, columns: first.join(", ") });
-                }
-                Some(_) => {}
+            self.same_columns(&opened, &mut first)?;
+            if opened.stream.is_utf16 {
+                told.remark(&CliRemark::BatchUtf16 { name: opened.name.clone() });
+            }
+            if at == 0 && self.form == Form::Csv {
+                let header = Csv::header(&opened.layout, &self.args.prefix);
+                let mut packed = Vec::new();
+                out.write_all(self.packing.pack(&header, &mut packed)?)?;
             }
             let one = match self.form {
                 Form::Csv => self.one::<Csv>(opened, out, told),
@@ -228,16 +222,19 @@ impl Job<'_> {
         }
     }
 
-    /// No column is added under a name that the input has.
-    fn check_names(&self, opened: &Opened<'_>) -> Result<(), CliError> {
-        let prefix = &self.args.prefix;
-        let taken = opened.layout.names.iter().find(|name| {
-            name.strip_prefix(prefix.as_str()).is_some_and(|name| ADDED.contains(&name))
-        });
-        match taken {
-            Some(name) => Err(CliError::BatchName { name: opened.name.clone(), column: name.clone() }),
-            None => Ok(()),
+    /// All inputs have the columns of the first one, and none under the name of an added one.
+    fn same_columns(&self, opened: &Opened<'_>, first: &mut Option<Vec<String>>) -> Result<(), CliError> {
+        let (name, names) = (&opened.name, &opened.layout.names);
+        let prefix = self.args.prefix.as_str();
+        let is_added = |name: &&String| name.strip_prefix(prefix).is_some_and(|name| ADDED.contains(&name));
+        if let Some(column) = names.iter().find(is_added) {
+            return Err(CliError::BatchName { name: name.clone(), column: column.clone() });
         }
+        let first = first.get_or_insert_with(|| names.clone());
+        if first != names {
+            return Err(CliError::BatchColumns { name: name.clone(), columns: first.join(", ") });
+        }
+        Ok(())
     }
 
     /// Judges the rows of one input.
@@ -262,7 +259,8 @@ impl Job<'_> {
         let summary = batch::run::<R>(&mut input, cutter, &court, manner, out, &watch, &mut |watch| progress.show(watch));
         progress.end();
         match summary {
-            Ok(summary) => {
+            Ok(mut summary) => {
+                summary.tally.not_utf8 += u64::from(!layout.is_utf8);
                 told.notes(&name, layout.line, &summary.tally);
                 Ok(summary)
             }

@@ -41,7 +41,7 @@ fn none_names(files: &[(String, String)], words: &[&str]) {
 }
 
 /// The rooms from the ground up, each with the rooms that it may name: an arrow only points down.
-const ROOMS: [(&str, &[&str]); 16] = [
+const ROOMS: [(&str, &[&str]); 17] = [
     ("shipped", &[]),
     ("message", &["shipped"]),
     ("length", &["message"]),
@@ -73,6 +73,7 @@ const ROOMS: [(&str, &[&str]); 16] = [
             "files",
         ],
     ),
+    ("batch", &["tolerance", "exchange"]),
     (
         "cli",
         &[
@@ -89,6 +90,7 @@ const ROOMS: [(&str, &[&str]); 16] = [
             "exchange",
             "report",
             "files",
+            "batch",
         ],
     ),
     (

@@ -4,6 +4,7 @@
 //! panics where an input breaks what it holds, and returns otherwise. A new target is a file here, its `mod` line, its
 //! line in the table, and a folder of seeds in `fuzz/corpus`.
 
+mod batch;
 mod block;
 mod callout;
 mod circle;
@@ -54,6 +55,7 @@ macro_rules! targets {
 }
 
 targets! {
+    batch "csv"
     block "klartext"
     callout "sizes"
     circle "none"

@@ -78,8 +78,8 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
         (tally.notes(Kind::SeveralLines).count, "row runs over several lines", "rows run over several lines"),
         (
             tally.not_utf8,
-            "row is not UTF-8: read as Windows-1252, written as UTF-8",
-            "rows are not UTF-8: read as Windows-1252, written as UTF-8",
+            "line is not UTF-8: read as Windows-1252, written as UTF-8",
+            "lines are not UTF-8: read as Windows-1252, written as UTF-8",
         ),
         (tally.comments, "comment is no row", "comments are no rows"),
     ] {

@@ -37,6 +37,8 @@ pub struct Layout {
     pub has_header: bool,
     /// The line end of the header, or of the first row.
     pub(super) line_end: &'static [u8],
+    /// Whether what is above the rows was UTF-8; it is passed on as such.
+    pub is_utf8: bool,
     /// What is to be said of lines above the rows, which are passed on as they are: the line, and a warning.
     pub warnings: Vec<(usize, ImportWarningKind)>,
 }
@@ -87,13 +89,14 @@ impl Layout {
         // The same bytes in the stream; where it is not UTF-8 each character of it was one byte.
         let above = decoded.get(..above_header + length).unwrap_or_default();
         let mark = head.len() - body.len();
+        let is_utf8 = matches!(decoded, Cow::Borrowed(_)) || above.is_ascii();
         let skip = mark + if let Cow::Borrowed(_) = decoded { above.len() } else { above.chars().count() };
         let above = [if mark == 0 { &[] } else { MARK }, above.as_bytes()].concat();
         if has_header {
             // It is used after all.
             warnings.retain(|(at, _)| Some(*at) != columns.header);
         }
-        Ok(Self { columns, separator, names, above, skip, line, has_rows: skip < head.len(), has_header, line_end, warnings })
+        Ok(Self { columns, separator, names, above, skip, line, has_rows: skip < head.len(), has_header, line_end, is_utf8, warnings })
     }
 
     /// The separator of its cells.

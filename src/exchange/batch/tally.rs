@@ -48,7 +48,7 @@ pub struct Tally {
     pub rows: u64,
     /// Rows that say that nobody measured; they are among the judged ones.
     pub simulated: u64,
-    /// Rows that were not UTF-8.
+    /// Lines that were not UTF-8.
     pub not_utf8: u64,
     /// Comments.
     pub comments: u64,

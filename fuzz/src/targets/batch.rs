@@ -1,0 +1,58 @@
+//! Any bytes as a stream of rows, cut in blocks of any size: the answers are the same, to the byte and to the line of each
+//! remark; every row has its answer in its place, as CSV and as JSON.
+
+use std::io::{Cursor, Read};
+
+use fitcheck::batch::{self, Manner, Packing, Rendering, Stream, Summary, Watch};
+use fitcheck::exchange::batch::{ADDED, Court, Csv, Cutter, HEAD, JsonLines, Kind, Layout};
+use fitcheck::tolerance::Sources;
+
+pub fn run(bytes: &[u8]) {
+    // The first byte says how the rest is cut.
+    let [cut, rest @ ..] = bytes else { return };
+    let Ok(mut stream) = Stream::of(Box::new(Cursor::new(rest.to_vec()))) else { return };
+    while stream.head.len() < HEAD && stream.read_more(HEAD).unwrap_or(false) {}
+    let Ok(layout) = Layout::of(&stream.head, stream.is_all, "a.csv") else { return };
+    assert!(layout.skip <= stream.head.len());
+    let text = &stream.head[layout.skip..];
+    let (whole, csv) = judged::<Csv>(&layout, text, 1 << 20, true);
+    let (again, same) = judged::<Csv>(&layout, text, usize::from(*cut % 64) + 1, cut & 64 == 0);
+    assert_eq!(whole, again);
+    assert_eq!(String::from_utf8_lossy(&csv), String::from_utf8_lossy(&same));
+    let judged_rows: u64 = whole.counts().iter().sum();
+    assert_eq!(whole.tally.rows, judged_rows + whole.tally.notes(Kind::Refused).count);
+    let said = [Csv::header(&layout, ""), csv].concat();
+    let answers = with_answers(&said, &layout);
+    assert_eq!(answers, whole.tally.rows, "{}", String::from_utf8_lossy(&said));
+    let (_, lines) = judged::<JsonLines>(&layout, text, 1 << 20, true);
+    for line in lines.split(|byte| *byte == b'\n').filter(|line| !line.is_empty()) {
+        let _object: serde_json::Value = serde_json::from_slice(line).expect("a line is JSON");
+    }
+}
+
+fn judged<R: Rendering>(layout: &Layout, text: &[u8], step: usize, is_patient: bool) -> (Summary, Vec<u8>) {
+    let sources = Sources::default();
+    let court = Court::new(layout, &sources);
+    let cutter = Cutter::new(layout.separator(), step, is_patient);
+    let manner = Manner { workers: 1, packing: Packing::Plain };
+    let mut out = Vec::new();
+    let mut input = text.take(u64::MAX);
+    let summary = batch::run::<R>(&mut input, cutter, &court, manner, &mut out, &Watch::default(), &mut |_| {});
+    (summary.expect("nothing fails in memory"), out)
+}
+
+/// How many rows have a status or a reason behind their columns, as another reader of CSV sees them.
+fn with_answers(said: &[u8], layout: &Layout) -> u64 {
+    let above = Csv::header(layout, "").len();
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .delimiter(layout.separator())
+        .from_reader(&said[above..]);
+    let is_answer = |row: &csv::ByteRecord| {
+        let count = layout.names.len();
+        row.len() == count + ADDED.len() && row.iter().skip(count).any(|cell| !cell.is_empty())
+    };
+    let rows = reader.byte_records().filter(|row| row.as_ref().is_ok_and(is_answer)).count();
+    rows.try_into().unwrap_or(u64::MAX)
+}
