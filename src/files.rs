@@ -135,7 +135,10 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 }
 
 /// Writes a file like [`write()`], with what is written piece by piece.
-pub fn write_with(path: &Path, fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> std::io::Result<()>) -> Result<(), FileError> {
+pub fn write_with(
+    path: &Path,
+    fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> std::io::Result<()>,
+) -> Result<(), FileError> {
     whole::write(path, fill).map_err(|error| system(path, &error))
 }
 

@@ -45,6 +45,14 @@ pub struct Summary {
     pub others: Counts,
 }
 
+/// Where the rows come from.
+pub struct Input<'a> {
+    /// The stream, from its first row on.
+    pub stream: &'a mut (dyn Read + Send),
+    /// What cuts it into blocks.
+    pub cutter: Cutter,
+}
+
 /// How a run is done.
 #[derive(Debug, Clone, Copy)]
 pub struct Manner {
@@ -65,8 +73,7 @@ pub enum Failed {
 
 /// The stream, and which block comes next.
 struct Source<'a> {
-    input: &'a mut (dyn Read + Send),
-    cutter: Cutter,
+    input: Input<'a>,
     next: u64,
     failed: Option<io::Error>,
     is_ended: bool,
@@ -80,8 +87,8 @@ struct Sink<'a> {
     failed: Option<io::Error>,
 }
 
-struct Turns<'a> {
-    source: Mutex<Source<'a>>,
+struct Turns<'a, 'i> {
+    source: Mutex<Source<'i>>,
     sink: Mutex<Sink<'a>>,
     /// Somebody has written.
     written: Condvar,
@@ -102,8 +109,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 /// # Errors
 /// [`Failed`] says which side failed first.
 pub fn run<R: Rendering>(
-    input: &mut (dyn Read + Send),
-    cutter: Cutter,
+    input: Input<'_>,
     court: &Court<'_>,
     manner: Manner,
     out: &mut (dyn Write + Send),
@@ -112,7 +118,7 @@ pub fn run<R: Rendering>(
 ) -> Result<Summary, Failed> {
     let workers = manner.workers.max(1);
     let turns = Turns {
-        source: Mutex::new(Source { input, cutter, next: 0, failed: None, is_ended: false }),
+        source: Mutex::new(Source { input, next: 0, failed: None, is_ended: false }),
         sink: Mutex::new(Sink { out, turn: 0, tally: Tally::default(), failed: None }),
         written: Condvar::new(),
         working: Mutex::new(workers),
@@ -182,9 +188,9 @@ fn sum(counts: &mut Counts, more: Counts) {
 }
 
 /// Ends the run of all workers where one of them ends, however it does.
-struct Leave<'a, 'b>(&'a Turns<'b>);
+struct Leave<'a, 'b, 'i>(&'a Turns<'b, 'i>);
 
-impl Drop for Leave<'_, '_> {
+impl Drop for Leave<'_, '_, '_> {
     fn drop(&mut self) {
         if std::thread::panicking() {
             self.0.watch.stop.store(true, Relaxed);
@@ -195,7 +201,7 @@ impl Drop for Leave<'_, '_> {
     }
 }
 
-impl Turns<'_> {
+impl Turns<'_, '_> {
     fn work<'c, R: Rendering>(&self, court: &'c Court<'_>) -> Judge<'c> {
         let _leave = Leave(self);
         let mut judge = court.judge();
@@ -219,8 +225,8 @@ impl Turns<'_> {
         if source.is_ended || self.watch.stop.load(Relaxed) {
             return None;
         }
-        let Source { input, cutter, .. } = &mut *source;
-        match cutter.next(*input, block) {
+        let Input { stream, cutter } = &mut source.input;
+        match cutter.next(*stream, block) {
             Ok(true) => {
                 let number = source.next;
                 source.next += 1;

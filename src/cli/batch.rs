@@ -7,7 +7,7 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use super::{CliError, CliRemark, Io, Outcome, TableArgs};
-use crate::batch::{self, Failed, Form, Manner, Packing, Rendering, Stream, Summary, Watch};
+use crate::batch::{self, Failed, Form, Input, Manner, Packing, Rendering, Stream, Summary, Watch};
 use crate::cli::args::one_of;
 use crate::exchange::batch::{ADDED, BLOCK, Court, Csv, Cutter, HEAD, JsonLines, Layout};
 use crate::files;
@@ -76,24 +76,21 @@ impl Args {
         }
         let job = Job { args: self, sources: &sources, form, packing };
         let mut result = Ok(Summary::default());
-        match &self.output {
-            Some(path) => {
-                let (input, _, listener) = io.streams();
-                let mut told = Told::new(listener);
-                let written = files::write_with(path, &mut |out| {
-                    result = job.all(input, out, &mut told);
-                    // What is not whole is not kept; the reason follows.
-                    if result.is_ok() { Ok(()) } else { Err(io::Error::other("not whole")) }
-                });
-                if result.is_ok() {
-                    written?;
-                    io.tell(CliRemark::Wrote { path: path.display().to_string() });
-                }
+        if let Some(path) = &self.output {
+            let (input, _, listener) = io.streams();
+            let mut told = Told::new(listener);
+            let written = files::write_with(path, &mut |out| {
+                result = job.all(input, out, &mut told);
+                // What is not whole is not kept; the reason follows.
+                if result.is_ok() { Ok(()) } else { Err(io::Error::other("not whole")) }
+            });
+            if result.is_ok() {
+                written?;
+                io.tell(CliRemark::Wrote { path: path.display().to_string() });
             }
-            None => {
-                let (input, out, listener) = io.streams();
-                result = job.all(input, out, &mut Told::new(listener));
-            }
+        } else {
+            let (input, out, listener) = io.streams();
+            result = job.all(input, out, &mut Told::new(listener));
         }
         let summary = result?;
         summary::tell(&summary, io);
@@ -114,7 +111,8 @@ impl Args {
             // A device has no ending.
             (None, None) if path.extension().is_none() => Ok((Form::Csv, packing)),
             (None, None) => {
-                let endings: Vec<&str> = batch::FORMS.iter().flat_map(|(.., endings)| endings.iter().copied()).collect();
+                let endings: Vec<&str> =
+                    batch::FORMS.iter().flat_map(|(.., endings)| endings.iter().copied()).collect();
                 Err(CliError::BatchEnding { path: path.clone(), endings: endings.join(", .") })
             }
         }
@@ -122,7 +120,8 @@ impl Args {
 
     /// An output is never one of its own inputs: with a shell's `>` the input would be empty already.
     fn not_the_output(&self, input: &Path) -> Result<(), CliError> {
-        let input = if input.as_os_str() == "-" { same_file::Handle::stdin() } else { same_file::Handle::from_path(input) };
+        let input =
+            if input.as_os_str() == "-" { same_file::Handle::stdin() } else { same_file::Handle::from_path(input) };
         let output = match &self.output {
             Some(path) => same_file::Handle::from_path(path),
             None => same_file::Handle::stdout(),
@@ -256,7 +255,10 @@ impl Job<'_> {
         let progress = Progress::new(&name, size.filter(|_| stream.packing == Packing::Plain));
         let manner = Manner { workers, packing: self.packing };
         let watch = Watch::default();
-        let summary = batch::run::<R>(&mut input, cutter, &court, manner, out, &watch, &mut |watch| progress.show(watch));
+        let summary =
+            batch::run::<R>(Input { stream: &mut input, cutter }, &court, manner, out, &watch, &mut |watch| {
+                progress.show(watch);
+            });
         progress.end();
         match summary {
             Ok(mut summary) => {

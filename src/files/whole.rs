@@ -74,7 +74,10 @@ pub(super) fn write(path: &Path, fill: &mut dyn FnMut(&mut (dyn Write + Send)) -
 ///
 /// # Errors
 /// [`io::ErrorKind::AlreadyExists`] where there is something, even if it came meanwhile.
-pub(super) fn write_new(path: &Path, fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> io::Result<()>) -> io::Result<()> {
+pub(super) fn write_new(
+    path: &Path,
+    fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> io::Result<()>,
+) -> io::Result<()> {
     // A link that leads nowhere is something, too.
     if path.symlink_metadata().is_ok() {
         return Err(io::ErrorKind::AlreadyExists.into());

@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use fitcheck::batch::{Failed, Manner, Packing, Rendering, Summary, Watch, run};
+use fitcheck::batch::{Failed, Input, Manner, Packing, Rendering, Summary, Watch, run};
 use fitcheck::exchange::batch::{Court, Csv, Cutter, JsonLines, Kind, Layout};
 use fitcheck::exchange::{Item, import_each};
 use fitcheck::length::{Length, Unit};
@@ -46,7 +46,7 @@ fn judged<R: Rendering>(text: &[u8], cut: Cut, sources: &Sources, out: &mut Vec<
     let cutter = Cutter::new(layout.separator(), cut.step, cut.is_patient);
     let mut input = Pieces { rest: &text[layout.skip..], piece: cut.piece, fails: false };
     let manner = Manner { workers: cut.workers, packing: Packing::Plain };
-    let summary = run::<R>(&mut input, cutter, &court, manner, out, &Watch::default(), &mut |_| {});
+    let summary = run::<R>(Input { stream: &mut input, cutter }, &court, manner, out, &Watch::default(), &mut |_| {});
     summary.map(|mut summary| {
         summary.tally.lines += layout.line;
         summary
@@ -103,7 +103,10 @@ fn cells_beyond_the_columns_move_no_answer() {
     let said = answers(text);
     let rows: Vec<&str> = said.lines().skip(1).collect();
     assert_eq!(rows[0], "1,25 H7,25.01,25.000,25.021,10,GOOD,,");
-    assert!(rows[1].starts_with("2,25 H7,25.01,,,,,,\"expected 3 cells, found 5") && rows[1].ends_with(": x,y\""), "{said}");
+    assert!(
+        rows[1].starts_with("2,25 H7,25.01,,,,,,\"expected 3 cells, found 5") && rows[1].ends_with(": x,y\""),
+        "{said}"
+    );
 }
 
 #[test]
@@ -156,7 +159,8 @@ fn a_stream_that_breaks_off_gives_its_whole_rows_and_then_the_reason() {
         let mut out = Vec::new();
         let cutter = Cutter::new(b',', step, true);
         let manner = Manner { workers: 2, packing: Packing::Plain };
-        let failed = run::<Csv>(&mut input, cutter, &court, manner, &mut out, &Watch::default(), &mut |_| {});
+        let failed =
+            run::<Csv>(Input { stream: &mut input, cutter }, &court, manner, &mut out, &Watch::default(), &mut |_| {});
         assert!(matches!(failed, Err(Failed::Reading(error)) if error.to_string() == "the line went dead"));
         assert_eq!(out, b"1,25 H7,25.01,25.000,25.021,10,GOOD,,\n");
     }
@@ -169,7 +173,10 @@ fn rows_that_are_not_utf_8_are_read_as_windows_1252() {
     let summary = judged::<Csv>(text, WHOLE, &Sources::default(), &mut out).unwrap();
     assert_eq!(summary.tally.not_utf8, 1);
     let said = String::from_utf8(out).unwrap();
-    assert!(said.starts_with("\u{d8} 1,25 H7,25.01,25.000") && said.contains("\n\u{d8} 2,25 H7,25.01,25.000"), "{said}");
+    assert!(
+        said.starts_with("\u{d8} 1,25 H7,25.01,25.000") && said.contains("\n\u{d8} 2,25 H7,25.01,25.000"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -263,8 +270,11 @@ fn no_class_changes_within_a_step() {
     for to in sources.step_ends() {
         for nominal in [over + 1, over + (to.nanometres() - over) / 3] {
             let nominal = Length::from_nanometres(nominal).unwrap();
-            for class in [Feature::Hole, Feature::Shaft].into_iter().flat_map(|f| iso286::classes(f, iso286::Options::default())) {
-                let deviations = |nominal| sources.limits(&Callout::new(nominal, class).unwrap(), None).ok().map(|l| l.deviations);
+            for class in
+                [Feature::Hole, Feature::Shaft].into_iter().flat_map(|f| iso286::classes(f, iso286::Options::default()))
+            {
+                let deviations =
+                    |nominal| sources.limits(&Callout::new(nominal, class).unwrap(), None).ok().map(|l| l.deviations);
                 assert_eq!(deviations(nominal), deviations(to), "{class} at {nominal} and {to}");
             }
         }
@@ -275,21 +285,67 @@ fn no_class_changes_within_a_step() {
 /// Rows that people and machines write, right and wrong.
 fn row(separator: char) -> impl Strategy<Value = String> {
     let number = prop_oneof![
-        "[0-9]{1,3}", "[0-9]{1,3}\\.[0-9]{1,7}", "[0-9]{1,2},[0-9]{1,3}", "-[0-9]\\.[0-9]", " ?25\\.0[0-9]{1,3} ?",
-        Just("25.012".to_owned()), Just("25,012".to_owned()), Just("24.9995 mm".to_owned()), Just("25012 um".to_owned()),
-        Just(String::new()), "[a-z]{1,3}", Just("635".to_owned()), Just("\"25.01\"".to_owned()), Just("0".to_owned()),
+        "[0-9]{1,3}",
+        "[0-9]{1,3}\\.[0-9]{1,7}",
+        "[0-9]{1,2},[0-9]{1,3}",
+        "-[0-9]\\.[0-9]",
+        " ?25\\.0[0-9]{1,3} ?",
+        Just("25.012".to_owned()),
+        Just("25,012".to_owned()),
+        Just("24.9995 mm".to_owned()),
+        Just("25012 um".to_owned()),
+        Just(String::new()),
+        "[a-z]{1,3}",
+        Just("635".to_owned()),
+        Just("\"25.01\"".to_owned()),
+        Just("0".to_owned()),
     ];
     let class = prop_oneof![
-        Just("H7"), Just("h6"), Just("25 H7"), Just("25H7"), Just("25.0  H7"), Just("js9"), Just("zz9"), Just("H07"), Just("h 6"),
-        Just("25 H7/g6"), Just("25 \u{b1}0.1"), Just("25 m"), Just(""), Just("\"H7\""), Just("\"25 H7\""), Just("A1"), Just("26 H7"),
-        Just("H7 "), Just("5 H7"), Just("\u{d8}25 H7"), Just("4000 H7"), Just("ZC18"), Just("25,5 H7"), Just("M6"),
+        Just("H7"),
+        Just("h6"),
+        Just("25 H7"),
+        Just("25H7"),
+        Just("25.0  H7"),
+        Just("js9"),
+        Just("zz9"),
+        Just("H07"),
+        Just("h 6"),
+        Just("25 H7/g6"),
+        Just("25 \u{b1}0.1"),
+        Just("25 m"),
+        Just(""),
+        Just("\"H7\""),
+        Just("\"25 H7\""),
+        Just("A1"),
+        Just("26 H7"),
+        Just("H7 "),
+        Just("5 H7"),
+        Just("\u{d8}25 H7"),
+        Just("4000 H7"),
+        Just("ZC18"),
+        Just("25,5 H7"),
+        Just("M6"),
     ];
     let id = prop_oneof![
-        "[A-Z][0-9]{1,4}", "[0-9]{1,2}", Just("#1".to_owned()), Just(" # x".to_owned()), Just("\"#x\"".to_owned()),
-        Just(String::new()), Just("\"a \"\"b\"\"\"".to_owned()), Just("5\" pipe".to_owned()), Just("\u{d8}12".to_owned()),
-        Just("\"x\"y".to_owned()), Just("\" \"".to_owned()),
+        "[A-Z][0-9]{1,4}",
+        "[0-9]{1,2}",
+        Just("#1".to_owned()),
+        Just(" # x".to_owned()),
+        Just("\"#x\"".to_owned()),
+        Just(String::new()),
+        Just("\"a \"\"b\"\"\"".to_owned()),
+        Just("5\" pipe".to_owned()),
+        Just("\u{d8}12".to_owned()),
+        Just("\"x\"y".to_owned()),
+        Just("\" \"".to_owned()),
     ];
-    let nominal = prop_oneof![Just("25".to_owned()), Just("25.0".to_owned()), Just(String::new()), Just("25,5".to_owned()), number.clone()];
+    let nominal = prop_oneof![
+        Just("25".to_owned()),
+        Just("25.0".to_owned()),
+        Just(String::new()),
+        Just("25,5".to_owned()),
+        number.clone()
+    ];
     let simulated = prop_oneof![9 => Just(""), 1 => Just("false"), 1 => Just("true"), 1 => Just("perhaps")];
     let extra = prop_oneof![9 => Just(""), 1 => Just(";"), 1 => Just(";x")];
     (id, nominal, class, number, simulated, extra).prop_map(move |(id, nominal, class, number, simulated, extra)| {
@@ -308,7 +364,8 @@ fn imported(text: &[u8]) -> Vec<(usize, String)> {
             let (limits, size) = (&record.limits, record.verdict.size);
             let remove = size.removal.map_or(String::new(), |removal| removal.to_limit.exact(Unit::Micrometre, 0));
             let um = size.deviation.exact(Unit::Micrometre, 0);
-            let (low, high) = (limits.minimum().exact(Unit::Millimetre, 3), limits.maximum().exact(Unit::Millimetre, 3));
+            let (low, high) =
+                (limits.minimum().exact(Unit::Millimetre, 3), limits.maximum().exact(Unit::Millimetre, 3));
             all.push((line, format!("{low}|{high}|{um}|{}|{remove}|", size.status.word())));
         }
         Item::Unjudged(unjudged) => all.push((unjudged.line, format!("|||||{}", unjudged.why))),

@@ -3,7 +3,7 @@
 
 use std::io::{Cursor, Read};
 
-use fitcheck::batch::{self, Manner, Packing, Rendering, Stream, Summary, Watch};
+use fitcheck::batch::{self, Input, Manner, Packing, Rendering, Stream, Summary, Watch};
 use fitcheck::exchange::batch::{ADDED, Court, Csv, Cutter, HEAD, JsonLines, Kind, Layout};
 use fitcheck::tolerance::Sources;
 
@@ -37,7 +37,8 @@ fn judged<R: Rendering>(layout: &Layout, text: &[u8], step: usize, is_patient: b
     let manner = Manner { workers: 1, packing: Packing::Plain };
     let mut out = Vec::new();
     let mut input = text.take(u64::MAX);
-    let summary = batch::run::<R>(&mut input, cutter, &court, manner, &mut out, &Watch::default(), &mut |_| {});
+    let summary =
+        batch::run::<R>(Input { stream: &mut input, cutter }, &court, manner, &mut out, &Watch::default(), &mut |_| {});
     (summary.expect("nothing fails in memory"), out)
 }
 

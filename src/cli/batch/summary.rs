@@ -3,8 +3,8 @@
 use crate::batch::Summary;
 use crate::cli::io::Listener;
 use crate::cli::{CliRemark, Io, Outcome, said};
-use crate::exchange::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::batch::{Counts, FIRST, Kind, Tally};
+use crate::exchange::{ImportErrorKind, ImportWarningKind};
 use crate::verdict::Status;
 
 /// How many classes are listed.
@@ -102,6 +102,7 @@ pub(super) fn outcome(summary: &Summary) -> Outcome {
     if tally.rows == 0 || 0 < tally.notes(Kind::Refused).count {
         return Outcome::BadData;
     }
-    let worst = Status::ALL.into_iter().zip(summary.counts()).filter(|(_, count)| 0 < *count).map(|(status, _)| status).max();
+    let worst =
+        Status::ALL.into_iter().zip(summary.counts()).filter(|(_, count)| 0 < *count).map(|(status, _)| status).max();
     worst.map_or(Outcome::Done, Outcome::Judged)
 }

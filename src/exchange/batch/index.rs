@@ -69,7 +69,7 @@ impl Index {
                 let bit = hits.trailing_zeros();
                 // The bit stands at the top of its byte.
                 let mark = if line >> bit & 1 == 1 { ROW } else { 0 };
-                self.ends.push(at + bit / 8 | mark);
+                self.ends.push((at + bit / 8) | mark);
                 hits &= hits - 1;
             }
             at += 8;
@@ -113,13 +113,7 @@ impl Index {
     }
 
     /// Finds the ends of one row and where the next one begins; else why the row is not whole.
-    fn quoted_row(
-        &mut self,
-        text: &[u8],
-        start: usize,
-        separator: u8,
-        is_all: bool,
-    ) -> Result<usize, Option<Broken>> {
+    fn quoted_row(&mut self, text: &[u8], start: usize, separator: u8, is_all: bool) -> Result<usize, Option<Broken>> {
         let (mut is_open, mut is_first, mut lines) = (false, true, 0);
         let mut at = start;
         let limit = start + LONGEST_ROW;
@@ -136,7 +130,7 @@ impl Index {
             };
             let next = text.get(at + 1).copied();
             let is_line_end = matches!(byte, b'\n' | b'\r');
-            if limit <= at && !(is_line_end && !is_open) {
+            if limit <= at && (is_open || !is_line_end) {
                 return Err(Some(if 0 < lines { Broken::OpenQuote } else { Broken::TooLong }));
             }
             if !is_all && next.is_none() && (byte == b'\r' || byte == b'"') {

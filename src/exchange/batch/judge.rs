@@ -1,14 +1,14 @@
 //! Rows judged one after the other: most of them fast, the others exactly as `import` reads them, with the same answer.
 
+use super::LONGEST_ROW;
 use super::cut::Block;
 use super::index::{Broken, Index};
 use super::known::{Classes, Steps};
 use super::layout::{Layout, utf8};
 use super::row::Row;
 use super::tally::{Kind, Tally};
-use super::LONGEST_ROW;
-use crate::exchange::columns;
 use crate::exchange::ImportWarningKind;
+use crate::exchange::columns;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::rules::{Found, Rules};
@@ -267,7 +267,7 @@ impl Judge<'_> {
         }
         if columns::is_comment(&cells) {
             if columns::is_data(&cells) {
-                return Self::refuse(row, None, ImportWarningKind::Comment.to_string(), tally, take);
+                return Self::refuse(row, None, &ImportWarningKind::Comment.to_string(), tally, take);
             }
             tally.comments += 1;
             return take.line(whole);
@@ -278,20 +278,22 @@ impl Judge<'_> {
             Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
                 let bounds = limits.bounds();
                 let number = callout.class().map(|class| self.classes.number_of(class));
-                number.into_iter().for_each(|number| self.make_room(number));
+                if let Some(number) = number {
+                    self.make_room(number);
+                }
                 tally.simulated += u64::from(is_simulated);
                 let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
                 self.give(row, judged, number, tally, take);
             }
-            Ok(Found { asked: None, .. }) => Self::refuse(row, None, WhyUnjudged::NoCallout.to_string(), tally, take),
-            Err((cell, reason)) => Self::refuse(row, cell.at, reason.to_string(), tally, take),
+            Ok(Found { asked: None, .. }) => Self::refuse(row, None, &WhyUnjudged::NoCallout.to_string(), tally, take),
+            Err((cell, reason)) => Self::refuse(row, cell.at, &reason.to_string(), tally, take),
         }
     }
 
-    fn refuse(row: &Row<'_>, at: Option<usize>, reason: String, tally: &mut Tally, take: &mut impl Take) {
+    fn refuse(row: &Row<'_>, at: Option<usize>, reason: &str, tally: &mut Tally, take: &mut impl Take) {
         tally.rows += 1;
-        tally.note(Kind::Refused, at, || reason.clone());
-        take.refused(row, &reason);
+        tally.note(Kind::Refused, at, || reason.to_owned());
+        take.refused(row, reason);
     }
 
     /// A line that is no row.

@@ -55,8 +55,12 @@ impl Layout {
         if body.trim_ascii().is_empty() {
             return Err(ImportErrorKind::Empty);
         }
-        let source =
-            Source { file: file_name.into(), bytes: head, sources: &Sources::default(), now: jiff::civil::DateTime::MIN };
+        let source = Source {
+            file: file_name.into(),
+            bytes: head,
+            sources: &Sources::default(),
+            now: jiff::civil::DateTime::MIN,
+        };
         match FORMATS.iter().find(|format| (format.recognises)(&source)) {
             Some(format) if format.name == "measurements" => {}
             Some(format) => return Err(ImportErrorKind::OtherFormat { format: format.message() }),
@@ -96,7 +100,19 @@ impl Layout {
             // It is used after all.
             warnings.retain(|(at, _)| Some(*at) != columns.header);
         }
-        Ok(Self { columns, separator, names, above, skip, line, has_rows: skip < head.len(), has_header, line_end, is_utf8, warnings })
+        Ok(Self {
+            columns,
+            separator,
+            names,
+            above,
+            skip,
+            line,
+            has_rows: skip < head.len(),
+            has_header,
+            line_end,
+            is_utf8,
+            warnings,
+        })
     }
 
     /// The separator of its cells.

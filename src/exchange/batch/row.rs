@@ -98,16 +98,12 @@ pub(super) fn unquoted(cell: &[u8]) -> Cow<'_, str> {
     let mut rest = inner;
     while let Some((before, after)) = rest.split_once('"') {
         out.push_str(before);
-        match after.strip_prefix('"') {
-            Some(after) => {
-                out.push('"');
-                rest = after;
-            }
-            None => {
-                out.push_str(after);
-                return Cow::Owned(out);
-            }
-        }
+        let Some(after) = after.strip_prefix('"') else {
+            out.push_str(after);
+            return Cow::Owned(out);
+        };
+        out.push('"');
+        rest = after;
     }
     out.push_str(rest);
     Cow::Owned(out)
