@@ -10,6 +10,7 @@
 //! | `measurements` | CSV of id, callout and measured value |
 //! | `columns`, `words` | which column of a CSV is which, by header or content |
 //! | `tables` | tables of deviations for controls and other tools |
+//! | `sql` | limits and verdicts as plain SQL |
 //! | `delimited` | rows and cells, with their lines |
 //!
 //! A new format is one file here, its `mod` line and one in [`FORMATS`]; command line, dialogs and README follow from the list.
@@ -23,6 +24,7 @@ pub mod imported;
 mod logs;
 mod measurements;
 mod point_log;
+pub mod sql;
 pub mod tables;
 mod words;
 
