@@ -27,7 +27,7 @@ limits come from.
 
 /// Writes the comment.
 pub(super) fn write(model: &Model, dialect: &Dialect, out: &mut dyn Write) -> io::Result<()> {
-    let (classes, cells) = (model.classes().len(), model.cells().len());
+    let (classes, cells) = (model.defined(), model.cells().len());
     let (steps, last) = (model.ends().len(), model.ends().last().copied().unwrap_or_default());
     let options = model.options();
     let edition = match options.edition {

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use crate::length::{Length, Unit};
 use crate::message::Say;
-use crate::tolerance::{Callout, DeviationTable, Feature, LimitsError, Sources, ToleranceClass, iso286};
+use crate::tolerance::iso286::{self, Grade, Letter};
+use crate::tolerance::{Callout, DeviationTable, Feature, LimitsError, Sources, ToleranceClass};
 
 /// The last millimetre that the table of steps reaches: far beyond any machine, and a bound for the size of the SQL.
 const LAST_MM: u32 = 100_000;
@@ -133,7 +134,7 @@ impl Model {
         self.options
     }
 
-    /// The classes, in the order of the cells.
+    /// The classes that are known, in the order of the cells; some may have none.
     pub fn classes(&self) -> &[ToleranceClass] {
         &self.classes
     }
@@ -153,6 +154,11 @@ impl Model {
         &self.cells
     }
 
+    /// How many classes have limits at some size.
+    pub fn defined(&self) -> usize {
+        self.cells.chunk_by(|one, next| one.class == next.class).count()
+    }
+
     /// Every whole millimetre with the number of its step: a size belongs to the step of the millimetre that it is
     /// rounded up to.
     pub fn millimetres(&self) -> impl Iterator<Item = (u32, usize)> {
@@ -166,7 +172,7 @@ fn every_class(sources: &Sources) -> Vec<ToleranceClass> {
     let mut classes: Vec<ToleranceClass> = Vec::new();
     for feature in [Feature::Hole, Feature::Shaft] {
         let standard: Vec<ToleranceClass> = match sources.base().is_standard() {
-            true => iso286::classes(feature, sources.options()).collect(),
+            true => named_classes(feature).collect(),
             false => Vec::new(),
         };
         for class in sources.table_classes(feature).chain(standard) {
@@ -176,6 +182,13 @@ fn every_class(sources: &Sources) -> Vec<ToleranceClass> {
         }
     }
     classes
+}
+
+/// Every letter with every grade. Some, such as J9, are defined at no size, but the standard has their letter and grade:
+/// they are refused as classes without limits and not as unknown.
+fn named_classes(feature: Feature) -> impl Iterator<Item = ToleranceClass> {
+    let class = move |letter| Grade::all().map(move |grade| iso286::class(feature, letter, grade));
+    Letter::ALL.into_iter().flat_map(class)
 }
 
 fn first_twice(classes: &[ToleranceClass]) -> Option<ToleranceClass> {
