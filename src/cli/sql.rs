@@ -35,13 +35,14 @@ Examples:
   fitcheck sql --dialect duckdb --classes \"H7 g6\" | duckdb fit.duckdb
   fitcheck sql --dialect sqlite --tables my_tables -o fitcheck.sql
 
-The SQL holds the limits of every class and size step, and views that judge the rows of a table where they are, with
-the rule of fitcheck check without a guard band: min_mm, max_mm, deviation_um, status, remove_um, error. The comment
-at its top says how to use it, with examples. A row that cannot be judged keeps its place, with a code in error:
-{}.
+The SQL holds the limits of every class and size step, and views that judge the rows of a table
+where they are, with the rule of fitcheck check without a guard band: min_mm, max_mm,
+deviation_um, status, remove_um, error. The comment at its top says how to use it, with examples.
+A row that cannot be judged keeps its place, with a code in error:
+  {}
 The ends of all size ranges of your own tables must be whole millimetres.",
         dialects.collect::<String>(),
-        errors.join(", ")
+        errors.join("\n  ")
     )
 }
 

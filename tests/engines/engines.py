@@ -17,6 +17,17 @@ def timed(what, run):
     print(f"    {what}: {time.monotonic() - before:.1f} s", flush=True)
 
 
+# A class of the other case, where the column ignores case.
+CASES = [("1", "25 H7", "H7"), ("2", "25 h7", "h7"), ("3", "25 Hh7", "Hh7")]
+
+
+def case_matters(ask):
+    """Whatever a column says about case, H7 is a hole and h7 a shaft."""
+    for view in ("fitcheck_verdict_text", "fitcheck_verdict"):
+        found = ask(view)
+        assert found == [("GOOD", None), ("REWORK", None), (None, "callout-not-read")], (view, found)
+
+
 def sqlite(sql, texts, typed, narrow, folder):
     import sqlite3
 
@@ -60,6 +71,17 @@ def sqlite(sql, texts, typed, narrow, folder):
     timed("text", lambda: judge("rows_text", "fitcheck_verdict_text", "fitcheck_input_text", "id, callout, measured"))
     timed("typed", lambda: judge("rows_typed", "fitcheck_verdict", "fitcheck_input", "id, nominal_nm, class, measured_nm"))
     judge("rows_narrow", "fitcheck_verdict_text", "fitcheck_input_text", "id, callout, measured")
+    db.execute("create table cases (id, callout text collate nocase, class text collate nocase)")
+    db.executemany("insert into cases values (?, ?, ?)", CASES)
+    db.execute("drop view fitcheck_input_text")
+    db.execute("create view fitcheck_input_text as select id, callout, '25.01' as measured from cases")
+    db.execute("drop view fitcheck_input")
+    db.execute("create view fitcheck_input as select id, 25000000 as nominal_nm, class, 25010000 as measured_nm from cases")
+    case_matters(lambda view: db.execute(f"select status, error from {view} order by id").fetchall())
+    refuses_reals = "select typeof(measured), error from fitcheck_verdict_text"
+    db.execute("drop view fitcheck_input_text")
+    db.execute("create view fitcheck_input_text as select 1 as id, '25 H7' as callout, 25.01 as measured")
+    assert db.execute(refuses_reals).fetchall() == [("real", "measured-not-read")]
     db.close()
     return sqlite3.sqlite_version
 
@@ -92,6 +114,11 @@ def duckdb(sql, texts, typed, narrow, folder):
     db.execute("create or replace view fitcheck_input_text as select id, callout, measured from narrow")
     judge("rows_narrow", "fitcheck_verdict_text")
     macros(db)
+    db.execute("create table cases (id varchar, callout varchar collate nocase, class varchar collate nocase)")
+    db.executemany("insert into cases values (?, ?, ?)", CASES)
+    db.execute("create or replace view fitcheck_input_text as select id, callout, '25.01' as measured from cases")
+    db.execute("create or replace view fitcheck_input as select id, 25::decimal(18, 6) as nominal, class, 25.01::decimal(18, 6) as measured from cases")
+    case_matters(lambda view: db.execute(f"select status, error from {view} order by id").fetchall())
     db.close()
     return engine.__version__
 
@@ -149,6 +176,12 @@ def postgres(sql, texts, typed, narrow, folder):
     timed("typed", lambda: judge("rows_typed", "fitcheck_verdict", "fitcheck_input", "id::text as id, nominal, class, measured"))
     judge("rows_narrow", "fitcheck_verdict_text", "fitcheck_input_text", text)
     functions(path)
+    cases = ", ".join(f"('{at}', '{callout}', '{cls}')" for at, callout, cls in CASES)
+    psql(path, f"create table cases as select * from (values {cases}) v (id, callout, class)",
+         "create or replace view fitcheck_input_text as select id, callout, '25.01'::text as measured from cases",
+         "create or replace view fitcheck_input as select id, 25::numeric as nominal, class, 25.01::numeric as measured from cases")
+    fields = lambda line: tuple(cell or None for cell in line.split("|"))  # noqa: E731
+    case_matters(lambda view: [fields(line) for line in psql(path, f"select status, error from {view} order by id").splitlines()])
     version = psql("show server_version").strip()
     psql(f"drop schema {schema} cascade")
     return version

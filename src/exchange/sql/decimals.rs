@@ -35,7 +35,9 @@ impl Given {
 }
 
 /// The limits of what `read` gives: one row for each of its rows, refused or not.
-fn looked_up(read: &str) -> String {
+///
+/// `fence` ends each part where an engine would otherwise compute an expression again for every column that uses it.
+fn looked_up(read: &str, fence: &str) -> String {
     format!(
         "select r.*, k.hole, o.name as source_name,
     r.nominal_mm + l.lower_mm as lower_limit_mm, r.nominal_mm + l.upper_mm as upper_limit_mm,
@@ -48,12 +50,12 @@ fn looked_up(read: &str) -> String {
   left join fitcheck_class k on k.class = r.tolerance_class
   left join fitcheck_step s on s.mm = cast(ceil(r.nominal_mm) as integer)
   left join fitcheck_limits l on l.class = r.tolerance_class and l.step = s.step
-  left join fitcheck_source o on o.source = l.source"
+  left join fitcheck_source o on o.source = l.source{fence}"
     )
 }
 
 /// The limits of size alone: `min_mm`, `max_mm`, `source`, `error`.
-pub(super) fn limits(given: Given, read: &str) -> String {
+pub(super) fn limits(given: Given, read: &str, fence: &str) -> String {
     format!(
         "select {}
   case when limits_error is null then lower_limit_mm end as min_mm,
@@ -64,12 +66,12 @@ from (
   {}
 ) x",
         given.of_limits(),
-        looked_up(read)
+        looked_up(read, fence)
     )
 }
 
 /// The verdict: `min_mm`, `max_mm`, `deviation_um`, `status`, `remove_um`, `error`.
-pub(super) fn verdict(given: Given, read: &str) -> String {
+pub(super) fn verdict(given: Given, read: &str, fence: &str) -> String {
     format!(
         "select {}
   case when error is null then lower_limit_mm end as min_mm,
@@ -93,15 +95,15 @@ from (
     end as error
   from (
   {}
-  ) x
+  ) x{fence}
 ) y",
         given.columns(),
-        looked_up(read)
+        looked_up(read, fence)
     )
 }
 
 /// The four views over both forms of input; `text` and `typed` read them.
-pub(super) fn views(text: &str, typed: &str) -> String {
+pub(super) fn views(text: &str, typed: &str, fence: &str) -> String {
     format!(
         "
 create view fitcheck_size_limits as
@@ -116,9 +118,9 @@ create view fitcheck_verdict as
 create view fitcheck_verdict_text as
 {};
 ",
-        limits(Given::Typed, typed),
-        limits(Given::Text, text),
-        verdict(Given::Typed, typed),
-        verdict(Given::Text, text)
+        limits(Given::Typed, typed, fence),
+        limits(Given::Text, text, fence),
+        verdict(Given::Typed, typed, fence),
+        verdict(Given::Text, text, fence)
     )
 }

@@ -1,4 +1,5 @@
-//! DuckDB: table macros take the place of functions. A macro is pasted text, so its parameters bear no column's name.
+//! `DuckDB`: table macros take the place of functions. A macro is pasted text, so its parameters bear no column's name.
+//! Classes compare by bytes: a column or a database that ignores case would take h7 for H7.
 
 use super::decimals::{Given, limits, verdict, views};
 use super::{CALLOUT, CLASS, Dialect, MEASURED, millimetres, quoted};
@@ -36,15 +37,16 @@ Many rows, where they are: say which they are, then read the verdicts. Three equ
   from fitcheck_size_limits;                                  -- id, nominal, class, min_mm, max_mm, source, error
 
 The order of the rows is not kept: order by id. A cast to decimal(18, 6) rounds: a value that is finer than a nanometre
-is refused only as text. Numbers of type float or double are refused by the macros; cast them on purpose.
+is refused only as text. Numbers of type float or double are refused; cast them on purpose. Tried with DuckDB 1.1 and
+2.0.
 ";
 
 const TABLES: &str = "
 create table fitcheck_source (source integer primary key, name varchar not null);
-create table fitcheck_class (class varchar primary key, hole boolean not null);
+create table fitcheck_class (class varchar collate \"C\" primary key, hole boolean not null);
 create table fitcheck_step (mm integer primary key, step integer not null);
 create table fitcheck_limits (
-  class varchar not null, step integer not null, over_mm integer not null, to_mm integer not null,
+  class varchar collate \"C\" not null, step integer not null, over_mm integer not null, to_mm integer not null,
   lower_mm decimal(15, 6) not null, upper_mm decimal(15, 6) not null, source integer not null,
   primary key (class, step)
 );
@@ -63,7 +65,7 @@ fn text(from: &str) -> String {
     format!(
         "select g.id, g.callout, g.measured,
       try_cast(regexp_extract(g.callout, '{CALLOUT}', 1) as decimal(15, 6)) as nominal_mm,
-      nullif(regexp_extract(g.callout, '{CALLOUT}', 2), '') as tolerance_class,
+      nullif(regexp_extract(g.callout, '{CALLOUT}', 2), '') collate \"C\" as tolerance_class,
       try_cast(regexp_extract(g.measured, '{MEASURED}', 1) as decimal(15, 6)) as measured_mm
     from {from} g"
     )
@@ -80,7 +82,7 @@ fn typed(from: &str) -> String {
     format!(
         "select g.id, g.nominal, g.class, g.measured,
       {} as nominal_mm,
-      case when regexp_matches(g.class, '{CLASS}') then g.class end as tolerance_class,
+      (case when regexp_matches(g.class, '{CLASS}') then g.class end) collate \"C\" as tolerance_class,
       {} as measured_mm
     from {from} g",
         exact("nominal"),
@@ -106,9 +108,9 @@ create macro fitcheck_verdict_of(given_callout, given_measured) as table
 create macro fitcheck_verdict_of_typed(given_nominal, given_class, given_measured) as table
 {};
 ",
-        views(&text("fitcheck_input_text"), &typed("fitcheck_input")),
-        limits(Given::Arguments, &of_typed("null::decimal(15, 6)")),
-        verdict(Given::Arguments, &of_text),
-        verdict(Given::Arguments, &of_typed("given_measured"))
+        views(&text("fitcheck_input_text"), &typed("fitcheck_input"), ""),
+        limits(Given::Arguments, &of_typed("null::decimal(15, 6)"), ""),
+        verdict(Given::Arguments, &of_text, ""),
+        verdict(Given::Arguments, &of_typed("given_measured"), "")
     )
 }

@@ -49,9 +49,7 @@ pub(super) fn write(model: &Model, dialect: &Dialect, out: &mut dyn Write) -> io
         kinds(model).join(", "),
     );
     text.push_str(RULE);
-    for (code, meaning) in ERRORS {
-        text.push_str(&format!("  {code:<22} {meaning}\n"));
-    }
+    text.extend(ERRORS.map(|(code, meaning)| format!("  {code:<22} {meaning}\n")));
     text.push_str(GRAMMAR);
     text.push_str(dialect.usage);
     for line in text.lines() {

@@ -112,7 +112,7 @@ impl Model {
             let callout = Callout::new(millimetres(to_mm), class).ok()?;
             match sources.limits(&callout, None) {
                 Ok(limits) => {
-                    let name = limits.source.to_string();
+                    let name = limits.source.with_difference();
                     let next = self.sources.len() + 1;
                     let source = *numbers.entry(name).or_insert_with_key(|name| {
                         self.sources.push(name.clone());
@@ -144,7 +144,7 @@ impl Model {
         &self.ends
     }
 
-    /// Where limits come from, as every answer says it; a cell has the number of its source, from 1.
+    /// Where limits come from, as every answer says it, and what ISO 286 says where an own table differs; a cell has the number of its source, from 1.
     pub fn sources(&self) -> &[String] {
         &self.sources
     }
@@ -171,11 +171,8 @@ impl Model {
 fn every_class(sources: &Sources) -> Vec<ToleranceClass> {
     let mut classes: Vec<ToleranceClass> = Vec::new();
     for feature in [Feature::Hole, Feature::Shaft] {
-        let standard: Vec<ToleranceClass> = match sources.base().is_standard() {
-            true => named_classes(feature).collect(),
-            false => Vec::new(),
-        };
-        for class in sources.table_classes(feature).chain(standard) {
+        let standard = sources.base().is_standard().then(|| named_classes(feature));
+        for class in sources.table_classes(feature).chain(standard.into_iter().flatten()) {
             if !classes.contains(&class) {
                 classes.push(class);
             }
@@ -192,7 +189,10 @@ fn named_classes(feature: Feature) -> impl Iterator<Item = ToleranceClass> {
 }
 
 fn first_twice(classes: &[ToleranceClass]) -> Option<ToleranceClass> {
-    (0..).zip(classes).find(|(number, class)| classes.iter().take(*number).any(|before| before == *class)).map(|(_, class)| *class)
+    (0..)
+        .zip(classes)
+        .find(|(number, class)| classes.iter().take(*number).any(|before| before == *class))
+        .map(|(_, class)| *class)
 }
 
 /// The ends of all steps that matter for the classes, in whole millimetres.
