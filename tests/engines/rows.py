@@ -58,11 +58,11 @@ def nm(text):
     return -value if text.startswith("-") else value
 
 
-def limits(program, sizes):
+def limits(program, sizes, options):
     """The limits in nm of every class at every size, as `fitcheck limits` says them; nothing where it refuses."""
     asked = [(cls, size) for cls in CLASSES for size in sizes]
     lines = "".join(f"{mm(size)} {cls}\n" for cls, size in asked)
-    run = subprocess.run([program, "limits", "-", "--format", "csv"], input=lines, capture_output=True, text=True, check=False)
+    run = subprocess.run([program, "limits", "-", "--format", "csv", *options], input=lines, capture_output=True, text=True, check=False)
     found = {}
     answers = list(csv.DictReader(io.StringIO(run.stdout)))
     assert len(answers) == len(asked), (len(answers), len(asked))
@@ -87,10 +87,10 @@ def row(size, cls, value):
     return f"{nominal} {cls}", measured, nominal, cls, measured
 
 
-def borders(program):
+def borders(program, options):
     """Every class at every border of every step, measured on each limit, a nanometre to either side, and in the middle."""
     sizes = sizes_at_borders()
-    found = limits(program, sizes)
+    found = limits(program, sizes, options)
     for cls in CLASSES:
         for size in sizes:
             if (cls, size) in found:
@@ -108,10 +108,10 @@ def refusals():
             yield callout, measured, nominal, cls, value
 
 
-def randoms(program, count, seed):
+def randoms(program, options, count, seed):
     """Seeded random rows: a third of the sizes at borders, a third of the values on a limit, some of them refused."""
     rand = random.Random(seed)
-    found = limits(program, [end * NM for end in ENDS])
+    found = limits(program, [end * NM for end in ENDS], options)
     cells = {}
     for (cls, size), (low, high) in found.items():
         cells[cls, size // NM] = (low - size, high - size)
