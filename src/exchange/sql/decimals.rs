@@ -18,8 +18,8 @@ impl Given {
     /// The columns of a verdict before the answer.
     const fn columns(self) -> &'static str {
         match self {
-            Self::Text => "id, callout, measured, ",
-            Self::Typed => "id, nominal, class, measured, ",
+            Self::Text => " id, callout, measured,",
+            Self::Typed => " id, nominal, class, measured,",
             Self::Arguments => "",
         }
     }
@@ -27,8 +27,8 @@ impl Given {
     /// The same without the measured value.
     const fn of_limits(self) -> &'static str {
         match self {
-            Self::Text => "id, callout, ",
-            Self::Typed => "id, nominal, class, ",
+            Self::Text => " id, callout,",
+            Self::Typed => " id, nominal, class,",
             Self::Arguments => "",
         }
     }
@@ -57,7 +57,7 @@ fn looked_up(read: &str, fence: &str) -> String {
 /// The limits of size alone: `min_mm`, `max_mm`, `source`, `error`.
 pub(super) fn limits(given: Given, read: &str, fence: &str) -> String {
     format!(
-        "select {}
+        "select{}
   case when limits_error is null then lower_limit_mm end as min_mm,
   case when limits_error is null then upper_limit_mm end as max_mm,
   case when limits_error is null then source_name end as source,
@@ -73,7 +73,7 @@ from (
 /// The verdict: `min_mm`, `max_mm`, `deviation_um`, `status`, `remove_um`, `error`.
 pub(super) fn verdict(given: Given, read: &str, fence: &str) -> String {
     format!(
-        "select {}
+        "select{}
   case when error is null then lower_limit_mm end as min_mm,
   case when error is null then upper_limit_mm end as max_mm,
   case when error is null then cast((measured_mm - nominal_mm) * 1000 as decimal(18, 3)) end as deviation_um,

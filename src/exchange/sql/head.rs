@@ -20,9 +20,9 @@ a decimal point, 1 to 9 figures before it, at most 6 after it besides zeros, and
 letters tells hole from shaft. Spaces may stand around and between. Whatever else fitcheck check reads (25 H7/g6, 10m,
 12 +0.01 -0.015, a comma, a unit) is refused here, never guessed.
 
-Tables: fitcheck_limits, one row for each class and step, with the deviations and the step over_mm to to_mm; fitcheck_step,
-the step of each millimetre that a size is rounded up to; fitcheck_class, hole or shaft; fitcheck_source, where a cell's
-limits come from.
+Tables: fitcheck_limits, one row for each class and step, with the deviations and the step, above over_mm and up to and
+including to_mm; fitcheck_step, the step of each millimetre that a size is rounded up to; fitcheck_class, hole or shaft;
+fitcheck_source, where a cell's limits come from.
 ";
 
 /// Writes the comment.

@@ -18,7 +18,8 @@ pub(super) const DIALECT: Dialect = Dialect {
 };
 
 const USAGE: &str = "
-Load it once, into a schema of its own if you like: psql -v ON_ERROR_STOP=1 -f fitcheck.sql
+Load it once, if you like into a schema of its own that stays in the search_path:
+  psql -v ON_ERROR_STOP=1 -f fitcheck.sql
 
 One value:
   select * from fitcheck_limits_of(25, 'H7');                 -- min_mm, max_mm, source, error: 25.000000 to 25.021000

@@ -37,8 +37,8 @@ One value is an input of one row:
   create or replace view fitcheck_input_text as select '1' as id, '25 H7' as callout, '24.998' as measured;
   select * from fitcheck_verdict_text;                        -- REWORK, deviation_um -2.000, remove_um 2.000
 
-A cast to decimal(18, 6) rounds: a value that is finer than a nanometre is refused only as text. Tried with Spark 3.5
-and 4.
+A cast to decimal(18, 6) rounds: a value that is finer than a nanometre is refused only as text. Spark 4 takes a
+double that is the nearest one to whole nanometres and refuses others; Spark 3 takes none. Tried with Spark 3.5 and 4.3.
 ";
 
 const TABLES: &str = "
