@@ -13,8 +13,14 @@ from pathlib import Path
 MOST = 400_000
 
 
+CODES = ("callout-not-read", "nominal-not-positive", "class-unknown", "no-limits-at-size", "measured-not-read",
+         "measured-not-positive")
+
+
 def code(error):
-    if error.startswith("measured: a diameter of") or error.endswith("measured-not-positive"):
+    if error in CODES:
+        return error
+    if error.startswith("measured: a diameter of"):
         return "measured-not-positive"
     if error.startswith("measured:"):
         return "measured-not-read"
