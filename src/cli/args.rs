@@ -8,7 +8,8 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use super::{CliError, Io, Refused as _};
 use crate::control::shipped_tables;
 use crate::files;
-use crate::tolerance::{Base, Sources, iso286};
+use crate::tolerance::table_edit::MakeError;
+use crate::tolerance::{Base, Feature, Sources, ToleranceClass, iso286};
 use crate::words::Dialogue;
 
 /// One of several named values: clap lists the names, the program gets the value.
@@ -95,4 +96,21 @@ impl TableArgs {
         }
         Ok(sources.with_own(own.tables))
     }
+}
+
+/// Classes by name, or one of the two lists.
+pub(super) fn classes(text: &str) -> Result<Vec<ToleranceClass>, CliError> {
+    let both = [Feature::Hole, Feature::Shaft];
+    let found: Vec<_> = match text.trim() {
+        "preferred" => both.into_iter().flat_map(iso286::preferred_classes).collect(),
+        "control" => {
+            let tables = shipped_tables();
+            tables.iter().flat_map(|table| table.columns().iter().map(|column| column.class)).collect()
+        }
+        text => {
+            let words = text.split([' ', ',', ';']).filter(|word| !word.is_empty());
+            words.map(str::parse).collect::<Result<_, _>>().said()?
+        }
+    };
+    if found.is_empty() { Err(MakeError::NoClass).said() } else { Ok(found) }
 }

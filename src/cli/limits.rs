@@ -6,7 +6,7 @@ use super::answers::{Answerer, Answers, Asked, Cells};
 use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
 use crate::length::{Length, Unit};
 use crate::report::columns::{self, Cell as _, Column, columns};
-use crate::tolerance::{Callout, Deviations, Feature, Limits, Source, Sources, Tolerance};
+use crate::tolerance::{Callout, Deviations, Feature, Limits, Sources, Tolerance};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -80,7 +80,7 @@ impl<'a> Row<'a> {
             upper_um: um(limits.deviations.upper()),
             min_mm: mm(limits.minimum(), 3),
             max_mm: mm(limits.maximum(), 3),
-            source: Some(source(&limits.source)),
+            source: Some(limits.source.with_difference()),
             error: None,
         }
     }
@@ -89,16 +89,6 @@ impl<'a> Row<'a> {
 impl Cells for Row<'_> {
     fn cells(&self) -> Vec<String> {
         columns::cells(&Self::COLUMNS, self).collect()
-    }
-}
-
-/// Where the limits come from, and what ISO 286 says where a user's table differs.
-pub(super) fn source(source: &Source) -> String {
-    match source {
-        Source::Table { instead_of: Some(shipped), .. } => {
-            format!("{source}, instead of {} µm in ISO 286", lower_and_upper(shipped))
-        }
-        _ => source.to_string(),
     }
 }
 
@@ -154,6 +144,6 @@ fn write_text(out: &mut dyn Write, callout: &Callout, limits: &Limits) -> std::i
     let range = format!("{minimum:>8} … {maximum} mm");
     let deviations = format!("({} µm)", lower_and_upper(&limits.deviations));
     let feature = callout.feature().map_or("–", Feature::word);
-    let source = source(&limits.source);
+    let source = limits.source.with_difference();
     writeln!(out, "{callout:<10}  {feature:<5}  {range:<22}  {deviations:<18}  from {source}")
 }

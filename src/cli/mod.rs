@@ -47,6 +47,7 @@ mod nc;
 mod report;
 mod run;
 mod said;
+mod sql;
 mod start;
 mod table;
 
@@ -88,6 +89,7 @@ subcommands! {
     Nc(nc::Args),
     Report(report::Args),
     Run(run::Args),
+    Sql(sql::Args),
     Table(table::Args),
 }
 /// An exact decimal: unchanged in CSV, a number in JSON.

@@ -10,6 +10,7 @@
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
 //! | `columns`, `words` | which column of a CSV is which, by header or content |
 //! | `tables` | tables of deviations for controls and other tools |
+//! | `sql` | limits and verdicts as plain SQL |
 //! | `delimited` | rows and cells, with their lines |
 //! | `batch` | a verdict for every row of a stream of any length |
 //!
@@ -26,6 +27,7 @@ mod logs;
 mod measurements;
 mod point_log;
 mod rules;
+pub mod sql;
 pub mod tables;
 mod words;
 

@@ -111,6 +111,23 @@ pub enum Source {
 
 display!(Source);
 
+impl Source {
+    /// In English for files and machines, with what ISO 286 says where a user's own table differs:
+    /// `table own.tab, over 0 up to 3 mm, instead of 0 / +10 µm in ISO 286`.
+    pub fn with_difference(&self) -> String {
+        match self {
+            Self::Table { instead_of: Some(standard), .. } => {
+                format!(
+                    "{self}, instead of {} / {} µm in ISO 286",
+                    standard.lower.signed_um(),
+                    standard.upper.signed_um()
+                )
+            }
+            _ => self.to_string(),
+        }
+    }
+}
+
 impl Say for Source {
     fn message(&self) -> Message {
         match self {

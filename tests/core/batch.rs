@@ -1,5 +1,6 @@
 //! A verdict for every row: the answers of `import` and of the library, whatever the blocks and however many workers.
 
+use std::fmt::Write as _;
 use std::io::Read;
 
 use fitcheck::batch::{Failed, Input, Manner, Packing, Rendering, Summary, Watch, run};
@@ -141,7 +142,7 @@ fn a_line_of_megabytes_is_told_and_costs_itself_only() {
             let refused = summary.tally.notes(Kind::Refused);
             assert_eq!(refused.count, 1);
             assert!(refused.first[0].line == 1 && refused.first[0].text.contains(reason), "{:?}", refused.first);
-            assert_eq!(summary.tally.rows, long.lines().count() as u64 + 2, "no row is swallowed");
+            assert_eq!(usize::try_from(summary.tally.rows).unwrap(), long.lines().count() + 2, "no row is swallowed");
             let out = String::from_utf8(out).unwrap();
             assert!(out.ends_with("2,25 H7,24.9,25.000,25.021,-100,REWORK,100,\n"));
         }
@@ -241,7 +242,7 @@ fn every_class_step_and_border_has_the_answer_of_the_library() {
                             Ok(_) => format!(",,,,,measured: a diameter of {measured} is not above 0"),
                             Err(error) => format!(",,,,,{}", quoted(&error.to_string())),
                         };
-                        expected.push_str(&format!("{given},{answer}\n"));
+                        writeln!(expected, "{given},{answer}").unwrap();
                     }
                 }
             }
@@ -411,7 +412,9 @@ proptest! {
             let record = record.unwrap();
             let added: Vec<&str> = record.iter().skip(count).collect();
             if added.len() == 6 && added.iter().any(|cell| !cell.is_empty()) {
-                let line = layout.line + said[..usize::try_from(record.position().unwrap().byte()).unwrap()].trim_end_matches('\n').lines().count();
+                let byte = usize::try_from(record.position().unwrap().byte()).unwrap();
+                let before = said.get(..byte).unwrap().trim_end_matches('\n').lines().count();
+                let line = layout.line + before;
                 answers.push((line, added.join("|")));
             }
         }

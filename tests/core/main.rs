@@ -76,6 +76,7 @@ mod session_tokens;
 mod session_verdicts;
 mod session_workpiece;
 mod sources;
+mod sql;
 mod start_cli;
 mod supply;
 mod table_cli;

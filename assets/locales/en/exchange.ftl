@@ -67,3 +67,8 @@ table-format-tnc640 = control table for TNC 620 and TNC 640
 table-format-tnc7 = control table for TNC7
 table-format-plain-csv = CSV, a line for every class and size range
 table-format-pcdmis = CSV of ISO tolerances for PC-DMIS
+
+## Limits as SQL
+sql-border = table { $table }: a size range ends at { $end } mm; as SQL, ranges must end at whole millimetres
+sql-too-far = table { $table }: a size range ends at { $end } mm; as SQL, ranges must end by { $most } mm
+sql-twice = class { $class } is named twice

@@ -67,3 +67,8 @@ table-format-tnc640 = besturingstabel voor TNC 620 en TNC 640
 table-format-tnc7 = besturingstabel voor TNC7
 table-format-plain-csv = CSV, een regel per klasse en maatbereik
 table-format-pcdmis = CSV met ISO-toleranties voor PC-DMIS
+
+## Grensmaten als SQL
+sql-border = tabel { $table }: een maatbereik eindigt bij { $end } mm; voor SQL moeten bereiken bij hele millimeters eindigen
+sql-too-far = tabel { $table }: een maatbereik eindigt bij { $end } mm; voor SQL moeten bereiken uiterlijk bij { $most } mm eindigen
+sql-twice = klasse { $class } is twee keer genoemd

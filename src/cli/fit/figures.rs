@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use super::answer::{Answer, Measured};
 use super::heat::{Heat, Heated, Part};
+use crate::cli::Figure;
 use crate::cli::answers::Cells;
-use crate::cli::{Figure, limits};
 use crate::length::Length;
 use crate::report::columns::{self, Cell as _, Column, columns};
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
@@ -122,7 +122,7 @@ impl PartFigures {
             max_mm: mm(limits.maximum()),
             lower_um: Figure::um(limits.deviations.lower()),
             upper_um: Figure::um(limits.deviations.upper()),
-            source: limits::source(&limits.source),
+            source: limits.source.with_difference(),
         }
     }
 }

@@ -61,7 +61,7 @@ fn mm(length: Length) -> String {
 fn part(out: &mut dyn Write, name: &str, class: ToleranceClass, limits: &Limits) -> Result<()> {
     let range = format!("{} … {} mm", mm(limits.minimum()), mm(limits.maximum()));
     let deviations = format!("({} µm)", limits::lower_and_upper(&limits.deviations));
-    let source = limits::source(&limits.source);
+    let source = limits.source.with_difference();
     line(out, &format!("{name} {class}"), format_args!("{range:<22}  {deviations:<18}  from {source}"))
 }
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::cli::args::one_of;
+use crate::cli::args::{classes, one_of};
 use crate::cli::{
     CliError, CliRemark, CliWarning, Io, Outcome, Refused as _, StandardArgs, What, heard_or_not, read_table, save,
 };
@@ -12,8 +12,7 @@ use crate::exchange::tables::{TABLE_FORMATS, TableFormat};
 use crate::files;
 use crate::length::Length;
 use crate::tolerance::compare::compare;
-use crate::tolerance::iso286;
-use crate::tolerance::table_edit::{MakeError, standard_table, table_of_standard};
+use crate::tolerance::table_edit::{standard_table, table_of_standard};
 use crate::tolerance::{DeviationTable, Feature, ToleranceClass};
 
 const NEW_EXAMPLES: &str = "\
@@ -199,23 +198,6 @@ impl ExportArgs {
         }
         self.files.iter().map(|path| Ok(Arc::new(read_table(path, io)?.0))).collect()
     }
-}
-
-/// Classes by name, or one of the two lists.
-fn classes(text: &str) -> Result<Vec<ToleranceClass>, CliError> {
-    let both = [Feature::Hole, Feature::Shaft];
-    let found: Vec<_> = match text.trim() {
-        "preferred" => both.into_iter().flat_map(iso286::preferred_classes).collect(),
-        "control" => {
-            let tables = shipped_tables();
-            tables.iter().flat_map(|table| table.columns().iter().map(|column| column.class)).collect()
-        }
-        text => {
-            let words = text.split([' ', ',', ';']).filter(|word| !word.is_empty());
-            words.map(str::parse).collect::<Result<_, _>>().said()?
-        }
-    };
-    if found.is_empty() { Err(MakeError::NoClass).said() } else { Ok(found) }
 }
 
 /// The formats of control tables.

@@ -1,0 +1,126 @@
+//! Limits and verdict in standard SQL, for engines with exact decimals.
+//!
+//! A dialect reads what it is given into `nominal_mm`, `tolerance_class` and `measured_mm`, each null where it cannot be
+//! read; everything behind that is the same in all of them.
+
+/// What is kept of the input beside the answer.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Given {
+    /// A callout and a measured value as texts.
+    Text,
+    /// Nominal size, class and measured value.
+    Typed,
+    /// Nothing: the arguments of a function.
+    Arguments,
+}
+
+impl Given {
+    /// The columns of a verdict before the answer.
+    const fn columns(self) -> &'static str {
+        match self {
+            Self::Text => " id, callout, measured,",
+            Self::Typed => " id, nominal, class, measured,",
+            Self::Arguments => "",
+        }
+    }
+
+    /// The same without the measured value.
+    const fn of_limits(self) -> &'static str {
+        match self {
+            Self::Text => " id, callout,",
+            Self::Typed => " id, nominal, class,",
+            Self::Arguments => "",
+        }
+    }
+}
+
+/// The limits of what `read` gives: one row for each of its rows, refused or not.
+///
+/// `fence` ends each part where an engine would otherwise compute an expression again for every column that uses it.
+fn looked_up(read: &str, fence: &str) -> String {
+    format!(
+        "select r.*, k.hole, o.name as source_name,
+    r.nominal_mm + l.lower_mm as lower_limit_mm, r.nominal_mm + l.upper_mm as upper_limit_mm,
+    case when r.nominal_mm is null or r.tolerance_class is null then 'callout-not-read'
+      when r.nominal_mm <= 0 then 'nominal-not-positive'
+      when k.class is null then 'class-unknown'
+      when l.class is null then 'no-limits-at-size'
+    end as limits_error
+  from ({read}) r
+  left join fitcheck_class k on k.class = r.tolerance_class
+  left join fitcheck_step s on s.mm = cast(ceil(r.nominal_mm) as integer)
+  left join fitcheck_limits l on l.class = r.tolerance_class and l.step = s.step
+  left join fitcheck_source o on o.source = l.source{fence}"
+    )
+}
+
+/// The limits of size alone: `min_mm`, `max_mm`, `source`, `error`.
+pub(super) fn limits(given: Given, read: &str, fence: &str) -> String {
+    format!(
+        "select{}
+  case when limits_error is null then lower_limit_mm end as min_mm,
+  case when limits_error is null then upper_limit_mm end as max_mm,
+  case when limits_error is null then source_name end as source,
+  limits_error as error
+from (
+  {}
+) x",
+        given.of_limits(),
+        looked_up(read, fence)
+    )
+}
+
+/// The verdict: `min_mm`, `max_mm`, `deviation_um`, `status`, `remove_um`, `error`.
+pub(super) fn verdict(given: Given, read: &str, fence: &str) -> String {
+    format!(
+        "select{}
+  case when error is null then lower_limit_mm end as min_mm,
+  case when error is null then upper_limit_mm end as max_mm,
+  case when error is null then cast((measured_mm - nominal_mm) * 1000 as decimal(18, 3)) end as deviation_um,
+  case when error is not null then null
+    when measured_mm < lower_limit_mm then case when hole then 'REWORK' else 'SCRAP' end
+    when upper_limit_mm < measured_mm then case when hole then 'SCRAP' else 'REWORK' end
+    else 'GOOD'
+  end as status,
+  case when error is not null then null
+    when hole and measured_mm < lower_limit_mm then cast((lower_limit_mm - measured_mm) * 1000 as decimal(18, 3))
+    when not hole and upper_limit_mm < measured_mm then cast((measured_mm - upper_limit_mm) * 1000 as decimal(18, 3))
+  end as remove_um,
+  error
+from (
+  select x.*,
+    case when limits_error is not null then limits_error
+      when measured_mm is null then 'measured-not-read'
+      when measured_mm <= 0 then 'measured-not-positive'
+    end as error
+  from (
+  {}
+  ) x{fence}
+) y",
+        given.columns(),
+        looked_up(read, fence)
+    )
+}
+
+/// The four views over both forms of input; `text` and `typed` read them.
+pub(super) fn views(text: &str, typed: &str, fence: &str) -> String {
+    format!(
+        "
+create view fitcheck_size_limits as
+{};
+
+create view fitcheck_size_limits_text as
+{};
+
+create view fitcheck_verdict as
+{};
+
+create view fitcheck_verdict_text as
+{};
+",
+        limits(Given::Typed, typed, fence),
+        limits(Given::Text, text, fence),
+        verdict(Given::Typed, typed, fence),
+        verdict(Given::Text, text, fence)
+    )
+}
