@@ -102,3 +102,36 @@ fn arithmetic_is_checked() {
     assert_eq!(nm(25_000_000).midpoint(nm(25_021_000)), nm(25_010_500));
     assert_eq!(nm(-3).midpoint(nm(0)), nm(-1));
 }
+
+proptest::proptest! {
+    /// What is printed exactly is what rounding on paper gives, without the zeros that nobody asked for, and reads back.
+    #[test]
+    fn exact_figures_are_the_rounded_ones_without_their_last_zeros(
+        nanometres in proptest::prop_oneof![-2_000_000_i64..2_000_000, -5_000_000_000_000..5_000_000_000_000_i64],
+        thousands in 0..3_u32,
+        least in 0..8_usize,
+    ) {
+        let length = nm(nanometres / 1000_i64.pow(thousands) * 1000_i64.pow(thousands));
+        for (unit, places) in [(Unit::Millimetre, 6_usize), (Unit::Micrometre, 3)] {
+            let mut expected = length.rounded(unit, places.max(least));
+            while expected.contains('.') && expected.ends_with(['0', '.']) {
+                let decimals = expected.split('.').nth(1).unwrap().len();
+                if decimals <= least && 0 < decimals {
+                    break;
+                }
+                expected.pop();
+            }
+            let exact = length.exact(unit, least);
+            proptest::prop_assert_eq!(&exact, &expected);
+            proptest::prop_assert_eq!(Length::parse_in(&exact, unit), Ok(length));
+        }
+    }
+
+    /// Numbers of nothing but digits and one sign are read as everything else is: a blank in front takes the other way.
+    #[test]
+    fn plain_numbers_are_read_like_all_others(text in "[0-9]{0,11}[.,]?[0-9]{0,8}") {
+        for unit in [Unit::Millimetre, Unit::Micrometre, Unit::Inch] {
+            proptest::prop_assert_eq!(Length::parse_in(&text, unit), Length::parse_in(&format!(" {text}"), unit));
+        }
+    }
+}

@@ -212,3 +212,29 @@ fn deviations_in_the_wrong_order_are_refused() {
     let error = Deviations::new(um(-1), um(0)).unwrap_err();
     assert_eq!(error.to_string(), "upper deviation -0.001 mm is below lower deviation 0 mm");
 }
+
+#[test]
+fn how_far_one_pair_of_deviations_lies_above_another_is_told_for_each() {
+    let (own, standard) = (pair(25, -3).unwrap(), pair(21, 0).unwrap());
+    let um = Length::from_micrometres;
+    assert_eq!(own.minus(&standard), (um(4), um(-3)));
+    assert_eq!(standard.minus(&own), (um(-4), um(3)));
+    assert_eq!(own.minus(&own), (Length::ZERO, Length::ZERO));
+}
+
+#[test]
+fn the_ends_of_the_steps_are_those_of_the_standard_and_of_all_tables_each_once() {
+    let ends = |sources: &Sources| sources.step_ends().iter().map(ToString::to_string).collect::<Vec<_>>();
+    let standard: Vec<String> = iso286::step_ends().map(|end| end.to_string()).collect();
+    assert_eq!(ends(&Sources::default()), standard);
+    assert_eq!(standard.len(), 42);
+    let column = |cells: usize| Column { class: "U1".parse().unwrap(), cells: vec![pair(1, 0); cells] };
+    let own = DeviationTable::new("own.tab", false, vec![mm("0.5"), mm("6"), mm("4000")], vec![column(3)]).unwrap();
+    let all = ends(&Sources::default().with_own([own]));
+    assert_eq!((all.len(), all.first(), all.last()), (44, Some(&"0.5".to_owned()), Some(&"4000".to_owned())));
+}
+
+#[test]
+fn a_class_is_shown_as_it_is_written_also_to_whoever_looks_for_an_error() {
+    assert_eq!(format!("{:?}", "js13".parse::<fitcheck::tolerance::ToleranceClass>().unwrap()), "js13");
+}
