@@ -431,6 +431,56 @@ fn repeated_contacts_are_listed_but_not_by_the_thousand() {
 }
 
 #[test]
+fn as_many_repeated_contacts_as_are_listed_leave_no_more() {
+    // Three at one place make two pairs, each of three others at the next place one.
+    let said = |repeats: &[f64]| -> Vec<String> {
+        let angles = [&evenly(0.0, 90.0, 4), repeats].concat();
+        let found = evaluate(&on_circle([0.0, 0.0], 10.0, &angles)).unwrap();
+        found
+            .warnings
+            .iter()
+            .map(ToString::to_string)
+            .filter(|said| said.contains("coincide") || said.contains("more"))
+            .collect()
+    };
+    let five = said(&[0.0, 90.0, 180.0, 270.0, 270.0]);
+    assert!(five.len() == 5 && five.iter().all(|said| said.contains("coincide")), "{five:?}");
+    let six = said(&[0.0, 0.0, 90.0, 180.0, 270.0, 270.0]);
+    assert_eq!(six.last().map(String::as_str), Some("the same holds for 1 more"), "{six:?}");
+}
+
+#[test]
+fn the_direction_of_a_chord_is_above_minus_90_and_up_to_90_degrees() {
+    for turn in [0.0, 30.0, 90.0, 100.0, 180.0, 200.0, 270.0, 300.0] {
+        let found = evaluate(&on_circle([1.0, 2.0], 10.0, &[turn, turn + 90.0, turn + 180.0, turn + 270.0])).unwrap();
+        let directions: Vec<f64> = found.two_point.iter().map(|size| size.direction_deg).collect();
+        assert_eq!(directions.len(), 2);
+        for (direction, along) in directions.into_iter().zip([turn, turn + 90.0]) {
+            assert!(-90.0 < direction && direction <= 90.0, "{direction}");
+            // The same line, whichever way it is walked.
+            let off = (direction - along).rem_euclid(180.0);
+            assert!(off.min(180.0 - off) < 1e-9, "{direction} for {along}");
+        }
+    }
+}
+
+#[test]
+fn a_contact_lies_apart_only_among_six_beyond_a_micrometre_and_twice_as_far_as_the_next() {
+    let apart = |count: u32, first: f64, second: f64| {
+        let mut contacts = on_circle([0.0, 0.0], 10.0, &evenly(0.0, 360.0 / f64::from(count), count));
+        contacts[0].x += first;
+        let middle = contacts.len() / 2;
+        contacts[middle].x -= second;
+        let said: Vec<_> = evaluate(&contacts).unwrap().warnings.iter().map(ToString::to_string).collect();
+        said.iter().any(|said| said.starts_with("contact 1 lies"))
+    };
+    assert!(apart(12, 0.1, 0.0), "alone");
+    assert!(!apart(5, 0.1, 0.0), "among five any form is possible");
+    assert!(!apart(12, 0.0009, 0.0), "below a micrometre");
+    assert!(!apart(12, 0.1, 0.09), "the next one is nearly as far");
+}
+
+#[test]
 fn one_contact_far_off_is_named() {
     let mut contacts = on_circle([0.0, 0.0], 10.0, &evenly(0.0, 30.0, 12));
     contacts[4].x *= 0.98;

@@ -231,6 +231,20 @@ fn the_equivalent_fit_changes_letters_and_keeps_grades() {
     assert_eq!(equivalent(class("h6"), class("H7")), None);
     let difference = Difference::between(&fit("2", "H7/p6"), &fit("2", "P7/h6"));
     assert_eq!((difference.minimum, difference.maximum), (mm("-0.004"), mm("-0.004")));
+    // H8 is wider than H7 at one end only.
+    let difference = Difference::between(&fit("25", "H7/h6"), &fit("25", "H8/h6"));
+    assert_eq!((difference.minimum, difference.maximum), (Length::ZERO, mm("0.012")));
+    assert!(!difference.is_none());
+    assert!(Difference::between(&fit("25", "H7/h6"), &fit("25", "H7/h6")).is_none());
+}
+
+#[test]
+fn words_for_machines_are_each_for_one_thing() {
+    assert_eq!(Preference::HoleBasis.word(), "hole basis");
+    assert_eq!(Preference::ShaftBasis.word(), "shaft basis");
+    let words: std::collections::BTreeSet<&str> = Function::ALL.iter().map(|function| function.word()).collect();
+    assert_eq!(words.len(), Function::ALL.len());
+    assert!(words.contains("loose-running") && words.contains("locational-interference"));
 }
 
 /// Hn with x(n − 1) and Xn with h(n − 1): 1 812 combinations by the facts, K, M, N to n = 8 and P to ZC to n = 7.

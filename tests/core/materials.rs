@@ -41,6 +41,8 @@ fn temperatures_and_expansions_read_as_they_print() {
         assert_eq!(told.unwrap_or_else(|error| format!("! {error}")), expected, "for {text:?}");
     }
     temperature("20", "20");
+    temperature("-0", "0");
+    assert_eq!("21.5".parse::<Temperature>().map(Temperature::thousandths), Ok(21_500));
     temperature(" -40 °C ", "-40");
     temperature("\u{2212}0,5C", "-0.5");
     temperature("+85.125", "85.125");
@@ -131,6 +133,7 @@ fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
     let many: Vec<String> =
         (0..1001).map(|number| format!("[[material]]\nname = \"m{number}\"\nexpansion = 1\n")).collect();
     check(&format!("version = 1\n{}", many.concat()), "1001 materials are too many: at most 1000");
+    assert!(Materials::read(&format!("version = 1\n{}", many[..1000].concat())).is_ok());
     check(
         &steel.replace("11.5", "1150"),
         "line 5, column 13: an expansion of 1150 is out of range: from -20 to 500, in millionths per kelvin, such as 11.5 for steel",
