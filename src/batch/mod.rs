@@ -252,7 +252,8 @@ impl Turns<'_, '_> {
         if sink.failed.is_some() {
             return false;
         }
-        if let Err(error) = packed.and_then(|packed| sink.out.write_all(packed)) {
+        // Whoever waits at the other end of a pipe gets what is there.
+        if let Err(error) = packed.and_then(|packed| sink.out.write_all(packed)).and_then(|()| sink.out.flush()) {
             sink.failed = Some(error);
             lock(&self.source).is_ended = true;
         }

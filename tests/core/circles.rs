@@ -292,7 +292,14 @@ proptest! {
         // Some scatter is nearer to a straight line than to any circle.
         let Ok(found) = evaluate(&contacts) else { return Ok(()) };
         let squares = |x: f64, y: f64| {
-            let distances: Vec<f64> = contacts.iter().map(|contact| (contact.x - x).hypot(contact.y - y)).collect();
+            // How much farther a contact lies from the centre than the origin does: of a large circle about a small scatter,
+            // the distances themselves would be rounded by more than a step changes them.
+            let excess = |contact: &Contact| {
+                let square = contact.x * contact.x + contact.y * contact.y;
+                let across = contact.x * x + contact.y * y;
+                (square - 2.0 * across) / ((contact.x - x).hypot(contact.y - y) + x.hypot(y))
+            };
+            let distances: Vec<f64> = contacts.iter().map(excess).collect();
             let mean = distances.iter().sum::<f64>() / f64::from(u32::try_from(distances.len()).unwrap());
             distances.iter().map(|distance| (distance - mean).powi(2)).sum::<f64>()
         };
