@@ -1,7 +1,8 @@
 //! A verdict for every row: the answers of `import` and of the library, whatever the blocks and however many workers.
 
 use std::fmt::Write as _;
-use std::io::Read;
+use std::io::{BufRead as _, Read, Write as _};
+use std::process::{Command, Stdio};
 
 use fitcheck::batch::{Failed, Input, Manner, Packing, Rendering, Summary, Watch, run};
 use fitcheck::exchange::batch::{Court, Csv, Cutter, JsonLines, Kind, Layout};
@@ -165,6 +166,37 @@ fn a_stream_that_breaks_off_gives_its_whole_rows_and_then_the_reason() {
         assert!(matches!(failed, Err(Failed::Reading(error)) if error.to_string() == "the line went dead"));
         assert_eq!(out, b"1,25 H7,25.01,25.000,25.021,10,GOOD,,\n");
     }
+}
+
+#[test]
+fn a_row_is_answered_before_the_next_one_comes() {
+    let mut program = Command::new(env!("CARGO_BIN_EXE_fitcheck"))
+        .args(["batch", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let (mut input, output) = (program.stdin.take().unwrap(), program.stdout.take().unwrap());
+    let (answered, answers) = std::sync::mpsc::channel();
+    let reader = std::thread::spawn(move || {
+        for line in std::io::BufReader::new(output).lines() {
+            answered.send(line.unwrap()).unwrap();
+        }
+    });
+    let next = || answers.recv_timeout(std::time::Duration::from_secs(60)).unwrap();
+    input.write_all(b"callout,measured\n25 H7,25.01\n").unwrap();
+    assert_eq!(next(), "callout,measured,min_mm,max_mm,deviation_um,status,remove_um,error");
+    assert_eq!(next(), "25 H7,25.01,25.000,25.021,10,GOOD,,");
+    for _ in 0..3 {
+        // The first half of a row has no answer yet.
+        input.write_all(b"25 H7,").unwrap();
+        input.write_all(b"24.9\n").unwrap();
+        assert_eq!(next(), "25 H7,24.9,25.000,25.021,-100,REWORK,100,");
+    }
+    drop(input);
+    assert_eq!(program.wait().unwrap().code(), Some(10));
+    reader.join().unwrap();
 }
 
 #[test]
