@@ -179,12 +179,13 @@ fn a_row_is_answered_before_the_next_one_comes() {
         .unwrap();
     let (mut input, output) = (program.stdin.take().unwrap(), program.stdout.take().unwrap());
     let (answered, answers) = std::sync::mpsc::channel();
-    let reader = std::thread::spawn(move || {
+    let read = move || {
         for line in std::io::BufReader::new(output).lines() {
             answered.send(line.unwrap()).unwrap();
         }
-    });
-    let next = || answers.recv_timeout(std::time::Duration::from_secs(60)).unwrap();
+    };
+    let reader = std::thread::Builder::new().name("reader".to_owned()).spawn(read).unwrap();
+    let next = || answers.recv_timeout(std::time::Duration::from_mins(1)).unwrap();
     input.write_all(b"callout,measured\n25 H7,25.01\n").unwrap();
     assert_eq!(next(), "callout,measured,min_mm,max_mm,deviation_um,status,remove_um,error");
     assert_eq!(next(), "25 H7,25.01,25.000,25.021,10,GOOD,,");
