@@ -73,6 +73,13 @@ fn prints_exactly_and_rounds_half_away_from_zero() {
 }
 
 #[test]
+fn inches_are_printed_to_seven_decimals_without_the_zeros_that_nobody_asked_for() {
+    let inches = |nanometres, least| nm(nanometres).exact(Unit::Inch, least);
+    assert_eq!([inches(25_400_000, 0), inches(12_700_000, 0), inches(-25_400_000, 3)], ["1", "0.5", "-1.000"]);
+    assert_eq!([inches(25_401_000, 0), inches(1, 0), inches(25_400_000, 9)], ["1.0000394", "0", "1.000000000"]);
+}
+
+#[test]
 fn an_inch_is_exactly_25_4_mm() {
     assert_eq!(Length::parse_in("1.0008", Unit::Inch).unwrap().to_string(), "25.42032");
     assert_eq!(Length::parse_in("0.000005", Unit::Inch), Ok(nm(127)));
