@@ -156,14 +156,15 @@ impl Whole {
     fn replace_nameless(&self, target: &Path) -> io::Result<()> {
         let path = unfinished_name(target);
         let _turn = turn(folder_of(target));
-        match link_nameless(&self.file, &path) {
+        // Before it has the name: a signal may come between the two.
+        let name = Unfinished::at(path);
+        match link_nameless(&self.file, name.path()) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                std::fs::remove_file(&path)?;
-                link_nameless(&self.file, &path)?;
+                std::fs::remove_file(name.path())?;
+                link_nameless(&self.file, name.path())?;
             }
             linked => linked?,
         }
-        let name = Unfinished::at(path);
         std::fs::rename(name.path(), target)?;
         name.finished();
         Ok(())
