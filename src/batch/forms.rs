@@ -30,15 +30,16 @@ impl Form {
 
 /// Writes rows with their answers as bytes.
 pub trait Rendering: Take {
-    /// For the rows of a stream.
-    fn new(layout: &Layout) -> Self;
+    /// For the rows of a stream; `prefix` stands before the names of the added columns.
+    fn new(layout: &Layout, prefix: &str) -> Self;
 
     /// What was written since it was cleared.
     fn out(&mut self) -> &mut Vec<u8>;
 }
 
 impl Rendering for Csv {
-    fn new(layout: &Layout) -> Self {
+    /// The names stand in the header alone.
+    fn new(layout: &Layout, _prefix: &str) -> Self {
         Self::new(layout)
     }
 
@@ -48,8 +49,8 @@ impl Rendering for Csv {
 }
 
 impl Rendering for JsonLines {
-    fn new(layout: &Layout) -> Self {
-        Self::new(layout)
+    fn new(layout: &Layout, prefix: &str) -> Self {
+        Self::new(layout, prefix)
     }
 
     fn out(&mut self) -> &mut Vec<u8> {

@@ -55,11 +55,13 @@ pub struct Input<'a> {
 
 /// How a run is done.
 #[derive(Debug, Clone, Copy)]
-pub struct Manner {
+pub struct Manner<'a> {
     /// How many workers judge at the same time, at least one.
     pub workers: usize,
     /// What the rows are packed with, block by block.
     pub packing: Packing,
+    /// What stands before the names of the added columns.
+    pub prefix: &'a str,
 }
 
 /// Why a run ended early.
@@ -96,7 +98,7 @@ struct Turns<'a, 'i> {
     working: Mutex<usize>,
     ended: Condvar,
     watch: &'a Watch,
-    packing: Packing,
+    manner: Manner<'a>,
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -111,7 +113,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 pub fn run<R: Rendering>(
     input: Input<'_>,
     court: &Court<'_>,
-    manner: Manner,
+    manner: Manner<'_>,
     out: &mut (dyn Write + Send),
     watch: &Watch,
     tick: &mut dyn FnMut(&Watch),
@@ -124,7 +126,7 @@ pub fn run<R: Rendering>(
         working: Mutex::new(workers),
         ended: Condvar::new(),
         watch,
-        packing: manner.packing,
+        manner,
     };
     let mut summary = Summary::default();
     std::thread::scope(|scope| {
@@ -144,8 +146,12 @@ pub fn run<R: Rendering>(
             tick(watch);
         }
         drop(working);
-        for judge in judges.into_iter().filter_map(|judge| judge.join().ok()) {
-            summary.add(judge);
+        for judge in judges {
+            match judge.join() {
+                Ok(judge) => summary.add(judge),
+                // Its block is missing, so nothing of this run may count as whole.
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
         }
     });
     let (source, sink) = (turns.source.into_inner(), turns.sink.into_inner());
@@ -213,13 +219,13 @@ impl Turns<'_, '_> {
     fn work<'c, R: Rendering>(&self, court: &'c Court<'_>) -> Judge<'c> {
         let _leave = Leave(self);
         let mut judge = court.judge();
-        let mut rendering = R::new(court.layout());
+        let mut rendering = R::new(court.layout(), self.manner.prefix);
         let (mut block, mut packed) = (Block::default(), Vec::new());
         while let Some(number) = self.take(&mut block) {
             let text = rendering.out();
             text.clear();
             let tally = judge.block(&block, &mut rendering);
-            let written = self.packing.pack(rendering.out(), &mut packed);
+            let written = self.manner.packing.pack(rendering.out(), &mut packed);
             if !self.give(number, tally, block.len(), written) {
                 break;
             }

@@ -222,16 +222,24 @@ impl Job<'_> {
     }
 
     /// All inputs have the columns of the first one, and none under the name of an added one.
-    fn same_columns(&self, opened: &Opened<'_>, first: &mut Option<Vec<String>>) -> Result<(), CliError> {
+    fn same_columns(&self, opened: &Opened<'_>, first: &mut Option<(Vec<String>, u8)>) -> Result<(), CliError> {
         let (name, names) = (&opened.name, &opened.layout.names);
         let prefix = self.args.prefix.as_str();
         let is_added = |name: &&String| name.strip_prefix(prefix).is_some_and(|name| ADDED.contains(&name));
         if let Some(column) = names.iter().find(is_added) {
             return Err(CliError::BatchName { name: name.clone(), column: column.clone() });
         }
-        let first = first.get_or_insert_with(|| names.clone());
-        if first != names {
-            return Err(CliError::BatchColumns { name: name.clone(), columns: first.join(", ") });
+        let twice = (1..).zip(names).find(|(after, name)| names.iter().skip(*after).any(|other| other == *name));
+        if let (Form::JsonLines, Some((_, column))) = (self.form, twice) {
+            return Err(CliError::BatchTwice { name: name.clone(), column: column.clone() });
+        }
+        let separator = opened.layout.separator();
+        let (first_names, first_separator) = first.get_or_insert_with(|| (names.clone(), separator));
+        if first_names != names {
+            return Err(CliError::BatchColumns { name: name.clone(), columns: first_names.join(", ") });
+        }
+        if self.form == Form::Csv && *first_separator != separator {
+            return Err(CliError::BatchSeparator { name: name.clone() });
         }
         Ok(())
     }
@@ -253,7 +261,7 @@ impl Job<'_> {
         let workers = self.args.jobs.map_or_else(processors, usize::from);
         let mut input = io::Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
         let progress = Progress::new(&name, size.filter(|_| stream.packing == Packing::Plain));
-        let manner = Manner { workers, packing: self.packing };
+        let manner = Manner { workers, packing: self.packing, prefix: &self.args.prefix };
         let watch = Watch::default();
         let summary =
             batch::run::<R>(Input { stream: &mut input, cutter }, &court, manner, out, &watch, &mut |watch| {

@@ -97,6 +97,10 @@ pub(super) enum CliError {
     BatchOntoItself { path: PathBuf },
     /// Inputs whose columns differ.
     BatchColumns { name: String, columns: String },
+    /// Inputs whose cells are separated by different signs, for one CSV.
+    BatchSeparator { name: String },
+    /// Two columns of one name, for objects.
+    BatchTwice { name: String, column: String },
     /// An input without rows that can be judged.
     BatchInput { name: String, error: String },
     /// A column of the input has the name of an added one.

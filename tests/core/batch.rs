@@ -47,7 +47,7 @@ fn judged<R: Rendering>(text: &[u8], cut: Cut, sources: &Sources, out: &mut Vec<
     let court = Court::new(&layout, sources);
     let cutter = Cutter::new(layout.separator(), cut.step, cut.is_patient);
     let mut input = Pieces { rest: &text[layout.skip..], piece: cut.piece, fails: false };
-    let manner = Manner { workers: cut.workers, packing: Packing::Plain };
+    let manner = Manner { workers: cut.workers, packing: Packing::Plain, prefix: "" };
     let summary = run::<R>(Input { stream: &mut input, cutter }, &court, manner, out, &Watch::default(), &mut |_| {});
     summary.map(|mut summary| {
         summary.tally.lines += layout.line;
@@ -160,7 +160,7 @@ fn a_stream_that_breaks_off_gives_its_whole_rows_and_then_the_reason() {
         let mut input = Pieces { rest: &text[layout.skip..], piece: step, fails: true };
         let mut out = Vec::new();
         let cutter = Cutter::new(b',', step, true);
-        let manner = Manner { workers: 2, packing: Packing::Plain };
+        let manner = Manner { workers: 2, packing: Packing::Plain, prefix: "" };
         let failed =
             run::<Csv>(Input { stream: &mut input, cutter }, &court, manner, &mut out, &Watch::default(), &mut |_| {});
         assert!(matches!(failed, Err(Failed::Reading(error)) if error.to_string() == "the line went dead"));

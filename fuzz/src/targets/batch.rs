@@ -34,7 +34,7 @@ fn judged<R: Rendering>(layout: &Layout, text: &[u8], step: usize, is_patient: b
     let sources = Sources::default();
     let court = Court::new(layout, &sources);
     let cutter = Cutter::new(layout.separator(), step, is_patient);
-    let manner = Manner { workers: 1, packing: Packing::Plain };
+    let manner = Manner { workers: 1, packing: Packing::Plain, prefix: "" };
     let mut out = Vec::new();
     let mut input = text.take(u64::MAX);
     let summary =

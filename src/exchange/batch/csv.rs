@@ -33,13 +33,13 @@ impl Csv {
         }
         let end = out.len() - out.iter().rev().take_while(|byte| matches!(byte, b'\n' | b'\r')).count();
         out.truncate(end);
+        let mut header = Self { out, ..Self::new(layout) };
         for name in ADDED {
-            out.push(layout.separator);
-            out.extend_from_slice(prefix.as_bytes());
-            out.extend_from_slice(name.as_bytes());
+            header.out.push(layout.separator);
+            header.text(&format!("{prefix}{name}"));
         }
-        out.extend_from_slice(layout.line_end);
-        out
+        header.out.extend_from_slice(layout.line_end);
+        header.out
     }
 
     /// A cell with quotation marks where it needs some.

@@ -1,5 +1,6 @@
 //! Rows as JSON, an object a line: the columns of the input as texts, those that are added as numbers and texts.
 
+use super::ADDED;
 use super::judge::{Judged, Take};
 use super::layout::Layout;
 use super::row::{Row, unquoted};
@@ -12,18 +13,22 @@ pub struct JsonLines {
     pub out: Vec<u8>,
     /// The name of each column with what stands before and after it.
     names: Vec<Vec<u8>>,
+    /// The same of the added columns.
+    added: [Vec<u8>; ADDED.len()],
 }
 
 impl JsonLines {
-    /// Nothing written yet.
-    pub fn new(layout: &Layout) -> Self {
-        let name = |(at, name): (usize, &String)| {
-            let mut out = if at == 0 { b"{".to_vec() } else { b",".to_vec() };
+    /// Nothing written yet; `prefix` stands before the names of the added columns.
+    pub fn new(layout: &Layout, prefix: &str) -> Self {
+        let key = |before: &[u8], name: &str| {
+            let mut out = before.to_vec();
             text(name, &mut out);
             out.push(b':');
             out
         };
-        Self { out: Vec::new(), names: layout.names.iter().enumerate().map(name).collect() }
+        let name = |(at, name): (usize, &String)| key(if at == 0 { b"{" } else { b"," }, name);
+        let added = ADDED.map(|name| key(b",", &format!("{prefix}{name}")));
+        Self { out: Vec::new(), names: layout.names.iter().enumerate().map(name).collect(), added }
     }
 
     fn cells(&mut self, row: &Row<'_>) {
@@ -34,13 +39,15 @@ impl JsonLines {
                 None => self.out.extend_from_slice(b"null"),
             }
         }
-        self.out.push(b',');
     }
 
     fn reason(&mut self, reason: Option<&str>) {
-        let nothing = "\"min_mm\":null,\"max_mm\":null,\"deviation_um\":null,\"status\":null,\"remove_um\":null";
-        self.out.extend_from_slice(nothing.as_bytes());
-        self.out.extend_from_slice(b",\"error\":");
+        let [figures @ .., error] = &self.added;
+        for name in figures {
+            self.out.extend_from_slice(name);
+            self.out.extend_from_slice(b"null");
+        }
+        self.out.extend_from_slice(error);
         match reason {
             Some(reason) => text(reason, &mut self.out),
             None => self.out.extend_from_slice(b"null"),
@@ -57,21 +64,22 @@ fn text(text: &str, out: &mut Vec<u8>) {
 impl Take for JsonLines {
     fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
         self.cells(row);
-        let out = &mut self.out;
-        out.extend_from_slice(b"\"min_mm\":");
+        let (out, [minimum, maximum, deviation, status, remove, error]) = (&mut self.out, &self.added);
+        out.extend_from_slice(minimum);
         judged.bounds.minimum().put_exact(Unit::Millimetre, 0, out);
-        out.extend_from_slice(b",\"max_mm\":");
+        out.extend_from_slice(maximum);
         judged.bounds.maximum().put_exact(Unit::Millimetre, 0, out);
-        out.extend_from_slice(b",\"deviation_um\":");
+        out.extend_from_slice(deviation);
         judged.verdict.deviation.put_exact(Unit::Micrometre, 0, out);
-        out.extend_from_slice(b",\"status\":\"");
-        out.extend_from_slice(judged.verdict.status.word().as_bytes());
-        out.extend_from_slice(b"\",\"remove_um\":");
+        out.extend_from_slice(status);
+        text(judged.verdict.status.word(), out);
+        out.extend_from_slice(remove);
         match judged.verdict.removal {
             Some(removal) => removal.to_limit.put_exact(Unit::Micrometre, 0, out),
             None => out.extend_from_slice(b"null"),
         }
-        out.extend_from_slice(b",\"error\":null}\n");
+        out.extend_from_slice(error);
+        out.extend_from_slice(b"null}\n");
     }
 
     fn refused(&mut self, row: &Row<'_>, reason: &str) {
@@ -89,7 +97,6 @@ impl Take for JsonLines {
                 self.out.extend_from_slice(b"null");
             }
         }
-        self.out.push(b',');
         self.reason(Some(reason));
     }
 
