@@ -222,10 +222,9 @@ impl Turns<'_, '_> {
         let mut rendering = R::new(court.layout(), self.manner.prefix);
         let (mut block, mut packed) = (Block::default(), Vec::new());
         while let Some(number) = self.take(&mut block) {
-            let text = rendering.out();
-            text.clear();
+            rendering.out().clear();
             let tally = judge.block(&block, &mut rendering);
-            let written = self.manner.packing.pack(rendering.out(), &mut packed);
+            let written = self.manner.packing.pack(rendering.out().bytes(), &mut packed);
             if !self.give(number, tally, block.len(), written) {
                 break;
             }
