@@ -38,6 +38,19 @@ impl Index {
         self.ends.split_inclusive(|end| end & ROW != 0)
     }
 
+    /// Forgets all rows.
+    #[cfg(feature = "parquet")]
+    pub(super) fn clear(&mut self) {
+        self.ends.clear();
+    }
+
+    /// A cell ends here; with `is_last` its row, too.
+    #[cfg(feature = "parquet")]
+    #[inline]
+    pub(super) fn end_cell(&mut self, at: usize, is_last: bool) {
+        self.push(at, if is_last { ROW } else { 0 });
+    }
+
     fn push(&mut self, at: usize, mark: u32) {
         // A block is far shorter than the mark is large.
         self.ends.push(u32::try_from(at).unwrap_or_default() | mark);
