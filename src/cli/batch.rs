@@ -109,12 +109,12 @@ impl Args {
     /// What is written, by `--format` and the output's ending.
     fn form(&self) -> Result<(Form, Packing), CliError> {
         let (form, packing) = self.named_form()?;
-        if form == Form::Parquet && !parquet::IS_KNOWN {
-            return Err(CliError::Said(ImportErrorKind::ParquetUnknown.message()));
-        }
         match &self.output {
             Some(path) if form == Form::Parquet && packing != Packing::Plain => {
                 Err(CliError::BatchPacked { path: path.clone() })
+            }
+            _ if form == Form::Parquet && !parquet::IS_KNOWN => {
+                Err(CliError::Said(ImportErrorKind::ParquetUnknown.message()))
             }
             _ => Ok((form, packing)),
         }

@@ -66,10 +66,13 @@ table-format-name = { $name } does not begin with a letter: table names on a TNC
 table-format-operator = { $name } contains { $sign }: table names on a TNC7 have no arithmetic operators
 table-format-warning-lower-sign = the PC-DMIS manual shows no lower deviation other than 0: check { $class } in PC-DMIS before you rely on it, above all its signs
 table-format-csv = the CSV cannot be written: { $reason }
+table-format-parquet-unknown = this program was built without Parquet: the feature parquet has it, as in cargo build --release --features parquet
+table-format-parquet = the Parquet file cannot be written: { $reason }
 table-format-itnc530 = control table for iTNC 530
 table-format-tnc640 = control table for TNC 620 and TNC 640
 table-format-tnc7 = control table for TNC7
 table-format-plain-csv = CSV, a line for every class and size range
+table-format-plain-parquet = Parquet, a row for each class and size range
 table-format-pcdmis = CSV of ISO tolerances for PC-DMIS
 
 ## Limits as SQL

@@ -110,15 +110,17 @@ impl Field {
         Self::new(name, kind, builder.with_repetition(repetition).build()?)
     }
 
-    /// A column without gaps of one of the plain types.
-    pub(in crate::exchange) fn required(name: &str, physical: Physical) -> Result<Self, ParquetError> {
-        let builder = Type::primitive_type_builder(name, physical).with_repetition(Repetition::REQUIRED);
-        let (kind, logical) = match physical {
-            Physical::BOOLEAN => (Kind::Boolean, None),
-            Physical::BYTE_ARRAY => (Kind::Text, Some(LogicalType::String)),
-            _ => (Kind::Whole, None),
-        };
-        Self::new(name, kind, builder.with_logical_type(logical).build()?)
+    /// A column of texts without gaps.
+    pub(in crate::exchange) fn required_text(name: &str) -> Result<Self, ParquetError> {
+        let builder =
+            Type::primitive_type_builder(name, Physical::BYTE_ARRAY).with_logical_type(Some(LogicalType::String));
+        Self::new(name, Kind::Text, builder.with_repetition(Repetition::REQUIRED).build()?)
+    }
+
+    /// A column of `true` and `false` without gaps.
+    pub(in crate::exchange) fn boolean(name: &str) -> Result<Self, ParquetError> {
+        let builder = Type::primitive_type_builder(name, Physical::BOOLEAN).with_repetition(Repetition::REQUIRED);
+        Self::new(name, Kind::Boolean, builder.build()?)
     }
 
     fn new(name: &str, kind: Kind, declared: Type) -> Result<Self, ParquetError> {

@@ -79,6 +79,18 @@ impl Chunks {
         self.add(rows, levels, Body::Plain(plain), None)
     }
 
+    /// The next column: `true` and `false`.
+    pub(in crate::exchange) fn booleans(
+        &mut self,
+        rows: usize,
+        levels: &[i16],
+        values: &[bool],
+    ) -> Result<(), ParquetError> {
+        let mut plain = Vec::new();
+        put_booleans(values, &mut plain);
+        self.add(rows, levels, Body::Plain(&plain), None)
+    }
+
     /// The next column: for each value the number of its word.
     pub(in crate::exchange) fn words(
         &mut self,
@@ -156,12 +168,16 @@ fn few_words(values: &[parquet::data_type::ByteArray]) -> Option<(Vec<u8>, u32, 
     Some((words, u32::try_from(known.len()).ok()?, numbers)).filter(|(_, count, _)| 0 < *count)
 }
 
+/// Eight to a byte, the first one in its lowest bit.
+fn put_booleans(values: &[bool], out: &mut Vec<u8>) {
+    let byte = |eight: &[bool]| eight.iter().rev().fold(0, |byte, is| byte << 1 | u8::from(*is));
+    out.extend(values.chunks(8).map(byte));
+}
+
 /// The plain encoding of some values.
 fn put_plain(values: &Values, out: &mut Vec<u8>) {
     match values {
-        Values::Boolean(values) => {
-            out.extend(values.chunks(8).map(|eight| eight.iter().rev().fold(0, |byte, is| byte << 1 | u8::from(*is))))
-        }
+        Values::Boolean(values) => put_booleans(values, out),
         Values::Int32(values) => values.iter().for_each(|value| out.extend_from_slice(&value.to_le_bytes())),
         Values::Int64(values) => values.iter().for_each(|value| out.extend_from_slice(&value.to_le_bytes())),
         Values::Int96(values) => {
