@@ -369,7 +369,8 @@ fn nothing_without_rows_columns_or_plain_cells_is_judged() {
     assert_eq!(as_csv(&none).unwrap().1.tally.rows, 0);
     assert_eq!(cells(&as_parquet(&none).unwrap()).len(), 1);
     let unknown = file(&[("a", None, texts(&["x"])), ("b", None, texts(&["y"]))], SHAPE);
-    assert_eq!(as_csv(&unknown).unwrap_err(), "not a file of a known format");
+    let said = as_csv(&unknown).unwrap_err();
+    assert_eq!(said, "no column of measured values: name it in the first line, such as id;callout;measured");
     let empty = file(&[], SHAPE);
     assert!(as_csv(&empty).is_err());
     let inner = optional("x", Physical::INT32, None, 0);
@@ -501,4 +502,51 @@ fn a_damaged_file_is_refused_or_read_and_nothing_else() {
     }
     let garbage = [b"PAR1".as_slice(), &[7; 1000], b"PAR1"].concat();
     assert!(as_csv(&garbage.into()).is_err());
+}
+
+#[test]
+fn survey() {
+    static SEEN: std::sync::Mutex<std::collections::BTreeMap<String, usize>> =
+        std::sync::Mutex::new(std::collections::BTreeMap::new());
+    std::panic::set_hook(Box::new(|info| {
+        let place = info
+            .location()
+            .map(|l| format!("{}:{}", l.file().rsplit("parquet-60.1.0").next().unwrap(), l.line()))
+            .unwrap_or_default();
+        let bt = std::backtrace::Backtrace::force_capture().to_string();
+        let f = bt
+            .lines()
+            .filter(|l| l.contains("parquet::"))
+            .take(3)
+            .map(|l| l.trim().chars().take(90).collect::<String>())
+            .collect::<Vec<_>>()
+            .join(" < ");
+        *SEEN.lock().unwrap().entry(format!("{place} {f}")).or_default() += 1;
+    }));
+    let words: Vec<String> = (0..40).map(|n| format!("P{n}")).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let nums: Vec<Option<i64>> = (0..40).map(|n| (n % 5 != 0).then_some(25_000_000 + n)).collect();
+    let fixed: Vec<Option<Vec<u8>>> = nums.iter().map(|n| n.map(|n| big_endian(n.into(), Some(16)))).collect();
+    let mut all: Vec<Vec<u8>> = vec![include_bytes!("../data/parquet/duckdb.parquet").to_vec(), include_bytes!("../data/parquet/polars.parquet").to_vec()];
+    for e in std::fs::read_dir("/tmp/pq/small").unwrap() { all.push(std::fs::read(e.unwrap().path()).unwrap()); }
+    let _ = (&words, &fixed);
+    for bytes in all {
+        let mut bad = 0;
+        let mut ok = 0;
+        for at in 0..bytes.len() {
+            for change in [0x01_u8, 0x10, 0x80, 0xff] {
+                let mut changed = bytes.clone();
+                changed[at] ^= change;
+                match std::panic::catch_unwind(|| as_csv(&changed.into())) {
+                    Err(_) => bad += 1,
+                    Ok(Ok(_)) => ok += 1,
+                    _ => {}
+                }
+            }
+        }
+        eprintln!("{} bytes {bad} panics {ok} ok", bytes.len());
+    }
+    for (k, v) in SEEN.lock().unwrap().iter() {
+        eprintln!("{v} {k}");
+    }
 }

@@ -5,14 +5,17 @@
 //! | `field` | what a column of a file is: its name, its type, and how its values are read |
 //! | `column` | some rows of a column in memory, and one value of it |
 //! | `text` | a value as the text that it would have in CSV |
+//! | `checked` | pages looked at before they are decoded |
 //! | `read` | the rows of a file, a few thousand at a time, however large its row groups are |
-//! | `page` | the values of a column as a packed page |
+//! | `page`, `delta` | the values of a column as a packed page; whole numbers as packed differences |
 //! | `write` | row groups, made by any thread, and the file that they become |
 //!
 //! The format: Apache Parquet 2, <https://github.com/apache/parquet-format>. Nested columns are refused. Nothing here opens
 //! a file: whatever can be read at any place will do.
 
+mod checked;
 mod column;
+mod delta;
 mod field;
 mod page;
 mod read;

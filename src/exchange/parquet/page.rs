@@ -15,6 +15,8 @@ use parquet::file::statistics::Statistics;
 use parquet::file::writer::{SerializedPageWriter, TrackedWrite};
 use parquet::schema::types::ColumnDescPtr;
 
+use super::delta::put_varint;
+
 /// The column of a row group, ready to be written.
 #[derive(Debug)]
 pub(super) struct Chunk {
@@ -27,6 +29,8 @@ pub(super) struct Chunk {
 pub(super) enum Body<'a> {
     /// As the format's plain encoding has them.
     Plain(&'a [u8]),
+    /// As packed differences, which are not packed again.
+    Delta(&'a [u8]),
     /// Words, in the plain encoding, and for each value the number of its word.
     Words(&'a [u8], u32, &'a [u8]),
 }
@@ -54,6 +58,7 @@ impl Packer {
         let mut out = TrackedWrite::new(Vec::new());
         let mut pages = SerializedPageWriter::new(&mut out);
         let (mut unpacked, mut packed) = (0, 0);
+        let is_packed = !matches!(body, Body::Delta(_));
         let num_values = u32::try_from(rows).map_err(|_| too_large())?;
         let mut dictionary_page = None;
         let mut data_page = 0;
@@ -80,6 +85,10 @@ impl Packer {
                 text.extend_from_slice(values);
                 Encoding::PLAIN
             }
+            Body::Delta(values) => {
+                text.extend_from_slice(values);
+                Encoding::DELTA_BINARY_PACKED
+            }
             Body::Words(_, count, numbers) => {
                 let width = (u32::BITS - count.saturating_sub(1).leading_zeros()).max(1);
                 let width = u8::try_from(width).map_err(|_| too_large())?;
@@ -88,20 +97,25 @@ impl Packer {
                 Encoding::RLE_DICTIONARY
             }
         };
+        let size = text.len();
         let page = Page::DataPage {
-            buf: self.pack(&text)?,
+            buf: if is_packed { self.pack(&text)? } else { text.into() },
             num_values,
             encoding,
             def_level_encoding: Encoding::RLE,
             rep_level_encoding: Encoding::RLE,
             statistics: None,
         };
-        let spec = pages.write_page(CompressedPage::new(page, text.len()))?;
+        let spec = pages.write_page(CompressedPage::new(page, size))?;
         unpacked += spec.uncompressed_size;
         packed += spec.compressed_size;
         let number = |size: usize| i64::try_from(size).map_err(|_| too_large());
         let mut metadata = ColumnChunkMetaData::builder(std::sync::Arc::clone(column))
-            .set_compression(Compression::ZSTD(ZstdLevel::try_new(LEVEL)?))
+            .set_compression(if is_packed {
+                Compression::ZSTD(ZstdLevel::try_new(LEVEL)?)
+            } else {
+                Compression::UNCOMPRESSED
+            })
             .set_encodings(vec![Encoding::PLAIN, Encoding::RLE, encoding])
             .set_num_values(number(rows)?)
             .set_total_uncompressed_size(number(unpacked)?)
@@ -142,11 +156,11 @@ fn put_bits(mut numbers: impl Iterator<Item = u8> + Clone, count: usize, width: 
     let mut all = numbers.clone();
     let first = all.next().unwrap_or_default();
     if all.all(|number| number == first) {
-        put_varint(count << 1, out);
+        put_varint(u64::try_from(count << 1).unwrap_or_default(), out);
         out.push(first);
         return;
     }
-    put_varint(count.div_ceil(8) << 1 | 1, out);
+    put_varint(u64::try_from(count.div_ceil(8) << 1 | 1).unwrap_or_default(), out);
     for _ in 0..count.div_ceil(8) {
         // Eight numbers of at most eight bits fit.
         let mut group = 0_u64;
@@ -155,17 +169,5 @@ fn put_bits(mut numbers: impl Iterator<Item = u8> + Clone, count: usize, width: 
         }
         let bytes = usize::try_from(width).unwrap_or_default();
         out.extend(group.to_le_bytes().into_iter().take(bytes));
-    }
-}
-
-/// Seven bits a byte, the lowest first, with a mark on all bytes but the last.
-fn put_varint(mut number: usize, out: &mut Vec<u8>) {
-    loop {
-        let low = u8::try_from(number & 0x7f).unwrap_or_default();
-        number >>= 7;
-        if number == 0 {
-            return out.push(low);
-        }
-        out.push(low | 0x80);
     }
 }

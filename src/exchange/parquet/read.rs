@@ -1,10 +1,12 @@
 //! The rows of a file, a few thousand at a time, however large its row groups are.
 
-use parquet::column::reader::ColumnReader;
+use parquet::basic::Type as Physical;
+use parquet::column::reader::{ColumnReader, get_column_reader};
 use parquet::errors::ParquetError;
 use parquet::file::reader::{ChunkReader, FileReader as _, SerializedFileReader};
 
 use super::Field;
+use super::checked::Checked;
 use super::column::Rows;
 use crate::exchange::error::ImportErrorKind;
 
@@ -134,17 +136,32 @@ impl<R: ChunkReader + 'static> Reader<R> {
             let of_group = group.metadata();
             let rows = of_group.num_rows();
             for (column, field) in of_group.columns().iter().zip(&self.fields) {
+                let name = field.name();
+                let general = |what: &str| Err(ParquetError::General(format!("column {name} {what}")));
                 if column.num_values() != rows {
-                    let name = field.name();
-                    return Err(ParquetError::General(format!(
-                        "column {name} has not as many values as its row group rows"
-                    )));
+                    return general("has not as many values as its row group rows");
+                }
+                let begin = column.dictionary_page_offset().unwrap_or_else(|| column.data_page_offset());
+                let begin_and_size = (u64::try_from(begin), u64::try_from(column.compressed_size()));
+                match begin_and_size {
+                    (Ok(begin), Ok(size)) if begin.checked_add(size).is_some_and(|end| end <= self.size) => {}
+                    _ => return general("is not where the file says"),
                 }
             }
-            self.left =
-                usize::try_from(rows).map_err(|_| ParquetError::General("a row group of less than no rows".into()))?;
-            self.readers =
-                (0..of_group.num_columns()).map(|at| group.get_column_reader(at)).collect::<Result<_, _>>()?;
+            self.left = usize::try_from(rows)
+                .map_err(|_| ParquetError::General("a row group of less than no rows".to_owned()))?;
+            self.readers = (0..)
+                .zip(of_group.columns())
+                .map(|(at, column)| {
+                    let checked = Checked {
+                        pages: group.get_column_page_reader(at)?,
+                        has_texts: column.column_type() == Physical::BYTE_ARRAY,
+                        has_gaps: 0 < column.column_descr().max_def_level(),
+                        has_words: false,
+                    };
+                    Ok(get_column_reader(column.column_descr_ptr(), Box::new(checked)))
+                })
+                .collect::<Result<_, ParquetError>>()?;
             let all = usize::try_from(of_group.total_byte_size()).unwrap_or_default();
             self.row_bytes = (all / self.left.max(1)).max(1);
             self.group += 1;

@@ -9,14 +9,15 @@ use parquet::data_type::Int96;
 
 use super::column::Value;
 use super::field::{Kind, Part};
+use crate::length::{Length, Unit};
 
 /// Appends the text of a value.
 #[inline]
 pub(in crate::exchange) fn put(kind: Kind, value: Value<'_>, out: &mut Vec<u8>) {
     match (kind, value) {
         (Kind::Text, Value::Bytes(text)) => out.extend_from_slice(text),
-        (Kind::Decimal(scale), Value::Int64(number)) => put_decimal(number.into(), scale, out),
-        (Kind::Decimal(scale), Value::Int32(number)) => put_decimal(number.into(), scale, out),
+        (Kind::Decimal(scale), Value::Int64(number)) => put_short(number, scale, out),
+        (Kind::Decimal(scale), Value::Int32(number)) => put_short(number.into(), scale, out),
         (Kind::Float, Value::Double(number)) => put_double(number, out),
         _ => put_other(kind, value, out),
     }
@@ -63,6 +64,17 @@ fn put_other(kind: Kind, value: Value<'_>, out: &mut Vec<u8>) {
 
 fn put_hexadecimal(bytes: &[u8], out: &mut Vec<u8>) -> std::io::Result<()> {
     bytes.iter().try_for_each(|byte| write!(out, "{byte:02x}"))
+}
+
+/// A number with `scale` decimals: in the way of lengths if it may be one, three figures at a time.
+#[inline]
+fn put_short(number: i64, scale: usize, out: &mut Vec<u8>) {
+    let factor = [1_000_000, 100_000, 10_000, 1_000, 100, 10, 1].get(scale);
+    let length = factor.and_then(|factor| Length::from_nanometres(number.checked_mul(*factor)?).ok());
+    match length {
+        Some(length) => length.put_exact(Unit::Millimetre, scale, out),
+        None => put_decimal(number.into(), scale, out),
+    }
 }
 
 /// A number with `scale` decimals; behind the sixth one zeros at the end are left out, since a nanometre needs no more.
@@ -152,6 +164,19 @@ fn put_large(bytes: &[u8], scale: usize, out: &mut Vec<u8>) {
 
 /// The shortest decimal that stands for a binary fraction and no other.
 fn put_double(number: f64, out: &mut Vec<u8>) {
+    // Of 15 figures a binary fraction stands for one decimal only, so what gives the number back is its shortest text.
+    let millionths = (number * 1e6).round();
+    if millionths.abs() < 1e15 && millionths / 1e6 == number && number != 0.0 {
+        #[expect(
+            clippy::as_conversions,
+            clippy::cast_possible_truncation,
+            reason = "a whole number of at most 15 figures"
+        )]
+        let whole = millionths as i64;
+        if let Ok(length) = Length::from_nanometres(whole) {
+            return length.put_exact(Unit::Millimetre, 0, out);
+        }
+    }
     // Writing to memory does not fail.
     let _written = write!(out, "{number}");
 }

@@ -1,9 +1,11 @@
 //! Row groups, made by any thread, and the file that they become.
 
 use std::collections::HashMap;
+use std::hash::Hash;
 use std::io::{self, Write};
 use std::sync::Arc;
 
+use parquet::data_type::ByteArray;
 use parquet::errors::ParquetError;
 use parquet::file::properties::WriterProperties;
 use parquet::file::statistics::Statistics;
@@ -12,6 +14,7 @@ use parquet::schema::types::{SchemaDescPtr, SchemaDescriptor, Type};
 
 use super::Field;
 use super::column::{Rows, Values};
+use super::delta;
 use super::page::{Body, Chunk, Packer};
 
 /// A row group, ready to be written.
@@ -63,14 +66,28 @@ impl Chunks {
         levels: &[i16],
         values: &[i64],
     ) -> Result<(), ParquetError> {
-        let mut plain = std::mem::take(&mut self.plain);
-        plain.clear();
-        values.iter().for_each(|value| plain.extend_from_slice(&value.to_le_bytes()));
         let (least, most) = (values.iter().min().copied(), values.iter().max().copied());
         let nulls = u64::try_from(rows.saturating_sub(values.len())).ok();
-        let added =
-            self.add(rows, levels, Body::Plain(&plain), Some(Statistics::int64(least, most, None, nulls, false)));
-        self.plain = plain;
+        self.numbers_with(rows, levels, values, Some(Statistics::int64(least, most, None, nulls, false)))
+    }
+
+    fn numbers_with(
+        &mut self,
+        rows: usize,
+        levels: &[i16],
+        values: &[i64],
+        statistics: Option<Statistics>,
+    ) -> Result<(), ParquetError> {
+        if let Some((words, numbers)) = few(values.iter().copied()) {
+            let plain: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+            let count = u32::try_from(words.len()).unwrap_or(u32::MAX);
+            return self.add(rows, levels, Body::Words(&plain, count, &numbers), statistics);
+        }
+        let mut packed = std::mem::take(&mut self.plain);
+        packed.clear();
+        delta::put(values, &mut packed);
+        let added = self.add(rows, levels, Body::Delta(&packed), statistics);
+        self.plain = packed;
         added
     }
 
@@ -108,11 +125,21 @@ impl Chunks {
     /// The next columns: all of some rows that were read.
     pub(in crate::exchange) fn rows(&mut self, rows: &Rows) -> Result<(), ParquetError> {
         for column in &rows.columns {
-            if let Values::Bytes(values) = &column.values
-                && let Some((words, count, numbers)) = few_words(values)
-            {
-                self.add(rows.count, &column.levels, Body::Words(&words, count, &numbers), None)?;
-                continue;
+            match &column.values {
+                Values::Bytes(values) => {
+                    if let Some((words, numbers)) = few(values.iter().map(ByteArray::data)) {
+                        let mut plain = Vec::new();
+                        words.iter().for_each(|word| put_text(word, &mut plain));
+                        let count = u32::try_from(words.len()).unwrap_or(u32::MAX);
+                        self.add(rows.count, &column.levels, Body::Words(&plain, count, &numbers), None)?;
+                        continue;
+                    }
+                }
+                Values::Int64(values) => {
+                    self.numbers_with(rows.count, &column.levels, values, None)?;
+                    continue;
+                }
+                _ => {}
             }
             let mut plain = std::mem::take(&mut self.plain);
             plain.clear();
@@ -143,29 +170,35 @@ const WORDS: usize = 256;
 /// How many values decide whether a column has few different words.
 const LOOKED_AT: usize = 1_024;
 
-/// The words of a column and for each value the number of its word; `None` where it has many.
-fn few_words(values: &[parquet::data_type::ByteArray]) -> Option<(Vec<u8>, u32, Vec<u8>)> {
-    let mut known: HashMap<&[u8], u8> = HashMap::new();
-    let mut numbers = Vec::with_capacity(values.len());
+/// The different values of a column and for each value the number of its own; `None` where there are many.
+fn few<T: Copy + Eq + Hash>(values: impl ExactSizeIterator<Item = T>) -> Option<(Vec<T>, Vec<u8>)> {
+    let mut known: HashMap<T, u8> = HashMap::new();
+    let mut numbers = Vec::with_capacity(values.len().min(LOOKED_AT));
     let mut words = Vec::new();
+    let mut last = None;
     for value in values {
-        let word = value.data();
-        let next = known.len();
-        let number = match known.get(word) {
+        if let Some((before, number)) = last
+            && before == value
+        {
+            numbers.push(number);
+            continue;
+        }
+        let number = match known.get(&value) {
             Some(number) => *number,
             None => {
-                let number = u8::try_from(next).ok()?;
-                if WORDS / 4 < next && numbers.len() < LOOKED_AT {
+                let number = u8::try_from(words.len()).ok()?;
+                if WORDS / 4 < words.len() && numbers.len() < LOOKED_AT {
                     return None;
                 }
-                known.insert(word, number);
-                put_text(word, &mut words);
+                known.insert(value, number);
+                words.push(value);
                 number
             }
         };
+        last = Some((value, number));
         numbers.push(number);
     }
-    Some((words, u32::try_from(known.len()).ok()?, numbers)).filter(|(_, count, _)| 0 < *count)
+    Some((words, numbers)).filter(|(words, _)| !words.is_empty())
 }
 
 /// Eight to a byte, the first one in its lowest bit.
