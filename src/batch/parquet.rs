@@ -7,6 +7,15 @@ use super::{Failed, Input, Manner, Rendering, Source, Summary, Watch, Watched, W
 use crate::exchange::batch::{Answers, Block, Court, Judge, Purpose, Tally, Typed};
 use crate::exchange::parquet::{ChunkReader, Field, Group, Reader, Writer};
 
+/// How a run that writes Parquet is done.
+#[derive(Debug, Clone, Copy)]
+pub struct Columns<'a> {
+    /// The columns of the output.
+    pub columns: &'a [Field],
+    /// How many workers judge at the same time, at least one.
+    pub workers: usize,
+}
+
 /// The rows of a file.
 struct Portions<R: ChunkReader> {
     file: Reader<R>,
@@ -55,8 +64,7 @@ pub fn into_text<R: Rendering, F: ChunkReader + 'static>(
 pub fn through<F: ChunkReader + 'static, W: Write + Send>(
     file: Reader<F>,
     court: &Court<'_>,
-    columns: &[Field],
-    workers: usize,
+    manner: Columns<'_>,
     out: &mut Writer<W>,
     watch: &Watch,
     tick: &mut dyn FnMut(&Watch),
@@ -64,7 +72,7 @@ pub fn through<F: ChunkReader + 'static, W: Write + Send>(
     let fields = file.fields().to_vec();
     let hire = || Groups {
         judge: court.judge(),
-        answers: Answers::new(columns, 0),
+        answers: Answers::new(manner.columns, 0),
         group: Ok(None),
         make: |typed: &mut Typed, judge: &mut Judge<'_>, answers: &mut Answers| {
             let tally = typed.judge(&fields, Purpose::Columns, judge, answers);
@@ -73,7 +81,7 @@ pub fn through<F: ChunkReader + 'static, W: Write + Send>(
         streams: std::marker::PhantomData,
     };
     let source = Portions { file, purpose: Purpose::Columns };
-    take_turns(source, out, workers, Watched { watch, tick }, hire)
+    take_turns(source, out, manner.workers, Watched { watch, tick }, hire)
 }
 
 /// Judges all rows of a stream of CSV and writes them as row groups with these columns, in their order.
@@ -83,8 +91,7 @@ pub fn through<F: ChunkReader + 'static, W: Write + Send>(
 pub fn from_text<W: Write + Send>(
     input: Input<'_>,
     court: &Court<'_>,
-    columns: &[Field],
-    workers: usize,
+    manner: Columns<'_>,
     out: &mut Writer<W>,
     watch: &Watch,
     tick: &mut dyn FnMut(&Watch),
@@ -92,7 +99,7 @@ pub fn from_text<W: Write + Send>(
     let texts = court.layout().names.len();
     let hire = || Groups {
         judge: court.judge(),
-        answers: Answers::new(columns, texts),
+        answers: Answers::new(manner.columns, texts),
         group: Ok(None),
         make: |block: &mut Block, judge: &mut Judge<'_>, answers: &mut Answers| {
             let tally = judge.block(block, answers);
@@ -100,7 +107,7 @@ pub fn from_text<W: Write + Send>(
         },
         streams: std::marker::PhantomData,
     };
-    take_turns(Blocks { input, bytes: 0 }, out, workers, Watched { watch, tick }, hire)
+    take_turns(Blocks { input, bytes: 0 }, out, manner.workers, Watched { watch, tick }, hire)
 }
 
 /// A worker that writes row groups: one of each portion.

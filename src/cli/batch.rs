@@ -191,7 +191,7 @@ enum From<'a> {
 /// Where the answers go.
 enum Answers<'o> {
     Text(&'o mut (dyn Write + Send)),
-    Parquet(parquet::Writer<'o>),
+    Parquet(Box<parquet::Writer<'o>>),
 }
 
 /// How much CSV becomes a row group of Parquet, 4 MiB: about as many rows as engines make row groups of.
@@ -252,7 +252,7 @@ impl Job<'_> {
             Form::Parquet => {
                 let file = if let From::Parquet(file) = &opened.from { Some(file) } else { None };
                 let writer = parquet::Writer::new(out, &opened.layout, file, &self.args.prefix);
-                Ok(Answers::Parquet(writer.map_err(|error| self.not_written(error))?))
+                Ok(Answers::Parquet(Box::new(writer.map_err(|error| self.not_written(error))?)))
             }
         }
     }

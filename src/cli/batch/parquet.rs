@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use crate::batch::parquet::Columns;
 use crate::batch::{Failed, Input, Manner, Rendering, Summary, Watch, parquet};
 use crate::exchange::ImportErrorKind;
 use crate::exchange::batch::{Court, Layout, layout_of, output_fields};
@@ -69,7 +70,8 @@ impl<'o> Writer<'o> {
         watch: &Watch,
         tick: &mut dyn FnMut(&Watch),
     ) -> Result<Summary, Failed> {
-        parquet::from_text(input, court, &self.columns, workers, &mut self.out, watch, tick)
+        let manner = Columns { columns: &self.columns, workers };
+        parquet::from_text(input, court, manner, &mut self.out, watch, tick)
     }
 
     /// Judges all rows of a file and writes them.
@@ -81,7 +83,8 @@ impl<'o> Writer<'o> {
         watch: &Watch,
         tick: &mut dyn FnMut(&Watch),
     ) -> Result<Summary, Failed> {
-        parquet::through(file, court, &self.columns, workers, &mut self.out, watch, tick)
+        let manner = Columns { columns: &self.columns, workers };
+        parquet::through(file, court, manner, &mut self.out, watch, tick)
     }
 
     /// The end of the file.

@@ -20,6 +20,7 @@ const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// What is known of a stream before its rows are judged.
 #[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each answers another question about the stream")]
 pub struct Layout {
     pub(super) columns: Columns,
     pub(super) separator: u8,

@@ -104,6 +104,7 @@ pub(in crate::exchange) struct Column {
 
 impl Column {
     /// Reads the next rows behind those that are there; how many came.
+    #[expect(clippy::needless_pass_by_ref_mut, reason = "each kind of reader is used mutably")]
     fn read(&mut self, reader: &mut ColumnReader, count: usize) -> Result<usize, ParquetError> {
         let levels = self.is_optional.then_some(&mut self.levels);
         let read = match (reader, &mut self.values) {

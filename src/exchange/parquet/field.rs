@@ -96,7 +96,7 @@ impl Field {
     pub(in crate::exchange) fn text(name: &str) -> Result<Self, ParquetError> {
         let builder =
             Type::primitive_type_builder(name, Physical::BYTE_ARRAY).with_logical_type(Some(LogicalType::String));
-        Self::new(name, Kind::Text, builder.with_repetition(Repetition::OPTIONAL).build()?)
+        Ok(Self::new(name, Kind::Text, builder.with_repetition(Repetition::OPTIONAL).build()?))
     }
 
     /// A column of decimals of at most 18 figures; of these, `scale` are decimals.
@@ -107,25 +107,25 @@ impl Field {
             .with_scale(scale);
         let repetition = if is_optional { Repetition::OPTIONAL } else { Repetition::REQUIRED };
         let kind = Kind::Decimal(usize::try_from(scale).unwrap_or_default());
-        Self::new(name, kind, builder.with_repetition(repetition).build()?)
+        Ok(Self::new(name, kind, builder.with_repetition(repetition).build()?))
     }
 
     /// A column of texts without gaps.
     pub(in crate::exchange) fn required_text(name: &str) -> Result<Self, ParquetError> {
         let builder =
             Type::primitive_type_builder(name, Physical::BYTE_ARRAY).with_logical_type(Some(LogicalType::String));
-        Self::new(name, Kind::Text, builder.with_repetition(Repetition::REQUIRED).build()?)
+        Ok(Self::new(name, Kind::Text, builder.with_repetition(Repetition::REQUIRED).build()?))
     }
 
     /// A column of `true` and `false` without gaps.
     pub(in crate::exchange) fn boolean(name: &str) -> Result<Self, ParquetError> {
         let builder = Type::primitive_type_builder(name, Physical::BOOLEAN).with_repetition(Repetition::REQUIRED);
-        Self::new(name, Kind::Boolean, builder.build()?)
+        Ok(Self::new(name, Kind::Boolean, builder.build()?))
     }
 
-    fn new(name: &str, kind: Kind, declared: Type) -> Result<Self, ParquetError> {
+    fn new(name: &str, kind: Kind, declared: Type) -> Self {
         let is_optional = declared.is_optional();
-        Ok(Self { name: name.to_owned(), kind, is_optional, declared: declared.into() })
+        Self { name: name.to_owned(), kind, is_optional, declared: declared.into() }
     }
 
     /// Its name.

@@ -5,7 +5,7 @@
 //! | `field` | what a column of a file is: its name, its type, and how its values are read |
 //! | `column` | some rows of a column in memory, and one value of it |
 //! | `text` | a value as the text that it would have in CSV |
-//! | `checked` | pages looked at before they are decoded |
+//! | `checked`, `guarded` | pages looked at before they are decoded; a panic of a decoder as an error |
 //! | `read` | the rows of a file, a few thousand at a time, however large its row groups are |
 //! | `page`, `delta` | the values of a column as a packed page; whole numbers as packed differences |
 //! | `write` | row groups, made by any thread, and the file that they become |
@@ -17,6 +17,7 @@ mod checked;
 mod column;
 mod delta;
 mod field;
+mod guarded;
 mod page;
 mod read;
 mod text;

@@ -59,7 +59,7 @@ impl Packer {
         let mut pages = SerializedPageWriter::new(&mut out);
         let (mut unpacked, mut packed) = (0, 0);
         let is_packed = !matches!(body, Body::Delta(_));
-        let num_values = u32::try_from(rows).map_err(|_| too_large())?;
+        let num_values = u32::try_from(rows).map_err(too_large)?;
         let mut dictionary_page = None;
         let mut data_page = 0;
         if let Body::Words(words, count, _) = body {
@@ -69,13 +69,13 @@ impl Packer {
             unpacked += spec.uncompressed_size;
             packed += spec.compressed_size;
             dictionary_page = Some(0);
-            data_page = i64::try_from(spec.bytes_written).map_err(|_| too_large())?;
+            data_page = i64::try_from(spec.bytes_written).map_err(too_large)?;
         }
         let mut text = Vec::new();
         if 0 < column.max_def_level() {
             text.extend_from_slice(&[0; 4]);
             put_bits(levels.iter().map(|level| u8::from(*level != 0)), levels.len(), 1, &mut text);
-            let length = u32::try_from(text.len() - 4).map_err(|_| too_large())?;
+            let length = u32::try_from(text.len() - 4).map_err(too_large)?;
             if let Some((place, _)) = text.split_first_chunk_mut() {
                 *place = length.to_le_bytes();
             }
@@ -91,7 +91,7 @@ impl Packer {
             }
             Body::Words(_, count, numbers) => {
                 let width = (u32::BITS - count.saturating_sub(1).leading_zeros()).max(1);
-                let width = u8::try_from(width).map_err(|_| too_large())?;
+                let width = u8::try_from(width).map_err(too_large)?;
                 text.push(width);
                 put_bits(numbers.iter().copied(), numbers.len(), width.into(), &mut text);
                 Encoding::RLE_DICTIONARY
@@ -109,7 +109,7 @@ impl Packer {
         let spec = pages.write_page(CompressedPage::new(page, size))?;
         unpacked += spec.uncompressed_size;
         packed += spec.compressed_size;
-        let number = |size: usize| i64::try_from(size).map_err(|_| too_large());
+        let number = |size: usize| i64::try_from(size).map_err(too_large);
         let mut metadata = ColumnChunkMetaData::builder(std::sync::Arc::clone(column))
             .set_compression(if is_packed {
                 Compression::ZSTD(ZstdLevel::try_new(LEVEL)?)
@@ -126,7 +126,7 @@ impl Packer {
             metadata = metadata.set_statistics(statistics);
         }
         let close = ColumnCloseResult {
-            bytes_written: u64::try_from(packed).map_err(|_| too_large())?,
+            bytes_written: u64::try_from(packed).map_err(too_large)?,
             rows_written: num_values.into(),
             metadata: metadata.build()?,
             bloom_filter: None,
@@ -138,7 +138,7 @@ impl Packer {
 
     fn pack(&mut self, text: &[u8]) -> Result<Bytes, ParquetError> {
         // Sizes of pages have 31 bits.
-        i32::try_from(text.len()).map_err(|_| too_large())?;
+        i32::try_from(text.len()).map_err(too_large)?;
         Ok(self.zstd.compress(text)?.into())
     }
 }
@@ -146,8 +146,8 @@ impl Packer {
 /// A tenth smaller than Snappy would make it four times, and hardly slower: `benches/peers`.
 const LEVEL: i32 = 1;
 
-fn too_large() -> ParquetError {
-    ParquetError::General("a row group of more than 2 GB in one column".to_owned())
+fn too_large(error: std::num::TryFromIntError) -> ParquetError {
+    ParquetError::General(format!("a row group of more than 2 GB in one column: {error}"))
 }
 
 /// Numbers of a few bits: as one run where all are the same, else each in its bits, the lowest first (the format's hybrid

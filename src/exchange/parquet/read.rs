@@ -8,6 +8,7 @@ use parquet::file::reader::{ChunkReader, FileReader as _, SerializedFileReader};
 use super::Field;
 use super::checked::Checked;
 use super::column::Rows;
+use super::guarded::guarded;
 use crate::exchange::error::ImportErrorKind;
 
 /// How many rows are read of one column before the next one's turn.
@@ -53,7 +54,7 @@ impl<R: ChunkReader + 'static> Reader<R> {
     pub fn new(file: R) -> Result<Self, ImportErrorKind> {
         let damaged = |error: ParquetError| ImportErrorKind::Parquet { reason: reason(&error) };
         let size = file.len();
-        let file = SerializedFileReader::new(file).map_err(damaged)?;
+        let file = guarded(|| SerializedFileReader::new(file)).map_err(damaged)?;
         let columns = file.metadata().file_metadata().schema_descr().columns();
         let fields: Result<Vec<Field>, String> = columns.iter().map(|column| Field::of(column)).collect();
         let fields = fields.map_err(|column| ImportErrorKind::ParquetNested { column })?;
@@ -87,7 +88,7 @@ impl<R: ChunkReader + 'static> Reader<R> {
     /// # Errors
     /// What is damaged.
     pub(in crate::exchange) fn next(&mut self, wanted: Wanted, rows: &mut Rows) -> Result<bool, ParquetError> {
-        let is_there = self.fill(wanted, rows)?;
+        let is_there = guarded(|| self.fill(wanted, rows))?;
         self.given += u64::try_from(rows.count).unwrap_or_default();
         Ok(is_there)
     }
@@ -109,8 +110,8 @@ impl<R: ChunkReader + 'static> Reader<R> {
                 self.rest = Some(rows.split_off(counted + some));
                 return Ok(true);
             }
-            if 0 < some {
-                self.row_bytes = (more / some).max(1);
+            if let Some(bytes) = more.checked_div(some) {
+                self.row_bytes = bytes.max(1);
             }
             counted += some;
             bytes += more;
@@ -149,7 +150,7 @@ impl<R: ChunkReader + 'static> Reader<R> {
                 }
             }
             self.left = usize::try_from(rows)
-                .map_err(|_| ParquetError::General("a row group of less than no rows".to_owned()))?;
+                .map_err(|error| ParquetError::General(format!("the rows of a row group: {error}")))?;
             self.readers = (0..)
                 .zip(of_group.columns())
                 .map(|(at, column)| {

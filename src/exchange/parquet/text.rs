@@ -88,18 +88,15 @@ fn put_decimal(number: i128, scale: usize, out: &mut Vec<u8>) {
     // Sixty-four bits are divided faster.
     let mut short = u64::try_from(rest).ok();
     for (at, figure) in figures.iter_mut().enumerate().rev() {
-        let digit = match &mut short {
-            Some(short) => {
-                let digit = *short % 10;
-                *short /= 10;
-                u8::try_from(digit).unwrap_or_default()
-            }
-            None => {
-                let digit = rest % 10;
-                rest /= 10;
-                short = u64::try_from(rest).ok();
-                u8::try_from(digit).unwrap_or_default()
-            }
+        let digit = if let Some(short) = &mut short {
+            let digit = *short % 10;
+            *short /= 10;
+            u8::try_from(digit).unwrap_or_default()
+        } else {
+            let digit = rest % 10;
+            rest /= 10;
+            short = u64::try_from(rest).ok();
+            u8::try_from(digit).unwrap_or_default()
         };
         *figure = b'0' + digit;
         first = at;
@@ -166,14 +163,17 @@ fn put_large(bytes: &[u8], scale: usize, out: &mut Vec<u8>) {
 fn put_double(number: f64, out: &mut Vec<u8>) {
     // Of 15 figures a binary fraction stands for one decimal only, so what gives the number back is its shortest text.
     let millionths = (number * 1e6).round();
-    if millionths.abs() < 1e15 && millionths / 1e6 == number && number != 0.0 {
+    if millionths.abs() < 1e15 && (millionths / 1e6).to_bits() == number.to_bits() {
         #[expect(
             clippy::as_conversions,
             clippy::cast_possible_truncation,
             reason = "a whole number of at most 15 figures"
         )]
         let whole = millionths as i64;
-        if let Ok(length) = Length::from_nanometres(whole) {
+        // Zero has a sign here.
+        if whole != 0
+            && let Ok(length) = Length::from_nanometres(whole)
+        {
             return length.put_exact(Unit::Millimetre, 0, out);
         }
     }

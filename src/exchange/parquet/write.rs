@@ -5,7 +5,7 @@ use std::hash::Hash;
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use parquet::data_type::ByteArray;
+use parquet::data_type::{ByteArray, Int96};
 use parquet::errors::ParquetError;
 use parquet::file::properties::WriterProperties;
 use parquet::file::statistics::Statistics;
@@ -27,7 +27,7 @@ pub struct Group {
 pub(in crate::exchange) struct Chunks {
     schema: SchemaDescPtr,
     packer: Packer,
-    chunks: Vec<Chunk>,
+    done: Vec<Chunk>,
     /// The plain encoding of the column at hand.
     plain: Vec<u8>,
 }
@@ -42,7 +42,7 @@ fn schema(fields: &[Field]) -> Result<SchemaDescPtr, ParquetError> {
 impl Chunks {
     /// For row groups with these columns.
     pub(in crate::exchange) fn new(fields: &[Field]) -> Result<Self, ParquetError> {
-        Ok(Self { schema: schema(fields)?, packer: Packer::new()?, chunks: Vec::new(), plain: Vec::new() })
+        Ok(Self { schema: schema(fields)?, packer: Packer::new()?, done: Vec::new(), plain: Vec::new() })
     }
 
     fn add(
@@ -52,10 +52,10 @@ impl Chunks {
         body: Body<'_>,
         statistics: Option<Statistics>,
     ) -> Result<(), ParquetError> {
-        let column = self.schema.columns().get(self.chunks.len());
+        let column = self.schema.columns().get(self.done.len());
         let column = column.ok_or_else(|| ParquetError::General("more columns than the file has".to_owned()))?;
         let chunk = self.packer.chunk(column, rows, levels, body, statistics)?;
-        self.chunks.push(chunk);
+        self.done.push(chunk);
         Ok(())
     }
 
@@ -117,7 +117,9 @@ impl Chunks {
         numbers: &[u8],
     ) -> Result<(), ParquetError> {
         let mut plain = Vec::new();
-        words.iter().for_each(|word| put_text(word.as_bytes(), &mut plain));
+        for word in words {
+            put_text(word.as_bytes(), &mut plain);
+        }
         let count = u32::try_from(words.len()).unwrap_or(u32::MAX);
         self.add(rows, levels, Body::Words(&plain, count, numbers), None)
     }
@@ -129,7 +131,9 @@ impl Chunks {
                 Values::Bytes(values) => {
                     if let Some((words, numbers)) = few(values.iter().map(ByteArray::data)) {
                         let mut plain = Vec::new();
-                        words.iter().for_each(|word| put_text(word, &mut plain));
+                        for word in &words {
+                            put_text(word, &mut plain);
+                        }
                         let count = u32::try_from(words.len()).unwrap_or(u32::MAX);
                         self.add(rows.count, &column.levels, Body::Words(&plain, count, &numbers), None)?;
                         continue;
@@ -153,7 +157,7 @@ impl Chunks {
 
     /// All columns of a row group; those of the next one follow.
     pub(in crate::exchange) fn group(&mut self) -> Group {
-        Group { chunks: std::mem::take(&mut self.chunks) }
+        Group { chunks: std::mem::take(&mut self.done) }
     }
 }
 
@@ -183,17 +187,16 @@ fn few<T: Copy + Eq + Hash>(values: impl ExactSizeIterator<Item = T>) -> Option<
             numbers.push(number);
             continue;
         }
-        let number = match known.get(&value) {
-            Some(number) => *number,
-            None => {
-                let number = u8::try_from(words.len()).ok()?;
-                if WORDS / 4 < words.len() && numbers.len() < LOOKED_AT {
-                    return None;
-                }
-                known.insert(value, number);
-                words.push(value);
-                number
+        let number = if let Some(number) = known.get(&value) {
+            *number
+        } else {
+            let number = u8::try_from(words.len()).ok()?;
+            if WORDS / 4 < words.len() && numbers.len() < LOOKED_AT {
+                return None;
             }
+            known.insert(value, number);
+            words.push(value);
+            number
         };
         last = Some((value, number));
         numbers.push(number);
@@ -214,7 +217,7 @@ fn put_plain(values: &Values, out: &mut Vec<u8>) {
         Values::Int32(values) => values.iter().for_each(|value| out.extend_from_slice(&value.to_le_bytes())),
         Values::Int64(values) => values.iter().for_each(|value| out.extend_from_slice(&value.to_le_bytes())),
         Values::Int96(values) => {
-            values.iter().flat_map(|value| value.data()).for_each(|word| out.extend_from_slice(&word.to_le_bytes()));
+            values.iter().flat_map(Int96::data).for_each(|word| out.extend_from_slice(&word.to_le_bytes()));
         }
         Values::Float(values) => values.iter().for_each(|value| out.extend_from_slice(&value.to_le_bytes())),
         Values::Double(values) => values.iter().for_each(|value| out.extend_from_slice(&value.to_le_bytes())),
