@@ -86,7 +86,7 @@ impl<'c, 'o, R: Rendering, P, J: Fn(&mut P, &mut Judge<'_>, &mut R) -> Tally> Wo
     fn judge(&mut self, portion: &mut P) -> Tally {
         self.rendering.out().clear();
         let tally = (self.of_portion)(portion, &mut self.judge, &mut self.rendering);
-        self.failed = self.packing.pack(self.rendering.out(), &mut self.packed).err();
+        self.failed = self.packing.pack(self.rendering.out().bytes(), &mut self.packed).err();
         tally
     }
 
@@ -94,7 +94,7 @@ impl<'c, 'o, R: Rendering, P, J: Fn(&mut P, &mut Judge<'_>, &mut R) -> Tally> Wo
         if let Some(error) = self.failed.take() {
             return Err(error);
         }
-        let text = if self.packing == Packing::Plain { self.rendering.out() } else { &self.packed };
+        let text = if self.packing == Packing::Plain { self.rendering.out().bytes() } else { &self.packed };
         // Whoever waits at the other end of a pipe gets what is there.
         sink.write_all(text).and_then(|()| sink.flush())
     }

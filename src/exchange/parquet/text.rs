@@ -9,7 +9,7 @@ use parquet::data_type::Int96;
 
 use super::column::Value;
 use super::field::{Kind, Part};
-use crate::length::{Length, Unit};
+use crate::length::{Length, Window};
 
 /// Appends the text of a value.
 #[inline]
@@ -72,9 +72,17 @@ fn put_short(number: i64, scale: usize, out: &mut Vec<u8>) {
     let factor = [1_000_000, 100_000, 10_000, 1_000, 100, 10, 1].get(scale);
     let length = factor.and_then(|factor| Length::from_nanometres(number.checked_mul(*factor)?).ok());
     match length {
-        Some(length) => length.put_exact(Unit::Millimetre, scale, out),
+        Some(length) => put_length(length, scale, out),
         None => put_decimal(number.into(), scale, out),
     }
+}
+
+#[inline]
+fn put_length(length: Length, least: usize, out: &mut Vec<u8>) {
+    let mut room = [0; _];
+    let mut window = Window::new(&mut room);
+    length.put_mm(least, &mut window);
+    out.extend_from_slice(window.bytes());
 }
 
 /// A number with `scale` decimals; behind the sixth one zeros at the end are left out, since a nanometre needs no more.
@@ -174,7 +182,7 @@ fn put_double(number: f64, out: &mut Vec<u8>) {
         if whole != 0
             && let Ok(length) = Length::from_nanometres(whole)
         {
-            return length.put_exact(Unit::Millimetre, 0, out);
+            return put_length(length, 0, out);
         }
     }
     // Writing to memory does not fail.
