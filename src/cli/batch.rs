@@ -4,6 +4,13 @@
 mod parquet;
 #[cfg(not(feature = "parquet"))]
 #[path = "batch/no_parquet.rs"]
+#[expect(
+    clippy::extra_unused_type_parameters,
+    clippy::needless_pass_by_ref_mut,
+    clippy::needless_pass_by_value,
+    clippy::unused_self,
+    reason = "the shape of the other, with nothing to do"
+)]
 mod parquet;
 mod progress;
 mod summary;
