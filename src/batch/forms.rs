@@ -10,11 +10,16 @@ pub enum Form {
     Csv,
     /// An object a line.
     JsonLines,
+    /// Columns of typed values; written by programs with the feature `parquet`.
+    Parquet,
 }
 
 /// Every form: its name on the command line, the endings of its files, and what it is.
-pub const FORMS: &[(Form, &str, &[&str])] =
-    &[(Form::Csv, "csv", &["csv", "tsv", "txt"]), (Form::JsonLines, "jsonl", &["jsonl", "ndjson"])];
+pub const FORMS: &[(Form, &str, &[&str])] = &[
+    (Form::Csv, "csv", &["csv", "tsv", "txt"]),
+    (Form::JsonLines, "jsonl", &["jsonl", "ndjson"]),
+    (Form::Parquet, "parquet", &["parquet", "pq"]),
+];
 
 impl Form {
     /// Its name on the command line.

@@ -6,21 +6,27 @@
 //! | here | the turns |
 //! | `stream` | what comes in and goes out: plain, gzip, Zstandard, UTF-16 |
 //! | `forms` | what the rows are written as |
+//! | `text` | CSV in; CSV and JSON lines out |
+//! | `parquet` | Parquet in and out, with the feature of that name |
 //!
 //! What a row means is in `exchange::batch`.
 
 mod forms;
+#[cfg(feature = "parquet")]
+pub mod parquet;
 mod stream;
+mod text;
 
-use std::io::{self, Read, Write};
+use std::io;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 pub use forms::{FORMS, Form, Rendering};
 pub use stream::{Packing, Stream};
+pub use text::{Input, run};
 
-use crate::exchange::batch::{Block, Counts, Court, Cutter, Judge, Tally};
+use crate::exchange::batch::{Counts, Judge, Tally};
 use crate::tolerance::ToleranceClass;
 
 /// How far a run has come, for whoever watches it, and its end.
@@ -45,14 +51,6 @@ pub struct Summary {
     pub others: Counts,
 }
 
-/// Where the rows come from.
-pub struct Input<'a> {
-    /// The stream, from its first row on.
-    pub stream: &'a mut (dyn Read + Send),
-    /// What cuts it into blocks.
-    pub cutter: Cutter,
-}
-
 /// How a run is done.
 #[derive(Debug, Clone, Copy)]
 pub struct Manner<'a> {
@@ -73,32 +71,57 @@ pub enum Failed {
     Writing(io::Error),
 }
 
-/// The stream, and which block comes next.
-struct Source<'a> {
-    input: Input<'a>,
+/// Gives the rows out, portion by portion.
+trait Source: Send {
+    type Portion: Default;
+
+    /// Fills a portion with the next rows; `false` at the end.
+    fn next(&mut self, portion: &mut Self::Portion) -> io::Result<bool>;
+
+    /// How many bytes of the input were given out.
+    fn bytes(&self) -> u64;
+}
+
+/// What one worker does with the rows.
+trait Work<'c> {
+    type Portion;
+    type Sink: ?Sized + Send;
+
+    /// Judges a portion and makes ready what is written of it.
+    fn judge(&mut self, portion: &mut Self::Portion) -> Tally;
+
+    /// Writes it.
+    fn write(&mut self, sink: &mut Self::Sink) -> io::Result<()>;
+
+    /// What was judged.
+    fn end(self) -> Judge<'c>;
+}
+
+/// Where the rows come from, and which portion comes next.
+struct In<S> {
+    source: S,
     next: u64,
     failed: Option<io::Error>,
     is_ended: bool,
 }
 
 /// Where the rows go, and whose turn it is to write.
-struct Sink<'a> {
-    out: &'a mut (dyn Write + Send),
+struct Out<'a, K: ?Sized> {
+    sink: &'a mut K,
     turn: u64,
     tally: Tally,
     failed: Option<io::Error>,
 }
 
-struct Turns<'a, 'i> {
-    source: Mutex<Source<'i>>,
-    sink: Mutex<Sink<'a>>,
+struct Turns<'a, S, K: ?Sized> {
+    source: Mutex<In<S>>,
+    sink: Mutex<Out<'a, K>>,
     /// Somebody has written.
     written: Condvar,
     /// How many workers are at work still.
     working: Mutex<usize>,
     ended: Condvar,
     watch: &'a Watch,
-    manner: Manner<'a>,
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -106,31 +129,33 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Judges all rows of a stream and writes them in their order. `tick` is called ten times a second meanwhile.
-///
-/// # Errors
-/// [`Failed`] says which side failed first.
-pub fn run<R: Rendering>(
-    input: Input<'_>,
-    court: &Court<'_>,
-    manner: Manner<'_>,
-    out: &mut (dyn Write + Send),
-    watch: &Watch,
-    tick: &mut dyn FnMut(&Watch),
+/// How a run is watched: where it says how far it is, and what is called ten times a second meanwhile.
+struct Watched<'a> {
+    watch: &'a Watch,
+    tick: &'a mut dyn FnMut(&Watch),
+}
+
+/// Judges all rows of a source and writes them in their order, each worker as `hire` makes it.
+fn take_turns<'c, S: Source, W: Work<'c, Portion = S::Portion>>(
+    source: S,
+    sink: &mut W::Sink,
+    workers: usize,
+    watched: Watched<'_>,
+    hire: impl Fn() -> W + Sync,
 ) -> Result<Summary, Failed> {
-    let workers = manner.workers.max(1);
+    let workers = workers.max(1);
+    let Watched { watch, tick } = watched;
     let turns = Turns {
-        source: Mutex::new(Source { input, next: 0, failed: None, is_ended: false }),
-        sink: Mutex::new(Sink { out, turn: 0, tally: Tally::default(), failed: None }),
+        source: Mutex::new(In { source, next: 0, failed: None, is_ended: false }),
+        sink: Mutex::new(Out { sink, turn: 0, tally: Tally::default(), failed: None }),
         written: Condvar::new(),
         working: Mutex::new(workers),
         ended: Condvar::new(),
         watch,
-        manner,
     };
     let mut summary = Summary::default();
     std::thread::scope(|scope| {
-        let work = || turns.work::<R>(court);
+        let work = || turns.work(&hire);
         let start = |number| std::thread::Builder::new().name(format!("batch {number}")).spawn_scoped(scope, work);
         // Where the system gives fewer threads, fewer workers do it; without any, this thread does.
         let judges: Vec<_> = (1..=workers).filter_map(|number| start(number).ok()).collect();
@@ -149,7 +174,7 @@ pub fn run<R: Rendering>(
         for judge in judges {
             match judge.join() {
                 Ok(judge) => summary.add(judge),
-                // Its block is missing, so nothing of this run may count as whole.
+                // Its portion is missing, so nothing of this run may count as whole.
                 Err(panic) => std::panic::resume_unwind(panic),
             }
         }
@@ -202,9 +227,9 @@ fn sum(counts: &mut Counts, more: Counts) {
 }
 
 /// Ends the run of all workers where one of them ends, however it does.
-struct Leave<'a, 'b, 'i>(&'a Turns<'b, 'i>);
+struct Leave<'a, 'b, S, K: ?Sized>(&'a Turns<'b, S, K>);
 
-impl Drop for Leave<'_, '_, '_> {
+impl<S, K: ?Sized> Drop for Leave<'_, '_, S, K> {
     fn drop(&mut self) {
         if std::thread::panicking() {
             self.0.watch.stop.store(true, Relaxed);
@@ -215,67 +240,62 @@ impl Drop for Leave<'_, '_, '_> {
     }
 }
 
-impl Turns<'_, '_> {
-    fn work<'c, R: Rendering>(&self, court: &'c Court<'_>) -> Judge<'c> {
+impl<S: Source, K: ?Sized + Send> Turns<'_, S, K> {
+    fn work<'c, W: Work<'c, Portion = S::Portion, Sink = K>>(&self, hire: &impl Fn() -> W) -> Judge<'c> {
         let _leave = Leave(self);
-        let mut judge = court.judge();
-        let mut rendering = R::new(court.layout(), self.manner.prefix);
-        let (mut block, mut packed) = (Block::default(), Vec::new());
-        while let Some(number) = self.take(&mut block) {
-            rendering.out().clear();
-            let tally = judge.block(&block, &mut rendering);
-            let written = self.manner.packing.pack(rendering.out().bytes(), &mut packed);
-            if !self.give(number, tally, block.len(), written) {
+        let mut worker = hire();
+        let mut portion = S::Portion::default();
+        while let Some((number, bytes)) = self.take(&mut portion) {
+            let tally = worker.judge(&mut portion);
+            if !self.give(number, tally, bytes, &mut worker) {
                 break;
             }
         }
-        judge
+        worker.end()
     }
 
-    /// Takes the next block of the stream; `None` where there is none.
-    fn take(&self, block: &mut Block) -> Option<u64> {
-        let mut source = lock(&self.source);
-        if source.is_ended || self.watch.stop.load(Relaxed) {
+    /// Takes the next portion of the source, with its number and how many bytes came so far; `None` where there is none.
+    fn take(&self, portion: &mut S::Portion) -> Option<(u64, u64)> {
+        let mut input = lock(&self.source);
+        if input.is_ended || self.watch.stop.load(Relaxed) {
             return None;
         }
-        let Input { stream, cutter } = &mut source.input;
-        match cutter.next(*stream, block) {
+        match input.source.next(portion) {
             Ok(true) => {
-                let number = source.next;
-                source.next += 1;
-                return Some(number);
+                let number = input.next;
+                input.next += 1;
+                return Some((number, input.source.bytes()));
             }
             Ok(false) => {}
-            Err(error) => source.failed = Some(error),
+            Err(error) => input.failed = Some(error),
         }
-        source.is_ended = true;
+        input.is_ended = true;
         None
     }
 
-    /// Writes a block when its turn comes; `false` where nothing more is written.
-    fn give(&self, number: u64, tally: Tally, bytes: usize, packed: io::Result<&[u8]>) -> bool {
-        let mut sink = lock(&self.sink);
-        while sink.turn != number {
-            if self.watch.stop.load(Relaxed) || sink.failed.is_some() {
+    /// Writes a portion when its turn comes; `false` where nothing more is written.
+    fn give<'c>(&self, number: u64, tally: Tally, bytes: u64, worker: &mut impl Work<'c, Sink = K>) -> bool {
+        let mut out = lock(&self.sink);
+        while out.turn != number {
+            if self.watch.stop.load(Relaxed) || out.failed.is_some() {
                 return false;
             }
-            let waited = self.written.wait_timeout(sink, Duration::from_millis(100));
-            sink = waited.unwrap_or_else(PoisonError::into_inner).0;
+            let waited = self.written.wait_timeout(out, Duration::from_millis(100));
+            out = waited.unwrap_or_else(PoisonError::into_inner).0;
         }
-        if sink.failed.is_some() {
+        if out.failed.is_some() {
             return false;
         }
-        // Whoever waits at the other end of a pipe gets what is there.
-        if let Err(error) = packed.and_then(|packed| sink.out.write_all(packed)).and_then(|()| sink.out.flush()) {
-            sink.failed = Some(error);
+        if let Err(error) = worker.write(&mut *out.sink) {
+            out.failed = Some(error);
             lock(&self.source).is_ended = true;
         }
         self.watch.rows.fetch_add(tally.rows, Relaxed);
-        self.watch.bytes.fetch_add(u64::try_from(bytes).unwrap_or_default(), Relaxed);
-        sink.tally.add(tally);
-        sink.turn += 1;
-        let goes_on = sink.failed.is_none();
-        drop(sink);
+        self.watch.bytes.store(bytes, Relaxed);
+        out.tally.add(tally);
+        out.turn += 1;
+        let goes_on = out.failed.is_none();
+        drop(out);
         self.written.notify_all();
         goes_on
     }

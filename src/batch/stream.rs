@@ -66,6 +66,12 @@ impl Packing {
     }
 }
 
+/// Whether a file begins like Parquet: its mark, and then bytes that no text has.
+fn is_parquet(head: &[u8]) -> bool {
+    let is_text = |byte: &u8| !byte.is_ascii_control() || matches!(byte, b'\t' | b'\n' | b'\r');
+    head.strip_prefix(b"PAR1").is_some_and(|rest| !rest.first().is_some_and(is_text))
+}
+
 /// A stream of text, whatever it is packed with.
 pub struct Stream<'a> {
     /// The rest of the text.
@@ -78,6 +84,8 @@ pub struct Stream<'a> {
     pub is_utf16: bool,
     /// Whether all of it is in the head.
     pub is_all: bool,
+    /// Whether it is a Parquet file, which is no text.
+    pub is_parquet: bool,
 }
 
 impl<'a> Stream<'a> {
@@ -87,6 +95,7 @@ impl<'a> Stream<'a> {
     /// What the stream reports.
     pub fn of(mut raw: Box<dyn Read + Send + 'a>) -> io::Result<Self> {
         let head = beginning(&mut raw)?;
+        let is_parquet = is_parquet(&head);
         let packing = Packing::of_head(&head);
         let whole: Box<dyn Read + Send + 'a> = Box::new(Cursor::new(head).chain(raw));
         let mut text: Box<dyn Read + Send + 'a> = match packing {
@@ -112,7 +121,7 @@ impl<'a> Stream<'a> {
                     .build(Cursor::new(head).chain(text)),
             ),
         };
-        Ok(Self { input, head: Vec::new(), packing, is_utf16: encoding.is_some(), is_all: false })
+        Ok(Self { input, head: Vec::new(), packing, is_utf16: encoding.is_some(), is_all: false, is_parquet })
     }
 
     /// Reads more into the head, once; `false` at the end of the stream.
@@ -134,9 +143,9 @@ impl<'a> Stream<'a> {
     }
 }
 
-/// The first four bytes, or fewer where there are no more.
+/// The first five bytes, or fewer where there are no more.
 fn beginning(input: &mut dyn Read) -> io::Result<Vec<u8>> {
     let mut head = Vec::new();
-    input.take(4).read_to_end(&mut head)?;
+    input.take(5).read_to_end(&mut head)?;
     Ok(head)
 }

@@ -1,5 +1,17 @@
 //! `fitcheck batch`: a verdict for every row of streams of any length.
 
+#[cfg(feature = "parquet")]
+mod parquet;
+#[cfg(not(feature = "parquet"))]
+#[path = "batch/no_parquet.rs"]
+#[expect(
+    clippy::extra_unused_type_parameters,
+    clippy::needless_pass_by_ref_mut,
+    clippy::needless_pass_by_value,
+    clippy::unused_self,
+    reason = "the shape of the other, with nothing to do"
+)]
+mod parquet;
 mod progress;
 mod summary;
 
@@ -7,23 +19,25 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use super::{CliError, CliRemark, Io, Outcome, TableArgs};
-use crate::batch::{self, Failed, Form, Input, Manner, Packing, Rendering, Stream, Summary, Watch};
+use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
 use crate::cli::args::one_of;
+use crate::exchange::ImportErrorKind;
 use crate::exchange::batch::{ADDED, BLOCK, Court, Csv, Cutter, HEAD, JsonLines, Layout};
 use crate::files;
+use crate::message::Say as _;
 use crate::tolerance::Sources;
 use progress::Progress;
 use summary::Told;
 
-/// Judge every row of CSV files of any length, order kept
+/// Judge every row of CSV or Parquet files of any length, order kept
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub(super) struct Args {
-    /// CSV files with the same columns, one after the other; - is standard input
+    /// CSV or Parquet files with the same columns, one after the other; - is standard input
     #[arg(required = true, value_name = "FILE")]
     inputs: Vec<PathBuf>,
 
-    /// File to write, .csv or .jsonl, packed where .gz or .zst follows; default: standard output
+    /// File to write, .csv, .jsonl or .parquet; text is packed where .gz or .zst follows; default: standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -55,11 +69,13 @@ Every column is passed on as it is; added are
   {}
 
 A row without a verdict keeps its place, with the reason in the last column. Inputs packed with gzip or \
-Zstandard are unpacked. The summary goes to standard error.
+Zstandard are unpacked. Parquet, in and out, is known to programs built with the feature parquet; its columns keep \
+their types, and those of CSV become texts. The summary goes to standard error.
 
 Examples:
   fitcheck batch bores.csv -o verdicts.csv
   fitcheck batch 2026-*.csv.gz -o 2026.csv.zst
+  fitcheck batch bores.parquet -o verdicts.parquet
   zcat bores.csv.gz | fitcheck batch - --format jsonl | head
 
 The exit code is that of the worst verdict; it is 1 where any row could not be judged.",
@@ -99,6 +115,19 @@ impl Args {
 
     /// What is written, by `--format` and the output's ending.
     fn form(&self) -> Result<(Form, Packing), CliError> {
+        let (form, packing) = self.named_form()?;
+        match &self.output {
+            Some(path) if form == Form::Parquet && packing != Packing::Plain => {
+                Err(CliError::BatchPacked { path: path.clone() })
+            }
+            _ if form == Form::Parquet && !parquet::IS_KNOWN => {
+                Err(CliError::Said(ImportErrorKind::ParquetUnknown.message()))
+            }
+            _ => Ok((form, packing)),
+        }
+    }
+
+    fn named_form(&self) -> Result<(Form, Packing), CliError> {
         let Some(path) = &self.output else { return Ok((self.format.unwrap_or(Form::Csv), Packing::Plain)) };
         let (packing, name) = Packing::of_name(path);
         let ending = name.extension().unwrap_or_default().to_string_lossy();
@@ -152,11 +181,28 @@ struct Job<'a> {
 struct Opened<'a> {
     name: String,
     path: &'a Path,
-    stream: Stream<'a>,
+    from: From<'a>,
     layout: Layout,
+    /// The declarations of columns with types.
+    types: Vec<String>,
     /// How many bytes the file has; `None` for pipes.
     size: Option<u64>,
 }
+
+/// Where rows come from.
+enum From<'a> {
+    Text(Stream<'a>),
+    Parquet(parquet::File),
+}
+
+/// Where the answers go.
+enum Answers<'o> {
+    Text(&'o mut (dyn Write + Send)),
+    Parquet(Box<parquet::Writer<'o>>),
+}
+
+/// How much CSV becomes a row group of Parquet, 4 MiB: about as many rows as engines make row groups of.
+const GROUP: usize = 4 << 20;
 
 impl Job<'_> {
     /// Judges all inputs, one after the other, into one output.
@@ -172,24 +218,50 @@ impl Job<'_> {
             self.same_columns(&Self::open(path, &mut *input)?, &mut first)?;
         }
         let mut summary = Summary::default();
-        for (at, path) in self.args.inputs.iter().enumerate() {
+        let mut out = Some(out);
+        let mut answers = None;
+        for path in &self.args.inputs {
             let opened = Self::open(path, &mut *input)?;
             self.same_columns(&opened, &mut first)?;
-            if opened.stream.is_utf16 {
+            if let From::Text(Stream { is_utf16: true, .. }) = &opened.from {
                 told.remark(&CliRemark::BatchUtf16 { name: opened.name.clone() });
             }
-            if at == 0 && self.form == Form::Csv {
+            if let From::Parquet(file) = &opened.from {
+                let floats = parquet::floats(file, &opened.layout);
+                if !floats.is_empty() {
+                    let columns = floats.join(", ");
+                    told.remark(&CliRemark::BatchFloats { name: opened.name.clone(), columns });
+                }
+            }
+            if let Some(out) = out.take() {
+                answers = Some(self.begin(&opened, out)?);
+            }
+            if let Some(answers) = &mut answers {
+                summary.append(self.one(opened, answers, told)?);
+            }
+        }
+        if let Some(Answers::Parquet(writer)) = answers {
+            writer.finish().map_err(|error| self.not_written(error))?;
+        }
+        Ok(summary)
+    }
+
+    /// What stands before all answers: the first input says which columns there are.
+    fn begin<'o>(&self, opened: &Opened<'_>, out: &'o mut (dyn Write + Send)) -> Result<Answers<'o>, CliError> {
+        match self.form {
+            Form::Csv => {
                 let header = Csv::header(&opened.layout, &self.args.prefix);
                 let mut packed = Vec::new();
                 out.write_all(self.packing.pack(&header, &mut packed)?)?;
+                Ok(Answers::Text(out))
             }
-            let one = match self.form {
-                Form::Csv => self.one::<Csv>(opened, out, told),
-                Form::JsonLines => self.one::<JsonLines>(opened, out, told),
-            }?;
-            summary.append(one);
+            Form::JsonLines => Ok(Answers::Text(out)),
+            Form::Parquet => {
+                let file = if let From::Parquet(file) = &opened.from { Some(file) } else { None };
+                let writer = parquet::Writer::new(out, &opened.layout, file, &self.args.prefix);
+                Ok(Answers::Parquet(Box::new(writer.map_err(|error| self.not_written(error))?)))
+            }
         }
-        Ok(summary)
     }
 
     /// Looks at the beginning of an input until its columns are known.
@@ -205,6 +277,20 @@ impl Job<'_> {
         };
         let is_patient = size.is_some();
         let mut stream = Stream::of(raw).map_err(failed)?;
+        if stream.is_parquet {
+            drop(stream);
+            let opened = match size {
+                Some(_) => parquet::open(files::open(path)?.0),
+                None => Err(ImportErrorKind::ParquetStream),
+            };
+            return match opened {
+                Ok((file, layout)) => {
+                    let types = parquet::types(&file);
+                    Ok(Opened { name, path, from: From::Parquet(file), layout, types, size })
+                }
+                Err(error) => Err(CliError::BatchInput { name, error: error.to_string() }),
+            };
+        }
         loop {
             let goes_on = stream.read_more(if is_patient { HEAD } else { BLOCK }).map_err(failed)?;
             let is_enough = !goes_on || HEAD <= stream.head.len();
@@ -213,7 +299,7 @@ impl Job<'_> {
             }
             match Layout::of(&stream.head, stream.is_all, &name) {
                 Ok(layout) if layout.has_rows || is_enough => {
-                    return Ok(Opened { name, path, stream, layout, size });
+                    return Ok(Opened { name, path, from: From::Text(stream), layout, types: Vec::new(), size });
                 }
                 Err(error) if is_enough => return Err(CliError::BatchInput { name, error: error.to_string() }),
                 Ok(_) | Err(_) => {}
@@ -222,7 +308,7 @@ impl Job<'_> {
     }
 
     /// All inputs have the columns of the first one, and none under the name of an added one.
-    fn same_columns(&self, opened: &Opened<'_>, first: &mut Option<(Vec<String>, u8)>) -> Result<(), CliError> {
+    fn same_columns(&self, opened: &Opened<'_>, first: &mut Option<First>) -> Result<(), CliError> {
         let (name, names) = (&opened.name, &opened.layout.names);
         let prefix = self.args.prefix.as_str();
         let is_added = |name: &&String| name.strip_prefix(prefix).is_some_and(|name| ADDED.contains(&name));
@@ -230,43 +316,62 @@ impl Job<'_> {
             return Err(CliError::BatchName { name: name.clone(), column: column.clone() });
         }
         let twice = (1..).zip(names).find(|(after, name)| names.iter().skip(*after).any(|other| other == *name));
-        if let (Form::JsonLines, Some((_, column))) = (self.form, twice) {
+        if let (Form::JsonLines | Form::Parquet, Some((_, column))) = (self.form, twice) {
             return Err(CliError::BatchTwice { name: name.clone(), column: column.clone() });
         }
         let separator = opened.layout.separator();
-        let (first_names, first_separator) = first.get_or_insert_with(|| (names.clone(), separator));
-        if first_names != names {
-            return Err(CliError::BatchColumns { name: name.clone(), columns: first_names.join(", ") });
+        let new = || First { names: names.clone(), separator, types: opened.types.clone() };
+        let first = first.get_or_insert_with(new);
+        if first.names != *names {
+            return Err(CliError::BatchColumns { name: name.clone(), columns: first.names.join(", ") });
         }
-        if self.form == Form::Csv && *first_separator != separator {
+        if self.form == Form::Csv && first.separator != separator {
             return Err(CliError::BatchSeparator { name: name.clone() });
+        }
+        let differs = (0..names.len()).find(|&at| first.types.get(at) != opened.types.get(at));
+        if let (Form::Parquet, Some(column)) = (self.form, differs.and_then(|at| names.get(at))) {
+            return Err(CliError::BatchTypes { name: name.clone(), column: column.clone() });
         }
         Ok(())
     }
 
     /// Judges the rows of one input.
-    fn one<R: Rendering>(
-        &self,
-        opened: Opened<'_>,
-        out: &mut (dyn Write + Send),
-        told: &mut Told<'_>,
-    ) -> Result<Summary, CliError> {
-        let Opened { name, path, stream, layout, size } = opened;
+    fn one(&self, opened: Opened<'_>, answers: &mut Answers<'_>, told: &mut Told<'_>) -> Result<Summary, CliError> {
+        let Opened { name, path, from, layout, size, .. } = opened;
         for (line, warning) in &layout.warnings {
             told.warning(&name, *line, warning);
         }
         let court = Court::new(&layout, self.sources);
-        let cutter = Cutter::new(layout.separator(), BLOCK, size.is_some());
         let processors = || std::thread::available_parallelism().map_or(1, usize::from).min(MOST_WORKERS);
         let workers = self.args.jobs.map_or_else(processors, usize::from);
-        let mut input = io::Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
-        let progress = Progress::new(&name, size.filter(|_| stream.packing == Packing::Plain));
+        let is_packed = matches!(&from, From::Text(stream) if stream.packing != Packing::Plain);
+        let progress = Progress::new(&name, size.filter(|_| !is_packed));
         let manner = Manner { workers, packing: self.packing, prefix: &self.args.prefix };
-        let watch = Watch::default();
-        let summary =
-            batch::run::<R>(Input { stream: &mut input, cutter }, &court, manner, out, &watch, &mut |watch| {
-                progress.show(watch);
-            });
+        let (watch, mut tick) = (Watch::default(), |watch: &Watch| progress.show(watch));
+        let summary = match from {
+            From::Text(stream) => {
+                let mut input = io::Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
+                let (step, is_patient) = match answers {
+                    Answers::Text(_) => (BLOCK, size.is_some()),
+                    Answers::Parquet(_) => (GROUP, true),
+                };
+                let input = Input { stream: &mut input, cutter: Cutter::new(layout.separator(), step, is_patient) };
+                match answers {
+                    Answers::Text(out) if self.form == Form::JsonLines => {
+                        batch::run::<JsonLines>(input, &court, manner, &mut **out, &watch, &mut tick)
+                    }
+                    Answers::Text(out) => batch::run::<Csv>(input, &court, manner, &mut **out, &watch, &mut tick),
+                    Answers::Parquet(writer) => writer.add_text(input, &court, workers, &watch, &mut tick),
+                }
+            }
+            From::Parquet(file) => match answers {
+                Answers::Text(out) if self.form == Form::JsonLines => {
+                    parquet::into_text::<JsonLines>(file, &court, manner, &mut **out, &watch, &mut tick)
+                }
+                Answers::Text(out) => parquet::into_text::<Csv>(file, &court, manner, &mut **out, &watch, &mut tick),
+                Answers::Parquet(writer) => writer.add(file, &court, workers, &watch, &mut tick),
+            },
+        };
         progress.end();
         match summary {
             Ok(mut summary) => {
@@ -275,10 +380,21 @@ impl Job<'_> {
                 Ok(summary)
             }
             Err(Failed::Reading(error)) => Err(files::system(path, &error).into()),
-            Err(Failed::Writing(error)) => Err(match &self.args.output {
-                Some(path) => files::system(path, &error).into(),
-                None => CliError::Stream(error),
-            }),
+            Err(Failed::Writing(error)) => Err(self.not_written(error)),
         }
     }
+
+    fn not_written(&self, error: io::Error) -> CliError {
+        match &self.args.output {
+            Some(path) => files::system(path, &error).into(),
+            None => CliError::Stream(error),
+        }
+    }
+}
+
+/// The columns of the first input.
+struct First {
+    names: Vec<String>,
+    separator: u8,
+    types: Vec<String>,
 }

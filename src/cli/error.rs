@@ -99,7 +99,11 @@ pub(super) enum CliError {
     BatchColumns { name: String, columns: String },
     /// Inputs whose cells are separated by different signs, for one CSV.
     BatchSeparator { name: String },
-    /// Two columns of one name, for objects.
+    /// A column whose type differs between inputs, for one Parquet file.
+    BatchTypes { name: String, column: String },
+    /// A Parquet file under the name of a packed one.
+    BatchPacked { path: PathBuf },
+    /// Two columns of one name, for objects and Parquet.
     BatchTwice { name: String, column: String },
     /// An input without rows that can be judged.
     BatchInput { name: String, error: String },

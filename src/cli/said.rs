@@ -24,6 +24,8 @@ pub(super) enum CliRemark {
     TraceEnds { blocks: usize },
     /// An input in another encoding than its output.
     BatchUtf16 { name: String },
+    /// Columns whose values are binary fractions.
+    BatchFloats { name: String, columns: String },
     /// A default was used for the clearance height.
     ClearanceHeight { height: Length },
 }

@@ -36,6 +36,20 @@ pub enum ImportErrorKind {
         /// The format.
         format: Message,
     },
+    /// A Parquet file, and a program built without the feature `parquet`.
+    ParquetUnknown,
+    /// A Parquet file in a stream that has no end yet.
+    ParquetStream,
+    /// A Parquet file that cannot be read.
+    Parquet {
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A column of a Parquet file that has columns or lists in it.
+    ParquetNested {
+        /// The column.
+        column: String,
+    },
     /// Only a header, comments or blank lines.
     NoRows,
     /// A log that cannot be used.

@@ -110,7 +110,8 @@ impl Reader<'_, '_> {
 
     /// Judges a row and keeps it, or names the cell that cannot be used.
     fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
-        let rules = Rules { columns: &self.columns, separator: self.separator, sources: self.source.sources };
+        let has_commas = self.separator == b',';
+        let rules = Rules { columns: &self.columns, has_commas, sources: self.source.sources };
         let Found { measured, asked, is_simulated } = rules.read(cells)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
         let time = self.time(line, cells);

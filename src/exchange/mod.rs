@@ -12,6 +12,7 @@
 //! | `tables` | tables of deviations for controls and other tools |
 //! | `sql` | limits and verdicts as plain SQL |
 //! | `delimited` | rows and cells, with their lines |
+//! | `parquet` | columns of typed values, with the feature of that name |
 //! | `batch` | a verdict for every row of a stream of any length |
 //!
 //! A new format is one file here, its `mod` line and one in [`FORMATS`]; command line, dialogs and README follow from the list.
@@ -25,6 +26,8 @@ pub mod error;
 pub mod imported;
 mod logs;
 mod measurements;
+#[cfg(feature = "parquet")]
+pub mod parquet;
 mod point_log;
 mod rules;
 pub mod sql;

@@ -31,7 +31,8 @@ pub(super) struct Found {
 /// What is known before a row is read.
 pub(super) struct Rules<'a> {
     pub(super) columns: &'a Columns,
-    pub(super) separator: u8,
+    /// Whether cells stand between commas, where a decimal comma may have become a separator.
+    pub(super) has_commas: bool,
     pub(super) sources: &'a Sources,
 }
 
@@ -76,7 +77,7 @@ impl Rules<'_> {
         // 25,012 between separating commas: 25 in this column and 012 in the next one.
         let behind = cells.get(self.columns.measured.at + 1).filter(|behind| columns::is_whole(behind));
         if let Some(behind) = behind
-            && self.separator == b','
+            && self.has_commas
             && columns::is_whole(cell.text)
             && !self.columns.whole_numbers_behind
         {
@@ -131,7 +132,7 @@ impl Rules<'_> {
         callout: Callout,
         measured: Length,
     ) -> Result<(), Refused<'c>> {
-        if self.columns.names_known || self.separator != b',' {
+        if self.columns.names_known || !self.has_commas {
             return Ok(());
         }
         let Some(before) = cell.at.and_then(|at| at.checked_sub(1)).and_then(|at| cells.get(at)) else { return Ok(()) };

@@ -51,6 +51,8 @@ mod nc_cli;
 mod nc_paths;
 mod nc_plans;
 mod nc_sets;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod point_cycles;
 mod point_log;
 mod probe_blocks;

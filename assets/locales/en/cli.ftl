@@ -63,7 +63,9 @@ cli-batch-ending = { $path }: the answers are written as .{ $endings }, packed w
 cli-batch-onto-itself = { $path } is one of the inputs: write the answers to another file
 cli-batch-columns = { $name } has other columns than the first file, which has { $columns }
 cli-batch-separator = { $name } separates its cells by another sign than the first file: write .jsonl, or judge it alone
-cli-batch-twice = { $name } has two columns { $column }, and an object cannot: write .csv
+cli-batch-types = column { $column } of { $name } is not of the type that it has in the first file: write .csv, or judge it alone
+cli-batch-packed = { $path }: Parquet is packed inside: leave .gz or .zst out
+cli-batch-twice = { $name } has two columns { $column }: write .csv, which can have both
 cli-batch-input = { $name }: { $error }
 cli-batch-name = { $name } has a column { $column } already: --prefix puts a word before the names of the added columns
 cli-use-force = { $error }; --force overwrites
@@ -82,6 +84,7 @@ cli-remark-refused = { $refused } of { $asked } callouts refused
 cli-remark-no-pair = no pair fits; the nearest is { $nearest }
 cli-remark-trace-ends = the trace ends here, after { $blocks } blocks
 cli-remark-batch-utf16 = { $name } is UTF-16 and is written as UTF-8
+cli-remark-batch-floats = { $name } has floating-point numbers in { $columns }: each is judged as the shortest decimal that stands for it
 cli-remark-clearance-height = the clearance height is { $height } mm: --clearance-height changes it
 
 # Warnings

@@ -8,6 +8,10 @@ exchange-format-measurements = measurements as CSV: id, callout, measured
 exchange-empty = the file is empty
 exchange-not-recognised = not a file of a known format
 exchange-other-format = these are { $format }, not measurements as CSV
+exchange-parquet-unknown = this program was built without Parquet: the feature parquet has it, as in cargo build --release --features parquet
+exchange-parquet-stream = Parquet has its columns at its end and cannot be read from a pipe: give the file by its name
+exchange-parquet = this Parquet file cannot be read: { $reason }
+exchange-parquet-nested = column { $column } has columns or lists in it: only columns of single values can be judged
 exchange-no-rows = no row holds a measurement
 exchange-no-measured-column = no column of measured values: name it in the first line, such as id;callout;measured
 exchange-several-columns = columns { $columns } may each be { $role }: name them in the first line, such as id;callout;measured
@@ -62,10 +66,13 @@ table-format-name = { $name } does not begin with a letter: table names on a TNC
 table-format-operator = { $name } contains { $sign }: table names on a TNC7 have no arithmetic operators
 table-format-warning-lower-sign = the PC-DMIS manual shows no lower deviation other than 0: check { $class } in PC-DMIS before you rely on it, above all its signs
 table-format-csv = the CSV cannot be written: { $reason }
+table-format-parquet-unknown = this program was built without Parquet: the feature parquet has it, as in cargo build --release --features parquet
+table-format-parquet = the Parquet file cannot be written: { $reason }
 table-format-itnc530 = control table for iTNC 530
 table-format-tnc640 = control table for TNC 620 and TNC 640
 table-format-tnc7 = control table for TNC7
 table-format-plain-csv = CSV, a line for every class and size range
+table-format-plain-parquet = Parquet, a row for each class and size range
 table-format-pcdmis = CSV of ISO tolerances for PC-DMIS
 
 ## Limits as SQL

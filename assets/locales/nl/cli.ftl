@@ -63,7 +63,9 @@ cli-batch-ending = { $path }: de antwoorden worden geschreven als .{ $endings },
 cli-batch-onto-itself = { $path } is een van de invoerbestanden: schrijf de antwoorden naar een ander bestand
 cli-batch-columns = { $name } heeft andere kolommen dan het eerste bestand, dat { $columns } heeft
 cli-batch-separator = { $name } scheidt zijn cellen met een ander teken dan het eerste bestand: schrijf .jsonl, of beoordeel het apart
-cli-batch-twice = { $name } heeft twee kolommen { $column }, en een object kan dat niet: schrijf .csv
+cli-batch-types = kolom { $column } van { $name } heeft een ander type dan in het eerste bestand: schrijf .csv, of beoordeel het apart
+cli-batch-packed = { $path }: Parquet is van binnen al ingepakt: laat .gz of .zst weg
+cli-batch-twice = { $name } heeft twee kolommen { $column }: schrijf .csv, dat beide kan hebben
 cli-batch-input = { $name }: { $error }
 cli-batch-name = { $name } heeft al een kolom { $column }: --prefix zet een woord voor de namen van de toegevoegde kolommen
 cli-use-force = { $error }; --force overschrijft
@@ -82,6 +84,7 @@ cli-remark-refused = { $refused } van { $asked } passingen geweigerd
 cli-remark-no-pair = geen enkele passing voldoet; de dichtstbijzijnde is { $nearest }
 cli-remark-trace-ends = de lijst van uitgevoerde NC-regels eindigt hier, na { $blocks } regels
 cli-remark-batch-utf16 = { $name } is UTF-16 en wordt als UTF-8 geschreven
+cli-remark-batch-floats = { $name } heeft binaire breuken in { $columns }: elk wordt beoordeeld als het kortste decimale getal dat ervoor staat
 cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die met --clearance-height
 
 # Waarschuwingen

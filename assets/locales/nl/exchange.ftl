@@ -8,6 +8,10 @@ exchange-format-measurements = metingen als CSV: naam, passing, gemeten
 exchange-empty = het bestand is leeg
 exchange-not-recognised = geen bestand van een bekend formaat
 exchange-other-format = dit zijn { $format }, geen metingen als CSV
+exchange-parquet-unknown = dit programma is gebouwd zonder Parquet: de feature parquet heeft het, zoals in cargo build --release --features parquet
+exchange-parquet-stream = Parquet heeft zijn kolommen aan het eind en kan niet uit een pipe worden gelezen: geef het bestand bij zijn naam
+exchange-parquet = dit Parquet-bestand kan niet worden gelezen: { $reason }
+exchange-parquet-nested = kolom { $column } bevat kolommen of lijsten: alleen kolommen met enkele waarden kunnen worden beoordeeld
 exchange-no-rows = geen enkele rij bevat een meting
 exchange-no-measured-column = geen kolom met gemeten waarden: benoem die in de eerste regel, bijvoorbeeld id;passing;gemeten
 exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: benoem ze in de eerste regel, bijvoorbeeld id;passing;gemeten
@@ -62,10 +66,13 @@ table-format-name = { $name } begint niet met een letter: tabelnamen op een TNC7
 table-format-operator = { $name } bevat { $sign }: tabelnamen op een TNC7 hebben geen rekentekens
 table-format-warning-lower-sign = de handleiding van PC-DMIS toont geen andere onderafwijking dan 0: controleer { $class } in PC-DMIS vóór gebruik, vooral de tekens
 table-format-csv = de CSV kan niet worden geschreven: { $reason }
+table-format-parquet-unknown = dit programma is gebouwd zonder Parquet: de feature parquet heeft het, zoals in cargo build --release --features parquet
+table-format-parquet = het Parquet-bestand kan niet worden geschreven: { $reason }
 table-format-itnc530 = besturingstabel voor iTNC 530
 table-format-tnc640 = besturingstabel voor TNC 620 en TNC 640
 table-format-tnc7 = besturingstabel voor TNC7
 table-format-plain-csv = CSV, een regel per klasse en maatbereik
+table-format-plain-parquet = Parquet, een rij per klasse en maatbereik
 table-format-pcdmis = CSV met ISO-toleranties voor PC-DMIS
 
 ## Grensmaten als SQL

@@ -8,7 +8,7 @@ use crate::cli::{
     CliError, CliRemark, CliWarning, Io, Outcome, Refused as _, StandardArgs, What, heard_or_not, read_table, save,
 };
 use crate::control::shipped_tables;
-use crate::exchange::tables::{TABLE_FORMATS, TableFormat};
+use crate::exchange::tables::{PARQUET, TABLE_FORMATS, TableFormat, parquet_of};
 use crate::files;
 use crate::length::Length;
 use crate::tolerance::compare::compare;
@@ -31,7 +31,8 @@ Examples:
   fitcheck table export my_hole.tab --format pcdmis -o iso.csv
   fitcheck table export --classes \"H7 h6 g6\" --to 3150 --format pcdmis -o iso.csv
 
-Columns of CSV: class, over_mm, to_mm, upper_um, lower_um. pcdmis: two lines per class, its size
+Columns of CSV: class, over_mm, to_mm, upper_um, lower_um. Columns of Parquet, which programs built
+with the feature parquet write: class, hole, over_mm, to_mm, lower_mm, upper_mm. pcdmis: two lines per class, its size
 limits and its pairs of upper and lower deviation in mm. The manual of PC-DMIS shows H7 alone:
 in PC-DMIS, check each class whose lower deviation is not 0 before you rely on it. A control table
 has the name of its file.";
@@ -79,7 +80,7 @@ pub(super) struct ExportArgs {
     #[command(flatten)]
     choice: Choice,
     /// The format
-    #[arg(long, value_parser = one_of(TABLE_FORMATS, |format| format.name))]
+    #[arg(long, value_parser = one_of(TABLE_FORMATS.iter().chain([&PARQUET]), |format| format.name))]
     format: &'static TableFormat,
     /// The file to write; - or no file is standard output
     #[arg(short, long, value_name = "FILE")]
@@ -159,6 +160,21 @@ impl ExportArgs {
         if format.endings.contains(&"tab") && 1 < tables.len() {
             return Err(CliError::SeveralTables);
         }
+        let bytes =
+            if format.name == PARQUET.name { parquet_of(&tables).said()? } else { self.texts(&tables, output)? };
+        match output {
+            Some(path) => save(path, &bytes, io)?,
+            None => heard_or_not(io.data().write_all(&bytes))?,
+        }
+        if let Some(warning) = tables.iter().find_map(|table| (format.warning)(table)) {
+            io.warn(&warning);
+        }
+        Ok(Outcome::Done)
+    }
+
+    /// The files of all tables, one behind the other.
+    fn texts(&self, tables: &[Arc<DeviationTable>], output: Option<&Path>) -> Result<Vec<u8>, CliError> {
+        let format = self.format;
         let mut bytes = Vec::new();
         for (number, table) in tables.iter().enumerate() {
             // A control finds a table by its file's name.
@@ -171,14 +187,7 @@ impl ExportArgs {
                 if format.name == "csv" && 0 < number { part.iter().position(|byte| *byte == b'\n') } else { None };
             bytes.extend(part.into_iter().skip(header.map_or(0, |end| end + 1)));
         }
-        match output {
-            Some(path) => save(path, &bytes, io)?,
-            None => heard_or_not(io.data().write_all(&bytes))?,
-        }
-        if let Some(warning) = tables.iter().find_map(|table| (format.warning)(table)) {
-            io.warn(&warning);
-        }
-        Ok(Outcome::Done)
+        Ok(bytes)
     }
 
     fn tables(&self, io: &mut Io<'_>) -> Result<Vec<Arc<DeviationTable>>, CliError> {

@@ -43,6 +43,19 @@ impl Index {
         self.ends.get(..self.count).unwrap_or_default().split_inclusive(|end| end & ROW != 0)
     }
 
+    /// Forgets all rows.
+    #[cfg(feature = "parquet")]
+    pub(super) const fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// A cell ends here; with `is_last` its row, too.
+    #[cfg(feature = "parquet")]
+    #[inline]
+    pub(super) fn end_cell(&mut self, at: usize, is_last: bool) {
+        self.push(at, if is_last { ROW } else { 0 });
+    }
+
     fn push(&mut self, at: usize, mark: u32) {
         self.make_room();
         if let Some(place) = self.ends.get_mut(self.count) {

@@ -62,13 +62,15 @@ struct Fast {
     has_commas: bool,
     /// Whether the cell before the callout may belong to it.
     may_join: bool,
+    /// Whether a line may be a comment.
+    has_comments: bool,
 }
 
 impl<'a> Court<'a> {
     /// For rows of a layout, with limits from these sources.
     pub fn new(layout: &'a Layout, sources: &'a Sources) -> Self {
         let columns = &layout.columns;
-        let has_commas = layout.separator == b',';
+        let has_commas = layout.has_commas();
         let fast = Fast {
             measured: (columns.measured.at, columns.measured.unit),
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
@@ -78,6 +80,7 @@ impl<'a> Court<'a> {
             foreign_sign: columns.decimal_sign.map(|sign| if sign == '.' { b',' } else { b'.' }),
             has_commas,
             may_join: has_commas && !columns.names_known,
+            has_comments: !layout.is_typed,
         };
         Self { layout, sources, steps: Steps::of(sources), fast }
     }
@@ -115,6 +118,12 @@ pub struct Judge<'a> {
 pub type Counts = [u64; Status::ALL.len()];
 
 impl Judge<'_> {
+    /// The layout of the rows.
+    #[cfg(feature = "parquet")]
+    pub(super) const fn layout(&self) -> &Layout {
+        self.court.layout
+    }
+
     /// Judges the rows of a block. The lines of the tally count from the beginning of the block, from 0.
     pub fn block(&mut self, block: &Block, take: &mut impl Take) -> Tally {
         let mut tally = Tally::default();
@@ -133,7 +142,7 @@ impl Judge<'_> {
         for ends in block.index.as_ref().unwrap_or(&own).rows() {
             let row = Row::new(text, start, ends);
             start = row.next();
-            let lines = if block.index.is_some() { row.lines() } else { 1 };
+            let lines = if block.index.is_some() && !self.court.layout.is_typed { row.lines() } else { 1 };
             if is_utf8 || std::str::from_utf8(row.bytes()).is_ok() {
                 self.row(&row, &mut tally, take);
             } else {
@@ -204,7 +213,7 @@ impl Judge<'_> {
     #[inline(always)]
     fn fast(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) -> Option<()> {
         let fast = &self.court.fast;
-        if row.len() != fast.count || LONGEST_ROW < row.end - row.start || may_be_comment(row) {
+        if row.len() != fast.count || LONGEST_ROW < row.end - row.start || fast.has_comments && may_be_comment(row) {
             return None;
         }
         let (measured, sign) = number(row, fast.measured)?;
@@ -259,9 +268,10 @@ impl Judge<'_> {
         let cells = row.record();
         if columns::is_blank(&cells) {
             // With separators alone it has the cells of a row, and gets those that are added.
-            return if row.len() == 1 { take.line(whole) } else { take.refused(row, "") };
+            let is_line = row.len() == 1 && !self.court.layout.is_typed;
+            return if is_line { take.line(whole) } else { take.refused(row, "") };
         }
-        if columns::is_comment(&cells) {
+        if self.court.fast.has_comments && columns::is_comment(&cells) {
             if columns::is_data(&cells) {
                 return Self::refuse(row, None, &ImportWarningKind::Comment.to_string(), tally, take);
             }
@@ -269,7 +279,7 @@ impl Judge<'_> {
             return take.line(whole);
         }
         let columns = &self.court.layout.columns;
-        let rules = Rules { columns, separator: self.court.layout.separator, sources: self.court.sources };
+        let rules = Rules { columns, has_commas: self.court.fast.has_commas, sources: self.court.sources };
         match rules.read(&cells) {
             Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
                 let bounds = limits.bounds();

@@ -20,6 +20,7 @@ const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// What is known of a stream before its rows are judged.
 #[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each answers another question about the stream")]
 pub struct Layout {
     pub(super) columns: Columns,
     pub(super) separator: u8,
@@ -39,6 +40,8 @@ pub struct Layout {
     pub(super) line_end: &'static [u8],
     /// Whether what is above the rows was UTF-8; it is passed on as such.
     pub is_utf8: bool,
+    /// Whether the rows come from columns with types: what stands in a cell is a cell, whatever its signs would mean in CSV.
+    pub(super) is_typed: bool,
     /// What is to be said of lines above the rows, which are passed on as they are: the line, and a warning.
     pub warnings: Vec<(usize, ImportWarningKind)>,
 }
@@ -55,17 +58,7 @@ impl Layout {
         if body.trim_ascii().is_empty() {
             return Err(ImportErrorKind::Empty);
         }
-        let source = Source {
-            file: file_name.into(),
-            bytes: head,
-            sources: &Sources::default(),
-            now: jiff::civil::DateTime::MIN,
-        };
-        match FORMATS.iter().find(|format| (format.recognises)(&source)) {
-            Some(format) if format.name == "measurements" => {}
-            Some(format) => return Err(ImportErrorKind::OtherFormat { format: format.message() }),
-            None => return Err(ImportErrorKind::NotRecognised),
-        }
+        known_format(head, file_name)?;
         let decoded = utf8(body);
         let (text, first_line, separator) = without_separator_line(&decoded);
         let sample = Sample::of(text, first_line, separator);
@@ -111,13 +104,67 @@ impl Layout {
             has_header,
             line_end,
             is_utf8,
+            is_typed: false,
             warnings,
         })
+    }
+
+    /// The layout of rows from columns with these names. `sample` has some of the rows as CSV with commas, under a line with
+    /// the names, as all of `above`.
+    ///
+    /// # Errors
+    /// Why nothing in them can be judged.
+    #[cfg(feature = "parquet")]
+    pub(super) fn of_columns(names: Vec<String>, above: Vec<u8>, sample: &[u8]) -> Result<Self, ImportErrorKind> {
+        // Other separators may occur in cells.
+        let head = [b"sep=,\n", sample].concat();
+        known_format(&head, "")?;
+        let text = utf8(sample);
+        let columns = Sample::of(&text, 1, Some(b',')).columns()?;
+        Ok(Self {
+            columns: Columns { count: names.len(), ..columns },
+            separator: b',',
+            names,
+            above,
+            skip: 0,
+            line: 1,
+            has_rows: true,
+            has_header: true,
+            line_end: b"\n",
+            is_utf8: true,
+            is_typed: true,
+            warnings: Vec::new(),
+        })
+    }
+
+    /// Whether a decimal comma may have become a separator of cells.
+    pub(super) const fn has_commas(&self) -> bool {
+        self.separator == b',' && !self.is_typed
+    }
+
+    /// Whether a verdict depends on what is in a column.
+    pub fn is_judged(&self, at: usize) -> bool {
+        let columns = &self.columns;
+        columns.measured.at == at
+            || columns.tolerance == Some(at)
+            || columns.simulated == Some(at)
+            || columns.nominal.is_some_and(|nominal| nominal.at == at)
     }
 
     /// The separator of its cells.
     pub const fn separator(&self) -> u8 {
         self.separator
+    }
+}
+
+/// Whether a text is of the one format that can be judged row by row.
+fn known_format(head: &[u8], file_name: &str) -> Result<(), ImportErrorKind> {
+    let source =
+        Source { file: file_name.into(), bytes: head, sources: &Sources::default(), now: jiff::civil::DateTime::MIN };
+    match FORMATS.iter().find(|format| (format.recognises)(&source)) {
+        Some(format) if format.name == "measurements" => Ok(()),
+        Some(format) => Err(ImportErrorKind::OtherFormat { format: format.message() }),
+        None => Err(ImportErrorKind::NotRecognised),
     }
 }
 

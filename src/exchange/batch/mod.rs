@@ -8,12 +8,15 @@
 //! | `judge` | rows judged: most of them fast, the others as `import` reads them |
 //! | `known` | limit deviations, looked up once for each class and step |
 //! | `csv`, `json_lines` | the rows as CSV again, with the columns that are added; the rows as JSON |
+//! | `typed`, `answers` | the same from and into Parquet, with the feature `parquet` |
 //! | `tally` | how many rows had which verdict, and the first remarks |
 //!
 //! Nothing here opens a file or starts a thread: `batch` does, and hands blocks to as many judges as there are workers.
 
 use std::borrow::Cow;
 
+#[cfg(feature = "parquet")]
+mod answers;
 mod csv;
 mod cut;
 mod index;
@@ -23,7 +26,11 @@ mod known;
 mod layout;
 mod row;
 mod tally;
+#[cfg(feature = "parquet")]
+mod typed;
 
+#[cfg(feature = "parquet")]
+pub use answers::{Answers, output_fields};
 pub use csv::Csv;
 pub use cut::{BLOCK, Block, Cutter};
 pub use json_lines::JsonLines;
@@ -31,6 +38,8 @@ pub use judge::{Counts, Court, Judge, Judged, Take};
 pub use layout::{HEAD, Layout};
 pub use row::Row;
 pub use tally::{FIRST, Kind, Note, Notes, Tally};
+#[cfg(feature = "parquet")]
+pub use typed::{Purpose, Typed, layout_of};
 
 pub(super) use super::delimited::LONGEST_ROW;
 

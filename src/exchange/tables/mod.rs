@@ -4,15 +4,19 @@
 //! |---|---|
 //! | `control` | a control's table, for a chosen generation of controls |
 //! | `csv` | plain CSV, one line per cell |
+//! | `parquet` | Parquet, one row per cell, with the feature of that name |
 //! | `pcdmis` | the CSV that PC-DMIS reads for ISO tolerances |
 //!
 //! A new format is one file here, its `mod` line and one in [`TABLE_FORMATS`]; command line and dialogs follow from the list.
 
 mod control;
 mod csv;
+mod parquet;
 mod pcdmis;
 
 use std::path::Path;
+
+pub use parquet::{FORMAT as PARQUET, together as parquet_of};
 
 use crate::control::table::WriteError;
 use crate::message::Say;
@@ -33,7 +37,7 @@ pub struct TableFormat {
     pub write: fn(&DeviationTable) -> Result<Vec<u8>, TableFormatError>,
 }
 
-/// Every format.
+/// Every format that every program has, the window's too; the command line has [`PARQUET`] besides.
 pub const TABLE_FORMATS: &[TableFormat] =
     &[control::ITNC530, control::TNC640, control::TNC7, csv::FORMAT, pcdmis::FORMAT];
 
@@ -74,6 +78,13 @@ pub enum TableFormatError {
         name: String,
         /// The operator.
         sign: char,
+    },
+    /// A program built without the feature `parquet`.
+    ParquetUnknown,
+    /// The Parquet writer failed.
+    Parquet {
+        /// What it says.
+        reason: String,
     },
     /// The CSV writer failed.
     Csv {
