@@ -20,7 +20,8 @@ use std::time::Duration;
 pub use forms::{FORMS, Form, Rendering};
 pub use stream::{Packing, Stream};
 
-use crate::exchange::batch::{Block, Counts, Court, Cutter, Judge, Tally};
+use crate::exchange::ImportErrorKind;
+use crate::exchange::batch::{Block, Counts, Court, Cutter, Judge, Judged, Row, Take, Tally};
 use crate::tolerance::ToleranceClass;
 
 /// How far a run has come, for whoever watches it, and its end.
@@ -81,24 +82,92 @@ struct Source<'a> {
     is_ended: bool,
 }
 
-/// Where the rows go, and whose turn it is to write.
-struct Sink<'a> {
-    out: &'a mut (dyn Write + Send),
+/// What a worker makes of each block.
+pub trait Making: Take {
+    /// Begins a block.
+    fn begin(&mut self);
+
+    /// Ends it, while other workers are at theirs.
+    ///
+    /// # Errors
+    /// What cannot be made.
+    fn end(&mut self) -> io::Result<()>;
+}
+
+/// Where that goes, block by block in the order of the stream.
+pub trait Sink<M: Making>: Send {
+    /// Takes what was made of a block.
+    ///
+    /// # Errors
+    /// Why nothing more can be taken.
+    fn take(&mut self, made: &mut M, block: &Block, tally: &Tally) -> io::Result<()>;
+}
+
+/// The answers of a block as bytes.
+struct Written<R> {
+    rendering: R,
+    packing: Packing,
+    packed: Vec<u8>,
+}
+
+impl<R: Rendering> Take for Written<R> {
+    #[inline]
+    fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
+        self.rendering.judged(row, judged);
+    }
+
+    fn refused(&mut self, row: &Row<'_>, reason: &str) {
+        self.rendering.refused(row, reason);
+    }
+
+    fn broken(&mut self, line: &str, reason: &ImportErrorKind) {
+        self.rendering.broken(line, reason);
+    }
+
+    fn line(&mut self, line: &[u8]) {
+        self.rendering.line(line);
+    }
+}
+
+impl<R: Rendering> Making for Written<R> {
+    fn begin(&mut self) {
+        self.rendering.out().clear();
+    }
+
+    fn end(&mut self) -> io::Result<()> {
+        self.packing.pack(self.rendering.out(), &mut self.packed).map(|_| ())
+    }
+}
+
+/// A stream of bytes.
+struct Out<'a>(&'a mut (dyn Write + Send));
+
+impl<R: Rendering> Sink<Written<R>> for Out<'_> {
+    fn take(&mut self, made: &mut Written<R>, _block: &Block, _tally: &Tally) -> io::Result<()> {
+        let bytes = if made.packing == Packing::Plain { made.rendering.out() } else { &mut made.packed };
+        self.0.write_all(bytes)?;
+        // Whoever waits at the other end of a pipe gets what is there.
+        self.0.flush()
+    }
+}
+
+/// Whose turn it is.
+struct Order<'a, S> {
+    sink: &'a mut S,
     turn: u64,
     tally: Tally,
     failed: Option<io::Error>,
 }
 
-struct Turns<'a, 'i> {
+struct Turns<'a, 'i, S> {
     source: Mutex<Source<'i>>,
-    sink: Mutex<Sink<'a>>,
+    sink: Mutex<Order<'a, S>>,
     /// Somebody has written.
     written: Condvar,
     /// How many workers are at work still.
     working: Mutex<usize>,
     ended: Condvar,
     watch: &'a Watch,
-    manner: Manner<'a>,
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -118,19 +187,39 @@ pub fn run<R: Rendering>(
     watch: &Watch,
     tick: &mut dyn FnMut(&Watch),
 ) -> Result<Summary, Failed> {
-    let workers = manner.workers.max(1);
+    let rendering = || Written {
+        rendering: R::new(court.layout(), manner.prefix),
+        packing: manner.packing,
+        packed: Vec::new(),
+    };
+    run_into(input, court, (manner.workers, &rendering), &mut Out(out), watch, tick)
+}
+
+/// Judges all rows of a stream: each worker makes something of its blocks, and a sink takes it in the order of the
+/// stream. `tick` is called ten times a second meanwhile.
+///
+/// # Errors
+/// [`Failed`] says which side failed first.
+pub fn run_into<M: Making, S: Sink<M>>(
+    input: Input<'_>,
+    court: &Court<'_>,
+    (workers, making): (usize, &(dyn Fn() -> M + Sync)),
+    sink: &mut S,
+    watch: &Watch,
+    tick: &mut dyn FnMut(&Watch),
+) -> Result<Summary, Failed> {
+    let workers = workers.max(1);
     let turns = Turns {
         source: Mutex::new(Source { input, next: 0, failed: None, is_ended: false }),
-        sink: Mutex::new(Sink { out, turn: 0, tally: Tally::default(), failed: None }),
+        sink: Mutex::new(Order { sink, turn: 0, tally: Tally::default(), failed: None }),
         written: Condvar::new(),
         working: Mutex::new(workers),
         ended: Condvar::new(),
         watch,
-        manner,
     };
     let mut summary = Summary::default();
     std::thread::scope(|scope| {
-        let work = || turns.work::<R>(court);
+        let work = || turns.work(court, making);
         let start = |number| std::thread::Builder::new().name(format!("batch {number}")).spawn_scoped(scope, work);
         // Where the system gives fewer threads, fewer workers do it; without any, this thread does.
         let judges: Vec<_> = (1..=workers).filter_map(|number| start(number).ok()).collect();
@@ -202,9 +291,9 @@ fn sum(counts: &mut Counts, more: Counts) {
 }
 
 /// Ends the run of all workers where one of them ends, however it does.
-struct Leave<'a, 'b, 'i>(&'a Turns<'b, 'i>);
+struct Leave<'a, 'b, 'i, S>(&'a Turns<'b, 'i, S>);
 
-impl Drop for Leave<'_, '_, '_> {
+impl<S> Drop for Leave<'_, '_, '_, S> {
     fn drop(&mut self) {
         if std::thread::panicking() {
             self.0.watch.stop.store(true, Relaxed);
@@ -215,18 +304,19 @@ impl Drop for Leave<'_, '_, '_> {
     }
 }
 
-impl Turns<'_, '_> {
-    fn work<'c, R: Rendering>(&self, court: &'c Court<'_>) -> Judge<'c> {
+impl<S> Turns<'_, '_, S> {
+    fn work<'c, M: Making>(&self, court: &'c Court<'_>, making: &(dyn Fn() -> M + Sync)) -> Judge<'c>
+    where
+        S: Sink<M>,
+    {
         let _leave = Leave(self);
         let mut judge = court.judge();
-        let mut rendering = R::new(court.layout(), self.manner.prefix);
-        let (mut block, mut packed) = (Block::default(), Vec::new());
+        let (mut made, mut block) = (making(), Block::default());
         while let Some(number) = self.take(&mut block) {
-            let text = rendering.out();
-            text.clear();
-            let tally = judge.block(&block, &mut rendering);
-            let written = self.manner.packing.pack(rendering.out(), &mut packed);
-            if !self.give(number, tally, block.len(), written) {
+            made.begin();
+            let tally = judge.block(&block, &mut made);
+            let ended = made.end();
+            if !self.give(number, tally, &block, ended.map(|()| &mut made)) {
                 break;
             }
         }
@@ -254,7 +344,10 @@ impl Turns<'_, '_> {
     }
 
     /// Writes a block when its turn comes; `false` where nothing more is written.
-    fn give(&self, number: u64, tally: Tally, bytes: usize, packed: io::Result<&[u8]>) -> bool {
+    fn give<M: Making>(&self, number: u64, tally: Tally, block: &Block, made: io::Result<&mut M>) -> bool
+    where
+        S: Sink<M>,
+    {
         let mut sink = lock(&self.sink);
         while sink.turn != number {
             if self.watch.stop.load(Relaxed) || sink.failed.is_some() {
@@ -266,13 +359,12 @@ impl Turns<'_, '_> {
         if sink.failed.is_some() {
             return false;
         }
-        // Whoever waits at the other end of a pipe gets what is there.
-        if let Err(error) = packed.and_then(|packed| sink.out.write_all(packed)).and_then(|()| sink.out.flush()) {
+        if let Err(error) = made.and_then(|made| sink.sink.take(made, block, &tally)) {
             sink.failed = Some(error);
             lock(&self.source).is_ended = true;
         }
         self.watch.rows.fetch_add(tally.rows, Relaxed);
-        self.watch.bytes.fetch_add(u64::try_from(bytes).unwrap_or_default(), Relaxed);
+        self.watch.bytes.fetch_add(u64::try_from(block.len()).unwrap_or_default(), Relaxed);
         sink.tally.add(tally);
         sink.turn += 1;
         let goes_on = sink.failed.is_none();

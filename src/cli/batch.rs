@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Rendering, Stream, Summary, Watch};
 use crate::cli::args::one_of;
-use crate::exchange::batch::{ADDED, BLOCK, Court, Csv, Cutter, HEAD, JsonLines, Layout};
+use crate::exchange::batch::{ADDED, BLOCK, Court, Csv, Cutter, JsonLines, Layout};
 use crate::files;
 use crate::tolerance::Sources;
 use progress::Progress;
@@ -205,19 +205,9 @@ impl Job<'_> {
         };
         let is_patient = size.is_some();
         let mut stream = Stream::of(raw).map_err(failed)?;
-        loop {
-            let goes_on = stream.read_more(if is_patient { HEAD } else { BLOCK }).map_err(failed)?;
-            let is_enough = !goes_on || HEAD <= stream.head.len();
-            if is_patient && !is_enough {
-                continue;
-            }
-            match Layout::of(&stream.head, stream.is_all, &name) {
-                Ok(layout) if layout.has_rows || is_enough => {
-                    return Ok(Opened { name, path, stream, layout, size });
-                }
-                Err(error) if is_enough => return Err(CliError::BatchInput { name, error: error.to_string() }),
-                Ok(_) | Err(_) => {}
-            }
+        match stream.layout(is_patient, &name).map_err(failed)? {
+            Ok(layout) => Ok(Opened { name, path, stream, layout, size }),
+            Err(error) => Err(CliError::BatchInput { name, error: error.to_string() }),
         }
     }
 

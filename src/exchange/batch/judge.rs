@@ -1,5 +1,7 @@
 //! Rows judged one after the other: most of them fast, the others exactly as `import` reads them, with the same answer.
 
+use std::fmt;
+
 use super::LONGEST_ROW;
 use super::cut::Block;
 use super::index::{Broken, Index};
@@ -13,6 +15,7 @@ use crate::exchange::error::ImportErrorKind;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::rules::{Found, Rules};
 use crate::length::{Length, Unit};
+use crate::message::Say;
 use crate::tolerance::{Bounds, Sources, ToleranceClass};
 use crate::verdict::{SizeVerdict, Status, doubt_of, judge_bounds};
 
@@ -25,16 +28,21 @@ pub struct Judged {
     pub measured: Length,
     /// The verdict.
     pub verdict: SizeVerdict,
+    /// The class of its callout, with the number that the judge has given it; `None` for a callout without a class.
+    pub class: Option<(usize, ToleranceClass)>,
 }
 
 /// Takes what is found in a block, in its order.
 pub trait Take {
+    /// The line at which the next thing begins, from 0 in its block; for those who count lines.
+    #[inline]
+    fn at(&mut self, _line: usize) {}
     /// A row with its verdict. The text of rows is UTF-8.
     fn judged(&mut self, row: &Row<'_>, judged: &Judged);
     /// A row without a verdict, and why; nothing where there is nothing in its cells.
     fn refused(&mut self, row: &Row<'_>, reason: &str);
     /// A line that cannot be split into cells, or only its beginning, with the reason.
-    fn broken(&mut self, line: &str, reason: &str);
+    fn broken(&mut self, line: &str, reason: &ImportErrorKind);
     /// A line that is no row: empty, or a comment. With its line end.
     fn line(&mut self, line: &[u8]);
 }
@@ -87,6 +95,11 @@ impl<'a> Court<'a> {
         self.layout
     }
 
+    /// Where limits come from.
+    pub const fn sources(&self) -> &Sources {
+        self.sources
+    }
+
     /// A worker's own judge.
     pub fn judge(&self) -> Judge<'_> {
         Judge {
@@ -134,6 +147,7 @@ impl Judge<'_> {
             let row = Row { text, start, ends };
             start = row.next();
             let lines = if block.index.is_some() { row.lines() } else { 1 };
+            take.at(tally.lines);
             if is_utf8 || std::str::from_utf8(row.bytes()).is_ok() {
                 self.row(&row, &mut tally, take);
             } else {
@@ -142,7 +156,7 @@ impl Judge<'_> {
                 self.other_text(&utf8(whole), &mut tally, take);
             }
             if 1 < lines {
-                tally.note(Kind::SeveralLines, None, || ImportWarningKind::SeveralLines { lines }.to_string());
+                tally.note(Kind::SeveralLines, None, || ImportWarningKind::SeveralLines { lines }.message());
             }
             tally.lines += lines;
         }
@@ -163,22 +177,22 @@ impl Judge<'_> {
     #[inline]
     fn row(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
         match self.fast(row) {
-            Some((judged, number)) => self.give(row, judged, Some(number), tally, take),
+            Some(judged) => self.give(row, judged, tally, take),
             None => self.slow(row, tally, take),
         }
     }
 
     #[inline]
-    fn give(&mut self, row: &Row<'_>, judged: Judged, class: Option<usize>, tally: &mut Tally, take: &mut impl Take) {
+    fn give(&mut self, row: &Row<'_>, judged: Judged, tally: &mut Tally, take: &mut impl Take) {
         let status = judged.verdict.status;
         tally.rows += 1;
         let others = &mut self.others;
-        let counts = class.and_then(|number| self.counts.get_mut(number)).unwrap_or(others);
+        let counts = judged.class.and_then(|(number, _)| self.counts.get_mut(number)).unwrap_or(others);
         for (count, one) in counts.iter_mut().zip(Status::ALL) {
             *count += u64::from(one == status);
         }
         if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
-            tally.note(Kind::Doubt, None, || doubt.to_string());
+            tally.note(Kind::Doubt, None, || doubt.message());
         }
         take.judged(row, &judged);
     }
@@ -199,7 +213,7 @@ impl Judge<'_> {
 
     /// The verdict of a plain row; `None` for every row that is not plain.
     #[inline]
-    fn fast(&mut self, row: &Row<'_>) -> Option<(Judged, usize)> {
+    fn fast(&mut self, row: &Row<'_>) -> Option<Judged> {
         let fast = &self.court.fast;
         if row.len() != fast.count || LONGEST_ROW < row.bytes().len() || may_be_comment(row.bytes()) {
             return None;
@@ -250,7 +264,7 @@ impl Judge<'_> {
         self.make_room(number);
         let (class, deviations) = self.classes.deviations(number, nominal)?;
         let bounds = Bounds::new(class.feature(), nominal, deviations)?;
-        Some((Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) }, number))
+        Some(Judged { bounds, measured, verdict: judge_bounds(&bounds, measured), class: Some((number, class)) })
     }
 
     /// A row as `import` reads it.
@@ -267,7 +281,7 @@ impl Judge<'_> {
         }
         if columns::is_comment(&cells) {
             if columns::is_data(&cells) {
-                return Self::refuse(row, None, &ImportWarningKind::Comment.to_string(), tally, take);
+                return Self::refuse(row, None, &ImportWarningKind::Comment, tally, take);
             }
             tally.comments += 1;
             return take.line(whole);
@@ -277,23 +291,29 @@ impl Judge<'_> {
         match rules.read(&cells) {
             Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
                 let bounds = limits.bounds();
-                let number = callout.class().map(|class| self.classes.number_of(class));
-                if let Some(number) = number {
+                let class = callout.class().map(|class| (self.classes.number_of(class), class));
+                if let Some((number, _)) = class {
                     self.make_room(number);
                 }
                 tally.simulated += u64::from(is_simulated);
-                let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
-                self.give(row, judged, number, tally, take);
+                let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured), class };
+                self.give(row, judged, tally, take);
             }
-            Ok(Found { asked: None, .. }) => Self::refuse(row, None, &WhyUnjudged::NoCallout.to_string(), tally, take),
-            Err((cell, reason)) => Self::refuse(row, cell.at, &reason.to_string(), tally, take),
+            Ok(Found { asked: None, .. }) => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
+            Err((cell, reason)) => Self::refuse(row, cell.at, &reason, tally, take),
         }
     }
 
-    fn refuse(row: &Row<'_>, at: Option<usize>, reason: &str, tally: &mut Tally, take: &mut impl Take) {
+    fn refuse(
+        row: &Row<'_>,
+        at: Option<usize>,
+        reason: &(impl Say + fmt::Display),
+        tally: &mut Tally,
+        take: &mut impl Take,
+    ) {
         tally.rows += 1;
-        tally.note(Kind::Refused, at, || reason.to_owned());
-        take.refused(row, reason);
+        tally.note(Kind::Refused, at, || reason.message());
+        take.refused(row, &reason.to_string());
     }
 
     /// A line that is no row.
@@ -303,9 +323,8 @@ impl Judge<'_> {
             Broken::OpenQuote => ImportErrorKind::OpenQuote,
             Broken::TooLong => ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 },
         };
-        let reason = reason.to_string();
         tally.rows += 1;
-        tally.note(Kind::Refused, None, || reason.clone());
+        tally.note(Kind::Refused, None, || reason.message());
         let line = line.strip_suffix(b"\n").unwrap_or(line);
         let line = line.strip_suffix(b"\r").unwrap_or(line);
         // Of a megabyte, the beginning tells which line it was; a character is not cut in two.
