@@ -21,7 +21,7 @@ pub use forms::{FORMS, Form, Rendering};
 pub use stream::{Packing, Stream};
 
 use crate::exchange::ImportErrorKind;
-use crate::exchange::batch::{Block, Counts, Court, Cutter, Judge, Judged, Row, Take, Tally};
+use crate::exchange::batch::{Block, Counts, Court, Cutter, Judge, Judged, Marks, Row, Take, Tally};
 use crate::tolerance::ToleranceClass;
 
 /// How far a run has come, for whoever watches it, and its end.
@@ -139,6 +139,16 @@ impl<R: Rendering> Making for Written<R> {
     }
 }
 
+impl Making for Marks {
+    fn begin(&mut self) {
+        self.clear();
+    }
+
+    fn end(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
 /// A stream of bytes.
 struct Out<'a>(&'a mut (dyn Write + Send));
 
@@ -173,6 +183,14 @@ struct Turns<'a, 'i, S> {
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     // A worker that failed has said so; what it held is whole between two steps.
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// More workers only wait for the one stream that they read and write.
+const MOST_WORKERS: usize = 8;
+
+/// How many workers this machine has room for.
+pub fn workers() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from).min(MOST_WORKERS)
 }
 
 /// Judges all rows of a stream and writes them in their order. `tick` is called ten times a second meanwhile.

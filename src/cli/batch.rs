@@ -43,9 +43,6 @@ pub(super) struct Args {
     tables: TableArgs,
 }
 
-/// More workers only wait for the one stream that they read and write.
-const MOST_WORKERS: usize = 8;
-
 fn help() -> String {
     format!(
         "\
@@ -247,8 +244,7 @@ impl Job<'_> {
         }
         let court = Court::new(&layout, self.sources);
         let cutter = Cutter::new(layout.separator(), BLOCK, size.is_some());
-        let processors = || std::thread::available_parallelism().map_or(1, usize::from).min(MOST_WORKERS);
-        let workers = self.args.jobs.map_or_else(processors, usize::from);
+        let workers = self.args.jobs.map_or_else(batch::workers, usize::from);
         let mut input = io::Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
         let progress = Progress::new(&name, size.filter(|_| stream.packing == Packing::Plain));
         let manner = Manner { workers, packing: self.packing, prefix: &self.args.prefix };

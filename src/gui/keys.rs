@@ -44,13 +44,14 @@ const fn pressed_key(event: &Event) -> Option<(egui::Key, Modifiers)> {
 
 /// The part of the page that has the focus as a whole. Arrows stay in it.
 fn focused_part(ui: &Ui, view: &View<'_>) -> Option<Part> {
-    let part = Part::ALL.into_iter().find(|part| part.page() == view.session.page())?;
-    let id = id(part, view);
-    let horizontal_arrows = matches!(part, Part::Classes | Part::Cells);
-    let arrows = EventFilter { tab: false, horizontal_arrows, vertical_arrows: true, escape: false };
+    let on_page = Part::ALL.into_iter().filter(|part| part.page() == view.session.page());
+    let ids: Vec<_> = on_page.map(|part| (part, id(part, view))).collect();
     ui.memory_mut(|memory| {
+        let (part, id) = ids.into_iter().find(|(_, id)| memory.has_focus(*id))?;
+        let horizontal_arrows = matches!(part, Part::Classes | Part::Cells);
+        let arrows = EventFilter { tab: false, horizontal_arrows, vertical_arrows: true, escape: false };
         memory.set_focus_lock_filter(id, arrows);
-        memory.has_focus(id).then_some(part)
+        Some(part)
     })
 }
 
@@ -60,6 +61,7 @@ fn id(part: Part, view: &View<'_>) -> Id {
         Part::Cells => tables::grid_id(),
         Part::Listing => program::listing_id(),
         Part::History => check::history_id(),
+        Part::Rows => check::rows_id(),
     }
 }
 

@@ -109,6 +109,7 @@ const ROOMS: [(&str, &[&str]); 17] = [
             "exchange",
             "report",
             "files",
+            "batch",
             "session",
         ],
     ),
