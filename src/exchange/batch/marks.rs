@@ -189,6 +189,11 @@ impl Part {
         self.rows.is_empty()
     }
 
+    /// How many bytes of memory it takes.
+    pub fn bytes_kept(&self) -> usize {
+        size_of::<Self>() + size_of_val(&*self.rows) + size_of_val(self.counts.as_slice())
+    }
+
     /// What became of a row, and its class; the rows count from 0.
     pub fn row(&self, number: usize) -> Option<(Fate, usize)> {
         self.rows.get(number).map(|mark| (mark.fate(), mark.class()))
