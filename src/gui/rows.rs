@@ -297,3 +297,68 @@ impl Sink<Marks> for Found<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A file of so many rows in a folder of its own.
+    fn file(rows: usize) -> (tempfile::TempDir, std::path::PathBuf) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("rows.csv");
+        std::fs::write(&path, format!("callout,measured\n{}", "25 H7,25.01\n".repeat(rows))).unwrap();
+        (folder, path)
+    }
+
+    #[test]
+    fn a_run_says_its_first_rows_at_once_and_ends_where_it_is_stopped() {
+        let (_folder, path) = file(1_000_000);
+        let runs = Runs::default();
+        let watch = runs.begin(1);
+        let (mut rows, mut said, mut end) = (0, 0, None);
+        runs.judge((1, &path), &watch, &Arc::default(), &mut |news: News| {
+            // The first answer has one block, and is cancelled.
+            assert!(0 < said || news.layout.is_some() && news.parts.len() == 1);
+            runs.stop();
+            said += 1;
+            rows += news.parts.iter().map(|part| part.len()).sum::<usize>();
+            end = news.end;
+        });
+        assert_eq!(end, Some(End::Cancelled));
+        assert!(0 < rows && rows < 1_000_000, "{rows}");
+        assert_eq!(said, 2, "the first rows, and the end");
+    }
+
+    #[test]
+    fn another_run_ends_the_one_before_and_its_rows_are_read_no_more() {
+        let (_folder, path) = file(10);
+        let runs = Runs::default();
+        let first = runs.begin(1);
+        let mut parts = Vec::new();
+        runs.judge((1, &path), &first, &Arc::default(), &mut |news: News| parts.extend(news.parts));
+        let wanted = vec![(Arc::clone(&parts[0]), vec![3, 9])];
+        let read = runs.read(1, &wanted).unwrap();
+        assert_eq!(read.iter().map(|(number, row)| (*number, row.line)).collect::<Vec<_>>(), [(3, 3), (9, 9)]);
+        let second = runs.begin(2);
+        assert!(first.stop.load(Relaxed) && !second.stop.load(Relaxed));
+        assert_eq!(runs.read(1, &wanted), Ok(Vec::new()));
+        // What replaced the file under its name is not read in its place.
+        std::fs::write(&path, "callout,measured\n").unwrap();
+        runs.judge((2, &path), &second, &Arc::default(), &mut |news: News| {
+            if let Some(end) = news.end {
+                assert_eq!(end, End::Done);
+            }
+        });
+        assert_eq!(runs.read(2, &wanted), Err(Message::new("rows-changed")));
+    }
+
+    #[test]
+    fn small_files_logs_and_what_is_not_understood_are_imported() {
+        let (_folder, path) = file(10);
+        assert_eq!(large(&path), Ok(None));
+        let (_folder, path) = file(400_000);
+        assert!(matches!(large(&path), Ok(Some(Large::Bytes(bytes))) if LARGE < bytes));
+        std::fs::write(&path, vec![0; 5 << 20]).unwrap();
+        assert_eq!(large(&path), Ok(None));
+    }
+}

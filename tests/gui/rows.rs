@@ -142,7 +142,7 @@ fn counts_and_classes_filter_the_rows() {
     scrap.click();
     window.run();
     assert!(rows(&window).iter().all(|row| row.contains("SCRAP") && row.contains("40 g6")), "{:?}", rows(&window));
-    window.get_by_role_and_label(Role::ComboBox, "Class").click();
+    window.get_by_role_and_label(Role::ComboBox, "Classes").click();
     window.run();
     let class = window.get_by(|node| {
         node.role() == Role::CheckBox && node.label().is_some_and(|label| label.starts_with("H7: "))

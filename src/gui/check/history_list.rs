@@ -14,7 +14,7 @@ use eframe::egui::{
 use crate::gui::shapes::{self, focus_ring, times};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::colours;
-use crate::gui::view::{Digits, View, quiet};
+use crate::gui::view::{Digits, View, focus_soon, quiet, take_focus};
 use crate::journal::Record;
 use crate::journal::query::{Column, RecordId, TIME, callout};
 use crate::message::{Message, Say as _};
@@ -67,6 +67,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
     let heads = Rect::from_min_size(room.min, vec2(room.width(), control(ui)));
     heads_ui(ui, view, &columns, heads.y_range());
     let rect = Rect::from_min_max(heads.left_bottom(), room.max);
+    take_focus(ui, id());
     let list = ui.interact(rect, id(), Sense::focusable_noninteractive());
     list.widget_info(|| WidgetInfo::labeled(Role::Grid, true, view.text("history-list")));
     ui.scope_builder(UiBuilder::new().max_rect(rect).id_salt("history-body"), |ui| {
@@ -203,7 +204,7 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, columns: &Columns, row: &Row) {
     }
     if clicked {
         view.send(CheckCommand::Show(row.id));
-        ui.memory_mut(|memory| memory.request_focus(id()));
+        focus_soon(ui, id());
     }
 }
 

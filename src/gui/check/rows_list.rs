@@ -14,7 +14,7 @@ use super::rows_panel::{fate_text, grouped};
 use crate::exchange::batch::Picked;
 use crate::gui::shapes::{self, focus_ring, lines_of, part_of, times};
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, quiet};
+use crate::gui::view::{View, focus_soon, quiet, take_focus};
 use crate::length::Length;
 use crate::message::Message;
 use crate::session::{Listed, Rows, RowsCommand};
@@ -102,6 +102,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
     if rect.height() < 1.0 {
         return;
     }
+    take_focus(ui, id());
     let list = ui.interact(rect, id(), Sense::focusable_noninteractive());
     list.widget_info(|| WidgetInfo::labeled(Role::Grid, true, view.text("rows-list")));
     let height = control(ui);
@@ -255,7 +256,7 @@ fn row_ui(
     }
     if clicked {
         view.send(RowsCommand::Check(row.number));
-        ui.memory_mut(|memory| memory.request_focus(id()));
+        focus_soon(ui, id());
     }
 }
 
