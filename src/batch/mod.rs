@@ -205,11 +205,8 @@ pub fn run<R: Rendering>(
     watch: &Watch,
     tick: &mut dyn FnMut(&Watch),
 ) -> Result<Summary, Failed> {
-    let rendering = || Written {
-        rendering: R::new(court.layout(), manner.prefix),
-        packing: manner.packing,
-        packed: Vec::new(),
-    };
+    let rendering =
+        || Written { rendering: R::new(court.layout(), manner.prefix), packing: manner.packing, packed: Vec::new() };
     run_into(input, court, (manner.workers, &rendering), &mut Out(out), watch, tick)
 }
 

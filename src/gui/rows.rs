@@ -159,7 +159,8 @@ impl Runs {
         };
         let mut copy = None;
         if stream.packing != Packing::Plain || stream.is_utf16 {
-            let (file, written, name) = unpacked().map_err(|error| Message::new("rows-no-copy").text("reason", error))?;
+            let (file, written, name) =
+                unpacked().map_err(|error| Message::new("rows-no-copy").text("reason", error))?;
             text = Text { file: Mutex::new(file), stamp: None, start: 0, _name: name, ..text };
             copy = Some(written);
         }
@@ -187,11 +188,7 @@ impl Runs {
     }
 
     /// Reads rows again, each with its number among all.
-    pub fn read(
-        &self,
-        number: u64,
-        wanted: &[(Arc<Part>, Vec<usize>)],
-    ) -> Result<Vec<(u64, Arc<Picked>)>, Message> {
+    pub fn read(&self, number: u64, wanted: &[(Arc<Part>, Vec<usize>)]) -> Result<Vec<(u64, Arc<Picked>)>, Message> {
         let text = lock(&self.last).as_ref().filter(|run| run.number == number).and_then(|run| run.text.clone());
         // Another run has begun, and its rows are asked for anew.
         let Some(text) = text else { return Ok(Vec::new()) };
@@ -255,7 +252,9 @@ impl<R: Read> Read for Copied<R> {
         if let Some(copy) = &mut self.copy {
             self.length += u64::try_from(read).unwrap_or_default();
             if MOST_UNPACKED < self.length {
-                return Err(io::Error::other(Message::new("rows-too-much").with("most", &(MOST_UNPACKED >> 30)).to_string()));
+                return Err(io::Error::other(
+                    Message::new("rows-too-much").with("most", &(MOST_UNPACKED >> 30)).to_string(),
+                ));
             }
             copy.write_all(to.get(..read).unwrap_or_default())?;
         }

@@ -21,7 +21,12 @@ pub(super) fn times(size: f32, count: usize) -> f32 {
 }
 
 /// How many whole lines a number of them is; none below zero.
-#[expect(clippy::as_conversions, clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lines on a screen")]
+#[expect(
+    clippy::as_conversions,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "lines on a screen"
+)]
 pub(super) const fn lines_of(lines: f32) -> usize {
     lines.max(0.0) as usize
 }

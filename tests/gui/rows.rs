@@ -66,13 +66,16 @@ fn cursor(window: &Harness<'_, App>) -> String {
 fn a_large_file_shows_its_rows_and_counts_and_keeps_nothing_in_the_history() {
     let (_folder, window) = opened("big.csv", large().as_bytes());
     let count = window.state().session().check().rows().unwrap().count();
-    assert!(100_000 < count, "{count}");
+    assert!(30_000 < count, "{count}");
     window.get_by_label_contains("all judged in");
-    window.get_by_label_contains("4 MiB, more than 4 MiB: judged row by row");
-    assert_eq!(rows(&window)[..2], [
-        "line 2, P0000000, 25 H7, 24.9900 mm, −10 µm, REWORK, Remove 10 µm",
-        "line 3, P0000001, 40 g6, 39.9000 mm, −100 µm, SCRAP",
-    ]);
+    window.get_by_label_contains("1 MiB, more than 1 MiB: judged row by row");
+    assert_eq!(
+        rows(&window)[..2],
+        [
+            "line 2, P0000000, 25 H7, 24.9900 mm, −10 µm, REWORK, Remove 10 µm",
+            "line 3, P0000001, 40 g6, 39.9000 mm, −100 µm, SCRAP",
+        ]
+    );
     assert!(rows(&window).len() < 40, "only those in sight are drawn");
     window.get_by_role_and_label(Role::CheckBox, "NOT JUDGED 1");
     assert!(window.state().session().history().is_empty());
@@ -136,17 +139,15 @@ fn counts_and_classes_filter_the_rows() {
     assert_eq!(rows(&window).len(), 1);
     window.get_by_label_contains("1 of 1");
     click(&mut window, Role::CheckBox, "NOT JUDGED 1");
-    let scrap = window.get_by(|node| {
-        node.role() == Role::CheckBox && node.label().is_some_and(|label| label.starts_with("SCRAP "))
-    });
+    let scrap = window
+        .get_by(|node| node.role() == Role::CheckBox && node.label().is_some_and(|label| label.starts_with("SCRAP ")));
     scrap.click();
     window.run();
     assert!(rows(&window).iter().all(|row| row.contains("SCRAP") && row.contains("40 g6")), "{:?}", rows(&window));
     window.get_by_role_and_label(Role::ComboBox, "Classes").click();
     window.run();
-    let class = window.get_by(|node| {
-        node.role() == Role::CheckBox && node.label().is_some_and(|label| label.starts_with("H7: "))
-    });
+    let class = window
+        .get_by(|node| node.role() == Role::CheckBox && node.label().is_some_and(|label| label.starts_with("H7: ")));
     class.click();
     window.run();
     press(&mut window, Key::Escape);
@@ -168,10 +169,13 @@ fn packed_rows_are_read_again_from_their_text() {
     {
         let (_folder, window) = opened(name, &packed);
         window.get_by_label_contains("Packed: judged row by row");
-        assert_eq!(rows(&window), [
-            "line 2, 1, 25 H7, 25.0100 mm, +10 µm, GOOD",
-            "line 3, 2, 25 H7, 24.9900 mm, −10 µm, REWORK, Remove 10 µm",
-        ]);
+        assert_eq!(
+            rows(&window),
+            [
+                "line 2, 1, 25 H7, 25.0100 mm, +10 µm, GOOD",
+                "line 3, 2, 25 H7, 24.9900 mm, −10 µm, REWORK, Remove 10 µm",
+            ]
+        );
     }
 }
 
@@ -207,11 +211,11 @@ fn rows_and_history_change_places_and_the_file_is_closed() {
     let (_folder, mut window) = opened("big.csv", large().as_bytes());
     click(&mut window, Role::Button, "History");
     window.get_by_label("Checks appear here, the newest first");
-    click(&mut window, Role::Button, "Rows of the file");
+    click(&mut window, Role::Button, "Rows");
     assert!(!rows(&window).is_empty());
     click(&mut window, Role::Button, "Close file");
     assert!(window.state().session().check().rows().is_none());
-    assert!(window.query_by_role_and_label(Role::Button, "Rows of the file").is_none());
+    assert!(window.query_by_role_and_label(Role::Button, "Rows").is_none());
 }
 
 #[test]
@@ -219,7 +223,14 @@ fn every_size_shows_rows_and_the_verdict() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("big.csv");
     std::fs::write(&path, large()).unwrap();
-    for size in [vec2(800.0, 600.0), vec2(1024.0, 600.0), vec2(1280.0, 800.0), vec2(1920.0, 1080.0), vec2(800.0, 1280.0), vec2(2800.0, 1200.0)] {
+    for size in [
+        vec2(800.0, 600.0),
+        vec2(1024.0, 600.0),
+        vec2(1280.0, 800.0),
+        vec2(1920.0, 1080.0),
+        vec2(800.0, 1280.0),
+        vec2(2800.0, 1200.0),
+    ] {
         let mut window = Window { size, files: vec![(Purpose::Import, path.clone())], ..Window::default() }.open();
         window.get_by_role(Role::Grid).focus();
         window.run();

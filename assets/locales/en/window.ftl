@@ -571,7 +571,7 @@ window-not-opened = the window cannot be opened: { $reason }; the command line w
 
 ## Rows of a large file
 
-rows = Rows of the file
+rows = Rows
 rows-cancel = Cancel
 rows-again = Judge again
 rows-close = Close file

@@ -571,7 +571,7 @@ window-not-opened = het venster kan niet worden geopend: { $reason }; de opdrach
 
 ## Rows of a large file
 
-rows = Rijen van het bestand
+rows = Rijen
 rows-cancel = Annuleren
 rows-again = Opnieuw beoordelen
 rows-close = Bestand sluiten

@@ -71,7 +71,16 @@ pub struct Cutter {
 impl Cutter {
     /// A stream from its first row on. `step` is usually [`BLOCK`].
     pub const fn new(separator: u8, step: usize, is_patient: bool) -> Self {
-        Self { separator, step, is_patient, rest: Vec::new(), read: 0, is_ended: false, failed: None, is_skipping: false }
+        Self {
+            separator,
+            step,
+            is_patient,
+            rest: Vec::new(),
+            read: 0,
+            is_ended: false,
+            failed: None,
+            is_skipping: false,
+        }
     }
 
     /// Fills a block with the next rows; `false` at the end of the stream.

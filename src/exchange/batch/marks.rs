@@ -165,16 +165,29 @@ impl Filter {
         self.fates.is_empty() && self.classes.is_empty()
     }
 
-    fn takes_fate(&self, fate: Fate) -> bool {
-        self.fates.is_empty() || self.fates.contains(&fate)
+    /// The filter as a table, for this many classes: one look-up a row.
+    pub fn sieve(&self, classes: usize) -> Sieve {
+        let takes_fate = |fate: &Fate| self.fates.is_empty() || self.fates.contains(fate);
+        let fates = Fate::ALL.map(|fate| takes_fate(&fate));
+        let of_class = |class: usize| {
+            let takes_class = self.classes.is_empty() || self.classes.contains(&class);
+            std::array::from_fn(|fate| takes_class && fates.get(fate).copied().unwrap_or_default())
+        };
+        Sieve { takes: (0..=classes).map(of_class).collect(), is_all: self.is_all() }
     }
+}
 
-    fn takes_class(&self, class: usize) -> bool {
-        self.classes.is_empty() || self.classes.contains(&class)
-    }
+/// A filter as a table.
+#[derive(Debug, Clone, Default)]
+pub struct Sieve {
+    /// Whether a row of each class, 0 for none, and of each fate is taken; a mark has room for eight fates.
+    takes: Vec<[bool; 8]>,
+    is_all: bool,
+}
 
+impl Sieve {
     fn takes(&self, mark: Mark) -> bool {
-        self.takes_fate(mark.fate()) && self.takes_class(mark.class())
+        self.takes.get(mark.class()).and_then(|fates| fates.get(usize::from(mark.0 & 7))).copied().unwrap_or_default()
     }
 }
 
@@ -200,20 +213,24 @@ impl Part {
     }
 
     /// How many rows a filter takes; no row is looked at.
-    pub fn count(&self, filter: &Filter) -> usize {
-        if filter.is_all() {
+    pub fn count(&self, sieve: &Sieve) -> usize {
+        if sieve.is_all {
             return self.len();
         }
-        let classes = self.counts.iter().filter(|(class, _)| filter.takes_class(*class));
-        let fates = classes.flat_map(|(_, counts)| Fate::ALL.into_iter().zip(counts));
-        let counts = fates.filter(|(fate, _)| filter.takes_fate(*fate)).map(|(_, count)| super::wide(*count));
-        counts.sum()
+        let classes = self.counts.iter().filter_map(|(class, counts)| Some((sieve.takes.get(*class)?, counts)));
+        let fates = classes.flat_map(|(takes, counts)| takes.iter().zip(counts));
+        fates.filter(|(takes, _)| **takes).map(|(_, count)| super::wide(*count)).sum()
+    }
+
+    /// One of the rows that a filter takes, from 0.
+    pub fn nth(&self, place: usize, sieve: &Sieve) -> Option<usize> {
+        if sieve.is_all { Some(place).filter(|place| *place < self.len()) } else { self.listed(sieve).nth(place) }
     }
 
     /// The rows that a filter takes, from 0.
-    pub fn listed<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = usize> + 'a {
+    pub fn listed<'a>(&'a self, sieve: &'a Sieve) -> impl Iterator<Item = usize> + 'a {
         let rows = self.rows.iter().enumerate();
-        rows.filter(|(_, mark)| filter.takes(**mark)).map(|(number, _)| number)
+        rows.filter(|(_, mark)| sieve.takes(**mark)).map(|(number, _)| number)
     }
 
     /// How many rows of each class have each fate; class 0 is none.
@@ -234,7 +251,8 @@ pub struct Store {
 impl Store {
     /// The part of the next block of the stream. The marks are taken.
     pub fn part(&mut self, marks: &mut Marks, block: &Block, tally: &Tally) -> Part {
-        let numbers: Vec<usize> = marks.classes.iter().map(|class| class.map_or(0, |class| self.number(class))).collect();
+        let numbers: Vec<usize> =
+            marks.classes.iter().map(|class| class.map_or(0, |class| self.number(class))).collect();
         let mut rows: Box<[Mark]> = marks.rows.as_slice().into();
         marks.rows.clear();
         let mut counts = vec![[0_u32; FATES]; self.classes.len() + 1];

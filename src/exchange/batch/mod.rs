@@ -33,7 +33,7 @@ pub use cut::{BLOCK, Block, Cutter};
 pub use json_lines::JsonLines;
 pub use judge::{Counts, Court, Judge, Judged, Take};
 pub use layout::{HEAD, Layout};
-pub use marks::{FATES, Fate, Filter, Marks, Part, Store};
+pub use marks::{FATES, Fate, Filter, Marks, Part, Sieve, Store};
 pub use pick::{Picked, pick};
 pub use row::Row;
 pub use tally::{FIRST, Kind, Note, Notes, Tally};

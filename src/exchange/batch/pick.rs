@@ -69,7 +69,8 @@ impl Picker<'_> {
 
     fn keep(&mut self, number: usize, cells: &StringRecord, judged: Option<Judged>, why: Option<Message>) {
         let columns = &self.court.layout().columns;
-        let cell = |at: Option<usize>| at.and_then(|at| cells.get(at)).map(|text| shorten(text.trim())).unwrap_or_default();
+        let cell =
+            |at: Option<usize>| at.and_then(|at| cells.get(at)).map(|text| shorten(text.trim())).unwrap_or_default();
         self.picked.push(Picked {
             number,
             line: self.part.line + self.line,

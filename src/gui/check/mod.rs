@@ -76,7 +76,8 @@ pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let size = ui.available_size();
     if view.session.check().shows_rows() {
-        let sizes = (size.y * 0.45, space(50.0)..=(size.y * 0.7).max(space(50.0)));
+        let share = if size.y < space(175.0) { 0.55 } else { 0.45 };
+        let sizes = (size.y * share, space(50.0)..=(size.y * 0.7).max(space(50.0)));
         return panel_ui(ui, view, Side::Bottom, (page.name, "rows"), sizes, |ui, view| below_ui(ui, view, false));
     }
     let has_keypad = view.session.has_keypad() && size.y < space(230.0);

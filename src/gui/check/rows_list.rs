@@ -5,9 +5,7 @@
 use std::ops::Range;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2,
-};
+use eframe::egui::{CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 
 use super::history_list::{PAD, text_ui};
 use super::rows_panel::{fate_text, grouped};
@@ -193,9 +191,10 @@ fn rows_ui(
         let Some(row) = rows.at(place) else { break };
         is_missing |= row.read.is_none() && !row.is_asked;
         let from = rect.top() - top.hidden + times(height, number);
-        let across = columns.iter().flatten().fold(Rangef::NOTHING, |all, column| {
-            Rangef::new(all.min.min(column.min), all.max.max(column.max))
-        });
+        let across = columns
+            .iter()
+            .flatten()
+            .fold(Rangef::NOTHING, |all, column| Rangef::new(all.min.min(column.min), all.max.max(column.max)));
         let row_rect = Rect::from_x_y_ranges(across, Rangef::new(from, from + height));
         row_ui(ui, view, rows, columns, (row_rect, place), &row);
     }

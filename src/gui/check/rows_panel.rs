@@ -3,8 +3,8 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    ComboBox, Layout, PopupCloseBehavior, ProgressBar, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
-    WidgetInfo, WidgetText, vec2,
+    Align, ComboBox, Label, Layout, PopupCloseBehavior, ProgressBar, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui,
+    UiBuilder, WidgetInfo, WidgetText, pos2, vec2,
 };
 
 use super::rows_list::list_ui;
@@ -14,27 +14,24 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
 use crate::message::Message;
 use crate::session::{Action, End, LARGE, Large, Rows, RowsCommand};
+use crate::tolerance::ToleranceClass;
 use crate::verdict::Status;
 use crate::words::Words;
 
 /// Title, counts and list.
 pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
     ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.y = space(1.0);
         switch_ui(ui, view);
-        heading(ui, rows.name());
-        state_ui(ui, view, rows);
-        for action in [Action::CancelRows, Action::JudgeRowsAgain] {
-            // Only one of them is possible, and each stands in the place of the other.
+        // Each stands in the place of the other, and numbers that grow move nothing that is pressed.
+        for action in [Action::CancelRows, Action::JudgeRowsAgain, Action::CloseRows, Action::KeepRow] {
             if view.session.can(action) {
                 view.button(ui, action);
             }
         }
-        if view.session.can(Action::KeepRow) {
-            view.button(ui, Action::KeepRow);
-        }
-        view.button(ui, Action::CloseRows);
-    });
-    ui.horizontal_wrapped(|ui| {
+        heading(ui, rows.name());
+        state_ui(ui, view, rows);
+        why_ui(ui, view, rows);
         for (fate, count) in rows.fates() {
             // Nothing is re-measured without a guard band, so a zero would only raise questions.
             if fate != Fate::Judged(Status::ReMeasure) || 0 < count {
@@ -44,8 +41,9 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         classes_ui(ui, view, rows);
         summary_ui(ui, view, rows);
         if !rows.filter().is_all() {
-            let listed = Message::new("rows-listed").text("listed", grouped(u64::try_from(rows.listed()).unwrap_or_default()));
-            quiet(ui, view.words.say(&listed.text("count", grouped(rows.count()))));
+            let listed = grouped(u64::try_from(rows.listed()).unwrap_or_default());
+            let listed = Message::new("rows-listed").text("listed", listed).text("count", grouped(rows.count()));
+            quiet(ui, view.words.say(&listed));
         }
     });
     if let Some(why) = rows.unread() {
@@ -101,12 +99,26 @@ fn state_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
         Some(End::Cancelled) => _ = problem(ui, words.say(&said("rows-cancelled"))),
         Some(End::Failed(why)) => _ = problem(ui, words.say(&said("rows-failed").message("why", why.clone()))),
     }
-    let why = match rows.large() {
+}
+
+/// Why the file is judged row by row, in what is left of the line; where there is no room, it is in the summary alone.
+fn why_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
+    let room = ui.available_size_before_wrap().x - ui.spacing().item_spacing.x;
+    if space(60.0) <= room {
+        let why = why_text(view.words, rows);
+        ui.allocate_ui_with_layout(vec2(room, control(ui)), Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(room);
+            quiet_cut(ui, &why).on_hover_text(&why);
+        });
+    }
+}
+
+/// Why the file is judged row by row, and what that means.
+fn why_text(words: &Words, rows: &Rows) -> String {
+    words.say(&match rows.large() {
         Large::Bytes(bytes) => Message::new("rows-why-bytes").text("size", bytes >> 20).text("limit", LARGE >> 20),
         Large::Packed => Message::new("rows-why-packed"),
-    };
-    let why = words.say(&why);
-    quiet_cut(ui, &why).on_hover_text(&why);
+    })
 }
 
 /// The name of what became of a row.
@@ -134,7 +146,7 @@ fn fate_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows, (fate, count): (Fate, 
     }
     shapes::status(painter, at(mark + gap), fate.status(), colour);
     let left = inner.left() + 2.0 * (mark + gap);
-    painter.galley(eframe::egui::pos2(left, rect.center().y - galley.size().y / 2.0), galley, colour);
+    painter.galley(pos2(left, rect.center().y - galley.size().y / 2.0), galley, colour);
     if response.has_focus() {
         shapes::focus_ring(ui, rect);
     }
@@ -147,14 +159,18 @@ fn fate_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows, (fate, count): (Fate, 
 /// The classes that occur, with how many rows each has.
 fn classes_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
     let chosen = &rows.filter().classes;
-    let name = |view: &View<'_>, class: Option<crate::tolerance::ToleranceClass>| {
+    let name = |view: &View<'_>, class: Option<ToleranceClass>| {
         class.map_or_else(|| view.text("rows-no-class"), |class| class.to_string())
     };
-    let mut classes: Vec<_> = rows.classes().map(|(number, class, counts)| (class, number, counts.iter().sum())).collect();
+    let mut classes: Vec<_> =
+        rows.classes().map(|(number, class, counts)| (class, number, counts.iter().sum())).collect();
     classes.sort_unstable_by_key(|(class, ..)| (class.is_none(), *class));
     let shown = match chosen.len() {
         0 => view.text("rows-all-classes"),
-        1 => classes.iter().find(|(_, number, _)| chosen.contains(number)).map_or(String::new(), |(class, ..)| name(view, *class)),
+        1 => classes
+            .iter()
+            .find(|(_, number, _)| chosen.contains(number))
+            .map_or(String::new(), |(class, ..)| name(view, *class)),
         count => view.words.say(&Message::new("rows-some-classes").count("count", count)),
     };
     let label = ui.label(view.text("rows-classes"));
@@ -185,6 +201,7 @@ fn summary_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
             if !rows.end().is_some_and(|end| *end == End::Done) {
                 problem(ui, view.text("rows-not-whole"));
             }
+            quiet(ui, why_text(view.words, rows));
             remarks_ui(ui, view, rows);
             ui.separator();
             for (_, class, counts) in rows.classes() {
@@ -215,7 +232,10 @@ fn remarks_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
     for kind in Kind::ALL {
         let notes = tally.notes(kind);
         if usize::try_from(notes.count).is_ok_and(|count| FIRST < count) {
-            quiet(ui, words.say(&Message::new("rows-first-notes").count("first", FIRST).text("count", grouped(notes.count))));
+            quiet(
+                ui,
+                words.say(&Message::new("rows-first-notes").count("first", FIRST).text("count", grouped(notes.count))),
+            );
         }
         for note in &notes.first {
             let line = Message::new("rows-note").count("line", first_line + note.line);
@@ -245,10 +265,10 @@ pub(super) fn shown_row_ui(ui: &mut Ui, view: &View<'_>) {
         problem(ui, view.words.say(why));
     }
     for (name, cell) in &row.cells {
-        ui.scope_builder(UiBuilder::new().layout(Layout::left_to_right(eframe::egui::Align::Min)), |ui| {
+        ui.scope_builder(UiBuilder::new().layout(Layout::left_to_right(Align::Min)), |ui| {
             ui.set_width(ui.available_width());
             quiet(ui, name);
-            ui.add(eframe::egui::Label::new(short(cell)).wrap());
+            ui.add(Label::new(short(cell)).wrap());
         });
     }
     ui.add_space(space(1.0));

@@ -1,9 +1,9 @@
 //! A row for every action. Menus, buttons, tooltips and keys are made from it.
 
 use super::possible::{
-    asks_to_replace, can_step, cell, differs, free_dialog, has_bad, has_cell, has_cursor, has_history, has_listed, has_rows,
-    has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988, rounds_js,
-    selected, tells_of_file,
+    asks_to_replace, can_step, cell, differs, free_dialog, has_bad, has_cell, has_cursor, has_history, has_listed,
+    has_rows, has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988,
+    rounds_js, selected, tells_of_file,
 };
 use super::row::{Row, Sends, everywhere, in_dialog, of_workpiece, on, switch, within};
 use super::{Action, Held, Key, Part, Place, Shortcut};

@@ -50,13 +50,14 @@ impl Rows {
         (self.classes, self.tally) = (news.classes, news.tally);
         (self.bytes, self.elapsed_ms, self.end) = (news.bytes, news.elapsed_ms, news.end);
         self.counts.resize(self.classes.len() + 1, [0; FATES]);
+        self.sieve = self.filter.sieve(self.classes.len());
         for part in news.parts {
             for (class, counts) in part.by_class() {
                 let known = self.counts.get_mut(*class).into_iter();
                 let pairs = known.flat_map(|known| known.iter_mut().zip(counts));
                 pairs.for_each(|(known, count)| *known += u64::from(*count));
             }
-            self.before.push(self.listed() + part.count(&self.filter));
+            self.before.push(self.listed() + part.count(&self.sieve));
             self.parts.push(part);
         }
     }
@@ -89,9 +90,10 @@ impl Rows {
     /// Counts the listed rows before each part; no row is looked at.
     fn list(&mut self) {
         let mut sum = 0;
-        let filter = &self.filter;
+        self.sieve = self.filter.sieve(self.classes.len());
+        let sieve = &self.sieve;
         let sums = self.parts.iter().map(|part| {
-            sum += part.count(filter);
+            sum += part.count(sieve);
             sum
         });
         self.before = [0].into_iter().chain(sums).collect();
