@@ -171,7 +171,7 @@ impl Runs {
         let rows = Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
         let mut rows = Copied { rows, copy, length: 0 };
         let input = Input { stream: &mut rows, cutter };
-        let making = (batch::workers(), &Marks::default as &(dyn Fn() -> Marks + Sync));
+        let making: (usize, &(dyn Fn() -> Marks + Sync)) = (batch::workers(), &Marks::default);
         let ended = batch::run_into(input, &court, making, found, watch, &mut |_| {});
         if !layout.is_utf8 {
             found.news.tally.not_utf8 += 1;
@@ -196,7 +196,7 @@ impl Runs {
         let court = Court::new(&text.layout, &text.sources);
         let mut all = Vec::new();
         for (part, rows) in wanted {
-            let bytes = text.bytes(part).map_err(|_| changed())?;
+            let bytes = text.bytes(part).map_err(|error| unread(&error))?;
             let picked = pick(bytes, part, rows, &court).ok_or_else(changed)?;
             let number = |row: &Picked| part.first + u64::try_from(row.number).unwrap_or_default();
             all.extend(picked.into_iter().map(|row| (number(&row), Arc::new(row))));
@@ -214,6 +214,14 @@ impl Text {
         file.read_exact(&mut bytes)?;
         let now = file.metadata().map(|metadata| stamp(&metadata))?;
         if self.stamp.is_none_or(|stamp| stamp == now) { Ok(bytes) } else { Err(io::ErrorKind::InvalidData.into()) }
+    }
+}
+
+/// Why rows cannot be read again.
+fn unread(error: &io::Error) -> Message {
+    match error.kind() {
+        io::ErrorKind::InvalidData | io::ErrorKind::UnexpectedEof => Message::new("rows-changed"),
+        _ => Message::new("rows-unread").text("reason", error),
     }
 }
 
@@ -305,7 +313,7 @@ mod tests {
     fn file(rows: usize) -> (tempfile::TempDir, std::path::PathBuf) {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("rows.csv");
-        std::fs::write(&path, format!("callout,measured\n{}", "25 H7,25.01\n".repeat(rows))).unwrap();
+        files::write(&path, format!("callout,measured\n{}", "25 H7,25.01\n".repeat(rows)).as_bytes()).unwrap();
         (folder, path)
     }
 
@@ -342,7 +350,7 @@ mod tests {
         assert!(first.stop.load(Relaxed) && !second.stop.load(Relaxed));
         assert_eq!(runs.read(1, &wanted), Ok(Vec::new()));
         // What replaced the file under its name is not read in its place.
-        std::fs::write(&path, "callout,measured\n").unwrap();
+        files::write(&path, b"callout,measured\n25 H7,25.01\n").unwrap();
         runs.judge((2, &path), &second, &Arc::default(), &mut |news: News| {
             if let Some(end) = news.end {
                 assert_eq!(end, End::Done);
@@ -357,7 +365,7 @@ mod tests {
         assert_eq!(large(&path), Ok(None));
         let (_folder, path) = file(400_000);
         assert!(matches!(large(&path), Ok(Some(Large::Bytes(bytes))) if LARGE < bytes));
-        std::fs::write(&path, vec![0; 5 << 20]).unwrap();
+        files::write(&path, &vec![0; 5 << 20]).unwrap();
         assert_eq!(large(&path), Ok(None));
     }
 }

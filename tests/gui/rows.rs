@@ -1,11 +1,13 @@
 //! The rows of a large file by label and key: counting, filtering, walking, showing one.
 
+use std::fmt::Write as _;
 use std::time::Duration;
 
 use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{Key, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::files;
 use fitcheck::gui::App;
 use fitcheck::session::{LARGE, Purpose};
 
@@ -21,7 +23,7 @@ fn large() -> String {
             1 => "40 g6,39.9000",
             _ => "25 H7,25.0100",
         };
-        text += &format!("P{number:07},{row} \n");
+        writeln!(text, "P{number:07},{row}").unwrap();
         number += 1;
     }
     text + "LAST,25 H7,\n"
@@ -31,7 +33,7 @@ fn large() -> String {
 fn opened(name: &str, bytes: &[u8]) -> (tempfile::TempDir, Harness<'static, App>) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
-    std::fs::write(&path, bytes).unwrap();
+    files::write(&path, bytes).unwrap();
     let window = Window { files: vec![(Purpose::Import, path)], ..Window::default() }.open();
     (folder, window)
 }
@@ -82,7 +84,7 @@ fn a_large_file_shows_its_rows_and_counts_and_keeps_nothing_in_the_history() {
     assert!(window.state().session().notices().is_empty());
     // Once it is settled nothing moves.
     assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
-    assert_eq!(window.query_by_role_and_label(Role::Button, "Cancel").is_some(), false);
+    assert!(window.query_by_role_and_label(Role::Button, "Cancel").is_none());
 }
 
 #[test]
@@ -182,7 +184,7 @@ fn packed_rows_are_read_again_from_their_text() {
 #[test]
 fn a_file_that_changes_is_said_and_not_shown_wrong() {
     let (folder, mut window) = opened("big.csv", large().as_bytes());
-    std::fs::write(folder.path().join("big.csv"), large().replace("25.0100", "25.9100")).unwrap();
+    files::write(&folder.path().join("big.csv"), large().replace("25.0100", "25.9100").as_bytes()).unwrap();
     window.get_by_role(Role::Grid).focus();
     window.run();
     press(&mut window, Key::End);
@@ -222,7 +224,7 @@ fn rows_and_history_change_places_and_the_file_is_closed() {
 fn every_size_shows_rows_and_the_verdict() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("big.csv");
-    std::fs::write(&path, large()).unwrap();
+    files::write(&path, large().as_bytes()).unwrap();
     for size in [
         vec2(800.0, 600.0),
         vec2(1024.0, 600.0),

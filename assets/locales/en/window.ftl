@@ -632,6 +632,7 @@ rows-none-yet = No row yet
 rows-head-line = Line
 rows-head-what = To do
 rows-changed = the file has changed since it was judged; judge it again
+rows-unread = the rows cannot be read again: { $reason }
 rows-no-copy = the unpacked text cannot be kept: { $reason }
 rows-too-much = the unpacked text is larger than { $most } GiB
 rows-panicked = an internal error ended the run

@@ -632,6 +632,7 @@ rows-none-yet = Nog geen rij
 rows-head-line = Regel
 rows-head-what = Te doen
 rows-changed = het bestand is veranderd sinds het is beoordeeld; beoordeel het opnieuw
+rows-unread = de rijen kunnen niet opnieuw worden gelezen: { $reason }
 rows-no-copy = de uitgepakte tekst kan niet worden bewaard: { $reason }
 rows-too-much = de uitgepakte tekst is groter dan { $most } GiB
 rows-panicked = een interne fout heeft het beoordelen beëindigd

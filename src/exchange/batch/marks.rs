@@ -259,8 +259,10 @@ impl Store {
         for mark in &mut rows {
             let own = mark.class().checked_sub(1).and_then(|number| numbers.get(number)).copied().unwrap_or_default();
             *mark = Mark::new(own.checked_sub(1), mark.fate());
-            let count = counts.get_mut(own).and_then(|fates| fates.get_mut(usize::from(mark.0 & 7)));
-            count.into_iter().for_each(|count| *count += 1);
+            let fates = counts.get_mut(own);
+            if let Some(count) = fates.and_then(|fates| fates.get_mut(usize::from(mark.0 & 7))) {
+                *count += 1;
+            }
         }
         let occurs = |(_, fates): &(usize, [u32; FATES])| fates.iter().any(|count| 0 < *count);
         let part = Part {

@@ -178,7 +178,7 @@ fn bar_ui(ui: &Ui, rect: Rect, (top, last): (Top, Top), width: f32) -> Top {
 }
 
 fn rows_ui(
-    ui: &mut Ui,
+    ui: &Ui,
     view: &mut View<'_>,
     rows: &Rows,
     columns: &Columns,

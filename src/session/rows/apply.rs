@@ -194,8 +194,8 @@ impl Rows {
         let cells = cells.collect();
         let mut imported = picked.imported(layout, &self.name, sources, now);
         let record = imported.records.pop().filter(|_| picked.judged.is_some()).map(Arc::new);
-        let warnings = imported.warnings.iter().map(|warning| warning.what.kind.message());
-        let why = picked.why.clone().or_else(|| warnings.last());
+        let mut warnings = imported.warnings.iter().map(|warning| warning.what.kind.message());
+        let why = picked.why.clone().or_else(|| warnings.next_back());
         Some(ShownRow { number, line, cells, record, why })
     }
 
