@@ -6,7 +6,7 @@ use eframe::egui::{self, Event, EventFilter, Id, KeyboardShortcut, Modifiers, Ui
 
 use super::view::View;
 use super::{check, fit, program, tables};
-use crate::session::action::{Held, Key, Part, Shortcut};
+use crate::session::action::{Action, Held, Key, Part, Shortcut};
 
 /// Does what was pressed in this frame, before anything is drawn: a key that an action takes reaches no widget.
 pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
@@ -28,7 +28,9 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
             shortcut.key == Key::Escape
         });
     });
-    for action in pressed {
+    // The Escape that closes a list ends no run.
+    let closes_list = egui::Popup::is_any_open(ui.ctx());
+    for action in pressed.into_iter().filter(|action| !(closes_list && *action == Action::CancelRows)) {
         view.act(action);
     }
 }

@@ -10,6 +10,7 @@ use fitcheck::batch::{Input, Manner, Packing, Sink, Watch, run, run_into};
 use fitcheck::exchange::batch::{Block, Court, Csv, Cutter, Fate, Filter, Layout, Marks, Part, Store, Tally, pick};
 use fitcheck::exchange::import;
 use fitcheck::message::Message;
+use fitcheck::session::action::{Action, Part as Place};
 use fitcheck::session::{CheckCommand, Command, Effect, End, Large, News, Rows, RowsCommand, Session, Step};
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
@@ -227,8 +228,16 @@ fn a_cancelled_run_keeps_its_rows_and_says_that_it_is_not_whole() {
     assert!(rows(&session).is_running());
     let count = rows(&session).count();
     assert!(0 < count && count < 101, "{count}");
+    // Escape does it, also while somebody types.
+    let escape = Action::CancelRows.shortcuts().next().unwrap();
+    for (is_typing, part) in [(false, None), (true, None), (false, Some(Place::Rows))] {
+        let keys = session.keys(part, is_typing);
+        let first = keys.iter().find(|(shortcut, _)| *shortcut == escape).map(|(_, action)| *action);
+        assert_eq!(first, Some(Action::CancelRows));
+    }
     assert_eq!(send(&mut session, RowsCommand::Cancel), [Effect::StopRows]);
-    judged(&mut session, 1, News { end: Some(End::Cancelled), ..news(&text, 0, None) });
+    assert!(!session.can(Action::CancelRows) && session.can(Action::JudgeRowsAgain));
+    // At once, whatever its worker waits for.
     assert_eq!(rows(&session).end(), Some(&End::Cancelled));
     assert_eq!((rows(&session).count(), rows(&session).listed()), (count, usize::try_from(count).unwrap()));
     // What comes too late changes nothing, nor does a second cancel.

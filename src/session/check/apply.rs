@@ -288,7 +288,7 @@ impl CheckPage {
     fn imported(&mut self, name: &str, result: Result<Box<Imported>, Message>, shared: &mut Shared, now: DateTime) {
         let Some(mut imported) = shared.file_answered(result) else { return };
         // The newest file is the one that is meant.
-        self.errands.extend(self.rows.as_ref().map(Rows::cancel).unwrap_or_default());
+        self.errands.extend(self.rows.as_mut().map(Rows::cancel).unwrap_or_default());
         self.shows_rows = false;
         let mut notice = measuring::import_notice(name, &imported);
         if let Some(contacts) = imported.contacts.take() {

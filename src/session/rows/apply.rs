@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::{Large, News, Rows, ShownRow};
+use super::{End, Large, News, Rows, ShownRow};
 use crate::exchange::batch::{FATES, Fate, Part, Picked};
 use crate::message::{Message, Say as _};
 use crate::session::Step;
@@ -62,9 +62,13 @@ impl Rows {
         }
     }
 
-    /// Whether it is cut short by a cancel now.
-    pub(in crate::session) fn cancel(&self) -> Vec<Effect> {
-        self.is_running().then_some(Effect::StopRows).into_iter().collect()
+    /// Ends the run at once, also where its worker waits for a disk: what it says later is not heard.
+    pub(in crate::session) fn cancel(&mut self) -> Vec<Effect> {
+        let is_running = self.is_running();
+        if is_running {
+            self.end = Some(End::Cancelled);
+        }
+        is_running.then_some(Effect::StopRows).into_iter().collect()
     }
 
     /// Lists rows of a fate, or no longer.
