@@ -2,6 +2,7 @@
 //!
 //! Used at the edges (command line, window). Errors name what happened and, last, the path.
 
+mod early;
 mod folder;
 mod folders;
 mod listing;

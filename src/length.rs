@@ -5,9 +5,14 @@
 //! circle fits and plots). It knows nothing of tolerances, tables or languages.
 
 mod decimal;
+mod line;
+mod plain;
 
 use std::fmt;
 use std::str::FromStr;
+
+use line::ROOM;
+pub use line::{Line, Window};
 
 use crate::message::{Arg, IntoArg, Say};
 
@@ -48,6 +53,17 @@ impl Unit {
             Self::Micrometre => 1_000,
             Self::Inch => 25_400_000,
         }
+    }
+
+    /// Nanometres in one of its last decimal, where that is a whole number of them.
+    #[inline(always)]
+    fn last_decimal(self, decimals: usize) -> Option<i64> {
+        let all: &[i64] = match self {
+            Self::Millimetre => &[NM_PER_MM, 100_000, 10_000, 1_000, 100, 10, 1],
+            Self::Micrometre => &[1_000, 100, 10, 1],
+            Self::Inch => &[25_400_000, 2_540_000, 254_000, 25_400, 2_540, 254],
+        };
+        all.get(decimals).copied()
     }
 }
 
@@ -136,7 +152,7 @@ impl Length {
     /// # Errors
     /// [`LengthError`] says what is wrong with the text; nothing is rounded or guessed.
     pub fn parse_in(text: &str, unit: Unit) -> Result<Self, LengthError> {
-        if let Some(length) = Self::plain(text.as_bytes(), unit) {
+        if let Some((length, _)) = Self::plain(text.as_bytes(), 0, text.len(), unit) {
             return Ok(length);
         }
         let given = text.trim();
@@ -151,63 +167,31 @@ impl Length {
             .map_err(|_range| LengthError::TooLarge { text: given.to_owned() })
     }
 
-    /// Reads what most numbers are: up to nine digits, and up to six more after a decimal sign. `None` for anything else,
-    /// which [`Length::parse_in`] may still read.
-    #[inline]
-    pub(crate) fn plain(text: &[u8], unit: Unit) -> Option<Self> {
-        const LONGEST: usize = 16;
-        if LONGEST < text.len() {
-            return None;
-        }
-        let (mut number, mut bytes) = (0_i64, text.iter());
-        let mut whole = 0;
-        let mut has_sign = false;
-        for &byte in bytes.by_ref() {
-            let digit = byte.wrapping_sub(b'0');
-            if 9 < digit {
-                has_sign = matches!(byte, b'.' | b',');
-                if !has_sign {
-                    return None;
-                }
-                break;
-            }
-            number = number * 10 + i64::from(digit);
-            whole += 1;
-        }
-        if whole == 0 || 9 < whole {
-            return None;
-        }
-        let decimals = if has_sign { text.len() - whole - 1 } else { 0 };
-        for &byte in bytes {
-            let digit = byte.wrapping_sub(b'0');
-            if 9 < digit {
-                return None;
-            }
-            number = number * 10 + i64::from(digit);
-        }
-        // Nanometres in one of the last decimal, where that is a whole number of them.
-        let one = unit.nanometres();
-        let factor = match decimals {
-            0 => one,
-            1 => one / 10,
-            2 => one / 100,
-            3 => one / 1_000,
-            4 if one % 10_000 == 0 => one / 10_000,
-            5 if one % 100_000 == 0 => one / 100_000,
-            6 if one % NM_PER_MM == 0 => one / NM_PER_MM,
-            _ => return None,
-        };
-        Self::from_nanometres(number.checked_mul(factor)?).ok()
+    /// Reads what most numbers are, from the bytes of a text between `start` and `end`: up to nine digits, and up to six more
+    /// after a decimal sign, which is given with it. `None` for anything else, which [`Length::parse_in`] may still read.
+    #[inline(always)]
+    pub(crate) fn plain(text: &[u8], start: usize, end: usize, unit: Unit) -> Option<(Self, Option<u8>)> {
+        let plain = plain::read(text, start, end)?;
+        let factor = unit.last_decimal(plain.decimals)?;
+        let nm = i64::try_from(plain.number).ok()?.checked_mul(factor)?;
+        Some((Self::within(nm)?, plain.sign))
     }
 
     /// The sum, or `None` beyond [`Length::MAX`].
+    #[inline]
     pub fn checked_add(self, other: Self) -> Option<Self> {
-        Self::from_nanometres(self.0.checked_add(other.0)?).ok()
+        Self::within(self.0.checked_add(other.0)?)
+    }
+
+    /// So many nanometres, or `None` beyond [`Length::MAX`].
+    #[inline]
+    fn within(nm: i64) -> Option<Self> {
+        (nm.unsigned_abs() <= Self::MAX.0.unsigned_abs()).then_some(Self(nm))
     }
 
     /// The difference, or `None` beyond [`Length::MAX`].
     pub fn checked_sub(self, other: Self) -> Option<Self> {
-        Self::from_nanometres(self.0.checked_sub(other.0)?).ok()
+        Self::within(self.0.checked_sub(other.0)?)
     }
 
     /// The difference, at most [`Length::MAX`] either way: for distances that are shown, never for limits.
@@ -266,24 +250,32 @@ impl Length {
     ///
     /// Inches are not printed exactly (1 nm has no finite number of decimals); they are rounded to 7 decimals.
     pub fn exact(self, unit: Unit, decimals: usize) -> String {
-        let mut text = Vec::new();
-        self.put_exact(unit, decimals, &mut text);
-        // ASCII alone.
-        String::from_utf8(text).unwrap_or_default()
+        match unit {
+            Unit::Millimetre if decimals <= 6 => Self::text(|out| self.put_mm(decimals, out)),
+            Unit::Micrometre if decimals <= 3 => Self::text(|out| self.put_um(decimals, out)),
+            Unit::Inch => self.rounded_up_to(unit, 7.max(decimals), decimals),
+            Unit::Millimetre | Unit::Micrometre => self.rounded(unit, decimals),
+        }
     }
 
-    /// Appends what [`Length::exact`] gives, in ASCII.
+    /// A text of ASCII.
+    fn text(write: impl FnOnce(&mut Window<'_>)) -> String {
+        let mut bytes = [0; ROOM];
+        let mut window = Window::new(&mut bytes);
+        write(&mut window);
+        String::from_utf8_lossy(window.bytes()).into_owned()
+    }
+
+    /// Appends what [`Length::exact`] gives in millimetres, with at least `least` decimals, at most 6 of them.
     #[inline]
-    pub(crate) fn put_exact(self, unit: Unit, decimals: usize, out: &mut Vec<u8>) {
-        let one = match unit {
-            Unit::Millimetre if decimals <= 6 => 1_000_000,
-            Unit::Micrometre if decimals <= 3 => 1_000,
-            Unit::Inch => return out.extend_from_slice(self.rounded_up_to(unit, 7.max(decimals), decimals).as_bytes()),
-            Unit::Millimetre | Unit::Micrometre => {
-                return out.extend_from_slice(self.rounded(unit, decimals).as_bytes());
-            }
-        };
-        decimal::put(self.0, one, decimals, out);
+    pub(crate) fn put_mm(self, least: usize, out: &mut Window<'_>) {
+        decimal::put::<1_000_000>(self.0, least, out);
+    }
+
+    /// Appends what [`Length::exact`] gives in micrometres, with at least `least` decimals, at most 3 of them.
+    #[inline]
+    pub(crate) fn put_um(self, least: usize, out: &mut Window<'_>) {
+        decimal::put::<1_000>(self.0, least, out);
     }
 
     /// The number in `unit` rounded to `most` decimals, without the last ones where they are zero, but at least `least`.

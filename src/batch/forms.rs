@@ -1,6 +1,7 @@
 //! What the rows are written as: one line here and one rendering each.
 
 use crate::exchange::batch::{Csv, JsonLines, Layout, Take};
+use crate::length::Line;
 
 /// A form of the answers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,7 +35,7 @@ pub trait Rendering: Take {
     fn new(layout: &Layout, prefix: &str) -> Self;
 
     /// What was written since it was cleared.
-    fn out(&mut self) -> &mut Vec<u8>;
+    fn out(&mut self) -> &mut Line;
 }
 
 impl Rendering for Csv {
@@ -43,7 +44,7 @@ impl Rendering for Csv {
         Self::new(layout)
     }
 
-    fn out(&mut self) -> &mut Vec<u8> {
+    fn out(&mut self) -> &mut Line {
         &mut self.out
     }
 }
@@ -53,7 +54,7 @@ impl Rendering for JsonLines {
         Self::new(layout, prefix)
     }
 
-    fn out(&mut self) -> &mut Vec<u8> {
+    fn out(&mut self) -> &mut Line {
         &mut self.out
     }
 }

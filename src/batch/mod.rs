@@ -111,7 +111,8 @@ struct Written<R> {
 }
 
 impl<R: Rendering> Take for Written<R> {
-    #[inline]
+    #[expect(clippy::inline_always, reason = "as the rendering's own, for every row")]
+    #[inline(always)]
     fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
         self.rendering.judged(row, judged);
     }
@@ -135,7 +136,7 @@ impl<R: Rendering> Making for Written<R> {
     }
 
     fn end(&mut self) -> io::Result<()> {
-        self.packing.pack(self.rendering.out(), &mut self.packed).map(|_| ())
+        self.packing.pack(self.rendering.out().bytes(), &mut self.packed).map(|_| ())
     }
 }
 
@@ -154,7 +155,7 @@ struct Out<'a>(&'a mut (dyn Write + Send));
 
 impl<R: Rendering> Sink<Written<R>> for Out<'_> {
     fn take(&mut self, made: &mut Written<R>, _block: &Block, _tally: &Tally) -> io::Result<()> {
-        let bytes = if made.packing == Packing::Plain { made.rendering.out() } else { &mut made.packed };
+        let bytes = if made.packing == Packing::Plain { made.rendering.out().bytes() } else { &made.packed };
         self.0.write_all(bytes)?;
         // Whoever waits at the other end of a pipe gets what is there.
         self.0.flush()

@@ -17,6 +17,9 @@ pub(super) const LONGEST_ROW: usize = 1 << 20;
 /// How much of a text is handed to the `csv` crate at a time.
 const SEGMENT: usize = 1 << 20;
 
+/// How much at first: often a few rows are enough.
+const FIRST_SEGMENT: usize = 1 << 14;
+
 /// A row or what was found in its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Item<'a> {
@@ -68,7 +71,8 @@ impl<'a> Rows<'a> {
     fn look_ahead(&mut self) {
         let (start, first) = (self.at, self.line);
         let mut end = start;
-        while self.waiting.is_none() && end < start + SEGMENT {
+        let most = if start == 0 { FIRST_SEGMENT } else { SEGMENT };
+        while self.waiting.is_none() && end < start + most {
             let Some((line, from, to)) = lines(self.text, self.at, self.line).next() else { break };
             let row = self.text.get(from..to).unwrap_or_default();
             (self.at, self.line) = (to, line + 1);

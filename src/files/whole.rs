@@ -9,6 +9,7 @@ use std::fs::{File, Metadata};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use super::early::Early;
 use super::folder_of;
 use super::unfinished::Unfinished;
 
@@ -98,11 +99,11 @@ impl Whole {
             Some(file) => Self { file, name: None },
             None => Self::named(target)?,
         };
-        let mut out = io::BufWriter::with_capacity(1 << 16, &whole.file);
-        fill(&mut out)?;
-        out.flush()?;
-        drop(out);
-        whole.file.sync_all()?;
+        std::thread::scope(|scope| {
+            let mut out = io::BufWriter::with_capacity(1 << 16, Early::new(&whole.file, scope));
+            fill(&mut out)?;
+            out.into_inner()?.end()
+        })?;
         Ok(whole)
     }
 

@@ -1,78 +1,85 @@
 //! Whole nanometres as decimal figures, three at a time.
 
-/// Appends a number of nanometres in a unit of `one` of them, which has three or six decimals; zeros at the end go, but at
+use super::Window;
+
+/// Appends a number of nanometres in a unit of `ONE` of them, which has three or six decimals; zeros at the end go, but at
 /// least `least` decimals stay.
-#[inline]
-pub(super) fn put(nm: i64, one: u64, least: usize, out: &mut Vec<u8>) {
+#[inline(always)]
+pub(super) fn put<const ONE: u64>(nm: i64, least: usize, out: &mut Window<'_>) {
     if nm < 0 {
         out.push(b'-');
     }
     let magnitude = nm.unsigned_abs();
-    put_whole(magnitude / one, out);
-    let part = magnitude % one;
-    let (first, second) = if one == 1_000 { (part, 0) } else { (part / 1_000, part % 1_000) };
-    if least == 0 && part == 0 {
-        return;
-    }
-    out.push(b'.');
-    // Either three figures are followed by others, or some of the three are not needed.
+    put_whole(magnitude / ONE, out);
+    let part = magnitude % ONE;
+    let (first, second) = if ONE == 1_000 { (part, 0) } else { (part / 1_000, part % 1_000) };
     if second == 0 && least <= 3 {
-        put_trimmed(first, least, out);
-    } else {
-        out.extend_from_slice(&figures(first));
-        put_trimmed(second, least.saturating_sub(3), out);
+        let decimals = decimals(first).max(least);
+        let count = if decimals == 0 { 0 } else { 1 + decimals };
+        return out.piece(pointed(first), count);
     }
+    out.piece(pointed(first), 4);
+    let [_, figures @ ..] = pointed(second);
+    out.piece(figures, decimals(second).max(least.saturating_sub(3)));
 }
 
 /// Appends a whole number.
-#[inline]
-fn put_whole(number: u64, out: &mut Vec<u8>) {
+#[expect(clippy::inline_always, reason = "called four times for each of millions of rows")]
+#[inline(always)]
+fn put_whole(number: u64, out: &mut Window<'_>) {
+    if let Some(&piece) = usize::try_from(number).ok().and_then(|number| LEADING.get(number)) {
+        let [.., count] = piece;
+        out.piece(piece, usize::from(count));
+    } else {
+        put_large(number, out);
+    }
+}
+
+/// Appends any number.
+#[inline(never)]
+fn put_large(number: u64, out: &mut Window<'_>) {
     if number < 1_000 {
-        put_leading(number, out);
+        put_whole(number, out);
     } else if number < 1_000_000 {
-        put_leading(number / 1_000, out);
-        out.extend_from_slice(&figures(number % 1_000));
+        put_whole(number / 1_000, out);
+        put_thousand(number % 1_000, out);
     } else {
-        out.extend_from_slice(number.to_string().as_bytes());
+        put_large(number / 1_000_000, out);
+        put_thousand(number / 1_000 % 1_000, out);
+        put_thousand(number % 1_000, out);
     }
 }
 
-/// Appends a number below a thousand.
+/// Appends the three figures of a number below a thousand.
+fn put_thousand(number: u64, out: &mut Window<'_>) {
+    let [_, figures @ ..] = pointed(number);
+    out.piece(figures, 3);
+}
+
+/// How many of three decimals are left without the zeros at their end.
 #[inline]
-fn put_leading(number: u64, out: &mut Vec<u8>) {
-    let [hundreds, tens, ones] = figures(number);
-    if 100 <= number {
-        out.extend_from_slice(&[hundreds, tens, ones]);
-    } else if 10 <= number {
-        out.extend_from_slice(&[tens, ones]);
+const fn decimals(number: u64) -> usize {
+    if number == 0 {
+        0
+    } else if !number.is_multiple_of(10) {
+        3
+    } else if !number.is_multiple_of(100) {
+        2
     } else {
-        out.push(ones);
+        1
     }
 }
 
-/// Appends three decimals without the zeros at their end, but at least so many.
+/// The three figures of a number below a thousand, behind a point.
 #[inline]
-fn put_trimmed(number: u64, least: usize, out: &mut Vec<u8>) {
-    let [tenths, hundredths, thousandths] = figures(number);
-    if 3 <= least || thousandths != b'0' {
-        out.extend_from_slice(&[tenths, hundredths, thousandths]);
-    } else if 2 <= least || hundredths != b'0' {
-        out.extend_from_slice(&[tenths, hundredths]);
-    } else if 1 <= least || tenths != b'0' {
-        out.push(tenths);
-    }
+fn pointed(number: u64) -> [u8; 4] {
+    usize::try_from(number).ok().and_then(|number| POINTED.get(number)).copied().unwrap_or_default()
 }
 
-/// The three figures of a number below a thousand.
-#[inline]
-fn figures(number: u64) -> [u8; 3] {
-    usize::try_from(number).ok().and_then(|number| FIGURES.get(number)).copied().unwrap_or_default()
-}
-
-static FIGURES: [[u8; 3]; 1_000] = {
-    let mut all = [[b'0'; 3]; 1_000];
+static POINTED: [[u8; 4]; 1_000] = {
+    let mut all = [*b".000"; 1_000];
     let mut rest = all.as_mut_slice();
-    let mut figures = *b"000";
+    let mut figures = *b".000";
     while let [first, others @ ..] = rest {
         *first = figures;
         figures = after(figures);
@@ -81,12 +88,29 @@ static FIGURES: [[u8; 3]; 1_000] = {
     all
 };
 
+/// The figures of a number below a thousand, and in the last byte how many they are.
+static LEADING: [[u8; 4]; 1_000] = {
+    let mut all = [[0; 4]; 1_000];
+    let mut rest = all.as_mut_slice();
+    let mut figures = *b".000";
+    while let [first, others @ ..] = rest {
+        *first = match figures {
+            [_, b'0', b'0', ones] => [ones, 0, 0, 1],
+            [_, b'0', tens, ones] => [tens, ones, 0, 2],
+            [_, hundreds, tens, ones] => [hundreds, tens, ones, 3],
+        };
+        figures = after(figures);
+        rest = others;
+    }
+    all
+};
+
 /// The next number; 000 after 999.
-const fn after([hundreds, tens, ones]: [u8; 3]) -> [u8; 3] {
+const fn after([point, hundreds, tens, ones]: [u8; 4]) -> [u8; 4] {
     match (hundreds, tens, ones) {
-        (b'9', b'9', b'9') => *b"000",
-        (_, b'9', b'9') => [hundreds + 1, b'0', b'0'],
-        (_, _, b'9') => [hundreds, tens + 1, b'0'],
-        _ => [hundreds, tens, ones + 1],
+        (b'9', b'9', b'9') => *b".000",
+        (_, b'9', b'9') => [point, hundreds + 1, b'0', b'0'],
+        (_, _, b'9') => [point, hundreds, tens + 1, b'0'],
+        _ => [point, hundreds, tens, ones + 1],
     }
 }

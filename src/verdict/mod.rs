@@ -36,6 +36,17 @@ impl Status {
     /// Every status, best first.
     pub const ALL: [Self; 4] = [Self::Good, Self::Rework, Self::ReMeasure, Self::Scrap];
 
+    /// Its place in [`Status::ALL`].
+    #[inline]
+    pub const fn at(self) -> usize {
+        match self {
+            Self::Good => 0,
+            Self::Rework => 1,
+            Self::ReMeasure => 2,
+            Self::Scrap => 3,
+        }
+    }
+
     /// The word for machines, the same in every language.
     pub const fn word(self) -> &'static str {
         match self {
@@ -162,7 +173,7 @@ pub fn judge_size(limits: &Limits, measured: Length) -> SizeVerdict {
 }
 
 /// Judges a diameter as [`judge_size`] does, without where the limits come from.
-#[inline]
+#[inline(always)]
 pub fn judge_bounds(bounds: &Bounds, measured: Length) -> SizeVerdict {
     let (minimum, maximum) = (bounds.minimum(), bounds.maximum());
     let status = classify(bounds.feature, minimum, maximum, measured);

@@ -5,7 +5,11 @@ use super::layout::Layout;
 use super::row::Row;
 use super::{ADDED, index};
 use crate::exchange::error::ImportErrorKind;
-use crate::length::Unit;
+use crate::length::Line;
+use crate::verdict::Status;
+
+/// Room for the longest word of a status between two separators.
+const LONGEST_STATUS: usize = 16;
 
 /// Writes CSV.
 #[derive(Debug)]
@@ -14,43 +18,51 @@ pub struct Csv {
     /// How many columns the input has.
     count: usize,
     line_end: &'static [u8],
+    /// The word of each status between two separators, and how long that is.
+    statuses: [([u8; LONGEST_STATUS], usize); Status::ALL.len()],
     /// What was written.
-    pub out: Vec<u8>,
+    pub out: Line,
 }
 
 impl Csv {
     /// Nothing written yet.
-    pub const fn new(layout: &Layout) -> Self {
+    pub fn new(layout: &Layout) -> Self {
         let Layout { separator, line_end, .. } = *layout;
-        Self { separator, count: layout.columns.count, line_end, out: Vec::new() }
+        let statuses = Status::ALL.map(|status| {
+            let text = [&[separator], status.word().as_bytes(), &[separator]].concat();
+            let mut word = [separator; LONGEST_STATUS];
+            word.iter_mut().zip(&text).for_each(|(place, byte)| *place = *byte);
+            (word, text.len())
+        });
+        Self { separator, count: layout.columns.count, line_end, statuses, out: Line::default() }
     }
 
     /// Everything above the first row, with the names of the added columns, each behind `prefix`. An input without names
     /// gets none.
     pub fn header(layout: &Layout, prefix: &str) -> Vec<u8> {
-        let mut out = layout.above.clone();
         if !layout.has_header {
-            return out;
+            return layout.above.clone();
         }
-        let end = out.len() - out.iter().rev().take_while(|byte| matches!(byte, b'\n' | b'\r')).count();
-        out.truncate(end);
-        let mut header = Self { out, ..Self::new(layout) };
+        let above = layout.above.as_slice();
+        let end = above.len() - above.iter().rev().take_while(|byte| matches!(byte, b'\n' | b'\r')).count();
+        let mut header = Self::new(layout);
+        header.out.append_part(above, 0, end);
         for name in ADDED {
             header.out.push(layout.separator);
             header.text(&format!("{prefix}{name}"));
         }
-        header.out.extend_from_slice(layout.line_end);
-        header.out
+        header.out.append(layout.line_end);
+        header.out.bytes().to_vec()
     }
 
     /// A cell with quotation marks where it needs some.
     fn text(&mut self, text: &str) {
         let separator = self.separator;
         if text.bytes().all(|byte| byte != separator && !matches!(byte, b'"' | b'\n' | b'\r')) {
-            self.out.extend_from_slice(text.as_bytes());
+            self.out.append(text.as_bytes());
         } else {
             self.out.push(b'"');
-            self.out.extend_from_slice(text.replace('"', "\"\"").as_bytes());
+            self.out.append(text.replace('"', "\"\"").as_bytes());
             self.out.push(b'"');
         }
     }
@@ -65,19 +77,17 @@ impl Csv {
     #[inline]
     fn cells(&mut self, row: &Row<'_>) {
         if row.len() == self.count {
-            self.out.extend_from_slice(row.bytes());
+            self.out.append_part(row.text, row.start, row.end());
         } else {
-            self.out.extend_from_slice(row.first_cells(self.count.min(row.len())));
+            self.out.append(row.first_cells(self.count.min(row.len())));
             self.separators(self.count.saturating_sub(row.len()));
         }
     }
 
-    #[inline]
     fn end(&mut self, row: &Row<'_>) {
         match row.line_end() {
-            b"\n" => self.out.push(b'\n'),
-            b"" => self.out.extend_from_slice(self.line_end),
-            end => self.out.extend_from_slice(end),
+            b"" => self.out.append(self.line_end),
+            end => self.out.append(end),
         }
     }
 
@@ -92,21 +102,26 @@ impl Take for Csv {
     #[inline]
     fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
         self.cells(row);
-        let (out, separator) = (&mut self.out, self.separator);
-        out.push(separator);
-        judged.bounds.minimum().put_exact(Unit::Millimetre, 3, out);
-        out.push(separator);
-        judged.bounds.maximum().put_exact(Unit::Millimetre, 3, out);
-        out.push(separator);
-        judged.verdict.deviation.put_exact(Unit::Micrometre, 0, out);
-        out.push(separator);
-        out.extend_from_slice(judged.verdict.status.word().as_bytes());
-        out.push(separator);
-        if let Some(removal) = judged.verdict.removal {
-            removal.to_limit.put_exact(Unit::Micrometre, 0, out);
+        let separator = self.separator;
+        let (word, count) = self.statuses.get(judged.verdict.status.at()).copied().unwrap_or_default();
+        let is_lf = row.text.get(row.end()) == Some(&b'\n');
+        self.out.pieces(|out| {
+            out.push(separator);
+            judged.bounds.minimum().put_mm(3, out);
+            out.push(separator);
+            judged.bounds.maximum().put_mm(3, out);
+            out.push(separator);
+            judged.verdict.deviation.put_um(0, out);
+            out.piece(word, count);
+            if let Some(removal) = judged.verdict.removal {
+                removal.to_limit.put_um(0, out);
+            }
+            // Most lines end so.
+            out.piece([separator, b'\n'], if is_lf { 2 } else { 1 });
+        });
+        if !is_lf {
+            self.end(row);
         }
-        out.push(separator);
-        self.end(row);
     }
 
     fn refused(&mut self, row: &Row<'_>, reason: &str) {
@@ -118,17 +133,17 @@ impl Take for Csv {
     fn broken(&mut self, line: &str, reason: &ImportErrorKind) {
         // One cell, so that its quotation marks open nothing.
         self.out.push(b'"');
-        self.out.extend_from_slice(line.replace('"', "\"\"").as_bytes());
+        self.out.append(line.replace('"', "\"\"").as_bytes());
         self.out.push(b'"');
         self.separators(self.count.saturating_sub(1));
         self.reason(&reason.to_string());
-        self.out.extend_from_slice(self.line_end);
+        self.out.append(self.line_end);
     }
 
     fn line(&mut self, line: &[u8]) {
-        self.out.extend_from_slice(line);
+        self.out.append(line);
         if index::line_end(line, line.len().saturating_sub(1)) == 0 {
-            self.out.extend_from_slice(self.line_end);
+            self.out.append(self.line_end);
         }
     }
 }

@@ -11,7 +11,10 @@ const ROW: u32 = 1 << 31;
 /// The ends of cells, in the order of the text; the last one of each row is marked.
 #[derive(Debug, Default)]
 pub(super) struct Index {
+    /// The ends, and room behind them.
     ends: Vec<u32>,
+    /// How many ends there are.
+    count: usize,
 }
 
 /// Why the first row that is left is none.
@@ -35,17 +38,29 @@ pub(super) struct Rows {
 impl Index {
     /// The rows of the index: the ends of their cells.
     pub(super) fn rows(&self) -> impl Iterator<Item = &[u32]> {
-        self.ends.split_inclusive(|end| end & ROW != 0)
+        self.ends.get(..self.count).unwrap_or_default().split_inclusive(|end| end & ROW != 0)
     }
 
     fn push(&mut self, at: usize, mark: u32) {
-        // A block is far shorter than the mark is large.
-        self.ends.push(u32::try_from(at).unwrap_or_default() | mark);
+        self.make_room();
+        if let Some(place) = self.ends.get_mut(self.count) {
+            // A block is far shorter than the mark is large.
+            *place = u32::try_from(at).unwrap_or_default() | mark;
+            self.count += 1;
+        }
+    }
+
+    /// Makes room for eight more ends.
+    #[inline]
+    fn make_room(&mut self) {
+        if self.ends.len() < self.count + 8 {
+            self.ends.resize(2 * self.count + 64, 0);
+        }
     }
 
     /// Finds the ends in whole rows without any quotation mark; where the last row has no line end, the text ends it.
     pub(super) fn find_plain(&mut self, text: &[u8], separator: u8) {
-        self.ends.clear();
+        self.count = 0;
         if memchr::memchr(b'\r', text).is_some() {
             self.find_slowly(text, separator);
         } else {
@@ -65,20 +80,30 @@ impl Index {
             let word = u64::from_le_bytes(*word);
             let line = zeros(word ^ line_ends);
             let mut hits = zeros(word ^ separators) | line;
-            while hits != 0 {
-                let bit = hits.trailing_zeros();
-                // The bit stands at the top of its byte.
-                let mark = if line >> bit & 1 == 1 { ROW } else { 0 };
-                self.ends.push((at + bit / 8) | mark);
-                hits &= hits - 1;
+            if hits != 0 {
+                self.make_room();
+                let Some(places) = self.ends.get_mut(self.count..).and_then(<[u32]>::first_chunk_mut::<8>) else {
+                    return;
+                };
+                self.count += wide(hits.count_ones());
+                for place in places {
+                    let bit = hits.trailing_zeros();
+                    // The bit stands at the top of its byte.
+                    let mark = u32::from(line >> bit & 1 == 1) << 31;
+                    *place = (at + bit / 8) | mark;
+                    hits &= hits - 1;
+                    if hits == 0 {
+                        break;
+                    }
+                }
             }
             at += 8;
         }
-        for (byte, at) in rest.iter().zip(at..) {
+        for (byte, at) in rest.iter().zip(wide(at)..) {
             if *byte == b'\n' {
-                self.ends.push(at | ROW);
+                self.push(at, ROW);
             } else if *byte == separator {
-                self.ends.push(at);
+                self.push(at, 0);
             }
         }
     }
@@ -97,14 +122,14 @@ impl Index {
 
     /// Finds the ends in a text that may have quotation marks, row by row as far as rows are whole.
     pub(super) fn find_quoted(&mut self, text: &[u8], separator: u8, is_all: bool) -> Rows {
-        self.ends.clear();
+        self.count = 0;
         let mut start = 0;
         while start < text.len() {
-            let before = self.ends.len();
+            let before = self.count;
             match self.quoted_row(text, start, separator, is_all) {
                 Ok(next) => start = next,
                 Err(broken) => {
-                    self.ends.truncate(before);
+                    self.count = before;
                     return Rows { end: start, broken };
                 }
             }

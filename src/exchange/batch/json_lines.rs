@@ -5,13 +5,13 @@ use super::judge::{Judged, Take};
 use super::layout::Layout;
 use super::row::{Row, unquoted};
 use crate::exchange::error::ImportErrorKind;
-use crate::length::Unit;
+use crate::length::Line;
 
 /// Writes JSON lines.
 #[derive(Debug)]
 pub struct JsonLines {
     /// What was written.
-    pub out: Vec<u8>,
+    pub out: Line,
     /// The name of each column with what stands before and after it.
     names: Vec<Vec<u8>>,
     /// The same of the added columns.
@@ -22,22 +22,23 @@ impl JsonLines {
     /// Nothing written yet; `prefix` stands before the names of the added columns.
     pub fn new(layout: &Layout, prefix: &str) -> Self {
         let key = |before: &[u8], name: &str| {
-            let mut out = before.to_vec();
+            let mut out = Line::default();
+            out.append(before);
             text(name, &mut out);
             out.push(b':');
-            out
+            out.bytes().to_vec()
         };
         let name = |(at, name): (usize, &String)| key(if at == 0 { b"{" } else { b"," }, name);
         let added = ADDED.map(|name| key(b",", &format!("{prefix}{name}")));
-        Self { out: Vec::new(), names: layout.names.iter().enumerate().map(name).collect(), added }
+        Self { out: Line::default(), names: layout.names.iter().enumerate().map(name).collect(), added }
     }
 
     fn cells(&mut self, row: &Row<'_>) {
         for (at, name) in self.names.iter().enumerate() {
-            self.out.extend_from_slice(name);
+            self.out.append(name);
             match row.cell(at) {
                 Some(cell) => text(&unquoted(cell), &mut self.out),
-                None => self.out.extend_from_slice(b"null"),
+                None => self.out.append(b"null"),
             }
         }
     }
@@ -45,20 +46,20 @@ impl JsonLines {
     fn reason(&mut self, reason: Option<&str>) {
         let [figures @ .., error] = &self.added;
         for name in figures {
-            self.out.extend_from_slice(name);
-            self.out.extend_from_slice(b"null");
+            self.out.append(name);
+            self.out.append(b"null");
         }
-        self.out.extend_from_slice(error);
+        self.out.append(error);
         match reason {
             Some(reason) => text(reason, &mut self.out),
-            None => self.out.extend_from_slice(b"null"),
+            None => self.out.append(b"null"),
         }
-        self.out.extend_from_slice(b"}\n");
+        self.out.append(b"}\n");
     }
 }
 
 /// A text in quotation marks. Writing to memory does not fail.
-fn text(text: &str, out: &mut Vec<u8>) {
+fn text(text: &str, out: &mut Line) {
     let _written = serde_json::to_writer(out, text);
 }
 
@@ -66,21 +67,21 @@ impl Take for JsonLines {
     fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
         self.cells(row);
         let (out, [minimum, maximum, deviation, status, remove, error]) = (&mut self.out, &self.added);
-        out.extend_from_slice(minimum);
-        judged.bounds.minimum().put_exact(Unit::Millimetre, 0, out);
-        out.extend_from_slice(maximum);
-        judged.bounds.maximum().put_exact(Unit::Millimetre, 0, out);
-        out.extend_from_slice(deviation);
-        judged.verdict.deviation.put_exact(Unit::Micrometre, 0, out);
-        out.extend_from_slice(status);
+        out.append(minimum);
+        out.pieces(|out| judged.bounds.minimum().put_mm(0, out));
+        out.append(maximum);
+        out.pieces(|out| judged.bounds.maximum().put_mm(0, out));
+        out.append(deviation);
+        out.pieces(|out| judged.verdict.deviation.put_um(0, out));
+        out.append(status);
         text(judged.verdict.status.word(), out);
-        out.extend_from_slice(remove);
+        out.append(remove);
         match judged.verdict.removal {
-            Some(removal) => removal.to_limit.put_exact(Unit::Micrometre, 0, out),
-            None => out.extend_from_slice(b"null"),
+            Some(removal) => out.pieces(|out| removal.to_limit.put_um(0, out)),
+            None => out.append(b"null"),
         }
-        out.extend_from_slice(error);
-        out.extend_from_slice(b"null}\n");
+        out.append(error);
+        out.append(b"null}\n");
     }
 
     fn refused(&mut self, row: &Row<'_>, reason: &str) {
@@ -91,11 +92,11 @@ impl Take for JsonLines {
 
     fn broken(&mut self, line: &str, reason: &ImportErrorKind) {
         for (at, name) in self.names.iter().enumerate() {
-            self.out.extend_from_slice(name);
+            self.out.append(name);
             if at == 0 {
                 text(line, &mut self.out);
             } else {
-                self.out.extend_from_slice(b"null");
+                self.out.append(b"null");
             }
         }
         self.reason(Some(&reason.to_string()));

@@ -7,7 +7,7 @@ use super::cut::Block;
 use super::index::{Broken, Index};
 use super::known::{Classes, Steps};
 use super::layout::{Layout, utf8};
-use super::row::Row;
+use super::row::{Part, Row};
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::columns;
@@ -174,35 +174,36 @@ impl Judge<'_> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn row(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
-        match self.fast(row) {
-            Some(judged) => self.give(row, judged, tally, take),
-            None => self.slow(row, tally, take),
+        if self.fast(row, tally, take).is_none() {
+            self.slow(row, tally, take);
         }
     }
 
-    #[inline]
-    fn give(&mut self, row: &Row<'_>, judged: Judged, tally: &mut Tally, take: &mut impl Take) {
+    #[inline(always)]
+    fn give(&mut self, row: &Row<'_>, judged: &Judged, tally: &mut Tally, take: &mut impl Take) {
         let status = judged.verdict.status;
         tally.rows += 1;
-        let others = &mut self.others;
-        let counts = judged.class.and_then(|(number, _)| self.counts.get_mut(number)).unwrap_or(others);
-        for (count, one) in counts.iter_mut().zip(Status::ALL) {
-            *count += u64::from(one == status);
+        let counts = match judged.class.map(|(number, _)| (number, self.counts.get_mut(number))) {
+            Some((_, Some(counts))) => counts,
+            Some((number, None)) => Self::more(&mut self.counts, number),
+            None => &mut self.others,
+        };
+        if let Some(count) = counts.get_mut(status.at()) {
+            *count += 1;
         }
         if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
             tally.note(Kind::Doubt, None, || doubt.message());
         }
-        take.judged(row, &judged);
+        take.judged(row, judged);
     }
 
-    /// Room for the verdicts of a class.
-    #[inline]
-    fn make_room(&mut self, number: usize) {
-        if self.counts.len() <= number {
-            self.counts.resize(number + 1, Counts::default());
-        }
+    /// Room for the verdicts of a class, and its own.
+    #[cold]
+    fn more(counts: &mut Vec<Counts>, number: usize) -> &mut Counts {
+        counts.resize(counts.len().max(number), Counts::default());
+        counts.push_mut(Counts::default())
     }
 
     /// The classes that were met with their verdicts, and those of callouts without a class.
@@ -211,43 +212,35 @@ impl Judge<'_> {
         (classes.collect(), self.others)
     }
 
-    /// The verdict of a plain row; `None` for every row that is not plain.
-    #[inline]
-    fn fast(&mut self, row: &Row<'_>) -> Option<Judged> {
+    /// Judges a plain row; `None` for every row that is not plain.
+    #[inline(always)]
+    fn fast(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) -> Option<()> {
         let fast = &self.court.fast;
         if row.len() != fast.count || LONGEST_ROW < row.bytes().len() || may_be_comment(row.bytes()) {
             return None;
         }
-        let text = plain(row.cell(fast.measured.0)?)?;
-        let measured = Length::plain(text, fast.measured.1)?;
-        let sign = text.iter().find(|byte| matches!(byte, b'.' | b','));
-        if measured <= Length::ZERO
-            || fast.foreign_sign.is_some_and(|foreign| sign == Some(&foreign))
-            || fast.has_commas && sign.is_none()
+        let (measured, sign) = number(row, fast.measured)?;
+        if measured <= Length::ZERO || sign.is_some() && sign == fast.foreign_sign || sign.is_none() && fast.has_commas
         {
             return None;
         }
         let at = fast.tolerance?;
-        let text = plain(row.cell(at)?)?;
         if fast.may_join && at.checked_sub(1).and_then(|before| row.cell(before)).is_some_and(may_be_number) {
             return None;
         }
-        let letters = text.iter().position(u8::is_ascii_alphabetic)?;
-        let (mut number, class) = text.split_at_checked(letters)?;
-        while let [rest @ .., b' '] = number {
-            number = rest;
-        }
-        let own = fast.nominal.and_then(|(at, unit)| Some((plain(row.cell(at)?)?, unit)));
-        let nominal = match (number, own) {
-            ([], Some((own, unit))) => Length::plain(own, unit)?,
-            ([], None) => return None,
-            (number, own) => {
-                let nominal = Length::plain(number, Unit::Millimetre)?;
-                if fast.nominal.is_some() {
-                    let (own, unit) = own?;
-                    if !own.is_empty() && Length::plain(own, unit)? != nominal {
-                        return None;
-                    }
+        let callout = row.part(at)?.plain()?;
+        let letters = callout.bytes().iter().position(u8::is_ascii_alphabetic)?;
+        let (size, class) = callout.split(letters);
+        let nominal = match (letters, fast.nominal) {
+            (0, Some(own)) => number(row, own)?.0,
+            (0, None) => return None,
+            (_, own) => {
+                let nominal = size.without_spaces_behind().number(Unit::Millimetre)?.0;
+                if let Some(own) = own
+                    && !row.part(own.0)?.plain()?.bytes().is_empty()
+                    && number(row, own)?.0 != nominal
+                {
+                    return None;
                 }
                 nominal
             }
@@ -261,10 +254,12 @@ impl Judge<'_> {
             return None;
         }
         let number = self.classes.number(class)?;
-        self.make_room(number);
         let (class, deviations) = self.classes.deviations(number, nominal)?;
         let bounds = Bounds::new(class.feature(), nominal, deviations)?;
-        Some(Judged { bounds, measured, verdict: judge_bounds(&bounds, measured), class: Some((number, class)) })
+        let class = Some((number, class));
+        let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured), class };
+        self.give(row, &judged, tally, take);
+        Some(())
     }
 
     /// A row as `import` reads it.
@@ -292,12 +287,9 @@ impl Judge<'_> {
             Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
                 let bounds = limits.bounds();
                 let class = callout.class().map(|class| (self.classes.number_of(class), class));
-                if let Some((number, _)) = class {
-                    self.make_room(number);
-                }
                 tally.simulated += u64::from(is_simulated);
                 let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured), class };
-                self.give(row, judged, tally, take);
+                self.give(row, &judged, tally, take);
             }
             Ok(Found { asked: None, .. }) => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
             Err((cell, reason)) => Self::refuse(row, cell.at, &reason, tally, take),
@@ -339,15 +331,17 @@ impl Judge<'_> {
 /// How much of a broken line is kept, in bytes.
 const BEGINNING: usize = 200;
 
-/// A cell without one pair of quotation marks and without blanks; `None` where there is more to undo.
-#[inline]
-fn plain(cell: &[u8]) -> Option<&[u8]> {
-    let inner = match cell {
-        [b'"', inner @ .., b'"'] if !inner.contains(&b'"') => inner,
-        [b'"', ..] => return None,
-        plain => plain,
-    };
-    Some(inner.trim_ascii())
+/// A cell that is a plain number, and its decimal sign.
+#[inline(always)]
+fn number(row: &Row<'_>, (at, unit): (usize, Unit)) -> Option<(Length, Option<u8>)> {
+    let part = row.part(at)?;
+    part.number(unit).or_else(|| wrapped_number(part, unit))
+}
+
+/// A number in quotation marks or between blanks.
+#[cold]
+fn wrapped_number(part: Part<'_>, unit: Unit) -> Option<(Length, Option<u8>)> {
+    part.plain()?.number(unit)
 }
 
 /// Whether a row begins like a comment, or with something that may hide the mark of one.

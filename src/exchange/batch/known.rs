@@ -1,5 +1,6 @@
 //! Limit deviations looked up once for each tolerance class and size step.
 
+use super::row::Part;
 use crate::length::Length;
 use crate::tolerance::{Callout, Deviations, Sources, ToleranceClass};
 
@@ -80,13 +81,13 @@ impl<'a> Classes<'a> {
 
     /// The number of the class that a text names.
     #[inline]
-    pub(super) fn number(&mut self, text: &[u8]) -> Option<usize> {
-        let key = packed(text)?;
+    pub(super) fn number(&mut self, text: Part<'_>) -> Option<usize> {
+        let key = text.packed()?;
         let mut place = hash(key);
         loop {
             match self.places.get(place) {
                 Some((found, number)) if *found == key && *number != 0 => return Some(usize::from(*number) - 1),
-                Some((_, 0)) => return self.learn(text, key, place),
+                Some((_, 0)) => return self.learn(text.bytes(), key, place),
                 _ => place = (place + 1) % PLACES,
             }
         }
@@ -120,7 +121,7 @@ impl<'a> Classes<'a> {
     }
 
     /// The class with a number, and its limit deviations at a size; `None` where the callout has to be asked for.
-    #[inline]
+    #[inline(always)]
     pub(super) fn deviations(&mut self, number: usize, nominal: Length) -> Option<(ToleranceClass, Deviations)> {
         let step = self.steps.of_size(nominal)?;
         let known = self.known.get_mut(number)?;
@@ -144,13 +145,6 @@ impl<'a> Classes<'a> {
 fn ask(sources: &Sources, class: ToleranceClass, nominal: Length) -> Cell {
     let limits = Callout::new(nominal, class).ok().and_then(|callout| sources.limits(&callout, None).ok());
     limits.map_or(Cell::None, |limits| Cell::Deviations(limits.deviations))
-}
-
-/// Up to eight bytes as one number; a text of nothing but zero bytes is no class either way.
-#[inline]
-fn packed(text: &[u8]) -> Option<u64> {
-    let add = |key: u64, byte: &u8| key << 8 | u64::from(*byte);
-    (text.len() <= 8).then(|| text.iter().fold(0, add))
 }
 
 /// A place for a number: the upper bits of a product spread over all places.

@@ -140,8 +140,14 @@ struct Above {
 
 impl Above {
     fn of(text: &[u8], separator: u8, first_line: usize, header: usize) -> Self {
+        /// A header is seldom further from the beginning.
+        const MOSTLY: usize = 1 << 14;
         let mut ends = Index::default();
-        let _whole = ends.find_quoted(text, separator, true);
+        let begin = text.get(..MOSTLY).unwrap_or(text);
+        let _whole = ends.find_quoted(begin, separator, begin.len() == text.len());
+        if ends.rows().count() <= header - first_line {
+            let _whole = ends.find_quoted(text, separator, true);
+        }
         let mut above = Self { line: first_line, ..Self::default() };
         for ends in ends.rows() {
             if header < above.line {

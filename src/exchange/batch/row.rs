@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use csv::StringRecord;
 
 use super::index;
+use crate::length::{Length, Unit};
 
 /// A row within a text.
 #[derive(Debug, Clone, Copy)]
@@ -50,12 +51,18 @@ impl<'a> Row<'a> {
     /// A cell as it stands there, with its quotation marks.
     #[inline]
     pub(super) fn cell(&self, at: usize) -> Option<&'a [u8]> {
+        self.part(at).map(Part::bytes)
+    }
+
+    /// A cell as it stands there, within the text.
+    #[inline(always)]
+    pub(super) fn part(&self, at: usize) -> Option<Part<'a>> {
         let end = index::end(*self.ends.get(at)?);
         let start = match at.checked_sub(1) {
             Some(before) => index::end(*self.ends.get(before)?) + 1,
             None => self.start,
         };
-        self.text.get(start..end)
+        Some(Part { text: self.text, start, end })
     }
 
     /// All cells as they stand there.
@@ -82,6 +89,66 @@ impl<'a> Row<'a> {
     /// Its cells without quotation marks, as `import` reads them. The text is UTF-8.
     pub(super) fn record(&self) -> StringRecord {
         self.cells().map(unquoted).collect()
+    }
+}
+
+/// A part of a text. What stands around it is at hand, because eight bytes at a time are read faster than two.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part<'a> {
+    text: &'a [u8],
+    start: usize,
+    end: usize,
+}
+
+impl<'a> Part<'a> {
+    /// Its bytes.
+    #[inline]
+    pub(super) fn bytes(self) -> &'a [u8] {
+        self.text.get(self.start..self.end).unwrap_or_default()
+    }
+
+    /// It as a number, where it is a plain one, and its decimal sign.
+    #[inline(always)]
+    pub(super) fn number(self, unit: Unit) -> Option<(Length, Option<u8>)> {
+        Length::plain(self.text, self.start, self.end, unit)
+    }
+
+    /// Up to eight bytes as one number.
+    #[inline]
+    pub(super) fn packed(self) -> Option<u64> {
+        let length = self.end.checked_sub(self.start).filter(|length| (1..=8).contains(length))?;
+        let Some(last) = self.end.checked_sub(8).and_then(|first| self.text.get(first..)?.first_chunk()) else {
+            return Some(self.bytes().iter().fold(0, |key, byte| key << 8 | u64::from(*byte)));
+        };
+        Some(u64::from_be_bytes(*last) & u64::MAX >> (8 * (8 - length)))
+    }
+
+    /// It without one pair of quotation marks and without blanks; `None` where there is more to undo.
+    #[inline]
+    pub(super) fn plain(self) -> Option<Self> {
+        let Self { text, start, end } = self;
+        let (start, end) = match self.bytes() {
+            [first, .., last] if b'"' < *first && b' ' < *last => return Some(self),
+            [b'"', inner @ .., b'"'] if !inner.contains(&b'"') => (start + 1, end - 1),
+            [b'"', ..] => return None,
+            _ => (start, end),
+        };
+        let inner = text.get(start..end)?.trim_ascii_start();
+        Some(Self { text, start: end - inner.len(), end: end - inner.len() + inner.trim_ascii_end().len() })
+    }
+
+    /// It without the spaces at its end.
+    #[inline]
+    pub(super) fn without_spaces_behind(self) -> Self {
+        let spaces = self.bytes().iter().rev().take_while(|byte| **byte == b' ').count();
+        Self { end: self.end - spaces, ..self }
+    }
+
+    /// Both sides of a place in it.
+    #[inline]
+    pub(super) fn split(self, at: usize) -> (Self, Self) {
+        let at = (self.start + at).min(self.end);
+        (Self { end: at, ..self }, Self { start: at, ..self })
     }
 }
 

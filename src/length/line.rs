@@ -1,0 +1,186 @@
+//! A text that grows at its end.
+
+use std::io;
+
+/// A text that grows at its end. Short pieces go into a [`Window`] of it, which knows how much room it has.
+#[derive(Debug, Clone, Default)]
+pub struct Line {
+    /// What was written, and room behind it.
+    bytes: Vec<u8>,
+    /// How much was written.
+    end: usize,
+}
+
+/// Room for pieces of a text that are at most [`ROOM`] bytes long together; what is longer is cut off.
+#[derive(Debug)]
+pub struct Window<'a> {
+    bytes: &'a mut [u8; ROOM],
+    /// How much was written.
+    end: usize,
+}
+
+/// Room for six numbers of a row, of at most twenty bytes each.
+pub const ROOM: usize = 128;
+
+impl<'a> Window<'a> {
+    /// Nothing written yet.
+    pub const fn new(bytes: &'a mut [u8; ROOM]) -> Self {
+        Self { bytes, end: 0 }
+    }
+
+    /// What was written.
+    pub fn bytes(&self) -> &[u8] {
+        self.bytes.get(..self.end).unwrap_or_default()
+    }
+
+    /// Appends the first `count` bytes of a piece, at most all. The piece is written in one step.
+    #[expect(clippy::inline_always, reason = "a store and a sum, ten times for each of millions of rows")]
+    #[inline(always)]
+    pub fn piece<const N: usize>(&mut self, piece: [u8; N], count: usize) {
+        if let Some(place) = self.bytes.get_mut(self.end..).and_then(<[u8]>::first_chunk_mut) {
+            *place = piece;
+            self.end += count.min(N);
+        } else {
+            self.last(piece.get(..count).unwrap_or(&piece));
+        }
+    }
+
+    /// Appends a byte.
+    #[inline]
+    pub fn push(&mut self, byte: u8) {
+        self.piece([byte], 1);
+    }
+
+    /// Appends what there is room for.
+    #[cold]
+    fn last(&mut self, piece: &[u8]) {
+        for (place, byte) in self.bytes.iter_mut().skip(self.end).zip(piece) {
+            *place = *byte;
+            self.end += 1;
+        }
+    }
+}
+
+impl Line {
+    /// What was written.
+    pub fn bytes(&self) -> &[u8] {
+        self.bytes.get(..self.end).unwrap_or_default()
+    }
+
+    /// Begins anew; the room stays.
+    pub const fn clear(&mut self) {
+        self.end = 0;
+    }
+
+    /// Appends pieces.
+    #[inline]
+    pub fn pieces(&mut self, write: impl FnOnce(&mut Window<'_>)) {
+        let bytes = match self.bytes.get_mut(self.end..).and_then(<[u8]>::first_chunk_mut) {
+            Some(bytes) => bytes,
+            None => match Self::room(&mut self.bytes, self.end).first_chunk_mut() {
+                Some(bytes) => bytes,
+                None => return,
+            },
+        };
+        let mut window = Window::new(bytes);
+        write(&mut window);
+        self.end += window.end;
+    }
+
+    /// Appends a byte.
+    #[inline]
+    pub fn push(&mut self, byte: u8) {
+        self.append(&[byte]);
+    }
+
+    /// Appends a text.
+    #[inline]
+    pub fn append(&mut self, text: &[u8]) {
+        match self.bytes.get_mut(self.end..).and_then(|rest| rest.get_mut(..text.len())) {
+            Some(place) => place.copy_from_slice(text),
+            None => self.append_beyond(text),
+        }
+        self.end += text.len();
+    }
+
+    /// Appends a part of a text. What comes behind the part in the text may be read, so that most of it is copied in steps
+    /// of a fixed length.
+    #[inline]
+    pub fn append_part(&mut self, text: &[u8], start: usize, end: usize) {
+        const STEP: usize = 32;
+        let mut at = start;
+        while at < end {
+            let piece = text.get(at..).and_then(<[u8]>::first_chunk::<STEP>);
+            let place = self.bytes.get_mut(self.end..).and_then(<[u8]>::first_chunk_mut);
+            let (Some(piece), Some(place)) = (piece, place) else {
+                return self.append(text.get(at..end).unwrap_or_default());
+            };
+            *place = *piece;
+            self.end += STEP.min(end - at);
+            at += STEP;
+        }
+    }
+
+    #[cold]
+    fn append_beyond(&mut self, text: &[u8]) {
+        self.bytes.truncate(self.end);
+        self.bytes.extend_from_slice(text);
+    }
+
+    /// More room behind what was written, twice as much as there was.
+    #[cold]
+    fn room(bytes: &mut Vec<u8>, end: usize) -> &mut [u8] {
+        bytes.resize(2 * end + ROOM, 0);
+        bytes.get_mut(end..).unwrap_or_default()
+    }
+}
+
+impl io::Write for Line {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.append(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_and_parts_stand_one_behind_the_other() {
+        let text: Vec<u8> = (0..=255).collect();
+        for length in 0..200 {
+            let mut line = Line::default();
+            let mut should = Vec::new();
+            for start in [0, 7, 56, 255] {
+                let end = (start + length).min(text.len());
+                line.append_part(&text, start, end);
+                should.extend_from_slice(&text[start..end]);
+                line.pieces(|window| {
+                    window.piece(*b"12345678", length % 10);
+                    window.push(b';');
+                });
+                should.extend_from_slice(&b"12345678"[..(length % 10).min(8)]);
+                should.push(b';');
+            }
+            assert_eq!(line.bytes(), should);
+            line.clear();
+            assert_eq!(line.bytes(), b"");
+        }
+    }
+
+    #[test]
+    fn what_has_no_room_in_a_window_is_cut_off() {
+        for count in 0..=8 {
+            let mut bytes = [0; ROOM];
+            let mut window = Window::new(&mut bytes);
+            (0..40).for_each(|_| window.piece(*b"12345678", count));
+            let should = b"12345678"[..count].repeat(40);
+            assert_eq!(window.bytes(), &should[..should.len().min(ROOM)]);
+        }
+    }
+}
