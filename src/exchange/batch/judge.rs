@@ -28,8 +28,6 @@ pub struct Judged {
     pub measured: Length,
     /// The verdict.
     pub verdict: SizeVerdict,
-    /// The class of its callout, with the number that the judge has given it; `None` for a callout without a class.
-    pub class: Option<(usize, ToleranceClass)>,
 }
 
 /// Takes what is found in a block, in its order.
@@ -37,6 +35,10 @@ pub trait Take {
     /// The line at which the next thing begins, from 0 in its block; for those who count lines.
     #[inline]
     fn at(&mut self, _line: usize) {}
+    /// The class of the row that comes next, with the number that the judge has given it; `None` for a callout without a
+    /// class. For those who tell classes apart.
+    #[inline]
+    fn class(&mut self, _class: Option<(usize, ToleranceClass)>) {}
     /// A row with its verdict. The text of rows is UTF-8.
     fn judged(&mut self, row: &Row<'_>, judged: &Judged);
     /// A row without a verdict, and why; nothing where there is nothing in its cells.
@@ -182,10 +184,17 @@ impl Judge<'_> {
     }
 
     #[inline(always)]
-    fn give(&mut self, row: &Row<'_>, judged: &Judged, tally: &mut Tally, take: &mut impl Take) {
+    fn give(
+        &mut self,
+        row: &Row<'_>,
+        judged: &Judged,
+        class: Option<(usize, ToleranceClass)>,
+        tally: &mut Tally,
+        take: &mut impl Take,
+    ) {
         let status = judged.verdict.status;
         tally.rows += 1;
-        let counts = match judged.class.map(|(number, _)| (number, self.counts.get_mut(number))) {
+        let counts = match class.map(|(number, _)| (number, self.counts.get_mut(number))) {
             Some((_, Some(counts))) => counts,
             Some((number, None)) => Self::more(&mut self.counts, number),
             None => &mut self.others,
@@ -196,6 +205,7 @@ impl Judge<'_> {
         if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
             tally.note(Kind::Doubt, None, || doubt.message());
         }
+        take.class(class);
         take.judged(row, judged);
     }
 
@@ -256,9 +266,8 @@ impl Judge<'_> {
         let number = self.classes.number(class)?;
         let (class, deviations) = self.classes.deviations(number, nominal)?;
         let bounds = Bounds::new(class.feature(), nominal, deviations)?;
-        let class = Some((number, class));
-        let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured), class };
-        self.give(row, &judged, tally, take);
+        let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
+        self.give(row, &judged, Some((number, class)), tally, take);
         Some(())
     }
 
@@ -288,8 +297,8 @@ impl Judge<'_> {
                 let bounds = limits.bounds();
                 let class = callout.class().map(|class| (self.classes.number_of(class), class));
                 tally.simulated += u64::from(is_simulated);
-                let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured), class };
-                self.give(row, &judged, tally, take);
+                let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
+                self.give(row, &judged, class, tally, take);
             }
             Ok(Found { asked: None, .. }) => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
             Err((cell, reason)) => Self::refuse(row, cell.at, &reason, tally, take),

@@ -87,6 +87,8 @@ impl Mark {
 #[derive(Debug, Default)]
 pub struct Marks {
     rows: Vec<Mark>,
+    /// The number of the next row's class, as the judge has it.
+    next: Option<usize>,
     /// The classes by the numbers of the judge.
     classes: Vec<Option<ToleranceClass>>,
 }
@@ -110,13 +112,18 @@ impl Marks {
 
 impl Take for Marks {
     #[inline]
-    fn judged(&mut self, _row: &Row<'_>, judged: &Judged) {
-        if let Some((number, class)) = judged.class
+    fn class(&mut self, class: Option<(usize, ToleranceClass)>) {
+        self.next = class.map(|(number, _)| number);
+        if let Some((number, class)) = class
             && self.classes.get(number).is_none_or(Option::is_none)
         {
             self.learn(number, class);
         }
-        self.rows.push(Mark::new(judged.class.map(|(number, _)| number), Fate::Judged(judged.verdict.status)));
+    }
+
+    #[inline]
+    fn judged(&mut self, _row: &Row<'_>, judged: &Judged) {
+        self.rows.push(Mark::new(self.next, Fate::Judged(judged.verdict.status)));
     }
 
     fn refused(&mut self, _row: &Row<'_>, reason: &str) {
