@@ -56,7 +56,7 @@ impl Unit {
     }
 
     /// Nanometres in one of its last decimal, where that is a whole number of them.
-    #[inline(always)]
+    #[inline]
     fn last_decimal(self, decimals: usize) -> Option<i64> {
         let all: &[i64] = match self {
             Self::Millimetre => &[NM_PER_MM, 100_000, 10_000, 1_000, 100, 10, 1],
@@ -169,6 +169,7 @@ impl Length {
 
     /// Reads what most numbers are, from the bytes of a text between `start` and `end`: up to nine digits, and up to six more
     /// after a decimal sign, which is given with it. `None` for anything else, which [`Length::parse_in`] may still read.
+    #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
     #[inline(always)]
     pub(crate) fn plain(text: &[u8], start: usize, end: usize, unit: Unit) -> Option<(Self, Option<u8>)> {
         let plain = plain::read(text, start, end)?;

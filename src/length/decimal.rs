@@ -4,6 +4,7 @@ use super::Window;
 
 /// Appends a number of nanometres in a unit of `ONE` of them, which has three or six decimals; zeros at the end go, but at
 /// least `least` decimals stay.
+#[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
 #[inline(always)]
 pub(super) fn put<const ONE: u64>(nm: i64, least: usize, out: &mut Window<'_>) {
     if nm < 0 {

@@ -1,6 +1,8 @@
 //! The figures of plain numbers: up to eight bytes at once and without a step for each, because the processor cannot guess
 //! how many there are.
 
+use std::num::NonZeroU64;
+
 /// A number as it stands in a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Plain {
@@ -38,19 +40,20 @@ pub(super) fn read(text: &[u8], start: usize, end: usize) -> Option<Plain> {
 }
 
 /// The number in the upper bytes of a word: the first byte is the lowest, and the first `before` do not belong to it.
-#[inline]
+#[expect(clippy::inline_always, reason = "as above")]
+#[inline(always)]
 fn short(word: u64, before: usize) -> Option<Plain> {
     // Figures become their values, and what stands before the number counts as zeros.
     let digits = (word ^ each(b'0')) & (u64::MAX << (8 * before));
     let others = above_nine(digits);
-    if others == 0 {
+    let Some(others) = NonZeroU64::new(others) else {
         return Some(Plain { number: value(digits), decimals: 0, sign: None });
-    }
+    };
     let place = others.trailing_zeros() / 8 * 8;
     let sign = word >> place & 0xff;
     let at = usize::try_from(place / 8).ok()?;
     // Only one byte is no figure, there is a figure before it, and it is a sign.
-    if others & (others - 1) != 0 || at <= before || sign != u64::from(b'.') && sign != u64::from(b',') {
+    if others.get() & (others.get() - 1) != 0 || at <= before || sign != u64::from(b'.') && sign != u64::from(b',') {
         return None;
     }
     // Without it, what stands before it moves up by one place.
@@ -89,7 +92,7 @@ const fn each(byte: u8) -> u64 {
 /// The top bit of each byte above nine, and no other bit.
 #[inline]
 const fn above_nine(bytes: u64) -> u64 {
-    ((bytes & each(0x7f)) + each(0x7f - 9) | bytes) & each(0x80)
+    (((bytes & each(0x7f)) + each(0x7f - 9)) | bytes) & each(0x80)
 }
 
 /// The number of eight digits, the first in the lowest byte: pairs of digits first, then pairs of pairs, then both fours.

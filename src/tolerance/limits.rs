@@ -161,7 +161,7 @@ pub struct Bounds {
 
 impl Bounds {
     /// Bounds from a nominal size and deviations. `None` where a limit would lie beyond [`Length::MAX`].
-    #[inline(always)]
+    #[inline]
     pub fn new(feature: Feature, nominal: Length, deviations: Deviations) -> Option<Self> {
         let maximum = nominal.checked_add(deviations.upper)?;
         let minimum = nominal.checked_add(deviations.lower)?;

@@ -173,6 +173,7 @@ pub fn judge_size(limits: &Limits, measured: Length) -> SizeVerdict {
 }
 
 /// Judges a diameter as [`judge_size`] does, without where the limits come from.
+#[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
 #[inline(always)]
 pub fn judge_bounds(bounds: &Bounds, measured: Length) -> SizeVerdict {
     let (minimum, maximum) = (bounds.minimum(), bounds.maximum());

@@ -77,7 +77,7 @@ impl Csv {
     #[inline]
     fn cells(&mut self, row: &Row<'_>) {
         if row.len() == self.count {
-            self.out.append_part(row.text, row.start, row.end());
+            self.out.append_part(row.text, row.start, row.end);
         } else {
             self.out.append(row.first_cells(self.count.min(row.len())));
             self.separators(self.count.saturating_sub(row.len()));
@@ -104,7 +104,7 @@ impl Take for Csv {
         self.cells(row);
         let separator = self.separator;
         let (word, count) = self.statuses.get(judged.verdict.status.at()).copied().unwrap_or_default();
-        let is_lf = row.text.get(row.end()) == Some(&b'\n');
+        let is_lf = row.text.get(row.end) == Some(&b'\n');
         self.out.pieces(|out| {
             out.push(separator);
             judged.bounds.minimum().put_mm(3, out);

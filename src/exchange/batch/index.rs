@@ -3,6 +3,8 @@
 //! A quotation mark counts at the beginning of a cell only, and a doubled one within a quoted cell is a quotation mark (RFC
 //! 4180; elsewhere it is a character, as in `5" pipe`). LF, CRLF and CR end a row.
 
+use std::num::NonZeroU64;
+
 use super::{LONGEST_ROW, wide};
 
 /// The mark of an end that also ends its row.
@@ -79,22 +81,20 @@ impl Index {
         for word in words {
             let word = u64::from_le_bytes(*word);
             let line = zeros(word ^ line_ends);
-            let mut hits = zeros(word ^ separators) | line;
-            if hits != 0 {
+            let mut hits = NonZeroU64::new(zeros(word ^ separators) | line);
+            if hits.is_some() {
                 self.make_room();
                 let Some(places) = self.ends.get_mut(self.count..).and_then(<[u32]>::first_chunk_mut::<8>) else {
                     return;
                 };
-                self.count += wide(hits.count_ones());
                 for place in places {
-                    let bit = hits.trailing_zeros();
+                    let Some(some) = hits else { break };
+                    let bit = some.trailing_zeros();
                     // The bit stands at the top of its byte.
                     let mark = u32::from(line >> bit & 1 == 1) << 31;
                     *place = (at + bit / 8) | mark;
-                    hits &= hits - 1;
-                    if hits == 0 {
-                        break;
-                    }
+                    hits = NonZeroU64::new(some.get() & (some.get() - 1));
+                    self.count += 1;
                 }
             }
             at += 8;

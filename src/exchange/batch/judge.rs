@@ -146,7 +146,7 @@ impl Judge<'_> {
         let is_utf8 = std::str::from_utf8(text).is_ok();
         let mut start = 0;
         for ends in block.index.as_ref().unwrap_or(&own).rows() {
-            let row = Row { text, start, ends };
+            let row = Row::new(text, start, ends);
             start = row.next();
             let lines = if block.index.is_some() { row.lines() } else { 1 };
             take.at(tally.lines);
@@ -172,17 +172,18 @@ impl Judge<'_> {
         let mut index = Index::default();
         let _whole = index.find_quoted(text.as_bytes(), self.court.layout.separator, true);
         if let Some(ends) = index.rows().next() {
-            self.row(&Row { text: text.as_bytes(), start: 0, ends }, tally, take);
+            self.row(&Row::new(text.as_bytes(), 0, ends), tally, take);
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn row(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
         if self.fast(row, tally, take).is_none() {
             self.slow(row, tally, take);
         }
     }
 
+    #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
     #[inline(always)]
     fn give(
         &mut self,
@@ -223,10 +224,11 @@ impl Judge<'_> {
     }
 
     /// Judges a plain row; `None` for every row that is not plain.
+    #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
     #[inline(always)]
     fn fast(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) -> Option<()> {
         let fast = &self.court.fast;
-        if row.len() != fast.count || LONGEST_ROW < row.bytes().len() || may_be_comment(row.bytes()) {
+        if row.len() != fast.count || LONGEST_ROW < row.end - row.start || may_be_comment(row) {
             return None;
         }
         let (measured, sign) = number(row, fast.measured)?;
@@ -264,9 +266,10 @@ impl Judge<'_> {
             return None;
         }
         let number = self.classes.number(class)?;
-        let (class, deviations) = self.classes.deviations(number, nominal)?;
-        let bounds = Bounds::new(class.feature(), nominal, deviations)?;
+        let (feature, deviations) = self.classes.deviations(number, nominal)?;
+        let bounds = Bounds::new(feature, nominal, deviations)?;
         let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
+        let class = self.classes.class(number)?;
         self.give(row, &judged, Some((number, class)), tally, take);
         Some(())
     }
@@ -341,6 +344,7 @@ impl Judge<'_> {
 const BEGINNING: usize = 200;
 
 /// A cell that is a plain number, and its decimal sign.
+#[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
 #[inline(always)]
 fn number(row: &Row<'_>, (at, unit): (usize, Unit)) -> Option<(Length, Option<u8>)> {
     let part = row.part(at)?;
@@ -355,9 +359,14 @@ fn wrapped_number(part: Part<'_>, unit: Unit) -> Option<(Length, Option<u8>)> {
 
 /// Whether a row begins like a comment, or with something that may hide the mark of one.
 #[inline]
-fn may_be_comment(row: &[u8]) -> bool {
-    let first = if let [b'"', rest @ ..] = row { rest.first() } else { row.first() };
-    first.is_none_or(|byte| *byte <= b' ' || matches!(byte, b'#' | b'"') || 0x80 <= *byte)
+fn may_be_comment(row: &Row<'_>) -> bool {
+    let first = row.text.get(row.start).copied().unwrap_or_default();
+    first <= b' ' || first == b'#' || 0x80 <= first || first == b'"' && may_be_quoted_comment(row)
+}
+
+#[inline(never)]
+fn may_be_quoted_comment(row: &Row<'_>) -> bool {
+    row.text.get(row.start + 1).is_none_or(|byte| *byte <= b' ' || matches!(byte, b'#' | b'"') || 0x80 <= *byte)
 }
 
 /// Whether a cell may be the first half of a callout whose decimal comma became a separator.

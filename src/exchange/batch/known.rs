@@ -2,7 +2,7 @@
 
 use super::row::Part;
 use crate::length::Length;
-use crate::tolerance::{Callout, Deviations, Sources, ToleranceClass};
+use crate::tolerance::{Callout, Deviations, Feature, Sources, ToleranceClass};
 
 /// How many places the table of texts has: several times the classes of ISO 286.
 const PLACES: usize = 1 << 12;
@@ -59,7 +59,8 @@ enum Cell {
 /// A class that was met, and how many rows had it.
 #[derive(Debug)]
 pub(super) struct Known {
-    pub(super) class: ToleranceClass,
+    class: ToleranceClass,
+    feature: Feature,
     cells: Vec<Cell>,
 }
 
@@ -116,13 +117,13 @@ impl<'a> Classes<'a> {
         if let Some(number) = self.known.iter().position(|known| known.class == class) {
             return number;
         }
-        self.known.push(Known { class, cells: vec![Cell::NotAsked; self.steps.ends.len()] });
+        self.known.push(Known { class, feature: class.feature(), cells: vec![Cell::NotAsked; self.steps.ends.len()] });
         self.known.len() - 1
     }
 
-    /// The class with a number, and its limit deviations at a size; `None` where the callout has to be asked for.
-    #[inline(always)]
-    pub(super) fn deviations(&mut self, number: usize, nominal: Length) -> Option<(ToleranceClass, Deviations)> {
+    /// Whether the class with a number is one of holes, and its limit deviations at a size; `None` where the callout has to be asked for.
+    #[inline]
+    pub(super) fn deviations(&mut self, number: usize, nominal: Length) -> Option<(Feature, Deviations)> {
         let step = self.steps.of_size(nominal)?;
         let known = self.known.get_mut(number)?;
         let cell = known.cells.get_mut(step)?;
@@ -130,7 +131,7 @@ impl<'a> Classes<'a> {
             *cell = ask(self.sources, known.class, nominal);
         }
         match cell {
-            Cell::Deviations(deviations) => Some((known.class, *deviations)),
+            Cell::Deviations(deviations) => Some((known.feature, *deviations)),
             Cell::NotAsked | Cell::None => None,
         }
     }

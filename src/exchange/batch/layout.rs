@@ -153,7 +153,7 @@ impl Above {
             if header < above.line {
                 break;
             }
-            let row = Row { text, start: above.length, ends };
+            let row = Row::new(text, above.length, ends);
             let cells = row.record();
             if columns::is_comment(&cells) {
                 if columns::is_data(&cells) {

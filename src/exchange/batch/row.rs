@@ -12,40 +12,43 @@ use crate::length::{Length, Unit};
 pub struct Row<'a> {
     pub(super) text: &'a [u8],
     pub(super) start: usize,
+    /// Where its last cell ends.
+    pub(super) end: usize,
     /// The ends of its cells, marked as the index has them.
-    pub(super) ends: &'a [u32],
+    ends: &'a [u32],
 }
 
 impl<'a> Row<'a> {
+    /// The row that begins at a place of a text, with the ends of its cells.
+    #[inline]
+    pub(super) fn new(text: &'a [u8], start: usize, ends: &'a [u32]) -> Self {
+        Self { text, start, end: ends.last().map_or(start, |end| index::end(*end)), ends }
+    }
+
     /// How many cells it has.
     pub(super) const fn len(&self) -> usize {
         self.ends.len()
     }
 
-    /// Where its last cell ends.
-    #[inline]
-    pub(super) fn end(&self) -> usize {
-        self.ends.last().map_or(self.start, |end| index::end(*end))
-    }
-
     /// Where the next row begins.
     #[inline]
     pub(super) fn next(&self) -> usize {
-        let end = self.end();
-        end + index::line_end(self.text, end)
+        if self.text.get(self.end) == Some(&b'\n') {
+            return self.end + 1;
+        }
+        self.end + index::line_end(self.text, self.end)
     }
 
     /// Its bytes without the line end.
     #[inline]
     pub(super) fn bytes(&self) -> &'a [u8] {
-        self.text.get(self.start..self.end()).unwrap_or_default()
+        self.text.get(self.start..self.end).unwrap_or_default()
     }
 
     /// Its line end; nothing where the text ends with it.
     #[inline]
     pub(super) fn line_end(&self) -> &'a [u8] {
-        let end = self.end();
-        self.text.get(end..end + index::line_end(self.text, end)).unwrap_or_default()
+        self.text.get(self.end..self.end + index::line_end(self.text, self.end)).unwrap_or_default()
     }
 
     /// A cell as it stands there, with its quotation marks.
@@ -55,7 +58,7 @@ impl<'a> Row<'a> {
     }
 
     /// A cell as it stands there, within the text.
-    #[inline(always)]
+    #[inline]
     pub(super) fn part(&self, at: usize) -> Option<Part<'a>> {
         let end = index::end(*self.ends.get(at)?);
         let start = match at.checked_sub(1) {
@@ -108,7 +111,7 @@ impl<'a> Part<'a> {
     }
 
     /// It as a number, where it is a plain one, and its decimal sign.
-    #[inline(always)]
+    #[inline]
     pub(super) fn number(self, unit: Unit) -> Option<(Length, Option<u8>)> {
         Length::plain(self.text, self.start, self.end, unit)
     }
