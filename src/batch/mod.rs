@@ -24,7 +24,7 @@ use std::time::Duration;
 
 pub use forms::{FORMS, Form, Rendering};
 pub use stream::{Packing, Stream};
-pub use text::{Input, run};
+pub use text::{Input, Making, Sink, run, run_into};
 
 use crate::exchange::batch::{Counts, Judge, Tally};
 use crate::tolerance::ToleranceClass;
@@ -71,6 +71,14 @@ pub enum Failed {
     Writing(io::Error),
 }
 
+/// More workers only wait for the one stream that they read and write.
+const MOST_WORKERS: usize = 8;
+
+/// How many workers this machine has room for.
+pub fn workers() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from).min(MOST_WORKERS)
+}
+
 /// Gives the rows out, portion by portion.
 trait Source: Send {
     type Portion: Default;
@@ -90,8 +98,8 @@ trait Work<'c> {
     /// Judges a portion and makes ready what is written of it.
     fn judge(&mut self, portion: &mut Self::Portion) -> Tally;
 
-    /// Writes it.
-    fn write(&mut self, sink: &mut Self::Sink) -> io::Result<()>;
+    /// Writes what was made ready of a portion.
+    fn write(&mut self, portion: &Self::Portion, tally: &Tally, sink: &mut Self::Sink) -> io::Result<()>;
 
     /// What was judged.
     fn end(self) -> Judge<'c>;
@@ -247,7 +255,7 @@ impl<S: Source, K: ?Sized + Send> Turns<'_, S, K> {
         let mut portion = S::Portion::default();
         while let Some((number, bytes)) = self.take(&mut portion) {
             let tally = worker.judge(&mut portion);
-            if !self.give(number, tally, bytes, &mut worker) {
+            if !self.give((number, bytes), tally, &portion, &mut worker) {
                 break;
             }
         }
@@ -274,7 +282,13 @@ impl<S: Source, K: ?Sized + Send> Turns<'_, S, K> {
     }
 
     /// Writes a portion when its turn comes; `false` where nothing more is written.
-    fn give<'c>(&self, number: u64, tally: Tally, bytes: u64, worker: &mut impl Work<'c, Sink = K>) -> bool {
+    fn give<'c, W: Work<'c, Portion = S::Portion, Sink = K>>(
+        &self,
+        (number, bytes): (u64, u64),
+        tally: Tally,
+        portion: &S::Portion,
+        worker: &mut W,
+    ) -> bool {
         let mut out = lock(&self.sink);
         while out.turn != number {
             if self.watch.stop.load(Relaxed) || out.failed.is_some() {
@@ -286,7 +300,7 @@ impl<S: Source, K: ?Sized + Send> Turns<'_, S, K> {
         if out.failed.is_some() {
             return false;
         }
-        if let Err(error) = worker.write(&mut *out.sink) {
+        if let Err(error) = worker.write(portion, &tally, &mut *out.sink) {
             out.failed = Some(error);
             lock(&self.source).is_ended = true;
         }

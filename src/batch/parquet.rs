@@ -141,7 +141,7 @@ where
         }
     }
 
-    fn write(&mut self, sink: &mut Writer<W>) -> io::Result<()> {
+    fn write(&mut self, _portion: &P, _tally: &Tally, sink: &mut Writer<W>) -> io::Result<()> {
         match std::mem::replace(&mut self.group, Ok(None))? {
             Some(group) => sink.write(group),
             None => Ok(()),

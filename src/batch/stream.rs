@@ -7,6 +7,9 @@ use flate2::Compression;
 use flate2::read::MultiGzDecoder;
 use flate2::write::GzEncoder;
 
+use crate::exchange::ImportErrorKind;
+use crate::exchange::batch::{BLOCK, HEAD, Layout};
+
 /// The largest window of a Zstandard stream, 2^23 bytes: up to level 19 none is larger, and each takes memory.
 const WINDOW_LOG: u32 = 23;
 
@@ -140,6 +143,27 @@ impl<'a> Stream<'a> {
         self.head.truncate(before + read.as_ref().copied().unwrap_or_default());
         self.is_all = read? == 0;
         Ok(!self.is_all)
+    }
+}
+
+impl Stream<'_> {
+    /// Reads until the columns are known. `is_patient` as for [`Cutter`](crate::exchange::batch::Cutter).
+    ///
+    /// # Errors
+    /// What the stream reports; within that, why nothing in it can be judged.
+    pub fn layout(&mut self, is_patient: bool, name: &str) -> io::Result<Result<Layout, ImportErrorKind>> {
+        loop {
+            let goes_on = self.read_more(if is_patient { HEAD } else { BLOCK })?;
+            let is_enough = !goes_on || HEAD <= self.head.len();
+            if is_patient && !is_enough {
+                continue;
+            }
+            match Layout::of(&self.head, self.is_all, name) {
+                Ok(layout) if layout.has_rows || is_enough => return Ok(Ok(layout)),
+                Err(error) if is_enough => return Ok(Err(error)),
+                Ok(_) | Err(_) => {}
+            }
+        }
     }
 }
 

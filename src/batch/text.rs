@@ -1,10 +1,10 @@
-//! CSV in; CSV and JSON lines out.
+//! CSV in; CSV, JSON lines and what else is made of its rows out.
 
 use std::io::{self, Read, Write};
 use std::marker::PhantomData;
 
 use super::{Failed, Manner, Packing, Rendering, Source, Summary, Watch, Watched, Work, take_turns};
-use crate::exchange::batch::{Block, Court, Cutter, Judge, Tally};
+use crate::exchange::batch::{Block, Court, Cutter, Judge, Marks, Take, Tally};
 
 /// Where the rows come from.
 pub struct Input<'a> {
@@ -30,6 +30,69 @@ pub fn run<R: Rendering>(
     let judge = |portion: &mut Block, judge: &mut Judge<'_>, take: &mut R| judge.block(portion, take);
     let mut out = out;
     take_turns(source, &mut out, manner.workers, Watched { watch, tick }, || Texts::new(court, manner, judge))
+}
+
+/// What a worker makes of each block.
+pub trait Making: Take {
+    /// Begins a block.
+    fn begin(&mut self);
+}
+
+impl Making for Marks {
+    fn begin(&mut self) {
+        self.clear();
+    }
+}
+
+/// Where that goes, block by block in the order of the stream.
+pub trait Sink<M: Making>: Send {
+    /// Takes what was made of a block.
+    ///
+    /// # Errors
+    /// Why nothing more can be taken.
+    fn take(&mut self, made: &mut M, block: &Block, tally: &Tally) -> io::Result<()>;
+}
+
+/// Judges all rows of a stream: each worker makes something of its blocks, and a sink takes it in the order of the
+/// stream. `tick` is called ten times a second meanwhile.
+///
+/// # Errors
+/// [`Failed`] says which side failed first.
+pub fn run_into<M: Making, S: Sink<M>>(
+    input: Input<'_>,
+    court: &Court<'_>,
+    (workers, making): (usize, &(dyn Fn() -> M + Sync)),
+    sink: &mut S,
+    watch: &Watch,
+    tick: &mut dyn FnMut(&Watch),
+) -> Result<Summary, Failed> {
+    let hire = || Maker { judge: court.judge(), made: making(), sinks: PhantomData };
+    take_turns(Blocks { input, bytes: 0 }, sink, workers, Watched { watch, tick }, hire)
+}
+
+/// A worker that makes something.
+struct Maker<'c, M, S> {
+    judge: Judge<'c>,
+    made: M,
+    sinks: PhantomData<fn(S)>,
+}
+
+impl<'c, M: Making, S: Sink<M>> Work<'c> for Maker<'c, M, S> {
+    type Portion = Block;
+    type Sink = S;
+
+    fn judge(&mut self, portion: &mut Block) -> Tally {
+        self.made.begin();
+        self.judge.block(portion, &mut self.made)
+    }
+
+    fn write(&mut self, portion: &Block, tally: &Tally, sink: &mut S) -> io::Result<()> {
+        sink.take(&mut self.made, portion, tally)
+    }
+
+    fn end(self) -> Judge<'c> {
+        self.judge
+    }
 }
 
 /// A stream in blocks.
@@ -90,7 +153,7 @@ impl<'c, 'o, R: Rendering, P, J: Fn(&mut P, &mut Judge<'_>, &mut R) -> Tally> Wo
         tally
     }
 
-    fn write(&mut self, sink: &mut Self::Sink) -> io::Result<()> {
+    fn write(&mut self, _portion: &P, _tally: &Tally, sink: &mut Self::Sink) -> io::Result<()> {
         if let Some(error) = self.failed.take() {
             return Err(error);
         }

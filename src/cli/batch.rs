@@ -22,7 +22,7 @@ use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
 use crate::cli::args::one_of;
 use crate::exchange::ImportErrorKind;
-use crate::exchange::batch::{ADDED, BLOCK, Court, Csv, Cutter, HEAD, JsonLines, Layout};
+use crate::exchange::batch::{ADDED, BLOCK, Court, Csv, Cutter, JsonLines, Layout};
 use crate::files;
 use crate::message::Say as _;
 use crate::tolerance::Sources;
@@ -56,9 +56,6 @@ pub(super) struct Args {
     #[command(flatten)]
     tables: TableArgs,
 }
-
-/// More workers only wait for the one stream that they read and write.
-const MOST_WORKERS: usize = 8;
 
 fn help() -> String {
     format!(
@@ -291,19 +288,9 @@ impl Job<'_> {
                 Err(error) => Err(CliError::BatchInput { name, error: error.to_string() }),
             };
         }
-        loop {
-            let goes_on = stream.read_more(if is_patient { HEAD } else { BLOCK }).map_err(failed)?;
-            let is_enough = !goes_on || HEAD <= stream.head.len();
-            if is_patient && !is_enough {
-                continue;
-            }
-            match Layout::of(&stream.head, stream.is_all, &name) {
-                Ok(layout) if layout.has_rows || is_enough => {
-                    return Ok(Opened { name, path, from: From::Text(stream), layout, types: Vec::new(), size });
-                }
-                Err(error) if is_enough => return Err(CliError::BatchInput { name, error: error.to_string() }),
-                Ok(_) | Err(_) => {}
-            }
+        match stream.layout(is_patient, &name).map_err(failed)? {
+            Ok(layout) => Ok(Opened { name, path, from: From::Text(stream), layout, types: Vec::new(), size }),
+            Err(error) => Err(CliError::BatchInput { name, error: error.to_string() }),
         }
     }
 
@@ -342,8 +329,7 @@ impl Job<'_> {
             told.warning(&name, *line, warning);
         }
         let court = Court::new(&layout, self.sources);
-        let processors = || std::thread::available_parallelism().map_or(1, usize::from).min(MOST_WORKERS);
-        let workers = self.args.jobs.map_or_else(processors, usize::from);
+        let workers = self.args.jobs.map_or_else(batch::workers, usize::from);
         let is_packed = matches!(&from, From::Text(stream) if stream.packing != Packing::Plain);
         let progress = Progress::new(&name, size.filter(|_| !is_packed));
         let manner = Manner { workers, packing: self.packing, prefix: &self.args.prefix };

@@ -43,7 +43,7 @@ fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
     let separator = sample.separator;
     // The first rows are read once more with the rest.
     drop(sample);
-    let mut reader = Reader { source, columns, separator, sink };
+    let mut reader = Reader { source, columns: &columns, separator, sink };
     reader.warn_of_columns(first_line);
     let nothing = Cell { at: None, text: "" };
     for item in Rows::new(text, first_line, separator) {
@@ -63,9 +63,22 @@ fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
     }
 }
 
+/// Reads a single row whose columns are known, as one of a whole file.
+pub(super) fn read_row(
+    source: &Source<'_>,
+    (columns, separator): (&Columns, u8),
+    (line, cells): (usize, &StringRecord),
+    sink: &mut Sink<'_>,
+) {
+    let mut reader = Reader { source, columns, separator, sink };
+    if let Err((cell, reason)) = reader.measurement(line, cells) {
+        reader.refuse(line, cell, reason);
+    }
+}
+
 struct Reader<'a, 's> {
     source: &'a Source<'a>,
-    columns: Columns,
+    columns: &'a Columns,
     separator: u8,
     sink: &'a mut Sink<'s>,
 }
@@ -111,7 +124,7 @@ impl Reader<'_, '_> {
     /// Judges a row and keeps it, or names the cell that cannot be used.
     fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         let has_commas = self.separator == b',';
-        let rules = Rules { columns: &self.columns, has_commas, sources: self.source.sources };
+        let rules = Rules { columns: self.columns, has_commas, sources: self.source.sources };
         let Found { measured, asked, is_simulated } = rules.read(cells)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
         let time = self.time(line, cells);

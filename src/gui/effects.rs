@@ -10,10 +10,12 @@ use std::sync::mpsc::{Receiver, SendError, Sender, channel};
 use eframe::egui::{Context, ViewportCommand};
 use jiff::civil::DateTime;
 
+use super::rows::{self, Runs};
 use crate::control::deviations;
 use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
+use crate::exchange::batch::Part;
 use crate::exchange::{self, contacts};
 use crate::files;
 use crate::message::{Message, Say as _};
@@ -23,7 +25,7 @@ use crate::probing::simulated::Simulation;
 use crate::session::program::Document;
 use crate::session::{
     CheckCommand, Command, Content, CycleFile, CyclesCommand, Effect, Fate, FilesCommand, Launch, ProgramCommand,
-    Purpose, TablesCommand, WorkpieceCommand,
+    Purpose, RowsCommand, TablesCommand, WorkpieceCommand,
 };
 use crate::tolerance::{DeviationTable, Sources};
 use crate::words::Words;
@@ -48,6 +50,15 @@ pub(super) struct Runner {
     receiver: Receiver<Command>,
     /// To the thread that reads and writes files.
     files: Sender<Errand>,
+    /// The run over a large file.
+    rows: Arc<Runs>,
+}
+
+impl Drop for Runner {
+    /// A window that is closed waits for no run.
+    fn drop(&mut self) {
+        self.rows.stop();
+    }
 }
 
 impl Runner {
@@ -57,7 +68,7 @@ impl Runner {
         if errands == Errands::OnThread {
             on_thread("files", Box::new(move || queue.into_iter().for_each(|errand| errand())));
         }
-        Self { errands, sender, receiver, files }
+        Self { errands, sender, receiver, files, rows: Arc::default() }
     }
 
     /// The commands that came back since the last frame.
@@ -79,6 +90,9 @@ impl Runner {
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
             Effect::Leave => return ctx.send_viewport_cmd(ViewportCommand::Close),
+            Effect::StopRows => return self.rows.stop(),
+            Effect::JudgeRows { run, path } => return self.judge_rows(ctx, (run, path), Arc::clone(sources)),
+            Effect::ReadRows { run, wanted } => return self.read_rows(ctx, run, wanted),
             effect => effect,
         };
         let (sender, ctx, sources) = (self.sender.clone(), ctx.clone(), Arc::clone(sources));
@@ -101,6 +115,33 @@ impl Runner {
         } else {
             self.after_files(errand);
         }
+    }
+
+    /// Judges the rows of a large file on a thread; each of its answers asks for one frame.
+    fn judge_rows(&self, ctx: &Context, (run, path): (u64, PathBuf), sources: Arc<Sources>) {
+        let (rows, watch) = (Arc::clone(&self.rows), self.rows.begin(run));
+        let (sender, ctx) = (self.sender.clone(), ctx.clone());
+        let errand: Errand = Box::new(move || {
+            rows.judge((run, &path), &watch, &sources, &mut |news| {
+                // A closed window hears no answer; that is not an error.
+                let _closed = sender.send(RowsCommand::Judged { run, news: Box::new(news) }.into());
+                ctx.request_repaint();
+            });
+        });
+        match self.errands {
+            Errands::AtOnce => errand(),
+            Errands::OnThread => on_thread("rows", errand),
+        }
+    }
+
+    /// Reads rows of a large file again.
+    fn read_rows(&self, ctx: &Context, run: u64, wanted: Vec<(Arc<Part>, Vec<usize>)>) {
+        let (rows, sender, ctx) = (Arc::clone(&self.rows), self.sender.clone(), ctx.clone());
+        self.after_files(Box::new(move || {
+            let result = rows.read(run, &wanted);
+            let _closed = sender.send(RowsCommand::Read { run, result }.into());
+            ctx.request_repaint();
+        }));
     }
 }
 
@@ -166,7 +207,12 @@ fn answers(
             let failed = |reason: String| Message::new("launch-failed").text("reason", reason);
             vec![FilesCommand::Launched(result.map_err(failed)).into()]
         }
-        Effect::Copy(_) | Effect::Focus(_) | Effect::Leave => Vec::new(),
+        Effect::Copy(_)
+        | Effect::Focus(_)
+        | Effect::Leave
+        | Effect::JudgeRows { .. }
+        | Effect::StopRows
+        | Effect::ReadRows { .. } => Vec::new(),
     }
 }
 
@@ -207,6 +253,7 @@ fn open(path: &Path) -> Result<(), String> {
 const fn is_read(command: &Command) -> bool {
     match command {
         Command::Check(CheckCommand::Imported { result, .. }) => result.is_ok(),
+        Command::Check(CheckCommand::Rows(RowsCommand::Opened { result, .. })) => result.is_ok(),
         Command::MaskRead { result, .. } => result.is_ok(),
         Command::TablesRead { result, .. } => result.is_ok(),
         Command::Tables(TablesCommand::Read { result, .. }) => result.is_ok(),
@@ -221,7 +268,11 @@ const fn is_read(command: &Command) -> bool {
 fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> Command {
     let name = name(&path);
     match purpose {
-        Purpose::Import => CheckCommand::Imported { result: import(&path, sources, now), name }.into(),
+        Purpose::Import => match rows::large(&path) {
+            Ok(None) => CheckCommand::Imported { result: import(&path, sources, now), name }.into(),
+            Ok(Some(large)) => RowsCommand::Opened { name, result: Ok((path, large)) }.into(),
+            Err(problem) => RowsCommand::Opened { name, result: Err(problem) }.into(),
+        },
         Purpose::LoadMask => Command::MaskRead { name, result: read_mask(&path) },
         Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },
         Purpose::OpenTable => TablesCommand::Read { name, result: read_table(&path) }.into(),

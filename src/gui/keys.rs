@@ -6,7 +6,7 @@ use eframe::egui::{self, Event, EventFilter, Id, KeyboardShortcut, Modifiers, Ui
 
 use super::view::View;
 use super::{check, fit, program, tables};
-use crate::session::action::{Held, Key, Part, Shortcut};
+use crate::session::action::{Action, Held, Key, Part, Shortcut};
 
 /// Does what was pressed in this frame, before anything is drawn: a key that an action takes reaches no widget.
 pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
@@ -28,7 +28,9 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
             shortcut.key == Key::Escape
         });
     });
-    for action in pressed {
+    // The Escape that closes a list ends no run.
+    let closes_list = egui::Popup::is_any_open(ui.ctx());
+    for action in pressed.into_iter().filter(|action| !(closes_list && *action == Action::CancelRows)) {
         view.act(action);
     }
 }
@@ -44,13 +46,14 @@ const fn pressed_key(event: &Event) -> Option<(egui::Key, Modifiers)> {
 
 /// The part of the page that has the focus as a whole. Arrows stay in it.
 fn focused_part(ui: &Ui, view: &View<'_>) -> Option<Part> {
-    let part = Part::ALL.into_iter().find(|part| part.page() == view.session.page())?;
-    let id = id(part, view);
-    let horizontal_arrows = matches!(part, Part::Classes | Part::Cells);
-    let arrows = EventFilter { tab: false, horizontal_arrows, vertical_arrows: true, escape: false };
+    let on_page = Part::ALL.into_iter().filter(|part| part.page() == view.session.page());
+    let ids: Vec<_> = on_page.map(|part| (part, id(part, view))).collect();
     ui.memory_mut(|memory| {
+        let (part, id) = ids.into_iter().find(|(_, id)| memory.has_focus(*id))?;
+        let horizontal_arrows = matches!(part, Part::Classes | Part::Cells);
+        let arrows = EventFilter { tab: false, horizontal_arrows, vertical_arrows: true, escape: false };
         memory.set_focus_lock_filter(id, arrows);
-        memory.has_focus(id).then_some(part)
+        Some(part)
     })
 }
 
@@ -60,6 +63,7 @@ fn id(part: Part, view: &View<'_>) -> Id {
         Part::Cells => tables::grid_id(),
         Part::Listing => program::listing_id(),
         Part::History => check::history_id(),
+        Part::Rows => check::rows_id(),
     }
 }
 

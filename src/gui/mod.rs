@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `app` | one frame: panels, commands, effects |
 //! | `effects` | files, dialogs and the clipboard, off the frame's thread |
+//! | `rows` | the workers behind the rows of a large file |
 //! | `store` | the state file |
 //! | `theme` | colours, sizes, fonts |
 //! | `check`, `fit`, `cycles`, `tables`, `program` | the pages |
@@ -30,6 +31,7 @@ mod keys;
 mod limits;
 mod popup;
 mod program;
+mod rows;
 mod shapes;
 mod store;
 mod tables;

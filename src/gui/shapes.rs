@@ -20,6 +20,36 @@ pub(super) fn times(size: f32, count: usize) -> f32 {
     size * (part(count >> 16) * 65_536.0 + part(count & 0xffff))
 }
 
+/// How many whole lines a number of them is; none below zero.
+#[expect(
+    clippy::as_conversions,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "lines on a screen"
+)]
+pub(super) const fn lines_of(lines: f32) -> usize {
+    lines.max(0.0) as usize
+}
+
+/// A place among so many, by its share of the way; exact to the place up to 2^52.
+#[expect(clippy::as_conversions, clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "below the number")]
+#[expect(clippy::cast_precision_loss, reason = "nobody has so many rows")]
+pub(super) fn part_of(share: f32, count: usize) -> usize {
+    (f64::from(share.clamp(0.0, 1.0)) * count as f64) as usize
+}
+
+/// How much of all something is, from 0 to 1; 0 of nothing.
+#[expect(clippy::as_conversions, clippy::cast_precision_loss, reason = "a length on the screen")]
+pub(super) fn share(part: u64, all: u64) -> f32 {
+    if all == 0 { 0.0 } else { screen(part as f64 / all as f64).clamp(0.0, 1.0) }
+}
+
+/// The same of places.
+pub(super) fn ratio(part: usize, all: usize) -> f32 {
+    let wide = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
+    share(wide(part), wide(all))
+}
+
 /// The ring around a part of a page that has the focus as a whole.
 pub(super) fn focus_ring(ui: &Ui, rect: Rect) {
     let stroke = Stroke::new(2.0, palette(ui.ctx()).accent.0);

@@ -244,6 +244,20 @@ pub(super) fn live(ui: &Ui, response: &Response, said: &str, politeness: Live) {
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(politeness));
 }
 
+/// Gives a list the focus in the next frame: in the frame of a click, whoever looks at the focused widget takes the focus
+/// from it, because the row was clicked and not the list.
+pub(super) fn focus_soon(ui: &Ui, id: egui::Id) {
+    ui.data_mut(|data| data.insert_temp(id.with("focus-soon"), true));
+    ui.ctx().request_repaint();
+}
+
+/// Takes the focus that was promised.
+pub(super) fn take_focus(ui: &Ui, id: egui::Id) {
+    if ui.data_mut(|data| std::mem::take(data.get_temp_mut_or_default::<bool>(id.with("focus-soon")))) {
+        ui.memory_mut(|memory| memory.request_focus(id));
+    }
+}
+
 /// A plot to look at only: it cannot be moved, and it leaves the mouse wheel to the page.
 pub(super) fn still_plot<'a>(id: &'static str, height: f32) -> Plot<'a> {
     Plot::new(id)

@@ -3,6 +3,7 @@
 //! The list of commands is the window's manual: menu, key, button, test and script all send one of these.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use super::check::CheckCommand;
 use super::cycles::CyclesCommand;
@@ -11,9 +12,11 @@ use super::files::{Content, FilesCommand, Launch};
 use super::fit::FitCommand;
 use super::history::ListCommand;
 use super::program::ProgramCommand;
+use super::rows::RowsCommand;
 use super::tables::TablesCommand;
 use super::workpiece::WorkpieceCommand;
 use crate::control::mask::Mask;
+use crate::exchange::batch::Part;
 use crate::files::FileError;
 use crate::message::Message;
 use crate::tolerance::{Base, DeviationTable, iso286};
@@ -100,6 +103,12 @@ pub enum Command {
 }
 
 from_variants!(Command: Check(CheckCommand), Fit(FitCommand), Cycles(CyclesCommand), Tables(TablesCommand));
+impl From<RowsCommand> for Command {
+    fn from(command: RowsCommand) -> Self {
+        Self::Check(CheckCommand::Rows(command))
+    }
+}
+
 impl From<ListCommand> for Command {
     fn from(command: ListCommand) -> Self {
         Self::Check(CheckCommand::List(command))
@@ -237,6 +246,7 @@ pub enum Effect {
     /// Read what lies in a folder and send [`FilesCommand::Listed`].
     List(PathBuf),
     /// Read what a dialog of this purpose asks for, and send the command that takes it: [`CheckCommand::Imported`],
+    /// [`RowsCommand::Opened`] in place of it for a large one,
     /// [`Command::MaskRead`], [`Command::TablesRead`], or the one of a page that reads such files. Before it comes
     /// [`FilesCommand::Seen`]; a folder in place of a file is only told by [`FilesCommand::IsFolder`].
     Read(Purpose, PathBuf),
@@ -246,6 +256,22 @@ pub enum Effect {
     Replace(PathBuf, Content),
     /// Start the program for a file and send [`FilesCommand::Launched`].
     Launch(PathBuf, Launch),
+    /// Judge the rows of a large file and send [`RowsCommand::Judged`] again and again.
+    JudgeRows {
+        /// The number of the run.
+        run: u64,
+        /// The file.
+        path: PathBuf,
+    },
+    /// End the run over a large file, if there is one.
+    StopRows,
+    /// Read rows of a large file again and send [`RowsCommand::Read`].
+    ReadRows {
+        /// The number of the run that judged them.
+        run: u64,
+        /// Parts of the file, with the numbers of the rows in each, ascending.
+        wanted: Vec<(Arc<Part>, Vec<usize>)>,
+    },
     /// Close the window.
     Leave,
     /// Put a text on the clipboard.

@@ -13,6 +13,7 @@
 //! | `cycles` | a measuring cycle on a workpiece or on recorded contacts |
 //! | `tables` | tables of deviations against ISO 286 |
 //! | `program` | an NC program is run and stepped |
+//! | `rows` | the rows of a file that is too large for the history |
 //! | `shared`, `history`, `workpiece` | what belongs to every page; `readers` reads it |
 //! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
@@ -40,6 +41,7 @@ mod fit;
 mod history;
 pub mod program;
 mod readers;
+mod rows;
 mod saved;
 mod shared;
 mod step;
@@ -65,6 +67,7 @@ pub use fit::{
 };
 pub use history::{ChangeId, History, ListCommand, status_text};
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
+pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
 pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs};
 pub use shared::{MaskChoice, Notice};
 pub use step::Step;
@@ -165,6 +168,7 @@ impl Session {
         }
         let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));
+        effects.extend(self.check.take_errands());
         shared.in_order(effects)
     }
 

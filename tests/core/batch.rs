@@ -142,7 +142,11 @@ fn a_line_of_megabytes_is_told_and_costs_itself_only() {
             let summary = judged::<Csv>(text.as_bytes(), cut, &Sources::default(), &mut out).unwrap();
             let refused = summary.tally.notes(Kind::Refused);
             assert_eq!(refused.count, 1);
-            assert!(refused.first[0].line == 1 && refused.first[0].text.contains(reason), "{:?}", refused.first);
+            assert!(
+                refused.first[0].line == 1 && refused.first[0].what.to_string().contains(reason),
+                "{:?}",
+                refused.first
+            );
             assert_eq!(usize::try_from(summary.tally.rows).unwrap(), long.lines().count() + 2, "no row is swallowed");
             let out = String::from_utf8(out).unwrap();
             assert!(out.ends_with("2,25 H7,24.9,25.000,25.021,-100,REWORK,100,\n"));

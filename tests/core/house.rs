@@ -73,7 +73,7 @@ const ROOMS: [(&str, &[&str]); 17] = [
             "files",
         ],
     ),
-    ("batch", &["tolerance", "exchange"]),
+    ("batch", &["length", "tolerance", "exchange"]),
     (
         "cli",
         &[
@@ -109,6 +109,7 @@ const ROOMS: [(&str, &[&str]); 17] = [
             "exchange",
             "report",
             "files",
+            "batch",
             "session",
         ],
     ),

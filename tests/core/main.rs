@@ -63,6 +63,8 @@ mod reader_language;
 mod renderings;
 mod report;
 mod report_cli;
+
+mod rows;
 mod run_cli;
 mod session;
 mod session_actions;

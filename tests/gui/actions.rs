@@ -114,7 +114,9 @@ impl Pair {
     #[track_caller]
     fn check_done(&self) {
         let page = self.session.page();
-        for action in Action::all().filter(|action| action.shortcut_on(page).is_some()) {
+        // The rows of a large file have keys of their own, which `rows` presses.
+        let is_of_rows = |action: &Action| matches!(action, Action::CancelRows | Action::MoveRow(_) | Action::ShowRow);
+        for action in Action::all().filter(|action| action.shortcut_on(page).is_some() && !is_of_rows(action)) {
             for shortcut in action.shortcuts() {
                 let name = format!("{action:?} {shortcut}");
                 assert!(self.done.contains(&name), "{name} was never possible on {page:?}");

@@ -144,6 +144,16 @@ fn arrows_pages_home_and_end_walk_the_list_and_enter_shows_a_check() {
 }
 
 #[test]
+fn a_click_shows_a_check_and_the_keys_go_on_from_there() {
+    let mut window = three();
+    window.get_by_label_contains(", A2, ").click();
+    window.run();
+    assert_eq!(shown(&window), "A2");
+    press(&mut window, Key::ArrowDown);
+    assert!(cursor(&window).contains(", A10, "), "{}", cursor(&window));
+}
+
+#[test]
 fn space_chooses_a_check_for_export_and_what_is_chosen_is_said() {
     let mut window = three();
     focus_list(&mut window);

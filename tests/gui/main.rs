@@ -13,5 +13,6 @@ mod keeping;
 mod keyboard;
 mod pictures;
 mod program_page;
+mod rows;
 mod sizes;
 mod table_page;

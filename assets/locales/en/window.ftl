@@ -568,3 +568,71 @@ saved-newer = the saved state has version { $version }, this program knows versi
 window-no-display = no display: DISPLAY and WAYLAND_DISPLAY are not set. Log in on a desktop, connect with ssh -X, or use the command line, which needs no display: fitcheck check "25 H7" --measured 25.012; see fitcheck --help
 open-unknown = { $name } is not a file that the window opens; it opens measurements, measuring logs and contacts (.csv, .tsv, .txt, .html), NC programs (.h), tables (.tab), simulated workpieces (.toml), touch-probe tables (.tp) and masks (.a)
 window-not-opened = the window cannot be opened: { $reason }; the command line works without a display, see fitcheck --help
+
+## Rows of a large file
+
+rows = Rows
+rows-cancel = Cancel
+rows-again = Judge again
+rows-close = Close file
+rows-close-hint = Closes the large file; its rows are not kept
+rows-move = Go to another row
+rows-show = Show the check of the row
+rows-keep = Add to history
+rows-kept = The check was added to the history
+rows-progress = Share of the file that was read
+rows-running = { $count } rows so far, { $percent } % of the file, { $rate } rows a second
+rows-done = { $count } rows, all judged in { $seconds } s
+rows-cancelled = INCOMPLETE: cancelled after { $count } rows, { $percent } % of the file
+rows-failed = INCOMPLETE after { $count } rows: { $why }
+rows-why-bytes = { $size } MiB, more than { $limit } MiB: judged row by row, and the rows are not kept in the history
+rows-why-packed = Packed: judged row by row, and the rows are not kept in the history; the unpacked text is in a temporary file until the file is closed
+rows-not-judged = NOT JUDGED
+rows-fate = { $fate } { $count }
+rows-fate-hint = Lists these rows; several can be chosen
+rows-classes = Classes
+rows-all-classes = All classes
+rows-no-class = Without a class
+rows-some-classes = { $count } classes
+rows-class = { $class }: { $count }
+rows-summary = Summary
+rows-not-whole = INCOMPLETE: the counts are not those of the whole file
+rows-listed = { $listed } of { $count } rows listed
+rows-refused = { $count ->
+    [one] 1 row not judged
+   *[other] { $number } rows not judged
+}
+rows-doubted = { $count ->
+    [one] 1 value may be another quantity or another part's
+   *[other] { $number } values may be another quantity or another part's
+}
+rows-simulated = { $count ->
+    [one] 1 row says that nobody measured
+   *[other] { $number } rows say that nobody measured
+}
+rows-several-lines = { $count ->
+    [one] 1 row runs over several lines
+   *[other] { $number } rows run over several lines
+}
+rows-not-utf8 = { $count ->
+    [one] 1 line is not UTF-8 and was read as Windows-1252
+   *[other] { $number } lines are not UTF-8 and were read as Windows-1252
+}
+rows-comments = { $count ->
+    [one] 1 comment is not a row
+   *[other] { $number } comments are not rows
+}
+rows-note = Line { $line }: { $what }
+rows-first-notes = The first { $first } of { $count }:
+rows-line = Line { $line } of { $name }
+rows-row-line = line { $line }
+rows-list = Rows of the file
+rows-none = No row matches the filter
+rows-none-yet = No row yet
+rows-head-line = Line
+rows-head-what = To do
+rows-changed = the file has changed since it was judged; judge it again
+rows-unread = the rows cannot be read again: { $reason }
+rows-no-copy = the unpacked text cannot be kept: { $reason }
+rows-too-much = the unpacked text is larger than { $most } GiB
+rows-panicked = an internal error ended the run

@@ -568,3 +568,71 @@ saved-newer = de bewaarde toestand heeft versie { $version }, dit programma kent
 window-no-display = geen beeldscherm: DISPLAY en WAYLAND_DISPLAY zijn niet ingesteld. Meld aan op een bureaublad, maak verbinding met ssh -X, of gebruik de opdrachtregel, die geen beeldscherm nodig heeft: fitcheck check "25 H7" --measured 25.012; zie fitcheck --help
 open-unknown = { $name } is geen bestand dat het venster opent; het opent metingen, meetprotocollen en meetpunten (.csv, .tsv, .txt, .html), NC-programma's (.h), tabellen (.tab), gesimuleerde werkstukken (.toml), tastertabellen (.tp) en maskers (.a)
 window-not-opened = het venster kan niet worden geopend: { $reason }; de opdrachtregel werkt zonder beeldscherm, zie fitcheck --help
+
+## Rows of a large file
+
+rows = Rijen
+rows-cancel = Annuleren
+rows-again = Opnieuw beoordelen
+rows-close = Bestand sluiten
+rows-close-hint = Sluit het grote bestand; de rijen blijven niet bewaard
+rows-move = Naar een andere rij
+rows-show = Controle van de rij tonen
+rows-keep = Aan geschiedenis toevoegen
+rows-kept = De controle is aan de geschiedenis toegevoegd
+rows-progress = Gelezen deel van het bestand
+rows-running = { $count } rijen tot nu toe, { $percent } % van het bestand, { $rate } rijen per seconde
+rows-done = { $count } rijen, alle beoordeeld in { $seconds } s
+rows-cancelled = ONVOLLEDIG: geannuleerd na { $count } rijen, { $percent } % van het bestand
+rows-failed = ONVOLLEDIG na { $count } rijen: { $why }
+rows-why-bytes = { $size } MiB, meer dan { $limit } MiB: rij voor rij beoordeeld, en de rijen blijven niet in de geschiedenis
+rows-why-packed = Ingepakt: rij voor rij beoordeeld, en de rijen blijven niet in de geschiedenis; de uitgepakte tekst staat in een tijdelijk bestand tot het bestand wordt gesloten
+rows-not-judged = NIET BEOORDEELD
+rows-fate = { $fate } { $count }
+rows-fate-hint = Toont deze rijen; meer dan één keuze is mogelijk
+rows-classes = Klassen
+rows-all-classes = Alle klassen
+rows-no-class = Zonder klasse
+rows-some-classes = { $count } klassen
+rows-class = { $class }: { $count }
+rows-summary = Samenvatting
+rows-not-whole = ONVOLLEDIG: de aantallen zijn niet die van het hele bestand
+rows-listed = { $listed } van { $count } rijen getoond
+rows-refused = { $count ->
+    [one] 1 rij niet beoordeeld
+   *[other] { $number } rijen niet beoordeeld
+}
+rows-doubted = { $count ->
+    [one] 1 waarde is misschien een andere grootheid of van een ander onderdeel
+   *[other] { $number } waarden zijn misschien een andere grootheid of van een ander onderdeel
+}
+rows-simulated = { $count ->
+    [one] 1 rij zegt dat er niets is gemeten
+   *[other] { $number } rijen zeggen dat er niets is gemeten
+}
+rows-several-lines = { $count ->
+    [one] 1 rij loopt over meer regels
+   *[other] { $number } rijen lopen over meer regels
+}
+rows-not-utf8 = { $count ->
+    [one] 1 regel is geen UTF-8 en is als Windows-1252 gelezen
+   *[other] { $number } regels zijn geen UTF-8 en zijn als Windows-1252 gelezen
+}
+rows-comments = { $count ->
+    [one] 1 opmerking is geen rij
+   *[other] { $number } opmerkingen zijn geen rijen
+}
+rows-note = Regel { $line }: { $what }
+rows-first-notes = De eerste { $first } van { $count }:
+rows-line = Regel { $line } van { $name }
+rows-row-line = regel { $line }
+rows-list = Rijen van het bestand
+rows-none = Geen rij voldoet aan het filter
+rows-none-yet = Nog geen rij
+rows-head-line = Regel
+rows-head-what = Te doen
+rows-changed = het bestand is veranderd sinds het is beoordeeld; beoordeel het opnieuw
+rows-unread = de rijen kunnen niet opnieuw worden gelezen: { $reason }
+rows-no-copy = de uitgepakte tekst kan niet worden bewaard: { $reason }
+rows-too-much = de uitgepakte tekst is groter dan { $most } GiB
+rows-panicked = een interne fout heeft het beoordelen beëindigd

@@ -38,7 +38,7 @@ impl<'a> Told<'a> {
                 *told += 1;
                 let column = note.column.map_or(String::new(), |column| format!(":{column}"));
                 let warning = if kind == Kind::Refused { "" } else { "warning: " };
-                self.listener.tell(format_args!("{name}:{}{column}: {warning}{}", first_line + note.line, note.text));
+                self.listener.tell(format_args!("{name}:{}{column}: {warning}{}", first_line + note.line, note.what));
             }
         }
     }

@@ -6,6 +6,7 @@ use super::judge::{Judged, Take};
 use super::layout::Layout;
 use super::row::{Row, unquoted};
 use super::typed::Typed;
+use crate::exchange::ImportErrorKind;
 use crate::exchange::parquet::{Chunks, Field, Group, added, put_text};
 use crate::verdict::Status;
 
@@ -163,12 +164,12 @@ impl Take for Answers {
         }
     }
 
-    fn broken(&mut self, line: &str, reason: &str) {
+    fn broken(&mut self, line: &str, reason: &ImportErrorKind) {
         self.rows += 1;
         for (at, texts) in self.cells.iter_mut().enumerate() {
             texts.push(if at == 0 { line.as_bytes() } else { b"" });
         }
-        self.reason(reason);
+        self.reason(&reason.to_string());
     }
 
     /// A comment or an empty line is no row; the tally counts it.

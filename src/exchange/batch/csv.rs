@@ -4,6 +4,7 @@ use super::judge::{Judged, Take};
 use super::layout::Layout;
 use super::row::Row;
 use super::{ADDED, index};
+use crate::exchange::error::ImportErrorKind;
 use crate::length::Line;
 use crate::verdict::Status;
 
@@ -129,13 +130,13 @@ impl Take for Csv {
         self.end(row);
     }
 
-    fn broken(&mut self, line: &str, reason: &str) {
+    fn broken(&mut self, line: &str, reason: &ImportErrorKind) {
         // One cell, so that its quotation marks open nothing.
         self.out.push(b'"');
         self.out.append(line.replace('"', "\"\"").as_bytes());
         self.out.push(b'"');
         self.separators(self.count.saturating_sub(1));
-        self.reason(reason);
+        self.reason(&reason.to_string());
         self.out.append(self.line_end);
     }
 

@@ -11,6 +11,8 @@ pub const BLOCK: usize = 256 << 10;
 /// Rows that belong together: whole ones, or a single broken one.
 #[derive(Debug, Default)]
 pub struct Block {
+    /// Where it begins, in bytes from the stream's first row on.
+    pub(super) start: u64,
     pub(super) text: Vec<u8>,
     /// The ends of the cells, where quotation marks made it necessary to find them already.
     pub(super) index: Option<Index>,
@@ -23,6 +25,22 @@ impl Block {
     /// How many bytes of the stream it has.
     pub const fn len(&self) -> usize {
         self.text.len()
+    }
+
+    /// Where it begins, in bytes from the stream's first row on.
+    pub const fn start(&self) -> u64 {
+        self.start
+    }
+
+    /// The same bytes, read once more: they are cut at the same places.
+    pub(super) fn again(text: Vec<u8>, separator: u8, broken: Option<Broken>) -> Self {
+        let mut block = Self { text, broken, ..Self::default() };
+        if broken.is_none() && memchr::memchr(b'"', &block.text).is_some() {
+            let mut index = Index::default();
+            let _whole = index.find_quoted(&block.text, separator, true);
+            block.index = Some(index);
+        }
+        block
     }
 
     /// Whether there is nothing in it.
@@ -41,6 +59,8 @@ pub struct Cutter {
     is_patient: bool,
     /// What was read and is in no block yet.
     rest: Vec<u8>,
+    /// How many bytes were read.
+    read: u64,
     is_ended: bool,
     /// Why nothing more can be read.
     failed: Option<io::Error>,
@@ -51,7 +71,16 @@ pub struct Cutter {
 impl Cutter {
     /// A stream from its first row on. `step` is usually [`BLOCK`].
     pub const fn new(separator: u8, step: usize, is_patient: bool) -> Self {
-        Self { separator, step, is_patient, rest: Vec::new(), is_ended: false, failed: None, is_skipping: false }
+        Self {
+            separator,
+            step,
+            is_patient,
+            rest: Vec::new(),
+            read: 0,
+            is_ended: false,
+            failed: None,
+            is_skipping: false,
+        }
     }
 
     /// Fills a block with the next rows; `false` at the end of the stream.
@@ -88,6 +117,8 @@ impl Cutter {
             if let Some(end) = self.border(block) {
                 self.rest.extend_from_slice(block.text.get(end..).unwrap_or_default());
                 block.text.truncate(end);
+                let after = wide_bytes(self.rest.len() + end);
+                block.start = self.read.saturating_sub(after);
                 return Ok(true);
             }
         }
@@ -160,6 +191,7 @@ impl Cutter {
                 }
             };
             text.truncate(before + read.as_ref().copied().unwrap_or_default());
+            self.read += wide_bytes(read.as_ref().copied().unwrap_or_default());
             match read {
                 Ok(0) => self.is_ended = true,
                 Ok(_) if !once => continue,
@@ -169,4 +201,9 @@ impl Cutter {
             break;
         }
     }
+}
+
+/// A length as a place in a stream.
+fn wide_bytes(bytes: usize) -> u64 {
+    u64::try_from(bytes).unwrap_or(u64::MAX)
 }

@@ -4,6 +4,7 @@ use super::ADDED;
 use super::judge::{Judged, Take};
 use super::layout::Layout;
 use super::row::{Row, unquoted};
+use crate::exchange::error::ImportErrorKind;
 use crate::length::Line;
 
 /// Writes JSON lines.
@@ -89,7 +90,7 @@ impl Take for JsonLines {
         self.reason(Some(reason.as_ref()).filter(|reason| !reason.is_empty()));
     }
 
-    fn broken(&mut self, line: &str, reason: &str) {
+    fn broken(&mut self, line: &str, reason: &ImportErrorKind) {
         for (at, name) in self.names.iter().enumerate() {
             self.out.append(name);
             if at == 0 {
@@ -98,7 +99,7 @@ impl Take for JsonLines {
                 self.out.append(b"null");
             }
         }
-        self.reason(Some(reason));
+        self.reason(Some(&reason.to_string()));
     }
 
     /// A comment or an empty line is no object; the tally counts it.

@@ -1,5 +1,7 @@
 //! Rows judged one after the other: most of them fast, the others exactly as `import` reads them, with the same answer.
 
+use std::fmt;
+
 use super::LONGEST_ROW;
 use super::cut::Block;
 use super::index::{Broken, Index};
@@ -13,6 +15,7 @@ use crate::exchange::error::ImportErrorKind;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::rules::{Found, Rules};
 use crate::length::{Length, Unit};
+use crate::message::Say;
 use crate::tolerance::{Bounds, Sources, ToleranceClass};
 use crate::verdict::{SizeVerdict, Status, doubt_of, judge_bounds};
 
@@ -29,12 +32,19 @@ pub struct Judged {
 
 /// Takes what is found in a block, in its order.
 pub trait Take {
+    /// The line at which the next thing begins, from 0 in its block; for those who count lines.
+    #[inline]
+    fn at(&mut self, _line: usize) {}
+    /// The class of the row that comes next, with the number that the judge has given it; `None` for a callout without a
+    /// class. For those who tell classes apart.
+    #[inline]
+    fn class(&mut self, _class: Option<(usize, ToleranceClass)>) {}
     /// A row with its verdict. The text of rows is UTF-8.
     fn judged(&mut self, row: &Row<'_>, judged: &Judged);
     /// A row without a verdict, and why; nothing where there is nothing in its cells.
     fn refused(&mut self, row: &Row<'_>, reason: &str);
     /// A line that cannot be split into cells, or only its beginning, with the reason.
-    fn broken(&mut self, line: &str, reason: &str);
+    fn broken(&mut self, line: &str, reason: &ImportErrorKind);
     /// A line that is no row: empty, or a comment. With its line end.
     fn line(&mut self, line: &[u8]);
 }
@@ -90,6 +100,11 @@ impl<'a> Court<'a> {
         self.layout
     }
 
+    /// Where limits come from.
+    pub const fn sources(&self) -> &Sources {
+        self.sources
+    }
+
     /// A worker's own judge.
     pub fn judge(&self) -> Judge<'_> {
         Judge {
@@ -143,6 +158,7 @@ impl Judge<'_> {
             let row = Row::new(text, start, ends);
             start = row.next();
             let lines = if block.index.is_some() && !self.court.layout.is_typed { row.lines() } else { 1 };
+            take.at(tally.lines);
             if is_utf8 || std::str::from_utf8(row.bytes()).is_ok() {
                 self.row(&row, &mut tally, take);
             } else {
@@ -151,7 +167,7 @@ impl Judge<'_> {
                 self.other_text(&utf8(whole), &mut tally, take);
             }
             if 1 < lines {
-                tally.note(Kind::SeveralLines, None, || ImportWarningKind::SeveralLines { lines }.to_string());
+                tally.note(Kind::SeveralLines, None, || ImportWarningKind::SeveralLines { lines }.message());
             }
             tally.lines += lines;
         }
@@ -178,10 +194,17 @@ impl Judge<'_> {
 
     #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
     #[inline(always)]
-    fn give(&mut self, row: &Row<'_>, judged: &Judged, class: Option<usize>, tally: &mut Tally, take: &mut impl Take) {
+    fn give(
+        &mut self,
+        row: &Row<'_>,
+        judged: &Judged,
+        class: Option<(usize, ToleranceClass)>,
+        tally: &mut Tally,
+        take: &mut impl Take,
+    ) {
         let status = judged.verdict.status;
         tally.rows += 1;
-        let counts = match class.map(|number| (number, self.counts.get_mut(number))) {
+        let counts = match class.map(|(number, _)| (number, self.counts.get_mut(number))) {
             Some((_, Some(counts))) => counts,
             Some((number, None)) => Self::more(&mut self.counts, number),
             None => &mut self.others,
@@ -190,8 +213,9 @@ impl Judge<'_> {
             *count += 1;
         }
         if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
-            tally.note(Kind::Doubt, None, || doubt.to_string());
+            tally.note(Kind::Doubt, None, || doubt.message());
         }
+        take.class(class);
         take.judged(row, judged);
     }
 
@@ -254,7 +278,8 @@ impl Judge<'_> {
         let (feature, deviations) = self.classes.deviations(number, nominal)?;
         let bounds = Bounds::new(feature, nominal, deviations)?;
         let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
-        self.give(row, &judged, Some(number), tally, take);
+        let class = self.classes.class(number)?;
+        self.give(row, &judged, Some((number, class)), tally, take);
         Some(())
     }
 
@@ -273,7 +298,7 @@ impl Judge<'_> {
         }
         if self.court.fast.has_comments && columns::is_comment(&cells) {
             if columns::is_data(&cells) {
-                return Self::refuse(row, None, &ImportWarningKind::Comment.to_string(), tally, take);
+                return Self::refuse(row, None, &ImportWarningKind::Comment, tally, take);
             }
             tally.comments += 1;
             return take.line(whole);
@@ -283,20 +308,26 @@ impl Judge<'_> {
         match rules.read(&cells) {
             Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
                 let bounds = limits.bounds();
-                let number = callout.class().map(|class| self.classes.number_of(class));
+                let class = callout.class().map(|class| (self.classes.number_of(class), class));
                 tally.simulated += u64::from(is_simulated);
                 let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
-                self.give(row, &judged, number, tally, take);
+                self.give(row, &judged, class, tally, take);
             }
-            Ok(Found { asked: None, .. }) => Self::refuse(row, None, &WhyUnjudged::NoCallout.to_string(), tally, take),
-            Err((cell, reason)) => Self::refuse(row, cell.at, &reason.to_string(), tally, take),
+            Ok(Found { asked: None, .. }) => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
+            Err((cell, reason)) => Self::refuse(row, cell.at, &reason, tally, take),
         }
     }
 
-    fn refuse(row: &Row<'_>, at: Option<usize>, reason: &str, tally: &mut Tally, take: &mut impl Take) {
+    fn refuse(
+        row: &Row<'_>,
+        at: Option<usize>,
+        reason: &(impl Say + fmt::Display),
+        tally: &mut Tally,
+        take: &mut impl Take,
+    ) {
         tally.rows += 1;
-        tally.note(Kind::Refused, at, || reason.to_owned());
-        take.refused(row, reason);
+        tally.note(Kind::Refused, at, || reason.message());
+        take.refused(row, &reason.to_string());
     }
 
     /// A line that is no row.
@@ -306,9 +337,8 @@ impl Judge<'_> {
             Broken::OpenQuote => ImportErrorKind::OpenQuote,
             Broken::TooLong => ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 },
         };
-        let reason = reason.to_string();
         tally.rows += 1;
-        tally.note(Kind::Refused, None, || reason.clone());
+        tally.note(Kind::Refused, None, || reason.message());
         let line = line.strip_suffix(b"\n").unwrap_or(line);
         let line = line.strip_suffix(b"\r").unwrap_or(line);
         // Of a megabyte, the beginning tells which line it was; a character is not cut in two.

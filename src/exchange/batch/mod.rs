@@ -9,6 +9,8 @@
 //! | `known` | limit deviations, looked up once for each class and step |
 //! | `csv`, `json_lines` | the rows as CSV again, with the columns that are added; the rows as JSON |
 //! | `typed`, `answers` | the same from and into Parquet, with the feature `parquet` |
+//! | `marks` | which verdict and class each row has, in two bytes a row |
+//! | `pick` | some rows of a block once more, with their cells |
 //! | `tally` | how many rows had which verdict, and the first remarks |
 //!
 //! Nothing here opens a file or starts a thread: `batch` does, and hands blocks to as many judges as there are workers.
@@ -24,6 +26,8 @@ mod json_lines;
 mod judge;
 mod known;
 mod layout;
+mod marks;
+mod pick;
 mod row;
 mod tally;
 #[cfg(feature = "parquet")]
@@ -36,6 +40,8 @@ pub use cut::{BLOCK, Block, Cutter};
 pub use json_lines::JsonLines;
 pub use judge::{Counts, Court, Judge, Judged, Take};
 pub use layout::{HEAD, Layout};
+pub use marks::{FATES, Fate, Filter, Marks, Part, Sieve, Store};
+pub use pick::{Picked, pick};
 pub use row::Row;
 pub use tally::{FIRST, Kind, Note, Notes, Tally};
 #[cfg(feature = "parquet")]

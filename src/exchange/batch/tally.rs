@@ -1,5 +1,7 @@
 //! What a stream had: how many rows with which verdict, and the first remarks with their lines.
 
+use crate::message::Message;
+
 /// How many remarks of a kind are kept.
 pub const FIRST: usize = 10;
 
@@ -26,8 +28,8 @@ pub struct Note {
     pub line: usize,
     /// The number of the cell from 1, where it is about one.
     pub column: Option<usize>,
-    /// What is said, in English.
-    pub text: String,
+    /// What is said; its `Display` is English.
+    pub what: Message,
 }
 
 /// How many notes of one kind there were, and the first of them.
@@ -64,13 +66,13 @@ impl Tally {
     }
 
     /// Counts a note about the row at the current line, and keeps it if it is one of the first.
-    pub(super) fn note(&mut self, kind: Kind, at: Option<usize>, text: impl FnOnce() -> String) {
+    pub(super) fn note(&mut self, kind: Kind, at: Option<usize>, what: impl FnOnce() -> Message) {
         let line = self.lines;
         let notes = self.notes.iter_mut().zip(Kind::ALL).find(|(_, one)| *one == kind);
         if let Some((notes, _)) = notes {
             notes.count += 1;
             if notes.first.len() < FIRST {
-                notes.first.push(Note { line, column: at.map(|at| at + 1), text: text() });
+                notes.first.push(Note { line, column: at.map(|at| at + 1), what: what() });
             }
         }
     }

@@ -30,7 +30,9 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The card without a record: where a measurement was refused, that nothing was measured, and why.
 fn no_card(view: &View<'_>) -> Card {
     let refused = |why: &Message| vec![view.text("nothing-measured"), view.words.say(why)];
-    let lines = view.session.check().refusal().map(refused).unwrap_or_default();
+    let row = view.session.check().rows().and_then(|rows| rows.shown()?.why.as_ref());
+    let of_row = || row.map(|why| view.words.say(why)).into_iter().collect();
+    let lines = view.session.check().refusal().map_or_else(of_row, refused);
     Card { word: view.text(status_id(None)), lines, ..Card::default() }
 }
 

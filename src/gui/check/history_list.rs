@@ -14,7 +14,7 @@ use eframe::egui::{
 use crate::gui::shapes::{self, focus_ring, times};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::colours;
-use crate::gui::view::{Digits, View, quiet};
+use crate::gui::view::{Digits, View, focus_soon, quiet, take_focus};
 use crate::journal::Record;
 use crate::journal::query::{Column, RecordId, TIME, callout};
 use crate::message::{Message, Say as _};
@@ -67,6 +67,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
     let heads = Rect::from_min_size(room.min, vec2(room.width(), control(ui)));
     heads_ui(ui, view, &columns, heads.y_range());
     let rect = Rect::from_min_max(heads.left_bottom(), room.max);
+    take_focus(ui, id());
     let list = ui.interact(rect, id(), Sense::focusable_noninteractive());
     list.widget_info(|| WidgetInfo::labeled(Role::Grid, true, view.text("history-list")));
     ui.scope_builder(UiBuilder::new().max_rect(rect).id_salt("history-body"), |ui| {
@@ -114,7 +115,7 @@ fn heads_ui(ui: &mut Ui, view: &mut View<'_>, columns: &Columns, height: Rangef)
 }
 
 /// Between the edge of a column and its text.
-const PAD: f32 = 4.0;
+pub(super) const PAD: f32 = 4.0;
 
 /// A row in sight.
 struct Row {
@@ -203,12 +204,12 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, columns: &Columns, row: &Row) {
     }
     if clicked {
         view.send(CheckCommand::Show(row.id));
-        ui.memory_mut(|memory| memory.request_focus(id()));
+        focus_soon(ui, id());
     }
 }
 
 /// A text in one line; returns whether it was cut.
-fn text_ui(painter: &Painter, rect: Rect, text: &str, font: &FontId, colour: Color32) -> bool {
+pub(super) fn text_ui(painter: &Painter, rect: Rect, text: &str, font: &FontId, colour: Color32) -> bool {
     let mut job = LayoutJob::simple_singleline(text.to_owned(), font.clone(), colour);
     job.wrap = TextWrapping::truncate_at_width(rect.width().max(0.0));
     let galley = painter.layout_job(job);

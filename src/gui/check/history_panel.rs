@@ -5,6 +5,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Frame, Id, Key, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use super::history_list::{self, list_ui};
+use super::rows_panel;
 use crate::gui::field::{self, Look, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
@@ -50,6 +51,7 @@ fn title_ui(ui: &mut Ui, view: &View<'_>, can_fold: bool) {
 /// Title row and list.
 pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
     ui.horizontal_wrapped(|ui| {
+        rows_panel::switch_ui(ui, view);
         title_ui(ui, view, can_fold);
         count_ui(ui, view);
         if !view.session.history().is_empty() {
@@ -103,8 +105,9 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 /// One line instead of the list, where there is no room for it.
-pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
+pub(super) fn strip_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
+        rows_panel::switch_ui(ui, view);
         title_ui(ui, view, true);
         for record in view.session.history().iter().rev().take(LAST) {
             let [measured, simulated] = LEAST.map(space);

@@ -6,6 +6,7 @@
 //! | `band_plot`, `contacts_plot`, `last_values` | middle: what was seen |
 //! | `answer_panel`, `status_panel` | right: the verdict, and the control's window |
 //! | `history_panel`, `history_list` | bottom: earlier checks |
+//! | `rows_panel`, `rows_list` | in their place: the rows of a large file |
 
 mod answer_panel;
 mod asked_panel;
@@ -14,10 +15,13 @@ mod contacts_plot;
 mod history_list;
 mod history_panel;
 mod last_values;
+mod rows_list;
+mod rows_panel;
 mod status_panel;
 
 use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
 pub(super) use history_list::id as history_id;
+pub(super) use rows_list::id as rows_id;
 pub(super) use status_panel::mask_chooser_ui;
 
 use super::columns::{Page, Shape, Side, column_ui, columns_ui, panel_ui};
@@ -48,6 +52,7 @@ pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
         verdict: |ui, view| answer_panel::answer_ui(ui, view),
         least: least_width(ui, view),
         answer: |ui, view| {
+            rows_panel::shown_row_ui(ui, view);
             answer_panel::reasons_ui(ui, view);
             ui.add_space(space(2.0));
             status_panel::status_ui(ui, view);
@@ -56,7 +61,7 @@ pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
     if space(ULTRA_WIDE) <= size.x {
         let sizes = (size.x * 0.3, space(150.0)..=size.x * 0.45);
         panel_ui(ui, view, Side::Right, "history-beside", sizes, |ui, view| {
-            history_panel::history_ui(ui, view, false);
+            below_ui(ui, view, false);
         });
     } else {
         history_below_ui(ui, view, &page);
@@ -70,6 +75,11 @@ pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The history over the width of the page: a table, or one line that unfolds where the window is small.
 fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let size = ui.available_size();
+    if view.session.check().shows_rows() {
+        let share = if size.y < space(175.0) { 0.55 } else { 0.45 };
+        let sizes = (size.y * share, space(50.0)..=(size.y * 0.7).max(space(50.0)));
+        return panel_ui(ui, view, Side::Bottom, (page.name, "rows"), sizes, |ui, view| below_ui(ui, view, false));
+    }
     let has_keypad = view.session.has_keypad() && size.y < space(230.0);
     let folded = has_keypad || (size.x < space(300.0) && size.y < size.x * 1.3) || size.y < space(175.0);
     if folded && !history_panel::is_unfolded(ui) {
@@ -80,8 +90,17 @@ fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let share = if folded || size.x * 1.3 < size.y || space(WIDE) <= size.x { 0.38 } else { 0.24 };
     let sizes = (size.y * share, space(32.0)..=(size.y * 0.6).max(space(32.0)));
     panel_ui(ui, view, Side::Bottom, (page.name, "history", folded), sizes, |ui, view| {
-        history_panel::history_ui(ui, view, folded);
+        below_ui(ui, view, folded);
     });
+}
+
+/// The history, or the rows of a large file in its place.
+fn below_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
+    let check = view.session.check();
+    match check.rows().filter(|_| check.shows_rows()) {
+        Some(rows) => rows_panel::rows_ui(ui, view, rows),
+        None => history_panel::history_ui(ui, view, can_fold),
+    }
 }
 
 /// A window on its side: the verdict beside the band, what is asked beside the rest.

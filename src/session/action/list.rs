@@ -118,6 +118,20 @@ actions! {
     ChooseAll;
     /// Puts the chosen checks, or the one at which the keys are, on the clipboard.
     CopyChecks;
+    /// Shows the history, or the rows of the large file in its place.
+    ShowRows(bool): [true, false];
+    /// Cancels the run over a large file.
+    CancelRows;
+    /// Judges the large file once more.
+    JudgeRowsAgain;
+    /// Forgets the large file.
+    CloseRows;
+    /// Goes to another row of the large file.
+    MoveRow(Step): Step::BLOCKS;
+    /// Shows the check of the row.
+    ShowRow;
+    /// Adds the check of the shown row to the history.
+    KeepRow;
 
     /// Goes to another class of the map.
     MoveClass(Step): Step::CLASSES;

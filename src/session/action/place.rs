@@ -28,11 +28,13 @@ pub enum Part {
     Listing,
     /// The list of checks on the check page.
     History,
+    /// The list of the rows of a large file, in its place.
+    Rows,
 }
 
 impl Part {
     /// The parts of all pages.
-    pub const ALL: [Self; 4] = [Self::Classes, Self::Cells, Self::Listing, Self::History];
+    pub const ALL: [Self; 5] = [Self::Classes, Self::Cells, Self::Listing, Self::History, Self::Rows];
 
     /// The page that it belongs to.
     pub const fn page(self) -> Page {
@@ -40,7 +42,7 @@ impl Part {
             Self::Classes => Page::Fit,
             Self::Cells => Page::Tables,
             Self::Listing => Page::Program,
-            Self::History => Page::Check,
+            Self::History | Self::Rows => Page::Check,
         }
     }
 }

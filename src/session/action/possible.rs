@@ -52,6 +52,10 @@ pub(super) fn has_listed(session: &Session) -> bool {
     0 < session.history().listed().count()
 }
 
+pub(super) fn has_rows(session: &Session) -> bool {
+    session.check().shows_rows() && session.check().rows().is_some_and(|rows| 0 < rows.listed())
+}
+
 pub(super) fn has_bad(session: &Session) -> bool {
     0 < session.bad_count()
 }

@@ -2,8 +2,8 @@
 
 use super::possible::{
     asks_to_replace, can_step, cell, differs, free_dialog, has_bad, has_cell, has_cursor, has_history, has_listed,
-    has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988, rounds_js,
-    selected, tells_of_file,
+    has_rows, has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988,
+    rounds_js, selected, tells_of_file,
 };
 use super::row::{Row, Sends, everywhere, in_dialog, of_workpiece, on, switch, within};
 use super::{Action, Held, Key, Part, Place, Shortcut};
@@ -15,7 +15,9 @@ use crate::session::fit::FitCommand;
 use crate::session::program::{ProgramCommand, Switch};
 use crate::session::tables::{self, TablesCommand, TablesField};
 use crate::session::workpiece::WorkpieceCommand;
-use crate::session::{Command, CycleFile, Density, ListCommand, MeasureBy, Page, Purpose, Session, Step, Theme};
+use crate::session::{
+    Command, CycleFile, Density, ListCommand, MeasureBy, Page, Purpose, Rows, RowsCommand, Session, Step, Theme,
+};
 use crate::tolerance::Feature;
 use crate::tolerance::iso286::{Edition, JsHalves, Options};
 
@@ -195,6 +197,33 @@ pub(super) fn row(action: Action) -> Row {
             .key(Shortcut::ctrl('C'))
             .when(|session| 0 < session.history().chosen_count() || has_cursor(session)),
 
+        Action::ShowRows(shows_rows) => {
+            let text = if shows_rows { "rows" } else { "history" };
+            on(Page::Check, text, RowsCommand::Show(shows_rows)).when(|session| session.check().rows().is_some())
+        }
+        Action::CancelRows => on(Page::Check, "rows-cancel", RowsCommand::Cancel)
+            .key(Shortcut::plain(Key::Escape))
+            .when(|session| session.check().rows().is_some_and(Rows::is_running)),
+        Action::JudgeRowsAgain => on(Page::Check, "rows-again", RowsCommand::Again)
+            .when(|session| session.check().rows().is_some_and(|rows| !rows.is_running())),
+        Action::CloseRows => on(Page::Check, "rows-close", RowsCommand::Close)
+            .hint("rows-close-hint")
+            .when(|session| session.check().rows().is_some()),
+        Action::MoveRow(step) => {
+            within(Part::Rows, "rows-move", RowsCommand::Move(step)).key(keys(step)).when(has_rows)
+        }
+        Action::ShowRow => Row::new(
+            Place::Part(Part::Rows),
+            "rows-show",
+            Sends::FromState(|session| {
+                RowsCommand::Check(session.check().rows().and_then(Rows::cursor).unwrap_or_default()).into()
+            }),
+        )
+        .key(Shortcut::plain(Key::Enter))
+        .when(|session| session.check().rows().is_some_and(|rows| rows.look().1.is_some())),
+        Action::KeepRow => on(Page::Check, "rows-keep", RowsCommand::Keep)
+            .when(|session| session.check().rows().and_then(Rows::shown).is_some_and(|row| row.record.is_some())),
+
         Action::MoveClass(step) => within(Part::Classes, "fit-move", FitCommand::Move(step)).key(keys(step)),
         Action::ShowClasses(feature) => {
             let text = match feature {
@@ -337,6 +366,7 @@ pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
         Action::RoundJs => rounds_js(session.sources().options()),
         Action::Edition1988 => is_of_1988(session.sources().options()),
         Action::Keypad => session.has_keypad(),
+        Action::ShowRows(shows_rows) => session.check().shows_rows() == shows_rows,
         Action::OnlyBad => session.history().listed().query().only_bad,
         Action::AllFiles => session.dialog().is_some_and(|dialog| dialog.list.shows_all()),
         Action::MeasureBy(by) => session.check().by() == by,

@@ -13,6 +13,7 @@ use crate::journal::{Record, status_window};
 use crate::message::{Message, Say as _};
 use crate::probing::Origin;
 use crate::session::command::{Effect, Page};
+use crate::session::rows::Rows;
 use crate::session::shared::{News, PageState, Shared};
 use crate::tolerance::Sources;
 use crate::words::Words;
@@ -83,13 +84,18 @@ impl PageState for CheckPage {
             }
             CheckCommand::Undo => self.undo(shared),
             CheckCommand::Imported { name, result } => self.imported(&name, result, shared, now),
+            CheckCommand::Rows(command) => return self.apply_rows(command, shared, now),
         }
         Vec::new()
     }
 
     fn follow(&mut self, news: &News, shared: &mut Shared) {
         match news {
-            News::Sources => self.callout_changed(true, &shared.sources),
+            News::Sources => {
+                self.callout_changed(true, &shared.sources);
+                let errands = self.judge_again();
+                self.errands.extend(errands);
+            }
             News::StatusWindow => {
                 self.filter(shared);
                 if let Some(shown) = self.shown.take() {
@@ -175,6 +181,7 @@ impl CheckPage {
     /// have no others.
     fn edited(&mut self, sources: &Sources) {
         (self.shown, self.question, self.lot, self.refusal) = (None, None, None, None);
+        self.rows.iter_mut().for_each(Rows::hide);
         self.lent = self.lent.take().filter(|record| record.callout.is_none());
         for (field, text) in std::mem::take(&mut self.own) {
             self.texts.set(field, text);
@@ -183,7 +190,7 @@ impl CheckPage {
     }
 
     /// Without a record, the limits are again those of the fields.
-    fn clear(&mut self, sources: &Sources) {
+    pub(super) fn clear(&mut self, sources: &Sources) {
         self.lent = None;
         self.edited(sources);
     }
@@ -224,6 +231,12 @@ impl CheckPage {
     fn show(&mut self, id: RecordId, shared: &mut Shared) {
         let Some(record) = shared.history.get(id) else { return };
         shared.history.go_to(id);
+        self.show_record(record, Some(id), shared);
+    }
+
+    /// Shows a record, of the history or not; what made it stands in the fields.
+    pub(super) fn show_record(&mut self, record: Arc<Record>, id: Option<RecordId>, shared: &Shared) {
+        self.rows.iter_mut().for_each(Rows::hide);
         // The limits on screen follow the record, never the other way round.
         let lot = self.lot.take();
         match record.callout {
@@ -247,7 +260,7 @@ impl CheckPage {
 
     /// Puts what a record was made with back into the fields: nothing else stands beside the verdict. The user's own
     /// texts come back with the next edit.
-    fn show_inputs(&mut self, id: RecordId, record: &Record) {
+    fn show_inputs(&mut self, id: Option<RecordId>, record: &Record) {
         for (field, text) in std::mem::take(&mut self.own) {
             self.texts.set(field, text);
         }
@@ -274,6 +287,9 @@ impl CheckPage {
 
     fn imported(&mut self, name: &str, result: Result<Box<Imported>, Message>, shared: &mut Shared, now: DateTime) {
         let Some(mut imported) = shared.file_answered(result) else { return };
+        // The newest file is the one that is meant.
+        self.errands.extend(self.rows.as_mut().map(Rows::cancel).unwrap_or_default());
+        self.shows_rows = false;
         let mut notice = measuring::import_notice(name, &imported);
         if let Some(contacts) = imported.contacts.take() {
             // Contacts are judged by what the user asked for, not by what an older check lent.

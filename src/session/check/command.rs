@@ -4,7 +4,7 @@ use super::{CheckField, MeasureBy};
 use crate::exchange::Imported;
 use crate::journal::query::RecordId;
 use crate::message::Message;
-use crate::session::{ListCommand, Step};
+use crate::session::{ListCommand, RowsCommand, Step};
 use crate::tolerance::{Feature, ToleranceClass};
 
 /// What can be done on the check page.
@@ -45,4 +45,6 @@ pub enum CheckCommand {
         /// What it holds.
         result: Result<Box<Imported>, Message>,
     },
+    /// Does something with the rows of a large file.
+    Rows(RowsCommand),
 }

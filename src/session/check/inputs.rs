@@ -43,10 +43,10 @@ impl Inputs {
         self.of_simulated.insert(id, all.collect());
     }
 
-    /// What a record was made with. A typed diameter has no position, and no record from a file a workpiece.
-    pub fn of(&self, id: RecordId, record: &Record) -> Vec<(CheckField, String)> {
+    /// What a record was made with; one that is in no history has no number. A typed diameter has no position, and no record from a file a workpiece.
+    pub fn of(&self, id: Option<RecordId>, record: &Record) -> Vec<(CheckField, String)> {
         let mut inputs = vec![(CheckField::Part, record.id.clone())];
-        match (&record.measurement.origin, self.of_simulated.get(&id)) {
+        match (&record.measurement.origin, id.and_then(|id| self.of_simulated.get(&id))) {
             (Origin::Simulated { .. }, Some(all)) => inputs.extend(all.iter().cloned()),
             (Origin::Contacts { .. }, Some(all)) => {
                 inputs.extend(all.iter().filter(|(field, _)| POSITION.contains(field)).cloned());

@@ -17,6 +17,7 @@ mod field;
 mod inputs;
 mod lot;
 mod measuring;
+mod rows;
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -31,7 +32,9 @@ pub use field::CheckField;
 pub use lot::Lot;
 
 use self::inputs::Inputs;
+use super::command::Effect;
 use super::field::{KeptField as _, Texts};
+use super::rows::Rows;
 use super::saved::SavedInputs;
 use crate::journal::Record;
 use crate::length::Length;
@@ -89,6 +92,14 @@ pub struct CheckPage {
     measured_is_used: bool,
     question: Option<Question>,
     lot: Option<Lot>,
+    /// The rows of a large file.
+    rows: Option<Rows>,
+    /// Whether they stand in the place of the history.
+    shows_rows: bool,
+    /// How many runs over large files there were.
+    runs: u64,
+    /// What has to be done outside because of what happened elsewhere.
+    errands: Vec<Effect>,
 }
 
 impl CheckPage {
@@ -109,6 +120,10 @@ impl CheckPage {
             measured_is_used: false,
             question: None,
             lot: None,
+            rows: None,
+            shows_rows: false,
+            runs: 0,
+            errands: Vec::new(),
         }
     }
 

@@ -13,6 +13,9 @@ use crate::words::Words;
 /// How much of a file is looked at to find out what it is.
 pub const HEAD: usize = 64 << 10;
 
+/// Endings of packed files: measurements, whatever their name says besides.
+const PACKED: [&str; 2] = ["gz", "zst"];
+
 /// Why a file given from outside is not opened.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "open", error)]
@@ -63,7 +66,7 @@ impl Purpose {
     /// without an ending gets.
     pub fn endings(self) -> Vec<&'static str> {
         match self {
-            Self::Import => exchange::endings(),
+            Self::Import => exchange::endings().into_iter().chain(PACKED).collect(),
             Self::LoadMask => vec!["a"],
             Self::LoadTables | Self::OpenTable => vec!["tab"],
             Self::Export(number) => RENDERINGS.get(number).map(|format| format.endings.to_vec()).unwrap_or_default(),
@@ -127,6 +130,7 @@ impl Purpose {
             "toml" => Some(Self::OpenCycleFile(CycleFile::Workpiece)),
             "tp" => Some(Self::OpenCycleFile(CycleFile::Probes)),
             "a" => Some(Self::LoadMask),
+            ending if PACKED.contains(&ending) => Some(Self::Import),
             ending if exchange::endings().contains(&ending) => {
                 exchange::FORMATS.iter().any(|format| format.recognises(head, name)).then_some(Self::Import)
             }

@@ -1,0 +1,285 @@
+//! Bottom, in the place of the history: the rows of a large file. How far it is judged, how many rows have which verdict
+//! (each count lists its rows), the classes, and what was remarked.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, ComboBox, Label, Layout, PopupCloseBehavior, ProgressBar, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui,
+    UiBuilder, WidgetInfo, WidgetText, pos2, vec2,
+};
+
+use super::rows_list::list_ui;
+use crate::exchange::batch::{FIRST, Fate, Kind, Tally};
+use crate::gui::shapes::{self, share};
+use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
+use crate::message::Message;
+use crate::session::{Action, End, LARGE, Large, Rows, RowsCommand};
+use crate::tolerance::ToleranceClass;
+use crate::verdict::Status;
+use crate::words::Words;
+
+/// Title, counts and list.
+pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.y = space(1.0);
+        switch_ui(ui, view);
+        // Each stands in the place of the other, and numbers that grow move nothing that is pressed.
+        for action in [Action::CancelRows, Action::JudgeRowsAgain, Action::CloseRows, Action::KeepRow] {
+            if view.session.can(action) {
+                view.button(ui, action);
+            }
+        }
+        heading(ui, rows.name());
+        state_ui(ui, view, rows);
+        why_ui(ui, view, rows);
+        for (fate, count) in rows.fates() {
+            // Nothing is re-measured without a guard band, so a zero would only raise questions.
+            if fate != Fate::Judged(Status::ReMeasure) || 0 < count {
+                fate_ui(ui, view, rows, (fate, count));
+            }
+        }
+        classes_ui(ui, view, rows);
+        summary_ui(ui, view, rows);
+        if !rows.filter().is_all() {
+            let listed = grouped(u64::try_from(rows.listed()).unwrap_or_default());
+            let listed = Message::new("rows-listed").text("listed", listed).text("count", grouped(rows.count()));
+            quiet(ui, view.words.say(&listed));
+        }
+    });
+    if let Some(why) = rows.unread() {
+        problem(ui, view.words.say(why));
+    }
+    list_ui(ui, view, rows);
+}
+
+/// Which of the two lists is in sight. Where no large file was opened, there is nothing to choose.
+pub(super) fn switch_ui(ui: &mut Ui, view: &mut View<'_>) {
+    for shows_rows in [true, false] {
+        let action = Action::ShowRows(shows_rows);
+        if view.session.can(action) {
+            let button = view.named(action).selected(action.is_on(view.session) == Some(true));
+            view.button_as(ui, action, button);
+        }
+    }
+}
+
+/// A whole number in groups of three digits, with spaces that do not break.
+pub(super) fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if 0 < at && (digits.len() - at).is_multiple_of(3) {
+            text.push('\u{a0}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// How far it is, or how it has ended: an answer that is not whole says so first.
+fn state_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
+    let (words, count) = (view.words, grouped(rows.count()));
+    let (read, all) = rows.bytes();
+    let percent = (read * 100).checked_div(all).unwrap_or_default().min(100);
+    let seconds = words.number(&format!("{:.1}", std::time::Duration::from_millis(rows.elapsed_ms()).as_secs_f64()));
+    let rate = rows.rate().map(grouped).unwrap_or_default();
+    let said = |id: &'static str| {
+        let said = Message::new(id).text("count", &count).text("percent", percent).text("rate", &rate);
+        said.text("seconds", &seconds)
+    };
+    match rows.end() {
+        None => {
+            let bar = ProgressBar::new(share(read, all)).desired_width(space(25.0)).desired_height(space(3.0));
+            let text = words.say(&said("rows-running"));
+            let shown = ui.add(bar);
+            shown.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, view.text("rows-progress")));
+            quiet(ui, text);
+        }
+        Some(End::Done) => _ = quiet(ui, words.say(&said("rows-done"))),
+        Some(End::Cancelled) => _ = problem(ui, words.say(&said("rows-cancelled"))),
+        Some(End::Failed(why)) => _ = problem(ui, words.say(&said("rows-failed").message("why", why.clone()))),
+    }
+}
+
+/// Why the file is judged row by row, in what is left of the line; where there is no room, it is in the summary alone.
+fn why_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
+    let room = ui.available_size_before_wrap().x - ui.spacing().item_spacing.x;
+    if space(60.0) <= room {
+        let why = why_text(view.words, rows);
+        ui.allocate_ui_with_layout(vec2(room, control(ui)), Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(room);
+            quiet_cut(ui, &why).on_hover_text(&why);
+        });
+    }
+}
+
+/// Why the file is judged row by row, and what that means.
+fn why_text(words: &Words, rows: &Rows) -> String {
+    words.say(&match rows.large() {
+        Large::Bytes(bytes) => Message::new("rows-why-bytes").text("size", bytes >> 20).text("limit", LARGE >> 20),
+        Large::Packed => Message::new("rows-why-packed"),
+    })
+}
+
+/// The name of what became of a row.
+pub(super) fn fate_text(words: &Words, fate: Fate) -> String {
+    fate.status().map_or_else(|| words.get("rows-not-judged"), |status| words.told(&status))
+}
+
+/// A count that lists its rows: a box with a check mark, the shape, the word and the number.
+fn fate_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows, (fate, count): (Fate, u64)) {
+    let is_chosen = rows.filter().fates.contains(&fate);
+    let (fill, colour) = palette(ui.ctx()).of_status(fate.status());
+    let text = Message::new("rows-fate").text("fate", fate_text(view.words, fate)).text("count", grouped(count));
+    let text = view.words.say(&text);
+    let galley = ui.painter().layout_no_wrap(text.clone(), theme::bold(sizes().body), colour);
+    let (mark, gap) = (space(4.0), space(1.5));
+    let size = vec2(2.0 * (mark + gap) + galley.size().x + 16.0, control(ui));
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let inner = rect.shrink2(vec2(8.0, 0.0));
+    let painter = ui.painter();
+    painter.rect_filled(rect, 4.0, fill);
+    let at = |left: f32| Rect::from_min_size(inner.left_center() + vec2(left, -mark / 2.0), vec2(mark, mark));
+    painter.rect(at(0.0), 2.0, palette(ui.ctx()).field.0, Stroke::new(1.5, colour), StrokeKind::Inside);
+    if is_chosen {
+        shapes::status(painter, at(0.0).shrink(2.0), Some(Status::Good), palette(ui.ctx()).text.0);
+    }
+    shapes::status(painter, at(mark + gap), fate.status(), colour);
+    let left = inner.left() + 2.0 * (mark + gap);
+    painter.galley(pos2(left, rect.center().y - galley.size().y / 2.0), galley, colour);
+    if response.has_focus() {
+        shapes::focus_ring(ui, rect);
+    }
+    response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_chosen, &text));
+    if response.on_hover_text(view.text("rows-fate-hint")).clicked() {
+        view.send(RowsCommand::Fate(fate));
+    }
+}
+
+/// The classes that occur, with how many rows each has.
+fn classes_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
+    let chosen = &rows.filter().classes;
+    let name = |view: &View<'_>, class: Option<ToleranceClass>| {
+        class.map_or_else(|| view.text("rows-no-class"), |class| class.to_string())
+    };
+    let mut classes: Vec<_> =
+        rows.classes().map(|(number, class, counts)| (class, number, counts.iter().sum())).collect();
+    classes.sort_unstable_by_key(|(class, ..)| (class.is_none(), *class));
+    let shown = match chosen.len() {
+        0 => view.text("rows-all-classes"),
+        1 => classes
+            .iter()
+            .find(|(_, number, _)| chosen.contains(number))
+            .map_or(String::new(), |(class, ..)| name(view, *class)),
+        count => view.words.say(&Message::new("rows-some-classes").count("count", count)),
+    };
+    let label = ui.label(view.text("rows-classes"));
+    let list = ComboBox::from_id_salt("rows-classes").selected_text(WidgetText::from(shown)).width(space(32.0));
+    let list = list.truncate().height(list_height(ui)).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let list = list.show_ui(ui, |ui| {
+        if ui.selectable_label(chosen.is_empty(), view.text("rows-all-classes")).clicked() {
+            view.send(RowsCommand::AllClasses);
+        }
+        for (class, number, count) in classes {
+            let count: u64 = count;
+            let text = Message::new("rows-class").text("class", name(view, class)).text("count", grouped(count));
+            let mut is_on = chosen.contains(&number);
+            if ui.checkbox(&mut is_on, view.words.say(&text)).clicked() {
+                view.send(RowsCommand::Class(number));
+            }
+        }
+    });
+    list.response.labelled_by(label.id);
+}
+
+/// What was said of the rows, as `fitcheck batch` says it: the first remarks with their lines, the verdicts of each class.
+fn summary_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
+    ui.menu_button(view.text("rows-summary"), |ui| {
+        ui.set_min_width(space(130.0));
+        let area = ScrollArea::vertical().max_height(list_height(ui));
+        area.show(ui, |ui| {
+            if !rows.end().is_some_and(|end| *end == End::Done) {
+                problem(ui, view.text("rows-not-whole"));
+            }
+            quiet(ui, why_text(view.words, rows));
+            remarks_ui(ui, view, rows);
+            ui.separator();
+            for (_, class, counts) in rows.classes() {
+                let name = class.map_or_else(|| view.text("rows-no-class"), |class| class.to_string());
+                let counts = Fate::ALL.into_iter().zip(counts).filter(|(_, count)| 0 < **count);
+                let said = |(fate, count): (Fate, &u64)| format!("{} {}", fate_text(view.words, fate), grouped(*count));
+                let counts: Vec<String> = counts.map(said).collect();
+                ui.label(format!("{name}: {}", counts.join(", ")));
+            }
+        });
+    });
+}
+
+fn remarks_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
+    let (words, tally) = (view.words, rows.tally());
+    for (id, count) in counts(tally) {
+        if 0 < count {
+            let number = usize::try_from(count).unwrap_or(usize::MAX);
+            ui.label(words.say(&Message::new(id).count("count", number).text("number", grouped(count))));
+        }
+    }
+    let first_line = rows.layout().map_or(1, |layout| layout.line);
+    if let Some(layout) = rows.layout() {
+        for (line, warning) in &layout.warnings {
+            quiet(ui, words.say(&Message::new("rows-note").count("line", *line).with("what", warning)));
+        }
+    }
+    for kind in Kind::ALL {
+        let notes = tally.notes(kind);
+        if usize::try_from(notes.count).is_ok_and(|count| FIRST < count) {
+            quiet(
+                ui,
+                words.say(&Message::new("rows-first-notes").count("first", FIRST).text("count", grouped(notes.count))),
+            );
+        }
+        for note in &notes.first {
+            let line = Message::new("rows-note").count("line", first_line + note.line);
+            quiet(ui, words.say(&line.message("what", note.what.clone())));
+        }
+    }
+}
+
+/// What there is to be said of all rows, and of how many.
+fn counts(tally: &Tally) -> [(&'static str, u64); 6] {
+    [
+        ("rows-refused", tally.notes(Kind::Refused).count),
+        ("rows-doubted", tally.notes(Kind::Doubt).count),
+        ("rows-simulated", tally.simulated),
+        ("rows-several-lines", tally.notes(Kind::SeveralLines).count),
+        ("rows-not-utf8", tally.not_utf8),
+        ("rows-comments", tally.comments),
+    ]
+}
+
+/// The cells of the row whose check is shown, or why it has none.
+pub(super) fn shown_row_ui(ui: &mut Ui, view: &View<'_>) {
+    let Some(rows) = view.session.check().rows() else { return };
+    let Some(row) = rows.shown() else { return };
+    heading(ui, view.words.say(&Message::new("rows-line").count("line", row.line).text("name", rows.name())));
+    if let Some(why) = &row.why {
+        problem(ui, view.words.say(why));
+    }
+    for (name, cell) in &row.cells {
+        ui.scope_builder(UiBuilder::new().layout(Layout::left_to_right(Align::Min)), |ui| {
+            ui.set_width(ui.available_width());
+            quiet(ui, name);
+            ui.add(Label::new(short(cell)).wrap());
+        });
+    }
+    ui.add_space(space(1.0));
+}
+
+/// A cell that is longer than anybody reads is cut.
+fn short(cell: &str) -> String {
+    const MOST: usize = 500;
+    let mut text: String = cell.chars().take(MOST).collect();
+    if text.len() < cell.len() {
+        text.push('…');
+    }
+    text
+}

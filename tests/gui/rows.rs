@@ -1,0 +1,253 @@
+//! The rows of a large file by label and key: counting, filtering, walking, showing one.
+
+use std::fmt::Write as _;
+use std::time::Duration;
+
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{Key, ViewportId, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::files;
+use fitcheck::gui::App;
+use fitcheck::session::{LARGE, Purpose};
+
+use crate::harness::{Window, verdict};
+
+/// A file that is too large for an import: of ten rows one is rework and one scrap; the last one cannot be read.
+fn large() -> String {
+    text_of(LARGE)
+}
+
+/// The same of at least so many bytes.
+fn text_of(bytes: u64) -> String {
+    let mut text = "id,callout,measured\n".to_owned();
+    let mut number = 0;
+    while text.len() < usize::try_from(bytes).unwrap() {
+        let row = match number % 10 {
+            0 => "25 H7,24.9900",
+            1 => "40 g6,39.9000",
+            _ => "25 H7,25.0100",
+        };
+        writeln!(text, "P{number:07},{row}").unwrap();
+        number += 1;
+    }
+    text + "LAST,25 H7,\n"
+}
+
+/// A window that was opened with a file.
+fn opened(name: &str, bytes: &[u8]) -> (tempfile::TempDir, Harness<'static, App>) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    files::write(&path, bytes).unwrap();
+    let window = Window { files: vec![(Purpose::Import, path)], ..Window::default() }.open();
+    (folder, window)
+}
+
+fn press(window: &mut Harness<'_, App>, key: Key) {
+    window.key_press(key);
+    window.run();
+}
+
+fn click(window: &mut Harness<'_, App>, role: Role, name: &str) {
+    window.get_by_role_and_label(role, name).click();
+    window.run();
+}
+
+/// What a screen reader says of the rows in sight, from above.
+fn rows(window: &Harness<'_, App>) -> Vec<String> {
+    let mut rows: Vec<_> = window
+        .query_all_by_role(Role::Row)
+        .map(|row| (row.rect().top(), row.accesskit_node().label().unwrap_or_default()))
+        .collect();
+    rows.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+    rows.into_iter().map(|(_, said)| said).collect()
+}
+
+/// What a screen reader says of the row at which the keys are.
+fn cursor(window: &Harness<'_, App>) -> String {
+    let row = window.get_by(|node| node.role() == Role::Row && node.is_selected() == Some(true));
+    row.accesskit_node().label().unwrap_or_default()
+}
+
+#[test]
+fn a_large_file_shows_its_rows_and_counts_and_keeps_nothing_in_the_history() {
+    let (_folder, window) = opened("big.csv", large().as_bytes());
+    let count = window.state().session().check().rows().unwrap().count();
+    assert!(30_000 < count, "{count}");
+    window.get_by_label_contains("all judged in");
+    window.get_by_label_contains("1 MiB, more than 1 MiB: judged row by row");
+    assert_eq!(
+        rows(&window)[..2],
+        [
+            "line 2, P0000000, 25 H7, 24.9900 mm, −10 µm, REWORK, Remove 10 µm",
+            "line 3, P0000001, 40 g6, 39.9000 mm, −100 µm, SCRAP",
+        ]
+    );
+    assert!(rows(&window).len() < 40, "only those in sight are drawn");
+    window.get_by_role_and_label(Role::CheckBox, "NOT JUDGED 1");
+    assert!(window.state().session().history().is_empty());
+    assert!(window.state().session().notices().is_empty());
+    // Once it is settled nothing moves.
+    assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
+    assert!(window.query_by_role_and_label(Role::Button, "Cancel").is_none());
+}
+
+#[test]
+fn keys_walk_the_rows_and_enter_shows_the_check_of_one() {
+    let (_folder, mut window) = opened("big.csv", large().as_bytes());
+    window.get_by_role(Role::Grid).focus();
+    window.run();
+    let list = |window: &Harness<'_, App>| window.get_by_role(Role::Grid).rect();
+    for (key, part) in [
+        (Key::Home, "P0000000"),
+        (Key::ArrowDown, "P0000001"),
+        (Key::PageDown, "P0000011"),
+        (Key::ArrowUp, "P0000010"),
+        (Key::PageUp, "P0000000"),
+        (Key::End, "LAST"),
+    ] {
+        press(&mut window, key);
+        assert!(cursor(&window).contains(&format!(", {part}, ")), "{key:?}: {}", cursor(&window));
+        let row = window.get_by(|node| node.role() == Role::Row && node.is_selected() == Some(true));
+        assert!(list(&window).contains(row.rect().center()), "{key:?}: {:?}", row.rect());
+        assert!(window.get_by_role(Role::Grid).accesskit_node().data().active_descendant().is_some());
+    }
+    assert!(cursor(&window).ends_with("NOT JUDGED, measured: a length is missing"), "{}", cursor(&window));
+    press(&mut window, Key::Enter);
+    window.get_by_label_contains("No result. measured: a length is missing");
+    press(&mut window, Key::Home);
+    press(&mut window, Key::Enter);
+    assert_eq!(verdict(&window).split(". ").next(), Some("REWORK"));
+    window.get_by_label("Line 2 of big.csv");
+    window.get_by_label("P0000000");
+    let status = window.get_by_role(Role::Status);
+    assert_eq!(status.accesskit_node().data().live(), Some(Live::Assertive));
+    // The keys stay in the list.
+    press(&mut window, Key::ArrowDown);
+    assert!(cursor(&window).contains("P0000001"));
+    click(&mut window, Role::Button, "Add to history");
+    assert_eq!(window.state().session().history().len(), 1);
+}
+
+#[test]
+fn a_click_shows_a_check_and_the_keys_go_on_from_there() {
+    let (_folder, mut window) = opened("big.csv", large().as_bytes());
+    window.get_by_label_contains("P0000001,").click();
+    window.run();
+    assert_eq!(verdict(&window).split(". ").next(), Some("SCRAP"));
+    press(&mut window, Key::End);
+    assert!(cursor(&window).contains(", LAST, "), "{}", cursor(&window));
+}
+
+#[test]
+fn counts_and_classes_filter_the_rows() {
+    let (_folder, mut window) = opened("big.csv", large().as_bytes());
+    click(&mut window, Role::CheckBox, "NOT JUDGED 1");
+    assert_eq!(rows(&window).len(), 1);
+    window.get_by_label_contains("1 of ");
+    click(&mut window, Role::CheckBox, "NOT JUDGED 1");
+    let scrap = window
+        .get_by(|node| node.role() == Role::CheckBox && node.label().is_some_and(|label| label.starts_with("SCRAP ")));
+    scrap.click();
+    window.run();
+    assert!(rows(&window).iter().all(|row| row.contains("SCRAP") && row.contains("40 g6")), "{:?}", rows(&window));
+    window.get_by_role_and_label(Role::ComboBox, "Classes").click();
+    window.run();
+    let class = window
+        .get_by(|node| node.role() == Role::CheckBox && node.label().is_some_and(|label| label.starts_with("H7: ")));
+    class.click();
+    window.run();
+    press(&mut window, Key::Escape);
+    assert!(rows(&window).is_empty());
+    window.get_by_label("No row matches the filter");
+    click(&mut window, Role::Button, "Summary");
+    window.get_by_label("1 row not judged");
+    window.get_by_label_contains(": measured: a length is missing");
+    window.get_by_label_contains("g6: SCRAP ");
+}
+
+#[test]
+fn packed_rows_are_read_again_from_their_text() {
+    let text = "id,callout,measured\n1,25 H7,25.01\n2,25 H7,24.99\n".as_bytes();
+    let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    std::io::Write::write_all(&mut encoder, text).unwrap();
+    for (name, packed) in
+        [("parts.csv.gz", encoder.finish().unwrap()), ("parts.csv.zst", zstd::encode_all(text, 1).unwrap())]
+    {
+        let (_folder, window) = opened(name, &packed);
+        window.get_by_label_contains("Packed: judged row by row");
+        assert_eq!(
+            rows(&window),
+            [
+                "line 2, 1, 25 H7, 25.0100 mm, +10 µm, GOOD",
+                "line 3, 2, 25 H7, 24.9900 mm, −10 µm, REWORK, Remove 10 µm",
+            ]
+        );
+    }
+}
+
+#[test]
+fn a_file_that_changes_is_said_and_not_shown_wrong() {
+    let (folder, mut window) = opened("big.csv", large().as_bytes());
+    // In its place: a file of another content under the same name is another file.
+    let mut file = std::fs::OpenOptions::new().write(true).open(folder.path().join("big.csv")).unwrap();
+    std::io::Write::write_all(&mut file, large().replace("25.0100", "25.9100").as_bytes()).unwrap();
+    drop(file);
+    window.get_by_role(Role::Grid).focus();
+    window.run();
+    press(&mut window, Key::End);
+    window.get_by_label_contains("the file has changed since it was judged");
+    assert!(!rows(&window).iter().any(|row| row.contains("25.91")), "{:?}", rows(&window));
+    click(&mut window, Role::Button, "Judge again");
+    assert!(window.query_by_label_contains("the file has changed").is_none());
+    window.get_by_label_contains("all judged in");
+}
+
+#[test]
+fn a_file_that_cannot_be_read_to_its_end_is_incomplete() {
+    let text = text_of(8 << 20);
+    let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    std::io::Write::write_all(&mut encoder, text.as_bytes()).unwrap();
+    let packed = encoder.finish().unwrap();
+    let (_folder, mut window) = opened("big.csv.gz", &packed[..packed.len() / 2]);
+    window.get_by_label_contains("INCOMPLETE after");
+    assert!(rows(&window).first().unwrap().starts_with("line 2, P0000000"));
+    click(&mut window, Role::Button, "Summary");
+    window.get_by_label("INCOMPLETE: the counts are not those of the whole file");
+}
+
+#[test]
+fn rows_and_history_change_places_and_the_file_is_closed() {
+    let (_folder, mut window) = opened("big.csv", large().as_bytes());
+    click(&mut window, Role::Button, "History");
+    window.get_by_label("Checks appear here, the newest first");
+    click(&mut window, Role::Button, "Rows");
+    assert!(!rows(&window).is_empty());
+    click(&mut window, Role::Button, "Close file");
+    assert!(window.state().session().check().rows().is_none());
+    assert!(window.query_by_role_and_label(Role::Button, "Rows").is_none());
+}
+
+#[test]
+fn every_size_shows_rows_and_the_verdict() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("big.csv");
+    files::write(&path, large().as_bytes()).unwrap();
+    for size in [
+        vec2(800.0, 600.0),
+        vec2(1024.0, 600.0),
+        vec2(1280.0, 800.0),
+        vec2(1920.0, 1080.0),
+        vec2(800.0, 1280.0),
+        vec2(2800.0, 1200.0),
+    ] {
+        let mut window = Window { size, files: vec![(Purpose::Import, path.clone())], ..Window::default() }.open();
+        window.get_by_role(Role::Grid).focus();
+        window.run();
+        press(&mut window, Key::Home);
+        press(&mut window, Key::Enter);
+        assert!(2 <= rows(&window).len(), "{size:?}");
+        let (grid, status) = (window.get_by_role(Role::Grid).rect(), window.get_by_role(Role::Status).rect());
+        assert!(!grid.intersects(status.shrink(1.0)), "{size:?}: {grid:?} {status:?}");
+    }
+}
