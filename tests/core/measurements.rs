@@ -121,7 +121,7 @@ fn bad_rows_are_listed_and_good_ones_kept() {
             "! line 9, column 2: nominal size 40 mm is beyond table hole.tab, whose last range is over 18 up to and including 30 mm <40 H7>",
             "! line 10, column 4: expected 3 cells, found 4: is the separator also used as decimal sign or within a text? <9>",
             "! line 11, column 3: measured: a diameter of -25.01 is not above 0 <-25.01>",
-            "! line 12, column 3: measured: 25,012 has a different decimal sign than the other values, . <25,012>",
+            "! line 12, column 3: measured: 25,012 has a different decimal sign than the other values: \".\" <25,012>",
         ],
     );
 }

@@ -6,7 +6,7 @@
 use std::io;
 
 use bytes::Bytes;
-use parquet::basic::{Compression, Encoding, ZstdLevel};
+use parquet::basic::{Compression, Encoding, Type, ZstdLevel};
 use parquet::column::page::{CompressedPage, Page, PageWriter as _};
 use parquet::column::writer::ColumnCloseResult;
 use parquet::errors::ParquetError;
@@ -29,7 +29,7 @@ pub(super) struct Chunk {
 pub(super) enum Body<'a> {
     /// As the format's plain encoding has them.
     Plain(&'a [u8]),
-    /// As packed differences, which are not packed again.
+    /// As packed differences.
     Delta(&'a [u8]),
     /// Words, in the plain encoding, and for each value the number of its word.
     Words(&'a [u8], u32, &'a [u8]),
@@ -58,12 +58,13 @@ impl Packer {
         let mut out = TrackedWrite::new(Vec::new());
         let mut pages = SerializedPageWriter::new(&mut out);
         let (mut unpacked, mut packed) = (0, 0);
-        let is_packed = !matches!(body, Body::Delta(_));
+        // Numbers in all their bits, packed differences and numbers of words hardly get smaller; texts do.
+        let is_packed = matches!(body, Body::Plain(_)) && column.physical_type() == Type::BYTE_ARRAY;
         let num_values = u32::try_from(rows).map_err(too_large)?;
         let mut dictionary_page = None;
         let mut data_page = 0;
         if let Body::Words(words, count, _) = body {
-            let buf = self.pack(words)?;
+            let buf = words.to_vec().into();
             let page = Page::DictionaryPage { buf, num_values: count, encoding: Encoding::PLAIN, is_sorted: false };
             let spec = pages.write_page(CompressedPage::new(page, words.len()))?;
             unpacked += spec.uncompressed_size;
