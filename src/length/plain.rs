@@ -14,9 +14,6 @@ pub(super) struct Plain {
     pub(super) sign: Option<u8>,
 }
 
-/// The most bytes that such a number has.
-const LONGEST: usize = 16;
-
 /// The most figures before the sign.
 const MOST_WHOLE: usize = 9;
 
@@ -25,48 +22,75 @@ const STEP: usize = 8;
 
 /// Reads the bytes of a text from `start` to `end`: one to nine figures, and others behind a point or a comma. `None` for
 /// anything else. What stands before them in the text may be read, too.
-#[expect(
-    clippy::inline_always,
-    reason = "a number and a sign are given back in registers, twice for each of millions of rows"
-)]
+#[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
 #[inline(always)]
 pub(super) fn read(text: &[u8], start: usize, end: usize) -> Option<Plain> {
     let length = end.checked_sub(start)?;
-    let last = end.checked_sub(STEP).and_then(|first| text.get(first..)?.first_chunk::<STEP>());
-    match last {
-        Some(bytes) if (1..=STEP).contains(&length) => short(u64::from_le_bytes(*bytes), STEP - length),
-        _ => long(text.get(start..end)?),
+    match word_before(text, end) {
+        Some(last) if (1..=STEP).contains(&length) => {
+            let before = STEP - length;
+            let (number, sign) = figures(last, before)?;
+            match sign {
+                None => Some(Plain { number, decimals: 0, sign: None }),
+                Some((at, sign)) if before < at => Some(Plain { number, decimals: STEP - 1 - at, sign: Some(sign) }),
+                Some(_) => None,
+            }
+        }
+        Some(last) if (STEP + 1..=2 * STEP).contains(&length) => long(text, length, end, last),
+        _ => slow(text.get(start..end)?),
     }
 }
 
-/// The number in the upper bytes of a word: the first byte is the lowest, and the first `before` do not belong to it.
+/// The eight bytes before a place, the first of them the lowest.
+#[inline]
+fn word_before(text: &[u8], end: usize) -> Option<u64> {
+    let first = end.checked_sub(STEP)?;
+    text.get(first..)?.first_chunk().map(|bytes| u64::from_le_bytes(*bytes))
+}
+
+/// The number in the upper bytes of a word, and where its sign stands among all eight; the first `before` bytes do not
+/// belong to it. `None` where another byte is no figure.
 #[expect(clippy::inline_always, reason = "as above")]
 #[inline(always)]
-fn short(word: u64, before: usize) -> Option<Plain> {
+fn figures(word: u64, before: usize) -> Option<(u64, Option<(usize, u8)>)> {
     // Figures become their values, and what stands before the number counts as zeros.
     let digits = (word ^ each(b'0')) & (u64::MAX << (8 * before));
-    let others = above_nine(digits);
-    let Some(others) = NonZeroU64::new(others) else {
-        return Some(Plain { number: value(digits), decimals: 0, sign: None });
-    };
+    let Some(others) = NonZeroU64::new(above_nine(digits)) else { return Some((value(digits), None)) };
     let place = others.trailing_zeros() / 8 * 8;
-    let sign = word >> place & 0xff;
-    let at = usize::try_from(place / 8).ok()?;
-    // Only one byte is no figure, there is a figure before it, and it is a sign.
-    if others.get() & (others.get() - 1) != 0 || at <= before || sign != u64::from(b'.') && sign != u64::from(b',') {
+    let sign = match word >> place & 0xff {
+        sign if sign == u64::from(b'.') => b'.',
+        sign if sign == u64::from(b',') => b',',
+        _ => return None,
+    };
+    if others.get() & (others.get() - 1) != 0 {
         return None;
     }
     // Without it, what stands before it moves up by one place.
     let up_to = u64::MAX << place;
     let digits = (digits & (up_to << 8)) | ((digits & !up_to) << 8);
-    let sign = if sign == u64::from(b'.') { b'.' } else { b',' };
-    Some(Plain { number: value(digits), decimals: STEP - 1 - at, sign: Some(sign) })
+    Some((value(digits), Some((usize::try_from(place / 8).ok()?, sign))))
 }
 
-/// A number of any length, byte by byte.
+/// A number of nine to sixteen bytes in two words, of which the second is `last`.
 #[inline(never)]
-fn long(text: &[u8]) -> Option<Plain> {
-    if LONGEST < text.len() {
+fn long(text: &[u8], length: usize, end: usize, last: u64) -> Option<Plain> {
+    let Some(first) = word_before(text, end - STEP) else { return slow(text.get(end - length..end)?) };
+    let before = 2 * STEP - length;
+    let ((first, first_sign), (last, last_sign)) = (figures(first, before)?, figures(last, 0)?);
+    let (whole, decimals, sign, factor) = match (first_sign, last_sign) {
+        (None, None) => (length, 0, None, 100_000_000),
+        (Some((at, sign)), None) => (at - before, 2 * STEP - 1 - at, Some(sign), 100_000_000),
+        (None, Some((at, sign))) => (STEP - before + at, STEP - 1 - at, Some(sign), 10_000_000),
+        (Some(_), Some(_)) => return None,
+    };
+    // At most sixteen figures, far below 2^64.
+    (1..=MOST_WHOLE).contains(&whole).then(|| Plain { number: first * factor + last, decimals, sign })
+}
+
+/// A number near the beginning of its text, or none that is plain, byte by byte.
+#[inline(never)]
+fn slow(text: &[u8]) -> Option<Plain> {
+    if 2 * STEP < text.len() {
         return None;
     }
     let whole = text.iter().take_while(|byte| byte.is_ascii_digit()).count();
