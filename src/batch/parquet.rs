@@ -70,18 +70,12 @@ pub fn through<F: ChunkReader + 'static, W: Write + Send>(
     tick: &mut dyn FnMut(&Watch),
 ) -> Result<Summary, Failed> {
     let fields = file.fields().to_vec();
-    let hire = || Groups {
-        judge: court.judge(),
-        answers: Answers::new(manner.columns, 0),
-        group: Ok(None),
-        make: |typed: &mut Typed, judge: &mut Judge<'_>, answers: &mut Answers| {
-            let tally = typed.judge(&fields, Purpose::Columns, judge, answers);
-            (tally, answers.group(Some(typed)))
-        },
-        streams: std::marker::PhantomData,
+    let make = |typed: &mut Typed, judge: &mut Judge<'_>, answers: &mut Answers| {
+        let tally = typed.judge(&fields, Purpose::Columns, judge, answers);
+        (tally, answers.group(Some(typed)))
     };
     let source = Portions { file, purpose: Purpose::Columns };
-    take_turns(source, out, manner.workers, Watched { watch, tick }, hire)
+    take_turns(source, out, manner.workers, Watched { watch, tick }, || Groups::new(court, manner, 0, make))
 }
 
 /// Judges all rows of a stream of CSV and writes them as row groups with these columns, in their order.
@@ -97,17 +91,12 @@ pub fn from_text<W: Write + Send>(
     tick: &mut dyn FnMut(&Watch),
 ) -> Result<Summary, Failed> {
     let texts = court.layout().names.len();
-    let hire = || Groups {
-        judge: court.judge(),
-        answers: Answers::new(manner.columns, texts),
-        group: Ok(None),
-        make: |block: &mut Block, judge: &mut Judge<'_>, answers: &mut Answers| {
-            let tally = judge.block(block, answers);
-            (tally, answers.group(None))
-        },
-        streams: std::marker::PhantomData,
+    let make = |block: &mut Block, judge: &mut Judge<'_>, answers: &mut Answers| {
+        let tally = judge.block(block, answers);
+        (tally, answers.group(None))
     };
-    take_turns(Blocks { input, bytes: 0 }, out, manner.workers, Watched { watch, tick }, hire)
+    let source = Blocks { input, bytes: 0 };
+    take_turns(source, out, manner.workers, Watched { watch, tick }, || Groups::new(court, manner, texts, make))
 }
 
 /// A worker that writes row groups: one of each portion.
@@ -117,6 +106,17 @@ struct Groups<'c, P, M, W> {
     group: io::Result<Option<Group>>,
     make: M,
     streams: std::marker::PhantomData<fn(P, W)>,
+}
+
+impl<'c, P, M, W> Groups<'c, P, M, W>
+where
+    M: Fn(&mut P, &mut Judge<'_>, &mut Answers) -> (Tally, io::Result<Option<Group>>),
+{
+    /// `texts` of the columns come from text; `make` judges a portion and makes its row group.
+    fn new(court: &'c Court<'_>, manner: Columns<'_>, texts: usize, make: M) -> Self {
+        let answers = Answers::new(manner.columns, texts);
+        Self { judge: court.judge(), answers, group: Ok(None), make, streams: std::marker::PhantomData }
+    }
 }
 
 impl<'c, P, M, W> Work<'c> for Groups<'c, P, M, W>

@@ -25,6 +25,9 @@ pub enum Step {
     Bottom,
 }
 
+/// How many rows of a list a page has.
+const PAGE: usize = 10;
+
 impl Step {
     /// The steps among the classes of the map.
     pub const CLASSES: [Self; 4] = [Self::Left, Self::Right, Self::Up, Self::Down];
@@ -47,4 +50,17 @@ impl Step {
         Self::Top,
         Self::Bottom,
     ];
+
+    /// Where it leads in a list whose last place is `last`. From no place it leads to the first one, or to the last.
+    pub(super) fn place(self, here: Option<usize>, last: usize) -> usize {
+        let place = match (self, here) {
+            (Self::Last | Self::Bottom, _) => last,
+            (Self::First | Self::Top, _) | (_, None) => 0,
+            (Self::Left | Self::Up, Some(here)) => here.saturating_sub(1),
+            (Self::Right | Self::Down, Some(here)) => here + 1,
+            (Self::PageUp, Some(here)) => here.saturating_sub(PAGE),
+            (Self::PageDown, Some(here)) => here + PAGE,
+        };
+        place.min(last)
+    }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Theme, Vec2, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::session::{Command, Purpose};
 use fitcheck::words::{Language, Words};
@@ -101,6 +101,33 @@ pub fn check(harness: &mut Harness<'_, App>, callout: &str, measured: &str) {
 
 /// What the live verdict says.
 pub fn verdict(harness: &Harness<'_, App>) -> String {
-    use egui_kittest::kittest::NodeT as _;
     harness.get_by_role(Role::Status).accesskit_node().label().unwrap_or_default()
+}
+
+/// Presses a key.
+pub fn press(window: &mut Harness<'_, App>, key: Key) {
+    window.key_press(key);
+    window.run();
+}
+
+/// Clicks what has a role and a name.
+pub fn click(window: &mut Harness<'_, App>, role: Role, name: &str) {
+    window.get_by_role_and_label(role, name).click();
+    window.run();
+}
+
+/// What a screen reader says of the rows in sight, from above.
+pub fn rows(window: &Harness<'_, App>) -> Vec<String> {
+    let mut rows: Vec<_> = window
+        .query_all_by_role(Role::Row)
+        .map(|row| (row.rect().top(), row.accesskit_node().label().unwrap_or_default()))
+        .collect();
+    rows.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+    rows.into_iter().map(|(_, said)| said).collect()
+}
+
+/// What a screen reader says of the row at which the keys are.
+pub fn cursor(window: &Harness<'_, App>) -> String {
+    let row = window.get_by(|node| node.role() == Role::Row && node.is_selected() == Some(true));
+    row.accesskit_node().label().unwrap_or_default()
 }

@@ -11,7 +11,7 @@ use fitcheck::gui::App;
 use fitcheck::session::{CheckCommand, CheckField, Command};
 use fitcheck::words::Language;
 
-use crate::harness::{Window, check, type_into, window};
+use crate::harness::{Window, check, click, cursor, press, rows, type_into, window};
 
 fn now() -> jiff::civil::DateTime {
     jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0)
@@ -41,41 +41,15 @@ fn focus_list(window: &mut Harness<'_, App>) {
     window.run();
 }
 
-fn press(window: &mut Harness<'_, App>, key: Key) {
-    window.key_press(key);
-    window.run();
-}
-
 fn press_ctrl(window: &mut Harness<'_, App>, key: Key) {
     window.key_press_modifiers(Modifiers::COMMAND, key);
     window.run();
-}
-
-fn click(window: &mut Harness<'_, App>, role: Role, name: &str) {
-    window.get_by_role_and_label(role, name).click();
-    window.run();
-}
-
-/// What a screen reader says of the rows in sight, from above.
-fn rows(window: &Harness<'_, App>) -> Vec<String> {
-    let mut rows: Vec<_> = window
-        .query_all_by_role(Role::Row)
-        .map(|row| (row.rect().top(), row.accesskit_node().label().unwrap_or_default()))
-        .collect();
-    rows.sort_by(|(one, _), (other, _)| one.total_cmp(other));
-    rows.into_iter().map(|(_, said)| said).collect()
 }
 
 /// The parts in sight, from above.
 fn parts(window: &Harness<'_, App>) -> String {
     let parts: Vec<_> = rows(window).iter().map(|row| row.split(", ").nth(1).unwrap().to_owned()).collect();
     parts.join(" ")
-}
-
-/// What a screen reader says of the row at which the keys are.
-fn cursor(window: &Harness<'_, App>) -> String {
-    let row = window.get_by(|node| node.role() == Role::Row && node.is_selected() == Some(true));
-    row.accesskit_node().label().unwrap_or_default()
 }
 
 fn shown(window: &Harness<'_, App>) -> String {

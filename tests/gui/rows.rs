@@ -11,7 +11,7 @@ use fitcheck::files;
 use fitcheck::gui::App;
 use fitcheck::session::{LARGE, Purpose};
 
-use crate::harness::{Window, verdict};
+use crate::harness::{Window, click, cursor, press, rows, verdict};
 
 /// A file that is too large for an import: of ten rows one is rework and one scrap; the last one cannot be read.
 fn large() -> String {
@@ -41,32 +41,6 @@ fn opened(name: &str, bytes: &[u8]) -> (tempfile::TempDir, Harness<'static, App>
     files::write(&path, bytes).unwrap();
     let window = Window { files: vec![(Purpose::Import, path)], ..Window::default() }.open();
     (folder, window)
-}
-
-fn press(window: &mut Harness<'_, App>, key: Key) {
-    window.key_press(key);
-    window.run();
-}
-
-fn click(window: &mut Harness<'_, App>, role: Role, name: &str) {
-    window.get_by_role_and_label(role, name).click();
-    window.run();
-}
-
-/// What a screen reader says of the rows in sight, from above.
-fn rows(window: &Harness<'_, App>) -> Vec<String> {
-    let mut rows: Vec<_> = window
-        .query_all_by_role(Role::Row)
-        .map(|row| (row.rect().top(), row.accesskit_node().label().unwrap_or_default()))
-        .collect();
-    rows.sort_by(|(one, _), (other, _)| one.total_cmp(other));
-    rows.into_iter().map(|(_, said)| said).collect()
-}
-
-/// What a screen reader says of the row at which the keys are.
-fn cursor(window: &Harness<'_, App>) -> String {
-    let row = window.get_by(|node| node.role() == Role::Row && node.is_selected() == Some(true));
-    row.accesskit_node().label().unwrap_or_default()
 }
 
 #[test]

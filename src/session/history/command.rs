@@ -6,9 +6,6 @@ use crate::session::Step;
 use crate::verdict::Status;
 use crate::words::{Language, Words};
 
-/// How many rows make a page.
-const PAGE: usize = 10;
-
 /// What can be done with the list of checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ListCommand {
@@ -67,15 +64,7 @@ impl History {
     fn move_by(&mut self, step: Step) {
         let Some(last) = self.records.count().checked_sub(1) else { return };
         let here = self.cursor.and_then(|id| self.records.place_of(id));
-        let place = match (step, here) {
-            (Step::Last | Step::Bottom, _) => last,
-            (Step::First | Step::Top, _) | (_, None) => 0,
-            (Step::Left | Step::Up, Some(here)) => here.saturating_sub(1),
-            (Step::Right | Step::Down, Some(here)) => here + 1,
-            (Step::PageUp, Some(here)) => here.saturating_sub(PAGE),
-            (Step::PageDown, Some(here)) => here + PAGE,
-        };
-        let place = place.min(last);
+        let place = step.place(here, last);
         if let Some((id, _)) = self.records.page(place..place + 1).first() {
             self.go_to(*id);
         }

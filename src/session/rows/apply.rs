@@ -14,9 +14,6 @@ use crate::session::Step;
 use crate::session::command::Effect;
 use crate::tolerance::Sources;
 
-/// How many rows make a page.
-const PAGE: usize = 10;
-
 /// How many rows beyond those in sight are read with them.
 const AROUND: usize = 20;
 
@@ -163,15 +160,7 @@ impl Rows {
     pub(in crate::session) fn step(&mut self, step: Step) {
         let Some(last) = self.listed().checked_sub(1) else { return };
         let here = self.cursor.and_then(|number| self.place_of(number));
-        let place = match (step, here) {
-            (Step::Last | Step::Bottom, _) => last,
-            (Step::First | Step::Top, _) | (_, None) => 0,
-            (Step::Left | Step::Up, Some(here)) => here.saturating_sub(1),
-            (Step::Right | Step::Down, Some(here)) => here + 1,
-            (Step::PageUp, Some(here)) => here.saturating_sub(PAGE),
-            (Step::PageDown, Some(here)) => here + PAGE,
-        };
-        self.cursor = self.at(place.min(last)).map(|row| row.number);
+        self.cursor = self.at(step.place(here, last)).map(|row| row.number);
         self.look += 1;
     }
 
