@@ -2,11 +2,11 @@
 //!
 //! Used at the edges (command line, window). Errors name what happened and, last, the path.
 
-mod early;
 mod folder;
 mod folders;
 mod listing;
 mod names;
+mod straight;
 mod tables;
 mod unfinished;
 mod whole;

@@ -251,11 +251,11 @@ impl Length {
     ///
     /// Inches are not printed exactly (1 nm has no finite number of decimals); they are rounded to 7 decimals.
     pub fn exact(self, unit: Unit, decimals: usize) -> String {
-        match unit {
-            Unit::Millimetre if decimals <= 6 => Self::text(|out| self.put_mm(decimals, out)),
-            Unit::Micrometre if decimals <= 3 => Self::text(|out| self.put_um(decimals, out)),
-            Unit::Inch => self.rounded_up_to(unit, 7.max(decimals), decimals),
-            Unit::Millimetre | Unit::Micrometre => self.rounded(unit, decimals),
+        match (unit, u8::try_from(decimals)) {
+            (Unit::Millimetre, Ok(least @ ..=6)) => Self::text(|out| self.put_mm(least, out)),
+            (Unit::Micrometre, Ok(least @ ..=3)) => Self::text(|out| self.put_um(least, out)),
+            (Unit::Inch, _) => self.rounded_up_to(unit, 7.max(decimals), decimals),
+            (Unit::Millimetre | Unit::Micrometre, _) => self.rounded(unit, decimals),
         }
     }
 
@@ -269,13 +269,13 @@ impl Length {
 
     /// Appends what [`Length::exact`] gives in millimetres, with at least `least` decimals, at most 6 of them.
     #[inline]
-    pub(crate) fn put_mm(self, least: usize, out: &mut Window<'_>) {
+    pub(crate) fn put_mm(self, least: u8, out: &mut Window<'_>) {
         decimal::put::<1_000_000>(self.0, least, out);
     }
 
     /// Appends what [`Length::exact`] gives in micrometres, with at least `least` decimals, at most 3 of them.
     #[inline]
-    pub(crate) fn put_um(self, least: usize, out: &mut Window<'_>) {
+    pub(crate) fn put_um(self, least: u8, out: &mut Window<'_>) {
         decimal::put::<1_000>(self.0, least, out);
     }
 

@@ -8,7 +8,7 @@ use flate2::read::MultiGzDecoder;
 use flate2::write::GzEncoder;
 
 use crate::exchange::ImportErrorKind;
-use crate::exchange::batch::{BLOCK, HEAD, Layout};
+use crate::exchange::batch::{BLOCK, HEAD, Layout, read};
 
 /// The largest window of a Zstandard stream, 2^23 bytes: up to level 19 none is larger, and each takes memory.
 const WINDOW_LOG: u32 = 23;
@@ -79,7 +79,7 @@ fn is_parquet(head: &[u8]) -> bool {
 pub struct Stream<'a> {
     /// The rest of the text.
     pub input: Box<dyn Read + Send + 'a>,
-    /// Its first bytes, which were read to find out what it is.
+    /// Its first bytes, as far as its layout was looked for in them.
     pub head: Vec<u8>,
     /// What it is packed with.
     pub packing: Packing,
@@ -126,24 +126,6 @@ impl<'a> Stream<'a> {
         };
         Ok(Self { input, head: Vec::new(), packing, is_utf16: encoding.is_some(), is_all: false, is_parquet })
     }
-
-    /// Reads more into the head, once; `false` at the end of the stream.
-    ///
-    /// # Errors
-    /// What the stream reports.
-    pub fn read_more(&mut self, most: usize) -> io::Result<bool> {
-        let before = self.head.len();
-        self.head.resize(before + most, 0);
-        let read = loop {
-            match self.input.read(self.head.get_mut(before..).unwrap_or_default()) {
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-                other => break other,
-            }
-        };
-        self.head.truncate(before + read.as_ref().copied().unwrap_or_default());
-        self.is_all = read? == 0;
-        Ok(!self.is_all)
-    }
 }
 
 impl Stream<'_> {
@@ -153,11 +135,9 @@ impl Stream<'_> {
     /// What the stream reports; within that, why nothing in it can be judged.
     pub fn layout(&mut self, is_patient: bool, name: &str) -> io::Result<Result<Layout, ImportErrorKind>> {
         loop {
-            let goes_on = self.read_more(if is_patient { HEAD } else { BLOCK })?;
-            let is_enough = !goes_on || HEAD <= self.head.len();
-            if is_patient && !is_enough {
-                continue;
-            }
+            let wanted = if is_patient { HEAD } else { BLOCK };
+            self.is_all = !read(&mut self.input, wanted, is_patient, &mut self.head)?;
+            let is_enough = self.is_all || HEAD <= self.head.len();
             match Layout::of(&self.head, self.is_all, name) {
                 Ok(layout) if layout.has_rows || is_enough => return Ok(Ok(layout)),
                 Err(error) if is_enough => return Ok(Err(error)),

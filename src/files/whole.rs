@@ -9,8 +9,8 @@ use std::fs::{File, Metadata};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use super::early::Early;
 use super::folder_of;
+use super::straight::Straight;
 use super::unfinished::Unfinished;
 
 /// What a path leads to.
@@ -100,9 +100,9 @@ impl Whole {
             None => Self::named(target)?,
         };
         std::thread::scope(|scope| {
-            let mut out = io::BufWriter::with_capacity(1 << 16, Early::new(&whole.file, scope));
+            let mut out = Straight::new(&whole.file, scope);
             fill(&mut out)?;
-            out.into_inner()?.end()
+            out.end()
         })?;
         Ok(whole)
     }

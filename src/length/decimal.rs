@@ -6,7 +6,7 @@ use super::Window;
 /// least `least` decimals stay.
 #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
 #[inline(always)]
-pub(super) fn put<const ONE: u64>(nm: i64, least: usize, out: &mut Window<'_>) {
+pub(super) fn put<const ONE: u64>(nm: i64, least: u8, out: &mut Window<'_>) {
     if nm < 0 {
         out.push(b'-');
     }
@@ -21,7 +21,7 @@ pub(super) fn put<const ONE: u64>(nm: i64, least: usize, out: &mut Window<'_>) {
     }
     out.piece(pointed(first), 4);
     let [_, figures @ ..] = pointed(second);
-    out.piece(figures, decimals(second).max(least.saturating_sub(3)));
+    out.piece(figures, decimals(second).max(least.saturating_sub(3)).min(3));
 }
 
 /// Appends a whole number.
@@ -30,7 +30,7 @@ pub(super) fn put<const ONE: u64>(nm: i64, least: usize, out: &mut Window<'_>) {
 fn put_whole(number: u64, out: &mut Window<'_>) {
     if let Some(&piece) = usize::try_from(number).ok().and_then(|number| LEADING.get(number)) {
         let [.., count] = piece;
-        out.piece(piece, usize::from(count));
+        out.piece(piece, count);
     } else {
         put_large(number, out);
     }
@@ -59,7 +59,7 @@ fn put_thousand(number: u64, out: &mut Window<'_>) {
 
 /// How many of three decimals are left without the zeros at their end.
 #[inline]
-const fn decimals(number: u64) -> usize {
+const fn decimals(number: u64) -> u8 {
     if number == 0 {
         0
     } else if !number.is_multiple_of(10) {

@@ -11,7 +11,7 @@ pub struct Line {
     end: usize,
 }
 
-/// Room for pieces of a text that are at most 128 bytes long together; what is longer is cut off.
+/// Room for pieces of a text that are at most [`MOST`] bytes long together; what is longer is cut off.
 #[derive(Debug)]
 pub struct Window<'a> {
     bytes: &'a mut [u8; ROOM],
@@ -19,8 +19,14 @@ pub struct Window<'a> {
     end: usize,
 }
 
-/// Room for six numbers of a row, of at most twenty bytes each.
-pub const ROOM: usize = 128;
+/// How long all pieces are at most: more than six lengths, of at most eighteen bytes each.
+const MOST: usize = 128;
+
+/// How long a piece is at most.
+const LONGEST: usize = 16;
+
+/// The room that pieces need.
+pub const ROOM: usize = MOST + LONGEST;
 
 impl<'a> Window<'a> {
     /// Nothing written yet.
@@ -30,18 +36,18 @@ impl<'a> Window<'a> {
 
     /// What was written.
     pub fn bytes(&self) -> &[u8] {
-        self.bytes.get(..self.end).unwrap_or_default()
+        self.bytes.get(..self.end.min(MOST)).unwrap_or_default()
     }
 
-    /// Appends the first `count` bytes of a piece, at most all. The piece is written in one step.
+    /// Appends the first `count` bytes of a piece, at most all. The piece is written in one step, and without a question
+    /// whether there is room: behind the last place there is room for any.
     #[expect(clippy::inline_always, reason = "a store and a sum, ten times for each of millions of rows")]
     #[inline(always)]
-    pub fn piece<const N: usize>(&mut self, piece: [u8; N], count: usize) {
-        if let Some(place) = self.bytes.get_mut(self.end..).and_then(<[u8]>::first_chunk_mut) {
+    pub fn piece<const N: usize>(&mut self, piece: [u8; N], count: u8) {
+        const { assert!(N <= LONGEST, "there is no room for it") };
+        if let Some(place) = self.bytes.get_mut(self.end.min(MOST)..).and_then(<[u8]>::first_chunk_mut) {
             *place = piece;
-            self.end += count.min(N);
-        } else {
-            self.last(piece.get(..count).unwrap_or(&piece));
+            self.end += usize::from(count);
         }
     }
 
@@ -49,15 +55,6 @@ impl<'a> Window<'a> {
     #[inline]
     pub fn push(&mut self, byte: u8) {
         self.piece([byte], 1);
-    }
-
-    /// Appends what there is room for.
-    #[cold]
-    fn last(&mut self, piece: &[u8]) {
-        for (place, byte) in self.bytes.iter_mut().skip(self.end).zip(piece) {
-            *place = *byte;
-            self.end += 1;
-        }
     }
 }
 
@@ -73,7 +70,8 @@ impl Line {
     }
 
     /// Appends pieces.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "as each piece")]
+    #[inline(always)]
     pub fn pieces(&mut self, write: impl FnOnce(&mut Window<'_>)) {
         let bytes = match self.bytes.get_mut(self.end..).and_then(<[u8]>::first_chunk_mut) {
             Some(bytes) => bytes,
@@ -84,7 +82,7 @@ impl Line {
         };
         let mut window = Window::new(bytes);
         write(&mut window);
-        self.end += window.end;
+        self.end += window.end.min(MOST);
     }
 
     /// Appends a byte.
@@ -107,7 +105,7 @@ impl Line {
     /// of a fixed length.
     #[inline]
     pub fn append_part(&mut self, text: &[u8], start: usize, end: usize) {
-        const STEP: usize = 32;
+        const STEP: usize = 64;
         let mut at = start;
         while at < end {
             let piece = text.get(at..).and_then(<[u8]>::first_chunk::<STEP>);
@@ -161,10 +159,10 @@ mod tests {
                 line.append_part(&text, start, end);
                 should.extend_from_slice(&text[start..end]);
                 line.pieces(|window| {
-                    window.piece(*b"12345678", length % 10);
+                    window.piece(*b"12345678", u8::try_from(length % 9).unwrap());
                     window.push(b';');
                 });
-                should.extend_from_slice(&b"12345678"[..(length % 10).min(8)]);
+                should.extend_from_slice(&b"12345678"[..length % 9]);
                 should.push(b';');
             }
             assert_eq!(line.bytes(), should);
@@ -179,8 +177,8 @@ mod tests {
             let mut bytes = [0; ROOM];
             let mut window = Window::new(&mut bytes);
             (0..40).for_each(|_| window.piece(*b"12345678", count));
-            let should = b"12345678"[..count].repeat(40);
-            assert_eq!(window.bytes(), &should[..should.len().min(ROOM)]);
+            let should = b"12345678"[..usize::from(count)].repeat(40);
+            assert_eq!(window.bytes(), &should[..should.len().min(MOST)]);
         }
     }
 }

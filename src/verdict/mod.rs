@@ -176,10 +176,15 @@ pub fn judge_size(limits: &Limits, measured: Length) -> SizeVerdict {
 #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
 #[inline(always)]
 pub fn judge_bounds(bounds: &Bounds, measured: Length) -> SizeVerdict {
-    let (minimum, maximum) = (bounds.minimum(), bounds.maximum());
-    let status = classify(bounds.feature, minimum, maximum, measured);
-    let above_minimum = measured.saturating_sub(minimum);
-    let below_maximum = maximum.saturating_sub(measured);
+    verdict_of(bounds, measured, classify(bounds.feature, bounds.minimum(), bounds.maximum(), measured))
+}
+
+/// All about a diameter of which [`classify`] has told the status.
+#[expect(clippy::inline_always, reason = "as above")]
+#[inline(always)]
+pub(crate) fn verdict_of(bounds: &Bounds, measured: Length, status: Status) -> SizeVerdict {
+    let above_minimum = measured.saturating_sub(bounds.minimum());
+    let below_maximum = bounds.maximum().saturating_sub(measured);
     let removal = (status == Status::Rework).then(|| match bounds.feature {
         Feature::Hole => {
             Removal { to_limit: above_minimum.negated(), to_middle: bounds.middle().saturating_sub(measured) }
@@ -274,7 +279,10 @@ pub fn doubt_of(bounds: &Bounds, measured: Length) -> Option<Doubt> {
     if !is_near && let Some(doubt) = other_quantity(bounds.nominal, measured) {
         return Some(doubt);
     }
-    // Beyond the nearest limit; negative between the limits.
+    if classify(bounds.feature, bounds.minimum(), bounds.maximum(), measured) == Status::Good {
+        return None;
+    }
+    // Beyond the nearest limit.
     let (below, above) = (bounds.minimum().saturating_sub(measured), measured.saturating_sub(bounds.maximum()));
     let distance = below.max(above);
     let width = bounds.maximum().saturating_sub(bounds.minimum());

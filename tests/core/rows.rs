@@ -133,7 +133,7 @@ proptest! {
                 let imported = row.imported(&layout, "test.csv", &sources, now());
                 prop_assert_eq!(imported.records.len(), usize::from(row.judged.is_some()));
                 if let (Some(record), Some(judged)) = (imported.records.first(), row.judged) {
-                    prop_assert_eq!(record.verdict.size, judged.verdict);
+                    prop_assert_eq!(record.verdict.size, judged.verdict());
                 }
                 prop_assert_eq!(row.why.is_some(), row.judged.is_none());
             }

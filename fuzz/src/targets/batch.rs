@@ -4,15 +4,14 @@
 use std::io::{Cursor, Read};
 
 use fitcheck::batch::{self, Input, Manner, Packing, Rendering, Stream, Summary, Watch};
-use fitcheck::exchange::batch::{ADDED, Court, Csv, Cutter, HEAD, JsonLines, Kind, Layout};
+use fitcheck::exchange::batch::{ADDED, Court, Csv, Cutter, JsonLines, Kind, Layout};
 use fitcheck::tolerance::Sources;
 
 pub fn run(bytes: &[u8]) {
     // The first byte says how the rest is cut.
     let [cut, rest @ ..] = bytes else { return };
     let Ok(mut stream) = Stream::of(Box::new(Cursor::new(rest.to_vec()))) else { return };
-    while stream.head.len() < HEAD && stream.read_more(HEAD).unwrap_or(false) {}
-    let Ok(layout) = Layout::of(&stream.head, stream.is_all, "a.csv") else { return };
+    let Ok(Ok(layout)) = stream.layout(true, "a.csv") else { return };
     assert!(layout.skip <= stream.head.len());
     let text = &stream.head[layout.skip..];
     let (whole, csv) = judged::<Csv>(&layout, text, 1 << 20, true);

@@ -146,12 +146,12 @@ impl Take for Answers {
         self.row(row);
         self.minimum.push(judged.bounds.minimum().nanometres());
         self.maximum.push(judged.bounds.maximum().nanometres());
-        self.deviation.push(judged.verdict.deviation.nanometres());
-        let status = Status::ALL.into_iter().position(|status| status == judged.verdict.status);
+        self.deviation.push(judged.verdict().deviation.nanometres());
+        let status = Status::ALL.into_iter().position(|status| status == judged.status);
         self.status.push(status.and_then(|status| u8::try_from(status).ok()).unwrap_or_default());
         self.is_judged.push(1);
-        self.is_rework.push(judged.verdict.removal.is_some().into());
-        self.remove.extend(judged.verdict.removal.map(|removal| removal.to_limit.nanometres()));
+        self.is_rework.push(judged.verdict().removal.is_some().into());
+        self.remove.extend(judged.verdict().removal.map(|removal| removal.to_limit.nanometres()));
         self.error.push(b"");
     }
 

@@ -19,7 +19,7 @@ pub struct Csv {
     count: usize,
     line_end: &'static [u8],
     /// The word of each status between two separators, and how long that is.
-    statuses: [([u8; LONGEST_STATUS], usize); Status::ALL.len()],
+    statuses: [([u8; LONGEST_STATUS], u8); Status::ALL.len()],
     /// What was written.
     pub out: Line,
 }
@@ -30,9 +30,10 @@ impl Csv {
         let Layout { separator, line_end, .. } = *layout;
         let statuses = Status::ALL.map(|status| {
             let text = [&[separator], status.word().as_bytes(), &[separator]].concat();
+            let count = u8::try_from(text.len().min(LONGEST_STATUS)).unwrap_or_default();
             let mut word = [separator; LONGEST_STATUS];
             word.iter_mut().zip(&text).for_each(|(place, byte)| *place = *byte);
-            (word, text.len())
+            (word, count)
         });
         Self { separator, count: layout.columns.count, line_end, statuses, out: Line::default() }
     }
@@ -103,7 +104,7 @@ impl Take for Csv {
     fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
         self.cells(row);
         let separator = self.separator;
-        let (word, count) = self.statuses.get(judged.verdict.status.at()).copied().unwrap_or_default();
+        let (word, count) = self.statuses.get(judged.status.at()).copied().unwrap_or_default();
         let is_lf = row.text.get(row.end) == Some(&b'\n');
         self.out.pieces(|out| {
             out.push(separator);
@@ -111,9 +112,10 @@ impl Take for Csv {
             out.push(separator);
             judged.bounds.maximum().put_mm(3, out);
             out.push(separator);
-            judged.verdict.deviation.put_um(0, out);
+            let verdict = judged.verdict();
+            verdict.deviation.put_um(0, out);
             out.piece(word, count);
-            if let Some(removal) = judged.verdict.removal {
+            if let Some(removal) = verdict.removal {
                 removal.to_limit.put_um(0, out);
             }
             // Most lines end so.

@@ -179,28 +179,38 @@ impl Cutter {
     /// Reads once from a pipe, and until there is enough from a file.
     fn fill(&mut self, input: &mut dyn Read, text: &mut Vec<u8>) {
         // A row that is still not whole is not looked at again for every few bytes of it.
-        let wanted = text.len() + self.step.max(text.len() / 2);
-        let once = !self.is_patient && text.len() < self.step;
-        while text.len() < wanted {
-            let before = text.len();
-            text.resize(wanted, 0);
-            let read = loop {
-                match input.read(text.get_mut(before..).unwrap_or_default()) {
-                    Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-                    other => break other,
-                }
-            };
-            text.truncate(before + read.as_ref().copied().unwrap_or_default());
-            self.read += wide_bytes(read.as_ref().copied().unwrap_or_default());
-            match read {
-                Ok(0) => self.is_ended = true,
-                Ok(_) if !once => continue,
-                Ok(_) => {}
-                Err(error) => self.failed = Some(error),
-            }
-            break;
+        let wanted = self.step.max(text.len() / 2);
+        let before = text.len();
+        let is_patient = self.is_patient || self.step <= before;
+        let read = read(input, wanted, is_patient, text);
+        self.read += wide_bytes(text.len() - before);
+        match read {
+            Ok(goes_on) => self.is_ended = !goes_on,
+            Err(error) => self.failed = Some(error),
         }
     }
+}
+
+/// Appends as much of a stream as is wanted, or as one read gives. `false` at its end, which is known early to the patient.
+///
+/// # Errors
+/// What the stream reports; what came before is appended.
+pub fn read(input: &mut dyn Read, wanted: usize, is_patient: bool, text: &mut Vec<u8>) -> io::Result<bool> {
+    if is_patient {
+        // With room for one more byte nobody asks whether there is one.
+        text.reserve(wanted + 1);
+        return Ok(input.take(wide_bytes(wanted)).read_to_end(text)? == wanted);
+    }
+    let before = text.len();
+    text.resize(before + wanted, 0);
+    let read = loop {
+        match input.read(text.get_mut(before..).unwrap_or_default()) {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+            other => break other,
+        }
+    };
+    text.truncate(before + read.as_ref().copied().unwrap_or_default());
+    Ok(0 < read?)
 }
 
 /// A length as a place in a stream.

@@ -3,9 +3,12 @@
 //! A quotation mark counts at the beginning of a cell only, and a doubled one within a quoted cell is a quotation mark (RFC
 //! 4180; elsewhere it is a character, as in `5" pipe`). LF, CRLF and CR end a row.
 
-use std::num::NonZeroU64;
+use wide::u8x16;
 
 use super::{LONGEST_ROW, wide};
+
+/// How many bytes are looked at in one step.
+const STEP: usize = 16;
 
 /// The mark of an end that also ends its row.
 const ROW: u32 = 1 << 31;
@@ -65,10 +68,10 @@ impl Index {
         }
     }
 
-    /// Makes room for eight more ends.
+    /// Makes room for the ends of one step.
     #[inline]
     fn make_room(&mut self) {
-        if self.ends.len() < self.count + 8 {
+        if self.ends.len() < self.count + STEP {
             self.ends.resize(2 * self.count + 64, 0);
         }
     }
@@ -86,31 +89,30 @@ impl Index {
         }
     }
 
-    /// Eight bytes at a time; LF alone ends rows.
+    /// Sixteen bytes at a time; LF alone ends rows.
     fn find_fast(&mut self, text: &[u8], separator: u8) {
-        let (words, rest) = text.as_chunks::<8>();
-        let (separators, line_ends) = (each(separator), each(b'\n'));
+        let (steps, rest) = text.as_chunks::<STEP>();
+        let (separators, line_ends) = (u8x16::splat(separator), u8x16::splat(b'\n'));
         let mut at = 0_u32;
-        for word in words {
-            let word = u64::from_le_bytes(*word);
-            let line = zeros(word ^ line_ends);
-            let mut hits = NonZeroU64::new(zeros(word ^ separators) | line);
-            if hits.is_some() {
-                self.make_room();
-                let Some(places) = self.ends.get_mut(self.count..).and_then(<[u32]>::first_chunk_mut::<8>) else {
-                    return;
-                };
-                for place in places {
-                    let Some(some) = hits else { break };
-                    let bit = some.trailing_zeros();
-                    // The bit stands at the top of its byte.
-                    let mark = u32::from(line >> bit & 1 == 1) << 31;
-                    *place = (at + bit / 8) | mark;
-                    hits = NonZeroU64::new(some.get() & (some.get() - 1));
-                    self.count += 1;
+        for step in steps {
+            let step = u8x16::new(*step);
+            // A bit for each byte.
+            let lines = step.simd_eq(line_ends).to_bitmask();
+            let mut hits = step.simd_eq(separators).to_bitmask() | lines;
+            self.make_room();
+            let Some(places) = self.ends.get_mut(self.count..).and_then(<[u32]>::first_chunk_mut::<STEP>) else {
+                return;
+            };
+            for place in places {
+                if hits == 0 {
+                    break;
                 }
+                let bit = hits.trailing_zeros();
+                *place = (at + bit) | (lines >> bit & 1) << 31;
+                hits &= hits - 1;
+                self.count += 1;
             }
-            at += 8;
+            at += 16;
         }
         for (byte, at) in rest.iter().zip(wide(at)..) {
             if *byte == b'\n' {
@@ -224,15 +226,4 @@ pub(super) fn last_line_end(text: &[u8], is_all: bool) -> Option<usize> {
     // After the last byte there may come a LF, which belongs to the same line end.
     let known = text.len().saturating_sub(usize::from(!is_all));
     memchr::memrchr(b'\r', text.get(..known).unwrap_or_default()).map(|at| at + 1)
-}
-
-/// A byte in all eight places.
-const fn each(byte: u8) -> u64 {
-    u64::from_le_bytes([byte; 8])
-}
-
-/// The top bit of each byte that is zero, and no other bit.
-const fn zeros(word: u64) -> u64 {
-    const LOW: u64 = each(0x7f);
-    !(((word & LOW) + LOW) | word | LOW)
 }

@@ -72,11 +72,11 @@ impl Take for JsonLines {
         out.append(maximum);
         out.pieces(|out| judged.bounds.maximum().put_mm(0, out));
         out.append(deviation);
-        out.pieces(|out| judged.verdict.deviation.put_um(0, out));
+        out.pieces(|out| judged.verdict().deviation.put_um(0, out));
         out.append(status);
-        text(judged.verdict.status.word(), out);
+        text(judged.status.word(), out);
         out.append(remove);
-        match judged.verdict.removal {
+        match judged.verdict().removal {
             Some(removal) => out.pieces(|out| removal.to_limit.put_um(0, out)),
             None => out.append(b"null"),
         }

@@ -17,7 +17,7 @@ use crate::exchange::rules::{Found, Rules};
 use crate::length::{Length, Unit};
 use crate::message::Say;
 use crate::tolerance::{Bounds, Sources, ToleranceClass};
-use crate::verdict::{SizeVerdict, Status, doubt_of, judge_bounds};
+use crate::verdict::{SizeVerdict, Status, doubt_of, judge_bounds, verdict_of};
 
 /// A row that was judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,8 +26,23 @@ pub struct Judged {
     pub bounds: Bounds,
     /// What was measured.
     pub measured: Length,
-    /// The verdict.
-    pub verdict: SizeVerdict,
+    /// Good, rework or scrap.
+    pub status: Status,
+}
+
+impl Judged {
+    #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
+    #[inline(always)]
+    fn new(bounds: Bounds, measured: Length) -> Self {
+        Self { bounds, measured, status: judge_bounds(&bounds, measured).status }
+    }
+
+    /// The whole verdict; what nobody asks of it is not computed.
+    #[expect(clippy::inline_always, reason = "as above")]
+    #[inline(always)]
+    pub fn verdict(&self) -> SizeVerdict {
+        verdict_of(&self.bounds, self.measured, self.status)
+    }
 }
 
 /// Takes what is found in a block, in its order.
@@ -202,14 +217,13 @@ impl Judge<'_> {
         tally: &mut Tally,
         take: &mut impl Take,
     ) {
-        let status = judged.verdict.status;
         tally.rows += 1;
         let counts = match class.map(|(number, _)| (number, self.counts.get_mut(number))) {
             Some((_, Some(counts))) => counts,
             Some((number, None)) => Self::more(&mut self.counts, number),
             None => &mut self.others,
         };
-        if let Some(count) = counts.get_mut(status.at()) {
+        if let Some(count) = counts.get_mut(judged.status.at()) {
             *count += 1;
         }
         if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
@@ -275,11 +289,9 @@ impl Judge<'_> {
             return None;
         }
         let number = self.classes.number(class)?;
-        let (feature, deviations) = self.classes.deviations(number, nominal)?;
+        let (class, feature, deviations) = self.classes.deviations(number, nominal)?;
         let bounds = Bounds::new(feature, nominal, deviations)?;
-        let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
-        let class = self.classes.class(number)?;
-        self.give(row, &judged, Some((number, class)), tally, take);
+        self.give(row, &Judged::new(bounds, measured), Some((number, class)), tally, take);
         Some(())
     }
 
@@ -310,8 +322,7 @@ impl Judge<'_> {
                 let bounds = limits.bounds();
                 let class = callout.class().map(|class| (self.classes.number_of(class), class));
                 tally.simulated += u64::from(is_simulated);
-                let judged = Judged { bounds, measured, verdict: judge_bounds(&bounds, measured) };
-                self.give(row, &judged, class, tally, take);
+                self.give(row, &Judged::new(bounds, measured), class, tally, take);
             }
             Ok(Found { asked: None, .. }) => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
             Err((cell, reason)) => Self::refuse(row, cell.at, &reason, tally, take),

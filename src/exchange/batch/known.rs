@@ -1,5 +1,7 @@
 //! Limit deviations looked up once for each tolerance class and size step.
 
+use std::collections::BTreeMap;
+
 use super::row::Part;
 use crate::length::Length;
 use crate::tolerance::{Callout, Deviations, Feature, Sources, ToleranceClass};
@@ -47,21 +49,27 @@ impl Steps {
     }
 }
 
-/// What is known of a class in a step.
-#[derive(Debug, Clone, Copy)]
-enum Cell {
-    NotAsked,
-    /// It has no limits, or some that a callout has to be asked for.
-    None,
-    Deviations(Deviations),
+/// What is known of a class in a step, in eight bytes, so that the steps of many classes stay near the processor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Cell {
+    upper: i32,
+    lower: i32,
 }
 
-/// A class that was met, and how many rows had it.
-#[derive(Debug)]
-pub(super) struct Known {
+impl Cell {
+    /// The upper deviation is never below the lower one, so these three are none.
+    const NOT_ASKED: Self = Self { upper: 0, lower: 1 };
+    /// There are no limits, or some that a callout has to be asked for.
+    const NONE: Self = Self { upper: 0, lower: 2 };
+    /// A deviation of two millimetres or more.
+    const WIDE: Self = Self { upper: 0, lower: 3 };
+}
+
+/// A class that was met.
+#[derive(Debug, Clone, Copy)]
+struct Known {
     class: ToleranceClass,
     feature: Feature,
-    cells: Vec<Cell>,
 }
 
 /// The classes that one worker has met so far.
@@ -73,11 +81,16 @@ pub(super) struct Classes<'a> {
     places: Vec<(u64, u16)>,
     used: usize,
     known: Vec<Known>,
+    /// The steps of each class, one class behind the other.
+    cells: Vec<Cell>,
+    /// The deviations that no cell has room for, by class and step.
+    wide: BTreeMap<(usize, usize), Deviations>,
 }
 
 impl<'a> Classes<'a> {
     pub(super) fn new(sources: &'a Sources, steps: &'a Steps) -> Self {
-        Self { sources, steps, places: vec![(0, 0); PLACES], used: 0, known: Vec::new() }
+        let (places, wide) = (vec![(0, 0); PLACES], BTreeMap::new());
+        Self { sources, steps, places, used: 0, known: Vec::new(), cells: Vec::new(), wide }
     }
 
     /// The number of the class that a text names.
@@ -117,35 +130,57 @@ impl<'a> Classes<'a> {
         if let Some(number) = self.known.iter().position(|known| known.class == class) {
             return number;
         }
-        self.known.push(Known { class, feature: class.feature(), cells: vec![Cell::NotAsked; self.steps.ends.len()] });
+        self.known.push(Known { class, feature: class.feature() });
+        self.cells.resize(self.known.len() * self.steps.ends.len(), Cell::NOT_ASKED);
         self.known.len() - 1
     }
 
-    /// Whether the class with a number is one of holes, and its limit deviations at a size; `None` where the callout has to be asked for.
+    /// The class with a number and its limit deviations at a size; `None` where the callout has to be asked for.
     #[inline]
-    pub(super) fn deviations(&mut self, number: usize, nominal: Length) -> Option<(Feature, Deviations)> {
+    pub(super) fn deviations(
+        &mut self,
+        number: usize,
+        nominal: Length,
+    ) -> Option<(ToleranceClass, Feature, Deviations)> {
         let step = self.steps.of_size(nominal)?;
-        let known = self.known.get_mut(number)?;
-        let cell = known.cells.get_mut(step)?;
-        if let Cell::NotAsked = cell {
-            *cell = ask(self.sources, known.class, nominal);
+        let Known { class, feature } = *self.known.get(number)?;
+        let cell = *self.cells.get(number * self.steps.ends.len() + step)?;
+        let of = |nm| Length::constant(i64::from(nm));
+        let deviations = match Deviations::new(of(cell.upper), of(cell.lower)) {
+            Ok(deviations) => deviations,
+            Err(_) => self.rarely(number, step, nominal)?,
+        };
+        Some((class, feature, deviations))
+    }
+
+    /// What is not known yet, or is in no cell.
+    #[cold]
+    fn rarely(&mut self, number: usize, step: usize, nominal: Length) -> Option<Deviations> {
+        let class = self.known.get(number)?.class;
+        let cell = self.cells.get_mut(number * self.steps.ends.len() + step)?;
+        if *cell == Cell::NOT_ASKED {
+            let callout = Callout::new(nominal, class).ok();
+            let limits = callout.and_then(|callout| self.sources.limits(&callout, None).ok());
+            let Some(limits) = limits else {
+                *cell = Cell::NONE;
+                return None;
+            };
+            let [upper, lower] = [limits.deviations.upper(), limits.deviations.lower()];
+            let narrow = |deviation: Length| i32::try_from(deviation.nanometres()).ok();
+            let known = narrow(upper).zip(narrow(lower)).map(|(upper, lower)| Cell { upper, lower });
+            *cell = known.unwrap_or(Cell::WIDE);
+            if known.is_none() {
+                self.wide.insert((number, step), limits.deviations);
+            }
+            return Some(limits.deviations);
         }
-        match cell {
-            Cell::Deviations(deviations) => Some((known.feature, *deviations)),
-            Cell::NotAsked | Cell::None => None,
-        }
+        self.wide.get(&(number, step)).copied()
     }
 
     /// The class with a number.
     pub(super) fn class(&self, number: usize) -> Option<ToleranceClass> {
         self.known.get(number).map(|known| known.class)
     }
-}
-
-#[cold]
-fn ask(sources: &Sources, class: ToleranceClass, nominal: Length) -> Cell {
-    let limits = Callout::new(nominal, class).ok().and_then(|callout| sources.limits(&callout, None).ok());
-    limits.map_or(Cell::None, |limits| Cell::Deviations(limits.deviations))
 }
 
 /// A place for a number: the upper bits of a product spread over all places.

@@ -123,7 +123,7 @@ impl Take for Marks {
 
     #[inline]
     fn judged(&mut self, _row: &Row<'_>, judged: &Judged) {
-        self.rows.push(Mark::new(self.next, Fate::Judged(judged.verdict.status)));
+        self.rows.push(Mark::new(self.next, Fate::Judged(judged.status)));
     }
 
     fn refused(&mut self, _row: &Row<'_>, reason: &str) {

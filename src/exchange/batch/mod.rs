@@ -36,7 +36,7 @@ mod typed;
 #[cfg(feature = "parquet")]
 pub use answers::{Answers, output_fields};
 pub use csv::Csv;
-pub use cut::{BLOCK, Block, Cutter};
+pub use cut::{BLOCK, Block, Cutter, read};
 pub use json_lines::JsonLines;
 pub use judge::{Counts, Court, Judge, Judged, Take};
 pub use layout::{HEAD, Layout};

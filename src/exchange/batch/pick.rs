@@ -105,7 +105,7 @@ impl Take for Picker<'_> {
     }
 
     fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
-        if let Some(number) = self.next(Fate::Judged(judged.verdict.status)) {
+        if let Some(number) = self.next(Fate::Judged(judged.status)) {
             self.keep(number, &row.record(), Some(*judged), None);
         }
     }

@@ -71,14 +71,14 @@ fn put_hexadecimal(bytes: &[u8], out: &mut Vec<u8>) -> std::io::Result<()> {
 fn put_short(number: i64, scale: usize, out: &mut Vec<u8>) {
     let factor = [1_000_000, 100_000, 10_000, 1_000, 100, 10, 1].get(scale);
     let length = factor.and_then(|factor| Length::from_nanometres(number.checked_mul(*factor)?).ok());
-    match length {
-        Some(length) => put_length(length, scale, out),
+    match length.zip(u8::try_from(scale).ok()) {
+        Some((length, scale)) => put_length(length, scale, out),
         None => put_decimal(number.into(), scale, out),
     }
 }
 
 #[inline]
-fn put_length(length: Length, least: usize, out: &mut Vec<u8>) {
+fn put_length(length: Length, least: u8, out: &mut Vec<u8>) {
     let mut room = [0; _];
     let mut window = Window::new(&mut room);
     length.put_mm(least, &mut window);

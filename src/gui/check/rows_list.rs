@@ -312,8 +312,8 @@ impl Cells {
         };
         if let Some(judged) = picked.judged {
             cells.measured = words.mm(judged.measured, 4);
-            cells.deviation = format!("{} µm", words.signed_um(judged.verdict.deviation));
-            if let Some(removal) = judged.verdict.removal {
+            cells.deviation = format!("{} µm", words.signed_um(judged.verdict().deviation));
+            if let Some(removal) = judged.verdict().removal {
                 let amount = |length: Length| Message::new("remove-amount").text("um", words.um(length));
                 cells.what = words.say(&amount(removal.to_limit));
             }
