@@ -232,6 +232,8 @@ impl Job<'_> {
             }
             if let Some(out) = out.take() {
                 answers = Some(self.begin(&opened, out)?);
+            } else if let (Form::Csv, Some(Answers::Text(out))) = (self.form, &mut answers) {
+                self.put(Csv::comments(&opened.layout), *out)?;
             }
             if let Some(answers) = &mut answers {
                 summary.append(self.one(opened, answers, told)?);
@@ -247,9 +249,7 @@ impl Job<'_> {
     fn begin<'o>(&self, opened: &Opened<'_>, out: &'o mut (dyn Write + Send)) -> Result<Answers<'o>, CliError> {
         match self.form {
             Form::Csv => {
-                let header = Csv::header(&opened.layout, &self.args.prefix);
-                let mut packed = Vec::new();
-                out.write_all(self.packing.pack(&header, &mut packed)?)?;
+                self.put(&Csv::header(&opened.layout, &self.args.prefix), out)?;
                 Ok(Answers::Text(out))
             }
             Form::JsonLines => Ok(Answers::Text(out)),
@@ -259,6 +259,12 @@ impl Job<'_> {
                 Ok(Answers::Parquet(Box::new(writer.map_err(|error| self.not_written(error))?)))
             }
         }
+    }
+
+    /// Writes what stands above rows.
+    fn put(&self, text: &[u8], out: &mut dyn Write) -> io::Result<()> {
+        let mut packed = Vec::new();
+        if text.is_empty() { Ok(()) } else { out.write_all(self.packing.pack(text, &mut packed)?) }
     }
 
     /// Looks at the beginning of an input until its columns are known.

@@ -56,6 +56,11 @@ impl Csv {
         header.out.bytes().to_vec()
     }
 
+    /// The comments above the first row of an input that is not the first one, whose header stands there already.
+    pub fn comments(layout: &Layout) -> &[u8] {
+        layout.above.get(layout.comments.clone()).unwrap_or_default()
+    }
+
     /// A cell with quotation marks where it needs some.
     fn text(&mut self, text: &str) {
         let separator = self.separator;

@@ -1,6 +1,7 @@
 //! What the first rows of a stream say: where the rows begin and what their columns are.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
 use super::index::Index;
 use super::row::Row;
@@ -28,7 +29,9 @@ pub struct Layout {
     pub names: Vec<String>,
     /// Everything above the first row, with the header: UTF-8 with all line ends, and a byte order mark if there was one.
     pub(super) above: Vec<u8>,
-    /// How many bytes that is in the stream.
+    /// The comments in that: without what says how to read the stream, and without its header.
+    pub(super) comments: Range<usize>,
+    /// How many bytes stand above the first row in the stream.
     pub skip: usize,
     /// The line of the first row.
     pub line: usize,
@@ -66,7 +69,7 @@ impl Layout {
         let separator = sample.separator;
         let above_header = decoded.len() - text.len();
         let rows = text.as_bytes();
-        let Above { length, line, header, mut warnings } = match columns.header {
+        let Above { length, line, header, header_start, mut warnings } = match columns.header {
             Some(header) => Above::of(rows, separator, first_line, header),
             None => Above { line: first_line, ..Above::default() },
         };
@@ -89,6 +92,7 @@ impl Layout {
         let is_utf8 = matches!(decoded, Cow::Borrowed(_)) || above.is_ascii();
         let skip = mark + if let Cow::Borrowed(_) = decoded { above.len() } else { above.chars().count() };
         let above = [if mark == 0 { &[] } else { MARK }, above.as_bytes()].concat();
+        let comments = mark + above_header..mark + above_header + if has_header { header_start } else { length };
         if has_header {
             // It is used after all.
             warnings.retain(|(at, _)| Some(*at) != columns.header);
@@ -98,6 +102,7 @@ impl Layout {
             separator,
             names,
             above,
+            comments,
             skip,
             line,
             has_rows: skip < head.len(),
@@ -126,6 +131,7 @@ impl Layout {
             separator: b',',
             names,
             above,
+            comments: 0..0,
             skip: 0,
             line: 1,
             has_rows: true,
@@ -182,6 +188,8 @@ struct Above {
     line: usize,
     /// The cells of the header.
     header: Vec<String>,
+    /// Where it begins.
+    header_start: usize,
     warnings: Vec<(usize, ImportWarningKind)>,
 }
 
@@ -209,6 +217,7 @@ impl Above {
             } else if !columns::is_blank(&cells) {
                 above.warnings.push((above.line, ImportWarningKind::not_used(&cells)));
             }
+            above.header_start = above.length;
             above.header = cells.iter().map(str::to_owned).collect();
             above.length = row.next();
             above.line += row.lines();
