@@ -313,3 +313,47 @@ fn a_slot_and_a_pocket_are_measured_in_a_program() {
     let expected = expected.chain([0, 1, 0].map(Value::from)).collect::<Vec<_>>();
     assert_eq!(values(&program, &pocket, &names), (Some(10), expected));
 }
+
+/// The hole of the workpiece is far too large for 25 H7.
+#[test]
+fn a_scrap_hole_is_not_passed_by_a_cycle_that_lost_its_limits() {
+    let shop = Shop::new();
+    let cycle = |q301: &str| {
+        format!(
+            "TOOL CALL 1 Z\nTCH PROBE 421 HOLE ~\n    Q273=+40 ;X ~\n    Q274=+30 ;X ~\n    Q262=+25 ;X ~\n    Q325=+0 ;X ~\n    \
+             Q247=+90 ;X ~\n    Q261=-5 ;X ~\n    Q320=+0 ;X ~\n    Q260=+20 ;X ~\n    {q301}\n    Q275=+25.021 ;X ~\n    \
+             Q276=+25 ;X ~\n    Q279=+0 ;X ~\n    Q280=+0 ;X ~\n    Q281=+0 ;X ~\n    Q309=+0 ;X ~\n    Q330=+0 ;X"
+        )
+    };
+    let scrap = shop.path("scrap.toml");
+    let whole = fitcheck(&[&shop.program(&cycle("Q301=+0 ;X ~")), "--workpiece", &scrap]);
+    assert_eq!(whole.code, Some(11), "{}{}", whole.out, whole.err);
+    let cut = "column 5: cycle 421 has ended in line 12, which has no ~ at its end: Q275 is no part of it and would be assigned instead";
+    let own = fitcheck(&[&shop.program(&cycle("Q301=+0 ;X")), "--workpiece", &scrap]);
+    assert_eq!(own.code, Some(1), "{}", own.err);
+    assert!(own.err.contains(&format!("own.h: line 13, {cut}")), "{}", own.err);
+    // What the reader of a called program says is said, too.
+    let called = shop.program(&cycle("Q301=+0 ;X"));
+    std::fs::rename(&called, shop.path("sub.h")).unwrap();
+    let said = fitcheck(&[&shop.program("CALL PGM sub.h"), "--workpiece", &scrap]);
+    assert_eq!(said.code, Some(1), "{}", said.err);
+    assert!(said.err.contains(r"TNC:\sub.h: line 13, ") && said.err.contains(cut), "{}", said.err);
+}
+
+/// The log has the unit of the main program, here inches, also of a cycle in a program in millimetres.
+#[test]
+fn an_inch_main_program_has_its_log_in_inches() {
+    let shop = Shop::new();
+    let measuring = "TOOL CALL 1 Z\nTCH PROBE 421 HOLE ~\n Q273=+40 ;X ~\n Q274=+30 ;X ~\n Q262=+25 ;X ~\n Q325=+0 ;X ~\n Q247=+90 ;X ~\n \
+                     Q261=-5 ;X ~\n Q320=+0 ;X ~\n Q260=+20 ;X ~\n Q301=+0 ;X ~\n Q275=+25.03 ;X ~\n Q276=+25 ;X ~\n Q279=+0 ;X ~\n \
+                     Q280=+0 ;X ~\n Q281=+1 ;X ~\n Q309=+0 ;X ~\n Q330=+0 ;X";
+    std::fs::rename(shop.program(measuring), shop.path("sub.h")).unwrap();
+    let main = shop.file("inch.h", "BEGIN PGM inch INCH\nCALL PGM sub.h\nEND PGM inch INCH\n");
+    let out = shop.path("out");
+    let said = fitcheck(&[&main, "--workpiece", &shop.path("good.toml"), "--output-folder", &out]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let log = std::fs::read_to_string(shop.folder.path().join("out/TCHPR421.TXT")).unwrap();
+    assert!(log.contains("(0 = MM / 1 = INCH): 1"), "{log}");
+    // 25.0134 mm
+    assert!(log.contains("0.9848"), "{log}");
+}

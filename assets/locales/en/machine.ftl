@@ -68,6 +68,7 @@ machine-inch = cycles run in MM programs only
 
 ## Remarks
 machine-remark-skipped = unknown block skipped
+machine-remark-read = { $path }: { $what }
 machine-remark-ended-within = M{ $function } in a called program ended the run: a control does not allow it there
 machine-remark-given-wins = { $parameter } = { $value } was given before the run and replaces this block's value
 machine-remark-not-written = { $path } was not written: no output folder was chosen

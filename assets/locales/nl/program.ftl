@@ -14,6 +14,8 @@ program-numbers = regelnummer { $number } volgt op { $previous }; regelnummers b
 program-label-again = LBL { $label } is al gedefinieerd in tekstregel { $first }
 program-unclosed-quote = het aanhalingsteken is niet gesloten
 program-open-end = de regel eindigt op ~, maar er volgt niets meer
+program-cycle-cut = cyclus { $cycle } is in regel { $line } geëindigd, omdat daar geen ~ aan het eind staat: { $parameter } hoort er niet bij en zou worden toegekend
+program-comment-goes-on = het commentaar eindigt op ~, zodat deze NC-regel erbij zou horen
 program-not-understood = niet begrepen: { $reason }
 program-more = nog { $count } opmerkingen zijn niet vermeld
 

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::budget::{Budget, UsedUp};
 use super::fault::FaultKind;
 use super::path::NcPath;
+use super::remark::Remark;
 use super::store::{Store, StoreError};
 use crate::control::mask::FileUse;
 use crate::control::table::{ControlTable, TableFile};
@@ -121,23 +122,23 @@ impl Files {
         self.programs.get(path)
     }
 
-    /// A program, read once per run.
-    pub(super) fn program(&mut self, path: &NcPath, tables: usize) -> Result<Arc<Program>, FaultKind> {
+    /// A program, read once per run, and what its reader has to say the first time.
+    pub(super) fn program(&mut self, path: &NcPath, tables: usize) -> Result<(Arc<Program>, Vec<Remark>), FaultKind> {
         if let Some(program) = self.programs.get(path) {
-            return Ok(Arc::clone(program));
+            return Ok((Arc::clone(program), Vec::new()));
         }
         let bytes = self.read(path).or_else(|fault| self.with_suffix(path, fault))?;
         // A program returns exactly the bytes that it was read from.
-        let program = match self.known.get(path).filter(|program| program.write() == bytes) {
-            Some(program) => Arc::clone(program),
+        let (program, remarks) = match self.known.get(path).filter(|program| program.write() == bytes) {
+            Some(program) => (Arc::clone(program), Vec::new()),
             None => match Program::read(&bytes) {
-                Ok((program, _warnings)) => Arc::new(program),
+                Ok((program, warnings)) => (Arc::new(program), Remark::read(path, &warnings)),
                 Err(error) => return Err(FaultKind::NoProgram { path: path.clone(), error }),
             },
         };
         self.keep(program.memory(), tables)?;
         self.programs.insert(path.clone(), Arc::clone(&program));
-        Ok(program)
+        Ok((program, remarks))
     }
 
     /// `CALL PGM sub` without `.h`.

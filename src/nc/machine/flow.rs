@@ -71,6 +71,11 @@ impl Flow {
         self.frame.unit
     }
 
+    /// The unit of the main program, which is that of all logs (TNC: Q113).
+    pub(super) fn main_unit(&self) -> Option<Unit> {
+        self.calls.iter().find_map(|call| call.caller.as_ref()).map_or(self.frame.unit, |main| main.unit)
+    }
+
     /// The block that runs next.
     pub(super) const fn next(&self) -> usize {
         self.frame.next

@@ -3,6 +3,7 @@
 use super::budget::Settings;
 use super::fault::{BlockPlace, FaultKind};
 use super::files::Files;
+use super::flow::Flow;
 use super::path::NcPath;
 use super::prints::{Prints, Written, save};
 use super::remark::{Remark, Remarks};
@@ -12,6 +13,7 @@ use crate::control::mask::FileUse;
 use crate::control::text::decode;
 use crate::length::Unit;
 use crate::message::Say as _;
+use crate::nc::program::Unit as ProgramUnit;
 use crate::probing::cycle::{Cycle, CycleResult, LogTarget};
 use crate::words::Dialogue;
 
@@ -29,14 +31,15 @@ impl Log {
     pub(super) fn of(
         cycle: &'static Cycle,
         result: &CycleResult,
-        program: &NcPath,
+        flow: &Flow,
         settings: &Settings,
     ) -> Result<Option<Self>, FaultKind> {
         let (LogTarget::File(_) | LogTarget::Screen) = result.log else { return Ok(None) };
         let Some(name) = cycle.log.file() else { return Ok(None) };
-        let path = program.resolve(name)?;
-        let program = Some(program.to_string());
-        let heading = Heading { date_time: Some(settings.time), program, unit: Unit::Millimetre };
+        let path = flow.path().resolve(name)?;
+        let program = Some(flow.path().to_string());
+        let unit = if flow.main_unit() == Some(ProgramUnit::Inch) { Unit::Inch } else { Unit::Millimetre };
+        let heading = Heading { date_time: Some(settings.time), program, unit };
         let language = settings.language;
         let is_shown = result.log == LogTarget::Screen;
         let content = CycleLog::of(cycle, result, &heading, language);

@@ -143,17 +143,18 @@ impl Prints {
     }
 }
 
-/// A mask, filled in.
+/// A mask, filled in, and what its reader has to say.
 pub(super) fn rendered(
     mask: &NcPath,
     context: &Context<'_>,
     values: &Values,
     files: &mut Files,
-) -> Result<Output, FaultKind> {
+) -> Result<(Output, Vec<Remark>), FaultKind> {
     let broken = |error| FaultKind::Mask { mask: mask.clone(), error: Box::new(error) };
-    let (read, _warnings) = Mask::read(&files.read(mask)?).map_err(broken)?;
+    let (read, warnings) = Mask::read(&files.read(mask)?).map_err(broken)?;
     let refused = |error| FaultKind::Render { mask: mask.clone(), error: Box::new(error) };
-    read.render(values.all(), context).map_err(refused)
+    let output = read.render(values.all(), context).map_err(refused)?;
+    Ok((output, Remark::read(mask, &warnings)))
 }
 
 /// Writes a file and returns whether it is there now.

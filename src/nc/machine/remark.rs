@@ -14,6 +14,13 @@ use crate::message::{Arg, Message, Say};
 pub enum Remark {
     /// An unknown block was skipped.
     Skipped,
+    /// A called program or a mask can be read, but not all of it means what it seems to.
+    Read {
+        /// The file.
+        path: NcPath,
+        /// What is odd, and where.
+        what: Message,
+    },
     /// M2 or M30 in a called program ended the whole run.
     EndedWithin {
         /// The M function.
@@ -64,6 +71,13 @@ pub enum Remark {
         /// The probe.
         probe: u32,
     },
+}
+
+impl Remark {
+    /// What the reader of a file has to say.
+    pub(super) fn read(path: &NcPath, warnings: &[impl Say]) -> Vec<Self> {
+        warnings.iter().map(|warning| Self::Read { path: path.clone(), what: warning.message() }).collect()
+    }
 }
 
 /// The remarks of a run; beyond the limit they are only counted.

@@ -2,6 +2,7 @@
 
 use super::block::{Target, Unit};
 use super::fault::BlockFault;
+use crate::control::variables::Parameter;
 use crate::message::{Located, Say};
 
 /// Why a file is not a program at all.
@@ -71,6 +72,17 @@ pub enum ProgramWarningKind {
     UnclosedQuote,
     /// The file ends after a `~`.
     OpenEnd,
+    /// A line of a cycle that does not belong to it, because the line before has no `~`.
+    CycleCut {
+        /// The cycle.
+        cycle: String,
+        /// The cycle's last line.
+        line: usize,
+        /// What is assigned.
+        parameter: Parameter,
+    },
+    /// A comment ends in `~`, so a block behind it would be part of the comment.
+    CommentGoesOn,
     /// A block of a known kind that cannot be understood; it is kept as text.
     NotUnderstood(#[say(name = "reason")] BlockFault),
     /// Too many to list.

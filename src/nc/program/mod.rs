@@ -6,6 +6,7 @@
 //! | `expression` | formulas for numbers and texts |
 //! | `read` | text to blocks, with warnings |
 //! | `lines`, `cursor` | parts of lines; the place in a block's text that moves forward |
+//! | `cut_off` | lines that a missing or a surplus `~` has put into the wrong block |
 //! | `understand` | from the lines of one block to what it says |
 //! | `body`, `functions`, `moves`, `cycle` | the kinds of blocks, read |
 //! | `formula`, `text_formula` | formulas, read |
@@ -21,6 +22,7 @@
 mod block;
 mod body;
 mod cursor;
+mod cut_off;
 mod cycle;
 mod error;
 mod expression;

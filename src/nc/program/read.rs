@@ -2,6 +2,7 @@
 
 use super::block::{Block, Body, Place, Unit};
 use super::cursor::Cursor;
+use super::cut_off::{Before, CutOff, cut_off};
 use super::error::{ProgramError, ProgramWarning, ProgramWarningKind};
 use super::fault::BlockFault;
 use super::labels::Labels;
@@ -117,6 +118,8 @@ struct Reader<'a> {
     pieces: Vec<Piece<'a>>,
     formulas: usize,
     number: Option<u32>,
+    /// The cycle directly before.
+    cycle: Option<Before>,
     not_rising: Option<NotRising>,
     begin: Option<Unit>,
     has_end: bool,
@@ -133,6 +136,7 @@ impl<'a> Reader<'a> {
             pieces: Vec::new(),
             formulas: 0,
             number: None,
+            cycle: None,
             not_rising: None,
             begin: None,
             has_end: false,
@@ -179,6 +183,17 @@ impl<'a> Reader<'a> {
             self.warn(line, at, what);
             Body::Other
         });
+        let found = cut_off(self.cycle.as_ref(), front, &self.pieces, &body);
+        let is_cut_off = found.is_some();
+        let body = match found {
+            Some(CutOff { piece, what, is_refused }) => {
+                let (line, at) = self.pieces.get(piece).map_or((line, 0), |piece| (piece.line, piece.start));
+                self.warn(line, at, what);
+                if is_refused { Body::Other } else { body }
+            }
+            None => body,
+        };
+        self.cycle = Before::after(self.cycle.take(), front, &body, end, is_cut_off);
         self.check_frame(line, &body);
         let Front { number, may_be_skipped, .. } = front;
         self.blocks.push(Block { lines: line..end, number, may_be_skipped, body });

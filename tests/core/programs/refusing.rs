@@ -162,3 +162,57 @@ fn text_transfer_separates_lines_with_byte_0() {
     check(text, &[]);
     assert_eq!(Program::read(text.as_bytes()).unwrap().0.blocks().len(), 3);
 }
+
+/// A hole of 25 H7 whose cycle lacks a `~` behind Q301, numbered and not: what was lost is said, and no run goes on.
+#[test]
+fn a_line_of_a_cycle_without_its_tilde_is_refused() {
+    let cut = |cycle: &str, parameter: &str, line: usize| {
+        format!(
+            "line {line}, column 5: cycle {cycle} has ended in line 3, which has no ~ at its end: {parameter} is no part of it and \
+             would be assigned instead"
+        )
+    };
+    for (cycle, parameter) in [("421", "Q275"), ("422", "Q277"), ("427", "Q288"), ("444", "QS400")] {
+        let value = if parameter == "QS400" { "\"0.1-0.1\"" } else { "+25.01" };
+        for (number, behind) in [("1 ", " ;X ~"), ("1 ", " ;X"), ("", " ;X ~"), ("", "")] {
+            let rest = format!("{parameter}={value}{behind}");
+            let text = format!(
+                "{number}BEGIN PGM a MM\n{number}TCH PROBE {cycle} A ~\n    Q301=+0 ;X\n    {rest}\n    Q309=+1 ;X\n{number}END PGM a MM\n"
+            );
+            let (program, warnings) = Program::read(text.as_bytes()).unwrap();
+            let said: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+            assert!(said.contains(&cut(cycle, parameter, 4)), "{text}{said:?}");
+            assert_eq!(program.blocks()[2].body, Body::Other, "{text}");
+            // Without a ~ behind it, the next line is one more.
+            if !rest.ends_with('~') {
+                assert!(said.contains(&cut(cycle, "Q309", 5)), "{text}{said:?}");
+                assert_eq!(program.blocks()[3].body, Body::Other, "{text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_assignment_behind_a_cycle_is_one_where_it_has_a_number_or_another_parameter() {
+    let cycle = "1 TCH PROBE 421 A ~\n    Q275=+25.01 ;X";
+    let text = |block: &str| format!("0 BEGIN PGM a MM\n{cycle}\n{block}\n9 END PGM a MM\n");
+    for block in ["2 Q20 = Q153 + 1", "2 ; a comment\n3 Q20=+5 ;X", "2 FN 0: Q275 = +25", "2 M5\n Q275=+25"] {
+        check(&text(block), &[]);
+    }
+    let declared = text("2 Q275=+25.01 ;X");
+    let said = "line 4, column 3: cycle 421 has ended in line 3, which has no ~ at its end: Q275 is no part of it and would be assigned instead";
+    check(&declared, &[said]);
+    assert!(matches!(Program::read(declared.as_bytes()).unwrap().0.blocks()[2].body, Body::Assign { .. }));
+    check("BEGIN PGM a MM\nTCH PROBE 421 A ~\n Q301=+0 ;X\nQ20 = Q153\nEND PGM a MM\n", &[]);
+}
+
+#[test]
+fn a_comment_swallows_no_block() {
+    let said = "line 2, column 3: the comment ends in ~, so this block would be part of it";
+    check_block("1 Q1 = 5 ;go on ~\n2 M3", said);
+    check_block("1 TOOL CALL 5 Z ;go on ~\n2 M3", said);
+    let said = "line 3, column 1: the comment ends in ~, so this block would be part of it";
+    check_block("1 ;go on ~\n2 M3", said);
+    check_block("1 ;go on ~\nQ275=+25 ;X", said);
+    check("0 BEGIN PGM a MM\n1 ;go on ~\n  with more, and 2 words ~\n  ;and more\n2 END PGM a MM\n", &[]);
+}

@@ -140,7 +140,8 @@ impl Run {
     fn call_program(&mut self, at: usize, path: &TextOperand, files: &mut Files) -> Result<(), FaultKind> {
         let path = self.path_of(path)?;
         self.flow.check_depth()?;
-        let program = files.program(&path, self.tables.changed())?;
+        let (program, remarks) = files.program(&path, self.tables.changed())?;
+        remarks.into_iter().for_each(|remark| self.remark(at, remark));
         self.flow.call_program(at, path, program);
         self.values.enter_program();
         Ok(())
@@ -191,7 +192,8 @@ impl Run {
         let mask = self.path_of(mask)?;
         let call_path = self.flow.path().to_string();
         let context = Context { language: settings.language, time: settings.time, call_path: &call_path };
-        let output = rendered(&mask, &context, &self.values, files)?;
+        let (output, remarks) = rendered(&mask, &context, &self.values, files)?;
+        remarks.into_iter().for_each(|remark| self.remark(at, remark));
         let place = self.flow.place_of(at);
         match path {
             None => Ok(self.prints.show(place, mask, output.text)?),
@@ -226,7 +228,7 @@ impl Run {
         self.way.follow(&place, &path)?;
         let result = result?;
         hand_over(cycle, &result, &mut self.values)?;
-        if let Some(log) = Log::of(cycle, &result, self.flow.path(), settings)? {
+        if let Some(log) = Log::of(cycle, &result, &self.flow, settings)? {
             log.write(place.clone(), &mut self.prints, files, &mut self.remarks)?;
         }
         let step = match (&result.stop, result.log) {

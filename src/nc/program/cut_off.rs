@@ -1,0 +1,88 @@
+//! Lines that a missing or a surplus `~` has put into the wrong block.
+//!
+//! A cycle whose line lacks its `~` ends there. What a control makes of the next line is on no page that we found; read alone,
+//! `Q275=+25.01` is an assignment, and the cycle would measure without its limit. So such a line is refused, and so is a block
+//! that a comment's `~` has swallowed.
+
+use super::block::{Body, CycleBlock};
+use super::body::body;
+use super::error::ProgramWarningKind;
+use super::lines::{Front, Piece, front};
+use crate::control::variables::Parameter;
+use crate::probing::cycle::{Control, Cycle};
+use crate::probing::cycles::cycles_of;
+
+/// A cycle, and nothing behind it yet but comments and lines that may be its own.
+#[derive(Debug)]
+pub(super) struct Before {
+    has_number: bool,
+    code: String,
+    /// Its last line, from 1.
+    line: usize,
+}
+
+impl Before {
+    /// The cycle that a block is, or that it still stands behind.
+    pub(super) fn after(before: Option<Self>, front: Front, body: &Body, end: usize, is_cut_off: bool) -> Option<Self> {
+        match body {
+            Body::Probe(CycleBlock { number, .. }) | Body::CycleDefinition(CycleBlock { number, .. }) => {
+                Some(Self { has_number: front.number.is_some(), code: number.clone(), line: end })
+            }
+            Body::Nothing => before,
+            _ if is_cut_off => before,
+            _ => None,
+        }
+    }
+
+    fn declares(&self, parameter: Parameter) -> bool {
+        let cycle: Option<&Cycle> = cycles_of(Control::Milling).find(|cycle| cycle.code == self.code);
+        cycle.is_some_and(|cycle| cycle.parameter_named(&parameter.to_string()).is_some())
+    }
+}
+
+/// What is wrong, in which of the pieces, and whether the block can mean something else: a control may read it otherwise than
+/// whoever wrote it.
+pub(super) struct CutOff {
+    pub piece: usize,
+    pub what: ProgramWarningKind,
+    pub is_refused: bool,
+}
+
+/// Looks at a block that was read, behind the last cycle if there is nothing between.
+pub(super) fn cut_off(before: Option<&Before>, front: Front, pieces: &[Piece<'_>], read: &Body) -> Option<CutOff> {
+    let (first, more) = pieces.split_first()?;
+    if let Some(cut_off) = assigned(before, front, first, read) {
+        return Some(cut_off);
+    }
+    let what = ProgramWarningKind::CommentGoesOn;
+    match read {
+        Body::Probe(_) | Body::CycleDefinition(_) | Body::Heading { .. } | Body::Other => None,
+        Body::Nothing => {
+            let swallowed = more.iter().position(|piece| piece.comment.is_some_and(is_block))?;
+            Some(CutOff { piece: 1 + swallowed, what, is_refused: true })
+        }
+        _ => (first.goes_on && first.comment.is_some()).then_some(CutOff { piece: 0, what, is_refused: true }),
+    }
+}
+
+/// `Q275=+25.01` where the cycle's next line would stand.
+fn assigned(before: Option<&Before>, front: Front, first: &Piece<'_>, read: &Body) -> Option<CutOff> {
+    let before = before?;
+    let (Body::Assign { to: parameter, .. } | Body::AssignText { to: parameter, .. }) = read else { return None };
+    // `FN 0:` and `DECLARE STRING` begin no line of a cycle.
+    if !first.code.starts_with(['Q', 'q']) {
+        return None;
+    }
+    let is_unnumbered = front.number.is_none();
+    let is_line = is_unnumbered && before.has_number || before.declares(*parameter) || first.goes_on;
+    let what = ProgramWarningKind::CycleCut { cycle: before.code.clone(), line: before.line, parameter: *parameter };
+    is_line.then_some(CutOff { piece: 0, what, is_refused: is_unnumbered || first.goes_on })
+}
+
+/// Whether a line within a comment is a block by itself.
+fn is_block(line: &str) -> bool {
+    let front = front(line);
+    let code = line.get(front.end..).unwrap_or_default();
+    let code = code.split(';').next().unwrap_or_default().trim_end_matches([' ', '~']);
+    !matches!(body(code), Ok(Body::Nothing | Body::Other)) && !code.is_empty()
+}
