@@ -1,6 +1,6 @@
 //! What the rows are written as: one line here and one rendering each.
 
-use crate::exchange::batch::{Csv, JsonLines, Layout, Take};
+use crate::exchange::batch::{Csv, JsonLines, Layout, Take, Tsv};
 use crate::length::Line;
 
 /// A form of the answers.
@@ -8,6 +8,8 @@ use crate::length::Line;
 pub enum Form {
     /// The rows as they came, with columns added.
     Csv,
+    /// The cells of the rows between tabs, without quotation marks, with columns added.
+    Tsv,
     /// An object a line.
     JsonLines,
     /// Columns of typed values; written by programs with the feature `parquet`.
@@ -16,7 +18,8 @@ pub enum Form {
 
 /// Every form: its name on the command line, the endings of its files, and what it is.
 pub const FORMS: &[(Form, &str, &[&str])] = &[
-    (Form::Csv, "csv", &["csv", "tsv", "txt"]),
+    (Form::Csv, "csv", &["csv", "txt"]),
+    (Form::Tsv, "tsv", &["tsv"]),
     (Form::JsonLines, "jsonl", &["jsonl", "ndjson"]),
     (Form::Parquet, "parquet", &["parquet", "pq"]),
 ];
@@ -44,6 +47,17 @@ pub trait Rendering: Take {
 }
 
 impl Rendering for Csv {
+    /// The names stand in the header alone.
+    fn new(layout: &Layout, _prefix: &str) -> Self {
+        Self::new(layout)
+    }
+
+    fn out(&mut self) -> &mut Line {
+        &mut self.out
+    }
+}
+
+impl Rendering for Tsv {
     /// The names stand in the header alone.
     fn new(layout: &Layout, _prefix: &str) -> Self {
         Self::new(layout)

@@ -6,7 +6,7 @@
 //! | here | the turns |
 //! | `stream` | what comes in and goes out: plain, gzip, Zstandard, UTF-16 |
 //! | `forms` | what the rows are written as |
-//! | `text` | CSV in; CSV and JSON lines out |
+//! | `text` | CSV in; CSV, TSV and JSON lines out |
 //! | `parquet` | Parquet in and out, with the feature of that name |
 //!
 //! What a row means is in `exchange::batch`.

@@ -22,7 +22,7 @@ use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
 use crate::cli::args::one_of;
 use crate::exchange::ImportErrorKind;
-use crate::exchange::batch::{ADDED, BLOCK, Court, Csv, Cutter, JsonLines, Layout};
+use crate::exchange::batch::{ADDED, BLOCK, Court, Csv, Cutter, JsonLines, Layout, Tsv};
 use crate::files;
 use crate::message::Say as _;
 use crate::tolerance::Sources;
@@ -37,7 +37,7 @@ pub(super) struct Args {
     #[arg(required = true, value_name = "FILE")]
     inputs: Vec<PathBuf>,
 
-    /// File to write, .csv, .jsonl or .parquet; text is packed where .gz or .zst follows; default: standard output
+    /// File to write, .csv, .tsv, .jsonl or .parquet; text is packed where .gz or .zst follows; default: standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -246,12 +246,8 @@ impl Job<'_> {
     /// What stands before all answers: the first input says which columns there are.
     fn begin<'o>(&self, opened: &Opened<'_>, out: &'o mut (dyn Write + Send)) -> Result<Answers<'o>, CliError> {
         match self.form {
-            Form::Csv => {
-                let header = Csv::header(&opened.layout, &self.args.prefix);
-                let mut packed = Vec::new();
-                out.write_all(self.packing.pack(&header, &mut packed)?)?;
-                Ok(Answers::Text(out))
-            }
+            Form::Csv => self.begin_text(&Csv::header(&opened.layout, &self.args.prefix), out),
+            Form::Tsv => self.begin_text(&Tsv::header(&opened.layout, &self.args.prefix), out),
             Form::JsonLines => Ok(Answers::Text(out)),
             Form::Parquet => {
                 let file = if let From::Parquet(file) = &opened.from { Some(file) } else { None };
@@ -259,6 +255,13 @@ impl Job<'_> {
                 Ok(Answers::Parquet(Box::new(writer.map_err(|error| self.not_written(error))?)))
             }
         }
+    }
+
+    /// Writes a header, packed as the rows behind it.
+    fn begin_text<'o>(&self, header: &[u8], out: &'o mut (dyn Write + Send)) -> Result<Answers<'o>, CliError> {
+        let mut packed = Vec::new();
+        out.write_all(self.packing.pack(header, &mut packed)?)?;
+        Ok(Answers::Text(out))
     }
 
     /// Looks at the beginning of an input until its columns are known.
@@ -346,6 +349,9 @@ impl Job<'_> {
                     Answers::Text(out) if self.form == Form::JsonLines => {
                         batch::run::<JsonLines>(input, &court, manner, &mut **out, &watch, &mut tick)
                     }
+                    Answers::Text(out) if self.form == Form::Tsv => {
+                        batch::run::<Tsv>(input, &court, manner, &mut **out, &watch, &mut tick)
+                    }
                     Answers::Text(out) => batch::run::<Csv>(input, &court, manner, &mut **out, &watch, &mut tick),
                     Answers::Parquet(writer) => writer.add_text(input, &court, workers, &watch, &mut tick),
                 }
@@ -353,6 +359,9 @@ impl Job<'_> {
             From::Parquet(file) => match answers {
                 Answers::Text(out) if self.form == Form::JsonLines => {
                     parquet::into_text::<JsonLines>(file, &court, manner, &mut **out, &watch, &mut tick)
+                }
+                Answers::Text(out) if self.form == Form::Tsv => {
+                    parquet::into_text::<Tsv>(file, &court, manner, &mut **out, &watch, &mut tick)
                 }
                 Answers::Text(out) => parquet::into_text::<Csv>(file, &court, manner, &mut **out, &watch, &mut tick),
                 Answers::Parquet(writer) => writer.add(file, &court, workers, &watch, &mut tick),
