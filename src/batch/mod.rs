@@ -6,7 +6,7 @@
 //! | here | the turns |
 //! | `stream` | what comes in and goes out: plain, gzip, Zstandard, UTF-16 |
 //! | `forms` | what the rows are written as |
-//! | `text` | CSV in; CSV and JSON lines out |
+//! | `text` | CSV in; CSV, TSV and JSON lines out |
 //! | `parquet` | Parquet in and out, with the feature of that name |
 //!
 //! What a row means is in `exchange::batch`.
@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-pub use forms::{FORMS, Form, Rendering};
+pub use forms::{FORMS, Form, Rendering, WithRendering};
 pub use stream::{Packing, Stream};
 pub use text::{Input, Making, Sink, run, run_into};
 

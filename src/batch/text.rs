@@ -1,4 +1,4 @@
-//! CSV in; CSV, JSON lines and what else is made of its rows out.
+//! CSV in; CSV, TSV, JSON lines and what else is made of its rows out.
 
 use std::io::{self, Read, Write};
 use std::marker::PhantomData;

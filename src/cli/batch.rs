@@ -1,5 +1,6 @@
 //! `fitcheck batch`: a verdict for every row of streams of any length.
 
+mod judging;
 #[cfg(feature = "parquet")]
 mod parquet;
 #[cfg(not(feature = "parquet"))]
@@ -22,10 +23,11 @@ use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
 use crate::cli::args::one_of;
 use crate::exchange::ImportErrorKind;
-use crate::exchange::batch::{ADDED, BLOCK, Court, Csv, Cutter, JsonLines, Layout};
+use crate::exchange::batch::{ADDED, BLOCK, Court, Cutter, Layout};
 use crate::files;
 use crate::message::Say as _;
 use crate::tolerance::Sources;
+use judging::{Above, Judging, Rows};
 use progress::Progress;
 use summary::Told;
 
@@ -37,7 +39,7 @@ pub(super) struct Args {
     #[arg(required = true, value_name = "FILE")]
     inputs: Vec<PathBuf>,
 
-    /// File to write, .csv, .jsonl or .parquet; text is packed where .gz or .zst follows; default: standard output
+    /// File to write, .csv, .tsv, .jsonl or .parquet; text is packed where .gz or .zst follows; default: standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -232,8 +234,8 @@ impl Job<'_> {
             }
             if let Some(out) = out.take() {
                 answers = Some(self.begin(&opened, out)?);
-            } else if let (Form::Csv, Some(Answers::Text(out))) = (self.form, &mut answers) {
-                self.put(Csv::comments(&opened.layout), *out)?;
+            } else if let Some(Answers::Text(out)) = &mut answers {
+                self.above(&opened.layout, false, &mut **out)?;
             }
             if let Some(answers) = &mut answers {
                 summary.append(self.one(opened, answers, told)?);
@@ -247,24 +249,23 @@ impl Job<'_> {
 
     /// What stands before all answers: the first input says which columns there are.
     fn begin<'o>(&self, opened: &Opened<'_>, out: &'o mut (dyn Write + Send)) -> Result<Answers<'o>, CliError> {
-        match self.form {
-            Form::Csv => {
-                self.put(&Csv::header(&opened.layout, &self.args.prefix), out)?;
-                Ok(Answers::Text(out))
-            }
-            Form::JsonLines => Ok(Answers::Text(out)),
-            Form::Parquet => {
-                let file = if let From::Parquet(file) = &opened.from { Some(file) } else { None };
-                let writer = parquet::Writer::new(out, &opened.layout, file, &self.args.prefix);
-                Ok(Answers::Parquet(Box::new(writer.map_err(|error| self.not_written(error))?)))
-            }
+        if self.above(&opened.layout, true, &mut *out)? {
+            return Ok(Answers::Text(out));
         }
+        let file = if let From::Parquet(file) = &opened.from { Some(file) } else { None };
+        let writer = parquet::Writer::new(out, &opened.layout, file, &self.args.prefix);
+        Ok(Answers::Parquet(Box::new(writer.map_err(|error| self.not_written(error))?)))
     }
 
-    /// Writes what stands above rows.
-    fn put(&self, text: &[u8], out: &mut dyn Write) -> io::Result<()> {
-        let mut packed = Vec::new();
-        if text.is_empty() { Ok(()) } else { out.write_all(self.packing.pack(text, &mut packed)?) }
+    /// Writes what stands above the rows of an input; `false` where the form is no text.
+    fn above(&self, layout: &Layout, is_first: bool, out: &mut (dyn Write + Send)) -> io::Result<bool> {
+        let above = Above { layout, manner: self.manner(), is_first, out };
+        self.form.with_rendering(above).map_or(Ok(false), |written| written.map(|()| true))
+    }
+
+    fn manner(&self) -> Manner<'_> {
+        let workers = self.args.jobs.map_or_else(batch::workers, usize::from);
+        Manner { workers, packing: self.packing, prefix: &self.args.prefix }
     }
 
     /// Looks at the beginning of an input until its columns are known.
@@ -309,7 +310,7 @@ impl Job<'_> {
             return Err(CliError::BatchName { name: name.clone(), column: column.clone() });
         }
         let twice = (1..).zip(names).find(|(after, name)| names.iter().skip(*after).any(|other| other == *name));
-        if let (Form::JsonLines | Form::Parquet, Some((_, column))) = (self.form, twice) {
+        if let (true, Some((_, column))) = (self.form.finds_by_name(), twice) {
             return Err(CliError::BatchTwice { name: name.clone(), column: column.clone() });
         }
         let separator = opened.layout.separator();
@@ -318,11 +319,11 @@ impl Job<'_> {
         if first.names != *names {
             return Err(CliError::BatchColumns { name: name.clone(), columns: first.names.join(", ") });
         }
-        if self.form == Form::Csv && first.separator != separator {
+        if self.form.keeps_separators() && first.separator != separator {
             return Err(CliError::BatchSeparator { name: name.clone() });
         }
         let differs = (0..names.len()).find(|&at| first.types.get(at) != opened.types.get(at));
-        if let (Form::Parquet, Some(column)) = (self.form, differs.and_then(|at| names.get(at))) {
+        if let (true, Some(column)) = (self.form.keeps_types(), differs.and_then(|at| names.get(at))) {
             return Err(CliError::BatchTypes { name: name.clone(), column: column.clone() });
         }
         Ok(())
@@ -335,33 +336,32 @@ impl Job<'_> {
             told.warning(&name, *line, warning);
         }
         let court = Court::new(&layout, self.sources);
-        let workers = self.args.jobs.map_or_else(batch::workers, usize::from);
         let is_packed = matches!(&from, From::Text(stream) if stream.packing != Packing::Plain);
         let progress = Progress::new(&name, size.filter(|_| !is_packed));
-        let manner = Manner { workers, packing: self.packing, prefix: &self.args.prefix };
-        let (watch, mut tick) = (Watch::default(), |watch: &Watch| progress.show(watch));
-        let summary = match from {
+        let (manner, watch, mut tick) = (self.manner(), Watch::default(), |watch: &Watch| progress.show(watch));
+        let mut input;
+        let rows = match from {
             From::Text(stream) => {
-                let mut input = io::Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
+                let mut head = io::Cursor::new(stream.head);
+                head.set_position(u64::try_from(layout.skip).unwrap_or_default());
+                input = head.chain(stream.input);
                 let (step, is_patient) = match answers {
                     Answers::Text(_) => (BLOCK, size.is_some()),
                     Answers::Parquet(_) => (GROUP, true),
                 };
-                let input = Input { stream: &mut input, cutter: Cutter::new(layout.separator(), step, is_patient) };
-                match answers {
-                    Answers::Text(out) if self.form == Form::JsonLines => {
-                        batch::run::<JsonLines>(input, &court, manner, &mut **out, &watch, &mut tick)
-                    }
-                    Answers::Text(out) => batch::run::<Csv>(input, &court, manner, &mut **out, &watch, &mut tick),
-                    Answers::Parquet(writer) => writer.add_text(input, &court, workers, &watch, &mut tick),
-                }
+                Rows::Text(Input { stream: &mut input, cutter: Cutter::new(layout.separator(), step, is_patient) })
             }
-            From::Parquet(file) => match answers {
-                Answers::Text(out) if self.form == Form::JsonLines => {
-                    parquet::into_text::<JsonLines>(file, &court, manner, &mut **out, &watch, &mut tick)
-                }
-                Answers::Text(out) => parquet::into_text::<Csv>(file, &court, manner, &mut **out, &watch, &mut tick),
-                Answers::Parquet(writer) => writer.add(file, &court, workers, &watch, &mut tick),
+            From::Parquet(file) => Rows::Parquet(file),
+        };
+        let summary = match answers {
+            Answers::Text(out) => {
+                let judging = Judging { rows, court: &court, manner, out: &mut **out, watch: &watch, tick: &mut tick };
+                let no_text = || Err(Failed::Writing(io::ErrorKind::Unsupported.into()));
+                self.form.with_rendering(judging).unwrap_or_else(no_text)
+            }
+            Answers::Parquet(writer) => match rows {
+                Rows::Text(input) => writer.add_text(input, &court, manner.workers, &watch, &mut tick),
+                Rows::Parquet(file) => writer.add(file, &court, manner.workers, &watch, &mut tick),
             },
         };
         progress.end();

@@ -5,7 +5,7 @@ use std::io::{BufRead as _, Read, Write as _};
 use std::process::{Command, Stdio};
 
 use fitcheck::batch::{Failed, Input, Manner, Packing, Rendering, Summary, Watch, run};
-use fitcheck::exchange::batch::{Court, Csv, Cutter, JsonLines, Kind, Layout};
+use fitcheck::exchange::batch::{Court, Csv, Cutter, JsonLines, Kind, Layout, Tsv};
 use fitcheck::exchange::{Item, import_each};
 use fitcheck::length::{Length, Unit};
 use fitcheck::tolerance::{Callout, Feature, Sources, iso286};
@@ -233,6 +233,38 @@ fn json_lines_have_the_columns_as_texts_and_the_answers_as_numbers() {
                 "deviation_um": null, "status": null, "remove_um": null, "error": "expected 3 cells, found 2"}),
         ]
     );
+}
+
+/// The text with its answers as TSV.
+fn tab_separated(text: &str, cut: Cut) -> String {
+    let mut out = Tsv::header(&Layout::of(text.as_bytes(), true, "test.csv").unwrap(), "");
+    judged::<Tsv>(text.as_bytes(), cut, &Sources::default(), &mut out).unwrap();
+    String::from_utf8(out).unwrap()
+}
+
+#[test]
+fn tsv_names_its_columns_and_has_cells_without_quotation_marks_tabs_and_line_breaks() {
+    let text = "\u{feff}# morning\r\nid;callout;measured;\"by\nwhom\"\r\n1;25 H7;25,012;=A1\r\n\"a\tb\r\nc\nd\";25 H7;24,998;\"x; \"\"y\"\"\"\r\n\
+        # noon\r\n\r\n3;25 H7\r\n4;25 H7;25,01;\tann;bob\r\n;;;\r\n\"5\t;25 H7;25,01;ann\r\n6;25 h6;24,9;5\" pipe";
+    let expected = [
+        "id\tcallout\tmeasured\tby whom\tmin_mm\tmax_mm\tdeviation_um\tstatus\tremove_um\terror",
+        "1\t25 H7\t25,012\t=A1\t25.000\t25.021\t12\tGOOD\t\t",
+        "a b c d\t25 H7\t24,998\tx; \"y\"\t25.000\t25.021\t-2\tREWORK\t2\t",
+        "3\t25 H7\t\t\t\t\t\t\t\texpected 4 cells, found 2",
+        "4\t25 H7\t25,01\t ann\t\t\t\t\t\texpected 4 cells, found 5: is the separator also used as decimal sign or within a text?: bob",
+        "\t\t\t\t\t\t\t\t\t",
+        "\"5 ;25 H7;25,01;ann\t\t\t\t\t\t\t\t\ta quotation mark is not closed on this line",
+        "6\t25 h6\t24,9\t5\" pipe\t24.987\t25.000\t-100\tSCRAP\t\t",
+    ];
+    assert_eq!(tab_separated(text, WHOLE).split_terminator('\n').collect::<Vec<_>>(), expected);
+}
+
+#[test]
+fn tsv_names_columns_by_their_numbers_where_the_input_has_no_names() {
+    let said = tab_separated("25 H7|25.01\n25 H7|24.9\n", WHOLE);
+    let expected = "column_1\tcolumn_2\tmin_mm\tmax_mm\tdeviation_um\tstatus\tremove_um\terror\n\
+        25 H7\t25.01\t25.000\t25.021\t10\tGOOD\t\t\n25 H7\t24.9\t25.000\t25.021\t-100\tREWORK\t100\t\n";
+    assert_eq!(said, expected);
 }
 
 /// Every class of the standard in every step of it: just above its beginning, within and on its end; measured on both
@@ -488,5 +520,35 @@ proptest! {
         let cut = judged::<Csv>(text, cut, &Sources::default(), &mut cut_out).unwrap();
         prop_assert_eq!(String::from_utf8(once).unwrap(), String::from_utf8(cut_out).unwrap());
         prop_assert_eq!(whole, cut);
+    }
+
+    /// However a text is cut and whoever works, TSV has the same rows in their order, each with a cell for every column.
+    #[test]
+    fn tsv_has_as_many_cells_in_every_row_however_many_workers_there_are(
+        rows in prop::collection::vec(row(';'), 1..30),
+        wild in prop::collection::vec("[a#\",;\t 5H7.\r\n]{0,12}", 1..30),
+        step in 1..100_usize,
+        workers in 1..5_usize,
+    ) {
+        let mut text = "id;nominal;class;measured;simulated\n".to_owned();
+        for (row, wild) in rows.iter().zip(wild.iter().cycle()) {
+            writeln!(text, "{row}\n{wild}").unwrap();
+        }
+        let once = tab_separated(&text, WHOLE);
+        prop_assert_eq!(&once, &tab_separated(&text, Cut { step, workers, ..WHOLE }));
+        for line in once.split_terminator('\n') {
+            prop_assert_eq!(line.split('\t').count(), 5 + 6, "{:?} of {:?}", line, text);
+        }
+        // Its rows are the objects of JSON lines.
+        let mut lines = Vec::new();
+        judged::<JsonLines>(text.as_bytes(), WHOLE, &Sources::default(), &mut lines).unwrap();
+        let objects = String::from_utf8(lines).unwrap();
+        prop_assert_eq!(once.lines().count(), objects.lines().count() + 1);
+        for (line, object) in once.lines().skip(1).zip(objects.lines()) {
+            let object: serde_json::Value = serde_json::from_str(object).unwrap();
+            let id = object["id"].as_str().unwrap().replace("\r\n", " ").replace(['\t', '\r', '\n'], " ");
+            prop_assert_eq!(line.split('\t').next(), Some(id.as_str()));
+            prop_assert_eq!(line.split('\t').nth(8), Some(object["status"].as_str().unwrap_or_default()));
+        }
     }
 }

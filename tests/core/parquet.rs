@@ -15,7 +15,7 @@ use ::parquet::schema::types::{Type, TypePtr};
 use bytes::Bytes;
 use fitcheck::batch::parquet::{Columns, from_text, into_text, through};
 use fitcheck::batch::{Input, Manner, Packing, Summary, Watch};
-use fitcheck::exchange::batch::{Court, Csv, Cutter, JsonLines, Kind, Layout, layout_of, output_fields};
+use fitcheck::exchange::batch::{Court, Csv, Cutter, JsonLines, Kind, Layout, Tsv, layout_of, output_fields};
 use fitcheck::exchange::parquet::{Field, Reader, Writer};
 use fitcheck::tolerance::Sources;
 use proptest::prelude::*;
@@ -370,6 +370,27 @@ fn json_lines_come_from_parquet_too() {
         serde_json::from_str(std::str::from_utf8(&out).unwrap().lines().next().unwrap()).unwrap();
     assert_eq!(first["measured"], "25.01");
     assert_eq!(first["deviation_um"], 10);
+}
+
+#[test]
+fn tsv_comes_from_parquet_too() {
+    let bytes = file(
+        &[
+            ("a\tb", None, texts(&["x\ty\r\nz", ""])),
+            ("callout", None, texts(&["25 H7", ""])),
+            ("measured", None, texts(&["25.01", ""])),
+        ],
+        SHAPE,
+    );
+    let layout = layout_of(Reader::new(bytes.clone()).unwrap()).unwrap();
+    let sources = Sources::default();
+    let court = Court::new(&layout, &sources);
+    let mut out = Tsv::header(&layout, "");
+    let reader = Reader::new(bytes).unwrap();
+    into_text::<Tsv, _>(reader, &court, MANNER, &mut out, &Watch::default(), &mut |_| {}).unwrap();
+    let expected = "a b\tcallout\tmeasured\tmin_mm\tmax_mm\tdeviation_um\tstatus\tremove_um\terror\n\
+        x y z\t25 H7\t25.01\t25.000\t25.021\t10\tGOOD\t\t\n\t\t\t\t\t\t\t\t\n";
+    assert_eq!(String::from_utf8(out).unwrap(), expected);
 }
 
 #[test]

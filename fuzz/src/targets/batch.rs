@@ -1,10 +1,10 @@
 //! Any bytes as a stream of rows, cut in blocks of any size: the answers are the same, to the byte and to the line of each
-//! remark; every row has its answer in its place, as CSV and as JSON.
+//! remark; every row has its answer in its place, as CSV, TSV and JSON.
 
 use std::io::{Cursor, Read};
 
 use fitcheck::batch::{self, Input, Manner, Packing, Rendering, Stream, Summary, Watch};
-use fitcheck::exchange::batch::{ADDED, Court, Csv, Cutter, JsonLines, Kind, Layout};
+use fitcheck::exchange::batch::{ADDED, Court, Csv, Cutter, JsonLines, Kind, Layout, Tsv};
 use fitcheck::tolerance::Sources;
 
 pub fn run(bytes: &[u8]) {
@@ -23,6 +23,12 @@ pub fn run(bytes: &[u8]) {
     let said = [Csv::header(&layout, ""), csv].concat();
     let answers = with_answers(&said, &layout);
     assert_eq!(answers, whole.tally.rows, "{}", String::from_utf8_lossy(&said));
+    let (_, rows) = judged::<Tsv>(&layout, text, 1 << 20, true);
+    let names = Tsv::header(&layout, "");
+    for line in [names, rows].concat().split(|byte| *byte == b'\n').filter(|line| !line.is_empty()) {
+        let cells = line.split(|byte| *byte == b'\t').count();
+        assert_eq!(cells, layout.names.len() + ADDED.len(), "{}", String::from_utf8_lossy(line));
+    }
     let (_, lines) = judged::<JsonLines>(&layout, text, 1 << 20, true);
     for line in lines.split(|byte| *byte == b'\n').filter(|line| !line.is_empty()) {
         let _object: serde_json::Value = serde_json::from_slice(line).expect("a line is JSON");

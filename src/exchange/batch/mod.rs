@@ -7,7 +7,7 @@
 //! | `index`, `row` | where the cells of a block end; one row of it |
 //! | `judge` | rows judged: most of them fast, the others as `import` reads them |
 //! | `known` | limit deviations, looked up once for each class and step |
-//! | `csv`, `json_lines` | the rows as CSV again, with the columns that are added; the rows as JSON |
+//! | `csv`, `tsv`, `json_lines` | the rows as CSV again, with the columns that are added; as TSV for spreadsheets; as JSON |
 //! | `typed`, `answers` | the same from and into Parquet, with the feature `parquet` |
 //! | `marks` | which verdict and class each row has, in two bytes a row |
 //! | `pick` | some rows of a block once more, with their cells |
@@ -30,6 +30,7 @@ mod marks;
 mod pick;
 mod row;
 mod tally;
+mod tsv;
 #[cfg(feature = "parquet")]
 mod typed;
 
@@ -44,6 +45,7 @@ pub use marks::{FATES, Fate, Filter, Marks, Part, Sieve, Store};
 pub use pick::{Picked, pick};
 pub use row::Row;
 pub use tally::{FIRST, Kind, Note, Notes, Tally};
+pub use tsv::Tsv;
 #[cfg(feature = "parquet")]
 pub use typed::{Purpose, Typed, layout_of};
 

@@ -8,7 +8,7 @@ use super::files::Files;
 use super::path::NcPath;
 use super::remark::{Remark, Remarks};
 use super::values::Values;
-use crate::control::mask::{Context, FileUse, Mask, Output};
+use crate::control::mask::{Context, FileUse, Mask, MaskWarningKind, Output};
 
 /// A window that FN 16 has opened.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -151,7 +151,9 @@ pub(super) fn rendered(
     files: &mut Files,
 ) -> Result<(Output, Vec<Remark>), FaultKind> {
     let broken = |error| FaultKind::Mask { mask: mask.clone(), error: Box::new(error) };
-    let (read, warnings) = Mask::read(&files.read(mask)?).map_err(broken)?;
+    let (read, mut warnings) = Mask::read(&files.read(mask)?).map_err(broken)?;
+    // The masks of NC-Solution 8255 have such a line; nothing of it is lost.
+    warnings.retain(|warning| warning.what != MaskWarningKind::NoSemicolon);
     let refused = |error| FaultKind::Render { mask: mask.clone(), error: Box::new(error) };
     let output = read.render(values.all(), context).map_err(refused)?;
     Ok((output, Remark::read(mask, &warnings)))

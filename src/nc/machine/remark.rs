@@ -110,6 +110,13 @@ impl Remarks {
         }
     }
 
+    /// Adds several of one block.
+    pub(super) fn add_all(&mut self, place: &BlockPlace, remarks: Vec<Remark>) {
+        for remark in remarks {
+            self.add(place.clone(), remark);
+        }
+    }
+
     pub(super) fn list(&self) -> &[(BlockPlace, Remark)] {
         &self.list
     }

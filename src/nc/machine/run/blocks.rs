@@ -141,7 +141,7 @@ impl Run {
         let path = self.path_of(path)?;
         self.flow.check_depth()?;
         let (program, remarks) = files.program(&path, self.tables.changed())?;
-        remarks.into_iter().for_each(|remark| self.remark(at, remark));
+        self.remarks.add_all(&self.flow.place_of(at), remarks);
         self.flow.call_program(at, path, program);
         self.values.enter_program();
         Ok(())
@@ -193,7 +193,7 @@ impl Run {
         let call_path = self.flow.path().to_string();
         let context = Context { language: settings.language, time: settings.time, call_path: &call_path };
         let (output, remarks) = rendered(&mask, &context, &self.values, files)?;
-        remarks.into_iter().for_each(|remark| self.remark(at, remark));
+        self.remarks.add_all(&self.flow.place_of(at), remarks);
         let place = self.flow.place_of(at);
         match path {
             None => Ok(self.prints.show(place, mask, output.text)?),
