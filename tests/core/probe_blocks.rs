@@ -177,7 +177,22 @@ fn a_value_that_is_none_is_named_with_its_line_and_a_program_s_parameter_as_such
         said("TCH PROBE 444 ~\nQS400=QS5"),
         "line 2: QS400 = QS5: the value of QS5 is known only while a program runs"
     );
-    // A tool may have any name.
+    for (given, why) in [
+        ("MAX", "MAX is no number, and the name of a tool stands in quotation marks"),
+        ("Q5", "Q5 is no number, and the name of a tool stands in quotation marks"),
+        ("+0*", "+0* is no number, and the name of a tool stands in quotation marks"),
+        ("\"+0*\"", "+0* calls no tool: write its number, or its name"),
+        ("\"25 5\"", "25 5 calls no tool: write its number, or its name"),
+    ] {
+        let text = format!("TCH PROBE 427 ~\nQ330={given}");
+        let said = match read(&text) {
+            Ok(block) => told(&block.put_into(Inputs::new()).unwrap_err()),
+            Err(error) => told(&error),
+        };
+        assert_eq!(said, format!("line 2: Q330 TOOL NUMBER: {why}"));
+    }
+    // A tool may have any name that begins otherwise than a number.
+    assert!(read("TCH PROBE 427 ~\nQ330=\"5_MILL\"").unwrap().put_into(Inputs::new()).unwrap().is_given(330));
     assert!(read("TCH PROBE 427 ~\nQS330=\"Q1\"").unwrap().put_into(Inputs::new()).unwrap().is_given(330));
 }
 
@@ -239,7 +254,7 @@ fn value(parameter: &'static Parameter) -> BoxedStrategy<Value> {
         Range::Number { most } => (-f64::from(most)..=f64::from(most)).prop_map(Value::Number).boxed(),
         Range::Tool => prop_oneof![
             (0..=999_999_u32).prop_map(|tenths| Value::Number(f64::from(tenths) / 10.0)),
-            "[A-Zäé0-9_;~=][A-Z 0-9_;~=]{0,20}[A-Z0-9_;~]".prop_map(Value::Text),
+            "[A-Zäé_;~=][A-Z 0-9_;~=]{0,20}[A-Z0-9_;~]".prop_map(Value::Text),
             "[0-9]{1,4}".prop_map(Value::Text),
         ]
         .boxed(),

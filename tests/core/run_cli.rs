@@ -357,3 +357,11 @@ fn an_inch_main_program_has_its_log_in_inches() {
     // 25.0134 mm
     assert!(log.contains("0.9848"), "{log}");
 }
+
+/// H7 and H8 are two classes: the program would read both, and measure against the first.
+#[test]
+fn two_classes_in_one_text_are_refused() {
+    let said = fitcheck(&["8255_nl.h", "--set", "Q1=25", "QS1=H7,H8"]);
+    assert_eq!(said.code, Some(1), "{}", said.out);
+    assert!(said.err.contains("QS1 = H7,H8 names several columns"), "{}", said.err);
+}

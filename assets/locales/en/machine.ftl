@@ -51,6 +51,7 @@ machine-behind-text = the text has { $length } characters: position { $from } is
 machine-no-number-in-text = { $parameter } = "{ $text }" is not a number
 machine-unknown-system-text = unknown system text ID{ $id } NR{ $number }: only date and time (ID10321) are supported
 machine-no-table = no table is open
+machine-several-columns = { $parameter } = { $text } names several columns: only one can be read through a text parameter
 machine-no-column = table { $table } has no column { $column }; its columns are { $columns }
 machine-no-row = table { $table } has no row { $row }: its rows are 0 to { $last }
 machine-no-rows = table { $table } has no rows

@@ -51,6 +51,7 @@ machine-behind-text = de tekst heeft { $length } tekens: positie { $from } ligt 
 machine-no-number-in-text = { $parameter } = "{ $text }" is geen getal
 machine-unknown-system-text = onbekende systeemtekst ID{ $id } NR{ $number }: alleen datum en tijd (ID10321) worden ondersteund
 machine-no-table = er is geen tabel open
+machine-several-columns = { $parameter } = { $text } noemt meer kolommen: via een tekstparameter wordt er één gelezen
 machine-no-column = tabel { $table } heeft geen kolom { $column }; de kolommen zijn { $columns }
 machine-no-row = tabel { $table } heeft geen rij { $row }: de rijen zijn 0 tot en met { $last }
 machine-no-rows = tabel { $table } heeft geen rijen

@@ -3,7 +3,7 @@
 use super::fault::{ProbeBlockError, ProbeBlockFault};
 use super::{ProbeBlock, Setting, Unused, shown};
 use crate::control::text::lines;
-use crate::probing::cycle::{Control, Cycle, Inputs};
+use crate::probing::cycle::{Control, Cycle, Inputs, Range};
 use crate::probing::cycles::{cycle_named, cycles_of};
 
 /// How a parameter of a milling control is written, for errors.
@@ -230,6 +230,14 @@ impl Reader {
         if block.cycle.parameter_named(key).is_none() {
             let error = block.cycle.set(Inputs::new(), key, text).map(drop);
             return error.map_err(|error| ProbeBlockFault::Cycle(Box::new(error)).at(line));
+        }
+        if let (None, Some(parameter)) = (quoted, block.cycle.parameter_named(key)) {
+            // What else is wrong with it is found when it is used.
+            if parameter.range == Range::Tool
+                && let Err(error) = parameter.read_word(text)
+            {
+                return Err(ProbeBlockFault::Cycle(Box::new(error)).at(line));
+            }
         }
         block.settings.push(Setting { line, key: key.to_owned(), text: quoted.unwrap_or(text).to_owned() });
         Ok(())

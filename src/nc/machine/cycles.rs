@@ -143,11 +143,10 @@ fn input(
     let refused = |error: CycleError| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) };
     let read = |text: &str| declared.read(text).map_err(refused);
     let operand: Operand = match &line.value {
-        CycleValue::Word(word) => return read(word),
+        CycleValue::Word(word) => return declared.read_word(word).map_err(refused),
         CycleValue::Text(text) => {
             let text = values.text_operand(text)?;
-            let is_name = declared.range == Range::Tool && !text.is_empty();
-            return if is_name { Ok(cycle::Value::Text(text.to_owned())) } else { read(text) };
+            return read(text);
         }
         CycleValue::Number { value, .. } => *value,
     };

@@ -177,6 +177,13 @@ pub enum FaultKind {
     Store(#[from] StoreError),
     /// FN 27 or FN 28 without FN 26.
     NoTable,
+    /// A text parameter with the names of several columns, where a class is one.
+    SeveralColumns {
+        /// The parameter.
+        parameter: Parameter,
+        /// Its text.
+        text: String,
+    },
     /// The table is broken.
     #[say(transparent)]
     Table(Box<TableError>),

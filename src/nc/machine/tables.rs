@@ -212,7 +212,13 @@ impl Tables {
 fn names<'a>(columns: &'a Columns, values: &'a Values) -> Result<Vec<&'a str>, FaultKind> {
     Ok(match columns {
         Columns::Names(names) => names.iter().map(String::as_str).collect(),
-        Columns::Parameter(parameter) => values.text(*parameter)?.split(',').map(str::trim).collect(),
+        // H7,H8 would be two tolerance classes, of which only the first is measured against.
+        Columns::Parameter(parameter) => match values.text(*parameter)?.trim() {
+            several if several.contains(',') => {
+                return Err(FaultKind::SeveralColumns { parameter: *parameter, text: several.to_owned() });
+            }
+            one => vec![one],
+        },
     })
 }
 

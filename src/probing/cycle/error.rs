@@ -8,6 +8,22 @@ use crate::message::{Arg, Message, Say};
 use crate::probing::circle::CircleError;
 use crate::probing::contact::NoContact;
 
+/// Why a text calls no tool.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "cycle-tool", error)]
+pub(crate) enum ToolFault {
+    /// Neither a number nor a name.
+    NoName {
+        /// The text.
+        text: String,
+    },
+    /// A word in a block that is no number.
+    Unquoted {
+        /// The text.
+        text: String,
+    },
+}
+
 /// Why a cycle did not run, or did not finish.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "cycle", error)]

@@ -1,6 +1,6 @@
 //! The declaration of a parameter: key, name, question, range and what applies when it is not given.
 
-use super::error::CycleError;
+use super::error::{CycleError, ToolFault};
 use super::inputs::Inputs;
 use super::key::Key;
 use super::meaning::Meaning;
@@ -335,13 +335,26 @@ impl Parameter {
             },
             Range::Number { .. } => number(text).map(Value::Number).ok_or_else(|| no_number(text).message()),
             Range::Tool if text.trim().is_empty() => Err(LengthError::Empty.message()),
-            Range::Tool => {
-                let name = || Value::Text(text.trim().to_owned());
-                Ok(number(text).map_or_else(name, Value::Number))
-            }
+            Range::Tool => match number(text) {
+                Some(number) => Ok(Value::Number(number)),
+                None if is_tool_name(text.trim()) => Ok(Value::Text(text.trim().to_owned())),
+                None => Err(ToolFault::NoName { text: text.trim().to_owned() }.message()),
+            },
             Range::Band => qs400(text).map(Value::Band).map_err(|error| error.message()),
         };
         read.map_err(|error| CycleError::NotAValue { key: self.key, name: self.called(), error })
+    }
+
+    /// Reads a word that stands in a block without quotation marks: the name of a tool has some.
+    ///
+    /// # Errors
+    /// [`CycleError::NotAValue`].
+    pub fn read_word(&self, word: &str) -> Result<Value, CycleError> {
+        if self.range == Range::Tool && number(word).is_none() {
+            let error = ToolFault::Unquoted { text: word.to_owned() }.message();
+            return Err(CycleError::NotAValue { key: self.key, name: self.called(), error });
+        }
+        self.read(word)
     }
 
     /// Reads a value and checks it against the range.
@@ -362,6 +375,14 @@ impl Parameter {
 
 pub(super) fn in_language(texts: Texts, language: Dialogue) -> Option<&'static str> {
     texts.iter().find(|(known, _)| *known == language).map(|(_, text)| *text)
+}
+
+/// Whether a text may be the name of a tool. One that begins like a number has only letters, figures and the signs that a control
+/// takes in names (TNC 640, ISO programming), so that `+0*` and `25*` are slips and `5_MILL` is a name.
+fn is_tool_name(text: &str) -> bool {
+    let is_allowed = |c: char| c.is_ascii_alphanumeric() || "#$%&,-_.@".contains(c);
+    !text.starts_with(['+', '-', '\u{2212}'])
+        && (!text.starts_with(|c: char| c.is_ascii_digit()) || text.chars().all(is_allowed))
 }
 
 fn no_number(text: &str) -> LengthError {
