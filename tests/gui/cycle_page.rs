@@ -500,7 +500,10 @@ fn the_page_works_by_key_alone_and_in_dutch() {
         key(&mut window, Modifiers::NONE, Key::Tab);
     }
     key(&mut window, Modifiers::NONE, Key::Enter);
-    assert_eq!(simulated(&window), "Geen oordeel. 75,0000 mm. geen grenzen opgegeven");
+    assert_eq!(
+        simulated(&window),
+        "Geen oordeel. 75,0000 mm. geen grenzen opgegeven; een besturing meldt dan binnen de tolerantie"
+    );
     let chooser = window.get_by_role_and_label(Role::ComboBox, "Cyclus");
     assert_eq!(chooser.accesskit_node().value().as_deref(), Some("421  METEN BORING"));
     window.get_by_label_contains("17 van 17: vrijzetten");

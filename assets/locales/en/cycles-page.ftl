@@ -58,6 +58,7 @@ cycles-criteria = Criteria side by side
 cycles-word-stopped = Not measured
 cycles-word-no-verdict = No verdict
 cycles-no-limits = no limits were given
+cycles-no-limits-marked = no limits were given; a control says within tolerance then
 cycles-more-out = { $what }, { $count } more below
 cycles-no-window = No limits of size: the control shows no status window
 cycles-results = Result parameters

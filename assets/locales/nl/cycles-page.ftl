@@ -58,6 +58,7 @@ cycles-criteria = Criteria naast elkaar
 cycles-word-stopped = Niet gemeten
 cycles-word-no-verdict = Geen oordeel
 cycles-no-limits = geen grenzen opgegeven
+cycles-no-limits-marked = geen grenzen opgegeven; een besturing meldt dan binnen de tolerantie
 cycles-more-out = { $what }, nog { $count } hieronder
 cycles-no-window = Geen grensmaten: de besturing toont geen statusvenster
 cycles-results = Resultaatparameters

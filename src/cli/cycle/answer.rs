@@ -52,7 +52,7 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
             .map(|found| json!({"key": found.key.to_string(), "name": found.name.to_string(), "value": value(&found.value)}))
             .collect(),
         checks: result.checks.iter().map(check).collect(),
-        status: result.status.map(crate::verdict::Status::word),
+        status: result.verdict().map(crate::verdict::Status::word),
         stop: result.stop.as_ref().map(ToString::to_string),
         log: match result.log {
             LogTarget::None => None,
@@ -151,7 +151,7 @@ pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> 
         let (key, name, value) = (found.key.to_string(), found.name.to_string(), found.value.to_string());
         writer.write_record([key.as_str(), &name, &cell(&value), unit])?;
     }
-    let status = run.result.status.map_or("", crate::verdict::Status::word);
+    let status = run.result.verdict().map_or("", crate::verdict::Status::word);
     writer.write_record(["status", "status", status, ""])?;
     writer.flush()?;
     Ok(())

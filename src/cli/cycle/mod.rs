@@ -168,7 +168,7 @@ impl Args {
         if let (Some(stop), Format::Csv) = (&result.stop, self.format) {
             io.tell(stop);
         }
-        Ok(result.status.map_or(Outcome::Done, Outcome::Judged))
+        Ok(result.verdict().map_or(Outcome::Done, Outcome::Judged))
     }
 
     fn read_inputs(&self, io: &mut Io<'_>) -> Result<Inputs, CliError> {

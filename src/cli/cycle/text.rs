@@ -45,10 +45,12 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
     for check in &result.checks {
         writeln!(io.people(), "{check}")?;
     }
-    match result.status {
-        Some(status) if result.checks.is_empty() => writeln!(io.people(), "{status}: no limits were given")?,
-        Some(status) => writeln!(io.people(), "{status}")?,
-        None => writeln!(io.people(), "nothing to judge: no tolerance")?,
+    match (result.verdict(), result.status) {
+        (Some(status), _) => writeln!(io.people(), "{status}")?,
+        (None, Some(_)) => {
+            writeln!(io.people(), "no verdict: no limits were given; a control says within tolerance then")?;
+        }
+        (None, None) => writeln!(io.people(), "nothing to judge: no tolerance")?,
     }
     if let Some(stop) = &result.stop {
         writeln!(io.people(), "{stop}")?;

@@ -116,7 +116,9 @@ fn others_ui(ui: &mut Ui, words: &Words, result: &CycleResult) {
 fn card(words: &Words, result: &CycleResult) -> Card {
     let Some((first, others)) = first_and_others(result) else {
         let (word, value) = (words.get("cycles-word-no-verdict"), main_value(words, result));
-        return Card { word, value, lines: vec![words.get("cycles-no-limits")], ..Card::default() };
+        // The markers (Q180 to Q182) stand among the results.
+        let why = if result.status.is_some() { "cycles-no-limits-marked" } else { "cycles-no-limits" };
+        return Card { word, value, lines: vec![words.get(why)], ..Card::default() };
     };
     let mut card = check_card(words, first);
     card.status = result.status;

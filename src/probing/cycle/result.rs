@@ -37,6 +37,11 @@ pub struct CycleResult {
 }
 
 impl CycleResult {
+    /// The verdict: the status, where anything was compared with limits. The markers of a control say good also where nothing was.
+    pub fn verdict(&self) -> Option<Status> {
+        self.status.filter(|_| !self.checks.is_empty())
+    }
+
     /// A measured length by its name.
     pub fn length(&self, name: FoundName) -> Option<Length> {
         let found = self.results.iter().find(|found| found.name == name)?;

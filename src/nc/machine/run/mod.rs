@@ -265,7 +265,7 @@ impl Machine {
 
     /// The worst status of the cycles that gave one.
     pub fn status(&self) -> Option<Status> {
-        self.cycles().iter().filter_map(|run| run.result.status).max()
+        self.cycles().iter().filter_map(|run| run.result.verdict()).max()
     }
 
     /// The settings of the run.
