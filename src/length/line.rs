@@ -11,7 +11,7 @@ pub struct Line {
     end: usize,
 }
 
-/// Room for pieces of a text that are at most [`MOST`] bytes long together; what is longer is cut off.
+/// Room for pieces of a text that are at most 128 bytes long together; what is longer is cut off.
 #[derive(Debug)]
 pub struct Window<'a> {
     bytes: &'a mut [u8; ROOM],
