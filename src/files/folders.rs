@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::names::Names;
 use super::{FileError, LARGEST, read, system, write};
 use crate::control::mask::FileUse;
-use crate::nc::machine::{NcPath, Shipped, Store, StoreError};
+use crate::nc::machine::{NcPath, Origin, Shipped, Store, StoreError};
 
 /// Folders to read from and one to write into. `TNC:\fit\a.h` is looked for as `fit/a.h` and then as `a.h` in each of
 /// them, first in the one that is written into; the built-in files come last.
@@ -15,6 +15,8 @@ use crate::nc::machine::{NcPath, Shipped, Store, StoreError};
 pub struct Folders {
     reading: Vec<PathBuf>,
     writing: Option<PathBuf>,
+    /// Whether the built-in files do not count.
+    is_alone: bool,
     names: RefCell<Names>,
 }
 
@@ -44,6 +46,24 @@ impl Folders {
         self
     }
 
+    /// A copy in which the built-in files do not count.
+    #[must_use]
+    pub const fn without_built_in(mut self) -> Self {
+        self.is_alone = true;
+        self
+    }
+
+    /// The first file on this path, and the folder in which it was looked for.
+    fn find(&self, path: &NcPath) -> Option<(&Path, PathBuf)> {
+        let parts: Vec<&str> = path.parts().collect();
+        let mut names = self.names.borrow_mut();
+        let mut search = Search { names: &mut names, found: HashMap::new() };
+        let folders = self.writing.iter().chain(&self.reading);
+        // The user may have copied a folder on the path without those above it.
+        let mut places = folders.flat_map(|folder| (0..parts.len()).map(move |skipped| (folder, skipped)));
+        places.find_map(|(folder, skipped)| Some((folder.as_path(), search.find(folder, parts.get(skipped..)?)?)))
+    }
+
     /// How many times a folder was listed: the expensive part of looking for files.
     pub fn listed(&self) -> u64 {
         self.names.borrow().listed()
@@ -52,17 +72,19 @@ impl Folders {
 
 impl Store for Folders {
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
-        let parts: Vec<&str> = path.parts().collect();
-        let mut names = self.names.borrow_mut();
-        let mut search = Search { names: &mut names, found: HashMap::new() };
-        for folder in self.writing.iter().chain(&self.reading) {
-            for skipped in 0..parts.len() {
-                // The user may have copied a folder on the path without those above it.
-                let Some(found) = parts.get(skipped..).and_then(|parts| search.find(folder, parts)) else { continue };
-                return bytes_of(folder, &found, path);
-            }
+        match self.find(path) {
+            Some((folder, found)) => bytes_of(folder, &found, path),
+            None if self.is_alone => Err(StoreError::Missing { path: path.clone() }),
+            None => Shipped.read(path),
         }
-        Shipped.read(path)
+    }
+
+    fn origin(&self, path: &NcPath) -> Origin {
+        match self.find(path) {
+            Some((_, found)) => Origin::Given(Some(found)),
+            None if self.reading.is_empty() => Origin::BuiltIn,
+            None => Origin::BuiltInInstead,
+        }
     }
 
     fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {

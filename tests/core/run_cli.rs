@@ -365,3 +365,33 @@ fn two_classes_in_one_text_are_refused() {
     assert_eq!(said.code, Some(1), "{}", said.out);
     assert!(said.err.contains("QS1 = H7,H8 names several columns"), "{}", said.err);
 }
+
+/// A path that leads nowhere: the built-in program of that name is read, and that is said, or refused.
+#[test]
+fn a_built_in_file_in_place_of_a_given_path_is_told_or_refused() {
+    let shop = Shop::new();
+    let blocks = "Q1 = 25\nQS1 = \"H7\"\nFN 26: TABOPEN TNC:\\firma\\82553_hole.tab\nFN 28: TABREAD QL1 = 3 / \"H7\"";
+    let own = shop.program(blocks);
+    let table = "TNC:\\firma\\82553_hole.tab";
+    let said = fitcheck(&[&own]);
+    assert_eq!(
+        (said.code, said.err),
+        (Some(0), format!("note: own.h:4: {table} is not among the given files: the built-in one was read\n"))
+    );
+    let (_, answer) = json(&[&own]);
+    assert_eq!(answer["files"], serde_json::json!([{"file": table, "from": "built in"}]));
+    check_stopped(
+        &[&own, "--no-builtin"],
+        &format!(r"TNC:\own.h, line 4, FN 26: TABOPEN {table}: file not found: {table}"),
+    );
+    // The user's own one beside the program.
+    let given = shop.file("82553_hole.tab", &std::fs::read_to_string(shop.path("fit_hole.tab")).unwrap());
+    let (code, answer) = json(&[&own]);
+    assert_eq!((code, &answer["remarks"]), (Some(0), &serde_json::json!([])));
+    assert_eq!(answer["files"], serde_json::json!([{"file": table, "from": given}]));
+    // The whole set is built in: nothing else could be meant.
+    let (_, answer) = json(&["8255_nl.h", "--set", "Q1=25", "QS1=H7"]);
+    assert!(!answer["remarks"].to_string().contains("built-in"), "{answer}");
+    assert!(answer["files"].as_array().unwrap().iter().all(|file| file["from"] == "built in"), "{answer}");
+    assert_eq!(fitcheck(&["8255_nl.h", "--no-builtin"]).code, Some(1));
+}

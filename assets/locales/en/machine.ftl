@@ -69,6 +69,7 @@ machine-inch = cycles run in MM programs only
 
 ## Remarks
 machine-remark-skipped = unknown block skipped
+machine-remark-built-in = { $path } is not among the given files: the built-in one was read
 machine-remark-read = { $path }: { $what }
 machine-remark-ended-within = M{ $function } in a called program ended the run: a control does not allow it there
 machine-remark-given-wins = { $parameter } = { $value } was given before the run and replaces this block's value

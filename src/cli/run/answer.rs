@@ -11,7 +11,7 @@ use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::text::cut;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
-use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Window, Written};
+use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, Window, Written};
 
 /// The most blocks that a trace keeps.
 const MOST: usize = 100_000;
@@ -122,7 +122,7 @@ fn cycle(machine: &Machine, run: &CycleRun) -> Json {
         "cycle": run.cycle.code,
         "results": results,
         "checks": result.checks.iter().map(check).collect::<Vec<_>>(),
-        "status": result.status.map(crate::verdict::Status::word),
+        "status": result.verdict().map(crate::verdict::Status::word),
         "stop": result.stop.as_ref().map(ToString::to_string),
         "contacts": result.contacts,
         "remarks": result.remarks.iter().map(ToString::to_string).collect::<Vec<_>>(),
@@ -165,6 +165,7 @@ impl Serialize for Answer<'_> {
         answer.serialize_entry("blocks", &machine.blocks_run())?;
         answer.serialize_entry("status", &machine.status().map(crate::verdict::Status::word))?;
         answer.serialize_entry("parameters", &parameters)?;
+        answer.serialize_entry("files", &Each(|| machine.origins().iter().map(file)))?;
         answer.serialize_entry("windows", &Each(|| machine.windows().iter().map(window)))?;
         answer.serialize_entry("outputs", &Each(|| machine.outputs().iter().map(output)))?;
         answer.serialize_entry("cycles", &Each(|| machine.cycles().iter().map(|run| cycle(machine, run))))?;
@@ -183,6 +184,15 @@ impl Serialize for Answer<'_> {
         }
         answer.end()
     }
+}
+
+/// A file that was read, and where it comes from.
+fn file((path, origin): (&NcPath, &Origin)) -> Json {
+    let from = match origin {
+        Origin::Given(name) => json!(name.as_ref().map(|name| name.display().to_string())),
+        Origin::BuiltIn | Origin::BuiltInInstead => json!("built in"),
+    };
+    json!({"file": path.to_string(), "from": from})
 }
 
 /// A block of the trace.

@@ -65,6 +65,9 @@ pub(super) struct Args {
     /// Folder with programs, tables and masks, besides the program's own
     #[arg(long = "folder", value_name = "FOLDER")]
     folders: Vec<PathBuf>,
+    /// Refuse built-in programs, tables and masks in place of files that are not there
+    #[arg(long)]
+    no_builtin: bool,
     /// Folder for the files that FN 16 and FN 27 write
     #[arg(long, value_name = "FOLDER")]
     output_folder: Option<PathBuf>,
@@ -150,6 +153,9 @@ impl Args {
             io.warn_about(&name, &warning);
         }
         let mut store = self.folders.iter().fold(beside, Folders::reading);
+        if self.no_builtin {
+            store = store.without_built_in();
+        }
         for folder in &self.folders {
             if !folder.is_dir() {
                 return Err(CliError::NoFolder { path: folder.clone() });
@@ -171,7 +177,8 @@ impl Args {
 
     /// The program's name, its bytes and its folder; a built-in program where there is no such file.
     fn read_program(&self, io: &mut Io<'_>) -> Result<(String, Vec<u8>, Folders), CliError> {
-        let embedded = self.program.to_str().filter(|_| !self.program.exists()).and_then(Shipped::file);
+        let is_missing = !self.no_builtin && !self.program.exists();
+        let embedded = self.program.to_str().filter(|_| is_missing).and_then(Shipped::file);
         if let Some(bytes) = embedded {
             return Ok((self.program.display().to_string(), bytes.to_vec(), Folders::new()));
         }

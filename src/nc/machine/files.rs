@@ -7,7 +7,7 @@ use super::budget::{Budget, UsedUp};
 use super::fault::FaultKind;
 use super::path::NcPath;
 use super::remark::Remark;
-use super::store::{Store, StoreError};
+use super::store::{Origin, Store, StoreError};
 use crate::control::mask::FileUse;
 use crate::control::table::{ControlTable, TableFile};
 use crate::nc::program::Program;
@@ -30,6 +30,10 @@ pub(super) struct Files {
     /// The programs of earlier runs.
     known: BTreeMap<NcPath, Arc<Program>>,
     tables: Vec<(NcPath, Vec<u8>, Arc<TableFile>)>,
+    /// Where each file comes from that was read.
+    origins: BTreeMap<NcPath, Origin>,
+    /// Those among them that are built in, read since somebody asked, and take the place of others.
+    instead: Vec<NcPath>,
     kept_bytes: usize,
     traffic: usize,
     /// The folders that were written into, and those above them.
@@ -44,6 +48,8 @@ impl Files {
             programs: BTreeMap::from([main]),
             known: BTreeMap::new(),
             tables: Vec::new(),
+            origins: BTreeMap::new(),
+            instead: Vec::new(),
             kept_bytes: 0,
             traffic: 0,
             folders: BTreeSet::new(),
@@ -56,12 +62,31 @@ impl Files {
         self.programs.extend([main]);
         (self.kept_bytes, self.traffic) = (0, 0);
         self.folders.clear();
+        self.origins.clear();
+        self.instead.clear();
+    }
+
+    /// Where each file comes from that was read.
+    pub(super) const fn origins(&self) -> &BTreeMap<NcPath, Origin> {
+        &self.origins
+    }
+
+    /// The built-in files that took the place of others since this was asked.
+    pub(super) fn take_instead(&mut self) -> Vec<NcPath> {
+        std::mem::take(&mut self.instead)
     }
 
     pub(super) fn read(&mut self, path: &NcPath) -> Result<Vec<u8>, FaultKind> {
         self.spend(LEAST)?;
         let bytes = self.store.read(path)?;
         self.spend(bytes.len().saturating_sub(LEAST))?;
+        if !self.origins.contains_key(path) {
+            let origin = self.store.origin(path);
+            if origin == Origin::BuiltInInstead {
+                self.instead.push(path.clone());
+            }
+            self.origins.insert(path.clone(), origin);
+        }
         Ok(bytes)
     }
 

@@ -14,6 +14,11 @@ use crate::message::{Arg, Message, Say};
 pub enum Remark {
     /// An unknown block was skipped.
     Skipped,
+    /// A file is not among those that were given, and the built-in one of that name was read.
+    BuiltIn {
+        /// The file.
+        path: NcPath,
+    },
     /// A called program or a mask can be read, but not all of it means what it seems to.
     Read {
         /// The file.

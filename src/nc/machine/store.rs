@@ -1,6 +1,7 @@
 //! Where programs, tables and masks come from, and where outputs go.
 
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 use super::path::NcPath;
 use crate::control::mask::FileUse;
@@ -16,6 +17,11 @@ pub trait Store: Send {
     /// [`StoreError`] if they cannot be read.
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError>;
 
+    /// Where a file comes from that was read. The default implementation says that it was given.
+    fn origin(&self, _path: &NcPath) -> Origin {
+        Origin::Given(None)
+    }
+
     /// Writes what FN 16 prints, or a table that FN 27 has changed, and returns how many bytes the file has then. The
     /// default implementation writes nothing.
     ///
@@ -24,6 +30,17 @@ pub trait Store: Send {
     fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
         Err(StoreError::ReadOnly)
     }
+}
+
+/// Where a file comes from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Origin {
+    /// The user gave it; its name on this machine, where it has one.
+    Given(Option<PathBuf>),
+    /// It is built in, and nothing else could be meant.
+    BuiltIn,
+    /// It is built in and takes the place of one that is not among those that were given.
+    BuiltInInstead,
 }
 
 /// Why a file cannot be read or written.
@@ -91,6 +108,10 @@ impl Store for Shipped {
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
         Self::file(path.file_name()).map(<[u8]>::to_vec).ok_or_else(|| StoreError::missing(path))
     }
+
+    fn origin(&self, _path: &NcPath) -> Origin {
+        Origin::BuiltIn
+    }
 }
 
 /// Only these files of a control. Nothing is written.
@@ -127,6 +148,10 @@ impl InMemory {
 impl Store for InMemory {
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
         self.file(path).map_or_else(|| Shipped.read(path), |bytes| Ok(bytes.to_vec()))
+    }
+
+    fn origin(&self, path: &NcPath) -> Origin {
+        if self.file(path).is_some() { Origin::Given(None) } else { Origin::BuiltIn }
     }
 
     fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {

@@ -24,7 +24,10 @@ impl Run {
     pub(super) fn step(&mut self, files: &mut Files, settings: &Settings) -> Result<Step, Fault> {
         self.values.begin_block();
         let at = self.flow.next();
+        let place = self.flow.place_of(at);
         let mut done = self.block(at, files, settings);
+        let instead = files.take_instead().into_iter().map(|path| Remark::BuiltIn { path }).collect();
+        self.remarks.add_all(&place, instead);
         if matches!(done, Ok(Step::Ended)) {
             if let Some(left) = self.cycles.contacts_left() {
                 self.remark(at, left);

@@ -4,7 +4,7 @@
 
 mod blocks;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::budget::Settings;
@@ -18,7 +18,7 @@ use super::path::NcPath;
 use super::prints::{Prints, Window, Written};
 use super::remark::{Remark, Remarks};
 use super::step::{Pause, Step};
-use super::store::Store;
+use super::store::{Origin, Store};
 use super::tables::Tables;
 use super::values::Values;
 use crate::control::variables::{Parameter, Value, Variables};
@@ -206,6 +206,11 @@ impl Machine {
     /// A program that has been loaded.
     pub fn program(&self, path: &NcPath) -> Option<&Arc<Program>> {
         self.files.loaded(path)
+    }
+
+    /// Where each file comes from that the run has read, the main program aside.
+    pub const fn origins(&self) -> &BTreeMap<NcPath, Origin> {
+        self.files.origins()
     }
 
     /// The calls that lead to the current block, the outermost first.
