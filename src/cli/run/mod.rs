@@ -46,6 +46,7 @@ Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure, 1 a fa
 /// Run an NC program as a control does, within bounds
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(super) struct Args {
     /// The program, or the name of a built-in one; - reads standard input
     #[arg(value_name = "PROGRAM.h")]
