@@ -112,15 +112,9 @@ impl Take for Csv {
         let (word, count) = self.statuses.get(judged.status.at()).copied().unwrap_or_default();
         let is_lf = row.text.get(row.end) == Some(&b'\n');
         self.out.pieces(|out| {
-            out.push(separator);
-            judged.bounds.minimum().put_mm(3, out);
-            out.push(separator);
-            judged.bounds.maximum().put_mm(3, out);
-            out.push(separator);
-            let verdict = judged.verdict();
-            verdict.deviation.put_um(0, out);
+            judged.put_figures(separator, out);
             out.piece(word, count);
-            if let Some(removal) = verdict.removal {
+            if let Some(removal) = judged.verdict().removal {
                 removal.to_limit.put_um(0, out);
             }
             // Most lines end so.

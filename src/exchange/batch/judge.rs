@@ -14,7 +14,7 @@ use crate::exchange::columns;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::rules::{Found, Rules};
-use crate::length::{Length, Unit};
+use crate::length::{Length, Unit, Window};
 use crate::message::Say;
 use crate::tolerance::{Bounds, Sources, ToleranceClass};
 use crate::verdict::{SizeVerdict, Status, doubt_of, judge_bounds, verdict_of};
@@ -42,6 +42,18 @@ impl Judged {
     #[inline(always)]
     pub fn verdict(&self) -> SizeVerdict {
         verdict_of(&self.bounds, self.measured, self.status)
+    }
+
+    /// Appends the limits in millimetres and the deviation in micrometres, each behind a separator.
+    #[expect(clippy::inline_always, reason = "as above")]
+    #[inline(always)]
+    pub(super) fn put_figures(&self, separator: u8, out: &mut Window<'_>) {
+        out.push(separator);
+        self.bounds.minimum().put_mm(3, out);
+        out.push(separator);
+        self.bounds.maximum().put_mm(3, out);
+        out.push(separator);
+        self.verdict().deviation.put_um(0, out);
     }
 }
 

@@ -84,20 +84,14 @@ impl Tsv {
 impl Take for Tsv {
     fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
         self.cells(row);
-        let verdict = judged.verdict();
         self.out.pieces(|out| {
-            out.push(b'\t');
-            judged.bounds.minimum().put_mm(3, out);
-            out.push(b'\t');
-            judged.bounds.maximum().put_mm(3, out);
-            out.push(b'\t');
-            verdict.deviation.put_um(0, out);
+            judged.put_figures(b'\t', out);
             out.push(b'\t');
         });
         self.out.append(judged.status.word().as_bytes());
         self.out.pieces(|out| {
             out.push(b'\t');
-            if let Some(removal) = verdict.removal {
+            if let Some(removal) = judged.verdict().removal {
                 removal.to_limit.put_um(0, out);
             }
             out.push(b'\t');
