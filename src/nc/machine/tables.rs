@@ -121,16 +121,16 @@ impl Tables {
         self.open.as_ref().ok_or(FaultKind::NoTable)
     }
 
-    /// FN 26; the previous table is already closed.
-    pub(super) fn open(&mut self, path: NcPath, files: &mut Files) -> Result<(), FaultKind> {
-        let open = if let Some(changed) = self.changed.get(&path) {
-            changed.clone()
-        } else {
-            let (file, bytes) = files.table(&path)?;
-            OpenTable { path, file, bytes, changed_at: None }
-        };
-        self.open = Some(open);
-        Ok(())
+    /// FN 26; the previous table is already closed. Returns what the reader of the table has to say.
+    pub(super) fn open(&mut self, path: NcPath, files: &mut Files) -> Result<Vec<Remark>, FaultKind> {
+        if let Some(changed) = self.changed.get(&path) {
+            self.open = Some(changed.clone());
+            return Ok(Vec::new());
+        }
+        let (file, bytes) = files.table(&path)?;
+        let remarks = Remark::read(&path, &file.warnings);
+        self.open = Some(OpenTable { path, file, bytes, changed_at: None });
+        Ok(remarks)
     }
 
     /// FN 28: one column fills the parameter, several also fill the following ones.

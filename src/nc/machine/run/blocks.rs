@@ -93,7 +93,7 @@ impl Run {
                 return Err(FaultKind::Programmed(u32::try_from(number).unwrap_or(u32::MAX)));
             }
             Body::Print { mask, output } => self.print(at, mask, output, files, settings)?,
-            Body::TableOpen(path) => self.open_table(path, files)?,
+            Body::TableOpen(path) => self.open_table(at, path, files)?,
             Body::TableRead { to, row, columns } => {
                 let found = self.tables.read(*to, *row, columns, &self.values)?;
                 found.into_iter().try_for_each(|(to, value)| self.values.put(to, value))?;
@@ -163,13 +163,15 @@ impl Run {
     }
 
     /// FN 26: closes the table that is still open.
-    fn open_table(&mut self, path: &TextOperand, files: &mut Files) -> Result<(), FaultKind> {
+    fn open_table(&mut self, at: usize, path: &TextOperand, files: &mut Files) -> Result<(), FaultKind> {
         let path = self.path_of(path)?;
         if self.tables.path() == Some(&path) {
             return Ok(());
         }
         self.close_table(files)?;
-        self.tables.open(path, files)
+        let remarks = self.tables.open(path, files)?;
+        self.remarks.add_all(&self.flow.place_of(at), remarks);
+        Ok(())
     }
 
     fn close_table(&mut self, files: &mut Files) -> Result<(), FaultKind> {
