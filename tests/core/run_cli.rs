@@ -401,8 +401,8 @@ fn a_built_in_file_in_place_of_a_given_path_is_told_or_refused() {
 fn a_table_that_was_cut_off_is_told_in_a_run() {
     let shop = Shop::new();
     let whole = std::fs::read_to_string(shop.path("fit_hole.tab")).unwrap();
-    let end = whole.rfind("[END]").unwrap();
-    shop.file("cut.tab", &whole[..end]);
+    let (rows, _end) = whole.rsplit_once("[END]").unwrap();
+    shop.file("cut.tab", rows);
     let said = fitcheck(&[&shop.program("FN 26: TABOPEN cut.tab\nFN 28: TABREAD QL1 = 3 / \"H7\"")]);
     assert_eq!(said.code, Some(0), "{}", said.err);
     assert!(said.err.starts_with("note: own.h:2: TNC:\\cut.tab: ") && said.err.contains("END"), "{}", said.err);
