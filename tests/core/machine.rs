@@ -805,6 +805,19 @@ fn the_shipped_programs_print_the_native_window() {
 }
 
 #[test]
+fn what_is_odd_in_a_called_program_is_told_in_every_run() {
+    let sub = "BEGIN PGM sub MM\nTCH PROBE 421 A ~\n Q301=+0 ;X\n Q275=+25.01 ;X\nEND PGM sub MM\n";
+    let mut machine = machine_in(InMemory::new().with("sub.h", sub), "CALL PGM sub.h");
+    for _ in 0..2 {
+        let _fault = machine.run(100).unwrap_err();
+        let said: Vec<String> = machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect();
+        let [said] = said.as_slice() else { panic!("{said:?}") };
+        assert!(said.starts_with("TNC:\\fit\\sub.h: line 4, column 2: cycle 421 has ended in line 3"), "{said}");
+        machine.restart(Contacts::Perfect);
+    }
+}
+
+#[test]
 fn a_restart_forgets_the_run_and_sees_changed_files() {
     let mut machine = fit(bore("25.0134"));
     machine.toggle_breakpoint(BlockPlace { program: NcPath::new(r"TNC:\fitcheck\fit_main.h").unwrap(), block: 3 });

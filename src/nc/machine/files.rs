@@ -29,6 +29,8 @@ pub(super) struct Files {
     programs: BTreeMap<NcPath, Arc<Program>>,
     /// The programs of earlier runs.
     known: BTreeMap<NcPath, Arc<Program>>,
+    /// What their reader had to say.
+    odd: BTreeMap<NcPath, Vec<Remark>>,
     tables: Vec<(NcPath, Vec<u8>, Arc<TableFile>)>,
     /// Where each file comes from that was read.
     origins: BTreeMap<NcPath, Origin>,
@@ -47,6 +49,7 @@ impl Files {
             budget,
             programs: BTreeMap::from([main]),
             known: BTreeMap::new(),
+            odd: BTreeMap::new(),
             tables: Vec::new(),
             origins: BTreeMap::new(),
             instead: Vec::new(),
@@ -155,13 +158,14 @@ impl Files {
         let bytes = self.read(path).or_else(|fault| self.with_suffix(path, fault))?;
         // A program returns exactly the bytes that it was read from.
         let (program, remarks) = match self.known.get(path).filter(|program| program.write() == bytes) {
-            Some(program) => (Arc::clone(program), Vec::new()),
+            Some(program) => (Arc::clone(program), self.odd.get(path).cloned().unwrap_or_default()),
             None => match Program::read(&bytes) {
                 Ok((program, warnings)) => (Arc::new(program), Remark::read(path, &warnings)),
                 Err(error) => return Err(FaultKind::NoProgram { path: path.clone(), error }),
             },
         };
         self.keep(program.memory(), tables)?;
+        self.odd.insert(path.clone(), remarks.clone());
         self.programs.insert(path.clone(), Arc::clone(&program));
         Ok((program, remarks))
     }
