@@ -1,8 +1,8 @@
 //! What a block says: its first words decide which function reads the rest.
 
-use super::block::{Body, Target, Unit};
-use super::cursor::{Cursor, Read};
-use super::fault::{BlockFault, Wanted};
+use super::super::block::{Body, Target, Unit};
+use super::super::cursor::{Cursor, Read};
+use super::super::fault::{BlockFault, Wanted};
 use super::functions::{assignment, declaration, function};
 use super::moves::{is_machine_function, line, machine_functions, tool_call};
 

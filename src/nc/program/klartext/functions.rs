@@ -1,13 +1,13 @@
 //! Blocks that begin with `FN`, and assignments.
 
-use super::block::{Body, Columns, Condition, Operand};
+use super::super::block::{Body, Columns, Condition, Operand};
 use super::body::target;
-use super::cursor::{Cursor, Read};
-use super::expression::{Expression, NumberFunction, Operation};
-use super::fault::{BlockFault, Wanted};
-use super::formula::{binary, expression};
-use super::text_formula::text_expression;
-use super::words::{OPERATIONS, RELATIONS, word};
+use super::super::cursor::{Cursor, Read};
+use super::super::expression::{Expression, NumberFunction, Operation};
+use super::super::fault::{BlockFault, Wanted};
+use super::super::formula::{binary, expression};
+use super::super::text_formula::text_expression;
+use super::super::words::{OPERATIONS, RELATIONS, word};
 use crate::control::variables::Family;
 
 /// `FN n: …`, after the word `FN`. Functions that Fitcheck does not run are [`Body::Other`].

@@ -1,9 +1,9 @@
 //! Straight lines, tool calls and M functions.
 
-use super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand, TextOperand, Tool};
-use super::cursor::{Cursor, Read, Stop};
-use super::fault::BlockFault;
-use super::words::{AXES, COMPENSATIONS, meaning};
+use super::super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand, TextOperand, Tool};
+use super::super::cursor::{Cursor, Read, Stop};
+use super::super::fault::BlockFault;
+use super::super::words::{AXES, COMPENSATIONS, meaning};
 use crate::control::variables::Family;
 
 /// The largest number of an M function.
