@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `block` | what a block says |
+//! | `block`, `around` | what a block says; blocks around a measurement |
 //! | `expression` | formulas for numbers and texts |
 //! | `read`, `warnings` | bytes to blocks, with warnings |
 //! | `notation`, `klartext` | which notation it is; the readers |
@@ -17,6 +17,7 @@
 //! say. Unknown blocks are kept as text ([`Body::Other`]) and are never an error: real programs hold far more than
 //! Fitcheck runs. Running is in `nc::machine`. Grammar: manuals and public programs, see `docs/SOURCES.md`.
 
+mod around;
 mod block;
 mod cursor;
 mod error;
@@ -34,6 +35,7 @@ mod words;
 pub mod write;
 mod write_formula;
 
+pub use around::{Frame, Goes, Mode, PassedOver};
 pub use block::{
     Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, Feed, MachineFunction,
     Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,

@@ -1,10 +1,11 @@
 //! What a block says: its first words decide which function reads the rest.
 
-use super::super::block::{Body, Target, Unit};
+use super::super::block::{Body, Operand, Target, Unit};
 use super::super::cursor::{Cursor, Read};
 use super::super::fault::{BlockFault, Wanted};
 use super::functions::{assignment, declaration, function};
 use super::moves::{is_machine_function, line, machine_functions, tool_call};
+use crate::control::variables::Family;
 
 /// The largest number of a label.
 const MOST_LABEL: u32 = 65_535;
@@ -89,12 +90,15 @@ pub(super) fn target(cursor: &mut Cursor<'_>) -> Read<Target> {
     }
 }
 
-/// `CALL LBL 5 REP 3`, also `REP3` and the old `REP 25/25`: its second number counted the repeats left.
+/// `CALL LBL 5 REP 3`, also `REP3`, `REP Q7` and the old `REP 25/25`: its second number counted the repeats left.
 fn call_label(cursor: &mut Cursor<'_>) -> Read<Body> {
     let label = target(cursor)?;
     let mut repeat = None;
     if cursor.take_word("REP") {
-        repeat = Some(cursor.expect_whole(MOST_REPEATS)?);
+        repeat = Some(match cursor.parameter()?.filter(|parameter| parameter.family != Family::Qs) {
+            Some(parameter) => Operand::Parameter { parameter, is_negative: false },
+            None => Operand::Number(f64::from(cursor.expect_whole(MOST_REPEATS)?)),
+        });
         if cursor.take('/') {
             cursor.expect_whole(MOST_REPEATS)?;
         }

@@ -5,9 +5,9 @@
 //! that a comment's `~` has swallowed.
 
 use super::super::block::{Body, CycleBlock};
-use super::body::body;
 use super::super::error::ProgramWarningKind;
 use super::super::lines::{Front, Piece, front};
+use super::body::body;
 use crate::control::variables::Parameter;
 use crate::probing::cycle::{Control, Cycle};
 use crate::probing::cycles::cycles_of;

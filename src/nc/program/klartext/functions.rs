@@ -1,13 +1,13 @@
 //! Blocks that begin with `FN`, and assignments.
 
 use super::super::block::{Body, Columns, Condition, Operand};
-use super::body::target;
 use super::super::cursor::{Cursor, Read};
 use super::super::expression::{Expression, NumberFunction, Operation};
 use super::super::fault::{BlockFault, Wanted};
 use super::super::formula::{binary, expression};
 use super::super::text_formula::text_expression;
 use super::super::words::{OPERATIONS, RELATIONS, word};
+use super::body::target;
 use crate::control::variables::Family;
 
 /// `FN n: …`, after the word `FN`. Functions that Fitcheck does not run are [`Body::Other`].

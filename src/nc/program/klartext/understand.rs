@@ -1,13 +1,13 @@
 //! From the lines of one block to what it says.
 
 use super::super::block::{Body, CycleBlock, Place};
-use super::body::body;
 use super::super::cursor::{Cursor, Stop};
-use super::cycle;
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::lines::Piece;
 use super::super::words::DEEPEST;
+use super::body::body;
+use super::cycle;
 
 /// The longest block that is parsed, in bytes; a control accepts a few hundred characters per line.
 const LONGEST: usize = 1 << 16;
