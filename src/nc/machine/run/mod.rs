@@ -252,11 +252,12 @@ impl Machine {
         self.run.around.passed()
     }
 
-    /// The same as a message; `None` if there were none.
+    /// The same as a message, without the blank's form, which nearly every program has and which is for graphics only; `None`
+    /// if there were no others.
     pub fn passed_over_message(&self) -> Option<Message> {
-        let passed = self.passed_over();
-        let listed: Vec<String> = passed.iter().map(|(words, count)| format!("{count} {words}")).collect();
-        let count: usize = passed.values().sum();
+        let passed = || self.passed_over().iter().filter(|(words, _)| *words != "BLK FORM");
+        let listed: Vec<String> = passed().map(|(words, count)| format!("{count} {words}")).collect();
+        let count: usize = passed().map(|(_, count)| count).sum();
         let message = || Message::new("machine-passed-over").count("count", count).text("list", listed.join(", "));
         (0 < count).then(message)
     }
