@@ -194,8 +194,7 @@ fn predef_needs_a_global_definition_that_was_run() {
     );
     check(&machine, &[(320, 4.0)]);
     // A value of an inch program is handed on as a length, not as a number.
-    let text =
-        format!("BEGIN PGM a INCH\nGLOBAL DEF 120 PROBING ~\nQ320=+0.1\nTOOL CALL 1 Z\nCALL PGM b.h\nEND PGM a INCH\n");
+    let text = "BEGIN PGM a INCH\nGLOBAL DEF 120 PROBING ~\nQ320=+0.1\nTOOL CALL 1 Z\nCALL PGM b.h\nEND PGM a INCH\n";
     let store = InMemory::new().with("b.h", format!("BEGIN PGM b MM\n{hole}\nEND PGM b MM\n"));
     let program = Arc::new(Program::read(text.as_bytes()).unwrap().0);
     let mut machine = Machine::new("a.h", program, store, Contacts::Perfect, settings());

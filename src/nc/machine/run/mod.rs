@@ -1,7 +1,8 @@
 //! The machine as its users see it: set up, run block by block, asked what it has done.
 //!
-//! `blocks` has what each block does.
+//! `blocks` has what each block does, `around` those that set something up.
 
+mod around;
 mod blocks;
 
 use std::collections::{BTreeMap, BTreeSet};
