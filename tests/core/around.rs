@@ -288,6 +288,28 @@ fn a_turning_spindle_and_turned_axes_are_told() {
 }
 
 #[test]
+fn the_tools_place_is_known_only_where_the_program_says_it() {
+    let at = |blocks: &str| ran(&format!("TOOL CALL 1 Z\nL X+1 Y+2 Z+3 FMAX\n{blocks}"), Contacts::Perfect).position();
+    let [x, y, z] = [Some(1.0), Some(2.0), Some(3.0)];
+    for (blocks, place) in [
+        ("CC X+9 Y+9", [x, y, z]),
+        ("C X+5 Y+6 DR-", [Some(5.0), Some(6.0), z]),
+        ("CP IPA-360 IZ-5 DR-", [None; 3]),
+        ("DEP LT LEN10\nL Z+50", [None, None, Some(50.0)]),
+        ("L M140 MB MAX", [x, y, None]),
+        ("TOOL CALL 1 X\nL M140 MB MAX", [None, y, z]),
+        ("L Z+0 FMAX M91", [x, y, None]),
+        ("L X+5 FMAX M99", [None; 3]),
+        ("CYCL CALL", [None; 3]),
+        ("CYCL DEF 7.1 X+10\nL X+5", [Some(15.0), y, z]),
+        ("CYCL DEF 10.1 ROT+10\nL X+5", [None, y, z]),
+        ("L IX+5", [Some(6.0), y, z]),
+    ] {
+        assert_eq!(at(blocks), place, "{blocks}");
+    }
+}
+
+#[test]
 fn results_of_an_earlier_cycle_do_not_pass_as_measured() {
     let face = "TCH PROBE 427 X ~\nQ263=+35 ~\nQ264=+45 ~\nQ261=+5 ~\nQ320=+0 ~\nQ272=+3 ~\nQ267=-1 ~\nQ260=+20 ~\nQ281=+0 ~\n\
                 Q288=+5.1 ~\nQ289=+4.9 ~\nQ309=+0 ~\nQ330=+0";
