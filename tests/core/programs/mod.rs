@@ -1,5 +1,7 @@
 //! Reading and writing NC programs.
 
+mod iso;
+mod iso_like_klartext;
 mod properties;
 mod reading;
 mod refusing;

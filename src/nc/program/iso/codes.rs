@@ -81,9 +81,11 @@ impl Block<'_, '_> {
             24 | 25 => self.passed_over("RFM", Goes::default()),
             // Approach and departure end beside the contour.
             26 | 27 => self.passed_over("RFM", Goes { is_unknown: true, axes: Vec::new() }),
-            // Dwell, pole, spindle, next tool, tolerance, call of a cycle, and the old definition of a tool.
+            // Dwell, pole, spindle, next tool, tolerance, and the old definition of a tool.
             4 => self.passed_over("FSPHM", Goes::default()),
-            29 | 79 => self.passed_over("FM", Goes::default()),
+            29 => self.passed_over("FM", Goes::default()),
+            // Where a cycle leaves the tool is the control's to know.
+            79 => self.passed_over("FM", Goes { is_unknown: true, axes: Vec::new() }),
             36 | 62 => self.passed_over("STPHFM", Goes::default()),
             51 | 99 => self.passed_over("TLR", Goes::default()),
             // The blank.
@@ -177,7 +179,7 @@ impl Block<'_, '_> {
                 Err(Stop { at, reason: BlockFault::LeftOver { found: name(number) } })
             }
             (Some(Function { number, at }), Some(main)) => {
-                Err(Stop { at, reason: BlockFault::Together { first: name(main.number), second: name(number) } })
+                Err(Stop { at, reason: BlockFault::NotTogether { one: name(main.number), other: name(number) } })
             }
         }
     }

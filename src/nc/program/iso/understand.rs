@@ -1,17 +1,15 @@
 //! From the lines of one block to what it says.
 
-use super::super::block::{Body, CycleBlock, CycleValue, Place};
-use super::super::around::Frame;
+use super::super::block::{Body, CycleBlock, Place};
 use super::super::cursor::{Cursor, Stop};
 use super::super::error::ProgramWarningKind;
-use super::super::fault::{BlockFault, Wanted};
-use super::super::klartext::{cycle_head, cycle_line, heading};
+use super::super::fault::BlockFault;
+use super::super::klartext::{cycle_head, cycle_line, defined, heading};
 use super::super::lines::Piece;
 use super::super::warnings::{LONGEST, Odd};
 use super::body::{body, frame};
 use super::modes::Modes;
 use super::pieces::front;
-use crate::control::variables::Parameter;
 
 /// Whether a block is the line of Klartext that gives values to `PREDEF`.
 pub(super) fn is_global(code: &str) -> bool {
@@ -65,11 +63,7 @@ pub(super) fn understand(
         let mut cursor = Cursor::new(first.code);
         cursor.take_prefix("G");
         let cycle = cycle(cursor, first, more, place)?;
-        return Ok(match number {
-            247 => Body::Frame(preset(&cycle).ok_or_else(|| not_understood(first, 0, missing("Q339=")))?),
-            200..300 => Body::CycleDefinition(cycle),
-            _ => Body::Probe(cycle),
-        });
+        return Ok(if number < 300 { defined(cycle) } else { Body::Probe(cycle) });
     }
     if let Some(next) = more.iter().find(|piece| !piece.code.is_empty()) {
         return Err(left_over(next, next.code.split_whitespace().next().unwrap_or_default()));
@@ -86,10 +80,6 @@ fn not_understood(piece: &Piece<'_>, at: usize, reason: BlockFault) -> Odd {
 
 fn left_over(piece: &Piece<'_>, found: &str) -> Odd {
     not_understood(piece, 0, BlockFault::LeftOver { found: found.chars().take(24).collect() })
-}
-
-const fn missing(word: &'static str) -> BlockFault {
-    BlockFault::Missing(Wanted::Word(word))
 }
 
 /// The number of a cycle with Q parameters: G200 to G299 machine, G400 to G499 probe.
@@ -111,7 +101,14 @@ fn cycle(
     // The name ends where the first parameter begins.
     let name_at = first.code.len() - cycle.name.len();
     let words = cycle.name.clone();
-    if let Some(at) = first_parameter(&words) {
+    let at = first_parameter(&words, |_| true).unwrap_or(words.len());
+    // A name has no figures and signs: `X+5` is none, nor is a parameter without its `=`.
+    let name = words.get(..at).unwrap_or_default();
+    if let Some(odd) = name.split_whitespace().find(|word| word.contains(|c: char| c.is_ascii_digit() || "+*=~%".contains(c))) {
+        let found = odd.chars().take(24).collect();
+        return Err(not_understood(first, name_at + name.find(odd).unwrap_or(0), BlockFault::LeftOver { found }));
+    }
+    if at < words.len() {
         cycle.name.truncate(at);
         cycle.name.truncate(cycle.name.trim_end().len());
         let start = first.start + name_at + at;
@@ -126,37 +123,25 @@ fn cycle(
     Ok(cycle)
 }
 
-/// Where the first `Q5=` of a text begins.
-fn first_parameter(text: &str) -> Option<usize> {
+/// Where the first parameter of a text begins behind which this stands.
+fn first_parameter(text: &str, is_followed: impl Fn(&mut Cursor<'_>) -> bool) -> Option<usize> {
     let begins = |at: usize| text.get(..at).is_none_or(|before| !before.ends_with(|c: char| c.is_alphanumeric()));
-    text.match_indices(['Q', 'q']).map(|(at, _)| at).find(|&at| {
-        begins(at) && assigned_at(text.get(at..).unwrap_or_default()).is_some()
-    })
-}
-
-/// The parameter of `Q5=` at the beginning of a text.
-fn assigned_at(text: &str) -> Option<Parameter> {
-    let mut cursor = Cursor::new(text);
-    let parameter = cursor.parameter().ok().flatten()?;
-    cursor.take('=').then_some(parameter)
+    let is_parameter = |at: usize| {
+        let mut cursor = Cursor::new(text.get(at..).unwrap_or_default());
+        // One whose number is too large is refused where it is read.
+        !matches!(cursor.parameter(), Ok(None)) && is_followed(&mut cursor)
+    };
+    text.match_indices(['Q', 'q']).map(|(at, _)| at).find(|&at| begins(at) && is_parameter(at))
 }
 
 /// What a comment has swallowed: a parameter of a cycle that goes on in the same line, or a block behind a `*`.
 fn swallowed(piece: &Piece<'_>, is_cycle: bool) -> Option<Odd> {
     let comment = piece.comment?;
-    let parameter = first_parameter(comment).filter(|_| is_cycle).and_then(|at| comment.get(at..));
+    let at = if is_cycle { first_parameter(comment, |cursor| cursor.take('=')) } else { None };
+    let parameter = at.and_then(|at| comment.get(at..));
     let mut parts = comment.split('*').skip(1).map(str::trim_start);
     let found = parameter.or_else(|| parts.find(|part| front(part).number.is_some()))?;
     let found = found.split_whitespace().next().unwrap_or_default().chars().take(24).collect();
     let at = piece.start + piece.code.len();
     Some(Odd { line: piece.line, at, what: ProgramWarningKind::CommentHolds { found } })
-}
-
-/// G247 with its only parameter.
-fn preset(cycle: &CycleBlock) -> Option<Frame> {
-    let [line] = cycle.lines.as_slice() else { return None };
-    match line.value {
-        CycleValue::Number { value, .. } if line.parameter == Parameter::q(339) => Some(Frame::Preset(Some(value))),
-        _ => None,
-    }
 }

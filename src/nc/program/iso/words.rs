@@ -45,7 +45,6 @@ pub(super) struct Word<'a> {
     pub value: Operand,
     /// As written.
     pub text: &'a str,
-    pub at: usize,
 }
 
 /// Words of one number; the longer ones first.
@@ -97,9 +96,9 @@ impl<'a> Words<'a> {
                 }
                 let value = cursor.operand()?;
                 if name != "P" && self.value(name).is_some() {
-                    return Err(Stop { at, reason: BlockFault::Together { first: name.into(), second: name.into() } });
+                    return Err(Stop { at, reason: BlockFault::NotTogether { one: name.into(), other: name.into() } });
                 }
-                self.values.push(Word { name, value, text: cursor.since(at), at });
+                self.values.push(Word { name, value, text: cursor.since(at) });
             }
         }
         Ok(())
@@ -115,7 +114,7 @@ impl<'a> Words<'a> {
         let mut found = self.functions.iter().filter(|function| group(function.number));
         match (found.next(), found.next()) {
             (Some(first), Some(second)) => {
-                let reason = BlockFault::Together { first: name(first.number), second: name(second.number) };
+                let reason = BlockFault::NotTogether { one: name(first.number), other: name(second.number) };
                 Err(Stop { at: second.at, reason })
             }
             (first, _) => Ok(first.copied()),

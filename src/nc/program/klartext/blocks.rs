@@ -5,9 +5,9 @@ use super::super::cursor::Cursor;
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::lines::{Front, Lines, Piece, first, front, next, trimmed};
-use super::super::warnings::Warnings;
+use super::super::warnings::{Odd, Warnings};
 use super::cut_off::{Before, CutOff, cut_off};
-use super::understand::{Odd, understand};
+use super::understand::understand;
 
 /// The most text in formulas and in lines longer than [`LONG`], 8 MiB: once read, it takes up to fifty times its length
 /// in memory. Real programs stay far below.
