@@ -407,3 +407,29 @@ fn a_table_that_was_cut_off_is_told_in_a_run() {
     assert_eq!(said.code, Some(0), "{}", said.err);
     assert!(said.err.starts_with("note: own.h:2: TNC:\\cut.tab: ") && said.err.contains("END"), "{}", said.err);
 }
+
+#[test]
+fn an_iso_program_runs_and_calls_another() {
+    let shop = Shop::new();
+    let cycle = "G421 Q273=+40 Q274=+30 Q262=25 Q261=-8 Q275=+25.021 Q276=+25";
+    shop.file("SUB.i", &format!("%SUB G71 *\nN10 {cycle} *\nN99999999 %SUB G71 *\n"));
+    let main = shop.file(
+        "part.i",
+        "%PART G71 *\nN10 G00 G90 X+0 Y+0 Z+50 *\nN20 %SUB *\nN30 Q1 = Q153 * 2 *\nN99999999 %PART G71 *\n",
+    );
+    let (code, answer) = json(&[&main, "--workpiece", &shop.path("rework.toml")]);
+    assert_eq!((code, &answer["faults"]), (Some(10), &serde_json::json!([])));
+    assert_eq!((&answer["parameters"]["Q1"], &answer["cycles"][0]["line"]), (&Value::from(49.98), &Value::from(2)));
+    assert_eq!(answer["cycles"][0]["program"], "TNC:\\SUB");
+
+    let twice = shop.file("twice.i", &format!("%A G71 *\nN10 {cycle} Q276=+24.9 *\nN99 %A G71 *\n"));
+    let said = fitcheck(&[&twice]);
+    assert!(said.code == Some(1) && said.err.contains("Q276"), "{}", said.err);
+    let open = shop.file("open.i", &format!("%A G71 *\nN10 {cycle}\nN99 %A G71 *\n"));
+    let said = fitcheck(&[&open]);
+    assert!(
+        said.code == Some(1) && said.err.contains("line 2, column 65: the block does not end in *"),
+        "{}",
+        said.err
+    );
+}

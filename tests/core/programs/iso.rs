@@ -54,7 +54,8 @@ fn same(iso: &str, klartext: &str) {
 
 #[track_caller]
 fn passed_over(block: &str, words: &str, is_unknown: bool, axes: &[(Axis, f64)]) {
-    let axes = axes.iter().map(|&(axis, value)| AxisWord { axis, is_incremental: false, value: Operand::Number(value) });
+    let axes =
+        axes.iter().map(|&(axis, value)| AxisWord { axis, is_incremental: false, value: Operand::Number(value) });
     let goes = Goes { is_unknown, axes: axes.collect() };
     let wanted = PassedOver { words: words.to_owned(), goes, machine: Vec::new() };
     assert_eq!(body(block), Body::PassedOver(wanted), "{block}");
@@ -83,10 +84,14 @@ fn the_frame_says_name_and_unit() {
         assert_eq!(program.blocks().last().map(|block| &block.body), Some(&end));
         assert_eq!(program.write(), text.as_bytes());
     }
-    for text in ["%A *\nN1 M30 *", "% G71 A", "0 BEGIN PGM G71 MM\n", "G71", "%lathe.nc\n", "%lathe.nc \"TURN_V1.0\"\n"] {
+    for text in ["%A *\nN1 M30 *", "% G71 A", "0 BEGIN PGM G71 MM\n", "G71", "%lathe.nc\n", "%lathe.nc \"TURN_V1.0\"\n"]
+    {
         assert_ne!(Program::read(text.as_bytes()).unwrap().0.notation(), Notation::Iso, "{text}");
     }
-    assert_eq!(read("%A G71 *\nN1 M3 *\n").1, ["line 2, column 1: the last block is missing: % with the name of the program"]);
+    assert_eq!(
+        read("%A G71 *\nN1 M3 *\n").1,
+        ["line 2, column 1: the last block is missing: % with the name of the program"]
+    );
     assert_eq!(read("%A G71 *\nN1 %A G70 *\n").1, ["line 2, column 1: the last block says INCH, the first MM"]);
     let behind = "line 3, column 1: text after the last block is not part of the program";
     assert_eq!(read("%A G71 *\nN1 %A G71 *\nN2 M30 *\nN3 M30 *\n").1, [behind]);
@@ -96,7 +101,8 @@ fn the_frame_says_name_and_unit() {
 
 #[test]
 fn block_numbers_skip_marks_and_comments() {
-    let text = "%A G71 *\n/N10 M8 *\nN20 /M9 * ;off\nN30 ;18 K7 *\n;alone\nN40 *\n*\nM5*\nN50 M3 ;on *\nN99999999 %A G71 *";
+    let text =
+        "%A G71 *\n/N10 M8 *\nN20 /M9 * ;off\nN30 ;18 K7 *\n;alone\nN40 *\n*\nM5*\nN50 M3 ;on *\nN99999999 %A G71 *";
     let (program, warnings) = Program::read(text.as_bytes()).unwrap();
     assert!(warnings.is_empty(), "{warnings:?}");
     let blocks = program.blocks();
@@ -192,7 +198,7 @@ fn straight_lines_are_moves() {
 #[test]
 fn g90_g91_and_the_kind_of_path_stay_in_force() {
     let lines = |klartext: &str| read(&format!("BEGIN PGM A MM\n{klartext}\nEND PGM A MM\n")).0;
-    let iso = "N1 G00 G90 X+1 *\nN2 Y+2 *\nN3 G01 G91 X+3 F100 *\nN4 Z+4 *\nN5 G90 *\nN6 Z+5 *";
+    let iso = "G00 G90 X+1 *\nY+2 *\nG01 G91 X+3 F100 *\nZ+4 *\nG90 *\nZ+5 *";
     let klartext = "L X+1 FMAX\nL Y+2 FMAX\nL IX+3 F100\nL IZ+4\nM1\nL Z+5";
     let (bodies, warnings) = blocks(iso);
     let wanted = lines(klartext);
@@ -290,6 +296,7 @@ fn cycles_have_their_words_in_one_line_or_in_several() {
     ] {
         same(iso, klartext);
     }
+    same("G0421 Q275=5 *", "TCH PROBE 421 A ~\nQ275=5");
     for number in ["421", "422", "423", "424", "425", "426", "427", "444", "431"] {
         let Body::Probe(cycle) = body(&format!("G{number} Q1=5 *")) else { panic!("{number}") };
         assert_eq!(cycle.number, number);
@@ -316,7 +323,9 @@ fn global_values_are_lines_of_klartext() {
         let lines: Vec<_> = cycle.lines.iter().map(|line| line.parameter.to_string()).collect();
         assert_eq!((cycle.number.as_str(), lines.join(" ").as_str()), ("120", "Q320 Q260 Q301"), "{iso}");
     }
-    if Program::read(format!("BEGIN PGM A MM\n{klartext}\nEND PGM A MM").as_bytes()).unwrap().0.blocks()[1].body != Body::Other {
+    if Program::read(format!("BEGIN PGM A MM\n{klartext}\nEND PGM A MM").as_bytes()).unwrap().0.blocks()[1].body
+        != Body::Other
+    {
         same("GLOBAL DEF 120 PROBING ~\nQ320=+1 ~\nQ260=+50 ~\nQ301=+0", klartext);
     }
 }
@@ -381,8 +390,9 @@ fn what_is_not_understood_says_what_was_found() {
         ("CALL PGM A *", 4, "expected a number or a Q parameter, found L"),
         ("G421 Q273 *", 10, "= is missing"),
         ("G421 Q273 +40 Q274=5 *", 11, "expected =, found +40"),
+        ("G421.5 Q274=5 *", 5, ".5 is not known"),
         ("G421 X+5 Q274=5 *", 6, "unexpected text X+5"),
-        ("G421 HOLE Q2000=5 *", 11, "Q2000 is not a parameter: Q goes from 0 to 1999"),
+        ("G421 HOLE Q2000=5 *", 11, "Q2000=5 is not a parameter: Q goes from 0 to 1999"),
         ("G421 Q273=* *", 11, "expected a value, found *"),
         ("G421 Q273=+5 M99 *", 14, "expected a parameter, found M99"),
         ("G421 Q273=+5 * ~", 1, "unexpected text ~"),
@@ -414,7 +424,10 @@ fn a_missing_star_is_refused_and_takes_no_other_block_with_it() {
     assert_eq!(blocks("N10 Q1 = 5 ;five\n%SUB *").1, [star(3, 11)]);
     assert_eq!(blocks("N10 M3\nGLOBAL DEF 120 P ~\nQ320=1").1, [star(3, 7)]);
     let text = "%A G71 *\nN1 M3";
-    assert_eq!(read(text).1, ["line 2, column 1: the last block is missing: % with the name of the program".to_owned(), star(2, 6)]);
+    assert_eq!(
+        read(text).1,
+        ["line 2, column 1: the last block is missing: % with the name of the program".to_owned(), star(2, 6)]
+    );
     // The search for it ends.
     let many = format!("G421 Q1=5\n{}", "Q2=5\n".repeat(2000));
     let (bodies, warnings) = blocks(&many);
@@ -427,7 +440,10 @@ fn a_cycle_that_is_cut_off_is_refused() {
     let cycle = "N10 G421 ~\n  Q273=+40 ~\n  Q274=+30 ~";
     assert_eq!(blocks(&format!("{cycle}\nN20 M3 *")).1, [star(5, 11)]);
     assert_eq!(blocks(&format!("{cycle}\n  Q275=+5\nN20 M3 *")).1, [star(6, 10)]);
-    assert_eq!(blocks("N5 GLOBAL DEF 120 A ~\nN20 M3 *").1, ["line 3, column 20: the line ends in ~, but nothing follows"]);
+    assert_eq!(
+        blocks("N5 GLOBAL DEF 120 A ~\nN20 M3 *").1,
+        ["line 3, column 20: the line ends in ~, but nothing follows"]
+    );
     // The * comes too early: what follows would be an assignment.
     let cut = "line 4, column 1: cycle 421 has ended in line 3: Q275 is no part of it and would be assigned instead";
     refused("N10 G421 Q273=+40 Q274=+30 *\nQ275=+25.01 *", cut);
@@ -436,8 +452,15 @@ fn a_cycle_that_is_cut_off_is_refused() {
     refused("N10 G421 Q273=+40 *\n;still here *\nQ20=+25.01 *", comment);
     let (bodies, warnings) = blocks("N10 G421 Q273=+40 *\nN20 Q275=+25.01 *");
     assert!(matches!(bodies[1], Body::Assign { .. }));
-    assert_eq!(warnings, ["line 4, column 5: cycle 421 has ended in line 3: Q275 is no part of it and would be assigned instead"]);
-    for block in ["N10 G421 Q273=+40 *\nN20 Q40 = Q153 *", "G421 Q273=+40 *\nQ40 = Q153 *", "N1 G421 Q273=+40 *\nN2 D00 Q275 P01 +5 *"] {
+    assert_eq!(
+        warnings,
+        ["line 4, column 5: cycle 421 has ended in line 3: Q275 is no part of it and would be assigned instead"]
+    );
+    for block in [
+        "N10 G421 Q273=+40 *\nN20 Q40 = Q153 *",
+        "G421 Q273=+40 *\nQ40 = Q153 *",
+        "N10 G421 Q273=+40 *\nN20 D00 Q275 P01 +5 *",
+    ] {
         assert_eq!(blocks(block).1, Vec::<String>::new(), "{block}");
     }
     // Two parameters behind it are none of Klartext's assignments.
@@ -461,12 +484,74 @@ fn a_comment_swallows_neither_parameters_nor_blocks() {
     }
 }
 
+#[test]
+fn the_sample_is_read_without_a_warning() {
+    let bytes = include_bytes!("../../data/samples/programs/fit_iso.i");
+    let (program, warnings) = Program::read(bytes).unwrap();
+    assert!(warnings.is_empty(), "{warnings:?}");
+    assert_eq!(program.write(), bytes);
+    assert!(program.blocks().iter().all(|block| block.body != Body::Other));
+    assert_eq!((program.name(), program.unit(), program.blocks().len()), (Some("FIT_ISO"), Some(Unit::Mm), 28));
+}
+
 /// Pieces of the language where mistakes are likely.
 const PIECES: [&str; 56] = [
-    "%A G71 *\n", "N99999999 %A G71 *", "N10 ", "N", "/", "%", " *\n", "*", "\n", "\r\n", "\0", " ~\n", ";", "\"", " ", "G00 ", "G01",
-    "G02 ", "G11 ", "G17", "G28 X", "G54 ", "G73 ", "G80 ", "G90 ", "G91 ", "G98 ", "G99 ", "G247 ", "G421 ", "G200", "L1", ",0",
-    ",2", "T5 ", "S50", "D00 ", "D09 ", "D18 ", "P01 ", "P02+", "P03 1", "Q1", "QS2", "=", "+", "-", "X+5", "Y", "I+0 ", "H", "M30",
-    "M140 MB MAX", "GLOBAL DEF 120", "7", "é",
+    "%A G71 *\n",
+    "N99999999 %A G71 *",
+    "N10 ",
+    "N",
+    "/",
+    "%",
+    " *\n",
+    "*",
+    "\n",
+    "\r\n",
+    "\0",
+    " ~\n",
+    ";",
+    "\"",
+    " ",
+    "G00 ",
+    "G01",
+    "G02 ",
+    "G11 ",
+    "G17",
+    "G28 X",
+    "G54 ",
+    "G73 ",
+    "G80 ",
+    "G90 ",
+    "G91 ",
+    "G98 ",
+    "G99 ",
+    "G247 ",
+    "G421 ",
+    "G200",
+    "L1",
+    ",0",
+    ",2",
+    "T5 ",
+    "S50",
+    "D00 ",
+    "D09 ",
+    "D18 ",
+    "P01 ",
+    "P02+",
+    "P03 1",
+    "Q1",
+    "QS2",
+    "=",
+    "+",
+    "-",
+    "X+5",
+    "Y",
+    "I+0 ",
+    "H",
+    "M30",
+    "M140 MB MAX",
+    "GLOBAL DEF 120",
+    "7",
+    "é",
 ];
 
 fn sound(bytes: &[u8]) -> Result<(), TestCaseError> {

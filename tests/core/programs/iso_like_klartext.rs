@@ -140,9 +140,12 @@ impl Case {
         values.extend(sizes.iter().map(|&key| (key, self.size)));
         let nominal = if code == "427" { self.places[0] } else { self.size };
         let [a, b] = self.deviations;
-        values.extend(limits.iter().enumerate().map(|(index, &key)| {
-            (key, nominal + if index % 2 == 0 { a.max(b) } else { a.min(b) })
-        }));
+        values.extend(
+            limits
+                .iter()
+                .enumerate()
+                .map(|(index, &key)| (key, nominal + if index % 2 == 0 { a.max(b) } else { a.min(b) })),
+        );
         let whole = |number: u8| i32::from(number) * 10_000;
         values.extend([(261, self.height), (320, 10_000), (260, 500_000), (281, 0), (309, whole(self.stops.into()))]);
         if matches!(code, "421" | "422") {

@@ -10,7 +10,7 @@ use super::super::weight::Weight;
 use super::body::frame;
 use super::modes::Modes;
 use super::pieces::{front, piece};
-use super::understand::{is_global, understand};
+use super::understand::{Collected, is_global, understand};
 
 /// The most lines of a block; one without its `*` is not searched for it any further.
 const MOST_LINES: usize = 500;
@@ -110,7 +110,8 @@ impl<'a> Reader<'a> {
     fn read_body(&mut self, has_star: bool) -> Result<Body, Odd> {
         self.weight.add(&self.pieces, &["Q", "D"])?;
         let place = |line, at| -> Place { self.lines.place(self.text, line, at) };
-        understand(&self.pieces, has_star, self.begin.is_none(), &mut self.modes, place)
+        let collected = Collected { pieces: &self.pieces, has_star, is_first: self.begin.is_none() };
+        understand(collected, &mut self.modes, place)
     }
 
     /// Parses the lines of a block; returns the line after it, and whether a `*` ends it. Blank lines are skipped.

@@ -101,7 +101,7 @@ impl Block<'_, '_> {
         }
     }
 
-    fn without_main(&self, modes: &mut Modes) -> Read<Body> {
+    fn without_main(&self, modes: &Modes) -> Read<Body> {
         let words = self.words;
         if !words.axes.is_empty() {
             self.refuse(self.plane)?;
@@ -125,7 +125,8 @@ impl Block<'_, '_> {
     /// `T5 G17 S2500 DL+0.2`; a plane alone sets the tool axis.
     fn tool_call(&self) -> Read<Body> {
         self.words.only("TSFD")?;
-        let axis = self.plane.and_then(|plane| PLANES.iter().find(|(of, _)| *of == plane.number)).map(|(_, axis)| *axis);
+        let axis =
+            self.plane.and_then(|plane| PLANES.iter().find(|(of, _)| *of == plane.number)).map(|(_, axis)| *axis);
         let rest: Vec<&str> = self.words.values.iter().map(|word| word.text).collect();
         Ok(Body::ToolCall { tool: self.words.tool.clone(), axis, rest: rest.join(" ") })
     }
@@ -136,7 +137,8 @@ impl Block<'_, '_> {
         let words = self.words;
         if number < 2 {
             words.only(&format!("{ALL_AXES}FM"))?;
-            let compensation = self.compensation.and_then(|of| COMPENSATIONS.iter().find(|(known, _)| *known == of.number));
+            let compensation =
+                self.compensation.and_then(|of| COMPENSATIONS.iter().find(|(known, _)| *known == of.number));
             let feed = if number == 0 { Some(Feed::Rapid) } else { words.value("F").map(Feed::Value) };
             let compensation = compensation.map(|(_, word)| (*word).to_owned());
             return Ok(Body::Move(Movement { axes, compensation, feed, machine: words.machine.clone() }));

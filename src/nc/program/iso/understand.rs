@@ -16,11 +16,19 @@ pub(super) fn is_global(code: &str) -> bool {
     Cursor::new(code).take_words(&["GLOBAL", "DEF"])
 }
 
+/// The lines of a block.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Collected<'p, 'a> {
+    pub pieces: &'p [Piece<'a>],
+    /// Whether a `*` ends the last of them.
+    pub has_star: bool,
+    /// Whether the program has not begun.
+    pub is_first: bool,
+}
+
 /// What the lines of a block say; `place` turns a line and its bytes into a place in characters.
 pub(super) fn understand(
-    pieces: &[Piece<'_>],
-    has_star: bool,
-    is_first: bool,
+    Collected { pieces, has_star, is_first }: Collected<'_, '_>,
     modes: &mut Modes,
     place: impl Fn(usize, usize) -> Place,
 ) -> Result<Body, Odd> {
@@ -62,7 +70,8 @@ pub(super) fn understand(
     if let Some(number) = cycle_number(first.code) {
         let mut cursor = Cursor::new(first.code);
         cursor.take_prefix("G");
-        let cycle = cycle(cursor, first, more, place)?;
+        let mut cycle = cycle(cursor, first, more, place)?;
+        cycle.number = number.to_string();
         return Ok(if number < 300 { defined(cycle) } else { Body::Probe(cycle) });
     }
     if let Some(next) = more.iter().find(|piece| !piece.code.is_empty()) {
@@ -86,7 +95,8 @@ fn left_over(piece: &Piece<'_>, found: &str) -> Odd {
 fn cycle_number(code: &str) -> Option<u32> {
     let mut cursor = Cursor::new(code);
     let number = cursor.take_prefix("G").then(|| cursor.whole(999).ok().flatten())??;
-    matches!(number, 200..300 | 400..500).then_some(number)
+    let is_whole = !cursor.rest().starts_with(['.', ',']);
+    (is_whole && matches!(number, 200..300 | 400..500)).then_some(number)
 }
 
 /// A cycle: all words in one line, or lines as in Klartext.
@@ -104,7 +114,9 @@ fn cycle(
     let at = first_parameter(&words, |_| true).unwrap_or(words.len());
     // A name has no figures and signs: `X+5` is none, nor is a parameter without its `=`.
     let name = words.get(..at).unwrap_or_default();
-    if let Some(odd) = name.split_whitespace().find(|word| word.contains(|c: char| c.is_ascii_digit() || "+*=~%".contains(c))) {
+    if let Some(odd) =
+        name.split_whitespace().find(|word| word.contains(|c: char| c.is_ascii_digit() || "+*=~%".contains(c)))
+    {
         let found = odd.chars().take(24).collect();
         return Err(not_understood(first, name_at + name.find(odd).unwrap_or(0), BlockFault::LeftOver { found }));
     }

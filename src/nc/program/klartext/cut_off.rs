@@ -23,7 +23,13 @@ pub(in super::super) struct Before {
 
 impl Before {
     /// The cycle that a block is, or that it still stands behind.
-    pub(in super::super) fn after(before: Option<Self>, front: Front, body: &Body, end: usize, is_cut_off: bool) -> Option<Self> {
+    pub(in super::super) fn after(
+        before: Option<Self>,
+        front: Front,
+        body: &Body,
+        end: usize,
+        is_cut_off: bool,
+    ) -> Option<Self> {
         match body {
             Body::Probe(CycleBlock { number, .. }) | Body::CycleDefinition(CycleBlock { number, .. }) => {
                 Some(Self { has_number: front.number.is_some(), code: number.clone(), line: end })
@@ -66,7 +72,12 @@ pub(super) fn cut_off(before: Option<&Before>, front: Front, pieces: &[Piece<'_>
 }
 
 /// `Q275=+25.01` where the cycle's next line would stand.
-pub(in super::super) fn assigned(before: Option<&Before>, front: Front, first: &Piece<'_>, read: &Body) -> Option<CutOff> {
+pub(in super::super) fn assigned(
+    before: Option<&Before>,
+    front: Front,
+    first: &Piece<'_>,
+    read: &Body,
+) -> Option<CutOff> {
     let before = before?;
     let (Body::Assign { to: parameter, .. } | Body::AssignText { to: parameter, .. }) = read else { return None };
     // `FN 0:` and `DECLARE STRING` begin no line of a cycle.
