@@ -229,6 +229,10 @@ fn where_the_way_to_a_block_decides_g90_or_g91_must_be_written() {
     assert_eq!(warnings, ["line 3, column 5: not understood: G777 is not known".to_owned(), unknown(4, 5)]);
     assert_eq!(blocks("G54 G91 X+5 *\nG01 X+5 *").1, [unknown(4, 5)]);
     assert_eq!(blocks("G54 G90 X+5 *\nG01 X+5 *").1, Vec::<String>::new());
+    assert_eq!(blocks("G91 *\nG54 X+5 *").1, [unknown(4, 5)]);
+    assert_eq!(blocks("G91 *\nG73 H+5 *").1, [unknown(4, 1)]);
+    // Behind a repeat nothing has changed but by the blocks before it.
+    assert_eq!(blocks("G98 L1 *\nG01 G91 X+5 *\nL1,2 *\nX+5 *").1, Vec::<String>::new());
 }
 
 #[test]

@@ -54,8 +54,11 @@ fn said(program: &str) -> (u8, String) {
     (code, kept.join("\n"))
 }
 
-/// The parameters of each cycle: those that say where, nominal sizes, limits of size, and the others.
-const CYCLES: [(&str, &[u16], &[u16], &[u16]); 7] = [
+/// The parameters of a cycle besides those that several have: those that say where, nominal sizes, limits of size.
+type Parameters = (&'static str, &'static [u16], &'static [u16], &'static [u16]);
+
+/// The cycles.
+const CYCLES: [Parameters; 7] = [
     ("421", &[273, 274], &[262], &[275, 276]),
     ("422", &[273, 274], &[262], &[277, 278]),
     ("423", &[273, 274], &[282, 283], &[284, 285, 286, 287]),
@@ -75,6 +78,7 @@ enum Given {
 
 /// What a random measurement is made of.
 #[derive(Debug, Clone)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a choice of its own")]
 struct Case {
     cycle: usize,
     places: Vec<i32>,

@@ -79,7 +79,9 @@ fn call_label(cursor: &mut Cursor<'_>, modes: &mut Modes) -> Read<Body> {
     let Some(number) = cursor.whole(MOST_LABEL)? else { return Err(cursor.stop(Wanted::Label)) };
     cursor.expect(',', ",")?;
     let count = cursor.expect_whole(MOST_REPEATS)?;
-    modes.join();
     let repeat = (0 < count).then(|| Operand::Number(f64::from(count)));
+    if repeat.is_none() {
+        modes.join();
+    }
     Ok(Body::CallLabel { label: Target::Number(number), repeat })
 }

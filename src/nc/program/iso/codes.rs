@@ -28,14 +28,18 @@ pub(super) fn body(words: &Words<'_>, modes: &mut Modes) -> Read<Body> {
         compensation: words.one_of(is_compensation)?,
         measure: words.one_of(is_measure)?,
     };
-    let before = *modes;
-    if let Some(stated) = block.stated() {
-        modes.measure = Some(stated);
-    }
-    let body = block.body(modes)?;
-    // In a path, and alone, G90 and G91 stay in force; for other functions that is on no page that we found.
+    // In a path, and alone, G90 and G91 stay in force. Whether other functions change what is in force, and whether G91
+    // counts for them, is on no page that we found.
     let is_path = block.main.is_none_or(|main| is_path(main.number));
-    if !is_path && before.measure != modes.measure {
+    let stated = block.stated();
+    let known = modes.measure.filter(|measure| is_path || *measure == Measure::Absolute);
+    let mut inside = *modes;
+    inside.measure = stated.or(known);
+    let body = block.body(&mut inside)?;
+    modes.path = inside.path;
+    if is_path {
+        modes.measure = inside.measure;
+    } else if stated.is_some() && stated != modes.measure {
         modes.measure = None;
     }
     Ok(body)
