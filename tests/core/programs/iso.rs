@@ -400,9 +400,13 @@ fn what_is_not_understood_says_what_was_found() {
         ("G421 Q273=* *", 11, "expected a value, found *"),
         ("G421 Q273=+5 M99 *", 14, "expected a parameter, found M99"),
         ("G421 Q273=+5 * ~", 1, "unexpected text ~"),
+        ("G421 Q273=+5 ;X ~ *", 1, "unexpected text ~"),
+        ("GLOBAL DEF 120 A ~\n Q320=1 ;X ~*", 0, "4 2"),
         ("* * - text *", 1, "unexpected text *"),
     ] {
-        if what.is_empty() {
+        if what == "4 2" {
+            refused(block, "line 4, column 2: not understood: unexpected text ~");
+        } else if what.is_empty() {
             assert_eq!(blocks(block).1, Vec::<String>::new());
         } else {
             refused(block, &not(column, what));

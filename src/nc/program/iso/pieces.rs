@@ -38,17 +38,23 @@ fn is_blank(c: char) -> bool {
 /// The parts of a line behind its front, and whether its `*` ends the block: behind the code, or behind the comment.
 pub(super) fn piece(text: &str, line: usize, from: usize) -> (Piece<'_>, bool) {
     let mut piece = next(text, line, from);
-    let mut ends = false;
+    let (mut ends, mut goes_on) = (false, piece.goes_on);
     let mut without_star = |part: &mut &str| {
         if let Some(before) = part.strip_suffix('*') {
             ends = true;
             *part = trimmed(before);
+            // A `~` before it would say that the block goes on.
+            if let Some(before) = part.strip_suffix('~') {
+                goes_on = true;
+                *part = trimmed(before);
+            }
         }
     };
     without_star(&mut piece.code);
     if let Some(comment) = &mut piece.comment {
         without_star(comment);
     }
+    piece.goes_on = goes_on;
     (piece, ends)
 }
 

@@ -52,10 +52,13 @@ pub(super) fn understand(
         return Ok(if is_first { Body::Begin { name, unit } } else { Body::End { name, unit } });
     }
     let end = |what| Odd { line: last.line, at: last.start + last.code.len(), what };
+    if has_star && last.goes_on {
+        return Err(left_over(last, "~"));
+    }
     if is_global(first.code) {
         let mut cursor = Cursor::new(first.code);
         cursor.take_words(&["GLOBAL", "DEF"]);
-        return if last.goes_on && !has_star {
+        return if last.goes_on {
             Err(end(ProgramWarningKind::OpenEnd))
         } else {
             cycle(cursor, first, more, place).map(Body::GlobalDefinition)
@@ -63,9 +66,6 @@ pub(super) fn understand(
     }
     if !has_star {
         return Err(end(ProgramWarningKind::NoStar));
-    }
-    if last.goes_on {
-        return Err(left_over(last, "~"));
     }
     if let Some(number) = cycle_number(first.code) {
         let mut cursor = Cursor::new(first.code);
