@@ -186,15 +186,17 @@ fn what_could_do_harm_is_stopped_with_its_own_message() {
 fn unknown_blocks_stop_or_are_passed_over() {
     let shop = Shop::new();
     let zoo = shop.path("syntax_zoo.h");
+    let said = fitcheck(&[&zoo]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let own = shop.program("ERROR = 23 TOOL CALL \"MILL D6\"");
     check_stopped(
-        &[&zoo],
-        r"TNC:\syntax_zoo.h, block 45, FN 18: SYSREAD Q40 = ID270 NR1 IDX1: unknown block: Fitcheck runs only what it understands",
+        &[&own],
+        "TNC:\\own.h, line 2, ERROR = 23 TOOL CALL \"MILL D6\": unknown block: Fitcheck runs only what it understands",
     );
-    let said = fitcheck(&[&zoo, "--skip-unknown"]);
-    assert_eq!(said.code, Some(0));
-    assert_eq!(said.err, "note: syntax_zoo.h:47: unknown block skipped\n");
-    let said = fitcheck(&[&zoo, "--skip-unknown", "--language", "nl"]);
-    assert_eq!(said.err, "note: syntax_zoo.h:47: onbekende NC-regel overgeslagen\n");
+    let said = fitcheck(&[&own, "--skip-unknown"]);
+    assert_eq!((said.code, said.err.as_str()), (Some(0), "note: own.h:2: unknown block skipped\n"));
+    let said = fitcheck(&[&own, "--skip-unknown", "--language", "nl"]);
+    assert_eq!(said.err, "note: own.h:2: onbekende NC-regel overgeslagen\n");
 }
 
 #[test]
@@ -432,4 +434,27 @@ fn an_iso_program_runs_and_calls_another() {
         "{}",
         said.err
     );
+}
+
+#[test]
+fn the_iso_sample_has_its_documented_values() {
+    let shop = Shop::new();
+    let program = samples().join("programs/fit_iso.i").display().to_string();
+    for (diameter, code, counted, is_scrap) in
+        [("18.000", 0, 0.0, false), ("17.980", 10, 1.0, false), ("18.010", 1, 0.0, true)]
+    {
+        let bore = shop.file("bore.toml", &format!("[bore]\ncentre = [0.0, 0.0]\ndiameter = {diameter}\n"));
+        let (found, answer) = json(&[&program, "--workpiece", &bore]);
+        let parameter = |name: &str| answer["parameters"][name].clone();
+        assert_eq!((found, parameter("Q40")), (Some(code), Value::from(counted)), "{diameter}: {answer:#}");
+        assert_eq!((parameter("Q23"), parameter("Q33")), (Value::from(18.006), Value::from(17.988)));
+        assert_eq!(parameter("Q182"), Value::from(if is_scrap { 1.0 } else { 0.0 }));
+        match answer["faults"].as_array().unwrap().first() {
+            None => assert!(!is_scrap),
+            Some(fault) => assert!(is_scrap && fault["number"] == 180 && fault.to_string().contains("1072"), "{fault}"),
+        }
+        if diameter == "17.980" {
+            assert_eq!(parameter("Q163"), Value::from(-0.02));
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! Reading and writing NC programs.
 
+mod around;
 mod iso;
 mod iso_like_klartext;
 mod properties;
