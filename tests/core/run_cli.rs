@@ -417,14 +417,14 @@ fn an_iso_program_runs_and_calls_another() {
     shop.file("SUB.i", &format!("%SUB G71 *\nN10 {cycle} *\nN99999999 %SUB G71 *\n"));
     let main = shop.file(
         "part.i",
-        "%PART G71 *\nN10 G00 G90 X+0 Y+0 Z+50 *\nN20 %SUB *\nN30 Q1 = Q153 * 2 *\nN99999999 %PART G71 *\n",
+        "%PART G71 *\nN5 T9 G17 *\nN10 G00 G90 X+0 Y+0 Z+50 *\nN20 %SUB *\nN30 Q1 = Q153 * 2 *\nN99999999 %PART G71 *\n",
     );
     let (code, answer) = json(&[&main, "--workpiece", &shop.path("rework.toml")]);
     assert_eq!((code, &answer["faults"]), (Some(10), &serde_json::json!([])));
     assert_eq!((&answer["parameters"]["Q1"], &answer["cycles"][0]["line"]), (&Value::from(49.98), &Value::from(2)));
     assert_eq!(answer["cycles"][0]["program"], "TNC:\\SUB");
 
-    let twice = shop.file("twice.i", &format!("%A G71 *\nN10 {cycle} Q276=+24.9 *\nN99 %A G71 *\n"));
+    let twice = shop.file("twice.i", &format!("%A G71 *\nN5 T9 G17 *\nN10 {cycle} Q276=+24.9 *\nN99 %A G71 *\n"));
     let said = fitcheck(&[&twice]);
     assert!(said.code == Some(1) && said.err.contains("Q276"), "{}", said.err);
     let open = shop.file("open.i", &format!("%A G71 *\nN10 {cycle}\nN99 %A G71 *\n"));
