@@ -26,6 +26,8 @@ pub(super) enum CliRemark {
     BatchUtf16 { name: String },
     /// Columns whose values are binary fractions.
     BatchFloats { name: String, columns: String },
+    /// A run has changed the tool table in memory only.
+    ToolsNotWritten,
     /// A default was used for the clearance height.
     ClearanceHeight { height: Length },
 }

@@ -85,6 +85,7 @@ cli-remark-no-pair = no pair fits; the nearest is { $nearest }
 cli-remark-trace-ends = the trace ends here, after { $blocks } blocks
 cli-remark-batch-utf16 = { $name } is UTF-16 and is written as UTF-8
 cli-remark-batch-floats = { $name } has floating-point numbers in { $columns }: each is judged as the shortest decimal that stands for it
+cli-remark-tools-not-written = the tool table is not written: --tools-out FILE.t writes it with these changes
 cli-remark-clearance-height = the clearance height is { $height } mm: --clearance-height changes it
 
 # Warnings

@@ -85,6 +85,7 @@ cli-remark-no-pair = geen enkele passing voldoet; de dichtstbijzijnde is { $near
 cli-remark-trace-ends = de lijst van uitgevoerde NC-regels eindigt hier, na { $blocks } regels
 cli-remark-batch-utf16 = { $name } is UTF-16 en wordt als UTF-8 geschreven
 cli-remark-batch-floats = { $name } heeft binaire breuken in { $columns }: elk wordt beoordeeld als het kortste decimale getal dat ervoor staat
+cli-remark-tools-not-written = de gereedschapstabel is niet geschreven: --tools-out BESTAND.t schrijft hem met deze wijzigingen
 cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die met --clearance-height
 
 # Waarschuwingen

@@ -22,6 +22,7 @@ use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
+use crate::control::tool_table::ToolTable;
 use crate::length::Length;
 use crate::message::Located;
 use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Move};
@@ -277,6 +278,16 @@ pub(super) fn probe_table(path: Option<&Path>, io: &mut Io<'_>) -> Result<ProbeT
     let (name, bytes) = read_input(path, io)?;
     let table = ProbeTable::read(&bytes, &name).said()?;
     for warning in &table.warnings {
+        io.warn(warning);
+    }
+    Ok(table)
+}
+
+/// A control's tool table.
+pub(super) fn tool_table(path: &Path, io: &mut Io<'_>) -> Result<ToolTable, CliError> {
+    let (name, bytes) = read_input(path, io)?;
+    let table = ToolTable::read(&bytes, &name).said()?;
+    for warning in table.warnings() {
         io.warn(warning);
     }
     Ok(table)

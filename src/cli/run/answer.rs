@@ -9,9 +9,10 @@ use super::super::CliRemark;
 use super::super::cycle::answer::{check, value as result_value};
 use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::text::cut;
+use crate::control::tool_table;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
-use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, Window, Written};
+use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written};
 
 /// The most blocks that a trace keeps.
 const MOST: usize = 100_000;
@@ -130,6 +131,25 @@ fn cycle(machine: &Machine, run: &CycleRun) -> Json {
     placed(machine, &run.place, more)
 }
 
+/// A change of the tool table: texts as in the table, in its unit, and millimetres.
+fn tool_change(machine: &Machine, ToolChanged { place, change }: &ToolChanged) -> Json {
+    let (from, to) = match change.what {
+        tool_table::Changed::Delta { from, to, .. } => (Some(from.to_mm_f64()), Some(to.to_mm_f64())),
+        tool_table::Changed::Locked(_) => (None, None),
+    };
+    let more = json!({
+        "tool": change.tool.to_string(),
+        "name": change.name,
+        "column": change.column(),
+        "from": change.from,
+        "to": change.to,
+        "from_mm": from,
+        "to_mm": to,
+        "by_mm": change.correction.by.to_mm_f64(),
+    });
+    placed(machine, place, more)
+}
+
 fn fault(fault: &Fault) -> Json {
     json!({
         "program": fault.place.program.to_string(),
@@ -169,6 +189,11 @@ impl Serialize for Answer<'_> {
         answer.serialize_entry("windows", &Each(|| machine.windows().iter().map(window)))?;
         answer.serialize_entry("outputs", &Each(|| machine.outputs().iter().map(output)))?;
         answer.serialize_entry("cycles", &Each(|| machine.cycles().iter().map(|run| cycle(machine, run))))?;
+        if machine.tool_table().is_some() {
+            let changed = || machine.tool_changes().iter().map(|changed| tool_change(machine, changed));
+            answer.serialize_entry("tool_changes", &Each(changed))?;
+            answer.serialize_entry("tools_out", &ended.tools_out.as_ref().map(|path| path.display().to_string()))?;
+        }
         answer.serialize_entry("pauses", &Each(|| ended.pauses.iter().map(ToString::to_string)))?;
         let remarks = || {
             let of_run = machine.remarks().iter().map(|(at, remark)| (at, remark.to_string()));

@@ -6,6 +6,7 @@ use super::store::StoreError;
 use crate::control::mask::{MaskError, RenderError};
 use crate::control::table::{TableError, WriteError};
 use crate::control::text::cut;
+use crate::control::tool_table::ToolFault;
 use crate::control::variables::Parameter;
 use crate::message::{Message, Say, display};
 use crate::nc::program::{LabelFault, Program, ProgramError};
@@ -281,6 +282,9 @@ pub enum FaultKind {
         /// Why.
         error: Box<CycleError>,
     },
+    /// A tool that cannot be monitored, or is broken.
+    #[say(transparent)]
+    Tool(#[from] ToolFault),
     /// The workpiece is impossible.
     Workpiece(#[say(name = "error")] Box<WorkpieceError>),
     /// A cycle in a program in inches.

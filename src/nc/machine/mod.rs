@@ -8,6 +8,7 @@
 //! | `tables` | FN 26, FN 27, FN 28 |
 //! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
+//! | `tools` | the tool table: the called tool, the tool of Q330 |
 //! | `moves` | straight lines and the path of the ball's centre |
 //! | `files`, `store` | what the run reads and writes, counted; where it comes from (`files::Folders`, or memory) |
 //! | `path` | paths of the control |
@@ -33,6 +34,7 @@ mod run;
 mod step;
 mod store;
 mod tables;
+mod tools;
 mod values;
 
 pub use budget::{Budget, Settings, UsedUp};
@@ -47,4 +49,5 @@ pub use remark::Remark;
 pub use run::Machine;
 pub use step::{Pause, Step};
 pub use store::{InMemory, Origin, Shipped, Store, StoreError};
+pub use tools::ToolChanged;
 pub use values::shown;

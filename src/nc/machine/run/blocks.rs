@@ -102,7 +102,11 @@ impl Run {
                 let cells = self.tables.cells(*row, columns, *from, &self.values)?;
                 self.tables.write(at, cells, files)?;
             }
-            Body::ToolCall { tool, .. } => self.cycles.call_tool(tool.as_ref(), &settings.probe_table, &self.values)?,
+            Body::ToolCall { tool, .. } => {
+                self.cycles.call_tool(tool.as_ref(), &settings.probe_table, &self.values)?;
+                let remarks = self.tools.call(tool.as_ref(), &self.values)?;
+                self.remarks.add_all(&self.flow.place_of(at), remarks);
+            }
             Body::Move(movement) => {
                 self.way.travel(self.flow.place_of(at), movement, self.flow.unit(), &self.values)?;
                 return Ok(self.machine_functions(at, &movement.machine, settings));
@@ -229,9 +233,10 @@ impl Run {
             self.remark(at, other);
         }
         let place = self.flow.place_of(at);
+        self.remarks.add_all(&place, self.tools.called());
         let (path, result) = self.cycles.measure(cycle, block, self.way.place(), &self.values)?;
         self.way.follow(&place, &path)?;
-        let result = result?;
+        let result = self.tools.seen(result?);
         hand_over(cycle, &result, &mut self.values)?;
         if let Some(log) = Log::of(cycle, &result, &self.flow, settings)? {
             log.write(place.clone(), &mut self.prints, files, &mut self.remarks)?;
@@ -241,8 +246,10 @@ impl Run {
             (None, LogTarget::Screen) => Step::Paused(Pause::Log),
             (None, LogTarget::None | LogTarget::File(_) | LogTarget::Shown) => Step::Went,
         };
+        // The last step: what was measured stands, even if the tool is broken.
+        let monitored = self.tools.monitor(&place, cycle, &result, &mut self.remarks);
         self.cycles.keep(CycleRun { place, cycle, result });
-        Ok(step)
+        monitored.map(|()| step)
     }
 
     /// M0, M1, M2 and M30; the others have no effect here.
