@@ -49,6 +49,8 @@ pub(super) enum CliWarning<'a> {
     },
     /// Recorded contacts that the cycle did not ask for.
     ContactsLeft { used: usize, count: usize },
+    /// A tool table, and a cycle that names no tool.
+    NoToolMonitored,
     /// A cycle with an unknown log.
     LogUnknown { code: &'a str },
     /// A folder for logs, and an input that wants no log.

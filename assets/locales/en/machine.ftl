@@ -83,7 +83,10 @@ machine-remark-other-probe = tool { $tool } is not in the touch-probe table: pro
 machine-remark-tool-locked = tool { $tool } is locked in the tool table
 machine-remark-no-probe-tool = tool { $tool } is not a touch probe: TYP = { $kind }, expected { $probe }
 machine-remark-no-such-tool = tool { $tool } is not in the tool table
-machine-remark-same-name = { $more } more tools have the name { $tool }: the first one of the tool table was taken
+machine-remark-same-name = { $more ->
+    [one] another tool has the name { $tool }
+   *[other] { $more } more tools have the name { $tool }
+}: the first one of the tool table was taken
 
 ## Pauses
 machine-pause-stop = the program has stopped: STOP or M0

@@ -83,7 +83,10 @@ machine-remark-other-probe = gereedschap { $tool } staat niet in de tastertabel:
 machine-remark-tool-locked = gereedschap { $tool } is geblokkeerd in de gereedschapstabel
 machine-remark-no-probe-tool = gereedschap { $tool } is geen taster: TYP = { $kind }, { $probe } verwacht
 machine-remark-no-such-tool = gereedschap { $tool } staat niet in de gereedschapstabel
-machine-remark-same-name = nog { $more } gereedschappen hebben de naam { $tool }: het eerste van de gereedschapstabel is genomen
+machine-remark-same-name = { $more ->
+    [one] nog een gereedschap heeft de naam { $tool }
+   *[other] nog { $more } gereedschappen hebben de naam { $tool }
+}: het eerste van de gereedschapstabel is genomen
 
 ## Pauzes
 machine-pause-stop = het programma is gestopt: STOP of M0

@@ -7,9 +7,9 @@ use serde_json::{Map, Value as Json, json};
 
 use super::super::CliRemark;
 use super::super::cycle::answer::{check, value as result_value};
+use super::super::tools;
 use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::text::cut;
-use crate::control::tool_table;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written};
@@ -131,25 +131,6 @@ fn cycle(machine: &Machine, run: &CycleRun) -> Json {
     placed(machine, &run.place, more)
 }
 
-/// A change of the tool table: texts as in the table, in its unit, and millimetres.
-fn tool_change(machine: &Machine, ToolChanged { place, change }: &ToolChanged) -> Json {
-    let (from, to) = match change.what {
-        tool_table::Changed::Delta { from, to, .. } => (Some(from.to_mm_f64()), Some(to.to_mm_f64())),
-        tool_table::Changed::Locked(_) => (None, None),
-    };
-    let more = json!({
-        "tool": change.tool.to_string(),
-        "name": change.name,
-        "column": change.column(),
-        "from": change.from,
-        "to": change.to,
-        "from_mm": from,
-        "to_mm": to,
-        "by_mm": change.correction.by.to_mm_f64(),
-    });
-    placed(machine, place, more)
-}
-
 fn fault(fault: &Fault) -> Json {
     json!({
         "program": fault.place.program.to_string(),
@@ -179,6 +160,7 @@ impl Serialize for Answer<'_> {
             placed(machine, &output.place, more)
         };
         let remark = |(at, said): (&BlockPlace, String)| placed(machine, at, json!({"message": said}));
+        let tool_change = |changed: &ToolChanged| placed(machine, &changed.place, tools::json(&changed.change));
         let parameters: Map<String, Json> =
             machine.variables().iter().map(|(parameter, value)| (parameter.to_string(), plain(Some(value)))).collect();
         let mut answer = serializer.serialize_map(None)?;
@@ -190,9 +172,9 @@ impl Serialize for Answer<'_> {
         answer.serialize_entry("outputs", &Each(|| machine.outputs().iter().map(output)))?;
         answer.serialize_entry("cycles", &Each(|| machine.cycles().iter().map(|run| cycle(machine, run))))?;
         if machine.tool_table().is_some() {
-            let changed = || machine.tool_changes().iter().map(|changed| tool_change(machine, changed));
+            let changed = || machine.tool_changes().iter().map(tool_change);
             answer.serialize_entry("tool_changes", &Each(changed))?;
-            answer.serialize_entry("tools_out", &ended.tools_out.as_ref().map(|path| path.display().to_string()))?;
+            answer.serialize_entry("tools_out", &ended.tools_out)?;
         }
         answer.serialize_entry("pauses", &Each(|| ended.pauses.iter().map(ToString::to_string)))?;
         let remarks = || {

@@ -14,8 +14,9 @@ use std::sync::Arc;
 use clap::ValueEnum;
 
 use super::args::dialogue;
-use super::cycle::{pairs, probe_table, read_workpiece, tool_table};
-use super::{CliError, CliRemark, Io, Outcome, Refused as _, What, now, read_contacts, read_input, save};
+use super::cycle::{pairs, probe_table, read_workpiece};
+use super::tools::ToolArgs;
+use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::files::{self, FileError, Folders};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
@@ -38,11 +39,11 @@ the output folder and nowhere else; it is created if missing, and without one th
 --workpiece and --contacts every cycle measures a perfect workpiece at nominal. A workpiece file is
 described in fitcheck cycle --help.
 
-With --tools, cycles 421 to 427 with Q330 correct DR or DL of that tool for the rest of the run, and lock it (TL) where it
+With --tools, cycles with Q330 correct DR or DL of that tool for the rest of the run, or lock it (TL) and stop where it
 is broken. The file itself never changes; --tools-out writes the table with all changes, also after a fault.
 
 Text: the windows on standard output, notes on standard error. JSON: program, blocks, status, parameters,
-windows, outputs, cycles, pauses, remarks, faults, trace.
+windows, outputs, cycles, tool changes, pauses, remarks, faults, trace.
 
 Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure, 1 a fault or bad data, 2 wrong usage.";
 
@@ -78,12 +79,8 @@ pub(super) struct Args {
     /// Touch-probe table of a control, instead of the built-in one
     #[arg(long, value_name = "FILE.tp")]
     probe_table: Option<PathBuf>,
-    /// Tool table of a control, in which cycles with Q330 correct the tool
-    #[arg(long, value_name = "FILE.t")]
-    tools: Option<PathBuf>,
-    /// Write the tool table with the changes of the run
-    #[arg(long, value_name = "FILE.t", requires = "tools")]
-    tools_out: Option<PathBuf>,
+    #[command(flatten)]
+    tools: ToolArgs,
     /// Skip unknown blocks instead of stopping
     #[arg(long)]
     skip_unknown: bool,
@@ -119,7 +116,7 @@ struct Ended {
     pauses: Vec<Pause>,
     fault: Option<Fault>,
     /// Where the changed tool table was written to.
-    tools_out: Option<PathBuf>,
+    tools_out: Option<String>,
 }
 
 /// A listener to every block.
@@ -142,15 +139,15 @@ impl Args {
                 let mut listener = text::Printer::new(self.trace);
                 let ended = run(&mut machine, &mut listener, io)?;
                 text::notes(&machine, &ended, language.language(), io);
-                self.write_tools(&machine, io)?;
+                self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io)?;
                 ended
             }
             RunFormat::Json => {
                 let mut listener = answer::Trace::new(self.trace);
                 let mut ended = run(&mut machine, &mut listener, io)?;
                 // Before the answer, which says whether the table is written; an error comes after it.
-                let written = self.write_tools(&machine, io);
-                ended.tools_out = self.tools_out.clone().filter(|_| written.is_ok());
+                let written = self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io);
+                ended.tools_out = written.as_ref().ok().cloned().flatten();
                 answer::print(&machine, &ended, &listener, io)?;
                 written?;
                 ended
@@ -188,21 +185,9 @@ impl Args {
         settings.skip_unknown = self.skip_unknown;
         settings.block_skip = self.block_skip;
         settings.probe_table = probe_table(self.probe_table.as_deref(), io)?;
-        settings.tool_table = self.tools.as_deref().map(|path| tool_table(path, io)).transpose()?;
+        settings.tool_table = self.tools.read(io)?;
         let contacts = self.source(io)?;
         Ok(Machine::new(&name, Arc::new(program), store, contacts, settings))
-    }
-
-    /// The tool table, also after a fault: a broken tool is locked.
-    fn write_tools(&self, machine: &Machine, io: &mut Io<'_>) -> Result<(), CliError> {
-        match (machine.tool_table(), &self.tools_out) {
-            (Some(table), Some(path)) => save(path, &table.write().about(&path.display().to_string())?, io),
-            (Some(_), None) if !machine.tool_changes().is_empty() => {
-                io.remark(&CliRemark::ToolsNotWritten);
-                Ok(())
-            }
-            _ => Ok(()),
-        }
     }
 
     /// The program's name, its bytes and its folder; a built-in program where there is no such file.
