@@ -137,6 +137,7 @@ tool-out-of-range = tool { $tool }: { $column } would change from { $from } to {
 tool-broken = error 1065: tool { $tool } is broken: { $column } would change by { $by } mm, { $limit } is { $most } mm; the tool is locked and not corrected
 tool-broken-replacement = error 1065: tool { $tool } is broken: { $column } would change by { $by } mm, { $limit } is { $most } mm; the tool is locked and not corrected; its replacement is tool { $replacement }
 tool-corrected = tool { $tool }: { $column } changed by { $by } mm, from { $from } to { $to } mm
+tool-corrected-rounded = tool { $tool }: { $column } changed by { $by } mm, from { $from } to { $to } mm: the table keeps the nearest 0.00001 in
 tool-locked = tool { $tool }: locked, TL = { $to }
 
 ## The log of a cycle's result

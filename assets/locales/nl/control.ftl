@@ -137,6 +137,7 @@ tool-out-of-range = gereedschap { $tool }: { $column } zou van { $from } in { $t
 tool-broken = fout 1065: gereedschap { $tool } is gebroken: { $column } zou { $by } mm veranderen, { $limit } is { $most } mm; het gereedschap is geblokkeerd en niet gecorrigeerd
 tool-broken-replacement = fout 1065: gereedschap { $tool } is gebroken: { $column } zou { $by } mm veranderen, { $limit } is { $most } mm; het gereedschap is geblokkeerd en niet gecorrigeerd; gereedschap { $replacement } vervangt het
 tool-corrected = gereedschap { $tool }: { $column } { $by } mm gewijzigd, van { $from } in { $to } mm
+tool-corrected-rounded = gereedschap { $tool }: { $column } { $by } mm gewijzigd, van { $from } in { $to } mm: de tabel bewaart de dichtstbijzijnde 0,00001 in
 tool-locked = gereedschap { $tool }: geblokkeerd, TL = { $to }
 
 ## The log of a cycle's result

@@ -113,6 +113,12 @@ impl ToolChange {
         }
     }
 
+    /// The name of the sentence: one of its own where a table in inches has rounded the value.
+    fn corrected(&self, from: Length, to: Length) -> &'static str {
+        let is_rounded = to.saturating_sub(from) != self.correction.by;
+        if is_rounded { "tool-corrected-rounded" } else { "tool-corrected" }
+    }
+
     /// Number and name, `3 (MILL_D10)`.
     fn label(&self) -> String {
         if self.name.is_empty() { self.tool.to_string() } else { format!("{} ({})", self.tool, self.name) }
@@ -122,7 +128,7 @@ impl ToolChange {
 impl Say for ToolChange {
     fn message(&self) -> Message {
         match self.what {
-            Changed::Delta { column, from, to } => Message::new("tool-corrected")
+            Changed::Delta { column, from, to } => Message::new(self.corrected(from, to))
                 .text("tool", self.label())
                 .text("column", column.name())
                 .mm("from", from)
