@@ -129,13 +129,18 @@ fn four_cycles_correct_their_tool_and_stop_at_the_broken_one() {
     assert_eq!(machine.cycles().len(), 4);
     assert_eq!((radius(&machine, "3"), radius(&machine, "4")), ("-0.004".to_owned(), "0".to_owned()));
     let table = machine.tool_table().unwrap();
-    let locked: Vec<_> = table.tools().iter().filter(|tool| tool.is_locked).map(|tool| tool.number.to_string()).collect();
+    let locked: Vec<_> =
+        table.tools().iter().filter(|tool| tool.is_locked).map(|tool| tool.number.to_string()).collect();
     assert_eq!(locked, ["4", "6"]);
     // Tool 9 is called PROBE and is one.
     assert_eq!(remarks(&machine), Vec::<String>::new());
 
     machine.restart(contacts(&WALLS));
-    assert_eq!((changes(&machine).len(), radius(&machine, "3")), (0, "0".to_owned()), "a restart has the table of the file");
+    assert_eq!(
+        (changes(&machine).len(), radius(&machine, "3")),
+        (0, "0".to_owned()),
+        "a restart has the table of the file"
+    );
 }
 
 #[test]
@@ -184,7 +189,8 @@ fn every_cycle_changes_its_value_by_its_rule() {
         ("427", probed(3, "+1"), at(10.0, 20.0, 9.97), "DL", "0.03"),
     ];
     for (code, parameters, contacts, column, by) in cases {
-        let mut machine = machine(&format!("TOOL CALL 9 Z\n{}", block(code, &parameters, "Q330=3")), Some(tools()), contacts);
+        let mut machine =
+            machine(&format!("TOOL CALL 9 Z\n{}", block(code, &parameters, "Q330=3")), Some(tools()), contacts);
         assert_eq!(run(&mut machine), "ended", "{code} {parameters}");
         let expected = format!("tool 3 (MILL_D10): {column} changed by {by} mm, from 0 to {by} mm");
         assert_eq!(changes(&machine), [expected], "{code} {parameters}");
@@ -221,18 +227,28 @@ fn breakage_begins_beyond_its_tolerance() {
         (run(&mut machine), changes(&machine))
     };
     let (said, changed) = hole(24.96);
-    assert_eq!((said.as_str(), changed[0].as_str()), ("ended", "tool 4 (MILL_D16): DR changed by -0.02 mm, from 0 to -0.02 mm"));
+    assert_eq!(
+        (said.as_str(), changed[0].as_str()),
+        ("ended", "tool 4 (MILL_D16): DR changed by -0.02 mm, from 0 to -0.02 mm")
+    );
     let (said, changed) = hole(24.959_998);
-    assert!(said.starts_with("error 1065: tool 4 is broken: DR would change by -0.020001 mm, RBREAK is 0.02 mm"), "{said}");
+    assert!(
+        said.starts_with("error 1065: tool 4 is broken: DR would change by -0.020001 mm, RBREAK is 0.02 mm"),
+        "{said}"
+    );
     assert_eq!(changed, ["tool 4 (MILL_D16): locked, TL = L"]);
     let height = "Q263=10 Q264=20 Q261=-4 Q272=3 Q267=-1 Q260=20 Q281=0 Q288=1 Q289=-1 Q309=0";
     let length = |z: f64| {
         let contacts = Contacts::Recorded(vec![Contact { x: 10.0, y: 20.0, z }]);
-        let mut machine = machine(&format!("TOOL CALL 9 Z\n{}", block("427", height, "Q330=4")), Some(tools()), contacts);
+        let mut machine =
+            machine(&format!("TOOL CALL 9 Z\n{}", block("427", height, "Q330=4")), Some(tools()), contacts);
         run(&mut machine)
     };
     assert_eq!(length(0.2), "ended");
-    assert!(length(0.200_001).starts_with("error 1065: tool 4 is broken: DL would change by -0.200001 mm, LBREAK is 0.2 mm"));
+    assert!(
+        length(0.200_001)
+            .starts_with("error 1065: tool 4 is broken: DL would change by -0.200001 mm, LBREAK is 0.2 mm")
+    );
 }
 
 #[test]

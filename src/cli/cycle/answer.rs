@@ -39,7 +39,7 @@ struct Answer<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     tool_changes: Option<Vec<Json>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    tools_out: Option<Option<&'a str>>,
+    tools_out: Option<Json>,
 }
 
 pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
@@ -70,7 +70,7 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
         warnings: warnings(run),
         path: result.path.iter().map(step).collect(),
         tool_changes: run.tools.has_table.then(|| run.tools.change.iter().map(tools::json).collect()),
-        tools_out: run.tools.has_table.then_some(run.tools.written.as_deref()),
+        tools_out: run.tools.has_table.then(|| json!(run.tools.written)),
     };
     io.json(&answer)
 }

@@ -174,7 +174,15 @@ impl Args {
         let (result, tools) = self.monitored(result, io)?;
         let ball_radius = prober.ball_radius();
         let log = self.log.keep(self.cycle, &result, language, io)?;
-        let run = Run { cycle: self.cycle, language, source: &source, ball_radius, result: &result, log: &log, tools: &tools };
+        let run = Run {
+            cycle: self.cycle,
+            language,
+            source: &source,
+            ball_radius,
+            result: &result,
+            log: &log,
+            tools: &tools,
+        };
         match self.format {
             Format::Text => text::print(&run, self.path, io)?,
             Format::Csv if self.path => answer::print_path_csv(&path, io)?,

@@ -109,13 +109,7 @@ impl<'a> Row<'a> {
     }
 
     /// A length within a range, in the table's unit; a blank cell is 0.
-    fn length(
-        &self,
-        column: usize,
-        name: &'static str,
-        least: Length,
-        most: Length,
-    ) -> Result<Length, ToolTableError> {
+    fn length(&self, column: usize, name: &'static str, least: Length, most: Length) -> Result<Length, ToolTableError> {
         let Some(text) = self.text(Some(column), name)? else { return Ok(Length::ZERO) };
         let read = Length::parse_in(text, unit(self.file));
         let given = read.map_err(|error| self.fault(column, ToolTableFault::NoLength { column: name, error }))?;

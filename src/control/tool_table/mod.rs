@@ -100,6 +100,10 @@ impl DeltaColumn {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ToolTable {
     tools: Vec<Tool>,
+    /// The row of each number.
+    numbers: BTreeMap<ToolNumber, usize>,
+    /// The rows of each name, in capitals.
+    names: BTreeMap<String, Vec<usize>>,
     unit: Unit,
     /// The file that it was read from.
     bytes: Arc<[u8]>,
@@ -128,11 +132,14 @@ impl ToolTable {
     pub fn read(bytes: &[u8], file: &str) -> Result<Self, ToolTableError> {
         let file = ControlTable::read_with_short_rows(bytes, file)?;
         let columns = Columns::of(&file)?;
-        let (mut tools, mut rows) = (Vec::new(), BTreeMap::new());
+        let (mut tools, mut numbers, mut names) = (Vec::new(), BTreeMap::new(), BTreeMap::<_, Vec<_>>::new());
         for row in 0..file.table.rows.len() {
             let tool = columns.tool(&file, row)?;
-            if rows.insert(tool.number, row).is_some() {
+            if numbers.insert(tool.number, row).is_some() {
                 return Err(file.at_cell(row, columns.number, ToolTableFault::Twice { number: tool.number }).into());
+            }
+            if !tool.name.is_empty() {
+                names.entry(tool.name.to_uppercase()).or_default().push(row);
             }
             tools.push(tool);
         }
@@ -140,7 +147,8 @@ impl ToolTable {
             return Err(file.at_name(columns.number, ToolTableFault::NoTool).into());
         }
         let unit = columns::unit(&file);
-        Ok(Self { tools, unit, bytes: bytes.into(), file: Arc::new(file), columns, changed: BTreeMap::new() })
+        let (bytes, file, changed) = (bytes.into(), Arc::new(file), BTreeMap::new());
+        Ok(Self { tools, numbers, names, unit, bytes, file, columns, changed })
     }
 
     /// The tools in the table's order, at least one; no number occurs twice.
@@ -155,13 +163,12 @@ impl ToolTable {
 
     /// The row of a tool by its number.
     pub fn row_of(&self, number: ToolNumber) -> Option<usize> {
-        self.tools.iter().position(|tool| tool.number == number)
+        self.numbers.get(&number).copied()
     }
 
     /// The rows of the tools with a name, which controls keep in capitals; several may have the same.
-    pub fn rows_named<'a>(&'a self, name: &'a str) -> impl Iterator<Item = usize> + 'a {
-        let is_named = |tool: &Tool| !tool.name.is_empty() && tool.name.to_uppercase() == name.to_uppercase();
-        (0..).zip(&self.tools).filter(move |(_, tool)| is_named(tool)).map(|(row, _)| row)
+    pub fn rows_named(&self, name: &str) -> &[usize] {
+        self.names.get(&name.to_uppercase()).map(Vec::as_slice).unwrap_or_default()
     }
 
     /// The file with its changed cells; every other byte is as it was read.

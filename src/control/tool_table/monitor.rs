@@ -162,7 +162,8 @@ impl ToolTable {
     /// then. A broken tool is no error here: the change says so.
     pub fn monitor(&mut self, cycle: &'static Cycle, result: &CycleResult) -> Result<Option<Monitored>, ToolFault> {
         let Some((row, named)) = self.monitored(cycle, result)? else { return Ok(None) };
-        let correction = (cycle.corrects)(result).ok_or(ToolFault::NoDeviation { tool: named.tool, cycle: cycle.code })?;
+        let correction =
+            (cycle.corrects)(result).ok_or(ToolFault::NoDeviation { tool: named.tool, cycle: cycle.code })?;
         let change = match self.tools.get(row).cloned() {
             Some(tool) if correction.by != Length::ZERO => Some(self.correct(row, &tool, correction)?),
             _ => None,
@@ -172,17 +173,18 @@ impl ToolTable {
 
     /// The row of the tool in Q330.
     fn monitored(&self, cycle: &Cycle, result: &CycleResult) -> Result<Option<(usize, Named)>, ToolFault> {
-        let (tool, mut rows, is_name) = match cycle.value_of(&result.inputs, Meaning::Tool) {
+        let (tool, row, more, is_name) = match cycle.value_of(&result.inputs, Meaning::Tool) {
             Some(Value::Number(number)) if 0.0 < *number => {
                 let row = ToolNumber::of(*number).ok().and_then(|number| self.row_of(number));
-                (number.to_string(), row.into_iter().collect::<Vec<_>>(), false)
+                (number.to_string(), row, 0, false)
             }
-            Some(Value::Text(name)) => (name.clone(), self.rows_named(name).collect(), true),
+            Some(Value::Text(name)) => {
+                let rows = self.rows_named(name);
+                (name.clone(), rows.first().copied(), rows.len().saturating_sub(1), true)
+            }
             _ => return Ok(None),
         };
-        let more = rows.len().saturating_sub(1);
-        rows.truncate(1);
-        let Some(row) = rows.pop() else { return Err(ToolFault::Unknown { tool, known: self.known(is_name) }) };
+        let Some(row) = row else { return Err(ToolFault::Unknown { tool, known: self.known(is_name) }) };
         let same_name = (0 < more).then(|| (tool.clone(), more));
         Ok(Some((row, Named { tool, same_name })))
     }
@@ -205,8 +207,13 @@ impl ToolTable {
             Corrected::Radius => (DeltaColumn::Radius, tool.delta_radius, tool.radius_breakage),
         };
         let by = correction.by;
-        let change = |from: String, to: String, what| {
-            ToolChange { tool: tool.number, name: tool.name.clone(), correction, from, to, what }
+        let change = |from: String, to: String, what| ToolChange {
+            tool: tool.number,
+            name: tool.name.clone(),
+            correction,
+            from,
+            to,
+            what,
         };
         if let Some(most) = breakage.filter(|most| *most < by.abs()) {
             let before = self.text(row, self.columns.lock).to_owned();

@@ -44,22 +44,21 @@ impl Tools {
     /// TOOL CALL: remarks about a tool that the table lacks, or has several times.
     pub(super) fn call(&mut self, tool: Option<&Tool>, values: &Values) -> Result<Vec<Remark>, FaultKind> {
         let (Some(table), Some(tool)) = (&self.table, tool) else { return Ok(Vec::new()) };
-        let (mut rows, shown) = match tool {
+        let (row, more, shown) = match tool {
             Tool::Number(number) => {
                 let value = values.operand(*number)?;
                 let row = ToolNumber::of(value).ok().and_then(|number| table.row_of(number));
-                // The number of a tool is a name: it keeps its point in every language.
-                (row.into_iter().collect::<Vec<_>>(), value.to_string())
+                (row, 0, value.to_string())
             }
             Tool::Name(name) => {
                 let name = values.text_operand(name)?;
-                (table.rows_named(name).collect(), name.to_owned())
+                let rows = table.rows_named(name);
+                (rows.first().copied(), rows.len().saturating_sub(1), name.to_owned())
             }
         };
-        let more = rows.len().saturating_sub(1);
-        rows.truncate(1);
-        self.called = rows.pop();
+        self.called = row;
         Ok(match self.called {
+            // The number of a tool is a name: it keeps its point in every language.
             None => vec![Remark::NoSuchTool { tool: Arg::Text(shown) }],
             Some(_) if 0 < more => vec![Remark::SameName { tool: shown, more }],
             Some(_) => Vec::new(),

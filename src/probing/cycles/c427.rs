@@ -12,8 +12,8 @@ use crate::probing::cycle::shared::{
     STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Control, Corrected, Correction, Course, Cycle, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key, Log, LogFigure, Meaning, Measured,
-    Parameter, Remark, TextLog, Window, limits, nearest,
+    Control, Corrected, Correction, Course, Cycle, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key,
+    Log, LogFigure, Meaning, Measured, Parameter, Remark, TextLog, Window, limits, nearest,
 };
 use crate::probing::simulated::{Face, Surface};
 use crate::tolerance::Feature;

@@ -11,8 +11,8 @@ use crate::probing::cycle::shared::{
     MEASURING_LOG, MOVE_TO_CLEARANCE, REVERSED, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Angle, Axis, CircleFound, Correction, Course, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning,
-    Measured, Parameter, ParameterName, Plane, QUARTER_TURN, Remark, Texts, limits,
+    Angle, Axis, CircleFound, Correction, Course, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key,
+    LogFigure, Meaning, Measured, Parameter, ParameterName, Plane, QUARTER_TURN, Remark, Texts, limits,
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;

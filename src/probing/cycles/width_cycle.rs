@@ -8,7 +8,8 @@ use super::judged;
 use crate::length::Length;
 use crate::probing::contact::Contact;
 use crate::probing::cycle::{
-    Axis, Correction, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning, Measured, Parameter, Remark,
+    Axis, Correction, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning, Measured,
+    Parameter, Remark,
 };
 use crate::probing::simulated::{Surface, Walls};
 use crate::tolerance::Feature;
