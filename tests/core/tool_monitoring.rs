@@ -14,7 +14,7 @@ use fitcheck::probing::cycle::Remark;
 use fitcheck::words::Dialogue;
 
 fn tools() -> ToolTable {
-    let path = format!("{}/tests/data/samples/tables/tool_small.t", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/data/samples/tools/tool_small.t", env!("CARGO_MANIFEST_DIR"));
     ToolTable::read(&std::fs::read(path).unwrap(), "tool_small.t").unwrap()
 }
 

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 /// Row 0 ends before the last column; tool 6 is locked; tool 9 is the probe.
 fn sample() -> Vec<u8> {
-    std::fs::read(format!("{}/tests/data/samples/tables/tool_small.t", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    std::fs::read(format!("{}/tests/data/samples/tools/tool_small.t", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }
 
 /// The result of a coordinate in the first axis, `off` mm beyond the middle of its limits, with a tool in Q330.

@@ -39,8 +39,8 @@ the output folder and nowhere else; it is created if missing, and without one th
 --workpiece and --contacts every cycle measures a perfect workpiece at nominal. A workpiece file is
 described in fitcheck cycle --help.
 
-With --tools, cycles with Q330 correct DR or DL of that tool for the rest of the run; a broken tool is
-locked (TL), and the run stops. --tools-out writes the changed table, also after a fault.
+With --tools, cycles with Q330 correct DR or DL of that tool for the rest of the run; a broken
+tool is locked (TL), and the run stops. --tools-out writes the changed table, also after a fault.
 
 Text: the windows on standard output, notes on standard error. JSON: program, blocks, status, parameters,
 windows, outputs, cycles, tool changes, pauses, remarks, faults, trace.
