@@ -256,7 +256,7 @@ fn tools_have_names_numbers_and_indices() {
     let table = b"BEGIN TOOL.T MM\nT    NAME  L   R   DL   DR      TL\n5    MILL  +9  +6  +0   +0\n5.1  MILL  +9  +6  +0   +0\n7    5     +9  +6  +0   +0\n[END]\n";
     let check = |tool: &str, said: &str, expected: &[&str]| {
         let table = ToolTable::read(table, "tool.t").unwrap();
-        let blocks = format!("QS1 = \"mill\"\nQ1 = 5.1\n{}", block("421", HOLE, tool));
+        let blocks = format!("TOOL CALL 7 Z\nQS1 = \"mill\"\nQ1 = 5.1\n{}", block("421", HOLE, tool));
         let mut machine = machine(&blocks, Some(table), contacts(&circle(25.02)));
         assert_eq!(run(&mut machine), said, "{tool}");
         let changed: Vec<_> = machine.tool_changes().iter().map(|changed| changed.change.tool.to_string()).collect();
@@ -281,7 +281,8 @@ fn what_cannot_be_corrected_stops_with_the_reason() {
     let table = b"BEGIN TOOL.T MM\nT    L   R   DL   DR         TL\n5    +9  +6  +0   -999.9899\n[END]\n";
     let of = |contacts: Contacts, code: &str, parameters: &str| {
         let table = ToolTable::read(table, "tool.t").unwrap();
-        let mut machine = machine(&block(code, parameters, "Q330=5"), Some(table.clone()), contacts);
+        let mut machine =
+            machine(&format!("TOOL CALL 5 Z\n{}", block(code, parameters, "Q330=5")), Some(table), contacts);
         let said = run(&mut machine);
         assert_eq!(machine.tool_changes().len(), usize::from(said == "ended"));
         said
@@ -302,7 +303,11 @@ fn what_cannot_be_corrected_stops_with_the_reason() {
 #[test]
 fn a_stop_of_the_tolerance_comes_after_the_correction() {
     let parameters = HOLE.replace("Q309=0", "Q309=1");
-    let mut machine = machine(&block("421", &parameters, "Q330=3"), Some(tools()), contacts(&circle(25.2)));
+    let mut machine = machine(
+        &format!("TOOL CALL 9 Z\n{}", block("421", &parameters, "Q330=3")),
+        Some(tools()),
+        contacts(&circle(25.2)),
+    );
     let paused = loop {
         match machine.step().unwrap() {
             Step::Paused(pause) => break pause,

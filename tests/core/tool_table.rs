@@ -171,6 +171,10 @@ fn a_new_value_has_its_place_or_is_refused() {
     let mut table = read("BEGIN A.T MM\nT  L  R  DL TL DR\n1  5\n[END]\n");
     corrected(&mut table, "Q330=1", 0.5);
     assert_eq!(table.write().unwrap(), b"BEGIN A.T MM\nT  L  R  DL TL DR\n1  5           +0.5\n[END]\n");
+    // The cell before it ends at the border.
+    let mut table = read("BEGIN A.T MM\nT  L  R  TL DL DR     X\n1  5         21\n[END]\n");
+    corrected(&mut table, "Q330=1", 0.5);
+    assert_eq!(table.write().unwrap(), b"BEGIN A.T MM\nT  L  R  TL DL DR     X\n1  5         21 +0.5\n[END]\n");
     // Flush right, and longer than the room before the text.
     let mut table = read("BEGIN A.T MM\nT  L  R  DL     DR TL\n1  5     +0     +0 0\n[END]\n");
     corrected(&mut table, "Q330=1", -0.25);

@@ -76,12 +76,14 @@ impl TableFile {
             // The last column ends with its line.
             let room = if number == last { usize::MAX } else { column.width };
             let length = text.chars().count();
-            if room <= length {
+            // A cell that begins directly after its neighbour would be uncertain when it is read.
+            let least = usize::from(patched.ends_with(|c: char| !c.is_whitespace()));
+            if room <= least + length {
                 let (column, text, width) = (column.name.clone(), text.clone(), column.width);
                 return Err(WriteError::TooWide { row, column, text, width });
             }
             let lead = span.chars().take_while(|c| c.is_whitespace()).count();
-            let lead = if span.trim().is_empty() || room <= lead + length { 0 } else { lead };
+            let lead = if span.trim().is_empty() || room <= lead + length { least } else { lead };
             blanks(&mut patched, lead);
             patched.push_str(text);
             blanks(&mut patched, span.chars().count().saturating_sub(lead + length));
@@ -97,7 +99,7 @@ impl TableFile {
             let Some(cell) = expected.get_mut(*row).and_then(|row| row.get_mut(*column)) else { return false };
             text.clone_into(cell);
         }
-        file.table.rows == expected
+        file.table.rows == expected && !cells.keys().any(|(row, column)| file.touches(*row, *column))
     }
 }
 

@@ -7,6 +7,7 @@
 //! | `values` | parameters and formulas |
 //! | `tables` | FN 26, FN 27, FN 28 |
 //! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
+//! | `around`, `placement` | what is set up around measurements: tool axis, mode, global values, zero; where a cycle measures |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
 //! | `tools` | the tool table: the called tool, the tool of Q330 |
 //! | `moves` | straight lines and the path of the ball's centre |
@@ -19,6 +20,7 @@
 //! only the store that the machine is given reads and writes files. A step takes no longer in a long program than in a
 //! short one.
 
+mod around;
 mod budget;
 mod contacts;
 mod cycles;
@@ -28,6 +30,7 @@ mod flow;
 mod logs;
 mod moves;
 mod path;
+mod placement;
 mod prints;
 mod remark;
 mod run;
@@ -37,6 +40,7 @@ mod tables;
 mod tools;
 mod values;
 
+pub use around::Change;
 pub use budget::{Budget, Settings, UsedUp};
 pub use contacts::Contacts;
 pub use cycles::CycleRun;
