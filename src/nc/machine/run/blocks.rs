@@ -112,6 +112,8 @@ impl Run {
             Body::ToolCall { tool, axis, .. } => {
                 self.around.call_tool(tool.is_some(), *axis);
                 self.cycles.call_tool(tool.as_ref(), &settings.probe_table, &self.values)?;
+                let remarks = self.tools.call(tool.as_ref(), &self.values)?;
+                self.remarks.add_all(&self.flow.place_of(at), remarks);
             }
             Body::Move(movement) => {
                 self.around.turn(&movement.axes, &self.values);
@@ -250,11 +252,12 @@ impl Run {
         if let Some(other) = self.cycles.other_probe() {
             self.remark(at, other);
         }
+        self.remarks.add_all(&place, self.tools.called());
         let asked = Asked { block, unit: self.flow.unit(), placement, position: self.way.place() };
         let (path, result) = self.cycles.measure(cycle, &asked, &self.around, &self.values)?;
         let path = placement.moves(&path);
         self.way.follow(&place, &path)?;
-        let result = result?;
+        let result = self.tools.seen(result?);
         hand_over(cycle, &result, &path, self.flow.unit(), &mut self.values)?;
         self.around.stated(block, &mut self.values)?;
         if let Some(log) = Log::of(cycle, &result, &self.flow, settings)? {
@@ -265,8 +268,10 @@ impl Run {
             (None, LogTarget::Screen) => Step::Paused(Pause::Log),
             (None, LogTarget::None | LogTarget::File(_) | LogTarget::Shown) => Step::Went,
         };
+        // The last step: what was measured stands, even if the tool is broken.
+        let monitored = self.tools.monitor(&place, cycle, &result, &mut self.remarks);
         self.cycles.keep(CycleRun { place, cycle, result });
-        Ok(step)
+        monitored.map(|()| step)
     }
 
     /// M0, M1, M2 and M30 act at once, some are remembered; the others have no effect here.
