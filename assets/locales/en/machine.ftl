@@ -37,6 +37,8 @@ machine-broken = the program is broken: { $what } is missing
 machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is not a label
 machine-undefined = { $parameter } is undefined
+machine-whole-only = { $parameter } holds whole numbers only, not { $value }
+machine-no-answer = INPUT "{ $question }" asks for { $parameter }: give it a value before the run
 machine-no-parameter = parameter { $parameter } does not exist: Q and QS go up to 1999, QL and QR up to 499
 machine-not-number = { $parameter } holds a text: expected a number
 machine-not-text = { $parameter } holds a number: expected a text
@@ -80,6 +82,9 @@ machine-remark-table-written = { $path } was written
 machine-remark-contacts-left = the cycles used { $used } of { $count } recorded contacts
 machine-remark-more = { $count } more remarks are not listed
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
+machine-remark-content-uncertain = { $parameter } is read here: that it holds the diameter is not documented
+machine-remark-not-waited = { $parameter } is read without G909 after the cycle: a control reads blocks ahead and may not have measured yet
+machine-remark-position-unknown = the position before the cycle is not known: without D it begins at the nominal center, without WB at height 0
 
 ## Pauses
 machine-pause-stop = the program has stopped: STOP or M0

@@ -37,6 +37,8 @@ machine-broken = het programma is beschadigd: { $what } ontbreekt
 machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is geen label
 machine-undefined = { $parameter } is niet gedefinieerd
+machine-whole-only = { $parameter } bevat alleen gehele getallen, niet { $value }
+machine-no-answer = INPUT "{ $question }" vraagt om { $parameter }: geef de waarde vóór het uitvoeren op
 machine-no-parameter = parameter { $parameter } bestaat niet: Q en QS gaan tot 1999, QL en QR tot 499
 machine-not-number = { $parameter } bevat een tekst: een getal verwacht
 machine-not-text = { $parameter } bevat een getal: een tekst verwacht
@@ -80,6 +82,9 @@ machine-remark-table-written = { $path } is geschreven
 machine-remark-contacts-left = de cycli hebben { $used } van de { $count } opgenomen meetpunten gebruikt
 machine-remark-more = nog { $count } opmerkingen zijn niet vermeld
 machine-remark-other-probe = gereedschap { $tool } staat niet in de tastertabel: taster { $probe } is gebruikt
+machine-remark-content-uncertain = { $parameter } wordt hier gelezen: dat de diameter erin staat, is niet gedocumenteerd
+machine-remark-not-waited = { $parameter } wordt gelezen zonder G909 na de cyclus: een besturing leest regels vooruit en heeft misschien nog niet gemeten
+machine-remark-position-unknown = de positie vóór de cyclus is niet bekend: zonder D begint hij in het nominale midden, zonder WB op hoogte 0
 
 ## Pauzes
 machine-pause-stop = het programma is gestopt: STOP of M0

@@ -9,7 +9,7 @@ use crate::control::cycle_status::variable;
 use crate::control::probe_table::ProbeTable;
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
-use crate::nc::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool};
+use crate::nc::program::{CycleBlock, CycleValue, Operand, Tool};
 use crate::probing::TouchProbe;
 use crate::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Move, Phase, Range};
 use crate::probing::cycles::cycles_of;
@@ -128,21 +128,26 @@ fn with_lines(
         if inputs.is_given(declared.key) {
             return Err(FaultKind::CycleParameterTwice { cycle: cycle.code, parameter });
         }
-        inputs = inputs.with(declared.key, input(cycle, declared, line, values)?);
+        inputs = inputs.with(declared.key, input(cycle, declared, &line.value, values)?);
+    }
+    for word in &block.words {
+        // The reader of the program has looked at the letters.
+        let declared = cycle.parameter_named(&word.name).ok_or(FaultKind::UnknownBlock)?;
+        inputs = inputs.with(declared.key, input(cycle, declared, &word.value, values)?);
     }
     Ok(inputs)
 }
 
-/// The value of a line in the kind that the parameter declares; the cycle checks the range.
+/// A value in the kind that the parameter declares; the cycle checks the range.
 fn input(
     cycle: &'static Cycle,
     declared: &cycle::Parameter,
-    line: &CycleLine,
+    given: &CycleValue,
     values: &Values,
 ) -> Result<cycle::Value, FaultKind> {
     let refused = |error: CycleError| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) };
     let read = |text: &str| declared.read(text).map_err(refused);
-    let operand: Operand = match &line.value {
+    let operand: Operand = match given {
         CycleValue::Word(word) => return declared.read_word(word).map_err(refused),
         CycleValue::Text(text) => {
             let text = values.text_operand(text)?;
@@ -163,10 +168,14 @@ fn input(
     }
 }
 
-/// Puts the results into their parameters, the cycle's number into Q198, and the last contact into Q115 to Q117.
+/// Puts the results into their parameters; on milling controls also the cycle's number into Q198, and the last contact into
+/// Q115 to Q117.
 pub(super) fn hand_over(cycle: &Cycle, result: &CycleResult, values: &mut Values) -> Result<(), FaultKind> {
     for (parameter, value) in result.results.iter().filter_map(|found| variable(found.key, &found.value)) {
         values.put(parameter, value)?;
+    }
+    if cycle.control == Control::Lathe {
+        return Ok(());
     }
     values.put(Parameter::q(198), Value::Number(f64::from(cycle.number)))?;
     let last = result.path.iter().rev().find(|step: &&Move| step.phase == Phase::Contact);
@@ -178,10 +187,10 @@ pub(super) fn hand_over(cycle: &Cycle, result: &CycleResult, values: &mut Values
     Ok(())
 }
 
-/// The cycle of a number: those of lathe controls are not called by `TCH PROBE`.
-pub(super) fn cycle_of(number: &str) -> Result<&'static Cycle, FaultKind> {
-    cycles_of(Control::Milling).find(|cycle| cycle.code == number).ok_or_else(|| {
-        let known: Vec<&str> = cycles_of(Control::Milling).map(|cycle| cycle.code).collect();
+/// The cycle of a number: programs call only those of their own control.
+pub(super) fn cycle_of(number: &str, control: Control) -> Result<&'static Cycle, FaultKind> {
+    cycles_of(control).find(|cycle| cycle.code == number).ok_or_else(|| {
+        let known: Vec<&str> = cycles_of(control).map(|cycle| cycle.code).collect();
         FaultKind::UnknownCycle { cycle: number.to_owned(), known: known.join(", ") }
     })
 }

@@ -124,6 +124,20 @@ pub enum FaultKind {
     Undefined(#[say(name = "parameter")] Parameter),
     /// A parameter that does not exist on a control.
     NoParameter(#[say(name = "parameter")] Parameter),
+    /// A number with decimals for a variable that holds whole numbers.
+    WholeOnly {
+        /// The variable.
+        parameter: Parameter,
+        /// What it would get.
+        value: f64,
+    },
+    /// A program that asks for a value which was not given before the run.
+    NoAnswer {
+        /// Where it goes.
+        parameter: Parameter,
+        /// The question.
+        question: String,
+    },
     /// A text where a number is needed.
     NotNumber(#[say(name = "parameter")] Parameter),
     /// A number where a text is needed.

@@ -3,7 +3,7 @@
 use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, FaultKind};
 use super::values::Values;
-use crate::nc::program::{Axis, Feed, Movement, Unit};
+use crate::nc::program::{Axis, AxisWord, Feed, Goes, Movement, Notation, Unit};
 use crate::probing::cycle::{Move, Phase};
 
 /// Millimetres in an inch.
@@ -37,16 +37,23 @@ pub enum TravelKind {
 
 /// Where the ball's centre is, and the path that it took. An axis is known once a block has moved it to a place in
 /// workpiece coordinates.
+///
+/// Programs of lathe controls write X as a diameter, absolute and incremental; here it is a radius, as Y and Z are distances.
+/// Their Y is 0, the middle of the part, until a block moves it (`docs/SOURCES.md`, "DIN PLUS").
 #[derive(Debug)]
 pub(super) struct Way {
     position: [Option<f64>; 3],
     travels: Vec<Travel>,
     most: usize,
+    /// Whether X counts as a diameter.
+    is_turned: bool,
 }
 
 impl Way {
-    pub(super) const fn new(budget: &Budget) -> Self {
-        Self { position: [None; 3], travels: Vec::new(), most: budget.path }
+    pub(super) fn new(budget: &Budget, notation: Notation) -> Self {
+        let is_turned = notation == Notation::DinPlus;
+        let position = [None, is_turned.then_some(0.0), None];
+        Self { position, travels: Vec::new(), most: budget.path, is_turned }
     }
 
     pub(super) const fn position(&self) -> [Option<f64>; 3] {
@@ -73,23 +80,7 @@ impl Way {
     ) -> Result<(), FaultKind> {
         // M91 and M92 count from the machine's own zero, which is unknown here.
         let is_of_machine = movement.machine.iter().any(|function| matches!(function.number, 91 | 92));
-        let factor = if unit == Some(Unit::Inch) { INCH } else { 1.0 };
-        let mut to = self.position;
-        for word in &movement.axes {
-            let value = values.operand(word.value)? * factor;
-            let [x, y, z] = &mut to;
-            let axis = match word.axis {
-                Axis::X => x,
-                Axis::Y => y,
-                Axis::Z => z,
-                Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => continue,
-            };
-            *axis = match (*axis, word.is_incremental) {
-                _ if is_of_machine => None,
-                (old, true) => old.map(|old| old + value),
-                (_, false) => Some(value),
-            };
-        }
+        let to = self.end_of(&movement.axes, is_of_machine, unit, values)?;
         let kind = match movement.feed {
             Some(Feed::Rapid) => TravelKind::Rapid,
             Some(Feed::Value(feed)) => {
@@ -106,6 +97,46 @@ impl Way {
             }
             _ => Ok(()),
         }
+    }
+
+    /// A block whose path is not followed: where the tool is afterwards.
+    pub(super) fn pass_over(&mut self, goes: &Goes, unit: Option<Unit>, values: &Values) -> Result<(), FaultKind> {
+        if goes.is_unknown {
+            // A lathe goes there in X and Z: Y stays.
+            let [_, y, _] = self.position;
+            self.position = [None, y.filter(|_| self.is_turned), None];
+        }
+        self.position = self.end_of(&goes.axes, false, unit, values)?;
+        Ok(())
+    }
+
+    /// Where axes end.
+    fn end_of(
+        &self,
+        axes: &[AxisWord],
+        is_of_machine: bool,
+        unit: Option<Unit>,
+        values: &Values,
+    ) -> Result<[Option<f64>; 3], FaultKind> {
+        let factor = if unit == Some(Unit::Inch) { INCH } else { 1.0 };
+        let mut to = self.position;
+        for word in axes {
+            let value = values.operand(word.value)? * factor;
+            let [x, y, z] = &mut to;
+            let (axis, value) = match word.axis {
+                Axis::X if self.is_turned => (x, value / 2.0),
+                Axis::X => (x, value),
+                Axis::Y => (y, value),
+                Axis::Z => (z, value),
+                Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => continue,
+            };
+            *axis = match (*axis, word.is_incremental) {
+                _ if is_of_machine => None,
+                (old, true) => old.map(|old| old + value),
+                (_, false) => Some(value),
+            };
+        }
+        Ok(to)
     }
 
     /// The path of a cycle.

@@ -35,10 +35,40 @@ pub enum BlockFault {
     ParameterRange {
         /// The text found.
         found: String,
-        /// Q, QL, QR or QS.
+        /// Q, QL, QR or QS, or that of a lathe control.
         family: &'static str,
+        /// The first number.
+        least: u16,
         /// The last number.
         most: u16,
+    },
+    /// `AND` and `OR` in one condition, without brackets that say which comes first.
+    AndWithOr,
+    /// An address letter occurs twice.
+    LetterTwice {
+        /// The letters.
+        letters: String,
+    },
+    /// Functions that do not stand in one block.
+    NotTogether {
+        /// One of them.
+        one: String,
+        /// Another.
+        other: String,
+    },
+    /// A measurement or an assignment among the blocks of a unit, which are passed over.
+    ActsInUnit,
+    /// A branch without the block that ends or begins it.
+    Alone {
+        /// The word found.
+        found: &'static str,
+        /// The word that is missing.
+        missing: &'static str,
+    },
+    /// A function of which it is not known what it does.
+    UnknownWord {
+        /// The text found.
+        found: String,
     },
     /// A whole number beyond its range.
     Range {
@@ -97,6 +127,10 @@ pub enum Wanted {
     Value,
     /// A parameter.
     Parameter,
+    /// A number or a variable of a lathe control.
+    ValueOrVariable,
+    /// A variable of a lathe control.
+    Variable,
     /// A Q parameter.
     NumberParameter,
     /// A QS parameter.

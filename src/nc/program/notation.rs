@@ -1,17 +1,45 @@
 //! In which notation a program is written.
 
+use super::din_plus;
 use super::lines::Lines;
+use crate::probing::cycle::Control;
 
 /// How a program is written. All notations give the same blocks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Notation {
     /// Klartext of HEIDENHAIN milling controls (`.h`).
     Klartext,
+    /// DIN PLUS of HEIDENHAIN lathe controls (`.nc`, subprograms `.ncs`).
+    DinPlus,
 }
 
 impl Notation {
     /// The notation of a text.
-    pub(super) const fn of(_text: &str, _lines: &Lines) -> Self {
-        Self::Klartext
+    pub(super) fn of(text: &str, lines: &Lines) -> Self {
+        if din_plus::is_written_so(text, lines) { Self::DinPlus } else { Self::Klartext }
+    }
+
+    /// How a program begins.
+    pub const fn begin(self) -> &'static str {
+        match self {
+            Self::Klartext => "BEGIN PGM",
+            Self::DinPlus => "%NAME.nc",
+        }
+    }
+
+    /// How it ends.
+    pub const fn end(self) -> &'static str {
+        match self {
+            Self::Klartext => "END PGM",
+            Self::DinPlus => "ENDE",
+        }
+    }
+
+    /// The controls that read it.
+    pub const fn control(self) -> Control {
+        match self {
+            Self::Klartext => Control::Milling,
+            Self::DinPlus => Control::Lathe,
+        }
     }
 }

@@ -17,7 +17,7 @@ use crate::control::mask::Context;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::program::{Block, Body, CycleBlock, MachineFunction, Program, TextOperand, Unit};
-use crate::probing::cycle::LogTarget;
+use crate::probing::cycle::{Control, LogTarget};
 
 impl Run {
     /// Runs the next block.
@@ -55,13 +55,24 @@ impl Run {
         if settings.budget.blocks <= self.blocks {
             return Err(UsedUp::Blocks(settings.budget.blocks).into());
         }
-        let block = program.blocks().get(at).ok_or(FaultKind::Broken { what: "END PGM" })?;
+        let block = program.blocks().get(at).ok_or(FaultKind::Broken { what: program.notation().end() })?;
         self.blocks += 1;
         self.flow.pass(at, &block.body)?;
         if block.may_be_skipped && settings.block_skip {
             return Ok(Step::Went);
         }
-        self.body(at, block, files, settings)
+        let step = self.body(at, block, files, settings);
+        self.note_reading(at);
+        step
+    }
+
+    /// Adds remarks about what a lathe control's cycle has left in `#i99`, if the block has read it.
+    fn note_reading(&mut self, at: usize) {
+        let Some(parameter) = self.values.take_read() else { return };
+        self.remark(at, Remark::ContentUncertain { parameter });
+        if self.values.is_ahead() {
+            self.remark(at, Remark::NotWaited { parameter });
+        }
     }
 
     fn body(&mut self, at: usize, block: &Block, files: &mut Files, settings: &Settings) -> Result<Step, FaultKind> {
@@ -87,6 +98,27 @@ impl Run {
                 if self.values.holds(condition)? {
                     self.flow.jump(label, &self.values)?;
                 }
+            }
+            Body::Branch { unless, to } => {
+                if !unless.as_ref().map_or(Ok(false), |test| self.values.passes(test))? {
+                    self.flow.go_to(*to);
+                }
+            }
+            Body::Subprogram { behind, .. } => self.flow.go_to(*behind),
+            Body::Show(text) => {
+                let text = format!("{}\n", self.values.evaluate_text(text)?);
+                let place = self.flow.place_of(at);
+                // There is no mask: the program itself shows it.
+                self.prints.show(place, self.flow.path().clone(), text)?;
+            }
+            Body::Input { question, to } => match self.values.answer(*to) {
+                Some(value) => self.note_given(at, *to, Some(value)),
+                None => return Err(FaultKind::NoAnswer { parameter: *to, question: question.clone() }),
+            },
+            Body::ReadNoFurther => self.values.wait(),
+            Body::PassedOver(passed) => {
+                self.way.pass_over(&passed.goes, self.flow.unit(), &self.values)?;
+                return Ok(self.machine_functions(at, &passed.machine, settings));
             }
             Body::Error(number) => {
                 let number = self.values.whole(Counted::Word("FN 14: ERROR"), *number)?;
@@ -214,7 +246,7 @@ impl Run {
         files: &mut Files,
         settings: &Settings,
     ) -> Result<Step, FaultKind> {
-        let cycle = match cycle_of(&block.number) {
+        let cycle = match cycle_of(&block.number, self.flow.program().notation().control()) {
             Err(_unknown) if settings.skip_unknown => {
                 self.remark(at, Remark::Skipped);
                 return Ok(Step::Went);
@@ -229,10 +261,14 @@ impl Run {
             self.remark(at, other);
         }
         let place = self.flow.place_of(at);
+        if cycle.control == Control::Lathe && self.way.place().is_none() {
+            self.remark(at, Remark::PositionUnknown);
+        }
         let (path, result) = self.cycles.measure(cycle, block, self.way.place(), &self.values)?;
         self.way.follow(&place, &path)?;
         let result = result?;
         hand_over(cycle, &result, &mut self.values)?;
+        self.values.measured();
         if let Some(log) = Log::of(cycle, &result, &self.flow, settings)? {
             log.write(place.clone(), &mut self.prints, files, &mut self.remarks)?;
         }

@@ -22,7 +22,7 @@ use super::store::{Origin, Store};
 use super::tables::Tables;
 use super::values::Values;
 use crate::control::variables::{Parameter, Value, Variables};
-use crate::nc::program::{Program, Unit};
+use crate::nc::program::{Notation, Program, Unit};
 use crate::verdict::Status;
 
 /// The state of a run: what a restart clears.
@@ -42,15 +42,18 @@ impl Run {
     fn new(path: NcPath, program: Arc<Program>, contacts: Contacts, settings: &Settings) -> Self {
         let is_inch = program.unit() == Some(Unit::Inch);
         let mut values = Values::new(settings);
-        // Q113 holds the unit of the main program.
-        values.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
+        let notation = program.notation();
+        if notation != Notation::DinPlus {
+            // Q113 holds the unit of the main program.
+            values.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
+        }
         Self {
             flow: Flow::new(path, program, &settings.budget),
             values,
             tables: Tables::default(),
             prints: Prints::new(settings.budget),
             cycles: Cycles::new(contacts, settings),
-            way: Way::new(&settings.budget),
+            way: Way::new(&settings.budget, notation),
             remarks: Remarks::new(&settings.budget),
             blocks: 0,
         }
