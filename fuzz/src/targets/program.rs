@@ -1,7 +1,7 @@
 //! Any bytes as an NC program: what is read is written as it was; every body that is printed reads back as the same;
 //! warnings point into the text.
 
-use fitcheck::nc::program::{Body, Place, Program, write};
+use fitcheck::nc::program::{Body, Notation, Place, Program, write};
 
 use super::shared::told;
 
@@ -22,7 +22,9 @@ pub fn run(bytes: &[u8]) {
         behind = block.lines.end;
         // Printing cleans texts of control characters and of ~ at their ends.
         let is_clean = |line: &str| !line.contains(char::is_control) && line.matches('~').count() <= 1;
-        if block.body != Body::Other && program.text_of(index).all(is_clean) {
+        // Only Klartext is printed.
+        let is_printed = program.notation() == Notation::Klartext && block.body != Body::Other;
+        if is_printed && program.text_of(index).all(is_clean) {
             reads_back(&block.body);
         }
     }

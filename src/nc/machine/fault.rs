@@ -43,7 +43,10 @@ impl Fault {
         let block = program.blocks().get(place.block);
         let text = program.text_of(place.block).next().unwrap_or_default();
         let number = block.and_then(|block| block.number);
-        let bare = text.trim().trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+        let front = text.trim();
+        // Lathe controls write `N5` for block 5.
+        let front = front.strip_prefix(['N', 'n']).unwrap_or(front).trim_start();
+        let bare = front.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
         let bare = if number.is_some() { bare } else { text.trim() };
         let text = cut(bare, 80).replace(char::is_control, " ");
         let line = block.map_or_else(|| program.line_count(), |block| block.lines.start + 1);
