@@ -131,7 +131,8 @@ impl std::str::FromStr for Parameter {
     fn from_str(text: &str) -> Result<Self, NoParameter> {
         let given = text.trim();
         let none = || NoParameter(given.to_owned());
-        let (prefix, digits) = given.split_at_checked(given.find(|c: char| c.is_ascii_digit()).ok_or_else(none)?).ok_or_else(none)?;
+        let (prefix, digits) =
+            given.split_at_checked(given.find(|c: char| c.is_ascii_digit()).ok_or_else(none)?).ok_or_else(none)?;
         let known = |family: &Family| family.prefix().eq_ignore_ascii_case(prefix);
         let family = Family::ALL.into_iter().find(known).ok_or_else(none)?;
         let is_number = digits.bytes().all(|byte| byte.is_ascii_digit());

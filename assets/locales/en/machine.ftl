@@ -40,6 +40,7 @@ machine-undefined = { $parameter } is undefined
 machine-whole-only = { $parameter } holds whole numbers only, not { $value }
 machine-no-answer = INPUT "{ $question }" asks for { $parameter }: give it a value before the run
 machine-no-parameter = parameter { $parameter } does not exist: Q and QS go up to 1999, QL and QR up to 499
+machine-no-variable = variable { $variable } does not exist: { $family } goes from { $least } to { $most }
 machine-not-number = { $parameter } holds a text: expected a number
 machine-not-text = { $parameter } holds a number: expected a text
 machine-division-by-zero = division by zero

@@ -40,6 +40,7 @@ machine-undefined = { $parameter } is niet gedefinieerd
 machine-whole-only = { $parameter } bevat alleen gehele getallen, niet { $value }
 machine-no-answer = INPUT "{ $question }" vraagt om { $parameter }: geef de waarde vóór het uitvoeren op
 machine-no-parameter = parameter { $parameter } bestaat niet: Q en QS gaan tot 1999, QL en QR tot 499
+machine-no-variable = variabele { $variable } bestaat niet: { $family } loopt van { $least } tot { $most }
 machine-not-number = { $parameter } bevat een tekst: een getal verwacht
 machine-not-text = { $parameter } bevat een getal: een tekst verwacht
 machine-division-by-zero = deling door nul

@@ -35,7 +35,15 @@ pub fn run(bytes: &[u8]) {
             assert!(*to <= program.blocks().len());
         }
     }
-    let budget = Budget { blocks: MOST_BLOCKS, windows: 20, output_bytes: 10_000, cycles: 20, path: 500, remarks: 50, ..Budget::default() };
+    let budget = Budget {
+        blocks: MOST_BLOCKS,
+        windows: 20,
+        output_bytes: 10_000,
+        cycles: 20,
+        path: 500,
+        remarks: 50,
+        ..Budget::default()
+    };
     let mut settings = Settings::new(Dialogue::En, NOW);
     settings.budget = budget;
     settings.skip_unknown = bytes.len() % 2 == 1;

@@ -127,6 +127,17 @@ pub enum FaultKind {
     Undefined(#[say(name = "parameter")] Parameter),
     /// A parameter that does not exist on a control.
     NoParameter(#[say(name = "parameter")] Parameter),
+    /// A variable that does not exist on a lathe control.
+    NoVariable {
+        /// The variable.
+        variable: Parameter,
+        /// Its family.
+        family: &'static str,
+        /// The first number of the family.
+        least: u16,
+        /// The last.
+        most: u16,
+    },
     /// A number with decimals for a variable that holds whole numbers.
     WholeOnly {
         /// The variable.

@@ -38,8 +38,8 @@ mod write_formula;
 
 pub use around::{Frame, Goes, Mode, PassedOver};
 pub use block::{
-    Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, CycleWord, Feed, MachineFunction,
-    Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
+    Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, CycleWord, Feed,
+    MachineFunction, Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
 };
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
 pub use expression::{Expression, NumberFunction, Operation, Test, TextExpression};

@@ -163,7 +163,7 @@ fn names(program: &Program) -> BTreeMap<Parameter, String> {
         }
         let said = match program.notation() {
             Notation::DinPlus => program.comment_of(index),
-            _ => comment(program.line(block.lines.start)),
+            Notation::Klartext => comment(program.line(block.lines.start)),
         };
         if let Some(name) = said.filter(|name| !name.is_empty()) {
             names.insert(*to, name.to_owned());

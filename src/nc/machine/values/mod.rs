@@ -191,9 +191,7 @@ impl Values {
 
     /// Sets a parameter that exists on a control to a value that it can hold.
     pub(super) fn put(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
-        if !parameter.family.numbers().contains(&parameter.number) {
-            return Err(FaultKind::NoParameter(parameter));
-        }
+        exists(parameter)?;
         match (&value, parameter.family.is_text()) {
             (Value::Text(text), true) => self.check_length(text)?,
             (Value::Text(_), false) => return Err(FaultKind::NotNumber(parameter)),
@@ -203,23 +201,10 @@ impl Values {
             }
             (Value::Length(_), false) => {}
         }
-        self.check_whole(parameter, &value)?;
+        check_whole(parameter, &value)?;
         self.variables.set(parameter, value);
         self.changed.push(parameter);
         Ok(())
-    }
-
-    /// The upper global variables of a lathe control hold whole numbers; whether it would round others is not known.
-    fn check_whole(&self, parameter: Parameter, value: &Value) -> Result<(), FaultKind> {
-        if parameter.family != Family::LatheGlobal || parameter.number < FIRST_WHOLE_GLOBAL {
-            return Ok(());
-        }
-        let number = match value {
-            Value::Number(number) => *number,
-            Value::Length(length) => length.to_mm_f64(),
-            Value::Text(_) => return Ok(()),
-        };
-        if number.fract().abs() <= 0.0 { Ok(()) } else { Err(FaultKind::WholeOnly { parameter, value: number }) }
     }
 
     fn check_length(&self, text: &str) -> Result<(), FaultKind> {
@@ -287,6 +272,32 @@ impl Values {
         self.changed.push(parameter);
         Some(value)
     }
+}
+
+/// Whether a control has the parameter.
+fn exists(parameter: Parameter) -> Result<(), FaultKind> {
+    let (family, numbers) = (parameter.family, parameter.family.numbers());
+    if numbers.contains(&parameter.number) {
+        return Ok(());
+    }
+    if !family.is_of_lathes() {
+        return Err(FaultKind::NoParameter(parameter));
+    }
+    let (least, most) = numbers.into_inner();
+    Err(FaultKind::NoVariable { variable: parameter, family: family.prefix(), least, most })
+}
+
+/// The upper global variables of a lathe control hold whole numbers; whether it would round others is not known.
+fn check_whole(parameter: Parameter, value: &Value) -> Result<(), FaultKind> {
+    if parameter.family != Family::LatheGlobal || parameter.number < FIRST_WHOLE_GLOBAL {
+        return Ok(());
+    }
+    let number = match value {
+        Value::Number(number) => *number,
+        Value::Length(length) => length.to_mm_f64(),
+        Value::Text(_) => return Ok(()),
+    };
+    if number.fract().abs() <= 0.0 { Ok(()) } else { Err(FaultKind::WholeOnly { parameter, value: number }) }
 }
 
 /// A number that a control can hold.

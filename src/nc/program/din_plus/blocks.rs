@@ -210,7 +210,7 @@ impl<'a> Reader<'a> {
     fn running(&mut self, line: usize, Line { start, code, .. }: Line<'_>) -> Body {
         let read = self.weigh(code).and_then(|()| said(&mut Cursor::of(code, Notation::DinPlus)));
         if self.unit_block.is_some() {
-            return self.in_unit(line, start, code, read.ok());
+            return self.in_unit(line, start, code, read.as_ref().ok());
         }
         let said = match read {
             Ok(said) => said,
@@ -252,9 +252,7 @@ impl<'a> Reader<'a> {
                 let goes = Goes { is_unknown: true, axes: Vec::new() };
                 Body::PassedOver(PassedOver { words: "UNIT".to_owned(), goes, machine: Vec::new() })
             }
-            Said::EndOfUnit => {
-                self.refuse(line, start, BlockFault::Alone { found: END_OF_UNIT, missing: "UNIT" })
-            }
+            Said::EndOfUnit => self.refuse(line, start, BlockFault::Alone { found: END_OF_UNIT, missing: "UNIT" }),
             said => self.branched(line, start, said),
         }
     }
@@ -267,7 +265,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A block of a unit: passed over, unless it measures or sets a variable.
-    fn in_unit(&mut self, line: usize, start: usize, code: &str, said: Option<Said>) -> Body {
+    fn in_unit(&mut self, line: usize, start: usize, code: &str, said: Option<&Said>) -> Body {
         match said {
             Some(Said::EndOfUnit) => self.unit_block = None,
             Some(Said::Subprogram(_)) => {

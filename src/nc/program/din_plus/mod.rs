@@ -1,4 +1,4 @@
-//! Programs in DIN PLUS of HEIDENHAIN lathe controls (MANUALplus 620, CNC PILOT 640): from text to blocks.
+//! Programs in DIN PLUS of HEIDENHAIN lathe controls (`MANUALplus` 620, CNC PILOT 640): from text to blocks.
 //!
 //! | file | what |
 //! |---|---|

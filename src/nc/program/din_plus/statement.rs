@@ -35,8 +35,11 @@ pub(super) enum Said {
     EndOfUnit,
 }
 
+/// A word and what it says.
+type Alone = (&'static str, fn() -> Said);
+
 /// Words that are a block each.
-const ALONE: [(&str, fn() -> Said); 8] = [
+const ALONE: [Alone; 8] = [
     ("THEN", || Said::Then),
     ("ELSE", || Said::Else),
     ("ENDIF", || Said::EndIf),
