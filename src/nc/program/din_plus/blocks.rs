@@ -222,8 +222,11 @@ impl<'a> Reader<'a> {
         match said {
             Said::Body(Body::Nothing) => Body::Nothing,
             Said::Subprogram(_) => {
+                // One that has no end goes on where that one began.
+                if !self.branches.is_in_subprogram() {
+                    self.outer = self.part;
+                }
                 self.end_branches(true);
-                self.outer = self.part;
                 self.part = Part::Machining;
                 self.branched(line, start, said)
             }
