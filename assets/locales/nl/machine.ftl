@@ -68,10 +68,23 @@ machine-no-cycle-parameter = cyclus { $cycle } heeft geen parameter { $parameter
 machine-cycle-parameter-twice = cyclus { $cycle }: { $parameter } is twee keer opgegeven
 machine-cycle = cyclus { $cycle }: { $error }
 machine-workpiece = werkstuk: { $error }
-machine-inch = cycli worden alleen uitgevoerd in programma's in MM
+machine-no-tool-call = voor deze meetcyclus staat geen TOOL CALL met een gereedschapsas
+machine-mode = de besturing staat in { $mode }: meetcycli worden alleen in het freesbedrijf uitgevoerd (FUNCTION MODE MILL)
+machine-changed = { $change } is actief sinds regel { $line }, { $text }: daaronder wordt hier niet gemeten
+machine-nothing-selected = voor CALL SELECTED PGM staat geen SEL PGM
+machine-change-datum-table = een verschuiving uit een nulpunttabel
+machine-change-rotation = een rotatie
+machine-change-mirror = een spiegeling
+machine-change-scaling = een maatfactor
+machine-change-tilt = een gezwenkt bewerkingsvlak
 
 ## Opmerkingen
 machine-remark-skipped = onbekende NC-regel overgeslagen
+machine-remark-no-system-data = { $parameter } is vanaf hier ongedefinieerd: de systeemgegevens van FN 18 kent alleen een besturing
+machine-remark-axis-assumed = er staat geen TOOL CALL voor: gemeten langs Z met het eerste tastsysteem
+machine-remark-spindle-turns = de spil draait sinds M{ $function }: een besturing zou niet tasten
+machine-remark-rotary-moved = { $axes } zijn voordien verplaatst: het werkstuk is gemeten alsof het niet gedraaid is
+machine-remark-other-preset = referentiepunt { $number }: het werkstuk wordt geacht ook daar te liggen
 machine-remark-built-in = { $path } is niet bij de opgegeven bestanden: het ingebouwde is gelezen
 machine-remark-read = { $path }: { $what }
 machine-remark-ended-within = M{ $function } in een aangeroepen programma heeft de uitvoering beëindigd: een besturing staat dat daar niet toe
@@ -86,6 +99,11 @@ machine-remark-other-probe = gereedschap { $tool } staat niet in de tastertabel:
 machine-remark-content-uncertain = { $parameter } wordt hier gelezen: dat de diameter erin staat, is niet gedocumenteerd
 machine-remark-not-waited = { $parameter } wordt gelezen zonder G909 na de cyclus: een besturing leest regels vooruit en heeft misschien nog niet gemeten
 machine-remark-position-unknown = de positie vóór de cyclus is niet bekend: zonder D begint hij in het nominale midden, zonder WB op hoogte 0
+
+machine-passed-over = { $count } { $count ->
+        [one] NC-regel is
+       *[other] NC-regels zijn
+    } overgeslagen waar geen meting van afhangt: { $list }
 
 ## Pauzes
 machine-pause-stop = het programma is gestopt: STOP of M0

@@ -1,5 +1,6 @@
 //! Reading and writing NC programs.
 
+mod around;
 mod din_plus;
 mod properties;
 mod reading;

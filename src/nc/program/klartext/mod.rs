@@ -5,10 +5,11 @@
 //! | `blocks` | from lines to blocks |
 //! | `cut_off` | lines that a missing or a surplus `~` has put into the wrong block |
 //! | `understand` | from the lines of one block to what it says |
-//! | `body`, `functions`, `moves`, `cycle` | the kinds of blocks, read |
+//! | `body`, `functions`, `moves`, `cycle`, `around` | the kinds of blocks, read |
 //!
 //! Grammar: manuals and public programs, see `docs/SOURCES.md`.
 
+mod around;
 mod blocks;
 mod body;
 mod cut_off;

@@ -6,6 +6,7 @@ use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::lines::Piece;
 use super::super::words::DEEPEST;
+use super::around;
 use super::body::body;
 use super::cycle;
 
@@ -34,8 +35,15 @@ pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> P
     if cursor.take_words(&["TCH", "PROBE"]) {
         return cycle(cursor, first, more, place).map(Body::Probe);
     }
+    if cursor.take_words(&["GLOBAL", "DEF"]) {
+        return cycle(cursor, first, more, place).map(Body::GlobalDefinition);
+    }
     if cursor.take_words(&["CYCL", "DEF"]) {
-        return cycle(cursor, first, more, place).map(Body::CycleDefinition);
+        let dotted = around::dotted(&mut cursor).map_err(|Stop { at, reason }| not_understood(first, at, reason))?;
+        return match dotted {
+            Some(body) => Ok(body),
+            None => cycle(cursor, first, more, place).map(around::defined),
+        };
     }
     // A comment that ends in ~ continues on the next line; only without a comment does the block itself continue.
     let pieces = if first.comment.is_some() { std::slice::from_ref(first) } else { pieces };
