@@ -67,15 +67,6 @@ impl Run {
         step
     }
 
-    /// Adds remarks about what a lathe control's cycle has left in `#i99`, if the block has read it.
-    fn note_reading(&mut self, at: usize) {
-        let Some(parameter) = self.values.take_read() else { return };
-        self.remark(at, Remark::ContentUncertain { parameter });
-        if self.values.is_ahead() {
-            self.remark(at, Remark::NotWaited { parameter });
-        }
-    }
-
     fn body(&mut self, at: usize, block: &Block, files: &mut Files, settings: &Settings) -> Result<Step, FaultKind> {
         match &block.body {
             Body::Begin { .. } | Body::Nothing | Body::Heading { .. } => {}
@@ -111,23 +102,11 @@ impl Run {
                     self.flow.jump(label, &self.values)?;
                 }
             }
-            Body::Branch { unless, to } => {
-                if !unless.as_ref().map_or(Ok(false), |test| self.values.passes(test))? {
-                    self.flow.go_to(*to);
-                }
-            }
-            Body::Subprogram { behind, .. } => self.flow.go_to(*behind),
-            Body::Show(text) => {
-                let text = format!("{}\n", self.values.evaluate_text(text)?);
-                let place = self.flow.place_of(at);
-                // There is no mask: the program itself shows it.
-                self.prints.show(place, self.flow.path().clone(), text)?;
-            }
-            Body::Input { question, to } => match self.values.answer(*to) {
-                Some(value) => self.note_given(at, *to, Some(value)),
-                None => return Err(FaultKind::NoAnswer { parameter: *to, question: question.clone() }),
-            },
-            Body::ReadNoFurther => self.values.wait(),
+            Body::Branch { .. }
+            | Body::Subprogram { .. }
+            | Body::Show(_)
+            | Body::Input { .. }
+            | Body::ReadNoFurther => self.lathe(at, &block.body)?,
             Body::Error(number) => {
                 let number = self.values.whole(Counted::Word("FN 14: ERROR"), *number)?;
                 return Err(FaultKind::Programmed(u32::try_from(number).unwrap_or(u32::MAX)));
@@ -186,7 +165,7 @@ impl Run {
         Ok(Step::Went)
     }
 
-    fn remark(&mut self, at: usize, remark: Remark) {
+    pub(super) fn remark(&mut self, at: usize, remark: Remark) {
         self.remarks.add(self.flow.place_of(at), remark);
     }
 
@@ -218,7 +197,7 @@ impl Run {
     }
 
     /// Adds a remark about a value that was given before the run and takes the place of a block's value.
-    fn note_given(&mut self, at: usize, parameter: Parameter, given: Option<Value>) {
+    pub(super) fn note_given(&mut self, at: usize, parameter: Parameter, given: Option<Value>) {
         if let Some(value) = given {
             self.remark(at, Remark::GivenWins { parameter, value: shown_arg(&value) });
         }

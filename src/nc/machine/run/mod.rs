@@ -3,6 +3,7 @@
 //! `blocks` has what each block does.
 
 mod blocks;
+mod lathe;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
