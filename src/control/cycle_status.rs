@@ -84,13 +84,13 @@ fn checked(cycle: &Cycle, result: &CycleResult) -> String {
     }
 }
 
-/// A parameter of the control with its value; `None` for names of a lathe control.
+/// A parameter of the control with its value; `None` for the letters of a lathe control.
 pub(crate) fn variable(key: Key, value: &cycle::Value) -> Option<(Parameter, Value)> {
     let parameter = match (key, value) {
         // A tool name is a text under the same number.
         (Key::Q(number), cycle::Value::Text(_)) | (Key::Qs(number), _) => Parameter::qs(number),
         (Key::Q(number), _) => Parameter::q(number),
-        (Key::Word(_), _) => return None,
+        (Key::Word(word), _) => word.parse().ok()?,
     };
     let value = match value {
         cycle::Value::Length(length) => Value::Length(*length),

@@ -1,9 +1,11 @@
-//! The control's parameters: Q, QL and QR hold numbers, QS holds text.
+//! The control's parameters: Q, QL and QR of milling controls hold numbers, QS holds text. The variables of lathe controls
+//! are families of their own: `#l`, `#c`, `#g` and `#i` hold numbers, `#x` holds text.
 //!
 //! A parameter that was never set is undefined; reading it gives `None`, never zero.
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::ops::RangeInclusive;
 
 use crate::message::Say;
 
@@ -18,6 +20,73 @@ pub enum Family {
     Qr,
     /// Texts.
     Qs,
+    /// `#l1`: numbers of a lathe control, local to a program.
+    LatheLocal,
+    /// `#c1`: numbers of a lathe control, of the channel.
+    LatheChannel,
+    /// `#g1`: numbers of a lathe control that survive power-off; from 200 on whole numbers.
+    LatheGlobal,
+    /// `#x1`: texts of a lathe control.
+    LatheText,
+    /// `#i99`: what a lathe control itself provides.
+    LatheControl,
+}
+
+/// The first of the global variables of a lathe control that hold only whole numbers.
+pub const FIRST_WHOLE_GLOBAL: u16 = 200;
+
+impl Family {
+    /// All families.
+    pub const ALL: [Self; 9] = [
+        Self::Q,
+        Self::Ql,
+        Self::Qr,
+        Self::Qs,
+        Self::LatheLocal,
+        Self::LatheChannel,
+        Self::LatheGlobal,
+        Self::LatheText,
+        Self::LatheControl,
+    ];
+
+    /// What precedes the number: `Q`, `#l`.
+    pub const fn prefix(self) -> &'static str {
+        match self {
+            Self::Q => "Q",
+            Self::Ql => "QL",
+            Self::Qr => "QR",
+            Self::Qs => "QS",
+            Self::LatheLocal => "#l",
+            Self::LatheChannel => "#c",
+            Self::LatheGlobal => "#g",
+            Self::LatheText => "#x",
+            Self::LatheControl => "#i",
+        }
+    }
+
+    /// The numbers that a control has. Those of milling controls are from their manuals, those of lathe controls general
+    /// knowledge, those of `#i` ours: only `#i99` is known (`docs/SOURCES.md`).
+    pub const fn numbers(self) -> RangeInclusive<u16> {
+        match self {
+            Self::Q | Self::Qs => 0..=1_999,
+            Self::Ql | Self::Qr => 0..=499,
+            Self::LatheLocal => 1..=99,
+            Self::LatheChannel => 1..=30,
+            Self::LatheGlobal => 1..=299,
+            Self::LatheText => 1..=20,
+            Self::LatheControl => 1..=999,
+        }
+    }
+
+    /// Whether it holds texts.
+    pub const fn is_text(self) -> bool {
+        matches!(self, Self::Qs | Self::LatheText)
+    }
+
+    /// Whether it is one of a lathe control.
+    pub fn is_of_lathes(self) -> bool {
+        self.prefix().starts_with('#')
+    }
 }
 
 /// The name of a parameter: `Q153`, `QS3`.
@@ -43,12 +112,7 @@ impl Parameter {
 
 impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let family = match self.family {
-            Family::Q => "Q",
-            Family::Ql => "QL",
-            Family::Qr => "QR",
-            Family::Qs => "QS",
-        };
+        let family = self.family.prefix();
         f.pad(&format!("{family}{}", self.number))
     }
 }
@@ -63,21 +127,17 @@ pub struct NoParameter(#[say(name = "given")] pub String);
 impl std::str::FromStr for Parameter {
     type Err = NoParameter;
 
-    /// `Q1`, `ql5`, `QS400`.
+    /// `Q1`, `ql5`, `QS400`, `#l1`.
     fn from_str(text: &str) -> Result<Self, NoParameter> {
         let given = text.trim();
-        let name = given.to_ascii_uppercase();
-        let digits = name.trim_start_matches(|c: char| c.is_ascii_alphabetic());
-        let family = match name.strip_suffix(digits) {
-            Some("Q") => Family::Q,
-            Some("QL") => Family::Ql,
-            Some("QR") => Family::Qr,
-            Some("QS") => Family::Qs,
-            _ => return Err(NoParameter(given.to_owned())),
-        };
+        let none = || NoParameter(given.to_owned());
+        let (prefix, digits) =
+            given.split_at_checked(given.find(|c: char| c.is_ascii_digit()).ok_or_else(none)?).ok_or_else(none)?;
+        let known = |family: &Family| family.prefix().eq_ignore_ascii_case(prefix);
+        let family = Family::ALL.into_iter().find(known).ok_or_else(none)?;
         let is_number = digits.bytes().all(|byte| byte.is_ascii_digit());
         let number = digits.parse().ok().filter(|_| is_number);
-        number.map(|number| Self { family, number }).ok_or_else(|| NoParameter(given.to_owned()))
+        number.map(|number| Self { family, number }).ok_or_else(none)
     }
 }
 

@@ -449,6 +449,8 @@ fn a_file_is_known_by_its_content_and_its_ending() {
         ("PART.CSV", "x,y\n1,2\n", Some(Purpose::Import)),
         ("empty.csv", "", Some(Purpose::Import)),
         ("bore.h", "0 BEGIN PGM BORE MM\n", Some(Purpose::OpenProgram)),
+        ("flange.nc", "%FLANGE.nc\n", Some(Purpose::OpenProgram)),
+        ("sub.NCS", "", Some(Purpose::OpenProgram)),
         ("bore", "0  BEGIN PGM BORE MM\n", Some(Purpose::OpenProgram)),
         ("part.I", "%PART G71 *\n", Some(Purpose::OpenProgram)),
         ("part", "%PART G70*\n", Some(Purpose::OpenProgram)),

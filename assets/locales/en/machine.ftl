@@ -37,7 +37,10 @@ machine-broken = the program is broken: { $what } is missing
 machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is not a label
 machine-undefined = { $parameter } is undefined
+machine-whole-only = { $parameter } holds whole numbers only, not { $value }
+machine-no-answer = INPUT "{ $question }" asks for { $parameter }: give it a value before the run
 machine-no-parameter = parameter { $parameter } does not exist: Q and QS go up to 1999, QL and QR up to 499
+machine-no-variable = variable { $variable } does not exist: { $family } goes from { $least } to { $most }
 machine-not-number = { $parameter } holds a text: expected a number
 machine-not-text = { $parameter } holds a number: expected a text
 machine-division-by-zero = division by zero
@@ -100,6 +103,9 @@ machine-remark-same-name = { $more ->
     [one] another tool has the name { $tool }
    *[other] { $more } more tools have the name { $tool }
 }: the first one of the tool table was taken
+machine-remark-content-uncertain = { $parameter } is read here: that it holds the diameter is not documented
+machine-remark-not-waited = { $parameter } is read without G909 after the cycle: a control reads blocks ahead and may not have measured yet
+machine-remark-position-unknown = the position before the cycle is not known: without D it begins at the nominal center, without WB at height 0
 
 machine-passed-over = { $count } { $count ->
         [one] block was

@@ -37,7 +37,10 @@ machine-broken = het programma is beschadigd: { $what } ontbreekt
 machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is geen label
 machine-undefined = { $parameter } is niet gedefinieerd
+machine-whole-only = { $parameter } bevat alleen gehele getallen, niet { $value }
+machine-no-answer = INPUT "{ $question }" vraagt om { $parameter }: geef de waarde vóór het uitvoeren op
 machine-no-parameter = parameter { $parameter } bestaat niet: Q en QS gaan tot 1999, QL en QR tot 499
+machine-no-variable = variabele { $variable } bestaat niet: { $family } loopt van { $least } tot { $most }
 machine-not-number = { $parameter } bevat een tekst: een getal verwacht
 machine-not-text = { $parameter } bevat een getal: een tekst verwacht
 machine-division-by-zero = deling door nul
@@ -100,6 +103,9 @@ machine-remark-same-name = { $more ->
     [one] nog een gereedschap heeft de naam { $tool }
    *[other] nog { $more } gereedschappen hebben de naam { $tool }
 }: het eerste van de gereedschapstabel is genomen
+machine-remark-content-uncertain = { $parameter } wordt hier gelezen: dat de diameter erin staat, is niet gedocumenteerd
+machine-remark-not-waited = { $parameter } wordt gelezen zonder G909 na de cyclus: een besturing leest regels vooruit en heeft misschien nog niet gemeten
+machine-remark-position-unknown = de positie vóór de cyclus is niet bekend: zonder D begint hij in het nominale midden, zonder WB op hoogte 0
 
 machine-passed-over = { $count } { $count ->
         [one] NC-regel is

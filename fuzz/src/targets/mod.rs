@@ -14,6 +14,7 @@ mod decimal;
 mod deviations;
 mod exact;
 mod format;
+mod lathe;
 mod length;
 mod limits;
 mod log;
@@ -64,6 +65,7 @@ targets! {
     contacts "csv"
     deviations "table"
     format "none"
+    lathe "din_plus"
     length "sizes"
     limits "sizes"
     log "log"

@@ -1,7 +1,7 @@
 //! Any bytes as an NC program, in any notation: what is read is written as it was; every body that is printed (in Klartext)
 //! reads back as the same; warnings point into the text.
 
-use fitcheck::nc::program::{Body, Place, Program, write};
+use fitcheck::nc::program::{Body, Notation, Place, Program, write};
 
 use super::shared::told;
 
@@ -22,8 +22,8 @@ pub fn run(bytes: &[u8]) {
         behind = block.lines.end;
         // Printing cleans texts of control characters and of ~ at their ends.
         let is_clean = |line: &str| !line.contains(char::is_control) && line.matches('~').count() <= 1;
-        // Some blocks are only read.
-        let is_printed = !write::block(1, &block.body).is_empty();
+        // Only Klartext is printed, and not all of it.
+        let is_printed = program.notation() == Notation::Klartext && !write::block(1, &block.body).is_empty();
         if is_printed && program.text_of(index).all(is_clean) {
             reads_back(&block.body);
         }

@@ -17,7 +17,7 @@ use super::args::dialogue;
 use super::cycle::{pairs, probe_table, read_workpiece};
 use super::tools::ToolArgs;
 use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input};
-use crate::control::variables::{Family, Parameter, Value};
+use crate::control::variables::{Parameter, Value};
 use crate::files::{self, FileError, Folders};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::Program;
@@ -235,7 +235,7 @@ impl Args {
 fn set(machine: &mut Machine, name: &str, value: &str) -> Result<(), CliError> {
     let what = What::Set { name, value };
     let parameter: Parameter = name.parse().about(&what)?;
-    let value = if parameter.family == Family::Qs {
+    let value = if parameter.family.is_text() {
         Value::Text(value.to_owned())
     } else {
         let plain = value.trim().replace(',', ".");

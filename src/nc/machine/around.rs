@@ -12,7 +12,9 @@ use super::remark::Remark;
 use super::values::Values;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say;
-use crate::nc::program::{Axis, AxisWord, CycleBlock, CycleValue, Frame, MachineFunction, Mode, Operand, Unit};
+use crate::nc::program::{
+    Axis, AxisWord, CycleBlock, CycleValue, Frame, MachineFunction, Mode, Notation, Operand, Unit,
+};
 use crate::probing::cycle::Plane;
 
 /// Millimetres in an inch.
@@ -78,9 +80,10 @@ pub(super) struct Global {
 }
 
 impl Around {
-    pub(super) const fn new() -> Self {
+    /// Before the first block. A lathe has no tool axis to name: its cycles say in which plane they measure.
+    pub(super) fn new(notation: Notation) -> Self {
         Self {
-            plane: None,
+            plane: (notation == Notation::DinPlus).then(Plane::default),
             spindle: None,
             mode: Mode::Mill,
             globals: BTreeMap::new(),

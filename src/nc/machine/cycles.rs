@@ -11,7 +11,7 @@ use crate::control::cycle_status::variable;
 use crate::control::probe_table::ProbeTable;
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
-use crate::nc::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool, Unit};
+use crate::nc::program::{CycleBlock, CycleValue, Operand, Tool, Unit};
 use crate::probing::TouchProbe;
 use crate::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
 use crate::probing::cycles::cycles_of;
@@ -154,22 +154,27 @@ fn with_lines(
         if inputs.is_given(declared.key) {
             return Err(FaultKind::CycleParameterTwice { cycle: cycle.code, parameter });
         }
-        inputs = inputs.with(declared.key, input(cycle, declared, line, asked.unit, values)?);
+        inputs = inputs.with(declared.key, input(cycle, declared, &line.value, asked.unit, values)?);
+    }
+    for word in &asked.block.words {
+        // The reader of the program has looked at the letters.
+        let declared = cycle.parameter_named(&word.name).ok_or(FaultKind::UnknownBlock)?;
+        inputs = inputs.with(declared.key, input(cycle, declared, &word.value, asked.unit, values)?);
     }
     Ok(inputs)
 }
 
-/// The value of a line in the kind that the parameter declares; the cycle checks the range.
+/// A value in the kind that the parameter declares; the cycle checks the range.
 fn input(
     cycle: &'static Cycle,
     declared: &cycle::Parameter,
-    line: &CycleLine,
+    given: &CycleValue,
     unit: Option<Unit>,
     values: &Values,
 ) -> Result<cycle::Value, FaultKind> {
     let refused = |error: CycleError| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) };
     let read = |text: &str| declared.read(text).map_err(refused);
-    let operand: Operand = match &line.value {
+    let operand: Operand = match given {
         CycleValue::Word(word) => return declared.read_word(word).map_err(refused),
         CycleValue::Text(text) => {
             let text = values.text_operand(text)?;
@@ -211,9 +216,9 @@ fn accepted(
     }
 }
 
-/// Puts the results into their parameters, the cycle's number into Q198, and the last contact into Q115 to Q117, in the unit
-/// of the program; these three count from the preset (nc-programs, section 12). Results of an earlier cycle that this one does
-/// not give become undefined, so that nothing stale passes as measured.
+/// Puts the results into their parameters, in the unit of the program; on milling controls also the cycle's number into Q198, and
+/// the last contact, counted from the preset, into Q115 to Q117 (nc-programs, section 12). Results of an earlier cycle that this
+/// one does not give become undefined, so that nothing stale passes as measured.
 pub(super) fn hand_over(
     cycle: &Cycle,
     result: &CycleResult,
@@ -229,6 +234,9 @@ pub(super) fn hand_over(
     for (parameter, value) in result.results.iter().filter_map(|found| variable(found.key, &found.value)) {
         values.put(parameter, in_unit(value))?;
     }
+    if cycle.control == Control::Lathe {
+        return Ok(());
+    }
     values.put(Parameter::q(198), Value::Number(f64::from(cycle.number)))?;
     let last = path.iter().rev().find(|step: &&Move| step.phase == Phase::Contact);
     for (number, place) in (115..).zip(last.into_iter().flat_map(|step| step.to)) {
@@ -242,10 +250,10 @@ pub(super) fn hand_over(
 /// The parameters of results.
 const RESULTS: std::ops::RangeInclusive<u16> = 150..=166;
 
-/// The cycle of a number: those of lathe controls are not called by `TCH PROBE`.
-pub(super) fn cycle_of(number: &str) -> Result<&'static Cycle, FaultKind> {
-    cycles_of(Control::Milling).find(|cycle| cycle.code == number).ok_or_else(|| {
-        let known: Vec<&str> = cycles_of(Control::Milling).map(|cycle| cycle.code).collect();
+/// The cycle of a number: programs call only those of their own control.
+pub(super) fn cycle_of(number: &str, control: Control) -> Result<&'static Cycle, FaultKind> {
+    cycles_of(control).find(|cycle| cycle.code == number).ok_or_else(|| {
+        let known: Vec<&str> = cycles_of(control).map(|cycle| cycle.code).collect();
         FaultKind::UnknownCycle { cycle: number.to_owned(), known: known.join(", ") }
     })
 }

@@ -45,7 +45,10 @@ impl Fault {
         let block = program.blocks().get(place.block);
         let text = program.text_of(place.block).next().unwrap_or_default();
         let number = block.and_then(|block| block.number);
-        let bare = text.trim().trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+        let front = text.trim();
+        // Lathe controls write `N5` for block 5.
+        let front = front.strip_prefix(['N', 'n']).unwrap_or(front).trim_start();
+        let bare = front.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
         let bare = if number.is_some() { bare } else { text.trim() };
         let text = cut(bare, 80).replace(char::is_control, " ");
         let line = block.map_or_else(|| program.line_count(), |block| block.lines.start + 1);
@@ -126,6 +129,31 @@ pub enum FaultKind {
     Undefined(#[say(name = "parameter")] Parameter),
     /// A parameter that does not exist on a control.
     NoParameter(#[say(name = "parameter")] Parameter),
+    /// A variable that does not exist on a lathe control.
+    NoVariable {
+        /// The variable.
+        variable: Parameter,
+        /// Its family.
+        family: &'static str,
+        /// The first number of the family.
+        least: u16,
+        /// The last.
+        most: u16,
+    },
+    /// A number with decimals for a variable that holds whole numbers.
+    WholeOnly {
+        /// The variable.
+        parameter: Parameter,
+        /// What it would get.
+        value: f64,
+    },
+    /// A program that asks for a value which was not given before the run.
+    NoAnswer {
+        /// Where it goes.
+        parameter: Parameter,
+        /// The question.
+        question: String,
+    },
     /// A text where a number is needed.
     NotNumber(#[say(name = "parameter")] Parameter),
     /// A number where a text is needed.

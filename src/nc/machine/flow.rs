@@ -96,13 +96,13 @@ impl Flow {
     }
 
     /// Moves past a block that runs now. Only comments may come before `BEGIN PGM`.
-    pub(super) const fn pass(&mut self, at: usize, body: &Body) -> Result<(), FaultKind> {
+    pub(super) fn pass(&mut self, at: usize, body: &Body) -> Result<(), FaultKind> {
         self.frame.next = at + 1;
         if !self.frame.has_begun {
             self.frame.has_begun = match body {
                 Body::Begin { .. } => true,
                 Body::Nothing | Body::Heading { .. } => false,
-                _ => return Err(FaultKind::Broken { what: "BEGIN PGM" }),
+                _ => return Err(FaultKind::Broken { what: self.frame.program.notation().begin() }),
             };
         }
         Ok(())
@@ -119,6 +119,11 @@ impl Flow {
     pub(super) fn jump(&mut self, label: &Target, values: &Values) -> Result<(), FaultKind> {
         self.frame.next = self.block_of(label, values)?;
         Ok(())
+    }
+
+    /// Goes to a block of the program that runs, as a branch does.
+    pub(super) const fn go_to(&mut self, block: usize) {
+        self.frame.next = block;
     }
 
     /// The block of a label of the program that runs.

@@ -4,7 +4,7 @@ use super::around::{Around, millimetres};
 use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, FaultKind};
 use super::values::Values;
-use crate::nc::program::{Axis, AxisWord, Feed, Goes, Movement, Unit};
+use crate::nc::program::{Axis, AxisWord, Feed, Goes, Movement, Notation, Unit};
 use crate::probing::cycle::{Move, Phase, Plane};
 
 /// A move of the ball's centre, mm.
@@ -35,16 +35,23 @@ pub enum TravelKind {
 
 /// Where the ball's centre is, and the path that it took. An axis is known once a block has moved it to a place in
 /// workpiece coordinates.
+///
+/// Programs of lathe controls write X as a diameter, absolute and incremental; here it is a radius, as Y and Z are distances.
+/// Their Y is 0, the middle of the part, until a block moves it (`docs/SOURCES.md`, "DIN PLUS").
 #[derive(Debug)]
 pub(super) struct Way {
     position: [Option<f64>; 3],
     travels: Vec<Travel>,
     most: usize,
+    /// Whether X counts as a diameter.
+    is_turned: bool,
 }
 
 impl Way {
-    pub(super) const fn new(budget: &Budget) -> Self {
-        Self { position: [None; 3], travels: Vec::new(), most: budget.path }
+    pub(super) fn new(budget: &Budget, notation: Notation) -> Self {
+        let is_turned = notation == Notation::DinPlus;
+        let position = [None, is_turned.then_some(0.0), None];
+        Self { position, travels: Vec::new(), most: budget.path, is_turned }
     }
 
     pub(super) const fn position(&self) -> [Option<f64>; 3] {
@@ -116,7 +123,9 @@ impl Way {
         values: &Values,
     ) -> Result<(), FaultKind> {
         if goes.is_unknown {
-            self.position = [None; 3];
+            // A lathe goes there in X and Z: Y stays.
+            let [_, y, _] = self.position;
+            self.position = [None, y.filter(|_| self.is_turned), None];
         }
         self.position = self.end(&goes.axes, around.is_plain(), unit, around.zero(), values)?;
         Ok(())
@@ -142,7 +151,8 @@ impl Way {
                 // Only the three linear axes are followed; PLANE sets parameters for the others that nobody here knows.
                 Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => continue,
             };
-            let value = values.operand(word.value)? * millimetres(unit);
+            let is_diameter = self.is_turned && word.axis == Axis::X;
+            let value = values.operand(word.value)? * millimetres(unit) / if is_diameter { 2.0 } else { 1.0 };
             *axis = match (*axis, word.is_incremental) {
                 _ if !is_known => None,
                 (old, true) => old.map(|old| old + value),

@@ -15,7 +15,7 @@ use crate::control::mask::{Context, FileUse, Mask, MaskWarningKind, Output};
 pub struct Window {
     /// The block.
     pub place: BlockPlace,
-    /// The mask.
+    /// The mask; the program itself for `PRINT` of a lathe control, which has none.
     pub mask: NcPath,
     /// The text, every line ended by LF.
     pub text: String,

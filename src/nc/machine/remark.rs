@@ -92,6 +92,18 @@ pub enum Remark {
         /// How many the cycles took.
         used: usize,
     },
+    /// A variable was read that a cycle of a lathe control has set: what it holds is not documented.
+    ContentUncertain {
+        /// The variable.
+        parameter: Parameter,
+    },
+    /// It was read without G909 behind the cycle: a control reads blocks ahead, and may not have measured yet.
+    NotWaited {
+        /// The variable.
+        parameter: Parameter,
+    },
+    /// Where the probe is was not known before a cycle of a lathe control, which begins there.
+    PositionUnknown,
     /// The tool is not in the touch-probe table; the first probe was used.
     OtherProbe {
         /// The tool.

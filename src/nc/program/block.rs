@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Range;
 
 use super::around::{Frame, Mode, PassedOver};
-use super::expression::{Expression, TextExpression};
+use super::expression::{Expression, Test, TextExpression};
 use crate::control::variables::Parameter;
 use crate::message::{self, as_text};
 
@@ -58,7 +58,7 @@ impl fmt::Display for Unit {
 /// What a block says.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
-    /// `BEGIN PGM name MM`
+    /// `BEGIN PGM name MM`, `%NAME.nc` with the unit of the head
     Begin {
         /// The program's name.
         name: String,
@@ -119,6 +119,31 @@ pub enum Body {
         /// The destination.
         label: Target,
     },
+    /// `IF`, `WHILE`, `ELSE`, `ENDWHILE`, `CASE`, `BREAK` of lathe controls: goes to another block unless the condition holds.
+    Branch {
+        /// The condition; without one it always goes there.
+        unless: Option<Box<Test>>,
+        /// That block, counted from 0.
+        to: usize,
+    },
+    /// `SUBPROGRAM "NAME"` of lathe controls: a label for the block behind it. Whoever comes from above goes past its end.
+    Subprogram {
+        /// The label.
+        label: Target,
+        /// The block behind its end, counted from 0.
+        behind: usize,
+    },
+    /// `PRINT("text",#l1)` of lathe controls: a text on the screen.
+    Show(TextExpression),
+    /// `INPUT("text",#l1)` of lathe controls: asks for a value.
+    Input {
+        /// The question.
+        question: String,
+        /// The variable that it goes to.
+        to: Parameter,
+    },
+    /// `G909` of lathe controls: blocks are read ahead only up to here.
+    ReadNoFurther,
     /// `FN 14: ERROR= 1005`
     Error(Operand),
     /// `FN 16: F-PRINT mask / output`
@@ -163,7 +188,7 @@ pub enum Body {
     MachineFunctions(Vec<MachineFunction>),
     /// `STOP`, `STOP M6`
     Stop(Vec<MachineFunction>),
-    /// `TCH PROBE 427 NAME ~` and its lines; runs where it is in the program.
+    /// `TCH PROBE 427 NAME ~` and its lines, `G785 R0 K2`; runs where it is in the program.
     Probe(CycleBlock),
     /// `CYCL DEF 200 NAME ~` and its lines: a machining cycle. Only its parameters are kept.
     CycleDefinition(CycleBlock),
@@ -335,12 +360,23 @@ pub struct MachineFunction {
 /// A cycle with its lines, in the order of the program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CycleBlock {
-    /// The number after `TCH PROBE` or `CYCL DEF`, as written: `421`, `7.0`.
+    /// The number after `TCH PROBE` or `CYCL DEF`, as written: `421`, `7.0`; the whole word of a lathe control, `G785`.
     pub number: String,
     /// The name after it, as written.
     pub name: String,
     /// Its parameters.
     pub lines: Vec<CycleLine>,
+    /// Its address letters, for cycles of lathe controls.
+    pub words: Vec<CycleWord>,
+}
+
+/// `K2`, `RC#l5`: an address letter of a cycle, which the cycle has, and no more than once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CycleWord {
+    /// The letters.
+    pub name: String,
+    /// The value.
+    pub value: CycleValue,
 }
 
 /// `Q263=+35 ;1ST POINT 1ST AXIS`

@@ -5,6 +5,7 @@
 
 use super::block::{Operand, TextOperand};
 use super::fault::{BlockFault, Wanted};
+use super::notation::Notation;
 use crate::control::variables::{Family, Parameter};
 
 /// What was read, or why reading stopped.
@@ -22,6 +23,7 @@ pub(super) struct Stop {
 pub(super) struct Cursor<'a> {
     text: &'a str,
     at: usize,
+    notation: Notation,
 }
 
 /// How many characters of the text found an error repeats.
@@ -30,7 +32,17 @@ const SHOWN: usize = 24;
 impl<'a> Cursor<'a> {
     /// At the beginning.
     pub(super) const fn new(text: &'a str) -> Self {
-        Self { text, at: 0 }
+        Self::of(text, Notation::Klartext)
+    }
+
+    /// At the beginning of a text in this notation, which decides what is a parameter.
+    pub(super) const fn of(text: &'a str, notation: Notation) -> Self {
+        Self { text, at: 0, notation }
+    }
+
+    /// Whether the text is one of a lathe control.
+    pub(super) fn is_of_lathes(&self) -> bool {
+        self.notation == Notation::DinPlus
     }
 
     /// Where it is, in bytes.
@@ -216,27 +228,25 @@ impl<'a> Cursor<'a> {
     pub(super) fn parameter(&mut self) -> Read<Option<Parameter>> {
         self.blanks();
         let mut ahead = self.clone();
-        if !ahead.take_prefix("Q") {
-            return Ok(None);
-        }
-        // Ranges: 1999 and 499, from the manuals (`docs/SOURCES.md`).
-        let (family, name, most) = match ahead.rest().bytes().next() {
-            Some(b'S' | b's') => (Family::Qs, "QS", 1999),
-            Some(b'L' | b'l') => (Family::Ql, "QL", 499),
-            Some(b'R' | b'r') => (Family::Qr, "QR", 499),
-            _ => (Family::Q, "Q", 1999),
-        };
-        ahead.at += name.len() - 1;
+        // The shortest last: `QS5` begins with the letter of `Q5`.
+        let milling = [Family::Qs, Family::Ql, Family::Qr, Family::Q];
+        let known = Family::ALL.into_iter().filter(|family| family.is_of_lathes() && self.is_of_lathes());
+        let known = milling.into_iter().filter(|_| !self.is_of_lathes()).chain(known);
+        let Some(family) = known.into_iter().find(|family| ahead.take_prefix(family.prefix())) else { return Ok(None) };
         let digits = ahead.take_while(|c| c.is_ascii_digit());
         if digits.is_empty() {
             return Ok(None);
         }
+        let numbers = family.numbers();
         match digits.parse() {
-            Ok(number) if number <= most => {
+            Ok(number) if numbers.contains(&number) => {
                 *self = ahead;
                 Ok(Some(Parameter { family, number }))
             }
-            _ => Err(self.fail(BlockFault::ParameterRange { found: self.shown(), family: name, most })),
+            _ => {
+                let (least, most) = numbers.into_inner();
+                Err(self.fail(BlockFault::ParameterRange { found: self.shown(), family: family.prefix(), least, most }))
+            }
         }
     }
 
@@ -247,12 +257,12 @@ impl<'a> Cursor<'a> {
 
     /// Takes a number parameter or stops.
     pub(super) fn number_parameter(&mut self) -> Read<Parameter> {
-        self.parameter_of(Wanted::NumberParameter, |family| family != Family::Qs)
+        self.parameter_of(Wanted::NumberParameter, |family| !family.is_text())
     }
 
     /// Takes a QS parameter or stops.
     pub(super) fn text_parameter(&mut self, wanted: Wanted) -> Read<Parameter> {
-        self.parameter_of(wanted, |family| family == Family::Qs)
+        self.parameter_of(wanted, Family::is_text)
     }
 
     fn parameter_of(&mut self, wanted: Wanted, test: impl Fn(Family) -> bool) -> Read<Parameter> {
@@ -281,7 +291,7 @@ impl<'a> Cursor<'a> {
             return Ok(Operand::Number(if is_negative { -number } else { number }));
         }
         match self.parameter()? {
-            Some(parameter) if parameter.family != Family::Qs => Ok(Operand::Parameter { parameter, is_negative }),
+            Some(parameter) if !parameter.family.is_text() => Ok(Operand::Parameter { parameter, is_negative }),
             _ => Err(from.clone().stop(Wanted::Value)),
         }
     }

@@ -50,6 +50,17 @@ pub enum ProgramWarningKind {
         /// The unit of `END PGM`.
         end: Unit,
     },
+    /// A section that every program of a lathe control has.
+    NoSection {
+        /// What does not occur.
+        section: &'static str,
+    },
+    /// The head does not say whether the program is in millimetres or inches.
+    NoUnit,
+    /// Something other than a subprogram follows `ENDE`.
+    AfterLastSection,
+    /// A comment without its closing bracket.
+    UnclosedComment,
     /// Something follows `END PGM`.
     AfterEnd,
     /// Block numbers that do not rise; reported once.

@@ -1,6 +1,6 @@
 //! Formulas for numbers and texts, as a tree.
 
-use super::block::{Operand, TextOperand};
+use super::block::{Operand, Relation, TextOperand};
 use crate::control::variables::Parameter;
 
 /// A formula that gives a number. FN 0 to FN 8 and FN 13 are other notations of formulas.
@@ -34,6 +34,19 @@ pub enum Expression {
         /// The second.
         other: Parameter,
     },
+}
+
+/// What `IF` and `WHILE` of lathe controls ask: always answered by yes or no.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Test {
+    /// Two formulas, compared.
+    Compare(Expression, Relation, Expression),
+    /// The opposite: `<=` is not `>`.
+    Not(Box<Self>),
+    /// `AND`: every one holds.
+    All(Vec<Self>),
+    /// `OR`: at least one holds.
+    Any(Vec<Self>),
 }
 
 /// The operation between two operands.

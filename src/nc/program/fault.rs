@@ -35,10 +35,28 @@ pub enum BlockFault {
     ParameterRange {
         /// The text found.
         found: String,
-        /// Q, QL, QR or QS.
+        /// Q, QL, QR or QS, or that of a lathe control.
         family: &'static str,
+        /// The first number.
+        least: u16,
         /// The last number.
         most: u16,
+    },
+    /// `AND` and `OR` in one condition, without brackets that say which comes first.
+    AndWithOr,
+    /// An address letter occurs twice.
+    LetterTwice {
+        /// The letters.
+        letters: String,
+    },
+    /// A measurement or an assignment among the blocks of a unit, which are passed over.
+    ActsInUnit,
+    /// A branch without the block that ends or begins it.
+    Alone {
+        /// The word found.
+        found: &'static str,
+        /// The word that is missing.
+        missing: &'static str,
     },
     /// A whole number beyond its range.
     Range {
@@ -116,6 +134,10 @@ pub enum Wanted {
     Value,
     /// A parameter.
     Parameter,
+    /// A number or a variable of a lathe control.
+    ValueOrVariable,
+    /// A variable of a lathe control.
+    Variable,
     /// A Q parameter.
     NumberParameter,
     /// A QS parameter.

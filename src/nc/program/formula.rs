@@ -6,8 +6,8 @@ use super::block::Operand;
 use super::cursor::{Cursor, Read};
 use super::expression::{Expression, NumberFunction, Operation};
 use super::fault::{BlockFault, Wanted};
-use super::words::{FUNCTIONS, meaning};
-use crate::control::variables::{Family, Parameter};
+use super::words::{FUNCTIONS, LATHE_FUNCTIONS, meaning};
+use crate::control::variables::Parameter;
 
 /// The most nested brackets and functions.
 pub(super) const MOST_DEPTH: usize = 64;
@@ -52,7 +52,7 @@ impl Formula<'_, '_> {
                 Operation::Multiply
             } else if self.cursor.take('/') {
                 Operation::Divide
-            } else if self.cursor.take('%') {
+            } else if !self.cursor.is_of_lathes() && self.cursor.take('%') {
                 Operation::Remainder
             } else {
                 return Ok(left);
@@ -63,7 +63,7 @@ impl Formula<'_, '_> {
 
     fn power(&mut self) -> Read<Expression> {
         let mut left = self.operand()?;
-        while self.cursor.take('^') {
+        while !self.cursor.is_of_lathes() && self.cursor.take('^') {
             left = binary(Operation::Power, left, self.operand()?);
         }
         Ok(left)
@@ -106,7 +106,7 @@ impl Formula<'_, '_> {
         }
         let from = self.cursor.clone();
         if let Some(parameter) = self.cursor.parameter()? {
-            if parameter.family == Family::Qs {
+            if parameter.family.is_text() {
                 return Err(from.clone().stop(Wanted::Value));
             }
             return Ok(Expression::Value(Operand::Parameter { parameter, is_negative: false }));
@@ -116,6 +116,9 @@ impl Formula<'_, '_> {
             return Err(self.cursor.stop(Wanted::Value));
         }
         self.cursor.take_prefix(word);
+        if self.cursor.is_of_lathes() {
+            return self.lathe_function(word, &from);
+        }
         if word.eq_ignore_ascii_case("PI") {
             return Ok(Expression::Pi);
         }
@@ -126,6 +129,17 @@ impl Formula<'_, '_> {
             Some(expression) => Ok(expression),
             None => Err(from.fail(BlockFault::UnknownFunction { found: word.chars().take(24).collect() })),
         }
+    }
+
+    /// A function of lathe controls: its operand stands in brackets.
+    fn lathe_function(&mut self, word: &str, from: &Cursor<'_>) -> Read<Expression> {
+        let Some(function) = meaning(&LATHE_FUNCTIONS, word) else {
+            return Err(from.fail(BlockFault::UnknownFunction { found: word.chars().take(24).collect() }));
+        };
+        if self.cursor.next() != Some('(') {
+            return Err(self.cursor.stop(Wanted::Word("(")));
+        }
+        Ok(Expression::Function(function, Box::new(self.operand()?)))
     }
 }
 

@@ -30,7 +30,12 @@ impl Labels {
         let mut labels = Self::default();
         let mut twice = Vec::new();
         for (block, of) in blocks.iter().enumerate() {
-            let Body::Label(label) = &of.body else { continue };
+            let (label, block) = match &of.body {
+                Body::Label(label) => (label, block),
+                // A call begins behind the line that names the subprogram.
+                Body::Subprogram { label, .. } => (label, block + 1),
+                _ => continue,
+            };
             if *label == Target::Number(0) {
                 continue;
             }

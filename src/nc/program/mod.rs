@@ -5,7 +5,7 @@
 //! | `block`, `around` | what a block says; blocks around a measurement |
 //! | `expression` | formulas for numbers and texts |
 //! | `read`, `warnings` | bytes to blocks, with warnings |
-//! | `notation`, `klartext`, `iso` | which notation it is; the readers |
+//! | `notation`, `klartext`, `iso`, `din_plus` | which notation it is; the readers |
 //! | `lines`, `cursor` | parts of lines; the place in a block's text that moves forward |
 //! | `formula`, `text_formula` | formulas, read |
 //! | `labels`, `numbering` | where the labels are; block numbers that do not rise |
@@ -21,6 +21,7 @@
 mod around;
 mod block;
 mod cursor;
+mod din_plus;
 mod error;
 mod expression;
 mod fault;
@@ -41,11 +42,11 @@ mod write_formula;
 
 pub use around::{Frame, Goes, Mode, PassedOver};
 pub use block::{
-    Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, Feed, MachineFunction,
-    Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
+    Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, CycleWord, Feed,
+    MachineFunction, Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
 };
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
-pub use expression::{Expression, NumberFunction, Operation, TextExpression};
+pub use expression::{Expression, NumberFunction, Operation, Test, TextExpression};
 pub use fault::{BlockFault, Wanted};
 pub use notation::Notation;
 
@@ -73,12 +74,12 @@ impl Program {
         self.notation
     }
 
-    /// The name after `BEGIN PGM`, or after `%`, if there is one.
+    /// The name after `BEGIN PGM` or `%`, if there is one.
     pub fn name(&self) -> Option<&str> {
         self.begin().map(|(name, _)| name)
     }
 
-    /// The unit after `BEGIN PGM`, or that of G70 and G71, if there is one.
+    /// The unit after `BEGIN PGM`, in the head, or that of G70 and G71, if there is one.
     pub fn unit(&self) -> Option<Unit> {
         self.begin().map(|(_, unit)| unit)
     }
@@ -116,14 +117,15 @@ impl Program {
         lines.map(|line| self.line(line))
     }
 
-    /// The comment of a block, if there is one: that of its first line, without the `;` before it.
+    /// The comment of a block, if there is one: that of its first line, without the signs around it.
     pub fn comment_of(&self, block: usize) -> Option<&str> {
         let line = self.blocks.get(block)?.lines.start;
         let text = self.line(line);
-        if self.notation == Notation::Iso {
-            return iso::comment(text);
+        match self.notation {
+            Notation::Klartext => lines::first(text, line, lines::front(text).end).comment,
+            Notation::Iso => iso::comment(text),
+            Notation::DinPlus => din_plus::comment(text),
         }
-        lines::first(text, line, lines::front(text).end).comment
     }
 
     /// The block that a line belongs to, counted from 0; `None` for blank lines between blocks.

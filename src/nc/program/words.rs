@@ -23,6 +23,15 @@ pub(super) const FUNCTIONS: [(&str, NumberFunction); 16] = [
     ("SGN", NumberFunction::Sign),
 ];
 
+/// Functions of formulas of lathe controls, as far as they are known.
+pub(super) const LATHE_FUNCTIONS: [(&str, NumberFunction); 5] = [
+    ("SIN", NumberFunction::Sine),
+    ("COS", NumberFunction::Cosine),
+    ("SQRT", NumberFunction::SquareRoot),
+    ("ABS", NumberFunction::Absolute),
+    ("INT", NumberFunction::Integer),
+];
+
 /// Operations between two operands; `LEN` and `ANG` only in FN 8 and FN 13.
 pub(super) const OPERATIONS: [(&str, Operation); 8] = [
     ("+", Operation::Add),

@@ -29,7 +29,7 @@ pub fn program<'a>(blocks: impl IntoIterator<Item = (&'a Body, &'a str)>) -> Str
 }
 
 /// The lines of a block; none for a block that is only read ([`Body::Other`], [`Body::PassedOver`], [`Body::Frame`],
-/// [`Body::SystemRead`]), because a body does not hold its text.
+/// [`Body::SystemRead`], those of lathe controls only), because a body does not hold its text.
 ///
 /// Characters that would end a text are removed: line ends, quotation marks within others, a `~` at a line's end.
 ///
@@ -49,7 +49,15 @@ pub fn commented(number: u32, body: &Body, comment: &str) -> Vec<String> {
     let comment = cleaned(comment);
     let front = format!("{number:<2} ");
     let (first, cycle) = match body {
-        Body::Other | Body::PassedOver(_) | Body::Frame(_) | Body::SystemRead { .. } => return Vec::new(),
+        Body::Other
+        | Body::PassedOver(_)
+        | Body::Frame(_)
+        | Body::SystemRead { .. }
+        | Body::Branch { .. }
+        | Body::Subprogram { .. }
+        | Body::Show(_)
+        | Body::Input { .. }
+        | Body::ReadNoFurther => return Vec::new(),
         Body::Nothing => (format!(";{comment}"), None),
         Body::Probe(cycle) => (format!("TCH PROBE {} {}", cycle.number, cleaned(&cycle.name)), Some(cycle)),
         Body::CycleDefinition(cycle) => (format!("CYCL DEF {} {}", cycle.number, cleaned(&cycle.name)), Some(cycle)),
@@ -143,7 +151,12 @@ fn said(body: &Body) -> String {
         | Body::GlobalDefinition(_)
         | Body::PassedOver(_)
         | Body::Frame(_)
-        | Body::SystemRead { .. } => String::new(),
+        | Body::SystemRead { .. }
+        | Body::Branch { .. }
+        | Body::Subprogram { .. }
+        | Body::Show(_)
+        | Body::Input { .. }
+        | Body::ReadNoFurther => String::new(),
     }
 }
 

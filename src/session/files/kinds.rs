@@ -79,7 +79,7 @@ impl Purpose {
             Self::OpenCycleFile(CycleFile::Probes) => vec!["tp"],
             // The endings that the control uses: text, and a page.
             Self::SaveCycleLog => vec!["txt", "html"],
-            Self::OpenProgram => vec!["h", "i"],
+            Self::OpenProgram => vec!["h", "i", "nc", "ncs"],
         }
     }
 
@@ -125,7 +125,7 @@ impl Purpose {
     pub fn of_file(name: &str, head: &[u8]) -> Result<Self, OpenError> {
         let ending = Path::new(name).extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let purpose = match ending.as_deref().unwrap_or_default() {
-            "h" | "i" => Some(Self::OpenProgram),
+            "h" | "i" | "nc" | "ncs" => Some(Self::OpenProgram),
             "tab" => Some(Self::OpenTable),
             "toml" => Some(Self::OpenCycleFile(CycleFile::Workpiece)),
             "tp" => Some(Self::OpenCycleFile(CycleFile::Probes)),

@@ -7,7 +7,7 @@ use super::inputs::{Input, assigned};
 use super::tokens::comment;
 use crate::control::variables::Parameter;
 use crate::nc::machine::NcPath;
-use crate::nc::program::{Body, Columns, Program, ProgramError, ProgramWarning, Target};
+use crate::nc::program::{Body, Columns, Notation, Program, ProgramError, ProgramWarning, Target};
 
 /// A shown program.
 #[derive(Debug, Clone)]
@@ -141,6 +141,9 @@ fn entry(block: usize, body: &Body) -> Option<Entry> {
             };
             Some(Entry { block, kind: EntryKind::Label, depth: 1, text })
         }
+        Body::Subprogram { label, .. } => {
+            Some(Entry { block, kind: EntryKind::Label, depth: 1, text: format!("SUBPROGRAM {label}") })
+        }
         _ => None,
     }
 }
@@ -148,7 +151,7 @@ fn entry(block: usize, body: &Body) -> Option<Entry> {
 /// The comments after assignments; the first one for a parameter counts.
 fn names(program: &Program) -> BTreeMap<Parameter, String> {
     let mut names = BTreeMap::new();
-    for block in program.blocks() {
+    for (index, block) in program.blocks().iter().enumerate() {
         let to = match &block.body {
             Body::Assign { to, .. } | Body::AssignText { to, .. } => to,
             // With several columns the comment would be about all of them.
@@ -158,7 +161,11 @@ fn names(program: &Program) -> BTreeMap<Parameter, String> {
         if names.contains_key(to) {
             continue;
         }
-        if let Some(name) = comment(program.line(block.lines.start)) {
+        let said = match program.notation() {
+            Notation::DinPlus => program.comment_of(index),
+            Notation::Klartext | Notation::Iso => comment(program.line(block.lines.start)),
+        };
+        if let Some(name) = said.filter(|name| !name.is_empty()) {
             names.insert(*to, name.to_owned());
         }
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Input, ProgramField, ProgramPage};
-use crate::control::variables::{Family, Parameter, Value};
+use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
 use crate::message::Message;
 
@@ -104,27 +104,16 @@ impl ProgramPage {
     }
 }
 
-/// A parameter by its name: `Q5`, `ql7`, `QS 3`.
+/// A parameter by its name: `Q5`, `ql7`, `QS 3`, `#l1`.
 fn parameter(text: &str) -> Option<Parameter> {
-    let text: String = text.trim().to_uppercase().chars().filter(|c| !c.is_whitespace()).collect();
-    let digits = text.find(|c: char| c.is_ascii_digit())?;
-    let (family, number) = text.split_at_checked(digits)?;
-    let family = match family {
-        "Q" => Family::Q,
-        "QL" => Family::Ql,
-        "QR" => Family::Qr,
-        "QS" => Family::Qs,
-        _ => return None,
-    };
-    // As many as the controls have: Q and QS to 1999, QL and QR to 499.
-    let most = if matches!(family, Family::Q | Family::Qs) { 1_999 } else { 499 };
-    let number = number.parse::<u16>().ok().filter(|number| *number <= most)?;
-    Some(Parameter { family, number })
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let parameter: Parameter = text.parse().ok()?;
+    parameter.family.numbers().contains(&parameter.number).then_some(parameter)
 }
 
-/// What is typed for a parameter, as its value: any text for QS, a number for all others.
+/// What is typed for a parameter, as its value: any text for QS and `#x`, a number for all others.
 fn value_of(parameter: Parameter, text: &str) -> Result<Value, Message> {
-    if parameter.family == Family::Qs {
+    if parameter.family.is_text() {
         return Ok(Value::Text(text.to_owned()));
     }
     let number = text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite());

@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 /// What is true of every file that is read.
-fn sound(bytes: &[u8]) -> Result<(), TestCaseError> {
+pub(super) fn sound(bytes: &[u8]) -> Result<(), TestCaseError> {
     let Ok((program, warnings)) = Program::read(bytes) else { return Ok(()) };
     prop_assert_eq!(program.write(), bytes);
     // Every line that is not blank belongs to exactly one block, in order.
@@ -321,7 +321,7 @@ fn cycle() -> impl Strategy<Value = CycleBlock> {
     let line = (parameter, value, prop_oneof![Just(String::new()), words().prop_map(|text| text)])
         .prop_map(|(parameter, value, comment)| CycleLine { parameter, value, place: NOWHERE, comment });
     (select(vec!["421", "427", "14.1"]), words(), prop::collection::vec(line, 0..6))
-        .prop_map(|(number, name, lines)| CycleBlock { number: number.to_owned(), name, lines })
+        .prop_map(|(number, name, lines)| CycleBlock { number: number.to_owned(), name, lines, words: Vec::new() })
 }
 
 fn tool_call() -> impl Strategy<Value = Body> {

@@ -17,7 +17,7 @@ use crate::control::mask::Context;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::program::{Block, Body, CycleBlock, MachineFunction, PassedOver, TextOperand};
-use crate::probing::cycle::LogTarget;
+use crate::probing::cycle::{Control, LogTarget};
 
 impl Run {
     /// Runs the next block.
@@ -55,13 +55,15 @@ impl Run {
         if settings.budget.blocks <= self.blocks {
             return Err(UsedUp::Blocks(settings.budget.blocks).into());
         }
-        let block = program.blocks().get(at).ok_or(FaultKind::Broken { what: "END PGM" })?;
+        let block = program.blocks().get(at).ok_or(FaultKind::Broken { what: program.notation().end() })?;
         self.blocks += 1;
         self.flow.pass(at, &block.body)?;
         if block.may_be_skipped && settings.block_skip {
             return Ok(Step::Went);
         }
-        self.body(at, block, files, settings)
+        let step = self.body(at, block, files, settings);
+        self.note_reading(at);
+        step
     }
 
     fn body(&mut self, at: usize, block: &Block, files: &mut Files, settings: &Settings) -> Result<Step, FaultKind> {
@@ -95,6 +97,11 @@ impl Run {
                     self.flow.jump(label, &self.values)?;
                 }
             }
+            Body::Branch { .. }
+            | Body::Subprogram { .. }
+            | Body::Show(_)
+            | Body::Input { .. }
+            | Body::ReadNoFurther => self.lathe(at, &block.body)?,
             Body::Error(number) => {
                 let number = self.values.whole(Counted::Word("FN 14: ERROR"), *number)?;
                 return Err(FaultKind::Programmed(u32::try_from(number).unwrap_or(u32::MAX)));
@@ -148,7 +155,7 @@ impl Run {
         Ok(Step::Went)
     }
 
-    fn remark(&mut self, at: usize, remark: Remark) {
+    pub(super) fn remark(&mut self, at: usize, remark: Remark) {
         self.remarks.add(self.flow.place_of(at), remark);
     }
 
@@ -238,7 +245,7 @@ impl Run {
         files: &mut Files,
         settings: &Settings,
     ) -> Result<Step, FaultKind> {
-        let cycle = match cycle_of(&block.number) {
+        let cycle = match cycle_of(&block.number, self.flow.program().notation().control()) {
             Err(_unknown) if settings.skip_unknown => {
                 self.remark(at, Remark::Skipped);
                 return Ok(Step::Went);
@@ -253,12 +260,16 @@ impl Run {
             self.remark(at, other);
         }
         self.remarks.add_all(&place, self.tools.called());
+        if cycle.control == Control::Lathe && self.way.place().is_none() {
+            self.remark(at, Remark::PositionUnknown);
+        }
         let asked = Asked { block, unit: self.flow.unit(), placement, position: self.way.place() };
         let (path, result) = self.cycles.measure(cycle, &asked, &self.around, &self.values)?;
         let path = placement.moves(&path);
         self.way.follow(&place, &path)?;
         let result = self.tools.seen(result?);
         hand_over(cycle, &result, &path, self.flow.unit(), &mut self.values)?;
+        self.values.measured();
         self.around.stated(block, &mut self.values)?;
         if let Some(log) = Log::of(cycle, &result, &self.flow, settings)? {
             log.write(place.clone(), &mut self.prints, files, &mut self.remarks)?;

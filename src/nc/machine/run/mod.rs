@@ -4,6 +4,7 @@
 
 mod around;
 mod blocks;
+mod lathe;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -27,7 +28,7 @@ use super::values::Values;
 use crate::control::tool_table::ToolTable;
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::message::Message;
-use crate::nc::program::{Program, Unit};
+use crate::nc::program::{Notation, Program, Unit};
 use crate::verdict::Status;
 
 /// The state of a run: what a restart clears.
@@ -49,8 +50,11 @@ impl Run {
     fn new(path: NcPath, program: Arc<Program>, contacts: Contacts, settings: &Settings) -> Self {
         let is_inch = program.unit() == Some(Unit::Inch);
         let mut values = Values::new(settings);
-        // Q113 holds the unit of the main program.
-        values.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
+        let notation = program.notation();
+        if notation != Notation::DinPlus {
+            // Q113 holds the unit of the main program.
+            values.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
+        }
         Self {
             flow: Flow::new(path, program, &settings.budget),
             values,
@@ -58,8 +62,8 @@ impl Run {
             prints: Prints::new(settings.budget),
             cycles: Cycles::new(contacts, settings),
             tools: Tools::new(settings.tool_table.clone()),
-            way: Way::new(&settings.budget),
-            around: Around::new(),
+            way: Way::new(&settings.budget, notation),
+            around: Around::new(notation),
             remarks: Remarks::new(&settings.budget),
             blocks: 0,
         }

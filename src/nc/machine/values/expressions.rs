@@ -6,7 +6,7 @@ use super::super::fault::{Counted, FaultKind};
 use super::{Values, in_range, shown};
 use crate::control::mask;
 use crate::control::variables::Parameter;
-use crate::nc::program::{Condition, Expression, NumberFunction, Operand, Operation, Relation};
+use crate::nc::program::{Condition, Expression, NumberFunction, Operand, Operation, Relation, Test};
 
 impl Values {
     /// The value of a formula.
@@ -65,14 +65,18 @@ impl Values {
             Condition::IsDefined(parameter) => Ok(self.variables.get(*parameter).is_some()),
             Condition::IsUndefined(parameter) => Ok(self.variables.get(*parameter).is_none()),
             Condition::Compare(left, relation, right) => {
-                let (left, right) = (self.operand(*left)?, self.operand(*right)?);
-                Ok(match relation {
-                    Relation::Equal => left.partial_cmp(&right) == Some(Ordering::Equal),
-                    Relation::NotEqual => left.partial_cmp(&right) != Some(Ordering::Equal),
-                    Relation::Greater => right < left,
-                    Relation::Less => left < right,
-                })
+                Ok(compare(self.operand(*left)?, *relation, self.operand(*right)?))
             }
+        }
+    }
+
+    /// Whether a condition of IF or WHILE holds: conditions are read from left to right, as far as needed.
+    pub(in crate::nc::machine) fn passes(&self, test: &Test) -> Result<bool, FaultKind> {
+        match test {
+            Test::Compare(left, relation, right) => Ok(compare(self.evaluate(left)?, *relation, self.evaluate(right)?)),
+            Test::Not(test) => Ok(!self.passes(test)?),
+            Test::All(tests) => tests.iter().try_fold(true, |all, test| Ok(all && self.passes(test)?)),
+            Test::Any(tests) => tests.iter().try_fold(false, |any, test| Ok(any || self.passes(test)?)),
         }
     }
 
@@ -90,6 +94,15 @@ impl Values {
             return Ok(rounded);
         }
         Ok(rounded.trim_end_matches('0').trim_end_matches('.').to_owned())
+    }
+}
+
+fn compare(left: f64, relation: Relation, right: f64) -> bool {
+    match relation {
+        Relation::Equal => left.partial_cmp(&right) == Some(Ordering::Equal),
+        Relation::NotEqual => left.partial_cmp(&right) != Some(Ordering::Equal),
+        Relation::Greater => right < left,
+        Relation::Less => left < right,
     }
 }
 

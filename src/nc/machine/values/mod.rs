@@ -8,13 +8,14 @@
 mod expressions;
 mod texts;
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use jiff::civil::DateTime;
 
 use super::budget::Settings;
 use super::fault::{Counted, FaultKind};
-use crate::control::variables::{Family, Parameter, Value, Variables};
+use crate::control::variables::{FIRST_WHOLE_GLOBAL, Family, Parameter, Value, Variables};
 use crate::length::Length;
 use crate::message::Arg;
 use crate::nc::program::{Expression, Operand, TextExpression, TextOperand};
@@ -23,6 +24,10 @@ use texts::text_reads;
 
 /// The range of values on a control: 10^10 either way.
 const MOST: f64 = 1e10;
+
+/// The families that each called program has for itself. That a subprogram within a program shares those of its program
+/// is ours for lathe controls.
+const LOCAL: [Family; 2] = [Family::Ql, Family::LatheLocal];
 
 /// The parameters of a run.
 #[derive(Debug)]
@@ -38,6 +43,10 @@ pub(super) struct Values {
     longest: usize,
     /// The time that `SYSSTR` gives.
     time: DateTime,
+    /// What the block has read of that which a lathe control's cycle has set.
+    read: Cell<Option<Parameter>>,
+    /// Whether blocks behind such a cycle may have been read before it has measured.
+    is_ahead: bool,
 }
 
 impl Values {
@@ -49,6 +58,8 @@ impl Values {
             locals: Vec::new(),
             longest: settings.budget.text,
             time: settings.time,
+            read: Cell::new(None),
+            is_ahead: false,
         }
     }
 
@@ -87,12 +98,15 @@ impl Values {
 
     /// A called program begins, without local parameters.
     pub(super) fn enter_program(&mut self) {
-        self.locals.push(self.variables.take(Family::Ql));
+        let locals = LOCAL.into_iter().flat_map(|family| self.variables.take(family)).collect();
+        self.locals.push(locals);
     }
 
     /// It returns, and the caller gets its own parameters back.
     pub(super) fn leave_program(&mut self) {
-        self.variables.take(Family::Ql);
+        for family in LOCAL {
+            self.variables.take(family);
+        }
         for (parameter, value) in self.locals.pop().unwrap_or_default() {
             self.variables.set(parameter, value);
         }
@@ -100,6 +114,9 @@ impl Values {
 
     /// The number that a parameter holds.
     pub(super) fn number(&self, parameter: Parameter) -> Result<f64, FaultKind> {
+        if parameter.family == Family::LatheControl {
+            self.read.set(Some(parameter));
+        }
         match self.variables.get(parameter) {
             Some(Value::Number(number)) => Ok(*number),
             Some(Value::Length(length)) => Ok(length.to_mm_f64()),
@@ -133,9 +150,36 @@ impl Values {
         if let Operand::Parameter { parameter, is_negative } = operand
             && let Some(Value::Length(length)) = self.variables.get(parameter)
         {
+            // Counts as reading it, too.
+            self.number(parameter)?;
             return Ok(Value::Length(if is_negative { length.negated() } else { *length }));
         }
         self.operand(operand).map(Value::Number)
+    }
+
+    /// The variable of the control that the block has read, if it has.
+    pub(super) const fn take_read(&mut self) -> Option<Parameter> {
+        self.read.get_mut().take()
+    }
+
+    /// A cycle has set its results.
+    pub(super) const fn measured(&mut self) {
+        self.is_ahead = true;
+    }
+
+    /// G909: the control waits for what stands before.
+    pub(super) const fn wait(&mut self) {
+        self.is_ahead = false;
+    }
+
+    /// Whether no G909 stands behind the last cycle.
+    pub(super) const fn is_ahead(&self) -> bool {
+        self.is_ahead
+    }
+
+    /// `INPUT`: the value that was given before the run, once.
+    pub(super) fn answer(&mut self, parameter: Parameter) -> Option<Value> {
+        self.given(parameter, true, || false)
     }
 
     /// An operand that counts something.
@@ -154,22 +198,17 @@ impl Values {
 
     /// Sets a parameter that exists on a control to a value that it can hold.
     pub(super) fn put(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
-        let most = match parameter.family {
-            Family::Q | Family::Qs => 1_999,
-            Family::Ql | Family::Qr => 499,
-        };
-        if most < parameter.number {
-            return Err(FaultKind::NoParameter(parameter));
-        }
-        match (&value, parameter.family) {
-            (Value::Text(text), Family::Qs) => self.check_length(text)?,
-            (Value::Text(_), _) => return Err(FaultKind::NotNumber(parameter)),
-            (_, Family::Qs) => return Err(FaultKind::NotText(parameter)),
-            (Value::Number(number), _) => {
+        exists(parameter)?;
+        match (&value, parameter.family.is_text()) {
+            (Value::Text(text), true) => self.check_length(text)?,
+            (Value::Text(_), false) => return Err(FaultKind::NotNumber(parameter)),
+            (_, true) => return Err(FaultKind::NotText(parameter)),
+            (Value::Number(number), false) => {
                 in_range(*number)?;
             }
-            (Value::Length(_), _) => {}
+            (Value::Length(_), false) => {}
         }
+        check_whole(parameter, &value)?;
         self.variables.set(parameter, value);
         self.changed.push(parameter);
         Ok(())
@@ -240,6 +279,32 @@ impl Values {
         self.changed.push(parameter);
         Some(value)
     }
+}
+
+/// Whether a control has the parameter.
+fn exists(parameter: Parameter) -> Result<(), FaultKind> {
+    let (family, numbers) = (parameter.family, parameter.family.numbers());
+    if numbers.contains(&parameter.number) {
+        return Ok(());
+    }
+    if !family.is_of_lathes() {
+        return Err(FaultKind::NoParameter(parameter));
+    }
+    let (least, most) = numbers.into_inner();
+    Err(FaultKind::NoVariable { variable: parameter, family: family.prefix(), least, most })
+}
+
+/// The upper global variables of a lathe control hold whole numbers; whether it would round others is not known.
+fn check_whole(parameter: Parameter, value: &Value) -> Result<(), FaultKind> {
+    if parameter.family != Family::LatheGlobal || parameter.number < FIRST_WHOLE_GLOBAL {
+        return Ok(());
+    }
+    let number = match value {
+        Value::Number(number) => *number,
+        Value::Length(length) => length.to_mm_f64(),
+        Value::Text(_) => return Ok(()),
+    };
+    if number.fract().abs() <= 0.0 { Ok(()) } else { Err(FaultKind::WholeOnly { parameter, value: number }) }
 }
 
 /// A number that a control can hold.

@@ -34,7 +34,7 @@ const MOST_DECIMALS: usize = 9;
 
 impl Values {
     /// The value of a text formula.
-    pub(super) fn evaluate_text(&self, formula: &TextExpression) -> Result<String, FaultKind> {
+    pub(in crate::nc::machine) fn evaluate_text(&self, formula: &TextExpression) -> Result<String, FaultKind> {
         match formula {
             TextExpression::Value(operand) => Ok(self.text_operand(operand)?.to_owned()),
             TextExpression::Join(items) => {
