@@ -1,0 +1,133 @@
+//! What a move would touch: the ball, or the stylus above it, on a straight line or an arc.
+//!
+//! The stylus is a cylinder in Z from the centre of the ball upwards, without an end, as thick as the file says, or
+//! else as thick as the ball. A touch that goes no deeper than a nanometre is none. Not looked at:
+//!
+//! - the workpiece of a file without `[[feature]]`: nothing says how high it is;
+//! - the walls of spaces that run into one another: each is missing within the other;
+//! - with the stylus, features that [`Space::unchecked`] names: walls in other planes than X/Y, faces and points that
+//!   look down, slanted ones with a reach, hollows.
+//!
+//! A move that slides beside a wall for more than a hundred thousand times its distance from it is told as touching
+//! there: nothing else can be said within a bounded time.
+
+use super::super::nearest::{Way, follow};
+use super::Space;
+use crate::message::Say;
+use crate::probing::vector::{along, dot, norm};
+
+/// How deep a touch is before it is one, mm: a nanometre.
+const DEPTH: f64 = 1e-6;
+
+/// What of the probe would touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Say)]
+#[say(prefix = "mover")]
+pub enum Mover {
+    /// The ball.
+    Ball,
+    /// The stylus above it.
+    Stylus,
+}
+
+/// A place where a move would touch a feature.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Collision {
+    /// What touches.
+    pub mover: Mover,
+    /// The feature's name.
+    pub feature: String,
+    /// Where the centre of the ball is then, millimetres.
+    pub place: [f64; 3],
+}
+
+/// A move: a straight line, or the shorter arc about a centre.
+#[derive(Debug, Clone, Copy)]
+struct Line {
+    from: [f64; 3],
+    to: [f64; 3],
+    about: Option<[f64; 3]>,
+}
+
+impl Line {
+    /// At least its length, mm.
+    fn length(&self) -> f64 {
+        match self.arc() {
+            Some((_, one, other, angle)) => norm(one).max(norm(other)) * angle + (norm(one) - norm(other)).abs(),
+            None => norm(along(self.to, self.from, -1.0)),
+        }
+    }
+
+    /// Centre, arms to both ends and the angle between them; `None` for a straight line.
+    fn arc(&self) -> Option<([f64; 3], [f64; 3], [f64; 3], f64)> {
+        let centre = self.about?;
+        let (one, other) = (along(self.from, centre, -1.0), along(self.to, centre, -1.0));
+        let cos = (dot(one, other) / (norm(one) * norm(other))).clamp(-1.0, 1.0);
+        let angle = cos.acos();
+        (1e-9 < angle && angle < std::f64::consts::PI - 1e-9).then_some((centre, one, other, angle))
+    }
+
+    /// The place after a share of the way, 0 to 1.
+    fn at(&self, share: f64) -> [f64; 3] {
+        let Some((centre, one, other, angle)) = self.arc() else {
+            return along(self.from, along(self.to, self.from, -1.0), share);
+        };
+        let (first, second) = (((1.0 - share) * angle).sin() / angle.sin(), (share * angle).sin() / angle.sin());
+        along(along(centre, one, first), other, second)
+    }
+}
+
+impl Space {
+    /// What a move of the ball's centre would touch first; `about` is the centre of an arc.
+    pub(in super::super) fn collision(
+        &self,
+        [from, to]: [[f64; 3]; 2],
+        about: Option<[f64; 3]>,
+        [ball_radius, stylus_radius]: [f64; 2],
+    ) -> Option<Collision> {
+        if self.only().is_some() {
+            return None;
+        }
+        let line = Line { from, to, about };
+        let length = line.length();
+        let nearest = |gone: f64| {
+            let place = if 0.0 < length { line.at(gone / length) } else { from };
+            let mut nearest = (f64::INFINITY, 0, Mover::Ball);
+            for (number, feature) in self.features() {
+                if feature.is_space() && self.crossing(number).next().is_some() {
+                    continue;
+                }
+                let ball = self.gap(number, place) - ball_radius;
+                if ball < nearest.0 {
+                    nearest = (ball, number, Mover::Ball);
+                }
+                // At the ball's own height the ball is told; a stylus thicker than it is met earlier.
+                let on_stylus = feature.nearest_on_stylus(place);
+                let stylus = on_stylus.map_or(f64::INFINITY, |place| self.gap(number, place) - stylus_radius);
+                if stylus < nearest.0 {
+                    nearest = (stylus, number, Mover::Stylus);
+                }
+            }
+            nearest
+        };
+        let gone = match follow(|gone| nearest(gone).0 + DEPTH, length) {
+            Way::Free => return None,
+            Way::Closed(gone) => gone,
+        };
+        let (_, number, mover) = nearest(gone);
+        let place = if 0.0 < length { line.at(gone / length) } else { from };
+        Some(Collision { mover, feature: self.name(number).to_owned(), place })
+    }
+
+    /// The features that no move, or no stylus, is looked at with.
+    pub(in super::super) fn unchecked(&self) -> Vec<&str> {
+        if self.only().is_some() {
+            return Vec::new();
+        }
+        let is_unchecked = |number: usize| {
+            let feature = self.feature(number);
+            let has_no_form = feature.is_some_and(|feature| feature.nearest_on_stylus([0.0; 3]).is_none());
+            has_no_form || self.crossing(number).next().is_some()
+        };
+        self.features().filter(|(number, _)| is_unchecked(*number)).map(|(number, _)| self.name(number)).collect()
+    }
+}
