@@ -80,6 +80,8 @@ machine-remark-table-written = { $path } was written
 machine-remark-contacts-left = the cycles used { $used } of { $count } recorded contacts
 machine-remark-more = { $count } more remarks are not listed
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
+machine-remark-collision = the { $mover } would touch { $feature }, with the centre of the ball at X { $x } Y { $y } Z { $z } mm
+machine-remark-unchecked = moves are not checked in full against { $features }
 
 ## Pauses
 machine-pause-stop = the program has stopped: STOP or M0

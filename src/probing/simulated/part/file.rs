@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::super::file::{LARGEST, Pair, Rectangle, Round, bounded, column_at, first_seed, line_at, plain};
 use super::super::figure::Table;
 use super::super::{
-    Face, Figure, FreePoint, Lobes, Probe, REFERENCE, STEEL, Shape, Simulation, SimulationError, Surface, Walls, Wave,
+    Face, FreePoint, Lobes, Probe, REFERENCE, STEEL, Shape, Simulation, SimulationError, Surface, Walls, Wave,
     WorkpieceError,
 };
 use super::{Extent, Part, PartFeature};

@@ -88,7 +88,7 @@ impl Probing<'_> {
         }
         let nearest = known.iter().copied().reduce(|one, other| if other.distance < one.distance { other } else { one });
         let met = self.first_of(nearest, &unknown).ok_or(Obstacle::Nothing)?;
-        self.check_met(met, &known, &unknown)?;
+        self.check_met(met, &around, &known, &unknown)?;
         Ok(met)
     }
 
@@ -108,7 +108,7 @@ impl Probing<'_> {
 
     /// The ball must begin in the open.
     fn check_start(&self, around: &[usize]) -> Result<(), Obstacle> {
-        for (number, feature) in self.space.features() {
+        for (number, _) in self.space.features() {
             if around.contains(&number) {
                 continue;
             }
@@ -203,7 +203,7 @@ impl Probing<'_> {
     }
 
     /// Refuses what cannot be told: a wall from behind or where it is missing, and two features at once.
-    fn check_met(&self, met: Met, known: &[Met], unknown: &[usize]) -> Result<(), Obstacle> {
+    fn check_met(&self, met: Met, around: &[usize], known: &[Met], unknown: &[usize]) -> Result<(), Obstacle> {
         let centre = self.at(met.distance);
         let of_known = known.iter().filter(|other| (other.distance - met.distance).abs() <= AT_ONCE).map(|met| met.feature);
         let of_unknown = unknown.iter().copied().filter(|number| self.gap(*number, met.distance) <= AT_ONCE);
@@ -219,7 +219,8 @@ impl Probing<'_> {
             return Ok(());
         }
         let (flat, height) = feature.within(centre);
-        if feature.extent.has(height) && 0.0 <= feature.outside(flat) {
+        let is_behind = feature.extent.has(height) && 0.0 <= feature.outside(flat);
+        if is_behind && !around.contains(&met.feature) {
             return Err(Obstacle::Behind(met.feature));
         }
         // The place that the ball touches lies a radius farther on than its centre.

@@ -17,9 +17,10 @@
 //! - A hole, slot or pocket is space cut out of the bodies and faces that it lies in, open at its top. The material
 //!   round it is not known, so its wall is a shell: a ball is met by it from inside, and one that comes to it from
 //!   behind is an error. A slot is open at its two ends.
-//! - A body that lies wholly within a hole, slot or pocket stands in it, as an island does, and is not cut. Every other
-//!   body is: a bore in a boss, a slot across a ridge, a pocket that takes a corner away.
-//! - A face below the top of a hole, slot or pocket is its floor; at the top or above, it is cut.
+//! - What lies wholly within a hole, slot or pocket, seen along its axis, stands in it and is not cut: an island, or a
+//!   face with a reach at the floor. Everything else is cut: a boss by its bore, a ridge by a slot across it, a boss by
+//!   a pocket that takes its corner away, a face by all holes in it. What lies higher than the top of the space covers
+//!   it and is cut only below that top.
 //! - Where spaces run into one another, the wall of one is missing within the other. A ball that would touch it there
 //!   meets nothing that can be told: an error. A space that begins at the floor of another takes away that floor.
 //!

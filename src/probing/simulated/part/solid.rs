@@ -146,6 +146,16 @@ impl PartFeature {
         }
     }
 
+    /// The place in X/Y of a face or point with a reach, and that reach.
+    pub(super) fn disc(&self) -> Option<([f64; 2], f64)> {
+        let [x, y, _] = match &self.surface {
+            Surface::Face(face) => face.point,
+            Surface::Point(point) => point.real(),
+            Surface::Round(..) | Surface::Walls(_) => return None,
+        };
+        self.extent.reach.is_finite().then_some(([x, y], self.extent.reach))
+    }
+
     /// The height of the face above a place of X/Y; `None` for what does not look up.
     pub(super) fn height_above(&self, [x, y]: [f64; 2]) -> Option<f64> {
         let (point, normal) = match &self.surface {

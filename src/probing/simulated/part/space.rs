@@ -2,6 +2,7 @@
 
 use super::super::{FARTHEST, Surface, Walls};
 use super::PartFeature;
+use crate::probing::cycle::Plane;
 use crate::tolerance::Feature;
 
 /// Heights this close are the same, mm.
@@ -24,8 +25,7 @@ impl Space {
         };
         let is_cut = |feature: &PartFeature, by: &PartFeature| match feature.walls() {
             Some(Feature::Hole) => floor_is_cut(feature, by),
-            Some(Feature::Shaft) => by.is_space() && !stands_in(feature, by),
-            None => by.is_space(),
+            Some(Feature::Shaft) | None => by.is_space() && !stands_in(feature, by) && overlap(feature, by),
         };
         let cutting = features.iter().map(|feature| numbers(&|by| is_cut(feature, by))).collect();
         let crossing = (0..).zip(&features).map(|(own, feature): (usize, _)| {
@@ -110,10 +110,7 @@ fn cuts(by: &PartFeature, feature: &PartFeature, place: [f64; 3]) -> bool {
             let is_same_plane = feature.surface.plane() == by.surface.plane();
             (is_same_plane && is_open(feature.extent.top)) || by.is_around(place)
         }
-        // Below the top of the space a face is its floor, if it does not lie below that.
-        (None, Some(height)) if by.surface.plane() == crate::probing::cycle::Plane::Xy => {
-            by.extent.top - SAME <= height || height < by.extent.bottom - SAME
-        }
+        (None, Some(height)) if by.surface.plane() == Plane::Xy => is_open(height) || by.is_around(place),
         (None, _) => by.is_around(place),
     }
 }
@@ -130,10 +127,20 @@ fn cross(one: &PartFeature, other: &PartFeature) -> bool {
     let (heights, others) = (&one.extent, &other.extent);
     let is_one_above = heights.top.min(others.top) <= heights.bottom.max(others.bottom) + SAME;
     // Where their axes differ, that is not looked into.
-    if !one.is_space() || !other.is_space() || one.surface.plane() != other.surface.plane() || is_one_above {
-        return false;
+    let is_same_plane = one.surface.plane() == other.surface.plane();
+    one.is_space() && other.is_space() && is_same_plane && !is_one_above && overlap(one, other)
+}
+
+/// Whether two contours have a place in common, seen along the axis of their planes; also where that is not known.
+fn overlap(one: &PartFeature, other: &PartFeature) -> bool {
+    if one.surface.plane() != other.surface.plane() {
+        return true;
     }
     match (&one.surface, &other.surface) {
+        (Surface::Face(_) | Surface::Point(_), _) => match one.disc() {
+            Some((centre, reach)) => other.outside(centre) < reach,
+            None => true,
+        },
         (Surface::Round(round, _), Surface::Round(second, _)) => {
             let [[x, y], [other_x, other_y]] = [round.centre, second.centre];
             (x - other_x).hypot(y - other_y) < round.widest() + second.widest()
@@ -144,7 +151,7 @@ fn cross(one: &PartFeature, other: &PartFeature) -> bool {
             let (corners, others) = (corners(walls, one.extent.length), corners(second, other.extent.length));
             ![*walls, *second].iter().any(|walls| parts(walls, corners, others))
         }
-        _ => false,
+        (_, Surface::Face(_) | Surface::Point(_)) => true,
     }
 }
 
@@ -166,7 +173,7 @@ fn parts(walls: &Walls, one: [[f64; 2]; 4], other: [[f64; 2]; 4]) -> bool {
     })
 }
 
-/// Whether a body lies wholly within a space, seen along their common axis.
+/// Whether a body, a face or a point lies wholly within a space, seen along their common axis.
 fn stands_in(body: &PartFeature, space: &PartFeature) -> bool {
     if body.surface.plane() != space.surface.plane() {
         return false;
@@ -176,6 +183,8 @@ fn stands_in(body: &PartFeature, space: &PartFeature) -> bool {
         Surface::Walls(walls) => {
             corners(walls, body.extent.length).into_iter().all(|corner| space.outside(corner) <= 0.0)
         }
-        Surface::Face(_) | Surface::Point(_) => false,
+        Surface::Face(_) | Surface::Point(_) => {
+            body.disc().is_some_and(|(centre, reach)| space.outside(centre) <= -reach)
+        }
     }
 }
