@@ -5,7 +5,7 @@
 //! as the gap to the nearest material never leads through it.
 
 use super::super::nearest::advance;
-use super::super::{FARTHEST, Surface};
+use super::super::{FARTHEST, Surface, Walls};
 use super::{PartFeature, Space};
 use crate::probing::vector::along;
 use crate::tolerance::Feature;
@@ -260,7 +260,10 @@ impl Probing<'_> {
 fn has_wall_beside(feature: &PartFeature, centre: [f64; 3]) -> bool {
     let (flat, _) = feature.within(centre);
     match &feature.surface {
-        Surface::Walls(walls) => walls.outside(flat, feature.extent.length).into_iter().all(|outside| outside <= 0.0),
+        Surface::Walls(walls @ Walls { lengths: (_, None), .. }) => {
+            let [_, beside] = walls.outside(flat, feature.extent.length);
+            beside <= 0.0
+        }
         _ => true,
     }
 }
