@@ -153,17 +153,34 @@ fn a_face_at_a_floor_or_on_a_body_is_what_is_met_there() {
     meets(&faces, [230.0, 0.0, 50.0], [0.0, 0.0, -1.0], Ok([230.0, 0.0, -9.0]));
     meets(&faces, [25.0, 0.0, 50.0], [0.0, 0.0, -1.0], Ok([25.0, 0.0, 13.0]));
     // The rim of a disc, a ball's side away from it.
-    let disc = "[[feature]]\nkind = \"face\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nreach = 5\n[probe]\nball_radius = 3\n";
+    let disc =
+        "[[feature]]\nkind = \"face\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nreach = 5\n[probe]\nball_radius = 3\n";
     meets(disc, [6.8, 0.0, 50.0], [0.0, 0.0, -1.0], Ok([6.8, 0.0, 2.4]));
     meets(disc, [9.0, 0.0, 50.0], [0.0, 0.0, -1.0], Err("contact 1: the probe met nothing on the probing path"));
 }
 
 #[test]
 fn what_cannot_be_told_is_an_error_with_the_names() {
-    meets(PLATE, [22.0, 0.0, 5.0], [1.0, 0.0, 0.0], Err("contact 1: the probing path begins inside the material of boss"));
-    meets(PLATE, [13.0, 0.0, 5.0], [1.0, 0.0, 0.0], Err("contact 1: the probing path begins inside the material of bore"));
-    meets(PLATE, [120.0, 0.0, -5.0], [1.0, 0.0, 0.0], Err("contact 1: the probing path begins inside the material of top"));
-    let behind = "[[feature]]\nname = \"hole\"\nkind = \"bore\"\ncentre = [0, 0]\ndiameter = 30\n[probe]\nball_radius = 3\n";
+    meets(
+        PLATE,
+        [22.0, 0.0, 5.0],
+        [1.0, 0.0, 0.0],
+        Err("contact 1: the probing path begins inside the material of boss"),
+    );
+    meets(
+        PLATE,
+        [13.0, 0.0, 5.0],
+        [1.0, 0.0, 0.0],
+        Err("contact 1: the probing path begins inside the material of bore"),
+    );
+    meets(
+        PLATE,
+        [120.0, 0.0, -5.0],
+        [1.0, 0.0, 0.0],
+        Err("contact 1: the probing path begins inside the material of top"),
+    );
+    let behind =
+        "[[feature]]\nname = \"hole\"\nkind = \"bore\"\ncentre = [0, 0]\ndiameter = 30\n[probe]\nball_radius = 3\n";
     meets(
         behind,
         [50.0, 0.0, -5.0],
@@ -200,7 +217,8 @@ fn the_scatter_is_that_of_the_surface_that_is_met() {
 
 #[test]
 fn a_part_is_written_and_read_back_the_same() {
-    let mut text = String::from("seed = 9\ntemperature = 23.5\n[probe]\nball_radius = 2\nstylus_radius = 1\noffset = [0.01, 0]\n");
+    let mut text =
+        String::from("seed = 9\ntemperature = 23.5\n[probe]\nball_radius = 2\nstylus_radius = 1\noffset = [0.01, 0]\n");
     for (number, (kind, keys)) in SHAPES.into_iter().enumerate() {
         let ends = match kind {
             "slot" => "length = 80\nbottom = -7\n",
@@ -218,7 +236,8 @@ fn a_part_is_written_and_read_back_the_same() {
     let part = Part::read(single).unwrap();
     assert_eq!((part.features[0].name.as_str(), part.write()), ("", Simulation::read(single).unwrap().write()));
     // A warm part grows as a whole.
-    let warm = "temperature = 120\nexpansion = 10\n[[feature]]\nkind = \"stud\"\ncentre = [100, 0]\ndiameter = 10\ntop = 50\n";
+    let warm =
+        "temperature = 120\nexpansion = 10\n[[feature]]\nkind = \"stud\"\ncentre = [100, 0]\ndiameter = 10\ntop = 50\n";
     meets(warm, [80.0, 0.0, 50.04], [1.0, 0.0, 0.0], Ok([95.095, 0.0, 50.04]));
 }
 
@@ -253,7 +272,10 @@ fn bad_files_are_refused_with_feature_key_line_and_column() {
             "[[feature]]\nname = \"\"\nkind = \"stud\"\ncentre = [0, 0]\ndiameter = 2\n",
             "line 7, column 1: F2: a name has 1 to 40 characters on one line",
         ),
-        ("[[feature]]\nkind = \"bore\"\ncentre = [0]\n", "line 8, column 10: F2: invalid length 1, expected an array of length 2"),
+        (
+            "[[feature]]\nkind = \"bore\"\ncentre = [0]\n",
+            "line 8, column 10: F2: invalid length 1, expected an array of length 2",
+        ),
         ("[[feature]]\ncentre = [0, 0]\n", "line 6, column 1: F2: missing field `kind`"),
         ("[probe]\nball_radius = -1\n", "line 7: ball radius = -1: at least 0, at most 100"),
         ("[probe]\nstylus_radius = 101\n", "line 7: stylus radius = 101: at least 0, at most 100"),

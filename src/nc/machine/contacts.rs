@@ -2,8 +2,8 @@
 
 use super::fault::FaultKind;
 use super::moves::{Travel, TravelKind};
-use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move, Phase};
 use super::remark::Remark;
+use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move, Phase};
 use crate::probing::simulated::{self, Part};
 use crate::probing::{Contact, Recorded, Source, SourceError};
 

@@ -156,9 +156,7 @@ impl Machine {
             Obstacle::InMaterial(_) if self.space.only().is_some() => NoContact::InMaterial { number },
             Obstacle::InMaterial(feature) => NoContact::InFeature { number, feature: name(feature) },
             Obstacle::Behind(feature) => NoContact::Behind { number, feature: name(feature) },
-            Obstacle::Ambiguous(one, other) => {
-                NoContact::Ambiguous { number, feature: name(one), other: name(other) }
-            }
+            Obstacle::Ambiguous(one, other) => NoContact::Ambiguous { number, feature: name(one), other: name(other) },
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::super::file::{LARGEST, Pair, Rectangle, Round, bounded, column_at, first_seed, line_at, plain};
 use super::super::figure::Table;
+use super::super::file::{LARGEST, Pair, Rectangle, Round, bounded, column_at, first_seed, line_at, plain};
 use super::super::{
     Face, FreePoint, Lobes, Probe, REFERENCE, STEEL, Shape, Simulation, SimulationError, Surface, Walls, Wave,
     WorkpieceError,
@@ -287,11 +287,15 @@ impl<'a> Places<'a> {
     fn of(text: &'a str) -> Self {
         let root = toml::de::DeTable::parse_recoverable(text).0;
         let tables = root.get_ref().get("feature").and_then(|value| value.get_ref().as_array());
-        let features = (1..).zip(tables.into_iter().flat_map(|tables| tables.iter())).map(|(number, value): (usize, _)| {
-            let name = value.get_ref().as_table().and_then(|table| table.get("name"));
-            let name = name.and_then(|name| name.get_ref().as_str()).filter(|name| !name.is_empty());
-            (value.span().start, name.map_or_else(|| usual_name(number), |name| name.chars().take(LONGEST_NAME).collect()))
-        });
+        let features =
+            (1..).zip(tables.into_iter().flat_map(|tables| tables.iter())).map(|(number, value): (usize, _)| {
+                let name = value.get_ref().as_table().and_then(|table| table.get("name"));
+                let name = name.and_then(|name| name.get_ref().as_str()).filter(|name| !name.is_empty());
+                (
+                    value.span().start,
+                    name.map_or_else(|| usual_name(number), |name| name.chars().take(LONGEST_NAME).collect()),
+                )
+            });
         Self { text, features: features.collect() }
     }
 
@@ -300,7 +304,8 @@ impl<'a> Places<'a> {
         let root = toml::de::DeTable::parse_recoverable(self.text).0;
         let tables = root.get_ref().get("feature").and_then(|value| value.get_ref().as_array());
         let table = tables.and_then(|tables| tables.get(number));
-        let own = table.and_then(|table| table.get_ref().as_table()?.get_key_value(key)).map(|(key, _)| key.span().start);
+        let own =
+            table.and_then(|table| table.get_ref().as_table()?.get_key_value(key)).map(|(key, _)| key.span().start);
         let (start, name) = self.features.get(number).cloned().unwrap_or_default();
         self.at(own.unwrap_or(start), name, fault)
     }
@@ -418,4 +423,3 @@ fn read_feature(number: usize, table: FeatureTable) -> Result<PartFeature, (&'st
 fn of_file(text: &str, error: WorkpieceError) -> SimulationError {
     SimulationError::CannotBe { line: super::super::file::line_of(text, "", error.what), error }
 }
-

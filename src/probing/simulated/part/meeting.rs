@@ -63,8 +63,12 @@ impl Space {
 
 impl Probing<'_> {
     fn meet(&self) -> Result<Met, Obstacle> {
-        let around: Vec<usize> =
-            self.space.features().filter(|(_, feature)| feature.is_around(self.from)).map(|(number, _)| number).collect();
+        let around: Vec<usize> = self
+            .space
+            .features()
+            .filter(|(_, feature)| feature.is_around(self.from))
+            .map(|(number, _)| number)
+            .collect();
         self.check_start(&around)?;
         let mut known: Vec<Met> = Vec::new();
         let mut unknown: Vec<usize> = Vec::new();
@@ -86,7 +90,8 @@ impl Probing<'_> {
                 unknown.push(number);
             }
         }
-        let nearest = known.iter().copied().reduce(|one, other| if other.distance < one.distance { other } else { one });
+        let nearest =
+            known.iter().copied().reduce(|one, other| if other.distance < one.distance { other } else { one });
         let met = self.first_of(nearest, &unknown).ok_or(Obstacle::Nothing)?;
         self.check_met(met, &around, &known, &unknown)?;
         Ok(met)
@@ -193,7 +198,9 @@ impl Probing<'_> {
     fn first_of(&self, nearest: Option<Met>, unknown: &[usize]) -> Option<Met> {
         let farthest = nearest.map_or(2.0 * FARTHEST, |met| met.distance);
         let gaps = |distance: f64| unknown.iter().map(move |number| (self.gap(*number, distance), *number));
-        let least = |distance: f64| gaps(distance).fold((f64::INFINITY, 0), |one, other| if other.0 < one.0 { other } else { one });
+        let least = |distance: f64| {
+            gaps(distance).fold((f64::INFINITY, 0), |one, other| if other.0 < one.0 { other } else { one })
+        };
         let Some(distance) = advance(|distance| least(distance).0, farthest) else { return nearest };
         let (_, feature) = least(distance);
         match nearest {
@@ -205,7 +212,8 @@ impl Probing<'_> {
     /// Refuses what cannot be told: a wall from behind or where it is missing, and two features at once.
     fn check_met(&self, met: Met, around: &[usize], known: &[Met], unknown: &[usize]) -> Result<(), Obstacle> {
         let centre = self.at(met.distance);
-        let of_known = known.iter().filter(|other| (other.distance - met.distance).abs() <= AT_ONCE).map(|met| met.feature);
+        let of_known =
+            known.iter().filter(|other| (other.distance - met.distance).abs() <= AT_ONCE).map(|met| met.feature);
         let of_unknown = unknown.iter().copied().filter(|number| self.gap(*number, met.distance) <= AT_ONCE);
         let all: Vec<usize> = of_known.chain(of_unknown).filter(|number| *number != met.feature).collect();
         for other in all {
@@ -225,9 +233,10 @@ impl Probing<'_> {
         }
         // The place that the ball touches lies a radius farther on than its centre.
         let touched = self.touched(feature, centre);
-        let missing = self.space.features().find(|(number, other)| {
-            self.space.do_cross(met.feature, *number) && other.is_around(touched)
-        });
+        let missing = self
+            .space
+            .features()
+            .find(|(number, other)| self.space.do_cross(met.feature, *number) && other.is_around(touched));
         missing.map_or(Ok(()), |(other, _)| Err(Obstacle::Ambiguous(met.feature, other)))
     }
 
