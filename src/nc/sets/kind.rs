@@ -71,10 +71,7 @@ impl Called {
     /// The blocks that measure it: the cycle with the parameters of the set.
     pub(super) fn blocks(self, feature: Feature, nominal: &str, language: Dialogue) -> Vec<u8> {
         let Some(cycle) = self.cycle(feature) else { return Vec::new() };
-        let mut text = String::new();
-        if cycle.meant(Meaning::SecondPoint(Axis::First)).is_some() {
-            text.push_str(POINTS);
-        }
+        let points = cycle.meant(Meaning::SecondPoint(Axis::First)).map_or("", |_| POINTS);
         let lines: Vec<String> = cycle
             .parameters
             .iter()
@@ -103,8 +100,8 @@ impl Called {
             })
             .collect();
         let name = cycle.name(language);
-        text.push_str(&format!("TCH PROBE {} {name} ~\n  {}\n", cycle.code, lines.join(" ~\n  ")));
-        text.into_bytes()
+        let lines = lines.join(" ~\n  ");
+        format!("{points}TCH PROBE {} {name} ~\n  {lines}\n", cycle.code).into_bytes()
     }
 }
 
@@ -137,10 +134,8 @@ impl NcKind {
     pub(super) const fn axis(self) -> Option<usize> {
         match self {
             Self::Diameter => None,
-            Self::Width(WidthAxis::X) => Some(1),
-            Self::Width(WidthAxis::Y) => Some(2),
-            Self::Face(Towards { axis: Axis::First, .. }) => Some(1),
-            Self::Face(Towards { axis: Axis::Second, .. }) => Some(2),
+            Self::Width(WidthAxis::X) | Self::Face(Towards { axis: Axis::First, .. }) => Some(1),
+            Self::Width(WidthAxis::Y) | Self::Face(Towards { axis: Axis::Second, .. }) => Some(2),
             Self::Face(Towards { axis: Axis::Third, .. }) => Some(3),
         }
     }

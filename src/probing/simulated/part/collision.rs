@@ -48,31 +48,41 @@ struct Line {
     about: Option<[f64; 3]>,
 }
 
+/// An arc: the arm to its beginning, one across it in the direction of the way, and the angle of all of it.
+#[derive(Debug, Clone, Copy)]
+struct Arc {
+    centre: [f64; 3],
+    arm: [f64; 3],
+    across: [f64; 3],
+    angle: f64,
+}
+
 impl Line {
-    /// At least its length, mm.
+    /// Its length, mm.
     fn length(&self) -> f64 {
-        match self.arc() {
-            Some((_, one, other, angle)) => norm(one).max(norm(other)) * angle + (norm(one) - norm(other)).abs(),
-            None => norm(along(self.to, self.from, -1.0)),
-        }
+        self.arc().map_or_else(|| norm(along(self.to, self.from, -1.0)), |arc| norm(arc.arm) * arc.angle)
     }
 
-    /// Centre, arms to both ends and the angle between them; `None` for a straight line.
-    fn arc(&self) -> Option<([f64; 3], [f64; 3], [f64; 3], f64)> {
+    /// The arc; `None` for a straight line. Half a turn goes counter-clockwise: neither way is the shorter.
+    fn arc(&self) -> Option<Arc> {
         let centre = self.about?;
-        let (one, other) = (along(self.from, centre, -1.0), along(self.to, centre, -1.0));
-        let cos = (dot(one, other) / (norm(one) * norm(other))).clamp(-1.0, 1.0);
-        let angle = cos.acos();
-        (1e-9 < angle && angle < std::f64::consts::PI - 1e-9).then_some((centre, one, other, angle))
+        let (arm, other) = (along(self.from, centre, -1.0), along(self.to, centre, -1.0));
+        let (radius, cos) = (norm(arm), dot(arm, other) / (norm(arm) * norm(other)));
+        let aside = along(other, arm, -dot(arm, other) / (radius * radius));
+        let [x, y, _] = arm;
+        let across = if 1e-9 < norm(aside) { aside.map(|part| part * radius / norm(aside)) } else { [-y, x, 0.0] };
+        let angle = cos.clamp(-1.0, 1.0).acos();
+        // NaN, where an arm has no length, is no angle either.
+        (1e-9 < angle).then_some(Arc { centre, arm, across, angle })
     }
 
     /// The place after a share of the way, 0 to 1.
     fn at(&self, share: f64) -> [f64; 3] {
-        let Some((centre, one, other, angle)) = self.arc() else {
+        let Some(Arc { centre, arm, across, angle }) = self.arc() else {
             return along(self.from, along(self.to, self.from, -1.0), share);
         };
-        let (first, second) = (((1.0 - share) * angle).sin() / angle.sin(), (share * angle).sin() / angle.sin());
-        along(along(centre, one, first), other, second)
+        let (sin, cos) = (share * angle).sin_cos();
+        along(along(centre, arm, cos), across, sin)
     }
 }
 

@@ -33,6 +33,17 @@ pub(in super::super) enum Obstacle {
     Ambiguous(usize, usize),
 }
 
+/// What a body, a face or a point says as if it were alone.
+#[derive(Debug, Clone, Copy)]
+enum Alone {
+    /// It is met there.
+    Met(Met),
+    /// It is not met.
+    Missed,
+    /// Its edges, or a space that is cut out of it, may count.
+    Unknown,
+}
+
 /// A probing of the part.
 #[derive(Debug, Clone, Copy)]
 struct Probing<'a> {
@@ -72,7 +83,7 @@ impl Probing<'_> {
         self.check_start(&around)?;
         let mut known: Vec<Met> = Vec::new();
         let mut unknown: Vec<usize> = Vec::new();
-        let widest = self.widest(&around)?;
+        let widest = self.widest(&around);
         known.extend(widest);
         for (number, feature) in self.space.features() {
             if feature.is_space() {
@@ -84,10 +95,12 @@ impl Probing<'_> {
                     continue;
                 }
                 unknown.push(number);
-            } else if let Some(alone) = self.alone(number, feature) {
-                known.extend(alone);
             } else {
-                unknown.push(number);
+                match self.alone(number, feature) {
+                    Alone::Met(met) => known.push(met),
+                    Alone::Missed => {}
+                    Alone::Unknown => unknown.push(number),
+                }
             }
         }
         let nearest =
@@ -137,61 +150,59 @@ impl Probing<'_> {
     }
 
     /// The wall of the space round the ball; of several, the last one: until there the ball has room in that space.
-    fn widest(&self, around: &[usize]) -> Result<Option<Met>, Obstacle> {
+    fn widest(&self, around: &[usize]) -> Option<Met> {
         let mut widest: Option<Met> = None;
         for number in around {
             let Some(feature) = self.space.feature(*number) else { continue };
             if !feature.surface.is_free(self.from, self.ball_radius) {
                 continue;
             }
-            let Some(distance) = feature.surface.distance(self.from, self.direction, self.ball_radius) else {
-                // Along the walls there is room without end.
-                return Ok(None);
-            };
+            // Along the walls there is room without end.
+            let distance = feature.surface.distance(self.from, self.direction, self.ball_radius)?;
             if widest.is_none_or(|met| met.distance < distance) {
                 widest = Some(Met { feature: *number, distance });
             }
         }
-        let Some(met) = widest else { return Ok(None) };
-        let Some(feature) = self.space.feature(met.feature) else { return Ok(None) };
+        let met = widest?;
+        let feature = self.space.feature(met.feature)?;
         let centre = self.at(met.distance);
         let (_, height) = feature.within(centre);
         // Beyond the top, the floor or the end of a slot there is no wall to meet.
-        if !feature.extent.has(height) || !has_wall_beside(feature, centre) {
-            return Ok(None);
-        }
-        Ok(Some(met))
+        (feature.extent.has(height) && has_wall_beside(feature, centre)).then_some(met)
     }
 
-    /// What a body, a face or a point says as if it were alone; `None` where its edges or a space that is cut out of it
-    /// may count.
-    fn alone(&self, number: usize, feature: &PartFeature) -> Option<Option<Met>> {
+    /// What a body, a face or a point says as if it were alone.
+    fn alone(&self, number: usize, feature: &PartFeature) -> Alone {
         let met = || {
             let distance = feature.surface.distance(self.from, self.direction, self.ball_radius)?;
             (0.0 <= distance).then_some(Met { feature: number, distance })
         };
         if self.space.cutting(number).next().is_some() {
-            return None;
+            return Alone::Unknown;
         }
         if feature.walls() == Some(Feature::Shaft) {
             let (_, height) = feature.within(self.from);
             let (_, up) = feature.within(self.direction);
             let is_level = up.abs() <= 0.0;
             if is_level && self.ball_radius < feature.extent.beyond(height) {
-                return Some(None);
+                return Alone::Missed;
             }
             if !feature.extent.has(height) || feature.extent.length.is_finite() {
-                return None;
+                return Alone::Unknown;
             }
-            let met = met();
-            let has_end = |met: Met| feature.extent.has(feature.within(self.at(met.distance)).1);
-            return if met.map_or(is_level, has_end) { Some(met) } else { None };
+            return match met() {
+                Some(met) if feature.extent.has(feature.within(self.at(met.distance)).1) => Alone::Met(met),
+                None if is_level => Alone::Missed,
+                _ => Alone::Unknown,
+            };
         }
-        let met = met();
-        if feature.extent.reach.is_infinite() {
-            return Some(met);
+        match met() {
+            Some(met) if feature.extent.reach.is_infinite() || feature.is_over(self.at(met.distance)) => {
+                Alone::Met(met)
+            }
+            None if feature.extent.reach.is_infinite() => Alone::Missed,
+            _ => Alone::Unknown,
         }
-        met.is_some_and(|met| feature.is_over(self.at(met.distance))).then_some(met)
     }
 
     /// The first of what is known and what is found step by step.
@@ -246,7 +257,7 @@ impl Probing<'_> {
         let (flat, height) = feature.within(centre);
         match feature.walls() {
             Some(Feature::Shaft) => feature.outside(flat) < 0.0 && feature.extent.top < height,
-            Some(Feature::Hole) => feature.from_floor(centre) <= self.ball_radius + AT_ONCE,
+            Some(Feature::Hole) => feature.gap_to_floor(centre) <= self.ball_radius + AT_ONCE,
             None => false,
         }
     }

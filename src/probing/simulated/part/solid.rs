@@ -48,7 +48,7 @@ impl PartFeature {
     }
 
     /// How far a place of the plane is from the walls, on whichever side.
-    fn from_walls(&self, place: [f64; 2]) -> f64 {
+    fn gap_to_walls(&self, place: [f64; 2]) -> f64 {
         match &self.surface {
             // The ends of a slot are open.
             Surface::Walls(walls @ Walls { lengths: (_, None), .. }) => {
@@ -72,7 +72,7 @@ impl PartFeature {
     }
 
     /// How far a place is from the floor of a space; infinite where it has none.
-    pub(super) fn from_floor(&self, place: [f64; 3]) -> f64 {
+    pub(super) fn gap_to_floor(&self, place: [f64; 3]) -> f64 {
         let (flat, height) = self.within(place);
         if !self.is_space() || self.extent.bottom.is_infinite() {
             return f64::INFINITY;
@@ -81,28 +81,28 @@ impl PartFeature {
     }
 
     /// How far a place is from the material, the floor of a space left out; below zero in the material.
-    pub(super) fn from_material(&self, place: [f64; 3]) -> f64 {
+    pub(super) fn gap_to_material(&self, place: [f64; 3]) -> f64 {
         let (flat, height) = self.within(place);
         let beyond = self.extent.beyond(height);
         match (&self.surface, self.walls()) {
-            (_, Some(Feature::Hole)) => self.from_walls(flat).hypot(beyond.max(0.0)),
+            (_, Some(Feature::Hole)) => self.gap_to_walls(flat).hypot(beyond.max(0.0)),
             (_, Some(Feature::Shaft)) => beyond_both(self.outside(flat), beyond),
             (Surface::Face(face), _) if self.extent.reach.is_infinite() => face.gap(place, 0.0),
             (Surface::Point(point), _) if self.extent.reach.is_infinite() => point.gap(place, 0.0),
-            (Surface::Face(Face { point, normal, .. }), _) => self.from_disc(*point, *normal, place),
-            (Surface::Point(point), _) => self.from_cap(point, place),
+            (Surface::Face(Face { point, normal, .. }), _) => self.gap_to_disc(*point, *normal, place),
+            (Surface::Point(point), _) => self.gap_to_cap(point, place),
             (Surface::Round(..) | Surface::Walls(_), None) => f64::INFINITY,
         }
     }
 
-    fn from_disc(&self, point: [f64; 3], normal: [f64; 3], place: [f64; 3]) -> f64 {
+    fn gap_to_disc(&self, point: [f64; 3], normal: [f64; 3], place: [f64; 3]) -> f64 {
         let [height, beside] = over(point, unit(normal), place);
         height.abs().hypot((beside - self.extent.reach).max(0.0))
     }
 
     /// From the cap of a ball, or a hollow, about its point.
-    fn from_cap(&self, point: &FreePoint, place: [f64; 3]) -> f64 {
-        let Some(radius) = point.radius else { return self.from_disc(point.real(), point.normal, place) };
+    fn gap_to_cap(&self, point: &FreePoint, place: [f64; 3]) -> f64 {
+        let Some(radius) = point.radius else { return self.gap_to_disc(point.real(), point.normal, place) };
         let normal = unit(point.normal);
         let centre = along(point.real(), normal, -radius);
         let [height, beside] = over(centre, normal, place);

@@ -89,11 +89,11 @@ impl Space {
         let Some(feature) = self.feature(number) else { return f64::INFINITY };
         let is_cut = || self.cutting(number).any(|by| cuts(by, feature, place));
         if feature.is_space() {
-            let floor = feature.from_floor(place);
-            let walls = feature.from_material(place);
+            let floor = feature.gap_to_floor(place);
+            let walls = feature.gap_to_material(place);
             return if floor < walls && is_cut() { walls } else { walls.min(floor) };
         }
-        if is_cut() { f64::INFINITY } else { feature.from_material(place) }
+        if is_cut() { f64::INFINITY } else { feature.gap_to_material(place) }
     }
 }
 
