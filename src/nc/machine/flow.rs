@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::budget::{Budget, UsedUp};
-use super::fault::{BlockPlace, FaultKind};
+use super::fault::{BlockPlace, Counted, FaultKind};
 use super::path::NcPath;
 use super::values::{Values, whole};
 use crate::control::variables::Family;
-use crate::nc::program::{Body, Program, Target, Unit};
+use crate::nc::program::{Body, Operand, Program, Target, Unit};
 
 /// A program that runs, and where it is.
 #[derive(Debug)]
@@ -141,12 +141,16 @@ impl Flow {
         &mut self,
         at: usize,
         label: &Target,
-        repeat: Option<u32>,
+        repeat: Option<Operand>,
         values: &Values,
     ) -> Result<(), FaultKind> {
         let to = self.block_of(label, values)?;
         if let Some(repeat) = repeat {
-            match self.frame.repeats.remove(&at).unwrap_or(repeat).checked_sub(1) {
+            let left = match self.frame.repeats.remove(&at) {
+                Some(left) => left,
+                None => u32::try_from(values.whole(Counted::Word("REP"), repeat)?).unwrap_or(u32::MAX),
+            };
+            match left.checked_sub(1) {
                 // The count is used up: the next time it starts again.
                 None => {}
                 Some(left) => {

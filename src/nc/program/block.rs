@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
+use super::around::{Frame, Mode, PassedOver};
 use super::expression::{Expression, TextExpression};
 use crate::control::variables::Parameter;
 use crate::message::{self, as_text};
@@ -87,10 +88,14 @@ pub enum Body {
         /// The label.
         label: Target,
         /// How often the part from the label to this block is repeated.
-        repeat: Option<u32>,
+        repeat: Option<Operand>,
     },
     /// `CALL PGM TNC:\Plan.h`
     CallProgram(TextOperand),
+    /// `SEL PGM "TNC:\Plan.h"`
+    SelectProgram(TextOperand),
+    /// `CALL SELECTED PGM`
+    CallSelectedProgram,
     /// `Q5 = ...`, `FN 0: Q5 = ...` to `FN 8` and `FN 13`
     Assign {
         /// Q, QL or QR.
@@ -160,8 +165,21 @@ pub enum Body {
     Stop(Vec<MachineFunction>),
     /// `TCH PROBE 427 NAME ~` and its lines; runs where it is in the program.
     Probe(CycleBlock),
-    /// `CYCL DEF 247 NAME ~` and its lines.
+    /// `CYCL DEF 200 NAME ~` and its lines: a machining cycle. Only its parameters are kept.
     CycleDefinition(CycleBlock),
+    /// `GLOBAL DEF 120 NAME ~` and its lines: the values that `PREDEF` stands for.
+    GlobalDefinition(CycleBlock),
+    /// `FUNCTION MODE TURN`
+    Mode(Mode),
+    /// A change of the system that coordinates count in.
+    Frame(Frame),
+    /// `FN 18: SYSREAD Q1 = ID20 NR1`: what the control's system holds.
+    SystemRead {
+        /// The parameter that it goes to.
+        to: Parameter,
+    },
+    /// A block that changes nothing that a measurement depends on.
+    PassedOver(PassedOver),
     /// Anything else, kept as text.
     Other,
 }

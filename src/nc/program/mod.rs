@@ -1,14 +1,12 @@
-//! NC programs in Klartext: read, shown and written back.
+//! NC programs: read, shown and written back. Each notation has a reader of its own; all give the same blocks.
 //!
 //! | file | what |
 //! |---|---|
-//! | `block` | what a block says |
+//! | `block`, `around` | what a block says; blocks around a measurement |
 //! | `expression` | formulas for numbers and texts |
-//! | `read` | text to blocks, with warnings |
+//! | `read`, `warnings` | bytes to blocks, with warnings |
+//! | `notation`, `klartext` | which notation it is; the readers |
 //! | `lines`, `cursor` | parts of lines; the place in a block's text that moves forward |
-//! | `cut_off` | lines that a missing or a surplus `~` has put into the wrong block |
-//! | `understand` | from the lines of one block to what it says |
-//! | `body`, `functions`, `moves`, `cycle` | the kinds of blocks, read |
 //! | `formula`, `text_formula` | formulas, read |
 //! | `labels` | where the labels are |
 //! | `words` | words of the language, for reading and writing |
@@ -19,26 +17,25 @@
 //! say. Unknown blocks are kept as text ([`Body::Other`]) and are never an error: real programs hold far more than
 //! Fitcheck runs. Running is in `nc::machine`. Grammar: manuals and public programs, see `docs/SOURCES.md`.
 
+mod around;
 mod block;
-mod body;
 mod cursor;
-mod cut_off;
-mod cycle;
 mod error;
 mod expression;
 mod fault;
 mod formula;
-mod functions;
+mod klartext;
 mod labels;
 mod lines;
-mod moves;
+mod notation;
 mod read;
 mod text_formula;
-mod understand;
+mod warnings;
 mod words;
 pub mod write;
 mod write_formula;
 
+pub use around::{Frame, Goes, Mode, PassedOver};
 pub use block::{
     Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, Feed, MachineFunction,
     Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
@@ -46,6 +43,7 @@ pub use block::{
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
 pub use expression::{Expression, NumberFunction, Operation, TextExpression};
 pub use fault::{BlockFault, Wanted};
+pub use notation::Notation;
 
 use crate::control::text;
 
@@ -55,6 +53,7 @@ pub struct Program {
     text: String,
     encoding: Encoding,
     lines: lines::Lines,
+    notation: Notation,
     blocks: Vec<Block>,
     labels: labels::Labels,
 }
@@ -63,6 +62,11 @@ impl Program {
     /// The blocks in the order of the text; every line that is not blank belongs to exactly one.
     pub fn blocks(&self) -> &[Block] {
         &self.blocks
+    }
+
+    /// How it is written.
+    pub const fn notation(&self) -> Notation {
+        self.notation
     }
 
     /// The name after `BEGIN PGM`, if there is one.

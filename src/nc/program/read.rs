@@ -1,29 +1,21 @@
-//! From text to blocks, with warnings.
+//! From bytes to blocks, with warnings: text, notation, labels. The notations read the blocks.
 
-use super::block::{Block, Body, Place, Unit};
-use super::cursor::Cursor;
-use super::cut_off::{Before, CutOff, cut_off};
+use super::block::Place;
 use super::error::{ProgramError, ProgramWarning, ProgramWarningKind};
-use super::fault::BlockFault;
 use super::labels::Labels;
-use super::lines::{Front, Lines, Piece, first, front, next, trimmed};
-use super::understand::{Odd, understand};
-use super::{Encoding, Program};
+use super::lines::Lines;
+use super::notation::Notation;
+use super::warnings::Warnings;
+use super::{Encoding, Program, klartext};
 
 /// The largest file, 64 MiB: a program of about two million blocks.
 const LARGEST: usize = 64 << 20;
 /// The most lines.
 const MOST_LINES: usize = 2_000_000;
-/// The most text in formulas and in lines longer than [`LONG`], 8 MiB: once read, it takes up to fifty times its length
-/// in memory. Real programs stay far below.
-const MOST_FORMULAS: usize = 8 << 20;
-/// A line from this length on is long: a control's has about 250 characters.
-const LONG: usize = 256;
-/// How many warnings are listed one by one.
-const MOST_WARNINGS: usize = 500;
 
 impl Program {
-    /// Reads a program: UTF-8 or Windows-1252, any line ends. Text is never an error; there is a list of warnings.
+    /// Reads a program in any notation: UTF-8 or Windows-1252, any line ends. Text is never an error; there is a list of
+    /// warnings.
     ///
     /// ```
     /// use fitcheck::nc::program::{Body, Program, Target};
@@ -47,7 +39,11 @@ impl Program {
         is_text(bytes)?;
         let (text, encoding) = Encoding::decode(bytes);
         let lines = Lines::of(&text, MOST_LINES).ok_or(ProgramError::TooManyLines { most: MOST_LINES })?;
-        let (blocks, mut warnings) = Reader::new(&text, &lines).read();
+        let notation = Notation::of(&text, &lines);
+        let mut warnings = Warnings::default();
+        let blocks = match notation {
+            Notation::Klartext => klartext::read(&text, &lines, &mut warnings),
+        };
         if blocks.is_empty() {
             return Err(ProgramError::Empty);
         }
@@ -56,7 +52,7 @@ impl Program {
             let place = Place { line: again.line, column: 1 };
             warnings.add(place, || ProgramWarningKind::LabelAgain { label: again.label.clone(), first: again.first });
         }
-        let program = Self { text, encoding, lines, blocks, labels };
+        let program = Self { text, encoding, lines, notation, blocks, labels };
         Ok((program, warnings.sorted()))
     }
 }
@@ -74,202 +70,4 @@ fn is_text(bytes: &[u8]) -> Result<(), ProgramError> {
         return Err(ProgramError::Binary { controls: zeros + odd, bytes: bytes.len() });
     }
     Ok(())
-}
-
-/// Warnings, of which only the first are kept.
-#[derive(Debug, Default)]
-struct Warnings {
-    kept: Vec<(Place, ProgramWarningKind)>,
-    dropped: usize,
-}
-
-impl Warnings {
-    fn add(&mut self, place: Place, what: impl FnOnce() -> ProgramWarningKind) {
-        if self.kept.len() < MOST_WARNINGS {
-            self.kept.push((place, what()));
-        } else {
-            self.dropped += 1;
-        }
-    }
-
-    fn sorted(mut self) -> Vec<ProgramWarning> {
-        self.kept.sort_by_key(|(place, _)| *place);
-        if let (Some(&(place, _)), true) = (self.kept.last(), 0 < self.dropped) {
-            self.kept.push((place, ProgramWarningKind::More { count: self.dropped }));
-        }
-        self.kept.into_iter().map(|(place, what)| ProgramWarning { what, place: place.into() }).collect()
-    }
-}
-
-/// A number that does not rise.
-#[derive(Debug, Clone, Copy)]
-struct NotRising {
-    line: usize,
-    number: u32,
-    previous: u32,
-    count: usize,
-}
-
-struct Reader<'a> {
-    text: &'a str,
-    lines: &'a Lines,
-    warnings: Warnings,
-    blocks: Vec<Block>,
-    pieces: Vec<Piece<'a>>,
-    formulas: usize,
-    number: Option<u32>,
-    /// The cycle directly before.
-    cycle: Option<Before>,
-    not_rising: Option<NotRising>,
-    begin: Option<Unit>,
-    has_end: bool,
-    has_text_after_end: bool,
-}
-
-impl<'a> Reader<'a> {
-    fn new(text: &'a str, lines: &'a Lines) -> Self {
-        Self {
-            text,
-            lines,
-            warnings: Warnings::default(),
-            blocks: Vec::new(),
-            pieces: Vec::new(),
-            formulas: 0,
-            number: None,
-            cycle: None,
-            not_rising: None,
-            begin: None,
-            has_end: false,
-            has_text_after_end: false,
-        }
-    }
-
-    fn read(mut self) -> (Vec<Block>, Warnings) {
-        let mut line = 0;
-        while line < self.lines.count() {
-            line = if trimmed(self.line(line)).is_empty() { line + 1 } else { self.block(line) };
-        }
-        if let Some(NotRising { line, number, previous, count }) = self.not_rising {
-            self.warn(line, 0, ProgramWarningKind::Numbers { number, previous, count });
-        }
-        if let (false, Some(last)) = (self.has_end, self.blocks.last()) {
-            self.warn(last.lines.end - 1, 0, ProgramWarningKind::NoEnd);
-        }
-        (self.blocks, self.warnings)
-    }
-
-    fn line(&self, line: usize) -> &'a str {
-        self.lines.line(self.text, line)
-    }
-
-    /// A place in a line: bytes turned into characters.
-    fn place(&self, line: usize, at: usize) -> Place {
-        let before = self.line(line).get(..at).map_or(0, |before| before.chars().count());
-        Place { line: line + 1, column: before + 1 }
-    }
-
-    fn warn(&mut self, line: usize, at: usize, what: ProgramWarningKind) {
-        let place = self.place(line, at);
-        self.warnings.add(place, || what);
-    }
-
-    /// Reads the block that begins in a line; returns the line after it.
-    fn block(&mut self, line: usize) -> usize {
-        let front = front(self.line(line));
-        let end = self.collect(line, front.end);
-        self.check_number(line, front);
-        let read = self.weigh().and_then(|()| understand(&self.pieces, |line, at| self.place(line, at)));
-        let body = read.unwrap_or_else(|Odd { line, at, what }| {
-            self.warn(line, at, what);
-            Body::Other
-        });
-        let found = cut_off(self.cycle.as_ref(), front, &self.pieces, &body);
-        let is_cut_off = found.is_some();
-        let body = match found {
-            Some(CutOff { piece, what, is_refused }) => {
-                let (line, at) = self.pieces.get(piece).map_or((line, 0), |piece| (piece.line, piece.start));
-                self.warn(line, at, what);
-                if is_refused { Body::Other } else { body }
-            }
-            None => body,
-        };
-        self.cycle = Before::after(self.cycle.take(), front, &body, end, is_cut_off);
-        self.check_frame(line, &body);
-        let Front { number, may_be_skipped, .. } = front;
-        self.blocks.push(Block { lines: line..end, number, may_be_skipped, body });
-        end
-    }
-
-    /// Parses the lines of a block; returns the line after it. A comment that is a block of its own continues as a
-    /// comment; otherwise every line is parsed. Blank lines are skipped.
-    fn collect(&mut self, line: usize, from: usize) -> usize {
-        self.pieces.clear();
-        let mut last = first(self.line(line), line, from);
-        self.pieces.push(last);
-        let is_comment = last.code.is_empty() && last.comment.is_some();
-        let is_heading = last.code.starts_with('*');
-        let mut end = line + 1;
-        while last.goes_on {
-            while end < self.lines.count() && trimmed(self.line(end)).is_empty() {
-                end += 1;
-            }
-            if self.lines.count() <= end {
-                self.warn(last.line, 0, ProgramWarningKind::OpenEnd);
-                return last.line + 1;
-            }
-            last = next(self.line(end), end, 0);
-            if is_comment || is_heading {
-                let comment = Some(trimmed(self.line(end)));
-                last = Piece { code: "", comment, open_quote: None, ..last };
-            }
-            self.pieces.push(last);
-            end += 1;
-        }
-        end
-    }
-
-    /// Counts the total of formulas and long lines; too much is an error.
-    fn weigh(&mut self) -> Result<(), Odd> {
-        let Some(&first) = self.pieces.first() else { return Ok(()) };
-        let is_formula = ["Q", "FN", "DECLARE"].iter().any(|word| Cursor::new(first.code).take_prefix(word));
-        let lengths = self.pieces.iter().map(|piece| piece.code.len());
-        let weight: usize = lengths.filter(|length| is_formula || LONG < *length).sum();
-        self.formulas = self.formulas.saturating_add(weight);
-        if weight == 0 || self.formulas <= MOST_FORMULAS {
-            return Ok(());
-        }
-        let reason = BlockFault::TooMuch { most: MOST_FORMULAS >> 20 };
-        Err(Odd { line: first.line, at: first.start, what: ProgramWarningKind::NotUnderstood(reason) })
-    }
-
-    fn check_number(&mut self, line: usize, front: Front) {
-        let Some(number) = front.number else { return };
-        if let Some(previous) = self.number.filter(|&previous| number <= previous) {
-            let first = NotRising { line, number, previous, count: 0 };
-            self.not_rising.get_or_insert(first).count += 1;
-        }
-        self.number = Some(number);
-    }
-
-    /// Checks that the program begins and ends correctly.
-    fn check_frame(&mut self, line: usize, body: &Body) {
-        if self.has_end && !self.has_text_after_end {
-            self.has_text_after_end = true;
-            self.warn(line, 0, ProgramWarningKind::AfterEnd);
-        }
-        match body {
-            Body::Begin { .. } if self.begin.is_some() => self.warn(line, 0, ProgramWarningKind::SecondBegin),
-            Body::Begin { unit, .. } => self.begin = Some(*unit),
-            Body::End { unit, .. } if !self.has_end => {
-                self.has_end = true;
-                if let Some(begin) = self.begin.filter(|begin| begin != unit) {
-                    self.warn(line, 0, ProgramWarningKind::Units { begin, end: *unit });
-                }
-            }
-            _ => {}
-        }
-        if self.blocks.is_empty() && !matches!(body, Body::Begin { .. }) {
-            self.warn(line, 0, ProgramWarningKind::NoBegin);
-        }
-    }
 }

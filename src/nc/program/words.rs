@@ -56,8 +56,8 @@ pub(super) const AXES: [(&str, Axis); 9] = [
     ("W", Axis::W),
 ];
 
-/// Corrections of the tool radius.
-pub(super) const COMPENSATIONS: [&str; 3] = ["R0", "RL", "RR"];
+/// Corrections of the tool radius; those with a sign belong to paraxial positioning.
+pub(super) const COMPENSATIONS: [&str; 5] = ["R0", "RL", "RR", "R+", "R-"];
 
 /// The deepest level of headings; deeper ones count as this level. A control's line is far shorter.
 pub(super) const DEEPEST: usize = 50;

@@ -28,14 +28,15 @@ pub fn program<'a>(blocks: impl IntoIterator<Item = (&'a Body, &'a str)>) -> Str
     text
 }
 
-/// The lines of a block; none for [`Body::Other`], because a body does not hold its text.
+/// The lines of a block; none for a block that is only read ([`Body::Other`], [`Body::PassedOver`], [`Body::Frame`],
+/// [`Body::SystemRead`]), because a body does not hold its text.
 ///
 /// Characters that would end a text are removed: line ends, quotation marks within others, a `~` at a line's end.
 ///
 /// ```
-/// use fitcheck::nc::program::{Body, Target, write};
+/// use fitcheck::nc::program::{Body, Operand, Target, write};
 ///
-/// let call = Body::CallLabel { label: Target::Name("LOOP".to_owned()), repeat: Some(3) };
+/// let call = Body::CallLabel { label: Target::Name("LOOP".to_owned()), repeat: Some(Operand::Number(3.0)) };
 /// assert_eq!(write::block(7, &call), ["7  CALL LBL \"LOOP\" REP 3"]);
 /// ```
 pub fn block(number: u32, body: &Body) -> Vec<String> {
@@ -48,10 +49,11 @@ pub fn commented(number: u32, body: &Body, comment: &str) -> Vec<String> {
     let comment = cleaned(comment);
     let front = format!("{number:<2} ");
     let (first, cycle) = match body {
-        Body::Other => return Vec::new(),
+        Body::Other | Body::PassedOver(_) | Body::Frame(_) | Body::SystemRead { .. } => return Vec::new(),
         Body::Nothing => (format!(";{comment}"), None),
         Body::Probe(cycle) => (format!("TCH PROBE {} {}", cycle.number, cleaned(&cycle.name)), Some(cycle)),
         Body::CycleDefinition(cycle) => (format!("CYCL DEF {} {}", cycle.number, cleaned(&cycle.name)), Some(cycle)),
+        Body::GlobalDefinition(cycle) => (format!("GLOBAL DEF {} {}", cycle.number, cleaned(&cycle.name)), Some(cycle)),
         body => (said(body), None),
     };
     let mut line = format!("{front}{}", first.trim_end());
@@ -104,8 +106,11 @@ fn said(body: &Body) -> String {
         }
         Body::Label(label) => format!("LBL {label}"),
         Body::CallLabel { label, repeat: None } => format!("CALL LBL {label}"),
-        Body::CallLabel { label, repeat: Some(repeat) } => format!("CALL LBL {label} REP {repeat}"),
+        Body::CallLabel { label, repeat: Some(repeat) } => format!("CALL LBL {label} REP {}", plain(*repeat)),
         Body::CallProgram(path) => format!("CALL PGM {}", path_operand(path)),
+        Body::SelectProgram(path) => format!("SEL PGM {}", path_operand(path)),
+        Body::CallSelectedProgram => "CALL SELECTED PGM".to_owned(),
+        Body::Mode(mode) => format!("FUNCTION MODE {mode}"),
         Body::Assign { to, value } => formula(*to, value),
         Body::Undefine(parameter) => format!("FN 0: {parameter} SET UNDEFINED"),
         Body::AssignText { to, value: text @ TextExpression::Value(TextOperand::Text(_)) } => {
@@ -131,7 +136,14 @@ fn said(body: &Body) -> String {
         Body::Move(movement) => line(movement),
         Body::MachineFunctions(functions) => machine_functions(functions),
         Body::Stop(functions) => format!("STOP {}", machine_functions(functions)),
-        Body::Nothing | Body::Other | Body::Probe(_) | Body::CycleDefinition(_) => String::new(),
+        Body::Nothing
+        | Body::Other
+        | Body::Probe(_)
+        | Body::CycleDefinition(_)
+        | Body::GlobalDefinition(_)
+        | Body::PassedOver(_)
+        | Body::Frame(_)
+        | Body::SystemRead { .. } => String::new(),
     }
 }
 

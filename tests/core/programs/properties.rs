@@ -341,7 +341,10 @@ fn body() -> impl Strategy<Value = Body> {
         Just(Body::Nothing),
         (1..9_usize, words()).prop_map(|(depth, text)| Body::Heading { depth, text }),
         known_label().prop_map(Body::Label),
-        (label(), prop::option::of(0..=65_534_u32)).prop_map(|(label, repeat)| Body::CallLabel { label, repeat }),
+        (label(), prop::option::of(0..=65_534_u32)).prop_map(|(label, repeat)| Body::CallLabel {
+            label,
+            repeat: repeat.map(|repeat| Operand::Number(f64::from(repeat)))
+        }),
         text_operand().prop_map(Body::CallProgram),
         (numeric(), prop_oneof![formula().boxed(), special().boxed()])
             .prop_map(|(to, value)| Body::Assign { to, value }),

@@ -248,7 +248,7 @@ fn labels_and_calls() {
     check(&["CALL LBL 7", "CALL LBL7"], &call(Target::Number(7), None));
     check(&["CALL LBL \"NAME\""], &call(name("NAME"), None));
     check(&["CALL LBL QS5"], &call(Target::Parameter(Parameter::qs(5)), None));
-    check(&["CALL LBL 5 REP 3", "CALL LBL 5 REP3", "CALL LBL 5 REP 3/3"], &call(Target::Number(5), Some(3)));
+    check(&["CALL LBL 5 REP 3", "CALL LBL 5 REP3", "CALL LBL 5 REP 3/3"], &call(Target::Number(5), Some(number(3.0))));
     check(&["CALL PGM TNC:\\Plan.h", "CALL PGM TNC:\\Plan.h ;x"], &Body::CallProgram(text("TNC:\\Plan.h")));
     check(&["CALL PGM ..\\a b.h"], &Body::CallProgram(text("..\\a b.h")));
     check(&["CALL PGM \"TNC:\\a;b.h\""], &Body::CallProgram(text("TNC:\\a;b.h")));

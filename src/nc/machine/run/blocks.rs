@@ -133,8 +133,8 @@ impl Run {
             Body::Probe(cycle) => return self.probe(at, cycle, files, settings),
             Body::Other if is_blank_form(self.flow.program(), at) => {}
             // An unknown block stops the run, or is skipped if the user has chosen so.
-            Body::CycleDefinition(_) | Body::Other if settings.skip_unknown => self.remark(at, Remark::Skipped),
-            Body::CycleDefinition(_) | Body::Other => return Err(FaultKind::UnknownBlock),
+            _ if settings.skip_unknown => self.remark(at, Remark::Skipped),
+            _ => return Err(FaultKind::UnknownBlock),
         }
         Ok(Step::Went)
     }

@@ -1,13 +1,14 @@
 //! From the lines of one block to what it says.
 
-use super::block::{Body, CycleBlock, Place};
+use super::super::block::{Body, CycleBlock, Place};
+use super::super::cursor::{Cursor, Stop};
+use super::super::error::ProgramWarningKind;
+use super::super::fault::BlockFault;
+use super::super::lines::Piece;
+use super::super::words::DEEPEST;
+use super::around;
 use super::body::body;
-use super::cursor::{Cursor, Stop};
 use super::cycle;
-use super::error::ProgramWarningKind;
-use super::fault::BlockFault;
-use super::lines::Piece;
-use super::words::DEEPEST;
 
 /// The longest block that is parsed, in bytes; a control accepts a few hundred characters per line.
 const LONGEST: usize = 1 << 16;
@@ -34,8 +35,15 @@ pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> P
     if cursor.take_words(&["TCH", "PROBE"]) {
         return cycle(cursor, first, more, place).map(Body::Probe);
     }
+    if cursor.take_words(&["GLOBAL", "DEF"]) {
+        return cycle(cursor, first, more, place).map(Body::GlobalDefinition);
+    }
     if cursor.take_words(&["CYCL", "DEF"]) {
-        return cycle(cursor, first, more, place).map(Body::CycleDefinition);
+        let dotted = around::dotted(&mut cursor).map_err(|Stop { at, reason }| not_understood(first, at, reason))?;
+        return match dotted {
+            Some(body) => Ok(body),
+            None => cycle(cursor, first, more, place).map(around::defined),
+        };
     }
     // A comment that ends in ~ continues on the next line; only without a comment does the block itself continue.
     let pieces = if first.comment.is_some() { std::slice::from_ref(first) } else { pieces };

@@ -1,10 +1,12 @@
 //! What a block says: its first words decide which function reads the rest.
 
-use super::block::{Body, Target, Unit};
-use super::cursor::{Cursor, Read};
-use super::fault::{BlockFault, Wanted};
+use super::super::block::{Body, Operand, Target, Unit};
+use super::super::cursor::{Cursor, Read};
+use super::super::fault::{BlockFault, Wanted};
+use super::around::{around, is_axis_word};
 use super::functions::{assignment, declaration, function};
 use super::moves::{is_machine_function, line, machine_functions, tool_call};
+use crate::control::variables::Family;
 
 /// The largest number of a label.
 const MOST_LABEL: u32 = 65_535;
@@ -28,6 +30,7 @@ fn known(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
             Ok(Some(Body::Begin { name, unit }))
         }
         'C' if cursor.take_words(&["CALL", "LBL"]) => call_label(cursor).map(Some),
+        'C' if cursor.take_words(&["CALL", "SELECTED", "PGM"]) => Ok(Some(Body::CallSelectedProgram)),
         'C' if cursor.take_words(&["CALL", "PGM"]) => Ok(Some(Body::CallProgram(cursor.path(None)?))),
         'D' if cursor.take_words(&["DECLARE", "STRING"]) => declaration(cursor).map(Some),
         'E' if cursor.take_words(&["END", "PGM"]) => {
@@ -42,9 +45,12 @@ fn known(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
             Some(_) => assignment(cursor).map(Some),
             None => Ok(None),
         },
+        'S' if cursor.take_words(&["SEL", "PGM"]) => Ok(Some(Body::SelectProgram(cursor.path(None)?))),
         'S' if cursor.take_word("STOP") => Ok(Some(Body::Stop(machine_functions(cursor)?))),
         'T' if cursor.take_words(&["TOOL", "CALL"]) => tool_call(cursor).map(Some),
-        _ => Ok(None),
+        // Paraxial positioning begins with its axis.
+        _ if is_axis_word(cursor) => line(cursor).map(Some),
+        _ => around(cursor),
     }
 }
 
@@ -89,12 +95,15 @@ pub(super) fn target(cursor: &mut Cursor<'_>) -> Read<Target> {
     }
 }
 
-/// `CALL LBL 5 REP 3`, also `REP3` and the old `REP 25/25`: its second number counted the repeats left.
+/// `CALL LBL 5 REP 3`, also `REP3`, `REP Q7` and the old `REP 25/25`: its second number counted the repeats left.
 fn call_label(cursor: &mut Cursor<'_>) -> Read<Body> {
     let label = target(cursor)?;
     let mut repeat = None;
     if cursor.take_word("REP") {
-        repeat = Some(cursor.expect_whole(MOST_REPEATS)?);
+        repeat = Some(match cursor.parameter()?.filter(|parameter| parameter.family != Family::Qs) {
+            Some(parameter) => Operand::Parameter { parameter, is_negative: false },
+            None => Operand::Number(f64::from(cursor.expect_whole(MOST_REPEATS)?)),
+        });
         if cursor.take('/') {
             cursor.expect_whole(MOST_REPEATS)?;
         }

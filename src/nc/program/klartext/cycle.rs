@@ -1,9 +1,9 @@
 //! Cycles: `TCH PROBE` and `CYCL DEF` with the lines after them.
 
-use super::block::{CycleBlock, CycleLine, CycleValue, Place, TextOperand};
-use super::cursor::{Cursor, Read, Stop};
-use super::fault::{BlockFault, Wanted};
-use super::lines::Piece;
+use super::super::block::{CycleBlock, CycleLine, CycleValue, Place, TextOperand};
+use super::super::cursor::{Cursor, Read, Stop};
+use super::super::fault::{BlockFault, Wanted};
+use super::super::lines::Piece;
 use crate::control::variables::Family;
 
 /// The number and the name, after `TCH PROBE` or `CYCL DEF`.

@@ -4,10 +4,10 @@
 //! `Q275=+25.01` is an assignment, and the cycle would measure without its limit. So such a line is refused, and so is a block
 //! that a comment's `~` has swallowed.
 
-use super::block::{Body, CycleBlock};
+use super::super::block::{Body, CycleBlock};
+use super::super::error::ProgramWarningKind;
+use super::super::lines::{Front, Piece, front};
 use super::body::body;
-use super::error::ProgramWarningKind;
-use super::lines::{Front, Piece, front};
 use crate::control::variables::Parameter;
 use crate::probing::cycle::{Control, Cycle};
 use crate::probing::cycles::cycles_of;

@@ -1,13 +1,14 @@
 //! Blocks that begin with `FN`, and assignments.
 
-use super::block::{Body, Columns, Condition, Operand};
+use super::super::block::{Body, Columns, Condition, Operand};
+use super::super::cursor::{Cursor, Read};
+use super::super::expression::{Expression, NumberFunction, Operation};
+use super::super::fault::{BlockFault, Wanted};
+use super::super::formula::{binary, expression};
+use super::super::text_formula::text_expression;
+use super::super::words::{OPERATIONS, RELATIONS, word};
+use super::around::still;
 use super::body::target;
-use super::cursor::{Cursor, Read};
-use super::expression::{Expression, NumberFunction, Operation};
-use super::fault::{BlockFault, Wanted};
-use super::formula::{binary, expression};
-use super::text_formula::text_expression;
-use super::words::{OPERATIONS, RELATIONS, word};
 use crate::control::variables::Family;
 
 /// `FN n: …`, after the word `FN`. Functions that Fitcheck does not run are [`Body::Other`].
@@ -32,6 +33,11 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
             cursor.expect_word("TABOPEN")?;
             Ok(Body::TableOpen(cursor.path(None)?))
         }
+        15 | 17 | 19 | 20 | 29 | 37 | 38 => {
+            cursor.take_rest();
+            Ok(still(&format!("FN {number}")))
+        }
+        18 => system_read(cursor),
         27 => table_write(cursor),
         28 => table_read(cursor),
         _ => {
@@ -174,6 +180,15 @@ fn table_read(cursor: &mut Cursor<'_>) -> Read<Body> {
     cursor.expect('=', "=")?;
     let (row, columns) = cell(cursor)?;
     Ok(Body::TableRead { to, row, columns })
+}
+
+/// `SYSREAD Q2 = ID50 NR19 IDXQ1`
+fn system_read(cursor: &mut Cursor<'_>) -> Read<Body> {
+    cursor.expect_word("SYSREAD")?;
+    let to = cursor.number_parameter()?;
+    cursor.expect('=', "=")?;
+    cursor.take_rest();
+    Ok(Body::SystemRead { to })
 }
 
 fn table_write(cursor: &mut Cursor<'_>) -> Read<Body> {

@@ -1,9 +1,9 @@
 //! Straight lines, tool calls and M functions.
 
-use super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand, TextOperand, Tool};
-use super::cursor::{Cursor, Read, Stop};
-use super::fault::BlockFault;
-use super::words::{AXES, COMPENSATIONS, meaning};
+use super::super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand, TextOperand, Tool};
+use super::super::cursor::{Cursor, Read, Stop};
+use super::super::fault::BlockFault;
+use super::super::words::{AXES, COMPENSATIONS, meaning};
 use crate::control::variables::Family;
 
 /// The largest number of an M function.
@@ -32,7 +32,7 @@ pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// `IX+2,5`; blanks may occur anywhere in it.
-fn axis_word(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
+pub(super) fn axis_word(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
     let mut ahead = cursor.clone();
     let is_incremental = ahead.take_prefix("I");
     let Some(axis) = axis_letter(&mut ahead) else { return Ok(None) };
@@ -41,7 +41,7 @@ fn axis_word(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
     Ok(Some(AxisWord { axis, is_incremental, value }))
 }
 
-fn axis_letter(cursor: &mut Cursor<'_>) -> Option<Axis> {
+pub(super) fn axis_letter(cursor: &mut Cursor<'_>) -> Option<Axis> {
     let letter = cursor.next().filter(char::is_ascii_alphabetic)?;
     let axis = meaning(&AXES, letter.encode_utf8(&mut [0; 4]))?;
     cursor.take(letter);

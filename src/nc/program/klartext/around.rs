@@ -1,0 +1,331 @@
+//! Blocks around a measurement: what changes the system that coordinates count in, and what is passed over.
+//!
+//! Known by their first words; what is passed over is not checked further. Forms: `docs/SOURCES.md`, "Around a measurement".
+
+use super::super::around::{Frame, Goes, Mode, PassedOver};
+use super::super::block::{Axis, AxisWord, Body, CycleBlock, CycleValue, MachineFunction, Operand, Place};
+use super::super::cursor::{Cursor, Read};
+use super::super::lines::Piece;
+use super::super::words::AXES;
+use super::cycle;
+use super::moves::{axis_letter, axis_word, is_machine_function, machine_functions};
+
+/// Where the words of a path end up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum End {
+    /// At the axes that the block names; the others stay.
+    Written,
+    /// At a place that only the control computes, apart from axes that are named.
+    Computed,
+    /// Where it began: poles, roundings.
+    Here,
+}
+
+/// Paths by their first word.
+const PATHS: [(&str, End); 18] = [
+    ("LN", End::Written),
+    ("LP", End::Computed),
+    ("CC", End::Here),
+    ("CR", End::Written),
+    ("CTP", End::Computed),
+    ("CT", End::Written),
+    ("CP", End::Computed),
+    ("C", End::Written),
+    ("RND", End::Here),
+    ("CHF", End::Here),
+    ("FLT", End::Computed),
+    ("FL", End::Computed),
+    ("FCT", End::Computed),
+    ("FC", End::Computed),
+    ("FPOL", End::Here),
+    ("FSELECT", End::Here),
+    ("POLARKIN", End::Here),
+    ("SPL", End::Computed),
+];
+
+/// Paths onto a contour and away from it; the words with P have a polar end.
+const CONTOUR_ENDS: [(&str, &str, End); 16] = [
+    ("APPR", "LT", End::Written),
+    ("APPR", "LN", End::Written),
+    ("APPR", "CT", End::Written),
+    ("APPR", "LCT", End::Written),
+    ("APPR", "PLT", End::Computed),
+    ("APPR", "PLN", End::Computed),
+    ("APPR", "PCT", End::Computed),
+    ("APPR", "PLCT", End::Computed),
+    ("DEP", "LT", End::Computed),
+    ("DEP", "LN", End::Computed),
+    ("DEP", "CT", End::Computed),
+    ("DEP", "LCT", End::Written),
+    ("DEP", "PLT", End::Computed),
+    ("DEP", "PLN", End::Computed),
+    ("DEP", "PCT", End::Computed),
+    ("DEP", "PLCT", End::Computed),
+];
+
+/// Blocks by their first two words that move nothing.
+const SETTINGS: [(&str, &str); 12] = [
+    ("BLK", "FORM"),
+    ("TOOL", "DEF"),
+    ("PATTERN", "DEF"),
+    ("CONTOUR", "DEF"),
+    ("DECLARE", "CONTOUR"),
+    ("SEL", "PATTERN"),
+    ("SEL", "CONTOUR"),
+    ("SEL", "TABLE"),
+    ("RESET", "TCPM"),
+    ("SECTION", "MONITORING"),
+    ("MONITORING", "SECTION"),
+    ("MONITORING", "HEATMAP"),
+];
+
+/// Functions after `FUNCTION` that neither change the system nor files.
+const FUNCTIONS: [&str; 15] = [
+    "TCPM",
+    "DWELL",
+    "FEED",
+    "S-PULSE",
+    "TURNDATA",
+    "PARAXCOMP",
+    "PARAXMODE",
+    "PROG",
+    "COUNT",
+    "LIFTOFF",
+    "DCM",
+    "AFC",
+    "TOOL",
+    "DRESS",
+    "MONITORING",
+];
+
+/// A block around a measurement, if it is one.
+pub(super) fn around(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
+    if cursor.take_words(&["FUNCTION", "MODE"]) {
+        return Ok(mode(cursor));
+    }
+    if cursor.take_word("FUNCTION") {
+        let name = FUNCTIONS.into_iter().find(|name| cursor.take_prefix(name));
+        cursor.take_rest();
+        return Ok(name.map(|name| still(&format!("FUNCTION {name}"))));
+    }
+    if cursor.take_word("PLANE") {
+        return plane(cursor).map(|frame| Some(Body::Frame(frame)));
+    }
+    if cursor.take_word("TRANS") {
+        return transformation(cursor);
+    }
+    if cursor.take_words(&["PRESET", "SELECT"]) {
+        cursor.take_rest();
+        return Ok(Some(Body::Frame(Frame::Preset(None))));
+    }
+    if cursor.take_words(&["CYCL", "CALL"]) {
+        return path(cursor, "CYCL CALL".to_owned(), End::Computed).map(Some);
+    }
+    if let Some((first, second, end)) =
+        CONTOUR_ENDS.into_iter().find(|(first, second, _)| cursor.take_words(&[first, second]))
+    {
+        return path(cursor, format!("{first} {second}"), end).map(Some);
+    }
+    if let Some((first, second)) = SETTINGS.into_iter().find(|(first, second)| cursor.take_words(&[first, second])) {
+        cursor.take_rest();
+        return Ok(Some(still(&format!("{first} {second}"))));
+    }
+    match PATHS.into_iter().find(|(word, _)| cursor.take_word(word)) {
+        Some((word, end)) => path(cursor, word.to_owned(), end).map(Some),
+        None => Ok(None),
+    }
+}
+
+/// A block that is passed over and moves nothing.
+pub(super) fn still(words: &str) -> Body {
+    Body::PassedOver(PassedOver { words: words.to_owned(), goes: Goes::default(), machine: Vec::new() })
+}
+
+/// Whether an axis with its value comes next: paraxial positioning begins with it (`X+37.8 R0 FMAX`).
+pub(super) fn is_axis_word(cursor: &Cursor<'_>) -> bool {
+    let mut ahead = cursor.clone();
+    ahead.take_prefix("I");
+    axis_letter(&mut ahead).is_some()
+        && ahead.rest().starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | 'Q' | 'q'))
+}
+
+/// The rest of a path: axes and M functions are read, everything else is left.
+fn path(cursor: &mut Cursor<'_>, words: String, end: End) -> Read<Body> {
+    let mut goes = Goes { is_unknown: end == End::Computed, axes: Vec::new() };
+    let mut machine: Vec<MachineFunction> = Vec::new();
+    while !cursor.is_at_end() {
+        if is_machine_function(cursor) {
+            machine = machine_functions(cursor)?;
+        } else if let Some(word) = axis(cursor)? {
+            goes.axes.push(word);
+        } else {
+            cursor.take_while(|c| !c.is_whitespace());
+        }
+    }
+    if end == End::Here {
+        goes.axes.clear();
+    }
+    Ok(Body::PassedOver(PassedOver { words, goes, machine }))
+}
+
+/// `X+10`, `IY - 5`, if it comes next.
+fn axis(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
+    let mut ahead = cursor.clone();
+    ahead.take_prefix("I");
+    let is_value = axis_letter(&mut ahead).is_some()
+        && matches!(ahead.next(), Some('0'..='9' | '+' | '-' | '.' | 'Q' | 'q'));
+    if is_value { axis_word(cursor) } else { Ok(None) }
+}
+
+/// `FUNCTION MODE …`, after the words; a name of a kinematics may follow.
+fn mode(cursor: &mut Cursor<'_>) -> Option<Body> {
+    let modes = [("MILL", Mode::Mill), ("TURN", Mode::Turn), ("GRIND", Mode::Grind)];
+    let mode = modes.into_iter().find(|(word, _)| cursor.take_word(word)).map(|(_, mode)| Body::Mode(mode));
+    cursor.take_rest();
+    mode
+}
+
+/// `PLANE …`, after the word.
+fn plane(cursor: &mut Cursor<'_>) -> Read<Frame> {
+    if cursor.take_word("RESET") {
+        cursor.take_rest();
+        return Ok(Frame::NoTilt);
+    }
+    if !cursor.take_word("SPATIAL") {
+        cursor.take_rest();
+        return Ok(Frame::OtherTilt);
+    }
+    let mut angles = Vec::new();
+    for word in ["SPA", "SPB", "SPC"] {
+        if cursor.take_prefix(word) {
+            angles.push(cursor.operand()?);
+        }
+    }
+    cursor.take_rest();
+    Ok(Frame::Tilt(angles))
+}
+
+/// `TRANS …`, after the word: the newer form of cycles 7, 8, 10 and 11.
+fn transformation(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
+    let frame = if cursor.take_word("DATUM") {
+        if cursor.take_word("AXIS") {
+            Frame::Shift(axes(cursor)?)
+        } else if cursor.take_word("RESET") {
+            Frame::NoShift
+        } else {
+            Frame::ShiftFromTable
+        }
+    } else if cursor.take_word("MIRROR") {
+        cursor.take_word("AXIS");
+        let is_reset = cursor.take_word("RESET");
+        Frame::Mirror(if is_reset { Vec::new() } else { letters(cursor) })
+    } else if cursor.take_word("ROTATION") {
+        if cursor.take_word("RESET") { rotation(Operand::Number(0.0), false) } else { rotated(cursor)? }
+    } else if cursor.take_word("SCALE") {
+        if cursor.take_word("RESET") { Frame::Scaling(Operand::Number(1.0)) } else { scaled(cursor)? }
+    } else {
+        return Ok(None);
+    };
+    cursor.take_rest();
+    Ok(Some(Body::Frame(frame)))
+}
+
+/// Axes with their values, up to the first word that is none.
+fn axes(cursor: &mut Cursor<'_>) -> Read<Vec<AxisWord>> {
+    let mut found = Vec::new();
+    while let Some(word) = axis(cursor)? {
+        found.push(word);
+    }
+    Ok(found)
+}
+
+/// Letters of axes, up to the first word that is none.
+fn letters(cursor: &mut Cursor<'_>) -> Vec<Axis> {
+    let mut found = Vec::new();
+    while let Some((_, axis)) = AXES.into_iter().find(|(letter, _)| cursor.take_word(letter)) {
+        found.push(axis);
+    }
+    found
+}
+
+const fn rotation(angle: Operand, is_incremental: bool) -> Frame {
+    Frame::Rotation { angle, is_incremental }
+}
+
+/// `ROT+30`, `IROT+10`
+fn rotated(cursor: &mut Cursor<'_>) -> Read<Frame> {
+    let is_incremental = cursor.take_prefix("I");
+    if !cursor.take_prefix("ROT") {
+        return Err(cursor.stop(super::super::fault::Wanted::Word("ROT")));
+    }
+    Ok(rotation(cursor.operand()?, is_incremental))
+}
+
+/// `SCL 0.99`
+fn scaled(cursor: &mut Cursor<'_>) -> Read<Frame> {
+    if !cursor.take_prefix("SCL") {
+        return Err(cursor.stop(super::super::fault::Wanted::Word("SCL")));
+    }
+    Ok(Frame::Scaling(cursor.operand()?))
+}
+
+/// A cycle of `CYCL DEF` whose lines are blocks of their own: `CYCL DEF 7.1 X+60`, after the two words. `None` for the
+/// others, which have their lines within one block.
+pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
+    let mut ahead = cursor.clone();
+    let Some((number, part)) = ahead.number_text().and_then(|number| number.split_once('.')) else { return Ok(None) };
+    let (number, part) = (number.to_owned(), part.to_owned());
+    *cursor = ahead;
+    let frame = match (number.as_str(), part.as_str()) {
+        ("7" | "8" | "10" | "11" | "19" | "26", "0") => {
+            cursor.take_rest();
+            Frame::Title
+        }
+        ("7", _) if cursor.take('#') => {
+            cursor.take_rest();
+            Frame::ShiftFromTable
+        }
+        ("7", _) => Frame::Shift(axes(cursor)?),
+        ("8", _) => Frame::Mirror(letters(cursor)),
+        ("10", _) => rotated(cursor)?,
+        ("11", _) => scaled(cursor)?,
+        ("19", _) => {
+            let angles = axes(cursor)?.into_iter().map(|word| word.value).collect();
+            cursor.take_rest();
+            Frame::Tilt(angles)
+        }
+        ("26", _) => {
+            let factors = axes(cursor)?.into_iter().map(|word| word.value).collect();
+            cursor.take_rest();
+            Frame::AxisScaling(factors)
+        }
+        // Cycle 12 makes a program into a cycle, which CYCL CALL would run.
+        ("12", _) => {
+            cursor.take_rest();
+            return Ok(Some(Body::Other));
+        }
+        _ => {
+            cursor.take_rest();
+            return Ok(Some(still(&format!("CYCL DEF {number}"))));
+        }
+    };
+    cursor.end()?;
+    Ok(Some(Body::Frame(frame)))
+}
+
+/// What a cycle of `CYCL DEF` with its lines says: 247 sets a preset, the others are machining.
+pub(super) fn defined(cycle: CycleBlock) -> Body {
+    if cycle.number != "247" {
+        return Body::CycleDefinition(cycle);
+    }
+    let preset = cycle.lines.iter().find(|line| line.parameter.number == 339).and_then(|line| match line.value {
+        CycleValue::Number { value, .. } => Some(value),
+        CycleValue::Text(_) | CycleValue::Word(_) => None,
+    });
+    Body::Frame(Frame::Preset(preset))
+}
+
+/// Adds a line to a cycle, whose `~` before it is missing.
+pub(super) fn joined(cycle: &mut CycleBlock, piece: &Piece<'_>, column: impl Fn(usize) -> Place) -> Read<()> {
+    cycle::line(cycle, piece, column)
+}

@@ -1,0 +1,32 @@
+//! The warnings of a program while it is read: only the first are kept, the others counted.
+
+use super::block::Place;
+use super::error::{ProgramWarning, ProgramWarningKind};
+
+/// How many warnings are listed one by one.
+const MOST_WARNINGS: usize = 500;
+
+/// Warnings, of which only the first are kept.
+#[derive(Debug, Default)]
+pub(super) struct Warnings {
+    kept: Vec<(Place, ProgramWarningKind)>,
+    dropped: usize,
+}
+
+impl Warnings {
+    pub(super) fn add(&mut self, place: Place, what: impl FnOnce() -> ProgramWarningKind) {
+        if self.kept.len() < MOST_WARNINGS {
+            self.kept.push((place, what()));
+        } else {
+            self.dropped += 1;
+        }
+    }
+
+    pub(super) fn sorted(mut self) -> Vec<ProgramWarning> {
+        self.kept.sort_by_key(|(place, _)| *place);
+        if let (Some(&(place, _)), true) = (self.kept.last(), 0 < self.dropped) {
+            self.kept.push((place, ProgramWarningKind::More { count: self.dropped }));
+        }
+        self.kept.into_iter().map(|(place, what)| ProgramWarning { what, place: place.into() }).collect()
+    }
+}
