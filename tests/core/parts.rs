@@ -1,6 +1,7 @@
 //! A simulated part with several features: each says what it says alone, the first on the way is met, and what cannot
 //! be told is an error with the features' names.
 
+use std::fmt::Write as _;
 use std::sync::Arc;
 
 use fitcheck::nc::machine::{self, Contacts, InMemory, Settings, Step};
@@ -226,7 +227,7 @@ fn a_part_is_written_and_read_back_the_same() {
             "boss" => "top = 4\n",
             _ => "",
         };
-        text += &format!("[[feature]]\nname = \"no {number}\"\nkind = \"{kind}\"\n{keys}\n{ends}");
+        write!(text, "[[feature]]\nname = \"no {number}\"\nkind = \"{kind}\"\n{keys}\n{ends}").unwrap();
     }
     let part = Part::read(&text).unwrap();
     assert_eq!(part.features.len(), SHAPES.len());

@@ -172,8 +172,8 @@ fn path(cursor: &mut Cursor<'_>, words: String, end: End) -> Read<Body> {
 fn axis(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
     let mut ahead = cursor.clone();
     ahead.take_prefix("I");
-    let is_value = axis_letter(&mut ahead).is_some()
-        && matches!(ahead.next(), Some('0'..='9' | '+' | '-' | '.' | 'Q' | 'q'));
+    let is_value =
+        axis_letter(&mut ahead).is_some() && matches!(ahead.next(), Some('0'..='9' | '+' | '-' | '.' | 'Q' | 'q'));
     if is_value { axis_word(cursor) } else { Ok(None) }
 }
 
