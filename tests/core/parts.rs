@@ -325,7 +325,7 @@ fn moves_that_would_touch_are_told_once_for_a_block() {
     assert_eq!(
         remarks(PLATE, twice),
         [
-            "4 the ball would touch bore, with the centre of the ball at X 11.999999 Y 0 Z 5 mm",
+            "4 the ball would touch bore, with the centre of the ball at X 12.000001 Y 0 Z 5 mm",
             "5 the ball would touch boss, with the centre of the ball at X 20 Y 0 Z 5 mm",
             "6 the ball would touch boss, with the centre of the ball at X 0 Y 0 Z 5 mm"
         ][..2]
@@ -354,4 +354,140 @@ fn moves_that_would_touch_are_told_once_for_a_block() {
     );
     // A file as before says nothing about heights: nothing is looked at.
     assert_eq!(remarks("[stud]\ncentre = [0, 0]\ndiameter = 20\n", "L X+80 Y+0 Z+5\nL X+0\n"), Vec::<String>::new());
+}
+
+/// The step between sampled places of a surface, mm.
+const STEP: f64 = 0.08;
+
+fn steps(from: f64, to: f64) -> impl Iterator<Item = f64> + Clone {
+    let count = ((to - from) / STEP).ceil().max(1.0);
+    (0..=1_000).map(f64::from).take_while(move |step| *step <= count).map(move |step| from + (to - from) * step / count)
+}
+
+/// Places of the walls of a rectangle that are there: across the first axis, and across the second.
+fn walls([half_1, half_2]: [f64; 2], has_ends: bool) -> Vec<[f64; 3]> {
+    let mut places = Vec::new();
+    for z in steps(-6.0, 0.0) {
+        places.extend(steps(-half_2, half_2).flat_map(|y| [[half_1, y, z], [-half_1, y, z]]));
+        if has_ends {
+            places.extend(steps(-half_1, half_1).flat_map(|x| [[x, half_2, z], [x, -half_2, z]]));
+        }
+    }
+    places
+}
+
+/// Places within a flat contour at a height.
+fn flat(height: f64, reach: f64, is_within: impl Fn(f64, f64) -> bool) -> Vec<[f64; 3]> {
+    let all = steps(-reach, reach).flat_map(|x| steps(-reach, reach).map(move |y| [x, y, height]));
+    all.filter(|[x, y, _]| is_within(*x, *y)).collect()
+}
+
+/// Shapes with keys, sampled places of their surface, and how far a place is in their material.
+type Sampled = (&'static str, Vec<[f64; 3]>, fn([f64; 3]) -> bool);
+
+fn sampled() -> Vec<Sampled> {
+    let round = || {
+        let turns = steps(0.0, 8.0 * std::f64::consts::PI).map(|arc| arc / 4.0);
+        steps(-6.0, 0.0)
+            .flat_map(move |z| turns.clone().map(move |angle| [4.0 * angle.cos(), 4.0 * angle.sin(), z]))
+            .collect::<Vec<_>>()
+    };
+    let in_circle = |x: f64, y: f64| x.hypot(y) <= 4.0;
+    let cap = flat(0.0, 3.0, |x, y| x.hypot(y) <= 3.0)
+        .into_iter()
+        .map(|[x, y, _]| [x, y, (25.0 - x * x - y * y).sqrt() - 5.0]);
+    vec![
+        (
+            "kind = \"stud\"\ncentre = [0, 0]\ndiameter = 8\nbottom = -6",
+            [round(), flat(0.0, 4.0, in_circle), flat(-6.0, 4.0, in_circle)].concat(),
+            |[x, y, z]| x.hypot(y) < 4.0 && -6.0 < z && z < 0.0,
+        ),
+        (
+            "kind = \"bore\"\ncentre = [0, 0]\ndiameter = 8\nbottom = -6",
+            [round(), flat(-6.0, 4.0, in_circle)].concat(),
+            |_| false,
+        ),
+        (
+            "kind = \"boss\"\ncentre = [0, 0]\nlengths = [6, 8]\nbottom = -6",
+            [walls([3.0, 4.0], true), flat(0.0, 4.0, |x, _| x.abs() <= 3.0), flat(-6.0, 4.0, |x, _| x.abs() <= 3.0)]
+                .concat(),
+            |[x, y, z]| x.abs() < 3.0 && y.abs() < 4.0 && -6.0 < z && z < 0.0,
+        ),
+        (
+            "kind = \"ridge\"\ncentre = [0, 0]\nwidth = 6\nlength = 8\nbottom = -6",
+            [walls([3.0, 4.0], true), flat(0.0, 4.0, |x, _| x.abs() <= 3.0), flat(-6.0, 4.0, |x, _| x.abs() <= 3.0)]
+                .concat(),
+            |[x, y, z]| x.abs() < 3.0 && y.abs() < 4.0 && -6.0 < z && z < 0.0,
+        ),
+        (
+            "kind = \"pocket\"\ncentre = [0, 0]\nlengths = [6, 8]\nbottom = -6",
+            [walls([3.0, 4.0], true), flat(-6.0, 4.0, |x, _| x.abs() <= 3.0)].concat(),
+            |_| false,
+        ),
+        (
+            "kind = \"slot\"\ncentre = [0, 0]\nwidth = 6\nlength = 8\nbottom = -6",
+            [walls([3.0, 4.0], false), flat(-6.0, 4.0, |x, _| x.abs() <= 3.0)].concat(),
+            |_| false,
+        ),
+        ("kind = \"face\"\npoint = [0, 0, -2]\nnormal = [0, 0, 3]\nreach = 4", flat(-2.0, 4.0, in_circle), |_| false),
+        ("kind = \"point\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 5\nreach = 3", cap.collect(), |_| false),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// A ball, or a stylus, touches a shape where a place of its sampled surface is nearer than its radius.
+    #[test]
+    fn what_touches_a_shape_is_what_its_sampled_surface_says(
+        x in -9.0..9.0_f64, y in -9.0..9.0_f64, z in -12.0..6.0_f64,
+    ) {
+        for (keys, places, is_material) in sampled() {
+            let touches = |ball: f64, stylus: f64| {
+                let machine = part(&format!("[probe]\nball_radius = {ball}\nstylus_radius = {stylus}\n[[feature]]\n{keys}\n"));
+                machine.collision([x, y, z], [x, y, z], None).is_some()
+            };
+            if is_material([x, y, z]) {
+                prop_assert!(touches(0.0, 0.0), "{} {:?}", keys, [x, y, z]);
+                continue;
+            }
+            let nearest = |with_stylus: bool| {
+                let gap = |[at_x, at_y, at_z]: &[f64; 3]| {
+                    let below = if with_stylus { (z - at_z).max(0.0) } else { z - at_z };
+                    (x - at_x).hypot(y - at_y).hypot(below)
+                };
+                places.iter().map(gap).fold(f64::INFINITY, f64::min)
+            };
+            let (ball, stylus) = (nearest(false), nearest(true));
+            // No sampled place is farther from a place of the surface than three quarters of a step.
+            let (less, more) = (|gap: f64| (gap - STEP).max(0.0), |gap: f64| gap + 1e-5);
+            prop_assert!(!touches(less(ball), 0.0) || stylus <= STEP || less(ball) <= 0.0, "{} {:?} {}", keys, [x, y, z], ball);
+            prop_assert!(touches(more(ball), 0.0), "{} {:?} {}", keys, [x, y, z], ball);
+            // The cap of a ball has no closed form for the stylus.
+            if !keys.contains("radius") {
+                prop_assert!(!touches(0.0, less(stylus)) || less(stylus) <= 0.0, "{} {:?} {}", keys, [x, y, z], stylus);
+                prop_assert!(touches(0.0, more(stylus)), "{} {:?} {}", keys, [x, y, z], stylus);
+            }
+        }
+    }
+}
+
+#[test]
+fn an_arc_is_looked_at_all_the_way_round() {
+    let text = "[[feature]]\nname = \"post\"\nkind = \"stud\"\ncentre = [0, 0]\ndiameter = 4\n\
+                [[feature]]\nname = \"pin\"\nkind = \"stud\"\ncentre = [20, 20]\ndiameter = 4\n[probe]\nball_radius = 1\n";
+    let machine = part(text);
+    let radius = 20.0 * f64::sqrt(2.0);
+    let told = |to: [f64; 2], about| {
+        let found = machine.collision([radius, 0.0, -1.0], [to[0], to[1], -1.0], about);
+        found.map(|found| found.feature)
+    };
+    let centre = Some([0.0, 0.0, -1.0]);
+    // A quarter turn and half a turn meet the pin, the straight way across meets the post.
+    assert_eq!(told([0.0, radius], centre).as_deref(), Some("pin"));
+    assert_eq!(told([-radius, 0.0], centre).as_deref(), Some("pin"));
+    assert_eq!(told([-radius, 0.0], None).as_deref(), Some("post"));
+    // The other quarter is free, and so is the straight way beside both.
+    assert_eq!(told([0.0, -radius], centre), None);
+    assert_eq!(told([0.0, -radius], None), None);
 }

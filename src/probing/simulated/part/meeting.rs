@@ -238,7 +238,7 @@ impl Probing<'_> {
             return Ok(());
         }
         let (flat, height) = feature.within(centre);
-        let is_behind = feature.extent.has(height) && 0.0 <= feature.outside(flat);
+        let is_behind = feature.extent.has(height) && -AT_ONCE <= feature.outside(flat);
         if is_behind && !around.contains(&met.feature) {
             return Err(Obstacle::Behind(met.feature));
         }
