@@ -123,6 +123,10 @@ impl Args {
         if !self.is_plan() && self.position.clearance_height.is_none() {
             io.remark(&CliRemark::ClearanceHeight { height: DEFAULT_CLEARANCE_HEIGHT });
         }
+        // Nothing is written where the second of the two would be refused.
+        if let Some(path) = self.workpiece_out.as_ref().filter(|path| !self.force && path.exists()) {
+            return Err(self.hint(files::FileError::Exists { path: path.clone() }));
+        }
         self.save(&set, io)?;
         if let Some(path) = &self.workpiece_out {
             let part = plan.workpiece(&sources).map_err(SetError::Plan).said()?;
