@@ -24,9 +24,9 @@ Examples:
 A plan is a CSV file with one feature per line, separated by comma, semicolon or tabulator; the header
 names the columns in any order:
   callout, x, y, z          nominal size and class such as 25 H7; centre and measuring height in mm
-  kind                      diameter of a hole or shaft, width of a slot or ridge, or face; default: diameter
-  axis                      of a width: X or Y, default X; of a face: where the probe moves, such as -Z. The
-                            coordinate of a face is its nominal size, with a shaft class such as 40 h9
+  kind                      diameter (of a hole or shaft, default), width (of a slot or ridge), face
+  axis                      of a width: X (default) or Y; of a face: where the probe moves, such as -Z;
+                            its coordinate is the nominal size, with a shaft class: 40 h9
   name                      letters, digits and _; names the file with the result; default: F1, F2 ...
   angle                     of the first contact from +X, degrees; default: 0
   clearance                 set-up clearance in mm, added to MP6140 or SET_UP; default: 2

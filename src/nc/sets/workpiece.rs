@@ -42,7 +42,7 @@ fn part_of(feature: &NcFeature, limits: &Limits) -> PartFeature {
         NcKind::Face(_) => {
             let [first, second, third] = direction;
             let one = |part: f64, place: f64| if 0.0 < part.abs() { middle } else { place };
-            Surface::Face(Face::plane([one(first, x), one(second, y), one(third, z)], direction.map(|part| -part)))
+            Surface::Face(Face::plane([one(first, x), one(second, y), one(third, z)], direction.map(|part| 0.0 - part)))
         }
     };
     let usual = Extent::usual(&surface);
