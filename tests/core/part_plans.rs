@@ -211,10 +211,10 @@ fn widths_and_faces_of_every_class_agree_with_the_library() {
     let mut rows = String::from("kind,axis,callout,x,y,z,clearance_height\n");
     for (number, class) in classes.iter().enumerate() {
         let place = 100 * number;
-        write!(rows, "width,{},25 {class},{place},0,-8,50\n", ["X", "Y"][number % 2]).unwrap();
+        writeln!(rows, "width,{},25 {class},{place},0,-8,50", ["X", "Y"][number % 2]).unwrap();
         if class.feature() == Feature::Shaft {
             let nominal = 25 + number;
-            write!(rows, "face,{},{nominal} {class},{place},500,{nominal},200\n", "-Z").unwrap();
+            writeln!(rows, "face,-Z,{nominal} {class},{place},500,{nominal},200").unwrap();
         }
     }
     let plan = NcPlan::read(rows.as_bytes()).unwrap();
