@@ -2,9 +2,10 @@
 
 use super::fault::FaultKind;
 use super::moves::{Travel, TravelKind};
+use super::placement::{Placed, Placement};
 use super::remark::Remark;
-use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move, Phase};
-use crate::probing::simulated::{self, Part};
+use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move, Phase, Plane};
+use crate::probing::simulated::{self, Mover, Part};
 use crate::probing::{Contact, Recorded, Source, SourceError};
 
 /// What the probe touches.
@@ -55,15 +56,16 @@ impl Probed {
     }
 
     /// What a move of the ball would touch on a simulated part. The moves that end or begin at a contact are no such
-    /// moves: they are answered by the contact.
-    pub(super) fn collision(&mut self, travel: &Travel) -> Option<Remark> {
+    /// moves: they are answered by the contact. Only with the tool axis Z the stylus stands on the ball.
+    pub(super) fn collision(&mut self, travel: &Travel, plane: Plane) -> Option<Remark> {
         if let TravelKind::Cycle(Phase::Approach | Phase::Contact | Phase::Retract) = travel.kind {
             return None;
         }
         // A workpiece that cannot be is told by the cycle that measures it.
         self.switch_on().ok()?;
         let Self::Machine(machine) = self else { return None };
-        machine.collision(travel.from, travel.to, travel.about).map(Remark::from)
+        let movers: &[Mover] = if plane == Plane::Xy { &[Mover::Ball, Mover::Stylus] } else { &[Mover::Ball] };
+        machine.collision_of(movers, travel.from, travel.to, travel.about).map(Remark::from)
     }
 
     /// A remark about features that moves are not looked at with.
@@ -75,15 +77,24 @@ impl Probed {
     }
 
     /// Runs a cycle.
-    pub(super) fn measure(&mut self, cycle: &Cycle, inputs: &Inputs) -> Result<Measured, FaultKind> {
+    pub(super) fn measure(
+        &mut self,
+        cycle: &Cycle,
+        inputs: &Inputs,
+        placement: Placement,
+    ) -> Result<Measured, FaultKind> {
         self.switch_on()?;
         match self {
             Self::Machine(machine) => {
                 // Each probe of the table has a calibration of its own.
                 **machine = machine.as_ref().clone().calibrated(inputs.probe());
-                Ok(cycle.measure_along(inputs, machine.as_mut()))
+                Ok(cycle.measure_along(inputs, &mut Placed { prober: machine.as_mut(), placement }))
             }
-            Self::Recorded(recorded) => Ok(cycle.measure_along(inputs, recorded)),
+            // Contacts were recorded from the zero in force, as a control shows them.
+            Self::Recorded(recorded) => {
+                let placement = Placement { zero: [0.0; 3], ..placement };
+                Ok(cycle.measure_along(inputs, &mut Placed { prober: recorded, placement }))
+            }
             Self::Perfect | Self::Workpiece(_) => match Source::Perfect.prober(cycle, inputs) {
                 Ok(mut prober) => Ok(cycle.measure_along(inputs, &mut *prober)),
                 Err(SourceError::Cycle(error)) => Ok((Vec::new(), Err(error))),

@@ -24,6 +24,8 @@ mod surface;
 mod walls;
 mod workpiece;
 
+use std::sync::Arc;
+
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng as _;
 use rand_distr::{Distribution as _, StandardNormal};
@@ -72,7 +74,7 @@ fn in_range(what: Figure, given: f64, least: f64, most: f64) -> Result<(), Workp
 /// The simulated machine: answers probings with contacts.
 #[derive(Debug, Clone)]
 pub struct Machine {
-    space: Space,
+    space: Arc<Space>,
     probe: Probe,
     stylus_radius: f64,
     /// The offset of the ball in the control, minus its real offset.
@@ -108,7 +110,7 @@ impl Machine {
         features.iter().try_for_each(|feature| feature.check(probe.trigger_scatter))?;
         probe.check()?;
         Ok(Self {
-            space: Space::of(features),
+            space: Arc::new(Space::of(features)),
             probe,
             stylus_radius: stylus_radius.unwrap_or(probe.ball_radius),
             misplaced: [0.0; 3],
@@ -131,9 +133,24 @@ impl Machine {
     /// What a move of the ball's centre would touch first, on a straight line or on the shorter arc about a centre,
     /// millimetres; `None` where the way is free, and for a workpiece of a file without `[[feature]]`.
     pub fn collision(&self, from: [f64; 3], to: [f64; 3], about: Option<[f64; 3]>) -> Option<Collision> {
+        self.collision_of(&[Mover::Ball, Mover::Stylus], from, to, about)
+    }
+
+    /// The same for the ball alone, or the stylus alone.
+    pub(crate) fn collision_of(
+        &self,
+        movers: &[Mover],
+        from: [f64; 3],
+        to: [f64; 3],
+        about: Option<[f64; 3]>,
+    ) -> Option<Collision> {
         let real = |place| along(place, self.misplaced, -1.0);
-        let radii = [self.probe.ball_radius, self.stylus_radius];
-        let found = self.space.collision([from, to].map(real), about.map(real), radii)?;
+        let radius = |mover: &Mover| match mover {
+            Mover::Ball => (*mover, self.probe.ball_radius),
+            Mover::Stylus => (*mover, self.stylus_radius),
+        };
+        let movers: Vec<(Mover, f64)> = movers.iter().map(radius).collect();
+        let found = self.space.collision([from, to].map(real), about.map(real), &movers)?;
         Some(Collision { place: along(found.place, self.misplaced, 1.0), ..found })
     }
 

@@ -1,7 +1,7 @@
 //! What a move would touch: the ball, or the stylus above it, on a straight line or an arc.
 //!
 //! The stylus is a cylinder in Z from the centre of the ball upwards, without an end, as thick as the file says, or
-//! else as thick as the ball. A touch that goes no deeper than a nanometre is none. Not looked at:
+//! else as thick as the ball. A program with another tool axis has the ball alone looked at. A touch that goes no deeper than a nanometre is none. Not looked at:
 //!
 //! - the workpiece of a file without `[[feature]]`: nothing says how high it is;
 //! - the walls of spaces that run into one another: each is missing within the other;
@@ -92,7 +92,7 @@ impl Space {
         &self,
         [from, to]: [[f64; 3]; 2],
         about: Option<[f64; 3]>,
-        [ball_radius, stylus_radius]: [f64; 2],
+        movers: &[(Mover, f64)],
     ) -> Option<Collision> {
         if self.only().is_some() {
             return None;
@@ -106,15 +106,16 @@ impl Space {
                 if feature.is_space() && self.crossing(number).next().is_some() {
                     continue;
                 }
-                let ball = self.gap(number, place) - ball_radius;
-                if ball < nearest.0 {
-                    nearest = (ball, number, Mover::Ball);
-                }
-                // At the ball's own height the ball is told; a stylus thicker than it is met earlier.
-                let on_stylus = feature.nearest_on_stylus(place);
-                let stylus = on_stylus.map_or(f64::INFINITY, |place| self.gap(number, place) - stylus_radius);
-                if stylus < nearest.0 {
-                    nearest = (stylus, number, Mover::Stylus);
+                // The ball comes first: where both are as near, it is told.
+                for &(mover, radius) in movers {
+                    let nearest_place = match mover {
+                        Mover::Ball => Some(place),
+                        Mover::Stylus => feature.nearest_on_stylus(place),
+                    };
+                    let gap = nearest_place.map_or(f64::INFINITY, |place| self.gap(number, place) - radius);
+                    if gap < nearest.0 {
+                        nearest = (gap, number, mover);
+                    }
                 }
             }
             nearest
