@@ -95,6 +95,13 @@ machine-remark-more = { $count } more remarks are not listed
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
 machine-remark-collision = the { $mover } would touch { $feature }, with the centre of the ball at X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = moves are not checked in full against { $features }
+machine-remark-tool-locked = tool { $tool } is locked in the tool table
+machine-remark-no-probe-tool = tool { $tool } is not a touch probe: TYP = { $kind }, expected { $probe }
+machine-remark-no-such-tool = tool { $tool } is not in the tool table
+machine-remark-same-name = { $more ->
+    [one] another tool has the name { $tool }
+   *[other] { $more } more tools have the name { $tool }
+}: the first one of the tool table was taken
 
 machine-passed-over = { $count } { $count ->
         [one] block was

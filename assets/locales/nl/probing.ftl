@@ -108,7 +108,7 @@ found-rework = nabewerking
 found-scrap = afkeur
 found-status = status: -1 niet gedefinieerd, 0 goed, 1 nabewerking, 2 afkeur
 remark-without-effect = { $key } is toegestaan maar heeft geen werking
-remark-tool-left-alone = Q330 = { $tool }: de besturing zou dit gereedschap corrigeren; Fitcheck corrigeert geen gereedschap
+remark-tool-not-monitored = Q330 = { $tool }: het gereedschap wordt niet bewaakt: geen gereedschapstabel
 remark-outside-dimension = een buitenmaat is aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
 remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat
 remark-nominal-width-outside-limits = nominale breedte { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat

@@ -4,7 +4,7 @@ use super::super::CliRemark;
 use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::text::cut;
 use crate::message::Message;
-use crate::nc::machine::{BlockPlace, Fault, Machine, Pause, shown};
+use crate::nc::machine::{BlockPlace, Fault, Machine, Pause, ToolChanged, shown};
 use crate::words::{Language, Words};
 
 /// Prints windows as they open, and with a trace every block before.
@@ -80,6 +80,10 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &m
         for remark in &run.result.remarks {
             io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)));
         }
+    }
+    for ToolChanged { place: BlockPlace { program, block }, change } in machine.tool_changes() {
+        let (file, line) = place(machine, program, *block);
+        io.tell(format_args!("note: {file}:{line}: {}", words.told(change)));
     }
     let mut written: Vec<_> =
         machine.outputs().iter().filter(|output| output.is_saved).map(|output| &output.path).collect();

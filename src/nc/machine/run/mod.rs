@@ -1,7 +1,8 @@
 //! The machine as its users see it: set up, run block by block, asked what it has done.
 //!
-//! `blocks` has what each block does.
+//! `blocks` has what each block does, `around` those that set something up.
 
+mod around;
 mod blocks;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,7 +22,9 @@ use super::remark::{Remark, Remarks};
 use super::step::{Pause, Step};
 use super::store::{Origin, Store};
 use super::tables::Tables;
+use super::tools::{ToolChanged, Tools};
 use super::values::Values;
+use crate::control::tool_table::ToolTable;
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::message::Message;
 use crate::nc::program::{Program, Unit};
@@ -35,6 +38,7 @@ struct Run {
     tables: Tables,
     prints: Prints,
     cycles: Cycles,
+    tools: Tools,
     way: Way,
     around: Around,
     remarks: Remarks,
@@ -53,6 +57,7 @@ impl Run {
             tables: Tables::default(),
             prints: Prints::new(settings.budget),
             cycles: Cycles::new(contacts, settings),
+            tools: Tools::new(settings.tool_table.clone()),
             way: Way::new(&settings.budget),
             around: Around::new(),
             remarks: Remarks::new(&settings.budget),
@@ -237,6 +242,16 @@ impl Machine {
         self.run.cycles.runs()
     }
 
+    /// The tool table as the run has changed it, if it has one; the store is not asked to write it.
+    pub const fn tool_table(&self) -> Option<&ToolTable> {
+        self.run.tools.table()
+    }
+
+    /// What cycles with Q330 have changed in the tool table, in order.
+    pub fn tool_changes(&self) -> &[ToolChanged] {
+        self.run.tools.changes()
+    }
+
     /// The path of the ball's centre so far.
     pub fn path(&self) -> &[Travel] {
         self.run.way.travels()
@@ -252,11 +267,12 @@ impl Machine {
         self.run.around.passed()
     }
 
-    /// The same as a message; `None` if there were none.
+    /// The same as a message, without the blank's form, which nearly every program has and which is for graphics only; `None`
+    /// if there were no others.
     pub fn passed_over_message(&self) -> Option<Message> {
-        let passed = self.passed_over();
-        let listed: Vec<String> = passed.iter().map(|(words, count)| format!("{count} {words}")).collect();
-        let count: usize = passed.values().sum();
+        let passed = || self.passed_over().iter().filter(|(words, _)| *words != "BLK FORM");
+        let listed: Vec<String> = passed().map(|(words, count)| format!("{count} {words}")).collect();
+        let count: usize = passed().map(|(_, count)| count).sum();
         let message = || Message::new("machine-passed-over").count("count", count).text("list", listed.join(", "));
         (0 < count).then(message)
     }
