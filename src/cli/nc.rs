@@ -9,7 +9,8 @@ use super::{CliError, CliRemark, Io, Outcome, Refused as _, TableArgs, What, rea
 use crate::files;
 use crate::length::{Length, LengthError};
 use crate::nc::sets::{
-    Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, NcFeature, NcPlan, NcSet, SetError, Target,
+    Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, NcFeature, NcKind, NcPlan, NcSet, PlanFault,
+    SetError, Target,
 };
 use crate::tolerance::Callout;
 use crate::words::Dialogue;
@@ -23,6 +24,9 @@ Examples:
 A plan is a CSV file with one feature per line, separated by comma, semicolon or tabulator; the header
 names the columns in any order:
   callout, x, y, z          nominal size and class such as 25 H7; centre and measuring height in mm
+  kind                      diameter (of a hole or shaft, default), width (of a slot or ridge), face
+  axis                      of a width: X (default) or Y; of a face: where the probe moves, such as -Z;
+                            its coordinate is the nominal size, with a shaft class: 40 h9
   name                      letters, digits and _; names the file with the result; default: F1, F2 ...
   angle                     of the first contact from +X, degrees; default: 0
   clearance                 set-up clearance in mm, added to MP6140 or SET_UP; default: 2
@@ -57,6 +61,9 @@ pub(super) struct Args {
     /// Folder on the control; default: the control's usual one
     #[arg(long, value_name = "TNC:\\FOLDER")]
     folder: Option<String>,
+    /// Also write the plan as a simulated workpiece, every feature in the middle of its zone: for fitcheck run
+    #[arg(long, value_name = "FILE.toml")]
+    workpiece_out: Option<PathBuf>,
     /// Overwrite existing files
     #[arg(long)]
     force: bool,
@@ -87,6 +94,12 @@ struct Position {
     /// Height at which the probe moves freely, mm [default: 50]
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     clearance_height: Option<String>,
+    /// What is measured: diameter, width of a slot or ridge, or face [default: diameter]
+    #[arg(long)]
+    kind: Option<String>,
+    /// Measured axis of a width, X or Y; direction in which a face is probed, such as -Z
+    #[arg(long, allow_hyphen_values = true)]
+    axis: Option<String>,
     /// Name of the feature [default: F1]
     #[arg(long)]
     name: Option<String>,
@@ -110,7 +123,17 @@ impl Args {
         if !self.is_plan() && self.position.clearance_height.is_none() {
             io.remark(&CliRemark::ClearanceHeight { height: DEFAULT_CLEARANCE_HEIGHT });
         }
+        // Nothing is written where the second of the two would be refused.
+        if let Some(path) = self.workpiece_out.as_ref().filter(|path| !self.force && path.exists()) {
+            return Err(self.hint(files::FileError::Exists { path: path.clone() }));
+        }
         self.save(&set, io)?;
+        if let Some(path) = &self.workpiece_out {
+            let part = plan.workpiece(&sources).map_err(SetError::Plan).said()?;
+            let text = part.write().map_err(|error| SetError::Workpiece { reason: error.to_string() });
+            self.write_one(path, text.said()?.as_bytes())?;
+            io.tell(CliRemark::Wrote { path: path.display().to_string() });
+        }
         Ok(Outcome::Done)
     }
 
@@ -147,22 +170,29 @@ impl Args {
         }
     }
 
-    fn save(&self, set: &NcSet, io: &mut Io<'_>) -> Result<(), CliError> {
-        let hint = |error: files::FileError| match error {
+    fn hint(&self, error: files::FileError) -> CliError {
+        match error {
             error @ files::FileError::Exists { .. } if !self.force => CliError::UseForce { error },
             error => error.into(),
-        };
+        }
+    }
+
+    fn write_one(&self, path: &Path, bytes: &[u8]) -> Result<(), CliError> {
+        let write = if self.force { files::write } else { files::write_new };
+        write(path, bytes).map_err(|error| self.hint(error))
+    }
+
+    fn save(&self, set: &NcSet, io: &mut Io<'_>) -> Result<(), CliError> {
         if self.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("zip")) {
             let bytes = set.zip().said()?;
-            let write = if self.force { files::write } else { files::write_new };
-            write(&self.output, &bytes).map_err(hint)?;
+            self.write_one(&self.output, &bytes)?;
             let path = self.output.display().to_string();
             io.tell(CliRemark::WroteFiles { path, count: set.files.len() });
             return Ok(());
         }
         let files: Vec<(&str, &[u8])> =
             set.files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
-        for path in files::write_folder(&self.output, &files, self.force).map_err(hint)? {
+        for path in files::write_folder(&self.output, &files, self.force).map_err(|error| self.hint(error))? {
             io.tell(CliRemark::Wrote { path: path.display().to_string() });
         }
         Ok(())
@@ -180,6 +210,8 @@ impl Position {
             ("clearance", &self.clearance),
             ("clearance-height", &self.clearance_height),
             ("name", &self.name),
+            ("kind", &self.kind),
+            ("axis", &self.axis),
         ];
         all.into_iter().find(|(_, given)| given.is_some()).map(|(name, _)| name)
     }
@@ -187,7 +219,13 @@ impl Position {
     fn feature(&self, callout: Callout) -> Result<NcFeature, CliError> {
         let place = [needed("x", self.x.as_ref())?, needed("y", self.y.as_ref())?, needed("z", self.z.as_ref())?];
         let usual = NcFeature::new(callout, place);
+        let kind = NcKind::read(self.kind.as_deref(), self.axis.as_deref());
+        let kind = kind.map_err(|(column, known)| {
+            let given = if column == "kind" { &self.kind } else { &self.axis };
+            PlanFault::of_kind(column, given.as_deref(), known)
+        });
         Ok(NcFeature {
+            kind: kind.said()?,
             name: self.name.clone().unwrap_or_default(),
             angle: optional("angle", self.angle.as_ref())?.unwrap_or_default(),
             clearance: optional("clearance", self.clearance.as_ref())?.unwrap_or(DEFAULT_CLEARANCE),

@@ -59,6 +59,29 @@ pub enum NoContact {
         /// Which contact of the cycle, from 1.
         number: usize,
     },
+    /// The movement begins inside the material of a feature of a part.
+    InFeature {
+        /// Which contact of the cycle, from 1.
+        number: usize,
+        /// The feature's name.
+        feature: String,
+    },
+    /// The ball comes to the wall of a hole, slot or pocket from behind, where nothing says how thick the material is.
+    Behind {
+        /// Which contact of the cycle, from 1.
+        number: usize,
+        /// The feature's name.
+        feature: String,
+    },
+    /// The ball meets two features of a part at once, or a wall that is missing within another feature.
+    Ambiguous {
+        /// Which contact of the cycle, from 1.
+        number: usize,
+        /// The feature's name.
+        feature: String,
+        /// The other feature's name.
+        other: String,
+    },
     /// The recorded contacts are used up.
     UsedUp {
         /// Which contact of the cycle, from 1.

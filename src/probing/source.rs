@@ -2,7 +2,7 @@
 
 use super::contact::{Contact, Prober, Recorded};
 use super::cycle::{Cycle, CycleError, Inputs, Move, Phase};
-use super::simulated::{Simulation, WorkpieceError};
+use super::simulated::{Part, Simulation, WorkpieceError};
 use crate::message::Say;
 
 /// Where contacts come from.
@@ -12,6 +12,8 @@ pub enum Source<'a> {
     Perfect,
     /// A simulated workpiece.
     Simulated(&'a Simulation),
+    /// A simulated part with any number of features.
+    Part(&'a Part),
     /// Contacts in probing order, points of the surface.
     Recorded(&'a [Contact]),
 }
@@ -34,12 +36,13 @@ impl Source<'_> {
     /// # Errors
     /// [`SourceError`] where the inputs or the figures do not describe a possible workpiece.
     pub fn prober(self, cycle: &Cycle, inputs: &Inputs) -> Result<Box<dyn Prober>, SourceError> {
-        let simulation = match self {
+        let machine = match self {
             Self::Recorded(contacts) => return Ok(Box::new(Recorded::new(contacts.to_vec()))),
-            Self::Simulated(simulation) => *simulation,
-            Self::Perfect => Simulation::perfect(cycle.nominal(inputs)?),
+            Self::Simulated(simulation) => simulation.machine(),
+            Self::Part(part) => part.machine(),
+            Self::Perfect => Simulation::perfect(cycle.nominal(inputs)?).machine(),
         };
-        let machine = simulation.machine().map_err(|error| self.refused(error, cycle, inputs))?;
+        let machine = machine.map_err(|error| self.refused(error, cycle, inputs))?;
         Ok(Box::new(machine.calibrated(inputs.probe())))
     }
 

@@ -144,7 +144,7 @@ fn text(blocks: &str) -> String {
 }
 
 fn bore(toml: &str) -> Contacts {
-    Contacts::Workpiece(Simulation::read(&format!("[bore]\ndiameter = 25.01\n{toml}")).unwrap())
+    Contacts::Workpiece(Simulation::read(&format!("[bore]\ndiameter = 25.01\n{toml}")).unwrap().into())
 }
 
 fn ran(blocks: &str, contacts: Contacts) -> Machine {

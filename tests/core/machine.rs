@@ -187,7 +187,7 @@ fn fit(contacts: Contacts) -> Machine {
 
 fn bore(diameter: &str) -> Contacts {
     let text = format!("[bore]\ncentre = [40.0, 30.0]\ndiameter = {diameter}\n");
-    Contacts::Workpiece(Simulation::read(&text).unwrap())
+    Contacts::Workpiece(Simulation::read(&text).unwrap().into())
 }
 
 #[track_caller]
@@ -756,7 +756,7 @@ fn a_broken_file_is_named() {
 /// Runs the built-in Dutch programs with a nominal size and a class on a bore or a stud.
 fn shipped(nominal: &str, class: &str, workpiece: &str) -> Machine {
     let main = program(Shipped::file("8255_nl.h").unwrap());
-    let contacts = Contacts::Workpiece(Simulation::read(workpiece).unwrap());
+    let contacts = Contacts::Workpiece(Simulation::read(workpiece).unwrap().into());
     let mut machine = Machine::new(r"TNC:\8255_nl.h", main, Shipped, contacts, settings());
     machine.set(Parameter::q(1), Value::Number(nominal.parse().unwrap())).unwrap();
     machine.set(Parameter::qs(1), Value::Text(class.to_owned())).unwrap();

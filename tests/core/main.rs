@@ -54,6 +54,8 @@ mod nc_plans;
 mod nc_sets;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod part_plans;
+mod parts;
 mod point_cycles;
 mod point_log;
 mod probe_blocks;

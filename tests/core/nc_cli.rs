@@ -57,6 +57,42 @@ fn a_callout_becomes_a_folder_that_runs() {
 }
 
 #[test]
+fn a_plan_of_widths_and_faces_runs_on_the_part_that_is_written_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = "name,kind,axis,callout,x,y,z\nH,,,25 H7,40,30,-8\nN,width,Y,16 H8,100,30,-8\n\
+                R,width,X,30 h9,160,30,-8\nP,face,-Z,10 h9,220,30,10\n";
+    std::fs::write(folder.path().join("part.csv"), plan).unwrap();
+    let call = ["part.csv", "--control", "tnc7", "-o", "set", "--workpiece-out", "part.toml"];
+    let answer = nc(folder.path(), &call);
+    assert_eq!(answer.code, Some(0), "{}", answer.err);
+    assert!(answer.err.ends_with("wrote part.toml\n"), "{}", answer.err);
+    let run = ["run", "set/FIT_MAIN.H", "--workpiece", "part.toml"];
+    let answer = fitcheck(folder.path(), &run, "");
+    assert_eq!(
+        (answer.code, answer.out.matches(" STATUS: GOOD\n").count()),
+        (Some(0), 4),
+        "{}{}",
+        answer.out,
+        answer.err
+    );
+    // The slot a hundredth too wide: scrap, and only the slot.
+    let path = folder.path().join("part.toml");
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, text.replace("width = 16.0135", "width = 16.0271")).unwrap();
+    let answer = fitcheck(folder.path(), &run, "");
+    assert_eq!(
+        (answer.code, answer.out.matches("STATUS: SCRAP").count()),
+        (Some(11), 1),
+        "{}{}",
+        answer.out,
+        answer.err
+    );
+    // Neither is replaced unasked.
+    let answer = nc(folder.path(), &["part.csv", "--control", "tnc7", "-o", "other", "--workpiece-out", "part.toml"]);
+    assert_eq!((answer.code, folder.path().join("other").exists()), (Some(1), false), "{}", answer.err);
+}
+
+#[test]
 fn a_plan_becomes_a_zip_and_notes_say_what_is_special() {
     let folder = tempfile::tempdir().unwrap();
     let plan = "name;callout;x;y;z\nA;25 D10;40;30;-8\nB;24 ZA8;0;4,5;-2\n";

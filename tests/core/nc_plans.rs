@@ -34,7 +34,7 @@ fn what_is_wrong_is_told_with_its_line() {
     check("", "the plan has no feature");
     check("callout,x,y,z\n", "the plan has no feature");
     check("callout,x,y\n25 H7,1,2\n", "line 1: column z is missing");
-    let known = "name, callout, x, y, z, angle, clearance, clearance_height";
+    let known = "name, kind, axis, callout, x, y, z, angle, clearance, clearance_height";
     check("callout,x,y,z,depth\n", &format!("line 1: unknown column depth: the columns are {known}"));
     check("callout,x,y,z,X\n", "line 1: column x occurs twice");
     check(

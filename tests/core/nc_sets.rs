@@ -210,7 +210,7 @@ fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
             ] {
                 let workpiece = Workpiece::round(limits.feature, [40.0, 30.0], diameter.to_mm_f64());
                 let simulation = Simulation::perfect(Surface::Round(workpiece, Plane::Xy));
-                let machine = run(&set, control, Dialogue::En, Contacts::Workpiece(simulation));
+                let machine = run(&set, control, Dialogue::En, Contacts::Workpiece(simulation.into()));
                 assert_eq!(machine.status(), Some(status), "{callout} {diameter} {control:?}");
             }
         }

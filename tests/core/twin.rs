@@ -131,7 +131,7 @@ fn compare(machine: &mut Machine, callout: Callout, limits: &Limits, (diameter, 
     let simulation = simulation(limits.feature, diameter);
     let native = native(limits, callout, simulation, machine.settings().language);
     let class = callout.class().unwrap();
-    run(machine, &callout.nominal().to_string(), class.as_str(), Contacts::Workpiece(simulation))
+    run(machine, &callout.nominal().to_string(), class.as_str(), Contacts::Workpiece(simulation.into()))
         .unwrap_or_else(|fault| panic!("{callout}, {diameter} mm: {fault}"));
     assert_eq!(answer_of(machine), native, "{callout}, {diameter} mm");
     assert_eq!(native.status, Some(expected), "{callout}, {diameter} mm");

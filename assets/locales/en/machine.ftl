@@ -96,6 +96,8 @@ machine-remark-table-written = { $path } was written
 machine-remark-contacts-left = the cycles used { $used } of { $count } recorded contacts
 machine-remark-more = { $count } more remarks are not listed
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
+machine-remark-collision = the { $mover } would touch { $feature }, with the centre of the ball at X { $x } Y { $y } Z { $z } mm
+machine-remark-unchecked = moves are not checked in full against { $features }
 machine-remark-tool-locked = tool { $tool } is locked in the tool table
 machine-remark-no-probe-tool = tool { $tool } is not a touch probe: TYP = { $kind }, expected { $probe }
 machine-remark-no-such-tool = tool { $tool } is not in the tool table

@@ -36,6 +36,9 @@ workpiece-cannot-be = { $what } = { $given }: at least { $least }, at most { $mo
 
 # Touches.
 contact-in-material = contact { $number }: the probing path begins inside the material
+contact-in-feature = contact { $number }: the probing path begins inside the material of { $feature }
+contact-behind = contact { $number }: the ball comes to the wall of { $feature } from behind: nothing says how thick the material is there
+contact-ambiguous = contact { $number }: the ball meets { $feature } and { $other } at the same place: which one is measured cannot be told
 
 # Circle evaluation.
 circle-too-few = a circle needs at least 3 contacts, found { $contacts }
@@ -117,6 +120,15 @@ workpiece-file-toml = line { $line }: { $said }
 workpiece-file-too-large = a workpiece file has at most { $most } KiB
 workpiece-file-not-one = the file has { $found } of { $tables }: it needs exactly one
 workpiece-file-cannot-be = line { $line }: { $error }
+workpiece-file-several = the file has [[feature]] tables: one workpiece with a single surface is expected here
+workpiece-file-too-many = a part has at most { $most } features
+workpiece-file-feature = line { $line }, column { $column }: { $feature }: { $fault }
+feature-fault-toml = { $said }
+feature-fault-kind = { $given } is not a kind of feature: the kinds are { $known }
+feature-fault-no-key = a { $kind } needs { $key }
+feature-fault-other-key = a { $kind } has no { $key }
+feature-fault-name = a name has 1 to { $most } characters on one line
+feature-fault-same-name = another feature has the same name
 
 # Figures of the simulated workpiece, as errors name them.
 figure-temperature = temperature
@@ -150,3 +162,12 @@ figure-width = width
 figure-first-length = 1st length
 figure-second-length = 2nd length
 figure-angle = angle
+figure-top = top
+figure-bottom = bottom
+figure-length = length of the walls
+figure-reach = reach
+figure-stylus-radius = stylus radius
+
+## What of the probe touches.
+mover-ball = ball
+mover-stylus = stylus

@@ -96,6 +96,8 @@ machine-remark-table-written = { $path } is geschreven
 machine-remark-contacts-left = de cycli hebben { $used } van de { $count } opgenomen meetpunten gebruikt
 machine-remark-more = nog { $count } opmerkingen zijn niet vermeld
 machine-remark-other-probe = gereedschap { $tool } staat niet in de tastertabel: taster { $probe } is gebruikt
+machine-remark-collision = de { $mover } zou { $feature } raken, met het midden van de kogel op X { $x } Y { $y } Z { $z } mm
+machine-remark-unchecked = bewegingen zijn niet volledig gecontroleerd op { $features }
 machine-remark-tool-locked = gereedschap { $tool } is geblokkeerd in de gereedschapstabel
 machine-remark-no-probe-tool = gereedschap { $tool } is geen taster: TYP = { $kind }, { $probe } verwacht
 machine-remark-no-such-tool = gereedschap { $tool } staat niet in de gereedschapstabel

@@ -36,6 +36,9 @@ workpiece-cannot-be = { $what } = { $given }: minstens { $least }, hoogstens { $
 
 # Touches.
 contact-in-material = meetpunt { $number }: de tastweg begint in het materiaal
+contact-in-feature = meetpunt { $number }: de tastweg begint in het materiaal van { $feature }
+contact-behind = meetpunt { $number }: de kogel komt van achteren tegen de wand van { $feature }: nergens staat hoe dik het materiaal daar is
+contact-ambiguous = meetpunt { $number }: de kogel raakt { $feature } en { $other } op dezelfde plaats: welke er wordt gemeten, is niet te zeggen
 
 # Circle evaluation.
 circle-too-few = een cirkel heeft minstens 3 meetpunten nodig, gevonden: { $contacts }
@@ -117,6 +120,15 @@ workpiece-file-toml = regel { $line }: { $said }
 workpiece-file-too-large = een werkstukbestand heeft hoogstens { $most } KiB
 workpiece-file-not-one = het bestand heeft { $found } van { $tables }: precies één is nodig
 workpiece-file-cannot-be = regel { $line }: { $error }
+workpiece-file-several = het bestand heeft [[feature]]-tabellen: hier wordt een werkstuk met één oppervlak verwacht
+workpiece-file-too-many = een onderdeel heeft hoogstens { $most } elementen
+workpiece-file-feature = regel { $line }, teken { $column }: { $feature }: { $fault }
+feature-fault-toml = { $said }
+feature-fault-kind = { $given } is geen soort element: de soorten zijn { $known }
+feature-fault-no-key = bij { $kind } hoort { $key }
+feature-fault-other-key = bij { $kind } hoort geen { $key }
+feature-fault-name = een naam heeft 1 tot { $most } tekens op één regel
+feature-fault-same-name = een ander element heeft dezelfde naam
 
 # Figures of the simulated workpiece, as errors name them.
 figure-temperature = temperatuur
@@ -150,3 +162,12 @@ figure-width = breedte
 figure-first-length = 1e lengte
 figure-second-length = 2e lengte
 figure-angle = hoek
+figure-top = bovenkant
+figure-bottom = onderkant
+figure-length = lengte van de wanden
+figure-reach = reikwijdte
+figure-stylus-radius = radius van de taststift
+
+## What of the probe touches.
+mover-ball = kogel
+mover-stylus = taststift

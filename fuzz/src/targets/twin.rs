@@ -95,7 +95,7 @@ fn compare(machine: &mut Machine, callout: Callout, limits: &Limits, diameter: L
     let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: 1 };
     let mut prober = simulation.machine().expect("a workpiece");
     let native = measure(limits, &position, &mut prober, origin);
-    let ran = result(machine, callout, Contacts::Workpiece(simulation));
+    let ran = result(machine, callout, Contacts::Workpiece(simulation.into()));
     match (native, ran) {
         (Ok((measurement, _)), Ok(())) => {
             assert_eq!(measurement.diameter, diameter, "{callout}");

@@ -101,8 +101,8 @@ fn inputs(run: &Run<'_>) -> Map<String, Json> {
 fn source(run: &Run<'_>) -> Json {
     match run.source {
         Source::Perfect => json!({"kind": "perfect"}),
-        Source::Workpiece { file, simulation } => json!({
-            "kind": "simulated", "file": file, "seed": simulation.seed, "temperature_c": simulation.temperature,
+        Source::Workpiece { file, part } => json!({
+            "kind": "simulated", "file": file, "seed": part.seed, "temperature_c": part.temperature,
         }),
         Source::Contacts { file, .. } => json!({"kind": "contacts", "file": file}),
     }

@@ -27,9 +27,9 @@ use crate::control::tool_table::{Changed, ToolChange};
 use crate::length::Length;
 use crate::message::Located;
 use crate::nc::machine::Remark;
-use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Move};
+use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Move, Phase};
 use crate::probing::cycles::{CYCLES, cycle_named};
-use crate::probing::simulated::{Shape, Simulation};
+use crate::probing::simulated::{Part, Shape};
 use crate::probing::{self, Contact, Prober, Recorded, SourceError, TouchProbe};
 use crate::words::Dialogue;
 
@@ -115,7 +115,7 @@ enum Source {
     /// A workpiece without faults and a point as the probe.
     Perfect,
     /// A file of a simulated workpiece.
-    Workpiece { file: String, simulation: Simulation },
+    Workpiece { file: String, part: Part },
     /// A file of contacts.
     Contacts { file: String, contacts: Vec<Contact> },
 }
@@ -161,6 +161,7 @@ impl Args {
         }
         let (source, mut prober) = self.source(&inputs, io)?;
         let (path, result) = self.cycle.measure_along(&inputs, &mut *prober);
+        remark_on_moves(&source, &inputs, &path, io);
         let result = match result {
             Ok(result) => result,
             Err(error) => {
@@ -304,10 +305,10 @@ impl Args {
                 Err(error) => Err(error).about(&What::PerfectWorkpiece),
             };
         };
-        let (file, mut simulation) = read_workpiece(path, io)?;
-        simulation.seed = self.seed.unwrap_or(simulation.seed);
-        match probing::Source::Simulated(&simulation).prober(self.cycle, inputs) {
-            Ok(prober) => Ok((Source::Workpiece { file, simulation }, prober)),
+        let (file, mut part) = read_workpiece(path, io)?;
+        part.seed = self.seed.unwrap_or(part.seed);
+        match probing::Source::Part(&part).prober(self.cycle, inputs) {
+            Ok(prober) => Ok((Source::Workpiece { file, part }, prober)),
             Err(error) => Err(error).about(&file),
         }
     }
@@ -329,10 +330,24 @@ pub(super) fn probe_table(path: Option<&Path>, io: &mut Io<'_>) -> Result<ProbeT
 }
 
 /// A file of a simulated workpiece, and its name.
-pub(super) fn read_workpiece(path: &Path, io: &mut Io<'_>) -> Result<(String, Simulation), CliError> {
+pub(super) fn read_workpiece(path: &Path, io: &mut Io<'_>) -> Result<(String, Part), CliError> {
     let (file, bytes) = read_input(path, io)?;
-    let simulation = Simulation::read(&decode(&bytes)).about(&file)?;
-    Ok((file, simulation))
+    let part = Part::read(&decode(&bytes)).about(&file)?;
+    Ok((file, part))
+}
+
+/// Remarks on the first move between contacts that would touch a feature of a simulated part.
+fn remark_on_moves(source: &Source, inputs: &Inputs, path: &[Move], io: &mut Io<'_>) {
+    let Source::Workpiece { part, .. } = source else { return };
+    let Ok(machine) = part.machine().map(|machine| machine.calibrated(inputs.probe())) else { return };
+    let features = machine.unchecked().join(", ");
+    if !features.is_empty() {
+        io.remark(&Remark::Unchecked { features });
+    }
+    let mut between = path.iter().filter(|step| matches!(step.phase, Phase::PrePosition | Phase::Leave));
+    if let Some(found) = between.find_map(|step| machine.collision(step.from, step.to, step.about)) {
+        io.remark(&Remark::from(found));
+    }
 }
 
 /// Warns of contacts that the cycle did not ask for.

@@ -79,8 +79,8 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
 fn source(run: &Run<'_>) -> String {
     match run.source {
         Source::Perfect => "perfect workpiece at nominal, probe without faults".to_owned(),
-        Source::Workpiece { file, simulation } => {
-            format!("simulated workpiece {file}, {} °C, seed {}", simulation.temperature, simulation.seed)
+        Source::Workpiece { file, part } => {
+            format!("simulated workpiece {file}, {} °C, seed {}", part.temperature, part.seed)
         }
         Source::Contacts { file, .. } => format!("contacts from {file}"),
     }

@@ -224,11 +224,11 @@ impl Args {
             return Ok(Contacts::Recorded(read_contacts(path, io)?.1));
         }
         let Some(path) = &self.workpiece else { return Ok(Contacts::Perfect) };
-        let (file, mut simulation) = read_workpiece(path, io)?;
-        simulation.seed = self.seed.unwrap_or(simulation.seed);
+        let (file, mut part) = read_workpiece(path, io)?;
+        part.seed = self.seed.unwrap_or(part.seed);
         // Impossible figures are reported now, with the file's name, and not in the middle of the run.
-        simulation.machine().about(&file)?;
-        Ok(Contacts::Workpiece(simulation))
+        part.machine().about(&file)?;
+        Ok(Contacts::Workpiece(part))
     }
 }
 

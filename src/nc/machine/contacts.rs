@@ -1,9 +1,11 @@
 //! Where the cycles of a run get their contacts from.
 
 use super::fault::FaultKind;
+use super::moves::{Travel, TravelKind};
 use super::placement::{Placed, Placement};
-use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move};
-use crate::probing::simulated::{self, Simulation};
+use super::remark::Remark;
+use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move, Phase, Plane};
+use crate::probing::simulated::{self, Mover, Part};
 use crate::probing::{Contact, Recorded, Source, SourceError};
 
 /// What the probe touches.
@@ -11,8 +13,8 @@ use crate::probing::{Contact, Recorded, Source, SourceError};
 pub enum Contacts {
     /// Whatever a cycle expects, at nominal size and without faults.
     Perfect,
-    /// A simulated workpiece; the scatter continues from cycle to cycle.
-    Workpiece(Simulation),
+    /// A simulated workpiece, with one feature or several; the scatter continues from cycle to cycle.
+    Workpiece(Part),
     /// Contacts in probing order, points of the surface, for all cycles of the run one after the other.
     Recorded(Vec<Contact>),
 }
@@ -21,7 +23,7 @@ pub enum Contacts {
 #[derive(Debug)]
 pub(super) enum Probed {
     Perfect,
-    Workpiece(Simulation),
+    Workpiece(Box<Part>),
     Machine(Box<simulated::Machine>),
     Recorded(Recorded),
 }
@@ -33,7 +35,7 @@ impl Probed {
     pub(super) fn new(contacts: Contacts) -> Self {
         match contacts {
             Contacts::Perfect => Self::Perfect,
-            Contacts::Workpiece(simulation) => Self::Workpiece(simulation),
+            Contacts::Workpiece(part) => Self::Workpiece(Box::new(part)),
             Contacts::Recorded(contacts) => Self::Recorded(Recorded::new(contacts)),
         }
     }
@@ -44,6 +46,36 @@ impl Probed {
         Some(recorded.handed_out()).filter(|(count, used)| used < count)
     }
 
+    /// Switches the simulated machine on, if it is not yet.
+    fn switch_on(&mut self) -> Result<(), FaultKind> {
+        if let Self::Workpiece(part) = self {
+            let machine = part.machine().map_err(|error| FaultKind::Workpiece(Box::new(error)))?;
+            *self = Self::Machine(Box::new(machine));
+        }
+        Ok(())
+    }
+
+    /// What a move of the ball would touch on a simulated part. The moves that end or begin at a contact are no such
+    /// moves: they are answered by the contact. Only with the tool axis Z the stylus stands on the ball.
+    pub(super) fn collision(&mut self, travel: &Travel, plane: Plane) -> Option<Remark> {
+        if let TravelKind::Cycle(Phase::Approach | Phase::Contact | Phase::Retract) = travel.kind {
+            return None;
+        }
+        // A workpiece that cannot be is told by the cycle that measures it.
+        self.switch_on().ok()?;
+        let Self::Machine(machine) = self else { return None };
+        let movers: &[Mover] = if plane == Plane::Xy { &[Mover::Ball, Mover::Stylus] } else { &[Mover::Ball] };
+        machine.collision_of(movers, travel.from, travel.to, travel.about).map(Remark::from)
+    }
+
+    /// A remark about features that moves are not looked at with.
+    pub(super) fn unchecked(&mut self) -> Option<Remark> {
+        self.switch_on().ok()?;
+        let Self::Machine(machine) = self else { return None };
+        let features = machine.unchecked().join(", ");
+        (!features.is_empty()).then_some(Remark::Unchecked { features })
+    }
+
     /// Runs a cycle.
     pub(super) fn measure(
         &mut self,
@@ -51,10 +83,7 @@ impl Probed {
         inputs: &Inputs,
         placement: Placement,
     ) -> Result<Measured, FaultKind> {
-        if let Self::Workpiece(simulation) = self {
-            let machine = simulation.machine().map_err(|error| FaultKind::Workpiece(Box::new(error)))?;
-            *self = Self::Machine(Box::new(machine));
-        }
+        self.switch_on()?;
         match self {
             Self::Machine(machine) => {
                 // Each probe of the table has a calibration of its own.

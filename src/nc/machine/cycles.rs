@@ -53,6 +53,11 @@ impl Cycles {
         &self.runs
     }
 
+    /// What the simulated part has to say about moves: what they would touch.
+    pub(super) const fn probed(&mut self) -> &mut Probed {
+        &mut self.probed
+    }
+
     /// A remark that recorded contacts are left, unless the cycles took all.
     pub(super) fn contacts_left(&self) -> Option<Remark> {
         self.probed.left().map(|(count, used)| Remark::ContactsLeft { count, used })

@@ -7,7 +7,9 @@ use super::fault::BlockPlace;
 use super::path::NcPath;
 use crate::control::tool_table::ToolNumber;
 use crate::control::variables::Parameter;
+use crate::length::Length;
 use crate::message::{Arg, Message, Say};
+use crate::probing::simulated::{Collision, Mover};
 
 /// Something worth knowing.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -104,6 +106,24 @@ pub enum Remark {
     },
     /// Where the probe is was not known before a cycle of a lathe control, which begins there.
     PositionUnknown,
+    /// A move would touch a feature of the simulated part. Told once for a block.
+    Collision {
+        /// What of the probe touches.
+        mover: Mover,
+        /// The feature's name.
+        feature: String,
+        /// Where the centre of the ball is then, X.
+        x: Length,
+        /// Y.
+        y: Length,
+        /// Z.
+        z: Length,
+    },
+    /// Moves, or the stylus, are not looked at with some features of the simulated part. Told once for a run.
+    Unchecked {
+        /// Their names.
+        features: String,
+    },
     /// The tool is not in the touch-probe table; the first probe was used.
     OtherProbe {
         /// The tool.
@@ -137,6 +157,13 @@ pub enum Remark {
         /// How many others there are.
         more: usize,
     },
+}
+
+impl From<Collision> for Remark {
+    fn from(Collision { mover, feature, place }: Collision) -> Self {
+        let [x, y, z] = place.map(|part| Length::from_mm_f64(part).unwrap_or_default());
+        Self::Collision { mover, feature, x, y, z }
+    }
 }
 
 impl Remark {
@@ -174,6 +201,12 @@ impl Remarks {
         } else {
             self.unlisted += 1;
         }
+    }
+
+    /// Whether a collision of a block is listed.
+    pub(super) fn has_collision(&self, place: &BlockPlace) -> bool {
+        let said = self.of.get(place).into_iter().flatten().filter_map(|number| self.list.get(*number));
+        said.into_iter().any(|(_, said)| matches!(said, Remark::Collision { .. }))
     }
 
     /// Adds several of one block.

@@ -5,7 +5,7 @@ use crate::length::{Length, LengthError};
 use crate::message::{Located, Say};
 use crate::nc::machine::Fault;
 use crate::nc::program::ProgramError;
-use crate::probing::cycle::CycleError;
+use crate::probing::cycle::{CycleError, Key};
 use crate::tolerance::table::TableShapeError;
 use crate::tolerance::{Callout, CalloutError, LimitsError, ToleranceClass};
 
@@ -85,6 +85,34 @@ pub enum PlanFault {
         /// What was given.
         callout: Callout,
     },
+    /// An unknown kind of feature, or an unknown axis.
+    Unknown {
+        /// The column.
+        column: &'static str,
+        /// What was given.
+        given: String,
+        /// What is known.
+        known: String,
+    },
+    /// A column that a kind of feature does not have.
+    NotOf {
+        /// The column.
+        column: &'static str,
+        /// The kind.
+        kind: &'static str,
+    },
+    /// A face with a hole class: the cycle judges a coordinate as an outside dimension.
+    FaceClass {
+        /// What was given.
+        callout: Callout,
+    },
+    /// The coordinate of a face is not its nominal size.
+    FacePlace {
+        /// What was given.
+        callout: Callout,
+        /// The coordinate along the measured axis.
+        coordinate: Length,
+    },
     /// No limits.
     #[say(id = "nc-value")]
     Limits {
@@ -116,6 +144,17 @@ pub enum PlanFault {
         /// The name.
         name: String,
     },
+}
+
+impl PlanFault {
+    /// Why a kind or an axis is none: the column, what it has and what it may hold.
+    pub fn of_kind(column: &'static str, given: Option<&str>, known: &[&str]) -> Self {
+        match given {
+            _ if known.is_empty() => Self::NotOf { column, kind: "diameter" },
+            None => Self::NoCell { column },
+            Some(given) => Self::Unknown { column, given: given.chars().take(40).collect(), known: known.join(", ") },
+        }
+    }
 }
 
 /// Why a set cannot be made.
@@ -155,6 +194,11 @@ pub enum SetError {
     },
     /// The set does not run as it should.
     Proof(#[say(name = "reason")] ProofFault),
+    /// The simulated workpiece cannot be written.
+    Workpiece {
+        /// The message of the TOML writer.
+        reason: String,
+    },
     /// The zip file cannot be made.
     Archive {
         /// The message of the zip writer.
@@ -206,13 +250,17 @@ pub enum SetRemark {
         /// The classes in it.
         classes: String,
     },
-    /// Q262 is the limit next to the nominal size, which lies outside the limits.
+    /// The cycle's nominal size is the limit next to the nominal size, which lies outside the limits.
     MovedNominal {
         /// The feature's name.
         name: String,
         /// Its callout.
         callout: Callout,
-        /// The value of Q262.
+        /// The value that the cycle gets.
         value: Length,
+        /// The cycle's parameter for it.
+        parameter: Key,
+        /// The result that counts from there.
+        deviation: Key,
     },
 }

@@ -3,6 +3,8 @@
 //! | file | what |
 //! |---|---|
 //! | `plan`, `plan_csv` | which features are measured, and where; read from CSV |
+//! | `kind` | diameters, widths, faces: the cycle that measures each |
+//! | `workpiece` | the plan as a simulated part |
 //! | `names` | names of files and folders, by generation of controls |
 //! | `programs` | the main program, the check program and the mask of a set |
 //! | `tables` | the two tables: the 47 classes, and what else the plan needs |
@@ -16,6 +18,7 @@
 
 mod archive;
 mod error;
+mod kind;
 mod names;
 mod plan;
 mod plan_csv;
@@ -23,8 +26,10 @@ mod programs;
 mod proof;
 mod readme;
 mod tables;
+mod workpiece;
 
 pub use error::{PlanError, PlanFault, ProofFault, SetError, SetRemark};
+pub use kind::{NcKind, Towards, WidthAxis};
 pub use names::{Control, ControlFolder};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, MOST_FEATURES, NcFeature, NcPlan};
 
@@ -32,6 +37,7 @@ use super::program::Program;
 use crate::control::mask::Mask;
 use crate::tolerance::{Feature, Limits, Sources};
 use crate::words::Dialogue;
+use kind::Called;
 use names::Names;
 
 /// Which control a set is for, and in which language.
@@ -109,11 +115,15 @@ impl NcSet {
             tables.push(SetFile { name: names.table(feature).to_owned(), bytes });
         }
         remarks.extend(planned.iter().filter_map(|planned| programs::moved_nominal(*planned, target.control)));
-        let mut files = vec![
-            SetFile { name: names.main.clone(), bytes: programs::main(&names, &planned) },
-            SetFile { name: names.check.clone(), bytes: programs::check(&names) },
-            SetFile { name: names.mask.clone(), bytes: programs::mask(target) },
-        ];
+        let mut files = vec![SetFile { name: names.main.clone(), bytes: programs::main(&names, &planned) }];
+        for called in Called::ALL {
+            // The program of diameters is in every set.
+            let is_wanted = |planned: &Planned<'_>| planned.feature.kind.called() == called;
+            if called == Called::Diameter || planned.iter().any(is_wanted) {
+                files.push(SetFile { name: names.check(called).clone(), bytes: programs::check(&names, called) });
+                files.push(SetFile { name: names.mask(called).clone(), bytes: programs::mask(target, called) });
+            }
+        }
         check_programs(&files)?;
         files.extend(tables);
         proof::run(&files, &planned, &names)?;

@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use super::Target;
 use super::error::SetError;
+use super::kind::Called;
 use crate::control::table::Generation;
 use crate::nc::program::TextOperand;
 use crate::tolerance::Feature;
@@ -123,8 +124,8 @@ impl FromStr for ControlFolder {
 pub(super) struct Names<'a> {
     pub(super) target: &'a Target,
     pub(super) main: String,
-    pub(super) check: String,
-    pub(super) mask: String,
+    checks: [String; 3],
+    masks: [String; 3],
     tables: [&'static str; 2],
     pub(super) readme: &'static str,
 }
@@ -134,10 +135,16 @@ impl<'a> Names<'a> {
     /// tables (manual 81762x-19); the other files follow the same rule.
     pub(super) fn new(target: &'a Target) -> Self {
         let language = target.language;
-        let [main, check, mask, hole, shaft] = match target.control {
-            Control::Itnc530 => ["8255_", "82551_", "82552_", "82553_hole.tab", "82553_shaft.tab"],
+        let ([main, hole, shaft], checks, masks) = match target.control {
+            Control::Itnc530 => (
+                ["8255_", "82553_hole.tab", "82553_shaft.tab"],
+                ["82551_", "82551_width_", "82551_face_"],
+                ["82552_", "82552_width_", "82552_face_"],
+            ),
             Control::Tnc640 | Control::Tnc7 => {
-                ["FIT_MAIN.H", "FIT_CHECK.H", "FIT_STATUS.A", "FIT_HOLE.TAB", "FIT_SHAFT.TAB"]
+                let checks = ["FIT_CHECK.H", "FIT_WIDTH.H", "FIT_FACE.H"];
+                let masks = ["FIT_STATUS.A", "FIT_WIDTH.A", "FIT_FACE.A"];
+                (["FIT_MAIN.H", "FIT_HOLE.TAB", "FIT_SHAFT.TAB"], checks, masks)
             }
         };
         let full = |name: &str, ending: &str| {
@@ -146,10 +153,30 @@ impl<'a> Names<'a> {
         Self {
             target,
             main: full(main, ".h"),
-            check: full(check, ".h"),
-            mask: full(mask, ".a"),
+            checks: checks.map(|check| full(check, ".h")),
+            masks: masks.map(|mask| full(mask, ".a")),
             tables: [hole, shaft],
             readme: &language.words().readme,
+        }
+    }
+
+    /// The program that measures a kind of feature.
+    pub(super) const fn check(&self, called: Called) -> &String {
+        let [diameter, width, face] = &self.checks;
+        match called {
+            Called::Diameter => diameter,
+            Called::Width => width,
+            Called::Face => face,
+        }
+    }
+
+    /// Its mask.
+    pub(super) const fn mask(&self, called: Called) -> &String {
+        let [diameter, width, face] = &self.masks;
+        match called {
+            Called::Diameter => diameter,
+            Called::Width => width,
+            Called::Face => face,
         }
     }
 

@@ -1,6 +1,7 @@
 //! Which features a set measures, and where.
 
 use super::error::{PlanError, PlanFault};
+use super::kind::{NcKind, Towards};
 use crate::length::Length;
 use crate::message::Place;
 use crate::probing::cycle::{Angle, Axis, Meaning};
@@ -23,6 +24,8 @@ const LONGEST_NAME: usize = 20;
 /// clearance height, which that program leaves open, and a name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NcFeature {
+    /// What is measured of it.
+    pub kind: NcKind,
     /// Its name: ASCII letters, digits and `_`, at most 20; if empty, it becomes `F` and its number.
     pub name: String,
     /// Nominal size and class (Q1, QS1).
@@ -45,6 +48,7 @@ impl NcFeature {
     /// A feature at X, Y, Z without a name; angle 0, and the usual clearances.
     pub fn new(callout: Callout, [x, y, z]: [Length; 3]) -> Self {
         Self {
+            kind: NcKind::Diameter,
             name: String::new(),
             callout,
             x,
@@ -64,6 +68,7 @@ impl NcFeature {
             Tolerance::Fit { .. } => return Err(PlanFault::Fit { callout }),
             _ => return Err(PlanFault::NoClass { callout }),
         }
+        self.check_kind()?;
         let is_sound = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
         if LONGEST_NAME < self.name.chars().count() || !self.name.bytes().all(is_sound) {
             let name = self.name.chars().take(2 * LONGEST_NAME).collect();
@@ -79,6 +84,24 @@ impl NcFeature {
             return Err(PlanFault::ClearanceHeight { height: self.clearance_height, z: self.z });
         }
         Ok(())
+    }
+
+    /// The coordinate of a face is the nominal size, and it is judged as an outside dimension: too large is rework.
+    fn check_kind(&self) -> Result<(), PlanFault> {
+        let (callout, kind) = (self.callout, self.kind);
+        if kind != NcKind::Diameter && self.angle != Angle::default() {
+            return Err(PlanFault::NotOf { column: "angle", kind: kind.word() });
+        }
+        let NcKind::Face(Towards { axis, .. }) = kind else { return Ok(()) };
+        if callout.class().is_some_and(|class| class.feature() == Feature::Hole) {
+            return Err(PlanFault::FaceClass { callout });
+        }
+        let coordinate = match axis {
+            Axis::First => self.x,
+            Axis::Second => self.y,
+            Axis::Third => self.z,
+        };
+        if coordinate == callout.nominal() { Ok(()) } else { Err(PlanFault::FacePlace { callout, coordinate }) }
     }
 }
 

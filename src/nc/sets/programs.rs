@@ -1,11 +1,13 @@
 //! The programs and the mask of a set, made from the built-in ones: block by block, with the differences changed.
 
 use super::error::SetRemark;
+use super::kind::{self, Called, NcKind};
 use super::names::{Control, Names};
 use super::{NcFeature, Planned, Target};
 use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::nc::program::{Body, CycleValue, Expression, Operand, Program, TextExpression, TextOperand, Unit, write};
+use crate::probing::cycle::{Key, Meaning, Window};
 use crate::shipped;
 use crate::tolerance::Feature;
 use crate::words::Dialogue;
@@ -61,8 +63,8 @@ fn bare(body: Body) -> (Body, String) {
     (body, String::new())
 }
 
-fn print(names: &Names<'_>, output: String) -> (Body, String) {
-    bare(Body::Print { mask: names.operand(&names.mask), output: TextOperand::Text(output) })
+fn print(names: &Names<'_>, called: Called, output: String) -> (Body, String) {
+    bare(Body::Print { mask: names.operand(names.mask(called)), output: TextOperand::Text(output) })
 }
 
 /// The main program: for each feature its parameters, the call, a file with its result, and a stop.
@@ -94,6 +96,7 @@ fn main_block((body, comment): &(Body, String), names: &Names<'_>, feature: &NcF
                 11 => feature.x.to_mm_f64(),
                 21 => feature.y.to_mm_f64(),
                 31 => feature.z.to_mm_f64(),
+                41 if feature.kind != NcKind::Diameter => return axis_blocks(*to, names, feature.kind),
                 41 => feature.angle.to_degrees_f64(),
                 51 => feature.clearance.to_mm_f64(),
                 _ => feature.clearance_height.to_mm_f64(),
@@ -107,14 +110,37 @@ fn main_block((body, comment): &(Body, String), names: &Names<'_>, feature: &NcF
         }
         Body::CallProgram(_) => {
             let result = names.path(&names.result(&feature.name));
-            vec![bare(Body::CallProgram(names.operand(&names.check))), print(names, result)]
+            let called = feature.kind.called();
+            vec![bare(Body::CallProgram(names.operand(names.check(called)))), print(names, called, result)]
         }
         body => vec![(body.clone(), comment)],
     }
 }
 
-/// The called program: other paths, and for TNC7 a nominal diameter between the limits.
-pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
+/// The measured axis in place of the angle, and for a face the direction.
+fn axis_blocks(to: Parameter, names: &Names<'_>, kind: NcKind) -> Blocks {
+    let called = kind.called();
+    let named = |meanings: &[Meaning]| {
+        let cycle = called.cycle(Feature::Shaft);
+        let parameter = meanings.iter().find_map(|meaning| cycle?.meant(*meaning));
+        parameter.map_or("", |parameter| parameter.name_in(names.target.language)).to_owned()
+    };
+    let assign = |to, value, comment| (Body::Assign { to, value: Expression::Value(Operand::Number(value)) }, comment);
+    let [x, y, z] = kind.direction();
+    let mut made = vec![assign(
+        to,
+        x.abs() + 2.0 * y.abs() + 3.0 * z.abs(),
+        named(&[Meaning::AxisOfPlane, Meaning::MeasuredAxis]),
+    )];
+    if called == Called::Face {
+        made.push(assign(Parameter::q(42), x + y + z, named(&[Meaning::Direction])));
+    }
+    made
+}
+
+/// The called program: other paths, for TNC7 a nominal size between the limits, and the cycle of the shape.
+pub(super) fn check(names: &Names<'_>, called: Called) -> Vec<u8> {
+    let mut cycles = [Feature::Hole, Feature::Shaft].into_iter();
     let moves_nominal = names.target.control.wants_nominal_between_limits();
     let mut made = Blocks::new();
     let mut tables = [Feature::Hole, Feature::Shaft].into_iter();
@@ -124,7 +150,12 @@ pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
                 let table = tables.next().map_or("", |feature| names.table(feature));
                 made.push(bare(Body::TableOpen(names.operand(table))));
             }
-            Body::Print { .. } => made.push(print(names, "SCREEN:".to_owned())),
+            Body::Print { .. } => made.push(print(names, called, "SCREEN:".to_owned())),
+            Body::Probe(_) if called != Called::Diameter => {
+                let feature = cycles.next().unwrap_or(Feature::Shaft);
+                let nominal = if moves_nominal { kind::BETWEEN } else { kind::NOMINAL };
+                made.extend(blocks(&called.blocks(feature, nominal, names.target.language)));
+            }
             Body::Probe(mut cycle) if moves_nominal => {
                 for line in cycle.lines.iter_mut().filter(|line| line.parameter == NOMINAL_DIAMETER) {
                     let value = Operand::Parameter { parameter: BETWEEN, is_negative: false };
@@ -139,16 +170,35 @@ pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
             body => made.push((body, comment)),
         }
     }
-    written(&names.check, &made)
+    written(names.check(called), &made)
 }
 
 /// The mask: every record ends in a semicolon, lines in CRLF; `F` instead of `LF` if the control has it.
-pub(super) fn mask(target: &Target) -> Vec<u8> {
-    let original = shipped::file(shipped::MASKS, &format!("82552_{}.a", target.language));
+pub(super) fn mask(target: &Target, called: Called) -> Vec<u8> {
+    let window = match called.cycle(Feature::Hole).map(|cycle| cycle.window) {
+        Some(Window::Own(name)) if called != Called::Diameter => name,
+        _ => "82552",
+    };
+    let original = shipped::file(shipped::MASKS, &format!("{window}_{}.a", target.language));
     let text = String::from_utf8_lossy(original.unwrap_or_default());
+    let limits: Vec<(String, &str)> = match called.cycle(Feature::Hole) {
+        Some(cycle) if called != Called::Diameter => {
+            let of = |meanings: &[Meaning], to| {
+                meanings
+                    .iter()
+                    .find_map(|meaning| cycle.meant(*meaning))
+                    .map(|parameter| (parameter.key.to_string(), to))
+            };
+            let maximum = of(&[Meaning::MaximumWidth, Meaning::MaximumCoordinate], "Q23");
+            let minimum = of(&[Meaning::MinimumWidth, Meaning::MinimumCoordinate], "Q33");
+            maximum.into_iter().chain(minimum).collect()
+        }
+        _ => Vec::new(),
+    };
     let number = if target.control == Control::Itnc530 { "LF" } else { "F" };
     let lines = text.lines().map(|line| {
-        let line = line.trim_end().replace("LF", number);
+        // The limits are those of the called program, as in the mask of a diameter.
+        let line = limits.iter().fold(line.trim_end().replace("LF", number), |line, (from, to)| line.replace(from, to));
         format!("{}{}\r\n", line, if line.ends_with(';') { "" } else { ";" })
     });
     lines.collect::<String>().into_bytes()
@@ -157,10 +207,17 @@ pub(super) fn mask(target: &Target) -> Vec<u8> {
 /// The nominal diameter that the check program passes to the cycle, if it differs from the nominal size.
 pub(super) fn moved_nominal(planned: Planned<'_>, control: Control) -> Option<SetRemark> {
     let limits = planned.limits;
+    let called = planned.feature.kind.called();
+    let cycle = called.cycle(limits.feature)?;
+    // A coordinate has no nominal size.
+    let parameter = [Meaning::Diameter, Meaning::Width].iter().find_map(|meaning| cycle.meant(*meaning))?.key;
+    let deviation = Key::Q(if called == Called::Diameter { 163 } else { 166 });
     let value: Length = limits.nominal.max(limits.minimum()).min(limits.maximum());
     (control.wants_nominal_between_limits() && value != limits.nominal).then(|| SetRemark::MovedNominal {
         name: planned.feature.name.clone(),
         callout: planned.feature.callout,
         value,
+        parameter,
+        deviation,
     })
 }

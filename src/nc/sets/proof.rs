@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::error::{ProofFault, SetError};
+use super::kind::NcKind;
 use super::names::Names;
 use super::{Planned, SetFile};
 use crate::length::Length;
@@ -14,6 +15,7 @@ use crate::nc::machine::{Contacts, Machine, NcPath, Settings, Step};
 use crate::nc::program::Program;
 use crate::probing::Contact;
 use crate::probing::cycle::Angle;
+use crate::probing::vector::along;
 use crate::verdict::Status;
 
 /// How many blocks may run between two pauses: a run pauses once per feature, and must not go on for ever.
@@ -53,8 +55,28 @@ pub(super) fn run(files: &[SetFile], planned: &[Planned<'_>], names: &Names<'_>)
     Ok(())
 }
 
-/// The four contacts on a workpiece in the middle of the zone.
-fn contacts(planned: &Planned<'_>) -> [Contact; 4] {
+/// The contacts on a workpiece in the middle of the zone: four of a diameter, two of a width, one of a face.
+fn contacts(planned: &Planned<'_>) -> Vec<Contact> {
+    let feature = planned.feature;
+    let place = [feature.x, feature.y, feature.z].map(Length::to_mm_f64);
+    let middle = planned.limits.middle().to_mm_f64();
+    match feature.kind {
+        NcKind::Diameter => round_contacts(planned).to_vec(),
+        NcKind::Width(_) => {
+            let across = feature.kind.direction();
+            [1.0, -1.0].map(|sign| Contact::at(along(place, across, sign * middle / 2.0))).to_vec()
+        }
+        NcKind::Face(_) => {
+            let on_axis = feature.kind.direction().map(|part| 0.0 < part.abs());
+            let [x, y, z] = place;
+            let [is_x, is_y, is_z] = on_axis;
+            let one = |is_measured, part| if is_measured { middle } else { part };
+            vec![Contact::at([one(is_x, x), one(is_y, y), one(is_z, z)])]
+        }
+    }
+}
+
+fn round_contacts(planned: &Planned<'_>) -> [Contact; 4] {
     let feature = planned.feature;
     let radius = planned.limits.middle().to_mm_f64() / 2.0;
     let [x, y, z] = [feature.x, feature.y, feature.z].map(Length::to_mm_f64);

@@ -5,6 +5,7 @@
 
 use super::Planned;
 use super::error::SetRemark;
+use super::kind::Called;
 use super::names::Names;
 use crate::shipped;
 use crate::tolerance::Feature;
@@ -15,6 +16,9 @@ pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRem
     let mut page = String::new();
     for line in template.lines() {
         let Some(line) = for_control(line, names.target.control.code()) else { continue };
+        if !is_for(line, planned) {
+            continue;
+        }
         match line.trim() {
             "{features}" => planned.iter().for_each(|planned| add(&mut page, &feature(*planned, names))),
             "{nominal}" => {
@@ -40,12 +44,24 @@ fn for_control<'a>(line: &'a str, code: &str) -> Option<&'a str> {
     controls.split(' ').any(|control| control == code).then(|| text.strip_prefix(' ').unwrap_or(text))
 }
 
+/// Whether a line that names the program of a kind of feature is for this plan.
+fn is_for(line: &str, planned: &[Planned<'_>]) -> bool {
+    let has = |called| planned.iter().any(|planned| planned.feature.kind.called() == called);
+    [("{width}", Called::Width), ("{face}", Called::Face)]
+        .iter()
+        .all(|(mark, called)| !line.contains(mark) || has(*called))
+}
+
 fn filled(line: &str, names: &Names<'_>) -> String {
     let control = names.target.control;
     let marks = [
         ("{main}", names.main.clone()),
-        ("{check}", names.check.clone()),
-        ("{mask}", names.mask.clone()),
+        ("{check}", names.check(Called::Diameter).clone()),
+        ("{mask}", names.mask(Called::Diameter).clone()),
+        ("{width}", names.check(Called::Width).clone()),
+        ("{width_mask}", names.mask(Called::Width).clone()),
+        ("{face}", names.check(Called::Face).clone()),
+        ("{face_mask}", names.mask(Called::Face).clone()),
         ("{hole}", names.table(Feature::Hole).to_owned()),
         ("{shaft}", names.table(Feature::Shaft).to_owned()),
         ("{result}", names.result("*")),
@@ -70,7 +86,9 @@ fn feature(planned: Planned<'_>, names: &Names<'_>) -> String {
 
 fn nominal(remark: &SetRemark) -> Option<String> {
     match remark {
-        SetRemark::MovedNominal { name, callout, value } => Some(format!("  {name:<20} {callout}: Q262 = {value}")),
+        SetRemark::MovedNominal { name, callout, value, parameter, .. } => {
+            Some(format!("  {name:<20} {callout}: {parameter} = {value}"))
+        }
         SetRemark::OwnColumn { .. } | SetRemark::FewerColumns { .. } => None,
     }
 }

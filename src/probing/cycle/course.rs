@@ -107,7 +107,9 @@ impl<'a> Course<'a> {
             }
             Err(error) => {
                 // A path probed without a contact is also shown, where it has an end.
-                if touch.longest.is_finite() && !matches!(error, NoContact::InMaterial { .. }) {
+                let is_end_known =
+                    matches!(error, NoContact::Missed { .. } | NoContact::OutOfReach { .. } | NoContact::UsedUp { .. });
+                if touch.longest.is_finite() && is_end_known {
                     self.at = Some(touch.from);
                     self.go(Phase::Approach, along(touch.from, touch.direction, touch.longest), None);
                 }

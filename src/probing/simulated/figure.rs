@@ -68,6 +68,16 @@ pub enum Figure {
     SecondLength,
     /// Across the first pair of walls.
     Angle,
+    /// Of walls, along the axis of their plane.
+    Top,
+    /// The floor of a hole, slot or pocket, or the end of a body.
+    Bottom,
+    /// Of the walls of a slot or ridge.
+    Length,
+    /// Of a face or point, about its point.
+    Reach,
+    /// Of the stylus above the ball.
+    StylusRadius,
 }
 
 /// The table of a workpiece file in which a figure is.
@@ -105,6 +115,11 @@ impl Figure {
             Self::Width => (Table::Shape, "width"),
             Self::FirstLength | Self::SecondLength => (Table::Shape, "lengths"),
             Self::Angle => (Table::Shape, "angle"),
+            Self::Top => (Table::Shape, "top"),
+            Self::Bottom => (Table::Shape, "bottom"),
+            Self::Length => (Table::Shape, "length"),
+            Self::Reach => (Table::Shape, "reach"),
+            Self::StylusRadius => (Table::Probe, "stylus_radius"),
         }
     }
 }

@@ -31,10 +31,30 @@
 //!
 //! The angle of walls is that of the first length, from the first axis; 0 if it is not given. Lengths are in
 //! millimetres, angles in degrees. An unknown key is an error.
+//!
+//! A part with any number of features has tables `[[feature]]` instead, read by [`Part::read`](super::Part::read):
+//!
+//! ```toml
+//! [[feature]]
+//! name = "A1"                # F1, F2 … without it
+//! kind = "bore"              # the name of the table above
+//! centre = [40.0, 30.0]      # and the other keys of that table
+//! diameter = 25.012
+//! top = 0.0                  # of walls in X/Y, Z0 without it; walls in other planes have no end
+//! bottom = -20.0             # the floor, or the end of a body; without end if it is not given
+//!
+//! [probe]
+//! ball_radius = 3.0
+//! stylus_radius = 2.0        # that of the ball without it
+//! ```
+//!
+//! A slot or ridge can have a `length` across its width, a face or point a `reach` about its point; without them they
+//! have no end.
 
 use serde::{Deserialize, Serialize};
 
 use super::figure::Table;
+use super::part::{FeatureFault, has_features};
 use super::{
     Face, Figure, FreePoint, Lobes, Machine, Probe, Shape, Surface, Walls, Workpiece, WorkpieceError, in_range,
 };
@@ -43,13 +63,13 @@ use crate::probing::cycle::Plane;
 use crate::tolerance::Feature;
 
 /// Steel, millionths per kelvin.
-const STEEL: f64 = 11.5;
+pub(super) const STEEL: f64 = 11.5;
 
 /// The temperature that sizes refer to (ISO 1), °C.
-const REFERENCE: f64 = 20.0;
+pub(super) const REFERENCE: f64 = 20.0;
 
 /// The largest file in bytes: a real one has some hundred, and the TOML reader takes fifty times as many.
-const LARGEST: usize = 1 << 20;
+pub(super) const LARGEST: usize = 1 << 20;
 
 /// The most characters of the TOML reader's message.
 const LONGEST: usize = 300;
@@ -89,6 +109,24 @@ pub enum SimulationError {
         /// How many there are.
         found: usize,
     },
+    /// A file with `[[feature]]` tables, where one surface is wanted.
+    Several,
+    /// More features than a part can have.
+    TooMany {
+        /// What is allowed.
+        most: usize,
+    },
+    /// Something is wrong with a feature.
+    Feature {
+        /// The line.
+        line: usize,
+        /// The character in it.
+        column: usize,
+        /// The feature's name.
+        feature: String,
+        /// What is wrong.
+        fault: FeatureFault,
+    },
     /// An impossible figure.
     CannotBe {
         /// The line.
@@ -125,7 +163,7 @@ struct File {
     probe: Probe,
 }
 
-const fn first_seed() -> u64 {
+pub(super) const fn first_seed() -> u64 {
     1
 }
 
@@ -139,17 +177,17 @@ const fn steel() -> f64 {
 
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Round {
-    centre: [f64; 2],
-    diameter: f64,
+pub(super) struct Round {
+    pub(super) centre: [f64; 2],
+    pub(super) diameter: f64,
     #[serde(default)]
-    plane: Plane,
+    pub(super) plane: Plane,
     #[serde(default)]
-    ovality: Lobes,
+    pub(super) ovality: Lobes,
     #[serde(default)]
-    lobes: Lobes,
+    pub(super) lobes: Lobes,
     #[serde(default)]
-    surface_scatter: f64,
+    pub(super) surface_scatter: f64,
 }
 
 impl Round {
@@ -158,7 +196,7 @@ impl Round {
         Self { centre, diameter, plane, ovality, lobes, surface_scatter }
     }
 
-    const fn surface(&self, feature: Feature) -> Surface {
+    pub(super) const fn surface(&self, feature: Feature) -> Surface {
         let Self { centre, diameter, plane, ovality, lobes, surface_scatter } = *self;
         Surface::Round(Workpiece { feature, centre, diameter, ovality, lobes, surface_scatter }, plane)
     }
@@ -167,36 +205,36 @@ impl Round {
 /// Two walls.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Pair {
-    centre: [f64; 2],
-    width: f64,
+pub(super) struct Pair {
+    pub(super) centre: [f64; 2],
+    pub(super) width: f64,
     #[serde(default)]
-    angle: f64,
+    pub(super) angle: f64,
     #[serde(default)]
-    surface_scatter: f64,
+    pub(super) surface_scatter: f64,
 }
 
 /// Four walls.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Rectangle {
-    centre: [f64; 2],
-    lengths: [f64; 2],
+pub(super) struct Rectangle {
+    pub(super) centre: [f64; 2],
+    pub(super) lengths: [f64; 2],
     #[serde(default)]
-    angle: f64,
+    pub(super) angle: f64,
     #[serde(default)]
-    surface_scatter: f64,
+    pub(super) surface_scatter: f64,
 }
 
 impl Pair {
-    const fn surface(&self, feature: Feature) -> Surface {
+    pub(super) const fn surface(&self, feature: Feature) -> Surface {
         let Self { centre, width, angle, surface_scatter } = *self;
         Surface::Walls(Walls { feature, centre, lengths: (width, None), angle, surface_scatter })
     }
 }
 
 impl Rectangle {
-    const fn surface(&self, feature: Feature) -> Surface {
+    pub(super) const fn surface(&self, feature: Feature) -> Surface {
         let Self { centre, lengths: [first, second], angle, surface_scatter } = *self;
         Surface::Walls(Walls { feature, centre, lengths: (first, Some(second)), angle, surface_scatter })
     }
@@ -223,6 +261,9 @@ impl Simulation {
     pub fn read(text: &str) -> Result<Self, SimulationError> {
         if LARGEST < text.len() {
             return Err(SimulationError::TooLarge);
+        }
+        if has_features(text) {
+            return Err(SimulationError::Several);
         }
         let file: File = toml::from_str(text).map_err(|error| SimulationError::Toml {
             line: line_at(text, error.span().map_or(0, |span| span.start)),
@@ -286,8 +327,7 @@ impl Simulation {
     /// [`WorkpieceError`] names the impossible figure.
     pub fn machine(&self) -> Result<Machine, WorkpieceError> {
         self.check()?;
-        let factor = 1.0 + self.expansion * 1e-6 * (self.temperature - REFERENCE);
-        Machine::with(self.surface.grown(factor), self.probe, self.seed)
+        Machine::with(self.surface.grown(growth(self.temperature, self.expansion)), self.probe, self.seed)
     }
 }
 
@@ -300,7 +340,7 @@ const fn hole_or_shaft<T: Copy>(feature: Feature, table: T) -> (Option<T>, Optio
 }
 
 /// The TOML reader's message, cut off where a key is very long.
-fn bounded(said: &str) -> String {
+pub(super) fn bounded(said: &str) -> String {
     match said.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", said.get(..end).unwrap_or_default()),
         None => said.to_owned(),
@@ -308,7 +348,7 @@ fn bounded(said: &str) -> String {
 }
 
 /// The TOML reader's message in a user's words: numbers instead of their types, and which key is there twice.
-fn plain(error: &toml::de::Error, text: &str) -> String {
+pub(super) fn plain(error: &toml::de::Error, text: &str) -> String {
     let said = error.message().replace("expected f64", "expected a number");
     let said = said.replace("expected u64", "expected a whole number from 0 to 9223372036854775807");
     let said = said.replace(" as i128", "").replace("expected u32", "expected a whole number from 0");
@@ -319,12 +359,23 @@ fn plain(error: &toml::de::Error, text: &str) -> String {
 }
 
 /// The line of a place in a text, from 1.
-fn line_at(text: &str, offset: usize) -> usize {
+pub(super) fn line_at(text: &str, offset: usize) -> usize {
     1 + text.bytes().take(offset).filter(|byte| *byte == b'\n').count()
 }
 
+/// The character in its line of a place in a text, from 1.
+pub(super) fn column_at(text: &str, offset: usize) -> usize {
+    let before = text.get(..offset).unwrap_or_default();
+    1 + before.chars().rev().take_while(|character| *character != '\n').count()
+}
+
+/// By which factor a workpiece of this temperature and expansion is larger than at 20 °C.
+pub(super) fn growth(temperature: f64, expansion: f64) -> f64 {
+    1.0 + expansion * 1e-6 * (temperature - REFERENCE)
+}
+
 /// The line of the key that gave a figure; the first line of the table if the figure was not given.
-fn line_of(text: &str, kind: &str, what: Figure) -> usize {
+pub(super) fn line_of(text: &str, kind: &str, what: Figure) -> usize {
     let (table, key) = what.place();
     let table = match table {
         Table::Top => None,

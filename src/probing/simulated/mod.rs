@@ -10,17 +10,21 @@
 //! | `workpiece` | a round, oval or lobed contour |
 //! | `probe` | ball, scatter, pre-travel, calibration |
 //! | `nearest` | where a ball meets a wavy contour |
+//! | `part/` | several features on one workpiece, what is met first, what a move would touch |
 //!
 //! The same seed gives the same contacts, on every machine and in every version.
 
 mod figure;
 mod file;
 mod nearest;
+mod part;
 mod probe;
 mod shape;
 mod surface;
 mod walls;
 mod workpiece;
+
+use std::sync::Arc;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng as _;
@@ -28,11 +32,15 @@ use rand_distr::{Distribution as _, StandardNormal};
 
 pub use figure::Figure;
 pub use file::{Simulation, SimulationError};
+pub use part::{Collision, Extent, FeatureFault, Mover, Part, PartFeature};
 pub use probe::Probe;
 pub use shape::Shape;
 pub use surface::{Face, FreePoint, Outline, Surface, Wave};
 pub use walls::Walls;
 pub use workpiece::{Lobes, Workpiece};
+
+use file::{REFERENCE, STEEL, growth};
+use part::{Obstacle, Space};
 
 use super::contact::{Contact, NoContact, Prober, Touch};
 use super::cycle::Plane;
@@ -66,8 +74,9 @@ fn in_range(what: Figure, given: f64, least: f64, most: f64) -> Result<(), Workp
 /// The simulated machine: answers probings with contacts.
 #[derive(Debug, Clone)]
 pub struct Machine {
-    surface: Surface,
+    space: Arc<Space>,
     probe: Probe,
+    stylus_radius: f64,
     /// The offset of the ball in the control, minus its real offset.
     misplaced: [f64; 3],
     random: ChaCha8Rng,
@@ -88,9 +97,26 @@ impl Machine {
     /// # Errors
     /// [`WorkpieceError`] names the impossible figure.
     pub fn with(surface: Surface, probe: Probe, seed: u64) -> Result<Self, WorkpieceError> {
-        surface.check(probe.trigger_scatter)?;
+        Self::of(vec![PartFeature::endless(surface)], probe, None, seed)
+    }
+
+    /// A machine with several features on it; a stylus without a radius has that of the ball.
+    fn of(
+        features: Vec<PartFeature>,
+        probe: Probe,
+        stylus_radius: Option<f64>,
+        seed: u64,
+    ) -> Result<Self, WorkpieceError> {
+        features.iter().try_for_each(|feature| feature.check(probe.trigger_scatter))?;
         probe.check()?;
-        Ok(Self { surface, probe, misplaced: [0.0; 3], random: ChaCha8Rng::seed_from_u64(seed), touches: 0 })
+        Ok(Self {
+            space: Arc::new(Space::of(features)),
+            probe,
+            stylus_radius: stylus_radius.unwrap_or(probe.ball_radius),
+            misplaced: [0.0; 3],
+            random: ChaCha8Rng::seed_from_u64(seed),
+            touches: 0,
+        })
     }
 
     /// Uses the calibration of a row of the touch-probe table: where the file says how far the ball really lies off the
@@ -104,10 +130,51 @@ impl Machine {
         self
     }
 
+    /// What a move of the ball's centre would touch first, on a straight line or on the shorter arc about a centre,
+    /// millimetres; `None` where the way is free, and for a workpiece of a file without `[[feature]]`.
+    pub fn collision(&self, from: [f64; 3], to: [f64; 3], about: Option<[f64; 3]>) -> Option<Collision> {
+        self.collision_of(&[Mover::Ball, Mover::Stylus], from, to, about)
+    }
+
+    /// The same for the ball alone, or the stylus alone.
+    pub(crate) fn collision_of(
+        &self,
+        movers: &[Mover],
+        from: [f64; 3],
+        to: [f64; 3],
+        about: Option<[f64; 3]>,
+    ) -> Option<Collision> {
+        let real = |place| along(place, self.misplaced, -1.0);
+        let radius = |mover: &Mover| match mover {
+            Mover::Ball => (*mover, self.probe.ball_radius),
+            Mover::Stylus => (*mover, self.stylus_radius),
+        };
+        let movers: Vec<(Mover, f64)> = movers.iter().map(radius).collect();
+        let found = self.space.collision([from, to].map(real), about.map(real), &movers)?;
+        Some(Collision { place: along(found.place, self.misplaced, 1.0), ..found })
+    }
+
+    /// The features that moves, or the stylus, are not looked at with: no closed form says how near they are.
+    pub fn unchecked(&self) -> Vec<&str> {
+        self.space.unchecked()
+    }
+
     fn scatter(&mut self, sigma: f64) -> f64 {
         // Drawn even if there is no scatter, so that one figure does not change the random numbers of the others.
         let normal: f64 = StandardNormal.sample(&mut self.random);
         sigma * normal
+    }
+
+    /// What stands in the way of a probing, as its error.
+    fn refused(&self, number: usize, obstacle: Obstacle) -> NoContact {
+        let name = |feature: usize| self.space.name(feature).to_owned();
+        match obstacle {
+            Obstacle::Nothing => NoContact::Missed { number },
+            Obstacle::InMaterial(_) if self.space.only().is_some() => NoContact::InMaterial { number },
+            Obstacle::InMaterial(feature) => NoContact::InFeature { number, feature: name(feature) },
+            Obstacle::Behind(feature) => NoContact::Behind { number, feature: name(feature) },
+            Obstacle::Ambiguous(one, other) => NoContact::Ambiguous { number, feature: name(one), other: name(other) },
+        }
     }
 }
 
@@ -117,18 +184,15 @@ impl Prober for Machine {
         let number = self.touches;
         // Where the ball really is when the control assumes it at the start.
         let from = along(touch.from, self.misplaced, -1.0);
-        let ball_radius = self.probe.ball_radius;
-        if !self.surface.is_free(from, ball_radius) {
-            return Err(NoContact::InMaterial { number });
-        }
-        let met = self.surface.distance(from, touch.direction, ball_radius);
-        let distance = met.ok_or(NoContact::Missed { number })?;
-        if touch.longest < distance {
+        let met = self.space.meet(from, touch.direction, self.probe.ball_radius);
+        let met = met.map_err(|obstacle| self.refused(number, obstacle))?;
+        if touch.longest < met.distance {
             let longest = Length::from_mm_f64(touch.longest).unwrap_or_default();
             return Err(NoContact::OutOfReach { number, longest });
         }
-        let scatter = self.scatter(self.surface.scatter()) + self.scatter(self.probe.trigger_scatter);
-        let told = distance + scatter + self.probe.pre_travel(touch.direction);
+        let of_surface = self.space.scatter(met.feature);
+        let scatter = self.scatter(of_surface) + self.scatter(self.probe.trigger_scatter);
+        let told = met.distance + scatter + self.probe.pre_travel(touch.direction);
         Ok(Contact::at(along(touch.from, touch.direction, told)))
     }
 

@@ -70,6 +70,43 @@ pub(super) fn trace(gap: impl Fn(f64) -> f64, farthest: f64) -> Option<f64> {
     (open <= GRAZING).then_some(gone)
 }
 
+/// The most steps of a way past several features.
+const MOST_STEPS_PAST: usize = 100_000;
+
+/// A way past several features.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Way {
+    /// It is free to its end.
+    Free,
+    /// The gap is closed after so much of it.
+    Closed(f64),
+}
+
+/// Follows a way until the gap is closed, or to its end.
+pub(super) fn follow(gap: impl Fn(f64) -> f64, length: f64) -> Way {
+    let mut gone = 0.0;
+    for _ in 0..MOST_STEPS_PAST {
+        let open = gap(gone);
+        if open <= TOUCHING {
+            return Way::Closed(gone);
+        }
+        if length <= gone {
+            return Way::Free;
+        }
+        gone = (gone + open).min(length);
+    }
+    Way::Closed(gone)
+}
+
+/// How far a ball can move past several features until the gap to one of them is closed, at most `farthest`; `None`
+/// where it stays open.
+pub(super) fn advance(gap: impl Fn(f64) -> f64, farthest: f64) -> Option<f64> {
+    match follow(&gap, farthest) {
+        Way::Closed(gone) => (gap(gone) <= GRAZING).then_some(gone),
+        Way::Free => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -231,7 +231,7 @@ impl Face {
         along(wave.direction, normal, -share)
     }
 
-    fn gap(&self, from: [f64; 3], ball_radius: f64) -> f64 {
+    pub(super) fn gap(&self, from: [f64; 3], ball_radius: f64) -> f64 {
         let off = along(from, self.point, -1.0);
         let height = dot(off, unit(self.normal));
         let Some(wave) = self.wave.filter(|wave| 0.0 < wave.amplitude) else { return height - ball_radius };
@@ -271,11 +271,11 @@ impl FreePoint {
     }
 
     /// The real point of the surface, moved by the deviation.
-    fn real(&self) -> [f64; 3] {
+    pub(super) fn real(&self) -> [f64; 3] {
         along(self.point, unit(self.normal), self.deviation)
     }
 
-    fn gap(&self, from: [f64; 3], ball_radius: f64) -> f64 {
+    pub(super) fn gap(&self, from: [f64; 3], ball_radius: f64) -> f64 {
         let Some(radius) = self.radius else {
             return dot(along(from, self.real(), -1.0), unit(self.normal)) - ball_radius;
         };

@@ -76,6 +76,21 @@ impl Walls {
             .map(|[x, y]| [centre_x + x * cos - y * sin, centre_y + x * sin + y * cos])
     }
 
+    /// How far a place lies outside the first and the second pair of walls, below zero between them; a single pair ends
+    /// after half a length on either side.
+    pub(super) fn outside(&self, place: [f64; 2], length: f64) -> [f64; 2] {
+        let ([one, other], [half_1, half_2]) = (self.place(place).map(f64::abs), self.halves());
+        [one - half_1, other - half_2.min(length / 2.0)]
+    }
+
+    /// The direction out of the space, to the nearest wall, with length 1.
+    pub(super) fn outwards(&self, place: [f64; 2]) -> [f64; 2] {
+        let ([cos, sin], [one, other]) = (self.across(), self.place(place));
+        let [outside_1, outside_2] = self.outside(place, f64::INFINITY);
+        let (sign_1, sign_2) = (one.signum(), other.signum());
+        if outside_2 <= outside_1 { [sign_1 * cos, sign_1 * sin] } else { [-sign_2 * sin, sign_2 * cos] }
+    }
+
     /// Whether a ball at this place is outside the material.
     pub(super) fn is_free(&self, from: [f64; 2], ball_radius: f64) -> bool {
         let [place_1, place_2] = self.place(from).map(f64::abs);

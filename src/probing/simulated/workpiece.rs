@@ -89,6 +89,26 @@ impl Workpiece {
         self.ovality.amplitude.max(self.lobes.amplitude) <= 0.0
     }
 
+    /// The radius of its highest crest.
+    pub(super) const fn widest(&self) -> f64 {
+        self.diameter / 2.0 + self.ovality.amplitude + self.lobes.amplitude
+    }
+
+    /// The direction from the centre to a place, with length 1.
+    pub(super) fn outwards(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [centre_x, centre_y] = self.centre;
+        let (sin, cos) = (y - centre_y).atan2(x - centre_x).sin_cos();
+        [cos, sin]
+    }
+
+    /// How far a place lies outside the contour; below zero inside.
+    pub(super) fn outside(&self, [x, y]: [f64; 2]) -> f64 {
+        let [centre_x, centre_y] = self.centre;
+        let off @ [off_x, off_y] = [x - centre_x, y - centre_y];
+        let beyond = off_x.hypot(off_y) - self.radius(off_y.atan2(off_x));
+        if self.is_round() { beyond } else { self.gap(off, 0.0).copysign(beyond) }
+    }
+
     /// Whether a ball at this place is outside the material and does not touch it from behind.
     pub(super) fn is_free(&self, [x, y]: [f64; 2], ball_radius: f64) -> bool {
         let [centre_x, centre_y] = self.centre;

@@ -16,7 +16,7 @@ impl ProgramPage {
     fn round(feature: Feature, centre: [Length; 2], diameter: Length) -> Contacts {
         let workpiece = Workpiece::round(feature, centre.map(Length::to_mm_f64), diameter.to_mm_f64());
         let surface = Surface::Round(workpiece, Plane::Xy);
-        Contacts::Workpiece(Simulation::perfect(surface))
+        Contacts::Workpiece(Simulation::perfect(surface).into())
     }
 
     fn field_length(&self, field: ProgramField) -> Result<Length, Message> {
@@ -102,7 +102,7 @@ impl ProgramPage {
                 Ok(Self::round(feature, centre, diameter))
             }
             WorkpieceFrom::Simulated => match shared.workpiece.form.simulation() {
-                Some(bench) => Ok(Contacts::Workpiece(*bench)),
+                Some(bench) => Ok(Contacts::Workpiece((*bench).into())),
                 None => Err(Message::new("program-page-refused-workpiece")),
             },
             WorkpieceFrom::Recorded => match &shared.workpiece.recorded {

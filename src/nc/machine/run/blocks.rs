@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::super::budget::{Settings, UsedUp};
 use super::super::cycles::{Asked, CycleRun, cycle_of, hand_over};
-use super::super::fault::{Counted, Fault, FaultKind};
+use super::super::fault::{BlockPlace, Counted, Fault, FaultKind};
 use super::super::files::Files;
 use super::super::logs::Log;
 use super::super::path::NcPath;
@@ -17,7 +17,7 @@ use crate::control::mask::Context;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::program::{Block, Body, CycleBlock, MachineFunction, PassedOver, TextOperand};
-use crate::probing::cycle::{Control, LogTarget};
+use crate::probing::cycle::{Control, LogTarget, Plane};
 
 impl Run {
     /// Runs the next block.
@@ -25,7 +25,9 @@ impl Run {
         self.values.begin_block();
         let at = self.flow.next();
         let place = self.flow.place_of(at);
+        let travels = self.way.travels().len();
         let mut done = self.block(at, files, settings);
+        self.look_at_travels(&place, travels, settings);
         let instead = files.take_instead().into_iter().map(|path| Remark::BuiltIn { path }).collect();
         self.remarks.add_all(&place, instead);
         if matches!(done, Ok(Step::Ended)) {
@@ -38,6 +40,22 @@ impl Run {
             }
         }
         done.map_err(|kind| self.fail(at, kind, files))
+    }
+
+    /// Remarks on what the moves of a block would touch: the first place of the block, and once for a run what they are
+    /// not looked at with.
+    fn look_at_travels(&mut self, place: &BlockPlace, before: usize, settings: &Settings) {
+        // Where no tool was called, its axis is Z.
+        let plane = self.around.placement(settings.assumes_tool).map_or(Plane::Xy, |placement| placement.plane);
+        let travels = self.way.travels().get(before..).unwrap_or_default();
+        let probed = self.cycles.probed();
+        if before == 0 && !travels.is_empty() {
+            self.remarks.add_all(place, probed.unchecked().into_iter().collect());
+        }
+        if !self.remarks.has_collision(place) {
+            let found = travels.iter().find_map(|travel| probed.collision(travel, plane));
+            self.remarks.add_all(place, found.into_iter().collect());
+        }
     }
 
     /// Ends the run with a fault; what FN 27 has changed so far is written, as on the control.
