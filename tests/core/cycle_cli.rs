@@ -314,6 +314,30 @@ fn a_log_is_written_beside_others_and_read_again() {
     assert_eq!(fitcheck::files::read(&path).unwrap(), one[..100]);
 }
 
+/// As `run --output-folder` does.
+#[test]
+fn the_folder_of_the_log_is_made() {
+    let folder = tempfile::tempdir().unwrap();
+    let new = folder.path().join("logs");
+    let said = fitcheck(
+        &[
+            "444",
+            "--log-folder",
+            &new.display().to_string(),
+            "--set",
+            "Q263=1",
+            "Q264=2",
+            "Q294=3",
+            "Q581=0",
+            "Q582=0",
+            "Q583=1",
+        ],
+        "",
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    assert!(new.join("TCHPR444.html").is_file());
+}
+
 #[test]
 fn the_log_of_cycle_444_is_a_page() {
     let folder = tempfile::tempdir().unwrap();
