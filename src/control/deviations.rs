@@ -24,6 +24,16 @@ use crate::tolerance::{ClassError, DeviationTable, Deviations, ToleranceClass};
 const RANGE: &str = "BEREICH";
 /// Another spelling of it, used once in the description of NC-Solution 8255.
 const RANGE_ALIAS: &str = "BEREIK";
+/// The other spelling of the range column's name: NC-Solution 8255 has both, BEREICH and once BEREIK. `None` for any
+/// other name.
+pub fn other_spelling(name: &str) -> Option<&'static str> {
+    match name {
+        RANGE => Some(RANGE_ALIAS),
+        RANGE_ALIAS => Some(RANGE),
+        _ => None,
+    }
+}
+
 /// The column of the row number: never a deviation.
 const ROW_NUMBER: &str = "NR";
 

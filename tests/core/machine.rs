@@ -471,6 +471,24 @@ fn tables_are_read_by_row_and_column() {
     assert_eq!(text_value(&machine, "QS2"), "a b");
 }
 
+/// NC-Solution 8255 reads BEREICH first and BEREIK after that, from the same table.
+#[test]
+fn the_range_column_is_found_in_both_spellings() {
+    let other = TABLE.replace("BEREICH", "BEREIK ");
+    for (table, has, lacks) in [(TABLE, "BEREICH", "BEREIK"), (other.as_str(), "BEREIK", "BEREICH")] {
+        let blocks = "FN 26: TABOPEN own.tab\nFN 28: TABREAD Q5 = 0/\"BEREICH\"\nFN 28: TABREAD Q6 = 0/\"BEREIK,H7\"\n\
+                      Q8 = 4\nFN 27: TABWRITE 0/\"BEREIK\" = Q8\nFN 28: TABREAD Q9 = 0/\"BEREICH\"";
+        let mut machine = machine_in(InMemory::new().with("own.tab", table), blocks);
+        to_end(&mut machine);
+        check_values(&machine, &[("Q5", 3.0), ("Q6", 3.0), ("Q7", 10.0), ("Q9", 4.0)]);
+        let said: Vec<String> = machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect();
+        let said: Vec<&String> = said.iter().filter(|said| said.contains("spelling")).collect();
+        let expected =
+            format!("table own.tab has no column {lacks}: {has} was taken, the other spelling in NC-Solution 8255");
+        assert!(!said.is_empty() && said.iter().all(|said| **said == expected), "{said:?}");
+    }
+}
+
 #[test]
 fn what_tables_cannot_do_is_said() {
     let open = "FN 26: TABOPEN own.tab\n";

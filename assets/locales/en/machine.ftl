@@ -71,6 +71,7 @@ machine-inch = cycles run in MM programs only
 machine-remark-skipped = unknown block skipped
 machine-remark-built-in = { $path } is not among the given files: the built-in one was read
 machine-remark-read = { $path }: { $what }
+machine-remark-other-spelling = table { $table } has no column { $column }: { $other } was taken, the other spelling in NC-Solution 8255
 machine-remark-ended-within = M{ $function } in a called program ended the run: a control does not allow it there
 machine-remark-given-wins = { $parameter } = { $value } was given before the run and replaces this block's value
 machine-remark-not-written = { $path } was not written: no output folder was chosen

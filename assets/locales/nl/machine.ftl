@@ -71,6 +71,7 @@ machine-inch = cycli worden alleen uitgevoerd in programma's in MM
 machine-remark-skipped = onbekende NC-regel overgeslagen
 machine-remark-built-in = { $path } is niet bij de opgegeven bestanden: het ingebouwde is gelezen
 machine-remark-read = { $path }: { $what }
+machine-remark-other-spelling = tabel { $table } heeft geen kolom { $column }: { $other } is genomen, de andere schrijfwijze in NC-Solution 8255
 machine-remark-ended-within = M{ $function } in een aangeroepen programma heeft de uitvoering beëindigd: een besturing staat dat daar niet toe
 machine-remark-given-wins = { $parameter } = { $value } is vooraf opgegeven en vervangt de waarde in deze NC-regel
 machine-remark-not-written = { $path } is niet geschreven: er is geen map voor uitvoer gekozen
