@@ -723,6 +723,27 @@ fn q281_writes_the_measuring_log_beside_the_program_or_shows_it() {
     assert!(machine.remarks()[0].1.to_string().ends_with("no output folder was chosen"));
 }
 
+/// What `fitcheck cycle 444 --as-block` writes.
+#[test]
+fn a_cycle_takes_the_word_mb() {
+    let block = |mb: &str| {
+        format!(
+            "Q5 = 7\nTCH PROBE 444 TASTEN 3D ~\n Q263=+1 ~\n Q264=+2 ~\n Q294=+3 ~\n Q581=+0 ~\n Q582=+0 ~\n Q583=+1 ~\n \
+             Q260=+50 ~\n {mb}"
+        )
+    };
+    for mb in ["MB=+7 ;TERUGTREKAFSTAND", "mb = Q5"] {
+        let machine = ran(&block(mb));
+        let last = machine.cycles()[0].result.path.last().unwrap().to;
+        assert!((last[2] - 10.0).abs() < 1e-9, "{last:?}");
+    }
+    // The end of the machine's traverse: a simulated workpiece has none.
+    assert_eq!(fault(&block("MB=MAX")), "cycle 444: MB RETRACTION: MAX is not a number");
+    assert_eq!(fault(&block("MB=+7 ~\n MB=+7")), "cycle 444: MB is given twice");
+    assert_eq!(fault(&block("QB=+7")), "unknown block: Fitcheck runs only what it understands");
+    assert!(fault(&block("BM=+7")).starts_with("cycle 444 has no parameter BM"));
+}
+
 #[test]
 fn a_stop_of_q309_pauses_with_its_reason() {
     let blocks =

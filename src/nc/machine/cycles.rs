@@ -122,11 +122,11 @@ fn with_lines(
     values: &Values,
 ) -> Result<Inputs, FaultKind> {
     for line in &block.lines {
-        let parameter = line.parameter;
-        let unknown = FaultKind::NoCycleParameter { cycle: cycle.code, parameter };
-        let declared = cycle.parameter_named(&parameter.to_string()).ok_or(unknown)?;
+        let name = || line.parameter.clone();
+        let unknown = || FaultKind::NoCycleParameter { cycle: cycle.code, parameter: name() };
+        let declared = cycle.parameter_named(&line.parameter.to_string()).ok_or_else(unknown)?;
         if inputs.is_given(declared.key) {
-            return Err(FaultKind::CycleParameterTwice { cycle: cycle.code, parameter });
+            return Err(FaultKind::CycleParameterTwice { cycle: cycle.code, parameter: name() });
         }
         inputs = inputs.with(declared.key, input(cycle, declared, line, values)?);
     }

@@ -8,7 +8,7 @@ use crate::control::table::{TableError, WriteError};
 use crate::control::text::cut;
 use crate::control::variables::Parameter;
 use crate::message::{Message, Say, display};
-use crate::nc::program::{LabelFault, Program, ProgramError};
+use crate::nc::program::{CycleName, LabelFault, Program, ProgramError};
 use crate::probing::cycle::CycleError;
 use crate::probing::simulated::WorkpieceError;
 
@@ -265,14 +265,14 @@ pub enum FaultKind {
         /// The cycle.
         cycle: &'static str,
         /// The parameter.
-        parameter: Parameter,
+        parameter: CycleName,
     },
     /// A parameter that is given twice.
     CycleParameterTwice {
         /// The cycle.
         cycle: &'static str,
         /// The parameter.
-        parameter: Parameter,
+        parameter: CycleName,
     },
     /// The cycle did not finish.
     Cycle {

@@ -37,8 +37,8 @@ mod write_formula;
 
 pub use around::{Frame, Goes, Mode, PassedOver};
 pub use block::{
-    Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, Feed, MachineFunction,
-    Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
+    Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleName, CycleValue, Feed,
+    MachineFunction, Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
 };
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
 pub use expression::{Expression, NumberFunction, Operation, TextExpression};

@@ -126,7 +126,7 @@ pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
             }
             Body::Print { .. } => made.push(print(names, "SCREEN:".to_owned())),
             Body::Probe(mut cycle) if moves_nominal => {
-                for line in cycle.lines.iter_mut().filter(|line| line.parameter == NOMINAL_DIAMETER) {
+                for line in cycle.lines.iter_mut().filter(|line| line.parameter == NOMINAL_DIAMETER.into()) {
                     let value = Operand::Parameter { parameter: BETWEEN, is_negative: false };
                     line.value = CycleValue::Number { value, text: format!("+{BETWEEN}") };
                 }

@@ -3,12 +3,13 @@
 //! Known by their first words; what is passed over is not checked further. Forms: `docs/SOURCES.md`, "Around a measurement".
 
 use super::super::around::{Frame, Goes, Mode, PassedOver};
-use super::super::block::{Axis, AxisWord, Body, CycleBlock, CycleValue, MachineFunction, Operand, Place};
+use super::super::block::{Axis, AxisWord, Body, CycleBlock, CycleLine, CycleValue, MachineFunction, Operand, Place};
 use super::super::cursor::{Cursor, Read};
 use super::super::lines::Piece;
 use super::super::words::AXES;
 use super::cycle;
 use super::moves::{axis_letter, axis_word, is_machine_function, machine_functions};
+use crate::control::variables::Parameter;
 
 /// Where the words of a path end up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -172,8 +173,8 @@ fn path(cursor: &mut Cursor<'_>, words: String, end: End) -> Read<Body> {
 fn axis(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
     let mut ahead = cursor.clone();
     ahead.take_prefix("I");
-    let is_value = axis_letter(&mut ahead).is_some()
-        && matches!(ahead.next(), Some('0'..='9' | '+' | '-' | '.' | 'Q' | 'q'));
+    let is_value =
+        axis_letter(&mut ahead).is_some() && matches!(ahead.next(), Some('0'..='9' | '+' | '-' | '.' | 'Q' | 'q'));
     if is_value { axis_word(cursor) } else { Ok(None) }
 }
 
@@ -318,7 +319,8 @@ pub(super) fn defined(cycle: CycleBlock) -> Body {
     if cycle.number != "247" {
         return Body::CycleDefinition(cycle);
     }
-    let preset = cycle.lines.iter().find(|line| line.parameter.number == 339).and_then(|line| match line.value {
+    let is_preset = |line: &&CycleLine| line.parameter == Parameter::q(339).into();
+    let preset = cycle.lines.iter().find(is_preset).and_then(|line| match line.value {
         CycleValue::Number { value, .. } => Some(value),
         CycleValue::Text(_) | CycleValue::Word(_) => None,
     });
