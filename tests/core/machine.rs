@@ -13,7 +13,7 @@ use fitcheck::nc::machine::{
     UsedUp,
 };
 use fitcheck::nc::program::Program;
-use fitcheck::probing::cycle::Control;
+use fitcheck::probing::cycle::{Control, Move, Phase};
 use fitcheck::probing::cycles::cycles_of;
 use fitcheck::probing::simulated::Simulation;
 use fitcheck::probing::{Measurement, Origin};
@@ -841,6 +841,28 @@ fn the_shipped_programs_print_the_native_window() {
         assert_eq!(machine.windows()[0].text, status_window(&record, Dialogue::Nl, None).unwrap(), "{callout}");
         assert_eq!(machine.status(), Some(record.verdict.status()), "{callout}");
     }
+}
+
+/// Q41 turns the contacts, Q51 moves the places where the probings begin: 25 mm about (12, -7), from 30 degrees on.
+#[test]
+fn the_shipped_program_measures_from_q41_on_with_the_clearance_of_q51() {
+    let mut machine = shipped("25", "H7", "[bore]\ncentre = [12.0, -7.0]\ndiameter = 25.0\n");
+    for (name, value) in [("Q11", 12.0), ("Q21", -7.0), ("Q31", -3.0), ("Q41", 30.0), ("Q51", 4.0)] {
+        machine.set(name.parse().unwrap(), Value::Number(value)).unwrap();
+    }
+    to_end(&mut machine);
+    let result = &machine.cycles()[0].result;
+    let rounded = |place: [f64; 3]| place.map(|part| (part * 1e4).round() / 1e4);
+    let contacts: Vec<_> = result.contacts.iter().map(|contact| rounded(contact.place())).collect();
+    // 12.5 cos 30 = 10.8253, 12.5 sin 30 = 6.25, then in steps of 90 degrees.
+    let expected = [[22.8253, -0.75, -3.0], [5.75, 3.8253, -3.0], [1.1747, -13.25, -3.0], [18.25, -17.8253, -3.0]];
+    assert_eq!(contacts, expected);
+    let begins = |wanted| {
+        let of = |step: &&Move| step.touch == Some(1) && step.phase == wanted;
+        rounded(result.path.iter().find(of).unwrap().from)
+    };
+    // 4 mm of Q51 and 2 mm of SET_UP before the contact: 6.5 cos 30 = 5.6292, 6.5 sin 30 = 3.25.
+    assert_eq!(begins(Phase::Approach), [17.6292, -3.75, -3.0]);
 }
 
 #[test]

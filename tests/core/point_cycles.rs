@@ -149,6 +149,22 @@ fn no_contact_within_dist_is_an_error_and_the_way_is_kept() {
     assert_eq!(path.last().map(|step| step.phase), Some(Phase::PrePosition));
 }
 
+/// DIST sets the probing path of cycle 444, whatever the normal.
+#[test]
+fn cycle_444_meets_nothing_beyond_dist() {
+    let cycle = cycle_named("444").unwrap();
+    let probe =
+        TouchProbe { longest_path: "6".parse().unwrap(), set_up: "1.5".parse().unwrap(), ..TouchProbe::default() };
+    let given = inputs(cycle, "Q263=10 Q264=20 Q294=5 Q581=0 Q582=0 Q583=3 Q260=50").unwrap().with_probe(probe);
+    // The ball starts 1.5 mm before its contact with the nominal point, so 4.5 mm deeper is still reached.
+    assert!(cycle.measure(&given, &mut machine(top(0.5), 2.0)).is_ok());
+    let (path, refused) = cycle.measure_along(&given, &mut machine(top(0.499_999), 2.0));
+    let refused = refused.unwrap_err();
+    assert_eq!(said(&refused), "contact 1: the probe met nothing within the probing path of 6 mm");
+    // The ball stops where DIST ends: 8.5 - 6 mm.
+    assert_eq!(path.last().map(|step| (step.phase, step.to[2])), Some((Phase::Approach, 2.5)));
+}
+
 #[test]
 fn the_way_of_cycle_427_is_listed_move_by_move() {
     let result = check_427(5.0, "Q320=1", "Q160=5 Q180=1 Q181=0 Q182=0");
