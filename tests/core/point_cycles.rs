@@ -13,11 +13,11 @@ use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 use proptest::prelude::*;
 
-/// Seed 004, the example block of cycle 427.
+/// Manual TNC7 (Italian), the example block of cycle 427.
 const EXAMPLE_427: &str = "Q263=+35 Q264=+45 Q261=+5 Q320=+0 Q272=+3 Q267=-1 Q260=+20 Q281=+1 Q288=+5.1 Q289=+4.95 \
                         Q309=+0 Q330=+0 Q498=+0 Q531=+0";
 
-/// Seed 003, the example block of G785.
+/// Manual CNC PILOT 640, the example block of G785.
 const EXAMPLE_785: &str = "R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0";
 
 fn inputs(cycle: &Cycle, settings: &str) -> Result<Inputs, CycleError> {
