@@ -165,7 +165,7 @@ fn input(
 
 /// Puts the results into their parameters, the cycle's number into Q198, and the last contact into Q115 to Q117.
 pub(super) fn hand_over(cycle: &Cycle, result: &CycleResult, values: &mut Values) -> Result<(), FaultKind> {
-    for (parameter, value) in result.results.iter().filter_map(|found| variable(found.key, &found.value)) {
+    for (parameter, value) in result.results.iter().filter_map(|found| variable(found.key?, &found.value)) {
         values.put(parameter, value)?;
     }
     values.put(Parameter::q(198), Value::Number(f64::from(cycle.number)))?;

@@ -154,5 +154,5 @@ fn status_result(status: Option<Status>) -> Found {
         Some(Status::Scrap) => 2,
         None | Some(Status::ReMeasure) => -1,
     };
-    Found { key: Key::Q(183), name: FoundName::STATUS, value: Value::Whole(number) }
+    Found { key: Some(Key::Q(183)), name: FoundName::STATUS, value: Value::Whole(number) }
 }
