@@ -105,6 +105,10 @@ found-good = within tolerance
 found-rework = rework
 found-scrap = scrap
 found-status = status: -1 undefined, 0 good, 1 rework, 2 scrap
+cycle-note-machine-builder = the machine builder must enable and adapt this cycle: see the machine manual
+cycle-note-normal-from-cad = take the normal from a CAD or CAM system
+cycle-note-software-option = the control needs software option { $option }
+cycle-note-recommended = where the control has cycle { $cycle }, HEIDENHAIN recommends it instead
 remark-without-effect = { $key } is accepted but has no effect
 remark-tool-left-alone = Q330 = { $tool }: the control would correct this tool; Fitcheck corrects no tool
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap

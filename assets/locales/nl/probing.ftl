@@ -105,6 +105,10 @@ found-good = binnen tolerantie
 found-rework = nabewerking
 found-scrap = afkeur
 found-status = status: -1 niet gedefinieerd, 0 goed, 1 nabewerking, 2 afkeur
+cycle-note-machine-builder = de machinefabrikant moet deze cyclus vrijgeven en aanpassen: zie het machinehandboek
+cycle-note-normal-from-cad = neem de normaal uit een CAD- of CAM-systeem
+cycle-note-software-option = de besturing heeft softwareoptie { $option } nodig
+cycle-note-recommended = waar de besturing cyclus { $cycle } heeft, raadt HEIDENHAIN die in plaats van deze aan
 remark-without-effect = { $key } is toegestaan maar heeft geen werking
 remark-tool-left-alone = Q330 = { $tool }: de besturing zou dit gereedschap corrigeren; Fitcheck corrigeert geen gereedschap
 remark-outside-dimension = een buitenmaat is aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur

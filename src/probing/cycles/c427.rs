@@ -17,7 +17,7 @@ use crate::probing::cycle::shared::{
 };
 use crate::probing::cycle::{
     Control, Course, Cycle, CycleError, FigureKind, Found, FoundName, Inputs, Key, Log, LogFigure, Meaning, Measured,
-    Parameter, Remark, TextLog, Window, limits, nearest,
+    Note, Parameter, Remark, TextLog, Window, limits, nearest,
 };
 use crate::probing::simulated::{Face, Surface};
 use crate::tolerance::Feature;
@@ -29,6 +29,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "427",
     control: Control::Milling,
     names: &[(En, "MEASURE COORDINATE"), (Nl, "METEN COORDINAAT"), (It, "MISURAZ. COORDINATA")],
+    notes: &[Note::SoftwareOption { option: "#17 / #1-05-1" }, Note::Recommended { cycle: "1400" }],
     parameters: &[
         POINT_1,
         POINT_2,
