@@ -142,13 +142,16 @@ pub(super) fn check(names: &Names<'_>) -> Vec<u8> {
     written(&names.check, &made)
 }
 
-/// The mask: every record ends in a semicolon, lines in CRLF; `F` instead of `LF` if the control has it.
+/// The mask, lines in CRLF. iTNC 530: as built in, the Dutch one as NC-Solution 8255 has it. Later controls: `F` instead of
+/// `LF`, and every record ends in a semicolon.
 pub(super) fn mask(target: &Target) -> Vec<u8> {
     let original = shipped::file(shipped::MASKS, &format!("82552_{}.a", target.language));
     let text = String::from_utf8_lossy(original.unwrap_or_default());
-    let number = if target.control == Control::Itnc530 { "LF" } else { "F" };
     let lines = text.lines().map(|line| {
-        let line = line.trim_end().replace("LF", number);
+        if target.control == Control::Itnc530 {
+            return format!("{line}\r\n");
+        }
+        let line = line.trim_end().replace("LF", "F");
         format!("{}{}\r\n", line, if line.ends_with(';') { "" } else { ";" })
     });
     lines.collect::<String>().into_bytes()
