@@ -68,6 +68,9 @@ machine-workpiece = workpiece: { $error }
 machine-inch = cycles run in MM programs only
 
 ## Remarks
+machine-file-from = { $path } was read from { $file }
+machine-file-given = { $path } was read
+machine-file-built-in = { $path } is built in
 machine-remark-skipped = unknown block skipped
 machine-remark-built-in = { $path } is not among the given files: the built-in one was read
 machine-remark-read = { $path }: { $what }

@@ -68,6 +68,9 @@ machine-workpiece = werkstuk: { $error }
 machine-inch = cycli worden alleen uitgevoerd in programma's in MM
 
 ## Opmerkingen
+machine-file-from = { $path } is gelezen uit { $file }
+machine-file-given = { $path } is gelezen
+machine-file-built-in = { $path } is ingebouwd
 machine-remark-skipped = onbekende NC-regel overgeslagen
 machine-remark-built-in = { $path } is niet bij de opgegeven bestanden: het ingebouwde is gelezen
 machine-remark-read = { $path }: { $what }

@@ -81,7 +81,7 @@ pub(super) struct Args {
     /// Skip blocks with a / before them
     #[arg(long)]
     block_skip: bool,
-    /// List every block with the values that it changes
+    /// List every block with the values that it changes, and where every file came from
     #[arg(long)]
     trace: bool,
     /// Largest number of blocks to run
@@ -130,7 +130,7 @@ impl Args {
             RunFormat::Text => {
                 let mut listener = text::Printer::new(self.trace);
                 let ended = run(&mut machine, &mut listener, io)?;
-                text::notes(&machine, &ended, language.language(), io);
+                text::notes(&machine, &ended, self.trace, language.language(), io);
                 ended
             }
             RunFormat::Json => {
