@@ -2,6 +2,7 @@
 
 #![cfg(test)]
 
+mod around;
 mod bad_input;
 mod batch;
 mod callout_grammar;

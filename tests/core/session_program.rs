@@ -145,7 +145,7 @@ fn the_workpiece_may_lie_beside_its_place() {
 fn a_program_that_differs_says_in_what() {
     // A maximum that is wrong by a micrometre, and a verdict that follows it.
     let mut session = opened(
-        "Q1 = 25\nDECLARE STRING QS1 = \"H7\"\nCALL LBL 1\nQ23 = 25.022\nQ33 = 25\nTCH PROBE 421 X ~\nQ273=+0 ~\nQ274=+0 ~\n\
+        "Q1 = 25\nDECLARE STRING QS1 = \"H7\"\nCALL LBL 1\nQ23 = 25.022\nQ33 = 25\nTOOL CALL 1 Z\nTCH PROBE 421 X ~\nQ273=+0 ~\nQ274=+0 ~\n\
         Q262=+25 ~\nQ325=+0 ~\nQ247=+90 ~\nQ261=-5 ~\nQ320=+2 ~\nQ260=+50 ~\nQ301=+0 ~\nQ275=+Q23 ~\nQ276=+Q33 ~\nQ279=+0 ~\n\
         Q280=+0 ~\nQ281=+0 ~\nQ309=+0 ~\nQ330=+0\nM30\nLBL 1\nLBL 0",
     );
@@ -153,7 +153,7 @@ fn a_program_that_differs_says_in_what() {
     send(&mut session, ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Given));
     type_text(&mut session, ProgramField::Diameter, "25.0215");
     send(&mut session, ProgramCommand::Run);
-    assert_eq!(state(&session), "Ended after 10 blocks");
+    assert_eq!(state(&session), "Ended after 11 blocks");
     let Some(Agreement::Differs(differences)) = session.program().agreement(session.sources()) else {
         panic!("no difference")
     };
@@ -319,7 +319,7 @@ fn only_what_the_last_command_changed_is_marked() {
 
 #[test]
 fn problems_name_their_block() {
-    let mut session = opened("5 Q1 = 1\nCP IPA+360 DR+\n3 Q2 = 0\nQ3 = Q1 / Q2");
+    let mut session = opened("5 Q1 = 1\nCUTTING DATA\n3 Q2 = 0\nQ3 = Q1 / Q2");
     send(&mut session, ProgramCommand::Toggle(Switch::SkipUnknown));
     send(&mut session, ProgramCommand::Run);
     let problems: Vec<_> = (0..session.program().note_count())

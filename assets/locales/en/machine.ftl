@@ -65,13 +65,26 @@ machine-no-cycle-parameter = cycle { $cycle } has no parameter { $parameter }
 machine-cycle-parameter-twice = cycle { $cycle }: { $parameter } is given twice
 machine-cycle = cycle { $cycle }: { $error }
 machine-workpiece = workpiece: { $error }
-machine-inch = cycles run in MM programs only
+machine-no-tool-call = no TOOL CALL with a tool axis comes before this measuring cycle
+machine-mode = the control is in { $mode } mode: measuring cycles run in milling mode only (FUNCTION MODE MILL)
+machine-changed = { $change } is in force since line { $line }, { $text }: nothing is measured under it here
+machine-nothing-selected = no SEL PGM comes before CALL SELECTED PGM
+machine-change-datum-table = a shift from a datum table
+machine-change-rotation = a rotation
+machine-change-mirror = mirroring
+machine-change-scaling = scaling
+machine-change-tilt = a tilted plane
 
 ## Remarks
 machine-file-from = { $path } was read from { $file }
 machine-file-given = { $path } was read
 machine-file-built-in = { $path } is built in
 machine-remark-skipped = unknown block skipped
+machine-remark-no-system-data = { $parameter } is undefined from here on: only a control knows the system data of FN 18
+machine-remark-axis-assumed = no TOOL CALL comes before: measured along Z with the first probe
+machine-remark-spindle-turns = the spindle turns since M{ $function }: a control would not probe
+machine-remark-rotary-moved = { $axes } moved before: the workpiece was measured as if not turned
+machine-remark-other-preset = preset { $number }: the workpiece was taken to lie there, too
 machine-remark-built-in = { $path } is not among the given files: the built-in one was read
 machine-remark-read = { $path }: { $what }
 machine-remark-other-spelling = table { $table } has no column { $column }: { $other } was taken, the other spelling in NC-Solution 8255
@@ -84,6 +97,11 @@ machine-remark-table-written = { $path } was written
 machine-remark-contacts-left = the cycles used { $used } of { $count } recorded contacts
 machine-remark-more = { $count } more remarks are not listed
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
+
+machine-passed-over = { $count } { $count ->
+        [one] block was
+       *[other] blocks were
+    } passed over, on which no measurement depends: { $list }
 
 ## Pauses
 machine-pause-stop = the program has stopped: STOP or M0

@@ -25,6 +25,7 @@ program-page-speed-medium = 20 blocks/s
 program-page-speed-fast = full speed
 program-page-options = Options
 program-page-skip-unknown = Skip unknown blocks
+program-page-assume-tool = Probe along Z without TOOL CALL
 program-page-block-skip = Skip blocks with /
 program-page-optional-stop = Stop at M1
 program-page-outline-none = heading or label

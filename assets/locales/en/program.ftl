@@ -15,6 +15,7 @@ program-label-again = LBL { $label } is already defined in line { $first }
 program-unclosed-quote = the quotation mark is not closed
 program-open-end = the line ends in ~, but nothing follows
 program-cycle-cut = cycle { $cycle } has ended in line { $line }, which has no ~ at its end: { $parameter } is no part of it and would be assigned instead
+program-cycle-without-tilde = cycle { $cycle } has ended in line { $line }, which has no ~ at its end: the lines below count as its own
 program-comment-goes-on = the comment ends in ~, so this block would be part of it
 program-not-understood = not understood: { $reason }
 program-more = { $count } more remarks are not listed

@@ -65,13 +65,26 @@ machine-no-cycle-parameter = cyclus { $cycle } heeft geen parameter { $parameter
 machine-cycle-parameter-twice = cyclus { $cycle }: { $parameter } is twee keer opgegeven
 machine-cycle = cyclus { $cycle }: { $error }
 machine-workpiece = werkstuk: { $error }
-machine-inch = cycli worden alleen uitgevoerd in programma's in MM
+machine-no-tool-call = voor deze meetcyclus staat geen TOOL CALL met een gereedschapsas
+machine-mode = de besturing staat in { $mode }: meetcycli worden alleen in het freesbedrijf uitgevoerd (FUNCTION MODE MILL)
+machine-changed = { $change } is actief sinds regel { $line }, { $text }: daaronder wordt hier niet gemeten
+machine-nothing-selected = voor CALL SELECTED PGM staat geen SEL PGM
+machine-change-datum-table = een verschuiving uit een nulpunttabel
+machine-change-rotation = een rotatie
+machine-change-mirror = een spiegeling
+machine-change-scaling = een maatfactor
+machine-change-tilt = een gezwenkt bewerkingsvlak
 
 ## Opmerkingen
 machine-file-from = { $path } is gelezen uit { $file }
 machine-file-given = { $path } is gelezen
 machine-file-built-in = { $path } is ingebouwd
 machine-remark-skipped = onbekende NC-regel overgeslagen
+machine-remark-no-system-data = { $parameter } is vanaf hier ongedefinieerd: de systeemgegevens van FN 18 kent alleen een besturing
+machine-remark-axis-assumed = er staat geen TOOL CALL voor: gemeten langs Z met het eerste tastsysteem
+machine-remark-spindle-turns = de spil draait sinds M{ $function }: een besturing zou niet tasten
+machine-remark-rotary-moved = { $axes } zijn voordien verplaatst: het werkstuk is gemeten alsof het niet gedraaid is
+machine-remark-other-preset = referentiepunt { $number }: het werkstuk wordt geacht ook daar te liggen
 machine-remark-built-in = { $path } is niet bij de opgegeven bestanden: het ingebouwde is gelezen
 machine-remark-read = { $path }: { $what }
 machine-remark-other-spelling = tabel { $table } heeft geen kolom { $column }: { $other } is genomen, de andere schrijfwijze in NC-Solution 8255
@@ -84,6 +97,11 @@ machine-remark-table-written = { $path } is geschreven
 machine-remark-contacts-left = de cycli hebben { $used } van de { $count } opgenomen meetpunten gebruikt
 machine-remark-more = nog { $count } opmerkingen zijn niet vermeld
 machine-remark-other-probe = gereedschap { $tool } staat niet in de tastertabel: taster { $probe } is gebruikt
+
+machine-passed-over = { $count } { $count ->
+        [one] NC-regel is
+       *[other] NC-regels zijn
+    } overgeslagen waar geen meting van afhangt: { $list }
 
 ## Pauzes
 machine-pause-stop = het programma is gestopt: STOP of M0

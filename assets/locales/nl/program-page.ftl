@@ -25,6 +25,7 @@ program-page-speed-medium = 20 regels/s
 program-page-speed-fast = volle snelheid
 program-page-options = Opties
 program-page-skip-unknown = Onbekende regels overslaan
+program-page-assume-tool = Zonder TOOL CALL langs Z tasten
 program-page-block-skip = Regels met / overslaan
 program-page-optional-stop = Stoppen bij M1
 program-page-outline-none = kop of label

@@ -15,6 +15,7 @@ program-label-again = LBL { $label } is al gedefinieerd in tekstregel { $first }
 program-unclosed-quote = het aanhalingsteken is niet gesloten
 program-open-end = de regel eindigt op ~, maar er volgt niets meer
 program-cycle-cut = cyclus { $cycle } is in regel { $line } geëindigd, omdat daar geen ~ aan het eind staat: { $parameter } hoort er niet bij en zou worden toegekend
+program-cycle-without-tilde = cyclus { $cycle } is in regel { $line } geëindigd, omdat daar geen ~ aan het eind staat: de regels daaronder gelden als de zijne
 program-comment-goes-on = het commentaar eindigt op ~, zodat deze NC-regel erbij zou horen
 program-not-understood = niet begrepen: { $reason }
 program-more = nog { $count } opmerkingen zijn niet vermeld

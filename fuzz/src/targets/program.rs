@@ -22,7 +22,9 @@ pub fn run(bytes: &[u8]) {
         behind = block.lines.end;
         // Printing cleans texts of control characters and of ~ at their ends.
         let is_clean = |line: &str| !line.contains(char::is_control) && line.matches('~').count() <= 1;
-        if block.body != Body::Other && program.text_of(index).all(is_clean) {
+        // Some blocks are only read.
+        let is_printed = !write::block(1, &block.body).is_empty();
+        if is_printed && program.text_of(index).all(is_clean) {
             reads_back(&block.body);
         }
     }
@@ -38,7 +40,7 @@ fn reads_back(body: &Body) {
 
 fn without_places(body: &Body) -> Body {
     let mut body = body.clone();
-    if let Body::Probe(cycle) | Body::CycleDefinition(cycle) = &mut body {
+    if let Body::Probe(cycle) | Body::CycleDefinition(cycle) | Body::GlobalDefinition(cycle) = &mut body {
         for line in &mut cycle.lines {
             line.place = Place { line: 0, column: 0 };
         }

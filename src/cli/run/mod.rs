@@ -78,6 +78,9 @@ pub(super) struct Args {
     /// Skip unknown blocks instead of stopping
     #[arg(long)]
     skip_unknown: bool,
+    /// Measure along Z with the first probe where no TOOL CALL comes before a cycle, instead of stopping
+    #[arg(long)]
+    assume_tool: bool,
     /// Skip blocks with a / before them
     #[arg(long)]
     block_skip: bool,
@@ -170,6 +173,7 @@ impl Args {
         let mut settings = Settings::new(language, now());
         settings.budget.blocks = self.max_blocks;
         settings.skip_unknown = self.skip_unknown;
+        settings.assumes_tool = self.assume_tool;
         settings.block_skip = self.block_skip;
         settings.probe_table = probe_table(self.probe_table.as_deref(), io)?;
         let contacts = self.source(io)?;

@@ -72,6 +72,9 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, is_traced: bool, language:
         let more = Message::new("machine-remark-more").text("count", machine.unlisted_remarks());
         io.tell(format_args!("note: {}", words.say(&more)));
     }
+    if let Some(passed_over) = machine.passed_over_message() {
+        io.tell(format_args!("note: {}", words.say(&passed_over)));
+    }
     for run in machine.cycles() {
         let (file, line) = place(machine, &run.place.program, run.place.block);
         for remark in &run.result.remarks {

@@ -33,6 +33,10 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     cycles_ui(ui, view, run);
     outputs_ui(ui, view, run);
+    if let Some(passed_over) = run.passed_over() {
+        ui.add_space(space(1.0));
+        quiet(ui, view.words.say(&passed_over));
+    }
 }
 
 /// The verdict in one line, so that the program's own window stays in sight.
@@ -107,7 +111,7 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
     }
     for cycle in cycles.iter().rev().take(MOST).rev() {
         ui.horizontal(|ui| {
-            let status = cycle.result.status;
+            let status = cycle.result.verdict();
             let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
             shapes::status(ui.painter(), mark, status, palette(ui.ctx()).text.0);
             let word = view.text(status_id(status));

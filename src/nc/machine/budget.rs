@@ -69,6 +69,7 @@ impl Default for Budget {
 
 /// The settings of a run.
 #[derive(Debug, Clone, PartialEq)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of the control")]
 pub struct Settings {
     /// The dialogue language, for masks.
     pub language: Dialogue,
@@ -78,6 +79,9 @@ pub struct Settings {
     pub budget: Budget,
     /// Whether an unknown block is skipped with a remark instead of stopping the run.
     pub skip_unknown: bool,
+    /// Whether a cycle without a TOOL CALL before it measures along Z with the first probe, with a remark, instead of stopping
+    /// the run.
+    pub assumes_tool: bool,
     /// Whether blocks with a `/` are skipped.
     pub block_skip: bool,
     /// Whether M1 stops.
@@ -87,13 +91,14 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The control's own: unknown blocks stop, blocks with a `/` run, M1 does not stop, the built-in touch-probe table.
+    /// The control's own: unknown blocks and cycles without a tool stop, blocks with a `/` run, M1 does not stop, the built-in touch-probe table.
     pub fn new(language: Dialogue, time: DateTime) -> Self {
         Self {
             language,
             time,
             budget: Budget::default(),
             skip_unknown: false,
+            assumes_tool: false,
             block_skip: false,
             optional_stop: false,
             probe_table: ProbeTable::shipped().clone(),

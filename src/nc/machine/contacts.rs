@@ -1,6 +1,7 @@
 //! Where the cycles of a run get their contacts from.
 
 use super::fault::FaultKind;
+use super::placement::{Placed, Placement};
 use crate::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move};
 use crate::probing::simulated::{self, Simulation};
 use crate::probing::{Contact, Recorded, Source, SourceError};
@@ -44,7 +45,12 @@ impl Probed {
     }
 
     /// Runs a cycle.
-    pub(super) fn measure(&mut self, cycle: &Cycle, inputs: &Inputs) -> Result<Measured, FaultKind> {
+    pub(super) fn measure(
+        &mut self,
+        cycle: &Cycle,
+        inputs: &Inputs,
+        placement: Placement,
+    ) -> Result<Measured, FaultKind> {
         if let Self::Workpiece(simulation) = self {
             let machine = simulation.machine().map_err(|error| FaultKind::Workpiece(Box::new(error)))?;
             *self = Self::Machine(Box::new(machine));
@@ -53,9 +59,13 @@ impl Probed {
             Self::Machine(machine) => {
                 // Each probe of the table has a calibration of its own.
                 **machine = machine.as_ref().clone().calibrated(inputs.probe());
-                Ok(cycle.measure_along(inputs, machine.as_mut()))
+                Ok(cycle.measure_along(inputs, &mut Placed { prober: machine.as_mut(), placement }))
             }
-            Self::Recorded(recorded) => Ok(cycle.measure_along(inputs, recorded)),
+            // Contacts were recorded from the zero in force, as a control shows them.
+            Self::Recorded(recorded) => {
+                let placement = Placement { zero: [0.0; 3], ..placement };
+                Ok(cycle.measure_along(inputs, &mut Placed { prober: recorded, placement }))
+            }
             Self::Perfect | Self::Workpiece(_) => match Source::Perfect.prober(cycle, inputs) {
                 Ok(mut prober) => Ok(cycle.measure_along(inputs, &mut *prober)),
                 Err(SourceError::Cycle(error)) => Ok((Vec::new(), Err(error))),

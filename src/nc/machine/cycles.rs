@@ -1,17 +1,19 @@
 //! `TCH PROBE`: the cycles of `probing::cycles`, by number.
 
+use super::around::{Around, Global, INCH};
 use super::budget::{Budget, Settings, UsedUp};
 use super::contacts::{Contacts, Probed};
 use super::fault::{BlockPlace, FaultKind};
+use super::placement::Placement;
 use super::remark::Remark;
 use super::values::{Values, length_of, whole};
 use crate::control::cycle_status::variable;
 use crate::control::probe_table::ProbeTable;
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
-use crate::nc::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool};
+use crate::nc::program::{CycleBlock, CycleLine, CycleValue, Operand, Tool, Unit};
 use crate::probing::TouchProbe;
-use crate::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Move, Phase, Range};
+use crate::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
 use crate::probing::cycles::cycles_of;
 
 /// A cycle that was run.
@@ -91,20 +93,21 @@ impl Cycles {
         Budget::one_more(self.runs.len(), self.most, UsedUp::Cycles)
     }
 
-    /// Runs a cycle from a position: the path of the probe, and the outcome.
+    /// Runs a cycle: the path of the probe in the cycle's own coordinates, and the outcome.
     pub(super) fn measure(
         &mut self,
         cycle: &'static Cycle,
-        block: &CycleBlock,
-        position: Option<[f64; 3]>,
+        asked: &Asked<'_>,
+        around: &Around,
         values: &Values,
     ) -> Result<(Vec<Move>, Result<CycleResult, FaultKind>), FaultKind> {
         let mut inputs = Inputs::new().with_probe(self.probe);
-        if let Some(place) = position {
-            inputs = inputs.with_position(place);
+        if let Some(place) = asked.position {
+            inputs = inputs.with_position(asked.placement.into_cycle(place));
         }
-        let inputs = with_lines(inputs, cycle, block, values)?;
-        let (path, result) = self.probed.measure(cycle, &inputs)?;
+        let inputs = with_globals(inputs, cycle, around)?;
+        let inputs = with_lines(inputs, cycle, asked, values)?;
+        let (path, result) = self.probed.measure(cycle, &inputs, asked.placement)?;
         Ok((path, result.map_err(|error| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) })))
     }
 
@@ -114,21 +117,44 @@ impl Cycles {
     }
 }
 
+/// What a block asks of a cycle.
+pub(super) struct Asked<'a> {
+    /// The block.
+    pub block: &'a CycleBlock,
+    /// The unit of its program.
+    pub unit: Option<Unit>,
+    /// Where it measures.
+    pub placement: Placement,
+    /// Where the ball's centre is, mm from the preset.
+    pub position: Option<[f64; 3]>,
+}
+
+/// The inputs, with the values of GLOBAL DEF.
+fn with_globals(mut inputs: Inputs, cycle: &'static Cycle, around: &Around) -> Result<Inputs, FaultKind> {
+    for declared in cycle.parameters {
+        let Key::Q(number) = declared.key else { continue };
+        if let Some(Global { value, unit }) = around.global(Parameter::q(number)) {
+            inputs = inputs.with_global(declared.key, accepted(cycle, declared, &Value::Number(*value), *unit)?);
+        }
+    }
+    Ok(inputs)
+}
+
 /// The inputs, with the values from the lines of a block.
 fn with_lines(
     mut inputs: Inputs,
     cycle: &'static Cycle,
-    block: &CycleBlock,
+    asked: &Asked<'_>,
     values: &Values,
 ) -> Result<Inputs, FaultKind> {
-    for line in &block.lines {
+    for line in &asked.block.lines {
         let name = || line.parameter.clone();
         let unknown = || FaultKind::NoCycleParameter { cycle: cycle.code, parameter: name() };
         let declared = cycle.parameter_named(&line.parameter.to_string()).ok_or_else(unknown)?;
         if inputs.is_given(declared.key) {
             return Err(FaultKind::CycleParameterTwice { cycle: cycle.code, parameter: name() });
         }
-        inputs = inputs.with(declared.key, input(cycle, declared, line, values)?);
+        inputs = inputs.with(declared.key, input(cycle, declared, line, asked.unit, values)?);
     }
     Ok(inputs)
 }
@@ -138,6 +164,7 @@ fn input(
     cycle: &'static Cycle,
     declared: &cycle::Parameter,
     line: &CycleLine,
+    unit: Option<Unit>,
     values: &Values,
 ) -> Result<cycle::Value, FaultKind> {
     let refused = |error: CycleError| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) };
@@ -150,12 +177,29 @@ fn input(
         }
         CycleValue::Number { value, .. } => *value,
     };
-    let value = values.value(operand)?;
-    let number = values.operand(operand)?;
+    accepted(cycle, declared, &values.value(operand)?, unit)
+}
+
+/// A number in the kind that the parameter declares.
+fn accepted(
+    cycle: &'static Cycle,
+    declared: &cycle::Parameter,
+    value: &Value,
+    unit: Option<Unit>,
+) -> Result<cycle::Value, FaultKind> {
+    let refused = |error: CycleError| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) };
+    let read = |text: &str| declared.read(text).map_err(refused);
+    let number = match value {
+        Value::Number(number) => *number,
+        Value::Length(length) => length.to_mm_f64(),
+        Value::Text(text) => return read(text),
+    };
     match declared.range {
         // Rounded to the nearest nanometre; the reader of such texts rejects what is not a length.
         Range::Length { .. } => {
-            length_of(&value).map_or_else(|| read(&number.to_string()), |length| Ok(cycle::Value::Length(length)))
+            let is_inch = unit == Some(Unit::Inch);
+            let in_mm = if is_inch { length_of(&Value::Number(number * INCH)) } else { length_of(value) };
+            in_mm.map_or_else(|| read(&number.to_string()), |length| Ok(cycle::Value::Length(length)))
         }
         Range::Angle { .. } => read(&format!("{number:.4}")),
         Range::OneOf(_) | Range::Band => read(&number.to_string()),
@@ -163,20 +207,36 @@ fn input(
     }
 }
 
-/// Puts the results into their parameters, the cycle's number into Q198, and the last contact into Q115 to Q117.
-pub(super) fn hand_over(cycle: &Cycle, result: &CycleResult, values: &mut Values) -> Result<(), FaultKind> {
+/// Puts the results into their parameters, the cycle's number into Q198, and the last contact into Q115 to Q117, in the unit
+/// of the program; these three count from the preset (nc-programs, section 12). Results of an earlier cycle that this one does
+/// not give become undefined, so that nothing stale passes as measured.
+pub(super) fn hand_over(
+    cycle: &Cycle,
+    result: &CycleResult,
+    path: &[Move],
+    unit: Option<Unit>,
+    values: &mut Values,
+) -> Result<(), FaultKind> {
+    let in_unit = |value: Value| match value {
+        Value::Length(length) if unit == Some(Unit::Inch) => Value::Number(length.to_mm_f64() / INCH),
+        value => value,
+    };
+    values.forget(RESULTS);
     for (parameter, value) in result.results.iter().filter_map(|found| variable(found.key?, &found.value)) {
-        values.put(parameter, value)?;
+        values.put(parameter, in_unit(value))?;
     }
     values.put(Parameter::q(198), Value::Number(f64::from(cycle.number)))?;
-    let last = result.path.iter().rev().find(|step: &&Move| step.phase == Phase::Contact);
+    let last = path.iter().rev().find(|step: &&Move| step.phase == Phase::Contact);
     for (number, place) in (115..).zip(last.into_iter().flat_map(|step| step.to)) {
         if let Ok(length) = Length::from_mm_f64(place) {
-            values.put(Parameter::q(number), Value::Length(length))?;
+            values.put(Parameter::q(number), in_unit(Value::Length(length)))?;
         }
     }
     Ok(())
 }
+
+/// The parameters of results.
+const RESULTS: std::ops::RangeInclusive<u16> = 150..=166;
 
 /// The cycle of a number: those of lathe controls are not called by `TCH PROBE`.
 pub(super) fn cycle_of(number: &str) -> Result<&'static Cycle, FaultKind> {

@@ -1,5 +1,6 @@
 //! What stops a run early: the block and the reason, as a control shows them.
 
+use super::around::Change;
 use super::budget::UsedUp;
 use super::path::{NcPath, PathError};
 use super::store::StoreError;
@@ -8,7 +9,7 @@ use crate::control::table::{TableError, WriteError};
 use crate::control::text::cut;
 use crate::control::variables::Parameter;
 use crate::message::{Message, Say, display};
-use crate::nc::program::{CycleName, LabelFault, Program, ProgramError};
+use crate::nc::program::{CycleName, LabelFault, Mode, Program, ProgramError};
 use crate::probing::cycle::CycleError;
 use crate::probing::simulated::WorkpieceError;
 
@@ -283,6 +284,19 @@ pub enum FaultKind {
     },
     /// The workpiece is impossible.
     Workpiece(#[say(name = "error")] Box<WorkpieceError>),
-    /// A cycle in a program in inches.
-    Inch,
+    /// A measuring cycle before any TOOL CALL that names an axis.
+    NoToolCall,
+    /// A measuring cycle in another mode than milling.
+    Mode(#[say(name = "mode")] Mode),
+    /// A measuring cycle under a change of the system that is not followed here.
+    Changed {
+        /// The change.
+        change: Change,
+        /// The line that made it, from 1.
+        line: usize,
+        /// Its text.
+        text: String,
+    },
+    /// `CALL SELECTED PGM` without `SEL PGM`.
+    NothingSelected,
 }

@@ -7,6 +7,7 @@
 //! | `values` | parameters and formulas |
 //! | `tables` | FN 26, FN 27, FN 28 |
 //! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
+//! | `around`, `placement` | what is set up around measurements: tool axis, mode, global values, zero; where a cycle measures |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
 //! | `moves` | straight lines and the path of the ball's centre |
 //! | `files`, `store` | what the run reads and writes, counted; where it comes from (`files::Folders`, or memory) |
@@ -18,6 +19,7 @@
 //! only the store that the machine is given reads and writes files. A step takes no longer in a long program than in a
 //! short one.
 
+mod around;
 mod budget;
 mod contacts;
 mod cycles;
@@ -27,6 +29,7 @@ mod flow;
 mod logs;
 mod moves;
 mod path;
+mod placement;
 mod prints;
 mod remark;
 mod run;
@@ -35,6 +38,7 @@ mod store;
 mod tables;
 mod values;
 
+pub use around::Change;
 pub use budget::{Budget, Settings, UsedUp};
 pub use contacts::Contacts;
 pub use cycles::CycleRun;

@@ -1,13 +1,11 @@
 //! Straight lines: where the ball's centre is, and the path that it took.
 
+use super::around::{Around, millimetres};
 use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, FaultKind};
 use super::values::Values;
-use crate::nc::program::{Axis, Feed, Movement, Unit};
+use crate::nc::program::{Axis, AxisWord, Feed, Goes, Movement, Unit};
 use crate::probing::cycle::{Move, Phase};
-
-/// Millimetres in an inch.
-const INCH: f64 = 25.4;
 
 /// A move of the ball's centre, mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,27 +67,13 @@ impl Way {
         block: BlockPlace,
         movement: &Movement,
         unit: Option<Unit>,
+        around: &Around,
         values: &Values,
     ) -> Result<(), FaultKind> {
+        let has = |functions: [u32; 2]| movement.machine.iter().any(|function| functions.contains(&function.number));
         // M91 and M92 count from the machine's own zero, which is unknown here.
-        let is_of_machine = movement.machine.iter().any(|function| matches!(function.number, 91 | 92));
-        let factor = if unit == Some(Unit::Inch) { INCH } else { 1.0 };
-        let mut to = self.position;
-        for word in &movement.axes {
-            let value = values.operand(word.value)? * factor;
-            let [x, y, z] = &mut to;
-            let axis = match word.axis {
-                Axis::X => x,
-                Axis::Y => y,
-                Axis::Z => z,
-                Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => continue,
-            };
-            *axis = match (*axis, word.is_incremental) {
-                _ if is_of_machine => None,
-                (old, true) => old.map(|old| old + value),
-                (_, false) => Some(value),
-            };
-        }
+        let is_known = !has([91, 92]) && around.is_plain();
+        let to = self.end(&movement.axes, is_known, unit, around.zero(), values)?;
         let kind = match movement.feed {
             Some(Feed::Rapid) => TravelKind::Rapid,
             Some(Feed::Value(feed)) => {
@@ -100,12 +84,62 @@ impl Way {
         };
         let from = self.place();
         self.position = to;
+        // M99 and M89 run a machining cycle there, which ends elsewhere.
+        if has([89, 99]) {
+            self.position = [None; 3];
+            return Ok(());
+        }
         match (from, self.place()) {
             (Some(from), Some(to)) if from.iter().zip(&to).any(|(from, to)| 0.0 < (to - from).abs()) => {
                 self.went(Travel { place: block, from, to, about: None, kind })
             }
             _ => Ok(()),
         }
+    }
+
+    /// A block whose path is not followed: only its end counts.
+    pub(super) fn jump(
+        &mut self,
+        goes: &Goes,
+        unit: Option<Unit>,
+        around: &Around,
+        values: &Values,
+    ) -> Result<(), FaultKind> {
+        if goes.is_unknown {
+            self.position = [None; 3];
+        }
+        self.position = self.end(&goes.axes, around.is_plain(), unit, around.zero(), values)?;
+        Ok(())
+    }
+
+    /// Where axes end, mm from the preset: as they are written, or nowhere that is known.
+    fn end(
+        &self,
+        axes: &[AxisWord],
+        is_known: bool,
+        unit: Option<Unit>,
+        zero: [f64; 3],
+        values: &Values,
+    ) -> Result<[Option<f64>; 3], FaultKind> {
+        let mut to = self.position;
+        let [zero_x, zero_y, zero_z] = zero;
+        for word in axes {
+            let [x, y, z] = &mut to;
+            let (axis, zero) = match word.axis {
+                Axis::X => (x, zero_x),
+                Axis::Y => (y, zero_y),
+                Axis::Z => (z, zero_z),
+                // Only the three linear axes are followed; PLANE sets parameters for the others that nobody here knows.
+                Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => continue,
+            };
+            let value = values.operand(word.value)? * millimetres(unit);
+            *axis = match (*axis, word.is_incremental) {
+                _ if !is_known => None,
+                (old, true) => old.map(|old| old + value),
+                (_, false) => Some(value + zero),
+            };
+        }
+        Ok(to)
     }
 
     /// The path of a cycle.

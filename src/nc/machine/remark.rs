@@ -14,6 +14,28 @@ use crate::message::{Arg, Message, Say};
 pub enum Remark {
     /// An unknown block was skipped.
     Skipped,
+    /// FN 18 asks for what only a control knows; its parameter is undefined from here on.
+    NoSystemData {
+        /// The parameter.
+        parameter: Parameter,
+    },
+    /// A cycle without a TOOL CALL before it measured along Z, because the settings of the run say so.
+    AxisAssumed,
+    /// A cycle was called while the spindle turns.
+    SpindleTurns {
+        /// The M function that turns it.
+        function: u32,
+    },
+    /// Rotary axes have moved, and the workpiece was taken as if they had not.
+    RotaryMoved {
+        /// The axes.
+        axes: String,
+    },
+    /// Another preset became the zero; the workpiece was taken to lie there, too.
+    OtherPreset {
+        /// Its number.
+        number: String,
+    },
     /// A file is not among those that were given, and the built-in one of that name was read.
     BuiltIn {
         /// The file.

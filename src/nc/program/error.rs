@@ -81,6 +81,13 @@ pub enum ProgramWarningKind {
         /// What is assigned.
         parameter: Parameter,
     },
+    /// Lines of a machining cycle or of global values without the `~` before them; they count as its lines.
+    CycleWithoutTilde {
+        /// The cycle.
+        cycle: String,
+        /// The cycle's last line before it.
+        line: usize,
+    },
     /// A comment ends in `~`, so a block behind it would be part of the comment.
     CommentGoesOn,
     /// A block of a known kind that cannot be understood; it is kept as text.

@@ -342,6 +342,7 @@ pub(super) fn row(action: Action) -> Row {
         Action::Switch(switch) => {
             let text = match switch {
                 Switch::SkipUnknown => "program-page-skip-unknown",
+                Switch::AssumeTool => "program-page-assume-tool",
                 Switch::BlockSkip => "program-page-block-skip",
                 Switch::OptionalStop => "program-page-optional-stop",
             };

@@ -67,6 +67,8 @@ pub enum ProgramCommand {
 pub enum Switch {
     /// Unknown blocks are skipped with a remark instead of ending the run.
     SkipUnknown,
+    /// A cycle without a TOOL CALL before it measures along Z instead of ending the run.
+    AssumeTool,
     /// Blocks with a `/` are skipped.
     BlockSkip,
     /// M1 stops.
@@ -75,7 +77,7 @@ pub enum Switch {
 
 impl Switch {
     /// All of them, in the order of the menu.
-    pub const ALL: [Self; 3] = [Self::SkipUnknown, Self::BlockSkip, Self::OptionalStop];
+    pub const ALL: [Self; 4] = [Self::SkipUnknown, Self::AssumeTool, Self::BlockSkip, Self::OptionalStop];
 }
 
 /// What is measured.

@@ -227,6 +227,11 @@ impl Run {
         self.machine.unlisted_remarks()
     }
 
+    /// Which blocks were passed over, if any were.
+    pub fn passed_over(&self) -> Option<Message> {
+        self.machine.passed_over_message()
+    }
+
     /// How many blocks were run.
     pub const fn blocks_run(&self) -> u64 {
         self.machine.blocks_run()

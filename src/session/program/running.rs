@@ -75,6 +75,7 @@ impl ProgramPage {
         };
         let mut settings = Settings::new(shared.language.dialogue(), now);
         settings.skip_unknown = self.is_on(Switch::SkipUnknown);
+        settings.assumes_tool = self.is_on(Switch::AssumeTool);
         settings.block_skip = self.is_on(Switch::BlockSkip);
         settings.optional_stop = self.is_on(Switch::OptionalStop);
         let mut machine = Machine::new(&path, program, folders, contacts, settings);

@@ -1,5 +1,6 @@
 //! Reading and writing NC programs.
 
+mod around;
 mod properties;
 mod reading;
 mod refusing;

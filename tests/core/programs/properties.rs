@@ -3,8 +3,8 @@
 use fitcheck::control::variables::{Family, Parameter};
 use fitcheck::nc::program::{
     Axis, AxisWord, Body, Columns, Condition, CycleBlock, CycleLine, CycleName, CycleValue, Expression, Feed,
-    MachineFunction, Movement, NumberFunction, Operand, Operation, Place, Program, Relation, Target, TextExpression,
-    TextOperand, Tool, Unit, write,
+    MachineFunction, Mode, Movement, NumberFunction, Operand, Operation, Place, Program, Relation, Target,
+    TextExpression, TextOperand, Tool, Unit, write,
 };
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -144,7 +144,7 @@ const NOWHERE: Place = Place { line: 0, column: 0 };
 fn without_places(body: &Body) -> Body {
     let mut body = body.clone();
     match &mut body {
-        Body::Probe(cycle) | Body::CycleDefinition(cycle) => {
+        Body::Probe(cycle) | Body::CycleDefinition(cycle) | Body::GlobalDefinition(cycle) => {
             cycle.lines.iter_mut().for_each(|line| line.place = NOWHERE);
         }
         // The comment of a heading is part of it.
@@ -325,7 +325,7 @@ fn cycle() -> impl Strategy<Value = CycleBlock> {
     ];
     let line = (parameter, value, prop_oneof![Just(String::new()), words().prop_map(|text| text)])
         .prop_map(|(parameter, value, comment)| CycleLine { parameter, value, place: NOWHERE, comment });
-    (select(vec!["421", "427", "7.0"]), words(), prop::collection::vec(line, 0..6))
+    (select(vec!["421", "427", "14.1"]), words(), prop::collection::vec(line, 0..6))
         .prop_map(|(number, name, lines)| CycleBlock { number: number.to_owned(), name, lines })
 }
 
@@ -366,6 +366,12 @@ fn body() -> impl Strategy<Value = Body> {
         machine_functions().prop_map(Body::MachineFunctions),
         prop_oneof![Just(Vec::new()), machine_functions()].prop_map(Body::Stop),
         cycle().prop_map(Body::Probe),
-        cycle().prop_map(Body::CycleDefinition),
+        cycle()
+            .prop_filter("others are not one block", |cycle| !cycle.number.contains('.'))
+            .prop_map(Body::CycleDefinition),
+        cycle().prop_map(Body::GlobalDefinition),
+        text_operand().prop_map(Body::SelectProgram),
+        Just(Body::CallSelectedProgram),
+        select(vec![Mode::Mill, Mode::Turn, Mode::Grind]).prop_map(Body::Mode),
     ]
 }

@@ -17,7 +17,7 @@ fn bodies(text: &str) -> Vec<Body> {
 }
 
 #[track_caller]
-fn body(text: &str) -> Body {
+pub(super) fn body(text: &str) -> Body {
     let mut bodies = bodies(text);
     assert_eq!(bodies.len(), 1, "{text}");
     bodies.remove(0)
@@ -253,7 +253,9 @@ fn labels_and_calls() {
     check(&["CALL PGM ..\\a b.h"], &Body::CallProgram(text("..\\a b.h")));
     check(&["CALL PGM \"TNC:\\a;b.h\""], &Body::CallProgram(text("TNC:\\a;b.h")));
     check(&["CALL PGM QS5"], &Body::CallProgram(TextOperand::Parameter(Parameter::qs(5))));
-    check(&["CALL SELECTED PGM"], &Body::Other);
+    check(&["CALL LBL 5 REP Q7", "CALL LBL 5 REPQ7"], &call(Target::Number(5), Some(q(7))));
+    check(&["SEL PGM \"TNC:\\a.h\""], &Body::SelectProgram(text("TNC:\\a.h")));
+    check(&["CALL SELECTED PGM"], &Body::CallSelectedProgram);
 }
 
 #[test]
@@ -277,7 +279,8 @@ fn functions_for_errors_prints_and_tables() {
     check(&["FN 28: TABREAD Q10 = +Q22/QS1"], &read(q(22), Columns::Parameter(Parameter::qs(1))));
     let write = Body::TableWrite { row: number(40.0), columns: names(&["NAME"]), from: Parameter::qs(10) };
     check(&["FN 27: TABWRITE 40/\"NAME\" = QS10"], &write);
-    check(&["FN 18: SYSREAD Q1 = ID270 NR1 IDX1", "FN18: SYSREAD", "FN 15: PRINT Q7/Q8"], &Body::Other);
+    check(&["FN 18: SYSREAD Q1 = ID270 NR1 IDX1"], &Body::SystemRead { to: Parameter::q(1) });
+    check(&["FN 25: PRESET", "FN 99: X"], &Body::Other);
 }
 
 #[test]
@@ -302,7 +305,6 @@ fn lines_have_axes_feed_and_machine_functions() {
     assert_eq!(line("L Z-1 FMAX M91").machine, [machine(91, "")]);
     assert_eq!(line("L M140 MB MAX").machine, [machine(140, "MB MAX")]);
     assert_eq!(line("L  B+0  C+0 R0 F MAX M126 M128 F1000").machine, [machine(126, ""), machine(128, "F1000")]);
-    assert_eq!(body("LP PR+30 PA+0"), Body::Other);
 }
 
 #[test]
@@ -321,7 +323,6 @@ fn stops_machine_functions_and_tools() {
     check(&["TOOL CALL QS4"], &call(Some(by_text), None, ""));
     check(&["TOOL CALL S2000"], &call(None, None, "S2000"));
     check(&["TOOL CALL Z S2000"], &call(None, Some(Axis::Z), "S2000"));
-    check(&["TOOL DEF 5 L+0 R+3", "BLK FORM 0.1 Z X+0", "CC X+0 Y+0", "PLANE RESET STAY"], &Body::Other);
 }
 
 #[test]
@@ -354,8 +355,8 @@ fn cycles_have_lines_in_any_order_and_language() {
             format!("10:2 QS401 Text(Parameter({:?})) ;", Parameter::qs(5)),
         ]
     );
-    let Body::CycleDefinition(shift) = body("CYCL DEF 7.1 X+0") else { panic!() };
-    assert_eq!((shift.number.as_str(), shift.name.as_str(), shift.lines.len()), ("7.1", "X+0", 0));
+    let Body::CycleDefinition(drilling) = body("CYCL DEF 200 DRILLING ~\nQ200=2") else { panic!() };
+    assert_eq!((drilling.number.as_str(), drilling.name.as_str(), drilling.lines.len()), ("200", "DRILLING", 1));
 }
 
 #[test]

@@ -124,7 +124,7 @@ fn formulas_and_blocks_are_bounded() {
 
 #[test]
 fn formulas_are_bounded_in_all() {
-    let line = format!("FN 18: {}\n", "x".repeat(60_000));
+    let line = format!("FN 18: SYSREAD Q1 = {}\n", "x".repeat(60_000));
     let within = (8 << 20) / (line.len() - 1);
     let text = format!("0 BEGIN PGM t MM\n{}LBL 1\n9 END PGM t MM", line.repeat(within + 1));
     // What is kept as text also counts.

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use super::super::around::Made;
 use super::super::budget::{Settings, UsedUp};
-use super::super::cycles::{CycleRun, cycle_of, hand_over};
+use super::super::cycles::{Asked, CycleRun, cycle_of, hand_over};
 use super::super::fault::{Counted, Fault, FaultKind};
 use super::super::files::Files;
 use super::super::logs::Log;
@@ -16,7 +17,7 @@ use super::Run;
 use crate::control::mask::Context;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
-use crate::nc::program::{Block, Body, CycleBlock, MachineFunction, Program, TextOperand, Unit};
+use crate::nc::program::{Block, Body, CycleBlock, Frame, MachineFunction, PassedOver, TextOperand};
 use crate::probing::cycle::LogTarget;
 
 impl Run {
@@ -70,7 +71,18 @@ impl Run {
             Body::Label(label) => self.flow.pass_label(label),
             Body::End { .. } => return Ok(self.end_program()),
             Body::CallLabel { label, repeat } => self.flow.call_label(at, label, *repeat, &self.values)?,
-            Body::CallProgram(path) => self.call_program(at, path, files)?,
+            Body::CallProgram(path) => {
+                let path = self.path_of(path)?;
+                self.call_program(at, path, files)?;
+            }
+            Body::SelectProgram(path) => {
+                let path = self.path_of(path)?;
+                self.around.select(path);
+            }
+            Body::CallSelectedProgram => {
+                let path = self.around.selected().cloned().ok_or(FaultKind::NothingSelected)?;
+                self.call_program(at, path, files)?;
+            }
             Body::Assign { to, value } => {
                 let given = self.values.assign(*to, value, self.is_main())?;
                 self.note_given(at, *to, given);
@@ -104,23 +116,46 @@ impl Run {
                 self.remarks.add_all(&self.flow.place_of(at), std::mem::take(&mut cells.remarks));
                 self.tables.write(at, cells, files)?;
             }
-            Body::ToolCall { tool, .. } => self.cycles.call_tool(tool.as_ref(), &settings.probe_table, &self.values)?,
+            Body::ToolCall { tool, axis, .. } => {
+                self.around.call_tool(tool.is_some(), *axis);
+                self.cycles.call_tool(tool.as_ref(), &settings.probe_table, &self.values)?;
+            }
             Body::Move(movement) => {
-                self.way.travel(self.flow.place_of(at), movement, self.flow.unit(), &self.values)?;
+                self.around.turn(&movement.axes, &self.values);
+                self.way.travel(self.flow.place_of(at), movement, self.flow.unit(), &self.around, &self.values)?;
                 return Ok(self.machine_functions(at, &movement.machine, settings));
+            }
+            Body::PassedOver(PassedOver { words, goes, machine }) => {
+                self.around.pass_over(words);
+                self.around.turn(&goes.axes, &self.values);
+                self.way.jump(goes, self.flow.unit(), &self.around, &self.values)?;
+                return Ok(self.machine_functions(at, machine, settings));
+            }
+            Body::CycleDefinition(cycle) => {
+                self.around.pass_over(&format!("CYCL DEF {}", cycle.number));
+                self.around.stated(cycle, &mut self.values)?;
+            }
+            Body::GlobalDefinition(cycle) => self.around.define(cycle, self.flow.unit(), &self.values)?,
+            Body::Mode(mode) => self.around.set_mode(*mode),
+            Body::Frame(frame) => self.change(at, frame)?,
+            Body::SystemRead { to } => {
+                let given = self.values.undefine(*to, self.is_main());
+                let remark = if given.is_none() { Some(Remark::NoSystemData { parameter: *to }) } else { None };
+                self.note_given(at, *to, given);
+                self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
             }
             Body::MachineFunctions(functions) => return Ok(self.machine_functions(at, functions, settings)),
             Body::Stop(functions) => {
+                self.around.stop();
                 return Ok(match self.machine_functions(at, functions, settings) {
                     Step::Went => Step::Paused(Pause::Stop),
                     step => step,
                 });
             }
             Body::Probe(cycle) => return self.probe(at, cycle, files, settings),
-            Body::Other if is_blank_form(self.flow.program(), at) => {}
             // An unknown block stops the run, or is skipped if the user has chosen so.
-            _ if settings.skip_unknown => self.remark(at, Remark::Skipped),
-            _ => return Err(FaultKind::UnknownBlock),
+            Body::Other if settings.skip_unknown => self.remark(at, Remark::Skipped),
+            Body::Other => return Err(FaultKind::UnknownBlock),
         }
         Ok(Step::Went)
     }
@@ -142,8 +177,7 @@ impl Run {
         Step::Went
     }
 
-    fn call_program(&mut self, at: usize, path: &TextOperand, files: &mut Files) -> Result<(), FaultKind> {
-        let path = self.path_of(path)?;
+    fn call_program(&mut self, at: usize, path: NcPath, files: &mut Files) -> Result<(), FaultKind> {
         self.flow.check_depth()?;
         let (program, remarks) = files.program(&path, self.tables.changed())?;
         self.remarks.add_all(&self.flow.place_of(at), remarks);
@@ -223,18 +257,20 @@ impl Run {
             }
             cycle => cycle?,
         };
-        if self.flow.unit() == Some(Unit::Inch) {
-            return Err(FaultKind::Inch);
-        }
         self.cycles.check_count()?;
+        let place = self.flow.place_of(at);
+        let placement = self.around.placement(settings.assumes_tool)?;
+        self.remarks.add_all(&place, self.around.odd());
         if let Some(other) = self.cycles.other_probe() {
             self.remark(at, other);
         }
-        let place = self.flow.place_of(at);
-        let (path, result) = self.cycles.measure(cycle, block, self.way.place(), &self.values)?;
+        let asked = Asked { block, unit: self.flow.unit(), placement, position: self.way.place() };
+        let (path, result) = self.cycles.measure(cycle, &asked, &self.around, &self.values)?;
+        let path = placement.moves(&path);
         self.way.follow(&place, &path)?;
         let result = result?;
-        hand_over(cycle, &result, &mut self.values)?;
+        hand_over(cycle, &result, &path, self.flow.unit(), &mut self.values)?;
+        self.around.stated(block, &mut self.values)?;
         if let Some(log) = Log::of(cycle, &result, &self.flow, settings)? {
             log.write(place.clone(), &mut self.prints, files, &mut self.remarks)?;
         }
@@ -247,8 +283,19 @@ impl Run {
         Ok(step)
     }
 
-    /// M0, M1, M2 and M30; the others have no effect here.
+    /// A change of the system that coordinates count in.
+    fn change(&mut self, at: usize, frame: &Frame) -> Result<(), FaultKind> {
+        let program = self.flow.program();
+        let line = program.blocks().get(at).map_or(0, |block| block.lines.start + 1);
+        let text = program.text_of(at).next().unwrap_or_default().trim().to_owned();
+        let remark = self.around.change(frame, Made { line, text }, self.flow.unit(), &self.values)?;
+        self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
+        Ok(())
+    }
+
+    /// M0, M1, M2 and M30 act at once, some are remembered; the others have no effect here.
     fn machine_functions(&mut self, at: usize, functions: &[MachineFunction], settings: &Settings) -> Step {
+        self.around.machine_functions(functions);
         let mut step = Step::Went;
         for function in functions {
             match function.number {
@@ -265,12 +312,4 @@ impl Run {
         }
         step
     }
-}
-
-/// The blank form is for the control's graphics and changes nothing.
-fn is_blank_form(program: &Program, at: usize) -> bool {
-    program.text_of(at).next().is_some_and(|line| {
-        let line = line.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace() || c == '/');
-        line.get(..8).is_some_and(|word| word.eq_ignore_ascii_case("BLK FORM"))
-    })
 }

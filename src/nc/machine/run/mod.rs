@@ -7,6 +7,7 @@ mod blocks;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use super::around::Around;
 use super::budget::Settings;
 use super::contacts::Contacts;
 use super::cycles::{CycleRun, Cycles};
@@ -22,6 +23,7 @@ use super::store::{Origin, Store};
 use super::tables::Tables;
 use super::values::Values;
 use crate::control::variables::{Parameter, Value, Variables};
+use crate::message::Message;
 use crate::nc::program::{Program, Unit};
 use crate::verdict::Status;
 
@@ -34,6 +36,7 @@ struct Run {
     prints: Prints,
     cycles: Cycles,
     way: Way,
+    around: Around,
     remarks: Remarks,
     blocks: u64,
 }
@@ -51,6 +54,7 @@ impl Run {
             prints: Prints::new(settings.budget),
             cycles: Cycles::new(contacts, settings),
             way: Way::new(&settings.budget),
+            around: Around::new(),
             remarks: Remarks::new(&settings.budget),
             blocks: 0,
         }
@@ -241,6 +245,21 @@ impl Machine {
     /// Where the ball's centre is, mm, in X, Y and Z as far as known.
     pub const fn position(&self) -> [Option<f64>; 3] {
         self.run.way.position()
+    }
+
+    /// How many blocks were passed over because nothing that is measured depends on them, by their first words.
+    pub const fn passed_over(&self) -> &BTreeMap<String, usize> {
+        self.run.around.passed()
+    }
+
+    /// The same as a message, without the blank's form, which nearly every program has and which is for graphics only; `None`
+    /// if there were no others.
+    pub fn passed_over_message(&self) -> Option<Message> {
+        let passed = || self.passed_over().iter().filter(|(words, _)| *words != "BLK FORM");
+        let listed: Vec<String> = passed().map(|(words, count)| format!("{count} {words}")).collect();
+        let count: usize = passed().map(|(_, count)| count).sum();
+        let message = || Message::new("machine-passed-over").count("count", count).text("list", listed.join(", "));
+        (0 < count).then(message)
     }
 
     /// What is worth knowing, in order.

@@ -71,6 +71,13 @@ impl Values {
         self.variables.set(parameter, value);
     }
 
+    /// Takes the values of Q parameters away.
+    pub(super) fn forget(&mut self, numbers: std::ops::RangeInclusive<u16>) {
+        for number in numbers {
+            self.variables.unset(Parameter::q(number));
+        }
+    }
+
     /// Gives a parameter a value before the run.
     pub(super) fn give(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
         self.put(parameter, value.clone())?;

@@ -3,11 +3,10 @@
 //! Known by their first words; what is passed over is not checked further. Forms: `docs/SOURCES.md`, "Around a measurement".
 
 use super::super::around::{Frame, Goes, Mode, PassedOver};
-use super::super::block::{Axis, AxisWord, Body, CycleBlock, CycleLine, CycleValue, MachineFunction, Operand, Place};
+use super::super::block::{Axis, AxisWord, Body, CycleBlock, CycleLine, CycleValue, MachineFunction, Operand};
 use super::super::cursor::{Cursor, Read};
-use super::super::lines::Piece;
+use super::super::fault::Wanted;
 use super::super::words::AXES;
-use super::cycle;
 use super::moves::{axis_letter, axis_word, is_machine_function, machine_functions};
 use crate::control::variables::Parameter;
 
@@ -81,7 +80,7 @@ const SETTINGS: [(&str, &str); 12] = [
 ];
 
 /// Functions after `FUNCTION` that neither change the system nor files.
-const FUNCTIONS: [&str; 15] = [
+const FUNCTIONS: [&str; 16] = [
     "TCPM",
     "DWELL",
     "FEED",
@@ -96,6 +95,7 @@ const FUNCTIONS: [&str; 15] = [
     "AFC",
     "TOOL",
     "DRESS",
+    "RESET",
     "MONITORING",
 ];
 
@@ -257,7 +257,7 @@ const fn rotation(angle: Operand, is_incremental: bool) -> Frame {
 fn rotated(cursor: &mut Cursor<'_>) -> Read<Frame> {
     let is_incremental = cursor.take_prefix("I");
     if !cursor.take_prefix("ROT") {
-        return Err(cursor.stop(super::super::fault::Wanted::Word("ROT")));
+        return Err(cursor.stop(Wanted::Word("ROT")));
     }
     Ok(rotation(cursor.operand()?, is_incremental))
 }
@@ -265,7 +265,7 @@ fn rotated(cursor: &mut Cursor<'_>) -> Read<Frame> {
 /// `SCL 0.99`
 fn scaled(cursor: &mut Cursor<'_>) -> Read<Frame> {
     if !cursor.take_prefix("SCL") {
-        return Err(cursor.stop(super::super::fault::Wanted::Word("SCL")));
+        return Err(cursor.stop(Wanted::Word("SCL")));
     }
     Ok(Frame::Scaling(cursor.operand()?))
 }
@@ -325,9 +325,4 @@ pub(super) fn defined(cycle: CycleBlock) -> Body {
         CycleValue::Text(_) | CycleValue::Word(_) => None,
     });
     Body::Frame(Frame::Preset(preset))
-}
-
-/// Adds a line to a cycle, whose `~` before it is missing.
-pub(super) fn joined(cycle: &mut CycleBlock, piece: &Piece<'_>, column: impl Fn(usize) -> Place) -> Read<()> {
-    cycle::line(cycle, piece, column)
 }

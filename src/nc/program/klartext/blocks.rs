@@ -6,7 +6,8 @@ use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::lines::{Front, Lines, Piece, first, front, next, trimmed};
 use super::super::warnings::Warnings;
-use super::cut_off::{Before, CutOff, cut_off};
+use super::cut_off::{Before, CutOff, belongs, cut_off};
+use super::cycle;
 use super::understand::{Odd, understand};
 
 /// The most text in formulas and in lines longer than [`LONG`], 8 MiB: once read, it takes up to fifty times its length
@@ -34,6 +35,8 @@ pub(super) struct Reader<'a> {
     number: Option<u32>,
     /// The cycle directly before.
     cycle: Option<Before>,
+    /// How many blocks there were when lines were added to the last one.
+    joined: Option<usize>,
     not_rising: Option<NotRising>,
     begin: Option<Unit>,
     has_end: bool,
@@ -51,6 +54,7 @@ impl<'a> Reader<'a> {
             formulas: 0,
             number: None,
             cycle: None,
+            joined: None,
             not_rising: None,
             begin: None,
             has_end: false,
@@ -92,6 +96,9 @@ impl<'a> Reader<'a> {
         let front = front(self.line(line));
         let end = self.collect(line, front.end);
         self.check_number(line, front);
+        if self.join(line, front, end) {
+            return end;
+        }
         let read = self.weigh().and_then(|()| understand(&self.pieces, |line, at| self.place(line, at)));
         let body = read.unwrap_or_else(|Odd { line, at, what }| {
             self.warn(line, at, what);
@@ -112,6 +119,37 @@ impl<'a> Reader<'a> {
         let Front { number, may_be_skipped, .. } = front;
         self.blocks.push(Block { lines: line..end, number, may_be_skipped, body });
         end
+    }
+
+    /// Adds the lines to the cycle before, if they belong to it although a `~` is missing.
+    fn join(&mut self, line: usize, front: Front, end: usize) -> bool {
+        let Some(&first) = self.pieces.first().filter(|first| belongs(self.blocks.last(), front, first)) else {
+            return false;
+        };
+        let Some(Block { body: Body::CycleDefinition(cycle) | Body::GlobalDefinition(cycle), lines, .. }) =
+            self.blocks.last()
+        else {
+            return false;
+        };
+        let mut cycle = cycle.clone();
+        let before = lines.end;
+        for piece in &self.pieces {
+            if cycle::line(&mut cycle, piece, |at| self.place(piece.line, piece.start + at)).is_err() {
+                return false;
+            }
+        }
+        // Said once for each cycle.
+        if self.joined.replace(self.blocks.len()) != Some(self.blocks.len()) {
+            let what = ProgramWarningKind::CycleWithoutTilde { cycle: cycle.number.clone(), line: before };
+            self.warn(line, first.start, what);
+        }
+        if let Some(Block { body: Body::CycleDefinition(whole) | Body::GlobalDefinition(whole), lines, .. }) =
+            self.blocks.last_mut()
+        {
+            *whole = cycle;
+            lines.end = end;
+        }
+        true
     }
 
     /// Parses the lines of a block; returns the line after it. A comment that is a block of its own continues as a

@@ -99,7 +99,7 @@ pub(super) fn target(cursor: &mut Cursor<'_>) -> Read<Target> {
 fn call_label(cursor: &mut Cursor<'_>) -> Read<Body> {
     let label = target(cursor)?;
     let mut repeat = None;
-    if cursor.take_word("REP") {
+    if cursor.take_prefix("REP") {
         repeat = Some(match cursor.parameter()?.filter(|parameter| parameter.family != Family::Qs) {
             Some(parameter) => Operand::Parameter { parameter, is_negative: false },
             None => Operand::Number(f64::from(cursor.expect_whole(MOST_REPEATS)?)),

@@ -4,7 +4,9 @@
 //! `Q275=+25.01` is an assignment, and the cycle would measure without its limit. So such a line is refused, and so is a block
 //! that a comment's `~` has swallowed.
 
-use super::super::block::{Body, CycleBlock};
+use super::super::around::Frame;
+use super::super::block::{Block, Body, CycleBlock};
+use super::super::cursor::Cursor;
 use super::super::error::ProgramWarningKind;
 use super::super::lines::{Front, Piece, front};
 use super::body::body;
@@ -25,7 +27,7 @@ impl Before {
     /// The cycle that a block is, or that it still stands behind.
     pub(super) fn after(before: Option<Self>, front: Front, body: &Body, end: usize, is_cut_off: bool) -> Option<Self> {
         match body {
-            Body::Probe(CycleBlock { number, .. }) | Body::CycleDefinition(CycleBlock { number, .. }) => {
+            Body::Probe(CycleBlock { number, .. }) => {
                 Some(Self { has_number: front.number.is_some(), code: number.clone(), line: end })
             }
             Body::Nothing => before,
@@ -56,8 +58,13 @@ pub(super) fn cut_off(before: Option<&Before>, front: Front, pieces: &[Piece<'_>
     }
     let what = ProgramWarningKind::CommentGoesOn;
     match read {
-        Body::Probe(_) | Body::CycleDefinition(_) | Body::Heading { .. } | Body::Other => None,
-        Body::Nothing => {
+        Body::Probe(_)
+        | Body::CycleDefinition(_)
+        | Body::GlobalDefinition(_)
+        | Body::Heading { .. }
+        | Body::Frame(Frame::Preset(_))
+        | Body::Other => None,
+        Body::Nothing | Body::PassedOver(_) => {
             let swallowed = more.iter().position(|piece| piece.comment.is_some_and(is_block))?;
             Some(CutOff { piece: 1 + swallowed, what, is_refused: true })
         }
@@ -79,10 +86,25 @@ fn assigned(before: Option<&Before>, front: Front, first: &Piece<'_>, read: &Bod
     is_line.then_some(CutOff { piece: 0, what, is_refused: is_unnumbered || first.goes_on })
 }
 
+/// Whether a line behind a machining cycle or a definition of global values belongs to it, although the `~` before it is
+/// missing: CAM programs have such cycles, and nothing that is measured depends on them. Numbered lines are blocks.
+pub(super) fn belongs(last: Option<&Block>, front: Front, first: &Piece<'_>) -> bool {
+    let Some(last) = last else { return false };
+    let is_definition = match &last.body {
+        // In a program without numbers a line cannot be told from an assignment, which has the same effect.
+        Body::CycleDefinition(_) => last.number.is_some(),
+        Body::GlobalDefinition(_) => true,
+        _ => false,
+    };
+    let mut cursor = Cursor::new(first.code);
+    let is_line = cursor.take_prefix("Q") && matches!(cursor.next(), Some('0'..='9' | 'S' | 's'));
+    is_definition && is_line && front.number.is_none()
+}
+
 /// Whether a line within a comment is a block by itself.
 fn is_block(line: &str) -> bool {
     let front = front(line);
     let code = line.get(front.end..).unwrap_or_default();
     let code = code.split(';').next().unwrap_or_default().trim_end_matches([' ', '~']);
-    !matches!(body(code), Ok(Body::Nothing | Body::Other)) && !code.is_empty()
+    !matches!(body(code), Ok(Body::Nothing | Body::PassedOver(_) | Body::Other)) && !code.is_empty()
 }

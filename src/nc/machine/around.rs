@@ -1,0 +1,311 @@
+//! What a program sets up around its measurements: tool axis and spindle, mode, global values, and the system that
+//! coordinates count in; and what it passes over.
+//!
+//! Where the rules come from: `docs/SOURCES.md`, "Around a measurement".
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::fault::FaultKind;
+use super::path::NcPath;
+use super::placement::{Placement, plane};
+use super::remark::Remark;
+use super::values::Values;
+use crate::control::variables::{Parameter, Value};
+use crate::message::Say;
+use crate::nc::program::{
+    Axis, AxisWord, CycleBlock, CycleName, CycleValue, Frame, MachineFunction, Mode, Operand, Unit,
+};
+use crate::probing::cycle::Plane;
+
+/// Millimetres in an inch.
+pub(super) const INCH: f64 = 25.4;
+
+/// Millimetres in one unit of a program.
+pub(super) fn millimetres(unit: Option<Unit>) -> f64 {
+    if unit == Some(Unit::Inch) { INCH } else { 1.0 }
+}
+
+/// A change of the system under which nothing is measured here.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Say)]
+#[say(prefix = "machine-change")]
+pub enum Change {
+    /// A row of a datum table, which only the control has.
+    DatumTable,
+    /// Cycle 10.
+    Rotation,
+    /// Cycle 8.
+    Mirror,
+    /// Cycles 11 and 26.
+    Scaling,
+    /// PLANE, cycle 19.
+    Tilt,
+}
+
+/// What a program has set up.
+#[derive(Debug)]
+pub(super) struct Around {
+    /// The plane of the last TOOL CALL that named a tool axis.
+    plane: Option<Plane>,
+    /// The M function that turns the spindle.
+    spindle: Option<u32>,
+    mode: Mode,
+    /// The values that PREDEF stands for, in mm or degrees, with the factor of their program's unit.
+    globals: BTreeMap<Parameter, Global>,
+    zero: [f64; 3],
+    preset: Option<f64>,
+    /// Changes in force, and the block that made each.
+    changes: BTreeMap<Change, Made>,
+    /// Rotary axes that are not known to be at zero.
+    turned: BTreeSet<Axis>,
+    selected: Option<NcPath>,
+    passed: BTreeMap<String, usize>,
+}
+
+/// The block that made a change.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Made {
+    /// Its line in its program, from 1.
+    pub line: usize,
+    /// Its text.
+    pub text: String,
+}
+
+/// A value of GLOBAL DEF.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Global {
+    /// The value as written.
+    pub value: f64,
+    /// The unit of the program that gave it.
+    pub unit: Option<Unit>,
+}
+
+impl Around {
+    pub(super) const fn new() -> Self {
+        Self {
+            plane: None,
+            spindle: None,
+            mode: Mode::Mill,
+            globals: BTreeMap::new(),
+            zero: [0.0; 3],
+            preset: None,
+            changes: BTreeMap::new(),
+            turned: BTreeSet::new(),
+            selected: None,
+            passed: BTreeMap::new(),
+        }
+    }
+
+    /// How many blocks were passed over, by their first words.
+    pub(super) const fn passed(&self) -> &BTreeMap<String, usize> {
+        &self.passed
+    }
+
+    /// Counts a block that was passed over.
+    pub(super) fn pass_over(&mut self, words: &str) {
+        if let Some(count) = self.passed.get_mut(words) {
+            *count += 1;
+        } else {
+            self.passed.insert(words.to_owned(), 1);
+        }
+    }
+
+    /// TOOL CALL: a tool's axis, if one is named; the spindle stops for another tool.
+    pub(super) fn call_tool(&mut self, is_change: bool, axis: Option<Axis>) {
+        self.plane = axis.and_then(plane).or(self.plane);
+        if is_change {
+            self.spindle = None;
+        }
+    }
+
+    /// M3, M4, M13, M14 turn the spindle, M5 stops it.
+    pub(super) fn machine_functions(&mut self, functions: &[MachineFunction]) {
+        for function in functions {
+            match function.number {
+                3 | 4 | 13 | 14 => self.spindle = Some(function.number),
+                5 => self.spindle = None,
+                _ => {}
+            }
+        }
+    }
+
+    /// STOP ends the turning of the spindle.
+    pub(super) const fn stop(&mut self) {
+        self.spindle = None;
+    }
+
+    pub(super) const fn set_mode(&mut self, mode: Mode) {
+        self.mode = mode;
+    }
+
+    /// GLOBAL DEF: the last one that was run counts.
+    pub(super) fn define(&mut self, block: &CycleBlock, unit: Option<Unit>, values: &Values) -> Result<(), FaultKind> {
+        for line in &block.lines {
+            if let (CycleName::Parameter(parameter), CycleValue::Number { value, .. }) = (&line.parameter, &line.value)
+            {
+                let value = values.operand(*value)?;
+                self.globals.insert(*parameter, Global { value, unit });
+            }
+        }
+        Ok(())
+    }
+
+    /// The value of GLOBAL DEF for a parameter.
+    pub(super) fn global(&self, parameter: Parameter) -> Option<&Global> {
+        self.globals.get(&parameter)
+    }
+
+    /// `SEL PGM`
+    pub(super) fn select(&mut self, path: NcPath) {
+        self.selected = Some(path);
+    }
+
+    pub(super) const fn selected(&self) -> Option<&NcPath> {
+        self.selected.as_ref()
+    }
+
+    /// Rotary axes of a move: at zero they change nothing.
+    pub(super) fn turn(&mut self, axes: &[AxisWord], values: &Values) {
+        for word in axes {
+            if matches!(word.axis, Axis::A | Axis::B | Axis::C) {
+                let is_zero = !word.is_incremental && values.operand(word.value).is_ok_and(|value| value.abs() < 1e-9);
+                if is_zero {
+                    self.turned.remove(&word.axis);
+                } else {
+                    self.turned.insert(word.axis);
+                }
+            }
+        }
+    }
+
+    /// Changes the system; `made` is the block.
+    pub(super) fn change(
+        &mut self,
+        frame: &Frame,
+        made: Made,
+        unit: Option<Unit>,
+        values: &Values,
+    ) -> Result<Option<Remark>, FaultKind> {
+        let is_not = |operand: Operand, neutral: f64| -> Result<bool, FaultKind> {
+            Ok(0.0 < (values.operand(operand)? - neutral).abs())
+        };
+        match frame {
+            Frame::Title => {}
+            Frame::Shift(axes) => self.shift(axes, unit, values)?,
+            Frame::NoShift => {
+                self.zero = [0.0; 3];
+                self.changes.remove(&Change::DatumTable);
+            }
+            Frame::ShiftFromTable => self.set(Change::DatumTable, true, made),
+            Frame::Preset(number) => return self.activate(*number, values),
+            Frame::Rotation { angle, is_incremental } => {
+                let is_turned = is_not(*angle, 0.0)?;
+                let stays = *is_incremental && self.changes.contains_key(&Change::Rotation);
+                if !stays {
+                    self.set(Change::Rotation, is_turned, made);
+                }
+            }
+            Frame::Mirror(axes) => self.set(Change::Mirror, !axes.is_empty(), made),
+            Frame::Scaling(factor) => self.set(Change::Scaling, is_not(*factor, 1.0)?, made),
+            Frame::AxisScaling(factors) => {
+                let changed: Result<Vec<bool>, _> = factors.iter().map(|factor| is_not(*factor, 1.0)).collect();
+                self.set(Change::Scaling, changed?.contains(&true), made);
+            }
+            Frame::Tilt(angles) => {
+                let changed: Result<Vec<bool>, _> = angles.iter().map(|angle| is_not(*angle, 0.0)).collect();
+                self.set(Change::Tilt, changed?.contains(&true), made);
+            }
+            Frame::OtherTilt => self.set(Change::Tilt, true, made),
+            Frame::NoTilt => self.set(Change::Tilt, false, made),
+        }
+        Ok(None)
+    }
+
+    fn set(&mut self, change: Change, is_in_force: bool, made: Made) {
+        if is_in_force {
+            self.changes.insert(change, made);
+        } else {
+            self.changes.remove(&change);
+        }
+    }
+
+    fn shift(&mut self, axes: &[AxisWord], unit: Option<Unit>, values: &Values) -> Result<(), FaultKind> {
+        for word in axes {
+            let value = values.operand(word.value)? * millimetres(unit);
+            let [x, y, z] = &mut self.zero;
+            let zero = match word.axis {
+                Axis::X => x,
+                Axis::Y => y,
+                Axis::Z => z,
+                Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => continue,
+            };
+            *zero = if word.is_incremental { *zero + value } else { value };
+        }
+        // A shift that is written takes the place of one from a table.
+        self.changes.remove(&Change::DatumTable);
+        Ok(())
+    }
+
+    /// Cycle 247: shift, rotation, mirror and scaling end. Fitcheck has no preset table: the workpiece lies at each preset.
+    fn activate(&mut self, number: Option<Operand>, values: &Values) -> Result<Option<Remark>, FaultKind> {
+        let number = number.map(|number| values.operand(number)).transpose()?;
+        let is_other = self.preset.is_some() && self.preset != number;
+        self.zero = [0.0; 3];
+        self.changes.retain(|change, _| *change == Change::Tilt);
+        self.preset = number.or(self.preset);
+        Ok(number.filter(|_| is_other).map(|number| Remark::OtherPreset { number: number.to_string() }))
+    }
+
+    /// Whether coordinates can be followed: under a rotation and its like they cannot.
+    pub(super) fn is_plain(&self) -> bool {
+        self.changes.is_empty()
+    }
+
+    /// The zero in force, mm from the preset.
+    pub(super) const fn zero(&self) -> [f64; 3] {
+        self.zero
+    }
+
+    /// Where a cycle measures.
+    ///
+    /// # Errors
+    /// [`FaultKind`] outside milling mode, without a tool axis unless Z is assumed, and under a change of the system.
+    pub(super) fn placement(&self, assumes_tool: bool) -> Result<Placement, FaultKind> {
+        if self.mode != Mode::Mill {
+            return Err(FaultKind::Mode(self.mode));
+        }
+        if let Some((change, Made { line, text })) = self.changes.first_key_value() {
+            return Err(FaultKind::Changed { change: *change, line: *line, text: text.clone() });
+        }
+        match self.plane {
+            None if !assumes_tool => Err(FaultKind::NoToolCall),
+            plane => Ok(Placement { plane: plane.unwrap_or_default(), zero: self.zero }),
+        }
+    }
+
+    /// What is odd about measuring now.
+    pub(super) fn odd(&self) -> Vec<Remark> {
+        let assumed = self.plane.is_none().then_some(Remark::AxisAssumed);
+        let spindle = self.spindle.map(|function| Remark::SpindleTurns { function });
+        let axes: Vec<String> = self.turned.iter().map(|axis| format!("{axis:?}")).collect();
+        let turned = (!axes.is_empty()).then(|| Remark::RotaryMoved { axes: axes.join(", ") });
+        assumed.into_iter().chain(spindle).chain(turned).collect()
+    }
+
+    /// The parameters of a cycle that nothing here runs, as a program may read them afterwards.
+    pub(super) fn stated(&self, block: &CycleBlock, values: &mut Values) -> Result<(), FaultKind> {
+        for line in &block.lines {
+            // A word is not a parameter that a program could read.
+            let CycleName::Parameter(parameter) = line.parameter else { continue };
+            let value = match &line.value {
+                CycleValue::Number { value, .. } => values.value(*value)?,
+                CycleValue::Word(word) if word.eq_ignore_ascii_case("PREDEF") => match self.global(parameter) {
+                    Some(global) => Value::Number(global.value),
+                    None => continue,
+                },
+                CycleValue::Text(_) | CycleValue::Word(_) => continue,
+            };
+            values.put(parameter, value)?;
+        }
+        Ok(())
+    }
+}
